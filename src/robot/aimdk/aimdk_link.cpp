@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robot/aimdk/faults.h"
+#include "robot/wire/entry_of.h"
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
 #include "sentences/failure_sentence.h"
@@ -49,25 +50,15 @@ map::Failure unasked(map::Subject subject, const char* ids) {
 
 }  // namespace
 
-AimdkLink::AimdkLink(LinkOptions options, std::shared_ptr<wire::DeliveryPlace> deliveries)
+AimdkLink::AimdkLink(LinkOptions options)
     : options_(std::move(options)),
-      deliveries_(std::move(deliveries)),
-      backoff_(options_.backoff_first, options_.backoff_limit, options_.jitter_seed) {}
-
-AimdkLink::~AimdkLink() = default;
-
-void AimdkLink::start() {
-  if (http_) return;
-  // The interface knows no secret.
-  http_ = std::make_unique<net::HttpClient>(options_.base, QByteArray(), nullptr);
-  http_->setTrust(options_.trust);
-  timer_ = std::make_unique<QTimer>();
-  healthy_ = std::make_unique<QTimer>();
-  quiet_ = std::make_unique<QTimer>();
-  for (QTimer* timer : {timer_.get(), healthy_.get(), quiet_.get()}) timer->setSingleShot(true);
-  connect(quiet_.get(), &QTimer::timeout, this, &AimdkLink::noteSilence);
-  connect(healthy_.get(), &QTimer::timeout, this, [this] { backoff_.reset(); });
-  connect(timer_.get(), &QTimer::timeout, this, [this] {
+      http_(options_.base, QByteArray(), nullptr),  // the interface knows no secret
+      backoff_(options_.backoff_first, options_.backoff_limit, options_.jitter_seed) {
+  http_.setTrust(options_.trust);
+  for (QTimer* timer : {&timer_, &healthy_, &quiet_}) timer->setSingleShot(true);
+  connect(&quiet_, &QTimer::timeout, this, &AimdkLink::noteSilence);
+  connect(&healthy_, &QTimer::timeout, this, [this] { backoff_.reset(); });
+  connect(&timer_, &QTimer::timeout, this, [this] {
     if (phase_ == ConnectionPhase::Online) {
       poll();
     } else {
@@ -89,48 +80,38 @@ net::HttpRequest AimdkLink::request(const char* method, const QByteArray& body,
 }
 
 void AimdkLink::ask(const char* method, const QByteArray& body, Taken taken) {
-  start();
-  asking_ = http_->send(request(method, body, options_.patience), std::move(taken));
+  asking_ = http_.send(request(method, body, options_.patience), std::move(taken));
 }
 
 void AimdkLink::deliver(const char* method, const net::HttpAnswer& answer) {
   if (!answer.ok()) return;
   const std::string_view call = method;
-  const auto body = std::make_shared<const QByteArray>(answer.body);
-  wire::DeliveryPlace::Parcel parcel;
-  parcel.name = "/aimdk/" + std::string(call.substr(call.rfind('/') + 1));
+  wire::DeliveryPlace::Parcel parcel =
+      parcelOf("/aimdk/" + std::string(call.substr(call.rfind('/') + 1)),
+               std::make_shared<const std::string>(answer.body.toStdString()), options_.wall_s());
   parcel.encoding = "json";
   parcel.slot = parcel.name;
-  parcel.bytes = wire::view(*body);
-  parcel.held_bytes = std::size_t(body->size());
-  parcel.keeps = body;
-  parcel.received_s =
-      options_.wall_s ? options_.wall_s() : double(QDateTime::currentMSecsSinceEpoch()) / 1000;
-  deliveries_->pass(std::move(parcel));
+  places_->deliveries.pass(std::move(parcel));
 }
 
 void AimdkLink::open() {
-  start();
   wanted_ = true;
   if (phase_ == ConnectionPhase::Online || asking_ != 0) return;
   attempt();
 }
 
 void AimdkLink::trust(const QByteArray& pinned_sha256) {
-  start();
   options_.trust.pinned_sha256 = pinned_sha256;
-  http_->setTrust(options_.trust);
+  http_.setTrust(options_.trust);
   open();
 }
 
 void AimdkLink::close() {
   wanted_ = false;
-  if (http_) {
-    timer_->stop();
-    healthy_->stop();
-    quiet_->stop();
-    http_->cancelAll();
-  }
+  timer_.stop();
+  healthy_.stop();
+  quiet_.stop();
+  http_.cancelAll();
   asking_ = 0;
   attempt_ = 0;
   backoff_.reset();
@@ -151,7 +132,7 @@ void AimdkLink::noteSilence() {
 }
 
 void AimdkLink::attempt() {
-  timer_->stop();
+  timer_.stop();
   ++attempt_;
   enter(attempt_ == 1 ? ConnectionPhase::Connecting : ConnectionPhase::Interrupted);
   ask(kMapNames, mapNamesRequest(), [this](const net::HttpAnswer& answer) {
@@ -180,7 +161,7 @@ void AimdkLink::attempt() {
 void AimdkLink::goOnline() {
   attempt_ = 0;
   // One answer is not health: a robot that answers and then fails must not be asked ever so often.
-  healthy_->start(options_.healthy_after);
+  healthy_.start(options_.healthy_after);
   enter(ConnectionPhase::Online);
   poll();
 }
@@ -188,11 +169,11 @@ void AimdkLink::goOnline() {
 void AimdkLink::poll() {
   polled_.start();
   // One that needs long for its answers gets as long again.
-  quiet_->start(std::max(options_.quiet_after, 2 * slowest_));
+  quiet_.start(std::max(options_.quiet_after, 2 * slowest_));
   ask(kCurrentMap, currentMapRequest(), [this](const net::HttpAnswer& answer) {
     if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
     asking_ = 0;
-    quiet_->stop();
+    quiet_.stop();
     deliver(kCurrentMap, answer);
     // An answer with an error is a sign of life: the robot may have no map in use.
     if (answer.kind != net::HttpAnswer::Kind::Answered) {
@@ -204,7 +185,7 @@ void AimdkLink::poll() {
     hear();
     if (was_silent) enter(phase_);
     if (answer.ok()) noteCurrent(parseCurrentMap(wire::view(answer.body)).value_or(std::string()));
-    timer_->start(options_.poll_every);
+    timer_.start(options_.poll_every);
   });
 }
 
@@ -221,20 +202,20 @@ void AimdkLink::interrupt(const net::HttpAnswer& answer) {
 
 void AimdkLink::interrupt(const Fault& reason, map::FailureKind failure) {
   if (!wanted_) return;
-  healthy_->stop();
-  quiet_->stop();
+  healthy_.stop();
+  quiet_.stop();
   if (heard_at_.isValid()) silent_since_ = heard_at_;
   if (failure != map::FailureKind::Certificate) certificate_.reset();
   reason_ = reason;
   failure_ = failure;
   // A refusal does not go away by asking again.
   if (failure == map::FailureKind::Refused || failure == map::FailureKind::Certificate) {
-    timer_->stop();
+    timer_.stop();
     enter(ConnectionPhase::Refused);
     return;
   }
   const auto wait = backoff_.next();
-  timer_->start(wait);
+  timer_.start(wait);
   enter(ConnectionPhase::Interrupted, int(wait.count()));
 }
 
@@ -257,8 +238,7 @@ void AimdkLink::enter(ConnectionPhase phase, std::optional<int> retry_in_ms) {
 }
 
 void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
-  start();
-  wire::send(errand, *http_, request(kMapNames, mapNamesRequest(), options_.patience),
+  wire::send(errand, http_, request(kMapNames, mapNamesRequest(), options_.patience),
              [this, errand, reply](const net::HttpAnswer& answer) {
                deliver(kMapNames, answer);
                auto maps = outcomeOf(answer, catalogueSubject(map::kMapsPart),
@@ -267,7 +247,7 @@ void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::Catalogu
                  reply(fail(maps.error()));
                  return;
                }
-               wire::send(errand, *http_, request(kCurrentMap, currentMapRequest(), options_.patience),
+               wire::send(errand, http_, request(kCurrentMap, currentMapRequest(), options_.patience),
                           [this, reply, entries = std::move(*maps)](const net::HttpAnswer& current) mutable {
                             deliver(kCurrentMap, current);
                             const auto id = outcomeOf(current, catalogueSubject(map::kCurrentMapPart),
@@ -289,13 +269,20 @@ void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::Catalogu
              });
 }
 
+// There is no question for one map alone that does not send its picture.
+void AimdkLink::describe(wire::ErrandPtr errand, const map::MapKey& key,
+                         OutcomeTo<map::CatalogueEntry> reply) {
+  list(std::move(errand), [key, reply = std::move(reply)](Outcome<std::vector<map::CatalogueEntry>> entries) {
+    reply(wire::entryOf(key, std::move(entries)));
+  });
+}
+
 void AimdkLink::fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& key,
                             OutcomeTo<ParsedMap> reply) {
   if (key.kind != map::MapKind::Stored || key.id.empty()) {
     reply(fail(unasked(map::subjectOf(key), "1764059676131")));
     return;
   }
-  start();
   std::shared_ptr<SharedFetch>& entry = fetching_[key];
   const bool first = !entry;
   if (first) entry = std::make_shared<SharedFetch>(SharedFetch{std::make_shared<wire::Errand>(), {}});
@@ -318,7 +305,7 @@ void AimdkLink::fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& ke
     reply(std::move(parsed));
   });
   if (!first) return;
-  wire::send(shared->errand, *http_, request(kWholeMap, wholeMapRequest(key.id), options_.map_patience),
+  wire::send(shared->errand, http_, request(kWholeMap, wholeMapRequest(key.id), options_.map_patience),
              [this, key, shared, leave](const net::HttpAnswer& answer) {
                leave(shared);
                auto parsed =
@@ -363,8 +350,7 @@ void AimdkLink::waypoints(wire::ErrandPtr errand, const map::MapKey& key,
 
 void AimdkLink::askPoints(const wire::ErrandPtr& errand, const map::MapKey& key, const QByteArray& body,
                           OutcomeTo<map::WaypointList> reply) {
-  start();
-  wire::send(errand, *http_, request(kTopology, body, options_.patience),
+  wire::send(errand, http_, request(kTopology, body, options_.patience),
              [this, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
                deliver(kTopology, answer);
                const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;

@@ -18,9 +18,8 @@
 #include "net/backoff.h"
 #include "net/http_client.h"
 #include "robot/aimdk/parse_rpc.h"
-#include "robot/robot.h"
-#include "robot/wire/delivery_place.h"
 #include "robot/wire/errand.h"
+#include "robot/wire/robot_link.h"
 
 namespace mapwright::robot::aimdk {
 
@@ -34,33 +33,28 @@ struct LinkOptions {
   std::chrono::milliseconds backoff_first{500}, backoff_limit{30'000};
   std::chrono::milliseconds healthy_after{30'000};  // online for so long = the next loss is a first one
   quint32 jitter_seed = 1;
-  std::function<double()> wall_s = {};  // seconds since the epoch, on any thread; null = the system's clock
+  std::function<double()> wall_s = wire::secondsOfDay;  // seconds since the epoch, on any thread
 };
 
-class AimdkLink : public QObject {
+class AimdkLink : public wire::RobotLink {
   Q_OBJECT
  public:
-  /// Answers go to whoever sits in `deliveries`, which is shared with others.
-  AimdkLink(LinkOptions options, std::shared_ptr<wire::DeliveryPlace> deliveries);
-  ~AimdkLink() override;
+  /// To be made on its own thread.
+  explicit AimdkLink(LinkOptions options);
 
-  void open();
-  void close();
-  void trust(const QByteArray& pinned_sha256);  // from now on, and connects
+  void open() override;
+  void close() override;
+  void trust(const QByteArray& pinned_sha256) override;
   void list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  void describe(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
   void fetch(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
   void waypoints(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::WaypointList> reply);
 
  Q_SIGNALS:
-  void stateChanged(const mapwright::robot::ConnectionState& state);
-  void silenceChanged(const QDateTime& since);  // as MeasuresSilence says; comes before stateChanged()
-  void problemFound(const mapwright::map::Problem& problem);
-  void recovered(const mapwright::map::Recovery& recovery);
   void currentMapChanged();
 
  private:
   using Taken = std::function<void(const net::HttpAnswer&)>;
-  void start();  // makes the network objects, on this object's thread
   net::HttpRequest request(const char* method, const QByteArray& body,
                            std::chrono::milliseconds patience) const;
   /// The connection's own question.
@@ -80,11 +74,10 @@ class AimdkLink : public QObject {
   void fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<ParsedMap> reply);
 
   LinkOptions options_;
-  std::shared_ptr<wire::DeliveryPlace> deliveries_;
-  std::unique_ptr<net::HttpClient> http_;
-  std::unique_ptr<QTimer> timer_;    // until the next try, or the next poll
-  std::unique_ptr<QTimer> healthy_;  // while online, until it counts as healthy
-  std::unique_ptr<QTimer> quiet_;    // while a poll is under way, until it takes longer than is usual here
+  net::HttpClient http_;
+  QTimer timer_;    // until the next try, or the next poll
+  QTimer healthy_;  // while online, until it counts as healthy
+  QTimer quiet_;    // while a poll is under way, until it takes longer than is usual here
   net::Backoff backoff_;
   bool wanted_ = false;
   net::HttpClient::RequestId asking_ = 0;  // the connection's own question under way

@@ -2,58 +2,18 @@
 // tells. Source: docs/protocols/agibot-aimdk.md.
 #pragma once
 
-#include <QThread>
+#include <memory>
+#include <optional>
 
 #include "robot/aimdk/aimdk_link.h"
 #include "robot/aimdk/live_beside.h"
-#include "robot/delivery.h"
-#include "robot/robot.h"
 #include "robot/second_server.h"
-#include "robot/silence.h"
-#include "robot/wire/pending_calls.h"
+#include "robot/wire/forwarded.h"
+#include "robot/wire/network_robot.h"
 
 namespace mapwright::robot::aimdk {
 
-/// Who asks, and who is asked, on a thread of its own. Both outlive the capabilities' questions.
-struct Line {
-  QObject* asker;
-  AimdkLink* link;
-};
-
-class Catalogue : public MapCatalogue {
- public:
-  explicit Catalogue(Line line) : line_(line) {}
-  Call list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) override;
-  Call describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) override;
-  Call thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) override;
-
- private:
-  Line line_;
-  wire::PendingCalls<std::vector<map::CatalogueEntry>> lists_;
-  wire::PendingCalls<std::string> thumbnails_;
-};
-
-class WholeMaps : public WholeMapSource {
- public:
-  explicit WholeMaps(Line line) : line_(line) {}
-  Call fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) override;
-
- private:
-  Line line_;
-  wire::PendingCalls<map::WholeMap> maps_;
-};
-
-class Points : public WaypointSource {
- public:
-  explicit Points(Line line) : line_(line) {}
-  Call waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) override;
-
- private:
-  Line line_;
-  wire::PendingCalls<map::WaypointList> lists_;
-};
-
-class AimdkRobot : public Robot, public SecondServer, public Delivers, public MeasuresSilence {
+class AimdkRobot : public wire::NetworkRobot, public SecondServer {
   Q_OBJECT
  public:
   /// `live`: what is beside the interface and tells where the robot is; null = nothing.
@@ -61,16 +21,13 @@ class AimdkRobot : public Robot, public SecondServer, public Delivers, public Me
              QObject* parent = nullptr);
   ~AimdkRobot() override;
 
-  QString address() const override { return address_; }
   void connectToRobot() override;
   void disconnectFromRobot() override;
-  void trustCertificate(const QString& sha256) override;
   QString hostBeside() const override { return live_ ? live_->host() : QString(); }
   std::optional<UntrustedCertificate> certificateBeside() const override;
   void trustBeside(const QString& sha256) override;
-  ConnectionState connection() const override { return state_; }
   QDateTime silentSince() const override;
-  RobotIdentity identity() const override { return identity_; }
+  RobotIdentity identity() const override;
   MapCatalogue* mapCatalogue() override { return &catalogue_; }
   WholeMapSource* wholeMapSource() override { return &whole_maps_; }
   WaypointSource* waypointSource() override { return &points_; }
@@ -80,17 +37,13 @@ class AimdkRobot : public Robot, public SecondServer, public Delivers, public Me
   void setDeliveryTap(DeliveryTap tap) override;
 
  private:
-  QString address_;
+  AimdkRobot(QString address, wire::StartedLink<AimdkLink> started, std::unique_ptr<LiveBeside> live,
+             QObject* parent);
+
   std::unique_ptr<LiveBeside> live_;
-  std::shared_ptr<wire::DeliveryPlace> deliveries_;
-  QThread thread_;
-  AimdkLink* link_;  // lives on thread_, deleted when it ends
-  Catalogue catalogue_;
-  WholeMaps whole_maps_;
-  Points points_;
-  ConnectionState state_;
-  QDateTime silent_since_;
-  RobotIdentity identity_;
+  wire::CatalogueOf<AimdkLink> catalogue_;
+  wire::WholeMapsOf<AimdkLink> whole_maps_;
+  wire::WaypointsOf<AimdkLink> points_;
 };
 
 }  // namespace mapwright::robot::aimdk

@@ -1,113 +1,43 @@
-// What an Autoxing robot can be asked for: one object each, on the thread of the robot. They ask the link on
-// its own thread and hand over what comes back.
+// What only an Autoxing robot can be asked for, on the thread of the robot.
 #pragma once
 
 #include <functional>
-#include <unordered_map>
 
 #include "robot/axbot/axbot_link.h"
 #include "robot/map_administration.h"
 #include "robot/robot.h"
-#include "robot/wire/pending_calls.h"
+#include "robot/wire/forwarded.h"
 
 namespace mapwright::robot::axbot {
 
-/// Who asks, and who is asked. Both outlive the capability's questions.
-struct Line {
-  QObject* asker;
-  AxbotLink* link;
-
-  /// Runs `job(*link)` on the link's thread.
-  template <typename Job>
-  void run(Job job) const {
-    QMetaObject::invokeMethod(link, [link = link, job = std::move(job)] { job(*link); });
-  }
-};
-
-class Submaps : public SubmapSource {
- public:
-  explicit Submaps(Line line);
-  ~Submaps() override;
-  Call fetch(const map::SubmapKey& key, Reply reply) override;
-  void cancelAll() override;
-  void cancel(const map::SubmapKey& key) override;
-  void discard(const map::SubmapKey& key, std::int32_t answered_version) override;
-
- private:
-  struct Waiting {
-    Reply reply;
-    std::shared_ptr<Call::State> state;
-  };
-  Line line_;
-  quint64 last_ = 0;
-  std::unordered_map<quint64, Waiting> waiting_;  // by ticket
-};
-
-class Catalogue : public MapCatalogue {
- public:
-  explicit Catalogue(Line line) : line_(line) {}
-  Call list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) override;
-  Call describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) override;
-  Call thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) override;
-  void discardThumbnail(const map::MapKey& key) override;
-
- private:
-  Line line_;
-  wire::PendingCalls<std::vector<map::CatalogueEntry>> lists_;
-  wire::PendingCalls<map::CatalogueEntry> descriptions_;
-  wire::PendingCalls<std::string> thumbnails_;
-};
-
-class WholeMaps : public WholeMapSource {
- public:
-  explicit WholeMaps(Line line) : line_(line) {}
-  Call fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) override;
-  void discardPicture(const std::string& fingerprint) override;
-
- private:
-  Line line_;
-  wire::PendingCalls<map::WholeMap> maps_;
-};
-
 class Overview : public OverviewSource {
  public:
-  explicit Overview(Line line) : line_(line) {}
+  explicit Overview(AxbotLink* link) : link_(link) {}
   Call fetchOverview(double resolution_m, OutcomeTo<map::WholeMap> reply) override;
 
  private:
-  Line line_;
-  wire::PendingCalls<map::WholeMap> maps_;
+  wire::LinkRef<AxbotLink> link_;
 };
 
 class Administration : public MapAdministration {
  public:
   /// `changed` is called, on the thread of the robot, before the answer to a change that may have been
   /// applied.
-  Administration(Line line, std::function<void()> changed) : line_(line), changed_(std::move(changed)) {}
+  Administration(AxbotLink* link, std::function<void()> changed)
+      : maps_(link, &AxbotLink::maps), changed_(std::move(changed)) {}
   std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
   Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) override;
 
  private:
-  OutcomeTo<map::CatalogueEntry> telling(OutcomeTo<map::CatalogueEntry> reply) const;
-
-  Line line_;
+  wire::LinkRef<MapRequests> maps_;
   std::function<void()> changed_;
-  wire::PendingCalls<map::CatalogueEntry> changes_;
 };
 
-class Topics : public LiveTopics {
+class Topics : public wire::TopicsOf<AxbotLink> {
  public:
-  Topics(Line line, std::shared_ptr<wire::TapPlace> tap) : line_(line), tap_(std::move(tap)) {}
+  using TopicsOf::TopicsOf;
   QStringList known() const override { return knownTopics(); }
   QStringList topicsOf(map::Stream stream) const override;
-  void setWanted(const map::Streams& streams, const QStringList& topics) override;
-  void setBasics(const Basics& basics) override;
-  void setWatching(bool on) override;
-  void setTap(FrameTap tap) override { tap_->set(std::move(tap)); }
-
- private:
-  Line line_;
-  std::shared_ptr<wire::TapPlace> tap_;
 };
 
 }  // namespace mapwright::robot::axbot

@@ -14,6 +14,7 @@
 #include "robot/axbot/robot_urls.h"
 #include "robot/axbot/stream_topics.h"
 #include "robot/faults.h"
+#include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
 #include "robot/wire/link_state.h"
 
@@ -21,6 +22,8 @@ namespace mapwright::robot::axbot {
 namespace {
 
 constexpr int kSubscribeAnswerMs = 3'000;
+constexpr std::chrono::milliseconds kListExpectedWithin{10'000};  // before it is remarked upon
+constexpr qint64 kCacheBudgetBytes = qint64(2) << 30;
 constexpr std::chrono::milliseconds kLongestAskAgain{60'000};
 constexpr int kSubmapsAtOnce = 4;  // on the network, however many are asked for; those on disk come besides
 
@@ -58,14 +61,7 @@ QUrl socketUrl(const QUrl& base, bool binary) {
 
 }  // namespace
 
-double secondsOfDay() { return double(QDateTime::currentMSecsSinceEpoch()) / 1000; }
-
-AxbotLink::AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
-                     std::shared_ptr<wire::TapPlace> tap, std::shared_ptr<wire::DeliveryPlace> deliveries)
-    : options_(std::move(options)),
-      mailbox_(std::move(mailbox)),
-      tap_(std::move(tap)),
-      deliveries_(std::move(deliveries)) {}
+AxbotLink::AxbotLink(LinkOptions options) : options_(std::move(options)) {}
 
 AxbotLink::~AxbotLink() {
   // Replies of what is under way must not reach a half-destroyed object.
@@ -77,7 +73,7 @@ AxbotLink::~AxbotLink() {
 void AxbotLink::start() {
   if (http_) return;
   if (!options_.cache_folder.isEmpty()) {
-    cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, options_.cache_budget_bytes);
+    cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, kCacheBudgetBytes);
     cache_->setTrouble([this](const Fault& why) {
       Q_EMIT problemFound({map::Severity::Warning,
                            map::SubjectKind::DiskCache,
@@ -100,18 +96,12 @@ void AxbotLink::start() {
   });
   grids_->setKeeper([this](const std::string& topic, const std::string& data_url, const char* media_type,
                            std::shared_ptr<const std::string> picture) {
-    wire::DeliveryPlace::Parcel parcel;
+    wire::DeliveryPlace::Parcel parcel = parcelOf(data_url, std::move(picture), options_.wall_s());
     parcel.kind = Delivery::Kind::Picture;
-    parcel.name = data_url;
     parcel.encoding = media_type;
     parcel.slot = "picture of " + topic;
-    parcel.bytes = *picture;
-    parcel.held_bytes = picture->size();
-    parcel.keeps = std::move(picture);
-    parcel.received_s = options_.wall_s();
-    deliveries_->pass(std::move(parcel));
+    places_->deliveries.pass(std::move(parcel));
   });
-  clock_.start();
   // The query is unknown to old firmware; where the handshake is refused for it, it goes without.
   socket_ = std::make_unique<net::WebSocketLink>(
       QList<QUrl>{socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret,
@@ -142,7 +132,7 @@ void AxbotLink::start() {
   });
   connect(socket_.get(), &net::WebSocketLink::changed, this, &AxbotLink::publishState);
   connect(socket_.get(), &net::WebSocketLink::opened, this, [this] {
-    deliveries_->forget();
+    places_->deliveries.forget();
     delivered_definition_ = false;
     topics_confirmed_ = false;
     subscribed_ = false;
@@ -193,11 +183,6 @@ QUrl AxbotLink::submapUrl(const map::SubmapKey& key, std::int32_t version) const
   return url;
 }
 
-map::Problem AxbotLink::problem(map::Severity severity, Fault reason) const {
-  const QString host = QStringLiteral("%1:%2").arg(options_.base.host()).arg(options_.base.port());
-  return {severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), std::move(reason)};
-}
-
 void AxbotLink::askDeviceInfo() {
   if (device_info_asked_) return;
   device_info_asked_ = true;
@@ -221,7 +206,7 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
     Q_EMIT identityChanged(identity);
   } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
     // Not fatal: the robot is then taken for the oldest kind.
-    Q_EMIT problemFound(problem(map::Severity::Info, {fault::DoesNotSayWhatItIs, {}, {answer.reason}}));
+    report(options_.base, map::Severity::Info, {fault::DoesNotSayWhatItIs, {}, {answer.reason}});
   }
   device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
   if (socket_->state() == net::WebSocketLink::State::Open) subscribe();
@@ -230,7 +215,7 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
 void AxbotLink::subscribe() {
   subscribed_ = true;
   const QStringList names = subscriptions_.names();
-  if (names.contains(QLatin1String("/submap_list"))) list_timer_->start(options_.list_expected_within);
+  if (names.contains(QLatin1String("/submap_list"))) list_timer_->start(kListExpectedWithin);
   send(subscriptions_.all());
   if (!silentStreams().empty()) older_timer_->start(options_.older_names_after);
   // Some firmware claims lists and ignores them.
@@ -291,42 +276,30 @@ void AxbotLink::send(const QStringList& requests) {
 
 void AxbotLink::deliver(std::shared_ptr<const std::string> bytes, const std::string& topic,
                         const char* encoding, std::optional<double> said_s) {
-  wire::DeliveryPlace::Parcel parcel;
-  parcel.name = topic;
+  wire::DeliveryPlace::Parcel parcel = parcelOf(topic, std::move(bytes), options_.wall_s());
   parcel.encoding = encoding;
   if (std::string_view(encoding) == "protobuf") parcel.schema = kBinaryType;
   // One topic may come both ways; what has no topic is about what was asked a moment ago.
   if (!topic.empty()) parcel.slot = encoding + topic;
-  parcel.bytes = *bytes;
-  parcel.held_bytes = bytes->size();
-  parcel.keeps = std::move(bytes);
-  parcel.received_s = options_.wall_s();
   parcel.said_s = said_s;
-  deliveries_->pass(std::move(parcel));
+  places_->deliveries.pass(std::move(parcel));
 }
 
 void AxbotLink::deliverDefinition() {
   if (std::exchange(delivered_definition_, true)) return;
-  const auto definition = std::make_shared<const std::string>(binaryTypeDefinition());
-  wire::DeliveryPlace::Parcel parcel;
+  wire::DeliveryPlace::Parcel parcel =
+      parcelOf(kBinaryType, std::make_shared<const std::string>(binaryTypeDefinition()), options_.wall_s());
   parcel.kind = Delivery::Kind::Definition;
-  parcel.name = kBinaryType;
   parcel.encoding = "protobuf";
   parcel.slot = "definition";
-  parcel.bytes = *definition;
-  parcel.held_bytes = definition->size();
-  parcel.keeps = definition;
-  parcel.received_s = options_.wall_s();
-  deliveries_->pass(std::move(parcel));
+  places_->deliveries.pass(std::move(parcel));
 }
 
 void AxbotLink::takeText(const QByteArray& utf8) {
-  tap_->pass({wire::view(utf8), false, options_.wall_s()});
+  places_->tap.pass({wire::view(utf8), false, options_.wall_s()});
   TextFrame frame = topic_reader_.read(wire::view(utf8));
   deliver(std::make_shared<const std::string>(wire::view(utf8)), frame.topic, "json", frame.stamp_s);
-  if (watching_ && raw_limit_.allow(clock_.elapsed(), utf8.size())) {
-    Q_EMIT rawReceived(rawText(frame.topic, wire::view(utf8)));
-  }
+  if (passesRaw(utf8.size())) Q_EMIT rawReceived(rawText(frame.topic, wire::view(utf8)));
   if (frame.message) {
     emitTopic(frame.topic, std::move(*frame.message));
     if (frame.left_out) emitTopic(frame.topic, std::move(*frame.left_out));
@@ -338,17 +311,15 @@ void AxbotLink::takeText(const QByteArray& utf8) {
         std::any_of(frame.enabled_topics->begin(), frame.enabled_topics->end(),
                     [&](const std::string& name) { return asked.contains(QString::fromStdString(name)); });
   } else if (!frame.error.empty()) {
-    Q_EMIT problemFound(
-        problem(map::Severity::Warning, {robot::fault::ItAnswered, {frame.error.substr(0, 300)}}));
+    report(options_.base, map::Severity::Warning, {robot::fault::ItAnswered, {frame.error.substr(0, 300)}});
   }
 }
 
 void AxbotLink::takeBinary(const QByteArray& bytes) {
-  tap_->pass({wire::view(bytes), true, options_.wall_s()});
+  places_->tap.pass({wire::view(bytes), true, options_.wall_s()});
   auto frame = unpackBinaryFrame(wire::view(bytes));
   const std::string topic = topicOfBinaryFrame(wire::view(bytes));
-  if (watching_ && raw_limit_.allow(clock_.elapsed(), bytes.size()))
-    Q_EMIT rawReceived(rawBinary(wire::view(bytes)));
+  if (passesRaw(bytes.size())) Q_EMIT rawReceived(rawBinary(wire::view(bytes)));
   std::optional<map::TopicMessage> message;
   if (frame) {
     message = parseBinaryBody(topic, frame->body);
@@ -383,13 +354,7 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
     topics_confirmed_ = true;
     list_timer_->stop();
   }
-  const bool by_mail = wire::TopicMailbox::takes(message);
-  map::StampedMessage stamped{std::move(message), options_.wall_s(), std::nullopt, topic};
-  if (!by_mail) {
-    Q_EMIT topicReceived(stamped);
-  } else if (mailbox_->put(std::move(stamped))) {
-    Q_EMIT mailArrived();
-  }
+  pass({std::move(message), options_.wall_s(), std::nullopt, topic});
 }
 
 MapRequests& AxbotLink::maps() {
@@ -414,12 +379,7 @@ void AxbotLink::fetchOverview(wire::ErrandPtr errand, double resolution_m, Outco
                        });
 }
 
-void AxbotLink::fetch(quint64 ticket, const map::SubmapKey& key) {
-  start();
-  ask(ticket, key);
-}
-
-void AxbotLink::discard(const map::SubmapKey& key, std::int32_t answered_version) {
+void AxbotLink::discardSubmap(const map::SubmapKey& key, std::int32_t answered_version) {
   start();
   http_->discard(submapUrl(key, key.version));
   if (answered_version > 0 && answered_version != key.version) {
@@ -433,7 +393,9 @@ void AxbotLink::discardPicture(const std::string& fingerprint) {
   grids_->discardPicture(fingerprint);
 }
 
-void AxbotLink::ask(quint64 ticket, const map::SubmapKey& key) {
+void AxbotLink::submap(const wire::ErrandPtr& errand, const map::SubmapKey& key,
+                       OutcomeTo<map::SubmapAnswer> reply) {
+  start();
   net::HttpRequest request;
   request.url = submapUrl(key, key.version);
   request.accept = "application/x-protobuf";
@@ -441,25 +403,23 @@ void AxbotLink::ask(quint64 ticket, const map::SubmapKey& key) {
   request.content_addressed = true;
   request.timeout = options_.fetch_timeout;
   request.most_at_once = kSubmapsAtOnce;
-  const auto id = http_->send(request, [this, key, ticket, url = request.url](const net::HttpAnswer& answer) {
-    takeSubmap(key, url, answer, ticket);
-  });
-  under_way_[ticket] = {key, id};
+  wire::send(errand, *http_, request,
+             [this, errand, key, url = request.url, reply = std::move(reply)](const net::HttpAnswer& http) {
+               map::SubmapAnswer answer = takeSubmap(key, url, http);
+               if (answer.outcome == map::SubmapAnswer::Outcome::Ok || !http.ok() || !http.from_cache)
+                 return reply(std::move(answer));
+               // What lies on the disk is none of the robot's business: it is asked itself.
+               http_->discard(url);
+               submap(errand, key, reply);
+             });
 }
 
-void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http,
-                           quint64 ticket) {
+map::SubmapAnswer AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url,
+                                        const net::HttpAnswer& http) {
   using Outcome = map::SubmapAnswer::Outcome;
-  under_way_.erase(ticket);
   map::SubmapAnswer answer;
   if (http.ok()) {
     answer = parseSubmapResponse(key, wire::view(http.body));
-    if (http.from_cache && answer.outcome != Outcome::Ok) {
-      // What lies on the disk is none of the robot's business: it is asked itself.
-      http_->discard(url);
-      ask(ticket, key);
-      return;
-    }
     answer.from_cache = http.from_cache;
     if (answer.outcome == Outcome::Ok) {
       wire::DeliveryPlace::Parcel parcel;
@@ -469,7 +429,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
       if (answer.version > 0) parcel.submap.version = answer.version;
       parcel.bytes = wire::view(http.body);
       parcel.received_s = options_.wall_s();
-      deliveries_->pass(std::move(parcel));
+      places_->deliveries.pass(std::move(parcel));
     }
     if (cache_ && !http.from_cache) {
       // The address names the version asked for; the body is the version that the robot has. Keep it under
@@ -491,28 +451,12 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
                      : http.status == 404                          ? Outcome::NotFound
                                                                    : Outcome::Failed;
   }
-  Q_EMIT answered(ticket, answer);
-}
-
-void AxbotLink::cancel(const map::SubmapKey& key) {
-  for (const auto& [ticket, fetch] : under_way_) {
-    if (fetch.key == key) http_->cancel(fetch.request);
-  }
-}
-
-void AxbotLink::cancelFetch(quint64 ticket) {
-  if (const auto it = under_way_.find(ticket); it != under_way_.end()) http_->cancel(it->second.request);
-}
-
-void AxbotLink::cancelAll() {
-  for (const auto& [ticket, fetch] : under_way_) http_->cancel(fetch.request);
+  return answer;
 }
 
 Fault AxbotLink::whyNot() const {
   if (socket_->failure() != net::WebSocketLink::Failure::NotAWebSocket) return socket_->reason();
-  const std::string host =
-      QStringLiteral("%1:%2").arg(options_.base.host()).arg(options_.base.port()).toStdString();
-  return {fault::NoAutoxingRobotThere, {host}, {socket_->reason()}};
+  return {fault::NoAutoxingRobotThere, {wire::hostOf(options_.base)}, {socket_->reason()}};
 }
 
 void AxbotLink::trust(const QByteArray& pinned_sha256) {

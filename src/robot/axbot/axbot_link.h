@@ -23,11 +23,7 @@
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/raw_messages.h"
 #include "robot/axbot/topic_subscriptions.h"
-#include "robot/robot.h"
-#include "robot/wire/delivery_place.h"
-#include "robot/wire/raw_limit.h"
-#include "robot/wire/tap_place.h"
-#include "robot/wire/topic_mailbox.h"
+#include "robot/wire/robot_link.h"
 
 namespace mapwright::net {
 class HttpCache;
@@ -35,62 +31,45 @@ class HttpCache;
 
 namespace mapwright::robot::axbot {
 
-/// The system's clock.
-double secondsOfDay();
-
 /// How to reach a robot. `secret` is sent to `base` only.
 struct LinkOptions {
   QUrl base;  // http(s)://host:port[/prefix]
   QByteArray secret;
   net::Trust trust;
   QString cache_folder;  // empty = nothing is kept on disk
-  qint64 cache_budget_bytes = qint64(2) << 30;
   net::WebSocketLinkOptions socket;
-  std::chrono::milliseconds fetch_timeout{30'000};         // of submaps
-  std::chrono::milliseconds patience{30'000};              // of questions about maps: without a byte
-  std::chrono::milliseconds list_expected_within{10'000};  // after subscribing, before it is remarked upon
-  std::chrono::milliseconds ask_again_after{1'000};        // after a message that nobody could read, at first
-  std::chrono::milliseconds older_names_after{2'500};      // of silence of a stream that was asked for
+  std::chrono::milliseconds fetch_timeout{30'000};     // of submaps
+  std::chrono::milliseconds patience{30'000};          // of questions about maps: without a byte
+  std::chrono::milliseconds ask_again_after{1'000};    // after a message that nobody could read, at first
+  std::chrono::milliseconds older_names_after{2'500};  // of silence of a stream that was asked for
   /// The time of day, in seconds since the epoch, that arriving messages are stamped with. On any thread.
-  std::function<double()> wall_s = secondsOfDay;
+  std::function<double()> wall_s = wire::secondsOfDay;
 };
 
-class AxbotLink : public QObject {
+class AxbotLink : public wire::RobotLink {
   Q_OBJECT
  public:
-  /// Large messages go into `mailbox`, frames to whoever sits in `tap`, all that comes to whoever sits in
-  /// `deliveries`: they are shared with others.
-  AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
-            std::shared_ptr<wire::TapPlace> tap, std::shared_ptr<wire::DeliveryPlace> deliveries);
+  explicit AxbotLink(LinkOptions options);
   ~AxbotLink() override;
 
-  void open();
-  void close();
-  void trust(const QByteArray& pinned_sha256);  // from now on, and connects
-  void fetch(quint64 ticket, const map::SubmapKey& key);
-  void cancel(const map::SubmapKey& key);
-  void cancelFetch(quint64 ticket);
-  void cancelAll();  // the fetches of submaps
-  void discard(const map::SubmapKey& key, std::int32_t answered_version);
+  void open() override;
+  void close() override;
+  void trust(const QByteArray& pinned_sha256) override;
+  void submap(const wire::ErrandPtr& errand, const map::SubmapKey& key, OutcomeTo<map::SubmapAnswer> reply);
+  void discardSubmap(const map::SubmapKey& key, std::int32_t answered_version);
+  void fetch(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
+    maps().fetch(errand, key, std::move(reply));
+  }
   void discardPicture(const std::string& fingerprint);
   void setWanted(const map::Streams& streams, const QStringList& topics);
   void setBasics(const LiveTopics::Basics& basics);
-  void setWatching(bool on) { watching_ = on; }
   MapRequests& maps();
   BagRequests& bags();
   /// A question of the overview, to be noted when this robot does not know it.
   void fetchOverview(wire::ErrandPtr errand, double resolution_m, OutcomeTo<map::WholeMap> reply);
 
  Q_SIGNALS:
-  void stateChanged(const mapwright::robot::ConnectionState& state);
-  void silenceChanged(const QDateTime& since);  // as MeasuresSilence says; comes before stateChanged()
   void identityChanged(const mapwright::robot::RobotIdentity& identity);
-  void topicReceived(const mapwright::map::StampedMessage& message);
-  void mailArrived();  // the mailbox was empty and is no more
-  void rawReceived(const mapwright::robot::RawMessage& message);
-  void problemFound(const mapwright::map::Problem& problem);
-  void recovered(const mapwright::map::Recovery& recovery);
-  void answered(quint64 ticket, const mapwright::map::SubmapAnswer& answer);
   /// It was asked for an overview and answered so, which is how one answers who knows no such question.
   void overviewUnknown(const QString& answer);
 
@@ -111,24 +90,17 @@ class AxbotLink : public QObject {
   void deliverDefinition();
   void takeText(const QByteArray& utf8);
   void takeBinary(const QByteArray& bytes);
-  void ask(quint64 ticket, const map::SubmapKey& key);
-  void takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http, quint64 ticket);
+  map::SubmapAnswer takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http);
   /// `topic` as it was sent, whatever the message became of it.
   void emitTopic(const std::string& topic, map::TopicMessage message);
   void publishState();
   Fault whyNot() const;
   QUrl submapUrl(const map::SubmapKey& key, std::int32_t version) const;
-  map::Problem problem(map::Severity severity, Fault reason) const;
 
   LinkOptions options_;
-  std::shared_ptr<wire::TopicMailbox> mailbox_;
-  std::shared_ptr<wire::TapPlace> tap_;
-  std::shared_ptr<wire::DeliveryPlace> deliveries_;
   TopicReader topic_reader_;
   TopicSubscriptions subscriptions_;
   std::set<std::string> unreadable_topics_;  // whose last message could not be read
-  wire::RawLimit raw_limit_;
-  QElapsedTimer clock_;
   std::unique_ptr<net::HttpCache> cache_;
   std::unique_ptr<net::HttpClient> http_;
   std::unique_ptr<MapRequests> maps_;
@@ -146,12 +118,6 @@ class AxbotLink : public QObject {
   bool device_info_asked_ = false;
   bool subscribed_ = false;  // on this connection
   bool topics_confirmed_ = false;
-  bool watching_ = false;
-  struct Fetch {
-    map::SubmapKey key;
-    net::HttpClient::RequestId request = 0;
-  };
-  std::map<quint64, Fetch> under_way_;  // by ticket
 };
 
 }  // namespace mapwright::robot::axbot

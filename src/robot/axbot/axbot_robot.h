@@ -3,29 +3,19 @@
 
 #include <optional>
 
-#include <QThread>
-
-#include "robot/axbot/axbot_bags.h"
 #include "robot/axbot/axbot_capabilities.h"
 #include "robot/axbot/axbot_link.h"
-#include "robot/delivery.h"
-#include "robot/robot.h"
-#include "robot/silence.h"
+#include "robot/wire/forwarded.h"
+#include "robot/wire/network_robot.h"
 
 namespace mapwright::robot::axbot {
 
-class AxbotRobot : public Robot, public Delivers, public MeasuresSilence {
+class AxbotRobot : public wire::NetworkRobot {
   Q_OBJECT
  public:
   AxbotRobot(QString address, LinkOptions options, QObject* parent = nullptr);
   ~AxbotRobot() override;
 
-  QString address() const override { return address_; }
-  void connectToRobot() override;
-  void disconnectFromRobot() override;
-  void trustCertificate(const QString& sha256) override;
-  ConnectionState connection() const override { return state_; }
-  QDateTime silentSince() const override { return silent_since_; }
   RobotIdentity identity() const override { return identity_; }
   SubmapSource* submapSource() override { return &submaps_; }
   MapCatalogue* mapCatalogue() override { return &catalogue_; }
@@ -35,27 +25,19 @@ class AxbotRobot : public Robot, public Delivers, public MeasuresSilence {
   MapAdministration* mapAdministration() override { return &administration_; }
   BagLibrary* bagLibrary() override { return &bags_; }
   Absence whyNot(Capability capability) const override;
-  void setDeliveryTap(DeliveryTap tap) override { deliveries_->set(std::move(tap)); }
 
  private:
-  void takeTopic(const map::StampedMessage& stamped);
-  void takeMail();
+  AxbotRobot(QString address, wire::StartedLink<AxbotLink> started, QObject* parent);
+  void takeTopic(const map::StampedMessage& stamped) override;
+  void cameOnline() override;
 
-  QString address_;
-  std::shared_ptr<wire::TopicMailbox> mailbox_;
-  std::shared_ptr<wire::TapPlace> tap_;
-  std::shared_ptr<wire::DeliveryPlace> deliveries_;
-  QThread thread_;
-  AxbotLink* link_;  // lives on thread_, deleted when it ends
-  Submaps submaps_;
-  Catalogue catalogue_;
-  WholeMaps whole_maps_;
+  wire::SubmapsOf<AxbotLink> submaps_;
+  wire::CatalogueOf<MapRequests> catalogue_;
+  wire::WholeMapsOf<AxbotLink> whole_maps_;
   Overview overview_;
   Topics topics_;
   Administration administration_;
-  Bags bags_;
-  ConnectionState state_;
-  QDateTime silent_since_;
+  wire::BagsOf<BagRequests> bags_;
   RobotIdentity identity_;
   std::optional<QString> overview_unknown_;    // what it answered when it was asked for one
   std::optional<map::MapInfo> last_map_info_;  // without overlays

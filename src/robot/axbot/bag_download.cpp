@@ -8,6 +8,7 @@
 #include <QFileInfo>
 
 #include "robot/axbot/faults.h"
+#include "robot/wire/failures.h"
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
 
@@ -129,10 +130,8 @@ void place(Download& download) {
   const bool unmeasured = !download.of_bytes && download.row && download.row->size_bytes;
   if (unmeasured && bytes < *download.row->size_bytes) download.of_bytes = *download.row->size_bytes;
   if (download.of_bytes && *download.of_bytes != bytes) {
-    download.end({.kind = map::FailureKind::MalformedAnswer,
-                  .subject = subjectOf(download.key),
-                  .reason = map::FailureReason::Unfit,
-                  .cause = {fault::BagFileOfOtherSize, {bytes, *download.of_bytes}}});
+    download.end(
+        wire::unfit(subjectOf(download.key), {fault::BagFileOfOtherSize, {bytes, *download.of_bytes}}));
     return;
   }
   if (!download.part.flush()) {
@@ -156,11 +155,9 @@ void send(const DownloadPtr& download);
 void beginAnew(const DownloadPtr& download, const net::HttpAnswer& answer) {
   if (download->request.from_byte == 0) {
     // The whole was asked for, and a part came.
-    download->end({.kind = map::FailureKind::MalformedAnswer,
-                   .subject = subjectOf(download->key),
-                   .reason = map::FailureReason::Unfit,
-                   .cause = {fault::BagFileOfOtherSize,
-                             {std::int64_t(0), std::int64_t(download->of_bytes.value_or(0))}}});
+    download->end(wire::unfit(
+        subjectOf(download->key),
+        {fault::BagFileOfOtherSize, {std::int64_t(0), std::int64_t(download->of_bytes.value_or(0))}}));
     return;
   }
   if (answer.kind == net::HttpAnswer::Kind::Refused) {

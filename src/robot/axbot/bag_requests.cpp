@@ -10,6 +10,7 @@
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_bags.h"
 #include "robot/axbot/robot_urls.h"
+#include "robot/wire/failures.h"
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
 
@@ -165,10 +166,7 @@ void BagRequests::picture(Errand errand, const std::string& topic, const std::st
   request.accept = "image/png,image/*;q=0.8,*/*;q=0.5";
   request.cacheable = true;
   if (!request.url.isValid()) {
-    reply(fail({.kind = map::FailureKind::MalformedAnswer,
-                .subject = subject,
-                .reason = map::FailureReason::Unfit,
-                .cause = fault::PictureAddressInvalid}));
+    reply(fail(wire::unfit(subject, fault::PictureAddressInvalid)));
     return;
   }
   wire::send(errand, http_, request,

@@ -7,6 +7,7 @@
 
 #include "robot/axbot/faults.h"
 #include "robot/axbot/robot_urls.h"
+#include "robot/wire/failures.h"
 #include "robot/wire/faults.h"
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
@@ -254,10 +255,7 @@ void MapRequests::fetch(Errand errand, const map::MapKey& key, OutcomeTo<map::Wh
     if (!detail) {
       fetch->reply(fail(detail.error()));
     } else if (const auto why = map::whyUnusable(detail->grid)) {
-      fetch->reply(fail({.kind = map::FailureKind::MalformedAnswer,
-                         .subject = map::subjectOf(fetch->map.key),
-                         .reason = map::FailureReason::Unfit,
-                         .cause = *why}));
+      fetch->reply(fail(wire::unfit(map::subjectOf(fetch->map.key), *why)));
     } else {
       fetchParts(fetch, *detail);
     }

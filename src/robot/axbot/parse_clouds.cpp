@@ -10,6 +10,7 @@
 #include "robot/axbot/topic_subjects.h"
 #include "robot/wire/base64.h"
 #include "robot/wire/faults.h"
+#include "robot/wire/packed_number.h"
 #include "ros_messages/wrapper.pb.h"
 
 namespace mapwright::robot::axbot {
@@ -18,8 +19,6 @@ namespace {
 using wire::Json;
 
 constexpr std::size_t kMaxCloudBytes = std::size_t(128) << 20;
-
-static_assert(std::endian::native == std::endian::little, "packed records are read as they lie in memory");
 
 double plainNumber(const Json& value) {
   double number = 0;
@@ -50,75 +49,30 @@ map::TopicMessage listedPoints(const std::string& topic, const wire::JsonList& r
   return cloud.message(topic);
 }
 
-enum class FieldType { F32, F64, I32, U32, I16, U16, I8, U8 };
-
 struct Field {
   std::string name;  // in lower case
-  FieldType type = FieldType::F32;
-  std::size_t offset = 0;
+  wire::NumberPlace place;
 };
 
-std::optional<FieldType> fieldType(std::string text) {
+/// The robot's names, and the numbers and names of ROS PointField.
+std::optional<wire::NumberType> fieldType(std::string text) {
+  constexpr std::array<std::array<std::string_view, 3>, 8> kNames{{{"i8", "int8", "1"},
+                                                                   {"u8", "uint8", "2"},
+                                                                   {"i16", "int16", "3"},
+                                                                   {"u16", "uint16", "4"},
+                                                                   {"i32", "int32", "5"},
+                                                                   {"u32", "uint32", "6"},
+                                                                   {"f32", "float32", "7"},
+                                                                   {"f64", "float64", "8"}}};
   for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
-  // The robot's names, and the numbers and names of ROS PointField.
-  if (text == "f32" || text == "float32" || text == "7") return FieldType::F32;
-  if (text == "f64" || text == "float64" || text == "8") return FieldType::F64;
-  if (text == "i32" || text == "int32" || text == "5") return FieldType::I32;
-  if (text == "u32" || text == "uint32" || text == "6") return FieldType::U32;
-  if (text == "i16" || text == "int16" || text == "3") return FieldType::I16;
-  if (text == "u16" || text == "uint16" || text == "4") return FieldType::U16;
-  if (text == "i8" || text == "int8" || text == "1") return FieldType::I8;
-  if (text == "u8" || text == "uint8" || text == "2") return FieldType::U8;
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (std::find(kNames[i].begin(), kNames[i].end(), text) != kNames[i].end())
+      return wire::NumberType(i + 1);
+  }
   return std::nullopt;
 }
 
-std::size_t widthOf(FieldType type) {
-  switch (type) {
-    case FieldType::F64:
-      return 8;
-    case FieldType::F32:
-    case FieldType::I32:
-    case FieldType::U32:
-      return 4;
-    case FieldType::I16:
-    case FieldType::U16:
-      return 2;
-    case FieldType::I8:
-    case FieldType::U8:
-      break;
-  }
-  return 1;
-}
-
-template <typename T>
-double valueAt(const char* bytes) {
-  T value;
-  std::memcpy(&value, bytes, sizeof value);
-  return double(value);
-}
-
-double valueOf(const char* record, const Field& field) {
-  const char* at = record + field.offset;
-  switch (field.type) {
-    case FieldType::F32:
-      return valueAt<float>(at);
-    case FieldType::F64:
-      return valueAt<double>(at);
-    case FieldType::I32:
-      return valueAt<std::int32_t>(at);
-    case FieldType::U32:
-      return valueAt<std::uint32_t>(at);
-    case FieldType::I16:
-      return valueAt<std::int16_t>(at);
-    case FieldType::U16:
-      return valueAt<std::uint16_t>(at);
-    case FieldType::I8:
-      return valueAt<std::int8_t>(at);
-    case FieldType::U8:
-      break;
-  }
-  return valueAt<std::uint8_t>(at);
-}
+double valueOf(const char* record, const Field& field) { return wire::numberAt(record, field.place); }
 
 struct Layout {
   std::vector<Field> fields;
@@ -142,15 +96,13 @@ std::optional<Layout> layoutOf(const wire::JsonList& fields) {
     if (!type) return std::nullopt;
     std::string name = wire::text(row, {"name"});
     for (char& c : name) c = char(std::tolower(static_cast<unsigned char>(c)));
-    layout.fields.push_back({std::move(name), *type, layout.record});
-    layout.record += widthOf(*type);
+    layout.fields.push_back({std::move(name), {*type, layout.record}});
+    layout.record += wire::bytesOf(*type);
   }
   return layout.find("x") && layout.find("y") ? std::optional(std::move(layout)) : std::nullopt;
 }
 
-bool isByte(const Field* field) {
-  return field && (field->type == FieldType::U8 || field->type == FieldType::I8);
-}
+bool isByte(const Field* field) { return field && wire::isByte(field->place.type); }
 
 map::TopicMessage unreadable(const std::string& topic, Fault why,
                              Consequence then = Consequence::TheyWereLeftOut) {

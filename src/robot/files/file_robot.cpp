@@ -10,19 +10,16 @@ FileRobot::FileRobot(QString address, FileOptions options, QObject* parent)
       path_(options.path),
       folder_(!isMapFile(path_)),
       files_(new MapFiles(options)),
-      catalogue_({this, files_}, QFileInfo(path_).fileName().toStdString()),
-      whole_maps_({this, files_}),
-      waypoint_files_(new WaypointFiles(options)),
+      catalogue_(files_),
+      whole_maps_(files_),
+      waypoint_files_(new WaypointFiles(std::move(options))),
       waypoints_(waypoint_files_),
-      picture_files_(new PictureFiles(std::move(options))),
-      pictures_(picture_files_) {
+      pictures_(files_) {
   files_->moveToThread(&thread_);
   waypoint_files_->moveToThread(&thread_);
-  picture_files_->moveToThread(&thread_);
   thread_.setObjectName(QStringLiteral("map files"));
   connect(&thread_, &QThread::finished, files_, &QObject::deleteLater);
   connect(&thread_, &QThread::finished, waypoint_files_, &QObject::deleteLater);
-  connect(&thread_, &QThread::finished, picture_files_, &QObject::deleteLater);
   connect(files_, &MapFiles::looked, this, [this](bool folder, const Fault& trouble) {
     if (!wanted_) return;
     if (std::exchange(folder_, folder) != folder) Q_EMIT identityChanged();
@@ -65,32 +62,6 @@ void FileRobot::enter(ConnectionPhase phase, const Fault& reason) {
   if (state == state_) return;
   state_ = state;
   Q_EMIT connectionChanged();
-}
-
-Call Catalogue::list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
-  return wire::askAcross(line_.asker, line_.files, lists_,
-                         map::Subject(map::SubjectKind::Catalogue, map::kMapsPart), std::move(reply),
-                         [](MapFiles& files, const auto&, auto answer) { answer(files.list()); });
-}
-
-Call Catalogue::describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
-  return wire::askAcross(line_.asker, line_.files, descriptions_, map::subjectOf(key), std::move(reply),
-                         [key](MapFiles& files, const auto&, auto answer) { answer(files.describe(key)); });
-}
-
-Call Catalogue::thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) {
-  const std::string name = key.id.empty() ? file_name_ : key.id.substr(0, 200);
-  return wire::endLater<std::string>(
-      line_.asker, thumbnails_, std::move(reply),
-      tl::make_unexpected(map::Failure{.kind = map::FailureKind::Unsupported,
-                                       .subject = map::subjectOf(key, name),
-                                       .asked_for = map::AskedFor::SmallPicture,
-                                       .reason = map::FailureReason::NotOffered}));
-}
-
-Call WholeMaps::fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
-  return wire::askAcross(line_.asker, line_.files, maps_, map::subjectOf(key), std::move(reply),
-                         [key](MapFiles& files, const auto&, auto answer) { answer(files.fetch(key)); });
 }
 
 }  // namespace mapwright::robot::files

@@ -3,44 +3,13 @@
 
 #include <QThread>
 
+#include "robot/files/file_picture_store.h"
 #include "robot/files/file_waypoint_store.h"
 #include "robot/files/map_files.h"
-#include "robot/files/picture_files.h"
 #include "robot/robot.h"
-#include "robot/wire/pending_calls.h"
+#include "robot/wire/forwarded.h"
 
 namespace mapwright::robot::files {
-
-/// Who asks, and who is asked, on a thread of its own. Both outlive the capabilities' questions.
-struct Line {
-  QObject* asker;
-  MapFiles* files;
-};
-
-class Catalogue : public MapCatalogue {
- public:
-  Catalogue(Line line, std::string file_name) : line_(line), file_name_(std::move(file_name)) {}
-  Call list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) override;
-  Call describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) override;
-  Call thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) override;
-
- private:
-  Line line_;
-  std::string file_name_;
-  wire::PendingCalls<std::vector<map::CatalogueEntry>> lists_;
-  wire::PendingCalls<map::CatalogueEntry> descriptions_;
-  wire::PendingCalls<std::string> thumbnails_;
-};
-
-class WholeMaps : public WholeMapSource {
- public:
-  explicit WholeMaps(Line line) : line_(line) {}
-  Call fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) override;
-
- private:
-  Line line_;
-  wire::PendingCalls<map::WholeMap> maps_;
-};
 
 /// Nothing here touches the disk: MapFiles does, on a thread of its own.
 class FileRobot : public Robot {
@@ -72,12 +41,11 @@ class FileRobot : public Robot {
   ConnectionState state_;
   QThread thread_;
   MapFiles* files_;  // lives on thread_, deleted when it ends
-  Catalogue catalogue_;
-  WholeMaps whole_maps_;
+  wire::CatalogueOf<MapFiles> catalogue_;
+  wire::WholeMapsOf<MapFiles> whole_maps_;
   WaypointFiles* waypoint_files_;  // lives on thread_, deleted when it ends
   FileWaypointStore waypoints_;
-  FileWaypoints told_waypoints_{this, waypoint_files_};
-  PictureFiles* picture_files_;  // lives on thread_, deleted when it ends
+  wire::WaypointsOfStore told_waypoints_{waypoints_};
   FilePictureStore pictures_;
 };
 

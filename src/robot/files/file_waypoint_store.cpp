@@ -2,23 +2,12 @@
 
 namespace mapwright::robot::files {
 
-FileWaypointStore::FileWaypointStore(WaypointFiles* files, QObject* parent)
-    : WaypointStore(parent), files_(files) {
-  connect(files_, &WaypointFiles::changed, this, &WaypointStore::changed);
+FileWaypointStore::FileWaypointStore(WaypointFiles* files) : files_(files) {
+  connect(files, &WaypointFiles::changed, this, &WaypointStore::changed);
 }
 
 Call FileWaypointStore::read(const map::MapKey& key, OutcomeTo<StoredWaypoints> reply) {
-  return wire::askAcross(this, files_, reads_, map::placesOf(key, {}), std::move(reply),
-                         [key](WaypointFiles& files, const auto&, auto answer) { answer(files.read(key)); });
-}
-
-Call FileWaypoints::waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) {
-  return wire::askAcross(asker_, files_, reads_, map::placesOf(key, {}), std::move(reply),
-                         [key](WaypointFiles& files, const auto&, auto answer) {
-                           Outcome<StoredWaypoints> stored = files.read(key);
-                           if (!stored) return answer(tl::make_unexpected(std::move(stored.error())));
-                           answer(map::WaypointList{std::move(stored->points), std::move(stored->notes)});
-                         });
+  return files_.ask(map::placesOf(key), std::move(reply), &WaypointFiles::read, key);
 }
 
 std::vector<WaypointRequest> FileWaypointStore::plan(const StoredWaypoints& now,
@@ -30,10 +19,7 @@ std::vector<WaypointRequest> FileWaypointStore::plan(const StoredWaypoints& now,
 // What is asked of the disk cannot be taken back: cancelled, it tells how it went all the same.
 Call FileWaypointStore::perform(const map::MapKey& key, const WaypointRequest& request,
                                 OutcomeTo<WaypointReceipt> reply) {
-  return wire::askAcross(
-      this, files_, changes_, map::placesOf(key, {}), std::move(reply),
-      [key, request](WaypointFiles& files, const auto&, auto answer) { answer(files.write(key, request)); },
-      wire::Stopping::AsItStands);
+  return files_.change(map::placesOf(key), std::move(reply), &WaypointFiles::write, key, request);
 }
 
 }  // namespace mapwright::robot::files

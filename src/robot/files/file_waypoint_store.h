@@ -2,9 +2,8 @@
 #pragma once
 
 #include "robot/files/waypoint_files.h"
-#include "robot/robot.h"
 #include "robot/waypoint_store.h"
-#include "robot/wire/pending_calls.h"
+#include "robot/wire/link_ref.h"
 
 namespace mapwright::robot::files {
 
@@ -13,7 +12,7 @@ class FileWaypointStore : public WaypointStore {
   Q_OBJECT
  public:
   /// `files` lives on a thread that ends before this does, and is deleted there.
-  explicit FileWaypointStore(WaypointFiles* files, QObject* parent = nullptr);
+  explicit FileWaypointStore(WaypointFiles* files);
 
   Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) override;
   std::vector<WaypointRequest> plan(const StoredWaypoints& now,
@@ -22,22 +21,7 @@ class FileWaypointStore : public WaypointStore {
                OutcomeTo<WaypointReceipt> reply) override;
 
  private:
-  WaypointFiles* files_;
-  wire::PendingCalls<StoredWaypoints> reads_;
-  wire::PendingCalls<WaypointReceipt> changes_;
-};
-
-/// The same lists, to be looked at.
-class FileWaypoints : public WaypointSource {
- public:
-  /// `files` as above; `asker` lives where this does.
-  FileWaypoints(QObject* asker, WaypointFiles* files) : asker_(asker), files_(files) {}
-  Call waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) override;
-
- private:
-  QObject* asker_;
-  WaypointFiles* files_;
-  wire::PendingCalls<map::WaypointList> reads_;
+  wire::LinkRef<WaypointFiles> files_;
 };
 
 }  // namespace mapwright::robot::files

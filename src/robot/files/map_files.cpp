@@ -4,6 +4,8 @@
 #include <QSet>
 #include <QThread>
 
+#include "disk/folder_lock.h"
+#include "grids/rewrite_picture.h"
 #include "robot/files/faults.h"
 
 namespace mapwright::robot::files {
@@ -136,6 +138,13 @@ Outcome<map::CatalogueEntry> MapFiles::describe(const map::MapKey& key) {
   return entryOf(key, path, options_.place, yamls_);
 }
 
+Outcome<std::string> MapFiles::thumbnail(const map::MapKey& key) {
+  map::Failure none = failure(key, map::FailureKind::Unsupported);
+  none.asked_for = map::AskedFor::SmallPicture;
+  none.reason = map::FailureReason::NotOffered;
+  return fail(std::move(none));
+}
+
 Outcome<map::WholeMap> MapFiles::fetch(const map::MapKey& key) {
   const QString path = pathOf(key);
   if (path.isEmpty()) return tl::make_unexpected(failure(key, map::FailureKind::RejectedByRobot));
@@ -148,6 +157,27 @@ Outcome<map::WholeMap> MapFiles::fetch(const map::MapKey& key) {
   }
   whole->key = key;
   return std::move(*whole);
+}
+
+Outcome<PictureReceipt> MapFiles::writePicture(const PictureChange& change) {
+  const QString path = pathOf(change.map);
+  const auto fails = [&](map::FailureKind kind, Fault cause) {
+    return fail({.kind = kind,
+                 .subject = map::subjectOf(change.map, QFileInfo(path).fileName().toStdString()),
+                 .asked_for = map::AskedFor::Change,
+                 .reason = map::FailureReason::Unfit,
+                 .cause = std::move(cause)});
+  };
+  if (path.isEmpty()) return fails(map::FailureKind::RejectedByRobot, fault::NoSuchMap);
+  const disk::FolderLock lock(QFileInfo(path).absolutePath().toStdString());
+  const auto now = readLocalMap(path, options_.place, yamls_);
+  if (!now) return fails(map::FailureKind::MalformedAnswer, now.error());
+  if (now->fingerprint != change.revision)
+    return fails(map::FailureKind::Conflict, {fault::FileChanged, {now->path}});
+  if (auto trouble = grids::rewritePicture(*change.cells, now->path, now->reading))
+    return fails(map::FailureKind::RejectedByRobot, std::move(*trouble));
+  const auto written = readLocalMap(path, options_.place, yamls_);
+  return PictureReceipt{written ? written->fingerprint : std::string()};
 }
 
 }  // namespace mapwright::robot::files

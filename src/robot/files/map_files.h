@@ -7,6 +7,7 @@
 #include <QTimer>
 
 #include "robot/files/local_maps.h"
+#include "robot/picture_store.h"
 #include "robot/robot.h"
 
 namespace mapwright::robot::files {
@@ -18,7 +19,7 @@ struct FileOptions {
 };
 
 /// One file is the map with the key {File, ""}; in a folder each map file is one, its name the id. Nothing
-/// here opens pictures. What takes long ends early when its thread is asked to stop.
+/// here opens pictures to look at them. What takes long ends early when its thread is asked to stop.
 class MapFiles : public QObject {
   Q_OBJECT
  public:
@@ -29,7 +30,10 @@ class MapFiles : public QObject {
 
   Outcome<std::vector<map::CatalogueEntry>> list();
   Outcome<map::CatalogueEntry> describe(const map::MapKey& key);
+  Outcome<std::string> thumbnail(const map::MapKey& key);  // there is none
   Outcome<map::WholeMap> fetch(const map::MapKey& key);
+  /// Its picture, written anew so that it says the right thing: the map.yaml is not touched.
+  Outcome<PictureReceipt> writePicture(const PictureChange& change);
 
  Q_SIGNALS:
   /// `trouble` is None when there is something to show.

@@ -65,7 +65,7 @@ std::int64_t BlockPlacing::blockOf(std::int64_t at_ns) {
   return (at_ns / kBlockNs - (at_ns % kBlockNs < 0)) * kBlockNs;
 }
 
-BlockPlacing::BlockPlacing(const Parts& parts, std::int64_t block_ns, std::int64_t from_ns,
+BlockPlacing::BlockPlacing(const PlacingParts& parts, std::int64_t block_ns, std::int64_t from_ns,
                            std::int64_t until_ns)
     : parts_(parts),
       block_ns_(block_ns),

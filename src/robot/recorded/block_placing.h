@@ -47,6 +47,15 @@ class StaticTransforms {
   std::int64_t last_ns_ = -1;  // of the last one before, that until_ is about
 };
 
+/// What messages are placed by.
+struct PlacingParts {
+  recording::Source& file;
+  MessageFields& fields;
+  const RosShape& shape;
+  StaticTransforms& statics;
+  GridFolds& folds;
+};
+
 /// One block, its messages one after the other. One thread.
 class BlockPlacing {
  public:
@@ -55,15 +64,8 @@ class BlockPlacing {
   static constexpr std::int64_t kMarkersEveryNs = 250'000'000;
   static std::int64_t blockOf(std::int64_t at_ns);  // where it begins
 
-  struct Parts {
-    recording::Source& file;
-    MessageFields& fields;
-    const RosShape& shape;
-    StaticTransforms& statics;
-    GridFolds& folds;
-  };
   /// Reads what comes before `from_ns`, which lies in the block.
-  BlockPlacing(const Parts& parts, std::int64_t block_ns, std::int64_t from_ns, std::int64_t until_ns);
+  BlockPlacing(const PlacingParts& parts, std::int64_t block_ns, std::int64_t from_ns, std::int64_t until_ns);
 
   /// What the message became; it is of one of the topics of the shape, and each is handed in in its order.
   /// `frame`: it was read already. Results of other topics (markers) may be among them.
@@ -85,7 +87,7 @@ class BlockPlacing {
   bool isOfBeginning(const ros::WorldResult& result, std::int64_t at_ns) const;
   void addPose(ros::WorldResults& results, const std::string& topic, std::int64_t at_ns);
 
-  Parts parts_;
+  PlacingParts parts_;
   std::int64_t block_ns_, start_ns_;  // where the block begins, and the file
   ros::RosWorld ahead_;               // knows the transforms until kAheadNs later: places what has a stamp
   ros::RosWorld now_;                 // knows what has been said by now: where the robot is, and markers

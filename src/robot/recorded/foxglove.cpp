@@ -17,6 +17,7 @@
 
 #include "robot/ros/faults.h"
 #include "robot/wire/faults.h"
+#include "robot/wire/packed_number.h"
 
 namespace mapwright::robot::recorded {
 namespace {
@@ -47,69 +48,37 @@ tl::unexpected<Fault> missing(const char* member) {
   return tl::unexpected(Fault(robot::ros::fault::RosFieldMissing, {member}));
 }
 
-/// NumericType; the numbers are those of the schema.
-enum class Type : std::uint8_t { None, U8, I8, U16, I16, U32, I32, F32, F64 };
-constexpr std::size_t kTypeBytes[] = {0, 1, 1, 2, 2, 4, 4, 4, 8};
-constexpr std::string_view kTypeNames[] = {"UNKNOWN", "UINT8", "INT8",    "UINT16", "INT16",
-                                           "UINT32",  "INT32", "FLOAT32", "FLOAT64"};
+using wire::NumberType;
+using Packed = wire::NumberPlace;
 
-Type typeOf(const Field& field) {
-  if (const auto number = field.integer()) return *number > 0 && *number <= 8 ? Type(*number) : Type::None;
-  const std::string name = field.text();
-  const auto* const found = std::find(std::begin(kTypeNames), std::end(kTypeNames), name);
-  return found == std::end(kTypeNames) ? Type::None : Type(found - std::begin(kTypeNames));
-}
-
-template <typename T>
-double little(const char* at) {
-  T value;
-  std::memcpy(&value, at, sizeof(T));
-  static_assert(std::endian::native == std::endian::little);
-  return double(value);
-}
-
-/// A number in a record of packed ones.
-struct Packed {
-  Type type = Type::None;
-  std::size_t offset = 0;
-  double of(const char* record) const {
-    const char* const at = record + offset;
-    switch (type) {
-      case Type::U8:
-        return little<std::uint8_t>(at);
-      case Type::I8:
-        return little<std::int8_t>(at);
-      case Type::U16:
-        return little<std::uint16_t>(at);
-      case Type::I16:
-        return little<std::int16_t>(at);
-      case Type::U32:
-        return little<std::uint32_t>(at);
-      case Type::I32:
-        return little<std::int32_t>(at);
-      case Type::F32:
-        return little<float>(at);
-      case Type::F64:
-        return little<double>(at);
-      case Type::None:
-        break;
-    }
-    return 0;
+/// NumericType, by its name or by its number in the schema.
+std::optional<NumberType> typeOf(const Field& field) {
+  constexpr std::pair<std::string_view, NumberType> kTypes[] = {
+      {"UINT8", NumberType::U8},    {"INT8", NumberType::I8},    {"UINT16", NumberType::U16},
+      {"INT16", NumberType::I16},   {"UINT32", NumberType::U32}, {"INT32", NumberType::I32},
+      {"FLOAT32", NumberType::F32}, {"FLOAT64", NumberType::F64}};
+  if (const auto number = field.integer()) {
+    const bool known = *number > 0 && *number <= std::int64_t(std::size(kTypes));
+    return known ? std::optional(kTypes[*number - 1].second) : std::nullopt;
   }
-};
+  const std::string name = field.text();
+  for (const auto& [called, type] : kTypes) {
+    if (called == name) return type;
+  }
+  return std::nullopt;
+}
 
 /// Those that lie within a record of `stride` bytes.
 std::vector<std::pair<std::string, Packed>> packedFields(const Field& fields, std::size_t stride) {
   constexpr std::size_t kMostFields = 256;
   std::vector<std::pair<std::string, Packed>> all;
   fields.each([&](const Field& field) {
-    const Type type = typeOf(field["type"]);
+    const auto type = typeOf(field["type"]);
     // What is 0 may be left out.
     const auto offset = field["offset"].isNull() ? std::optional<std::int64_t>(0) : field["offset"].integer();
-    const std::size_t bytes = kTypeBytes[std::size_t(type)];
-    if (type == Type::None || !offset || *offset < 0 || all.size() >= kMostFields) return;
-    if (bytes <= stride && std::size_t(*offset) <= stride - bytes)
-      all.emplace_back(field["name"].text(), Packed{type, std::size_t(*offset)});
+    if (!type || !offset || *offset < 0 || all.size() >= kMostFields) return;
+    const Packed place{*type, std::size_t(*offset)};
+    if (place.liesIn(stride)) all.emplace_back(field["name"].text(), place);
   });
   return all;
 }
@@ -249,7 +218,8 @@ Read<QByteArray> cloud(const Field& message) {
   points.reserve(std::min(count, kMostNumbers));
   for (std::size_t i = 0; i < std::min(count, kMostNumbers); ++i) {
     const char* const record = data->data() + i * std::size_t(*stride);
-    points.add({x->of(record), y->of(record), z ? z->of(record) : 0}, strength ? strength->of(record) : 0);
+    points.add({wire::numberAt(record, *x), wire::numberAt(record, *y), z ? wire::numberAt(record, *z) : 0},
+               strength ? wire::numberAt(record, *strength) : 0);
   }
   return points.message(message);
 }
@@ -274,19 +244,21 @@ class CellReader {
   /// To be asked of every cell before any is read.
   void look(const char* record) {
     if (!value_) return;
-    const double value = value_->of(record);
+    const double value = wire::numberAt(record, *value_);
     if (std::isfinite(value) && value != 255) most_ = std::max(most_, value);
   }
   std::int8_t read(const char* record) const {
     if (!value_) {
-      if (alpha_ && !(alpha_->of(record) > 0)) return kUnknown;
-      const double most = red_->type == Type::F32 || red_->type == Type::F64 ? 1 : 255;
-      const double light = (red_->of(record) + green_->of(record) + blue_->of(record)) / (3 * most);
+      if (alpha_ && !(wire::numberAt(record, *alpha_) > 0)) return kUnknown;
+      const double most = red_->type == NumberType::F32 || red_->type == NumberType::F64 ? 1 : 255;
+      const double light =
+          (wire::numberAt(record, *red_) + wire::numberAt(record, *green_) + wire::numberAt(record, *blue_)) /
+          (3 * most);
       return within(100 * (1 - light));
     }
-    const double value = value_->of(record);
+    const double value = wire::numberAt(record, *value_);
     if (!std::isfinite(value) || value < 0) return kUnknown;
-    if (value_->type == Type::F32 || value_->type == Type::F64) return within(100 * value);
+    if (value_->type == NumberType::F32 || value_->type == NumberType::F64) return within(100 * value);
     if (value > 254) return kUnknown;
     return within(most_ > kOccupied ? value * kOccupied / 254 : value);
   }

@@ -9,6 +9,7 @@
 
 #include "robot/axbot/parse_submap.h"
 #include "robot/recorded/faults.h"
+#include "robot/wire/failures.h"
 #include "robot/wire/picture_facts.h"
 #include "robot/wire/read_json.h"
 
@@ -82,19 +83,6 @@ std::optional<SubmapName> submapFrom(std::string_view name) {
   const auto trajectory = number(parts[1]), index = number(parts[2]), version = number(parts[3]);
   if (!trajectory || !index || !version) return std::nullopt;
   return SubmapName{decoded(parts[0]), *trajectory, *index, *version};
-}
-
-map::Failure notThere(map::Subject subject) {
-  return {.kind = map::FailureKind::RejectedByRobot,
-          .subject = std::move(subject),
-          .reason = map::FailureReason::NotThere};
-}
-
-map::Failure unfit(map::Subject subject, Fault cause) {
-  return {.kind = map::FailureKind::MalformedAnswer,
-          .subject = std::move(subject),
-          .reason = map::FailureReason::Unfit,
-          .cause = std::move(cause)};
 }
 
 void readGrid(const wire::Json& facts, map::WholeMap& whole) {
@@ -207,9 +195,9 @@ map::SubmapAnswer KeptThings::submap(const map::SubmapKey& key) {
 Outcome<map::WholeMap> KeptThings::wholeMap(const map::MapKey& key) {
   const std::string name = "maps/" + placeOf(key);
   const map::Subject subject = map::subjectOf(key);
-  if (!by_name_.contains(name)) return tl::make_unexpected(notThere(subject));
+  if (!by_name_.contains(name)) return fail(wire::notThere(subject));
   auto picture = lastOf(name);
-  if (!picture) return tl::make_unexpected(unfit(subject, {fault::RecordingFileInItCorrupt, {name}}));
+  if (!picture) return fail(wire::unfit(subject, {fault::RecordingFileInItCorrupt, {name}}));
   map::WholeMap whole;
   whole.key = key;
   whole.fingerprint = wire::fingerprint(*picture);
@@ -220,10 +208,10 @@ Outcome<map::WholeMap> KeptThings::wholeMap(const map::MapKey& key) {
   const std::string text = lastOf(name + ".json").value_or(std::string());
   const auto facts = json.read(text);
   if (!facts || !facts->is_object())
-    return tl::make_unexpected(unfit(subject, {fault::RecordingFileInItCorrupt, {name + ".json"}}));
+    return fail(wire::unfit(subject, {fault::RecordingFileInItCorrupt, {name + ".json"}}));
   whole.name = wire::text(*facts, {"name"});
   readGrid(*facts, whole);
-  if (auto why = map::whyUnusable(whole.grid)) return tl::make_unexpected(unfit(subject, std::move(*why)));
+  if (auto why = map::whyUnusable(whole.grid)) return fail(wire::unfit(subject, std::move(*why)));
   whole.display_rotation_rad = wire::number(*facts, {"display_rotation_rad"});
   readThingsOn(*facts, whole);
   const std::string places = lastOf("waypoints/" + placeOf(key) + ".json").value_or(std::string());
@@ -234,12 +222,12 @@ Outcome<map::WholeMap> KeptThings::wholeMap(const map::MapKey& key) {
 Outcome<map::WaypointList> KeptThings::waypoints(const map::MapKey& key) {
   const std::string name = "waypoints/" + placeOf(key) + ".json";
   const map::Subject subject = map::placesOf(key);
-  if (!by_name_.contains(name)) return tl::make_unexpected(notThere(subject));
+  if (!by_name_.contains(name)) return fail(wire::notThere(subject));
   const std::string text = lastOf(name).value_or(std::string());
   wire::JsonReader json;
   const auto root = json.readKeepingDigits(text);
   const auto rows = root ? wire::list(*root, {"waypoints"}) : std::nullopt;
-  if (!rows) return tl::make_unexpected(unfit(subject, {fault::RecordingFileInItCorrupt, {name}}));
+  if (!rows) return fail(wire::unfit(subject, {fault::RecordingFileInItCorrupt, {name}}));
   map::WaypointList list;
   for (const wire::Json row : *rows) {
     const auto x = wire::number(row, {"x_m"}), y = wire::number(row, {"y_m"});
@@ -310,10 +298,10 @@ Outcome<std::shared_ptr<const std::string>> KeptThings::picture(const std::strin
       mark == std::string::npos ? std::nullopt : number(std::string_view(name).substr(mark + 1));
   const auto found = by_name_.find("pictures/" + url);
   const map::Subject subject(map::SubjectKind::Topic, topic);
-  if (found == by_name_.end()) return tl::make_unexpected(unfit(subject, fault::RecordingLacksPicture));
+  if (found == by_name_.end()) return fail(wire::unfit(subject, fault::RecordingLacksPicture));
   const std::size_t place = std::min(std::size_t(std::max(which.value_or(0), 0)), found->second.size() - 1);
   auto bytes = bytesAt(found->second[place]);
-  if (!bytes) return tl::make_unexpected(unfit(subject, {fault::RecordingFileInItCorrupt, {found->first}}));
+  if (!bytes) return fail(wire::unfit(subject, {fault::RecordingFileInItCorrupt, {found->first}}));
   return std::make_shared<const std::string>(std::move(*bytes));
 }
 

@@ -75,8 +75,7 @@ RangeJob::Step RangeJob::step(const Parts& parts) {
   const auto cursor = parts.file.messages(query);
   std::optional<BlockPlacing> placing;
   if (parts.shape.any()) {
-    placing.emplace(BlockPlacing::Parts{parts.file, parts.fields, parts.shape, parts.statics, parts.folds},
-                    block_ns, from_ns, last_ns_);
+    placing.emplace(parts, block_ns, from_ns, last_ns_);
   }
   while (const auto message = cursor->next()) {
     if (placing) addResults(placing->before(message->log_time_ns), nullptr);
@@ -116,8 +115,7 @@ void RangeJob::takeLast(const Parts& parts) {
   const std::int64_t at_ns = message.log_time_ns;
   std::optional<BlockPlacing> placing;
   if (parts.shape.isRos(*message.channel) && parts.shape.by_topic.contains(message.channel->topic)) {
-    placing.emplace(BlockPlacing::Parts{parts.file, parts.fields, parts.shape, parts.statics, parts.folds},
-                    BlockPlacing::blockOf(at_ns), at_ns, at_ns);
+    placing.emplace(parts, BlockPlacing::blockOf(at_ns), at_ns, at_ns);
   }
   // It is no part of what was asked for: neither its length nor what is wrong with it counts here.
   const std::size_t bytes = bytes_, unreadable = chunk_->unreadable;

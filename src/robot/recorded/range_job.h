@@ -22,12 +22,7 @@ namespace mapwright::robot::recorded {
 /// (MessageText).
 class RangeJob {
  public:
-  struct Parts {
-    recording::Source& file;
-    MessageFields& fields;
-    const RosShape& shape;
-    StaticTransforms& statics;
-    GridFolds& folds;
+  struct Parts : PlacingParts {
     const KeptThings& kept;
   };
   RangeJob(BagKey key, BagRange range);

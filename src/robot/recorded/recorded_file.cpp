@@ -14,6 +14,7 @@
 #include "robot/axbot/stream_topics.h"
 #include "robot/recorded/interruption.h"
 #include "robot/recorded/recording_reasons.h"
+#include "robot/wire/entry_of.h"
 
 namespace mapwright::robot::recorded {
 namespace {
@@ -105,10 +106,7 @@ void RecordedFile::open() {
 
 std::optional<map::Failure> RecordedFile::whyNot(const map::Subject& subject) {
   if (ready()) return std::nullopt;
-  return map::Failure{.kind = map::FailureKind::MalformedAnswer,
-                      .subject = subject,
-                      .reason = map::FailureReason::Unfit,
-                      .cause = *trouble_};
+  return wire::unfit(subject, *trouble_);
 }
 
 void RecordedFile::tell(const map::Problem& problem) {
@@ -213,9 +211,8 @@ RecordingFacts RecordedFile::facts() const {
   return facts;
 }
 
-Outcome<std::vector<BagEntry>> RecordedFile::list() {
-  if (auto failure = whyNot({map::SubjectKind::Bag, ownKey().name}))
-    return tl::make_unexpected(std::move(*failure));
+Outcome<std::vector<BagEntry>> RecordedFile::bags() {
+  if (auto failure = whyNot({map::SubjectKind::Bag, ownKey().name})) return fail(std::move(*failure));
   refresh();
   const recording::Summary summary = parts_->file->summary();
   BagEntry entry;
@@ -226,11 +223,9 @@ Outcome<std::vector<BagEntry>> RecordedFile::list() {
 }
 
 Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
-  if (auto failure = whyNot(subjectOf(key))) return tl::make_unexpected(std::move(*failure));
+  if (auto failure = whyNot(subjectOf(key))) return fail(std::move(*failure));
   if (key.name != ownKey().name) {
-    return tl::make_unexpected(map::Failure{.kind = map::FailureKind::RejectedByRobot,
-                                            .subject = subjectOf(key),
-                                            .reason = map::FailureReason::NotThere});
+    return fail(wire::notThere(subjectOf(key)));
   }
   // Whoever follows a file asks again and again: that costs a look at its length.
   // That it has grown may have been seen by a request for messages.
@@ -350,11 +345,10 @@ void RecordedFile::proceed(const std::shared_ptr<Job>& job) {
     job->reply(std::move(outcome));
   };
   if (job->stopped || QThread::currentThread()->isInterruptionRequested()) {
-    return end(tl::make_unexpected(
-        map::Failure{.kind = map::FailureKind::Cancelled, .subject = subjectOf(job->range.key())}));
+    return end(fail({.kind = map::FailureKind::Cancelled, .subject = subjectOf(job->range.key())}));
   }
   const RangeJob::Step step = job->range.step(
-      {*parts_->file, parts_->fields, parts_->shape, parts_->statics, parts_->folds, parts_->kept});
+      {{*parts_->file, parts_->fields, parts_->shape, parts_->statics, parts_->folds}, parts_->kept});
   for (const map::Problem& problem : job->range.takeProblems()) tell(problem);
   switch (step) {
     case RangeJob::Step::More:
@@ -374,8 +368,7 @@ void RecordedFile::proceed(const std::shared_ptr<Job>& job) {
 
 Outcome<std::shared_ptr<const std::string>> RecordedFile::picture(const std::string& topic,
                                                                   const std::string& name) {
-  if (auto failure = whyNot({map::SubjectKind::Topic, topic}))
-    return tl::make_unexpected(std::move(*failure));
+  if (auto failure = whyNot({map::SubjectKind::Topic, topic})) return fail(std::move(*failure));
   return parts_->kept.picture(topic, name);
 }
 
@@ -388,20 +381,23 @@ map::SubmapAnswer RecordedFile::submap(const map::SubmapKey& key) {
   return answer;
 }
 
-Outcome<map::WholeMap> RecordedFile::wholeMap(const map::MapKey& key) {
-  if (auto failure = whyNot(map::subjectOf(key))) return tl::make_unexpected(std::move(*failure));
+Outcome<map::WholeMap> RecordedFile::fetch(const map::MapKey& key) {
+  if (auto failure = whyNot(map::subjectOf(key))) return fail(std::move(*failure));
   return parts_->kept.wholeMap(key);
 }
 
 Outcome<map::WaypointList> RecordedFile::waypoints(const map::MapKey& key) {
-  if (auto failure = whyNot(map::placesOf(key))) return tl::make_unexpected(std::move(*failure));
+  if (auto failure = whyNot(map::placesOf(key))) return fail(std::move(*failure));
   return parts_->kept.waypoints(key);
 }
 
-Outcome<std::vector<map::CatalogueEntry>> RecordedFile::maps() {
-  if (auto failure = whyNot({map::SubjectKind::Catalogue, map::kMapsPart}))
-    return tl::make_unexpected(std::move(*failure));
+Outcome<std::vector<map::CatalogueEntry>> RecordedFile::list() {
+  if (auto failure = whyNot({map::SubjectKind::Catalogue, map::kMapsPart})) return fail(std::move(*failure));
   return parts_->kept.maps();
+}
+
+Outcome<map::CatalogueEntry> RecordedFile::describe(const map::MapKey& key) {
+  return wire::entryOf(key, list());
 }
 
 }  // namespace mapwright::robot::recorded

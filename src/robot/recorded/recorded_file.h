@@ -47,15 +47,17 @@ class RecordedFile : public QObject {
   /// What is answered from now on is taken from these topics.
   void choose(const ros::Choices& choices);
 
-  Outcome<std::vector<BagEntry>> list();
+  Outcome<std::vector<BagEntry>> bags();
   Outcome<BagInfo> info(const BagKey& key);
   void messages(const wire::ErrandPtr& errand, const BagKey& key, const BagRange& range,
                 OutcomeTo<BagChunkPtr> reply);
   Outcome<std::shared_ptr<const std::string>> picture(const std::string& topic, const std::string& name);
   map::SubmapAnswer submap(const map::SubmapKey& key);
-  Outcome<map::WholeMap> wholeMap(const map::MapKey& key);
   Outcome<map::WaypointList> waypoints(const map::MapKey& key);
-  Outcome<std::vector<map::CatalogueEntry>> maps();
+  // The maps that lie in it.
+  Outcome<std::vector<map::CatalogueEntry>> list();
+  Outcome<map::CatalogueEntry> describe(const map::MapKey& key);
+  Outcome<map::WholeMap> fetch(const map::MapKey& key);
 
  Q_SIGNALS:
   void opened(const mapwright::robot::recorded::RecordingFacts& facts);

@@ -1,7 +1,5 @@
 #include "robot/recorded/recorded_robot.h"
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include <QFile>
@@ -41,114 +39,32 @@ bool isRecording(const QString& path) {
 std::string bagNameOf(const QString& path) { return QFileInfo(path).fileName().toStdString(); }
 
 Call Library::list(OutcomeTo<std::vector<BagEntry>> reply) {
-  return wire::askAcross(line_.asker, line_.file, lists_,
-                         map::Subject(map::SubjectKind::Catalogue, map::kBagsPart), std::move(reply),
-                         [](RecordedFile& file, const auto&, auto answer) { answer(file.list()); });
+  return file_.ask(wire::kBagList, std::move(reply), &RecordedFile::bags);
 }
 
 Call Library::info(const BagKey& key, OutcomeTo<BagInfo> reply) {
-  return wire::askAcross(line_.asker, line_.file, infos_, subjectOf(key), std::move(reply),
-                         [key](RecordedFile& file, const auto&, auto answer) { answer(file.info(key)); });
+  return file_.ask(subjectOf(key), std::move(reply), &RecordedFile::info, key);
 }
 
 Call Library::messages(const BagKey& key, const BagRange& range, OutcomeTo<BagChunkPtr> reply) {
-  return wire::askAcross(line_.asker, line_.file, chunks_, subjectOf(key), std::move(reply),
-                         [key, range](RecordedFile& file, const auto& errand, auto answer) {
-                           file.messages(errand, key, range, std::move(answer));
-                         });
+  return file_.ask(subjectOf(key), std::move(reply), &RecordedFile::messages, key, range);
 }
 
 Call Library::picture(const std::string& topic, const std::string& url,
                       OutcomeTo<std::shared_ptr<const std::string>> reply) {
-  return wire::askAcross(
-      line_.asker, line_.file, pictures_, map::Subject(map::SubjectKind::Topic, topic), std::move(reply),
-      [topic, url](RecordedFile& file, const auto&, auto answer) { answer(file.picture(topic, url)); });
+  return file_.ask({map::SubjectKind::Topic, topic}, std::move(reply), &RecordedFile::picture, topic, url);
 }
 
 Call Library::record(const BagOrder&, OutcomeTo<BagEntry> reply) {
-  return wire::endLater<BagEntry>(
-      line_.asker, recordings_, std::move(reply),
-      tl::make_unexpected(onlyRead({map::SubjectKind::Catalogue, map::kRecordingsPart})));
+  return file_.refuse(std::move(reply), onlyRead(wire::kRecordingList));
 }
 
 Call Library::remove(const BagKey& key, OutcomeTo<BagKey> reply) {
-  return wire::endLater<BagKey>(line_.asker, removals_, std::move(reply),
-                                tl::make_unexpected(onlyRead(subjectOf(key))));
+  return file_.refuse(std::move(reply), onlyRead(subjectOf(key)));
 }
 
 Call Library::download(const BagKey& key, const QString&, OutcomeTo<BagDownload> reply) {
-  return wire::endLater<BagDownload>(line_.asker, downloads_, std::move(reply),
-                                     tl::make_unexpected(onlyRead(subjectOf(key))));
-}
-
-Call Submaps::fetch(const map::SubmapKey& key, Reply reply) {
-  forgetOver();
-  Call call = wire::askAcross(
-      line_.asker, line_.file, answers_, map::subjectOf(key.id),
-      OutcomeTo<map::SubmapAnswer>([key, reply = std::move(reply)](Outcome<map::SubmapAnswer> outcome) {
-        if (outcome) return reply(std::move(*outcome));
-        map::SubmapAnswer cancelled;
-        cancelled.key = key;
-        cancelled.outcome = map::SubmapAnswer::Outcome::Cancelled;
-        reply(std::move(cancelled));
-      }),
-      [key](RecordedFile& file, const auto&, auto answer) { answer(file.submap(key)); });
-  calls_.emplace_back(key, call);
-  return call;
-}
-
-void Submaps::forgetOver() {
-  std::erase_if(calls_, [](const auto& one) { return one.second.over(); });
-}
-
-void Submaps::cancelAll() {
-  for (const auto& [key, call] : std::exchange(calls_, {})) call.cancel();
-}
-
-void Submaps::cancel(const map::SubmapKey& key) {
-  for (const auto& [of, call] : calls_) {
-    if (of == key) call.cancel();
-  }
-}
-
-Call Catalogue::list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
-  return wire::askAcross(line_.asker, line_.file, lists_,
-                         map::Subject(map::SubjectKind::Catalogue, map::kMapsPart), std::move(reply),
-                         [](RecordedFile& file, const auto&, auto answer) { answer(file.maps()); });
-}
-
-Call Catalogue::describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
-  return wire::askAcross(line_.asker, line_.file, descriptions_, map::subjectOf(key), std::move(reply),
-                         [key](RecordedFile& file, const auto&, auto answer) {
-                           const auto maps = file.maps();
-                           if (!maps) return answer(tl::make_unexpected(maps.error()));
-                           for (const map::CatalogueEntry& entry : *maps) {
-                             if (entry.key == key) return answer(entry);
-                           }
-                           answer(tl::make_unexpected(map::Failure{.kind = map::FailureKind::RejectedByRobot,
-                                                                   .subject = map::subjectOf(key),
-                                                                   .reason = map::FailureReason::NotThere}));
-                         });
-}
-
-Call Catalogue::thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) {
-  return wire::endLater<std::string>(
-      line_.asker, thumbnails_, std::move(reply),
-      tl::make_unexpected(map::Failure{.kind = map::FailureKind::Unsupported,
-                                       .subject = map::subjectOf(key),
-                                       .asked_for = map::AskedFor::SmallPicture,
-                                       .reason = map::FailureReason::NotOffered}));
-}
-
-Call WholeMaps::fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
-  return wire::askAcross(line_.asker, line_.file, maps_, map::subjectOf(key), std::move(reply),
-                         [key](RecordedFile& file, const auto&, auto answer) { answer(file.wholeMap(key)); });
-}
-
-Call Waypoints::waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) {
-  return wire::askAcross(
-      line_.asker, line_.file, lists_, map::placesOf(key), std::move(reply),
-      [key](RecordedFile& file, const auto&, auto answer) { answer(file.waypoints(key)); });
+  return file_.refuse(std::move(reply), onlyRead(subjectOf(key)));
 }
 
 void Topics::set(const RecordingFacts& facts) {
@@ -165,11 +81,11 @@ RecordedRobot::RecordedRobot(QString address, RecordedOptions options, QObject* 
     : Robot(parent),
       address_(std::move(address)),
       file_(new RecordedFile(options)),
-      library_({this, file_}),
-      submaps_({this, file_}),
-      catalogue_({this, file_}),
-      whole_maps_({this, file_}),
-      waypoints_({this, file_}) {
+      library_(file_),
+      submaps_(file_),
+      catalogue_(file_),
+      whole_maps_(file_),
+      waypoints_(file_) {
   qRegisterMetaType<RecordingFacts>();
   qRegisterMetaType<Fault>();
   qRegisterMetaType<map::Problem>();

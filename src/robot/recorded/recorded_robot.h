@@ -7,7 +7,7 @@
 #include "robot/bag_library.h"
 #include "robot/recorded/recorded_file.h"
 #include "robot/robot.h"
-#include "robot/wire/pending_calls.h"
+#include "robot/wire/forwarded.h"
 
 namespace mapwright::robot::recorded {
 
@@ -16,15 +16,9 @@ bool isRecording(const QString& path);
 /// What its bag is called.
 std::string bagNameOf(const QString& path);
 
-/// Who asks, and who is asked, on a thread of its own. Both outlive the capabilities' questions.
-struct Line {
-  QObject* asker;
-  RecordedFile* file;
-};
-
 class Library : public BagLibrary {
  public:
-  explicit Library(Line line) : line_(line) {}
+  explicit Library(RecordedFile* file) : file_(file) {}
   Call list(OutcomeTo<std::vector<BagEntry>> reply) override;
   Call info(const BagKey& key, OutcomeTo<BagInfo> reply) override;
   Call messages(const BagKey& key, const BagRange& range, OutcomeTo<BagChunkPtr> reply) override;
@@ -36,62 +30,7 @@ class Library : public BagLibrary {
   Call download(const BagKey& key, const QString& path, OutcomeTo<BagDownload> reply) override;
 
  private:
-  Line line_;
-  wire::PendingCalls<std::vector<BagEntry>> lists_;
-  wire::PendingCalls<BagInfo> infos_;
-  wire::PendingCalls<BagChunkPtr> chunks_;
-  wire::PendingCalls<std::shared_ptr<const std::string>> pictures_;
-  wire::PendingCalls<BagEntry> recordings_;
-  wire::PendingCalls<BagKey> removals_;
-  wire::PendingCalls<BagDownload> downloads_;
-};
-
-class Submaps : public SubmapSource {
- public:
-  explicit Submaps(Line line) : line_(line) {}
-  Call fetch(const map::SubmapKey& key, Reply reply) override;
-  void cancelAll() override;
-  void cancel(const map::SubmapKey& key) override;
-
- private:
-  void forgetOver();
-  Line line_;
-  wire::PendingCalls<map::SubmapAnswer> answers_;
-  std::vector<std::pair<map::SubmapKey, Call>> calls_;
-};
-
-class Catalogue : public MapCatalogue {
- public:
-  explicit Catalogue(Line line) : line_(line) {}
-  Call list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) override;
-  Call describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) override;
-  Call thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) override;
-
- private:
-  Line line_;
-  wire::PendingCalls<std::vector<map::CatalogueEntry>> lists_;
-  wire::PendingCalls<map::CatalogueEntry> descriptions_;
-  wire::PendingCalls<std::string> thumbnails_;
-};
-
-class WholeMaps : public WholeMapSource {
- public:
-  explicit WholeMaps(Line line) : line_(line) {}
-  Call fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) override;
-
- private:
-  Line line_;
-  wire::PendingCalls<map::WholeMap> maps_;
-};
-
-class Waypoints : public WaypointSource {
- public:
-  explicit Waypoints(Line line) : line_(line) {}
-  Call waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) override;
-
- private:
-  Line line_;
-  wire::PendingCalls<map::WaypointList> lists_;
+  wire::LinkRef<RecordedFile> file_;
 };
 
 /// Which topics were recorded, by what they bring. Nothing is sent, whatever is wanted.
@@ -147,10 +86,10 @@ class RecordedRobot : public Robot, public OffersTopics {
   QThread thread_;
   RecordedFile* file_;  // lives on thread_, deleted when it ends
   Library library_;
-  Submaps submaps_;
-  Catalogue catalogue_;
-  WholeMaps whole_maps_;
-  Waypoints waypoints_;
+  wire::SubmapsOf<RecordedFile> submaps_;
+  wire::CatalogueOf<RecordedFile> catalogue_;
+  wire::WholeMapsOf<RecordedFile> whole_maps_;
+  wire::WaypointsOf<RecordedFile> waypoints_;
   Topics topics_;
 };
 

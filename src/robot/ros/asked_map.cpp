@@ -21,8 +21,7 @@ Fault whyNot(const CallAnswer& answer) {
 
 }  // namespace
 
-AskedMap::AskedMap(net::rosbridge::Client& client, Patience patience, QObject* parent)
-    : QObject(parent), client_(client), patience_(patience) {
+AskedMap::AskedMap(net::rosbridge::Client& client, Patience patience) : client_(client), patience_(patience) {
   timer_.setParent(this);
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, [this] {

@@ -25,7 +25,7 @@ class AskedMap : public QObject {
     std::chrono::milliseconds answer{30'000};
     std::chrono::milliseconds again{10'000};  // after all of them have failed
   };
-  AskedMap(net::rosbridge::Client& client, Patience patience, QObject* parent = nullptr);
+  AskedMap(net::rosbridge::Client& client, Patience patience);
 
   /// Who gives it, the better ones first.
   struct Services {

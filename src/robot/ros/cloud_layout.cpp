@@ -11,51 +11,6 @@
 #include "robot/wire/faults.h"
 
 namespace mapwright::robot::ros {
-namespace {
-
-constexpr std::array<std::size_t, 9> kTypeBytes{0, 1, 1, 2, 2, 4, 4, 4, 8};
-
-template <typename T>
-T rawAt(const char* at, bool big_endian) {
-  std::array<char, sizeof(T)> raw;
-  std::memcpy(raw.data(), at, sizeof(T));
-  if (big_endian != (std::endian::native == std::endian::big)) std::reverse(raw.begin(), raw.end());
-  return std::bit_cast<T>(raw);
-}
-
-template <typename T>
-double valueAt(const char* at, bool big_endian) {
-  return double(rawAt<T>(at, big_endian));
-}
-
-}  // namespace
-
-double numberAt(const char* record, const NumberPlace& place, bool big_endian) {
-  const char* const at = record + place.offset;
-  switch (place.type) {
-    case NumberType::I8:
-      return valueAt<std::int8_t>(at, big_endian);
-    case NumberType::U8:
-      return valueAt<std::uint8_t>(at, big_endian);
-    case NumberType::I16:
-      return valueAt<std::int16_t>(at, big_endian);
-    case NumberType::U16:
-      return valueAt<std::uint16_t>(at, big_endian);
-    case NumberType::I32:
-      return valueAt<std::int32_t>(at, big_endian);
-    case NumberType::U32:
-      return valueAt<std::uint32_t>(at, big_endian);
-    case NumberType::F32:
-      return valueAt<float>(at, big_endian);
-    case NumberType::F64:
-      break;
-  }
-  return valueAt<double>(at, big_endian);
-}
-
-std::uint32_t bitsAt(const char* record, const NumberPlace& place, bool big_endian) {
-  return rawAt<std::uint32_t>(record + place.offset, big_endian);
-}
 
 Read<CloudLayout> readCloudLayout(const Field& msg, std::size_t most_bytes) {
   // More would not fit into the data; products of two of them are numbers still.
@@ -87,11 +42,6 @@ Read<CloudLayout> readCloudLayout(const Field& msg, std::size_t most_bytes) {
   fields.each([&layout](const Field& row) {
     const std::string name = row["name"].text();
     const auto type = row["datatype"].integer(), offset = row["offset"].integer();
-    const auto lies_in = [&] {
-      if (!type || *type < 1 || *type > 8 || !offset || *offset < 0) return false;
-      const std::size_t bytes = kTypeBytes[std::size_t(*type)];
-      return bytes <= layout.point_step && std::size_t(*offset) <= layout.point_step - bytes;
-    };
     const bool color = name == "rgb" || name == "rgba";
     std::optional<NumberPlace>* const wanted = name == "x"           ? &layout.x
                                                : name == "y"         ? &layout.y
@@ -100,12 +50,15 @@ Read<CloudLayout> readCloudLayout(const Field& msg, std::size_t most_bytes) {
                                                : color               ? &layout.color
                                                                      : nullptr;
     if (!wanted) return;
-    if (!lies_in()) {
+    const bool known = type && *type >= 1 && *type <= 8 && offset && *offset >= 0;
+    const NumberPlace place =
+        known ? NumberPlace{wire::NumberType(*type), std::size_t(*offset)} : NumberPlace{};
+    if (!known || !place.liesIn(layout.point_step)) {
       if (layout.outside.size() < 8) layout.outside.push_back(name);
       return;
     }
-    if (color && kTypeBytes[std::size_t(*type)] != 4) return;
-    *wanted = NumberPlace{NumberType(*type), std::size_t(*offset)};
+    if (color && wire::bytesOf(place.type) != 4) return;
+    *wanted = place;
   });
   if (!layout.x || !layout.y) return tl::unexpected(Fault(robot::wire::fault::PointsWithoutFields));
   return layout;

@@ -9,21 +9,11 @@
 #include <vector>
 
 #include "robot/ros/read_messages.h"
+#include "robot/wire/packed_number.h"
 
 namespace mapwright::robot::ros {
 
-/// A number inside a record. The numbers are those of PointField.
-enum class NumberType : std::uint8_t { I8 = 1, U8, I16, U16, I32, U32, F32, F64 };
-
-struct NumberPlace {
-  NumberType type = NumberType::F32;
-  std::size_t offset = 0;  // in the record, in which it lies whole
-};
-
-/// As it is, which may be no number.
-double numberAt(const char* record, const NumberPlace& place, bool big_endian);
-/// Four bytes, whatever they are read as: a colour may be called a float.
-std::uint32_t bitsAt(const char* record, const NumberPlace& place, bool big_endian);
+using wire::NumberPlace;
 
 struct CloudLayout {
   std::optional<NumberPlace> x, y, z, intensity;

@@ -6,14 +6,16 @@
 #include <memory>
 
 #include "robot/map_dispatch.h"
-#include "robot/ros/ros_capabilities.h"
+#include "robot/ros/ros_link.h"
+#include "robot/wire/link_ref.h"
 
 namespace mapwright::robot::ros {
 
 class RosDispatch : public MapDispatch {
   Q_OBJECT
  public:
-  explicit RosDispatch(RosLink* link, QObject* parent = nullptr);
+  /// `longest_message`: in bytes; no map comes that is longer.
+  RosDispatch(RosLink* link, std::int64_t longest_message);
 
   /// Told by the robot, before it says that its capabilities have changed.
   void setFound(const FoundDispatch& found);
@@ -34,15 +36,11 @@ class RosDispatch : public MapDispatch {
   map::Subject subjectOf(DispatchService service) const;
   map::Failure refused(DispatchService service, map::AskedFor asked_for, FaultCode why) const;
 
-  RosLink* link_;
+  wire::LinkRef<RosLink> link_;
   FoundDispatch found_;
   std::map<int, std::shared_ptr<const ProjectedPart>> projected_;
   std::vector<std::string> silent_;
   std::optional<MapExtent> extent_;
-  wire::PendingCalls<map::GridPart> grids_;
-  wire::PendingCalls<std::shared_ptr<const map::SpatialCloud>> clouds_;
-  wire::PendingCalls<std::string> saves_;
-  wire::PendingCalls<std::vector<map::Projection>> projections_;
 };
 
 }  // namespace mapwright::robot::ros

@@ -45,8 +45,8 @@ class Records {
   }
   Eigen::Vector3d point(std::size_t i) const {
     const char* const record = at(i);
-    return {numberAt(record, *of_.x, of_.big_endian), numberAt(record, *of_.y, of_.big_endian),
-            of_.z ? numberAt(record, *of_.z, of_.big_endian) : 0};
+    return {wire::numberAt(record, *of_.x, of_.big_endian), wire::numberAt(record, *of_.y, of_.big_endian),
+            of_.z ? wire::numberAt(record, *of_.z, of_.big_endian) : 0};
   }
 
  private:
@@ -121,10 +121,13 @@ Read<std::shared_ptr<const map::SpatialCloud>> readSpatialCloud(const Field& msg
     cloud->points.push_back((at - cloud->origin_m).cast<float>());
     const char* const record = records.at(i);
     if (of.intensity) {
-      const double value = numberAt(record, *of.intensity, of.big_endian);
+      const double value = wire::numberAt(record, *of.intensity, of.big_endian);
       cloud->intensity.push_back(std::isfinite(value) ? float(std::clamp(value, -1e30, 1e30)) : 0);
     }
-    if (of.color) cloud->rgb.push_back(bitsAt(record, *of.color, of.big_endian) & 0xffffff);
+    // Four bytes, whatever they are read as: a colour may be called a float.
+    if (of.color)
+      cloud->rgb.push_back(wire::rawNumber<std::uint32_t>(record + of.color->offset, of.big_endian) &
+                           0xffffff);
   }
   return cloud;
 }

@@ -9,6 +9,7 @@
 #include "robot/ros/dispatch_messages.h"
 #include "robot/ros/dispatch_requests.h"
 #include "robot/ros/faults.h"
+#include "robot/wire/failures.h"
 
 namespace mapwright::robot::ros {
 namespace {
@@ -93,27 +94,18 @@ std::string DispatchRequests::knownFrame() const {
 }
 
 void DispatchRequests::readByService(const wire::ErrandPtr& errand, ProjectionsReply reply) {
-  const std::string name = found_.serviceOf(DispatchService::ReadProjections)->name;
-  ask(
-      errand, DispatchService::ReadProjections, "{}", patience_.projections, map::AskedFor::All,
-      [this, reply, name](const Field& values) {
-        auto told = readProjections(values);
-        if (told) {
-          for (const map::Projection& one : *told) {
-            if (!one.frame.empty()) projections_said_ = one.frame;
-          }
-          const int count = int(std::min<std::size_t>(told->size(), kMostProjected));
-          if (std::exchange(told_, count) != count) Q_EMIT topicsChanged();
-          return reply(std::move(*told));
+  ask(errand, DispatchService::ReadProjections, "{}", patience_.projections, map::AskedFor::All,
+      [this, reply](Outcome<Answer> answer) {
+        if (!answer) return reply(fail(std::move(answer.error())));
+        auto told = readProjections(answer->values);
+        if (!told) return reply(fail(wire::unfit(map::Subject(answer->service), told.error())));
+        for (const map::Projection& one : *told) {
+          if (!one.frame.empty()) projections_said_ = one.frame;
         }
-        map::Failure failure;
-        failure.kind = map::FailureKind::MalformedAnswer;
-        failure.subject = map::Subject(name);
-        failure.reason = map::FailureReason::Unfit;
-        failure.cause = told.error();
-        reply(fail(std::move(failure)));
-      },
-      [reply](map::Failure failure) { reply(fail(std::move(failure))); });
+        const int count = int(std::min<std::size_t>(told->size(), kMostProjected));
+        if (std::exchange(told_, count) != count) Q_EMIT topicsChanged();
+        reply(std::move(*told));
+      });
 }
 
 void DispatchRequests::project(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
@@ -156,77 +148,53 @@ void DispatchRequests::projectNow(const wire::ErrandPtr& errand, const std::vect
   // A topic may tell before the service answers.
   watches_.push_back(watch);
   if (std::exchange(told_, count) != count) Q_EMIT topicsChanged();
-  ask(
-      errand, DispatchService::ChangeProjections, projectionArgs(wanted), patience_.projections,
-      map::AskedFor::Change,
-      [this, watch, count](const Field& values) {
+  ask(errand, DispatchService::ChangeProjections, projectionArgs(wanted), patience_.projections,
+      map::AskedFor::Change, [this, watch, count](Outcome<Answer> answer) {
+        if (!answer) {
+          watches_.remove(watch);
+          return watch->reply(fail(std::move(answer.error())));
+        }
         watch->answered = true;
         // Topics of what is not projected any more may be there for long, as somebody listens.
         watch->looked = found_.projected.empty();
         setMost(count);
         Q_EMIT lookWanted();
-        if (auto told = readProjections(values)) {
-          if (int(told->size()) > count) setMost(std::nullopt);
-          watches_.remove(watch);
-          return watch->reply(std::move(*told));
-        }
-        if (tellsProjections()) {
-          watches_.remove(watch);
-          return readByService(watch->errand,
-                               [this, watch, count](Outcome<std::vector<map::Projection>> told) {
-                                 // It has been set, whatever became of the question.
-                                 if (!told) told.error().applied = map::Applied::Yes;
-                                 if (told && int(told->size()) > count) setMost(std::nullopt);
-                                 watch->reply(std::move(told));
-                               });
-        }
+        auto told = readProjections(answer->values);
+        if (told && int(told->size()) > count) setMost(std::nullopt);
         watches_.remove(watch);
-        begin(watch);
-      },
-      [this, watch](map::Failure failure) {
-        watches_.remove(watch);
-        watch->reply(fail(std::move(failure)));
+        if (told) return watch->reply(std::move(*told));
+        if (!tellsProjections()) return begin(watch);
+        readByService(watch->errand, [this, watch, count](Outcome<std::vector<map::Projection>> now) {
+          // It has been set, whatever became of the question.
+          if (!now) now.error().applied = map::Applied::Yes;
+          if (now && int(now->size()) > count) setMost(std::nullopt);
+          watch->reply(std::move(now));
+        });
       });
 }
 
 void DispatchRequests::begin(const WatchPtr& watch) {
   watches_.push_back(watch);
-  watch->timer.setSingleShot(true);
-  const std::weak_ptr<Watch> held = watch;
-  connect(&watch->timer, &QTimer::timeout, this, [this, held] {
-    if (const WatchPtr now = held.lock()) end(now, std::nullopt);
-  });
-  watch->number = watch->errand->begun([this, held] {
-    QMetaObject::invokeMethod(
-        this,
-        [this, held] {
-          if (const WatchPtr now = held.lock()) end(now, map::Failure{.kind = map::FailureKind::Cancelled});
-        },
-        Qt::QueuedConnection);
-  });
-  watch->timer.start(patience_.settles);
-  lookAt(watch);
+  waits_.await(
+      watch->errand, patience_.settles, [watch] { return watch->looked && watch->awaited.empty(); },
+      [this, watch](wire::WaitList::End how) { end(watch, how); });
 }
 
-void DispatchRequests::lookAt(const WatchPtr& watch) {
-  if (watch->answered && watch->looked && watch->awaited.empty()) end(watch, std::nullopt);
-}
-
-void DispatchRequests::end(const WatchPtr& watch, std::optional<map::Failure> failure) {
-  const auto found = std::find(watches_.begin(), watches_.end(), watch);
-  if (found == watches_.end()) return;
-  watches_.erase(found);
-  watch->timer.stop();
-  watch->errand->ended(watch->number);
+void DispatchRequests::end(const WatchPtr& watch, wire::WaitList::End how) {
+  using End = wire::WaitList::End;
+  watches_.remove(watch);
+  std::optional<map::Failure> failure;
+  if (how == End::Cancelled) failure = map::Failure{.kind = map::FailureKind::Cancelled};
+  if (how == End::Dropped)
+    failure = map::Failure{.kind = map::FailureKind::Unreachable, .cause = {fault::LinkBrokeOff}};
   if (watch->changed && !found_.projected.empty() && std::exchange(told_, 0) != 0) Q_EMIT topicsChanged();
   if (!failure && !watch->changed) {
     tries_waited_ = true;
     Q_EMIT projectedSilent(silentTopics());
     if (watch->listed && tried() == 0) {
-      failure.emplace();
-      failure->kind = map::FailureKind::Unsupported;
-      failure->reason = map::FailureReason::Unfit;
-      failure->cause = {fault::ProjectionsNotTold};
+      failure = map::Failure{.kind = map::FailureKind::Unsupported,
+                             .reason = map::FailureReason::Unfit,
+                             .cause = {fault::ProjectionsNotTold}};
     }
   }
   if (!failure) return watch->reply(shown());

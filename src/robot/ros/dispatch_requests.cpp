@@ -10,23 +10,12 @@
 #include "robot/ros/dispatch_messages.h"
 #include "robot/ros/faults.h"
 #include "robot/ros/ros_calls.h"
+#include "robot/wire/failures.h"
 
 namespace mapwright::robot::ros {
 namespace {
 
 using net::rosbridge::CallAnswer;
-
-map::Failure unreadable(const std::string& service, Fault why, map::AskedFor asked_for,
-                        map::Applied applied) {
-  map::Failure failure;
-  failure.kind = map::FailureKind::MalformedAnswer;
-  failure.subject = map::Subject(service);
-  failure.asked_for = asked_for;
-  failure.applied = applied;
-  failure.reason = map::FailureReason::Unfit;
-  failure.cause = std::move(why);
-  return failure;
-}
 
 /// It is what is wanted at its number, as far as grids of cells can be that.
 bool isAbout(const std::vector<map::Projection>& wanted, const ProjectedPart& part) {
@@ -60,23 +49,19 @@ bool saysNotThere(const CallAnswer& answer) {
 
 }  // namespace
 
+DispatchService cloudService(CloudKind kind, bool region) {
+  if (kind == CloudKind::Points) return region ? DispatchService::CloudRegion : DispatchService::Cloud;
+  return region ? DispatchService::OccupancyRegion : DispatchService::Occupancy;
+}
+
 map::Failure notDispatched(DispatchService service, const FoundDispatch& found) {
-  map::Failure failure;
-  failure.kind = map::FailureKind::Unsupported;
   const auto there = found.serviceOf(service);
-  failure.subject = map::Subject(there ? there->name : std::string("map dispatcher (REP 130)"));
-  failure.reason = map::FailureReason::NotOffered;
-  return failure;
+  return wire::notOffered(map::Subject(there ? there->name : std::string(kDispatcher)));
 }
 
 DispatchRequests::DispatchRequests(net::rosbridge::Client& client, DispatchWish wish,
-                                   DispatchPatience patience, std::function<std::string()> map_frame,
-                                   QObject* parent)
-    : QObject(parent),
-      client_(client),
-      wish_(std::move(wish)),
-      patience_(patience),
-      map_frame_(std::move(map_frame)) {}
+                                   DispatchPatience patience, std::function<std::string()> map_frame)
+    : client_(client), wish_(std::move(wish)), patience_(patience), map_frame_(std::move(map_frame)) {}
 
 void DispatchRequests::take(FoundDispatch found) {
   std::erase_if(found.services, [&](const auto& one) {
@@ -104,27 +89,16 @@ void DispatchRequests::take(FoundDispatch found) {
   });
   tellExtent();
   looked();
-  if (other_offers) Q_EMIT offersChanged();
+  if (other_offers) Q_EMIT offersChanged(found_);
 }
 
 void DispatchRequests::looked() {
-  const auto watches = watches_;
-  for (const WatchPtr& watch : watches) {
+  for (const WatchPtr& watch : watches_) {
     if (!watch->answered) continue;
     if (!watch->looked && !watch->changed) watch->awaited = unheard();
     watch->looked = true;
-    lookAt(watch);
   }
-}
-
-void DispatchRequests::lose() {
-  const auto watches = watches_;
-  for (const WatchPtr& watch : watches) {
-    map::Failure failure;
-    failure.kind = map::FailureKind::Unreachable;
-    failure.cause = {fault::LinkBrokeOff};
-    if (watch->answered) end(watch, std::move(failure));
-  }
+  waits_.look();
 }
 
 void DispatchRequests::beginAnew() {
@@ -230,13 +204,11 @@ std::optional<Fault> DispatchRequests::hearProjected(int index, const Field& msg
       Q_EMIT topicsChanged();
     }
   }
-  const auto watches = watches_;
-  for (const WatchPtr& watch : watches) {
+  for (const WatchPtr& watch : watches_) {
     // A latched one of before may come after what has been set: it is not what is waited for.
-    if (watch->changed && !isAbout(watch->wanted, *part)) continue;
-    watch->awaited.erase(index);
-    lookAt(watch);
+    if (!watch->changed || isAbout(watch->wanted, *part)) watch->awaited.erase(index);
   }
+  waits_.look();
   return std::nullopt;
 }
 
@@ -262,14 +234,14 @@ void DispatchRequests::withdraw(DispatchService service) {
   if (!there || !there->type.empty()) return;
   not_there_.insert(there->name);
   std::erase_if(found_.services, [&](const auto& one) { return one.second.name == there->name; });
-  Q_EMIT offersChanged();
+  Q_EMIT offersChanged(found_);
 }
 
 void DispatchRequests::ask(const wire::ErrandPtr& errand, DispatchService service, QByteArray args,
-                           std::chrono::milliseconds patience, map::AskedFor asked_for, Taken taken,
-                           Failed failed) {
+                           std::chrono::milliseconds patience, map::AskedFor asked_for,
+                           OutcomeTo<Answer> then) {
   const auto there = found_.serviceOf(service);
-  if (!there) return failed(notDispatched(service, found_));
+  if (!there) return then(fail(notDispatched(service, found_)));
   net::rosbridge::CallRequest request;
   request.service = there->name;
   request.args = std::move(args);
@@ -277,62 +249,52 @@ void DispatchRequests::ask(const wire::ErrandPtr& errand, DispatchService servic
   request.large = true;
   request.arriving = [errand](qint64 bytes) { errand->tell({bytes, std::nullopt}); };
   call(errand, client_, std::move(request),
-       [self = QPointer(this), service, name = there->name, asked_for, taken = std::move(taken),
-        failed = std::move(failed)](const CallAnswer& answer) {
+       [self = QPointer(this), service, name = there->name, asked_for,
+        then = std::move(then)](const CallAnswer& answer) {
          if (!self) return;
-         if (answer.kind == CallAnswer::Kind::Answered) return taken(answer.values);
-         if (saysNotThere(answer)) {
-           self->withdraw(service);
-           map::Failure failure = notDispatched(service, self->found_);
-           failure.subject = map::Subject(name);
-           failure.asked_for = asked_for;
-           return failed(std::move(failure));
-         }
-         failed(ros::failed(answer, map::Subject(name), asked_for));
+         if (answer.kind == CallAnswer::Kind::Answered) return then(Answer{name, answer.values});
+         if (!saysNotThere(answer)) return then(fail(failed(answer, map::Subject(name), asked_for)));
+         self->withdraw(service);
+         map::Failure failure = notDispatched(service, self->found_);
+         failure.subject = map::Subject(name);
+         failure.asked_for = asked_for;
+         then(fail(std::move(failure)));
        });
 }
 
 void DispatchRequests::grid(const wire::ErrandPtr& errand, const std::optional<map::GridRegion>& region,
                             OutcomeTo<map::GridPart> reply) {
-  const DispatchService service = region ? DispatchService::GridRegion : DispatchService::Grid;
-  const auto there = found_.serviceOf(service);
-  ask(
-      errand, service, region ? regionArgs(*region) : QByteArray("{}"),
-      region ? patience_.region : patience_.whole, map::AskedFor::All,
-      [this, reply, region, name = there ? there->name : std::string()](const Field& values) {
-        auto part = readGridPart(values[region ? "sub_map" : "map"]);
-        if (part && !part->frame.empty()) map_said_ = part->frame;
-        if (part) return reply(std::move(*part));
-        reply(fail(unreadable(name, part.error(), map::AskedFor::All, map::Applied::No)));
-      },
-      [reply](map::Failure failure) { reply(fail(std::move(failure))); });
+  ask(errand, region ? DispatchService::GridRegion : DispatchService::Grid,
+      region ? regionArgs(*region) : QByteArray("{}"), region ? patience_.region : patience_.whole,
+      map::AskedFor::All, [this, reply, region](Outcome<Answer> answer) {
+        if (!answer) return reply(fail(std::move(answer.error())));
+        auto part = readGridPart(answer->values[region ? "sub_map" : "map"]);
+        if (!part) return reply(fail(wire::unfit(map::Subject(answer->service), part.error())));
+        if (!part->frame.empty()) map_said_ = part->frame;
+        reply(std::move(*part));
+      });
 }
 
 void DispatchRequests::cloud(const wire::ErrandPtr& errand, CloudKind kind,
                              const std::optional<map::CloudRegion>& region,
                              OutcomeTo<std::shared_ptr<const map::SpatialCloud>> reply) {
-  const bool points = kind == CloudKind::Points;
-  const DispatchService service =
-      points ? (region ? DispatchService::CloudRegion : DispatchService::Cloud)
-             : (region ? DispatchService::OccupancyRegion : DispatchService::Occupancy);
-  const auto there = found_.serviceOf(service);
-  ask(
-      errand, service, region ? regionArgs(*region) : QByteArray("{}"),
+  ask(errand, cloudService(kind, region.has_value()), region ? regionArgs(*region) : QByteArray("{}"),
       region ? patience_.region : patience_.whole, map::AskedFor::All,
-      [reply, region, name = there ? there->name : std::string()](const Field& values) {
-        auto cloud = readSpatialCloud(values[region ? "sub_map" : "map"]);
-        if (cloud) return reply(std::move(*cloud));
-        reply(fail(unreadable(name, cloud.error(), map::AskedFor::All, map::Applied::No)));
-      },
-      [reply](map::Failure failure) { reply(fail(std::move(failure))); });
+      [reply, region](Outcome<Answer> answer) {
+        if (!answer) return reply(fail(std::move(answer.error())));
+        auto cloud = readSpatialCloud(answer->values[region ? "sub_map" : "map"]);
+        if (!cloud) return reply(fail(wire::unfit(map::Subject(answer->service), cloud.error())));
+        reply(std::move(*cloud));
+      });
 }
 
 void DispatchRequests::save(const wire::ErrandPtr& errand, const std::string& filename,
                             OutcomeTo<std::string> reply) {
-  ask(
-      errand, DispatchService::Save, saveArgs(filename), patience_.save, map::AskedFor::Change,
-      [reply, filename](const Field&) { reply(filename); },
-      [reply](map::Failure failure) { reply(fail(std::move(failure))); });
+  ask(errand, DispatchService::Save, saveArgs(filename), patience_.save, map::AskedFor::Change,
+      [reply, filename](Outcome<Answer> answer) {
+        if (!answer) return reply(fail(std::move(answer.error())));
+        reply(filename);
+      });
 }
 
 }  // namespace mapwright::robot::ros

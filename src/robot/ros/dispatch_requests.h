@@ -13,13 +13,12 @@
 
 #include <QObject>
 #include <QStringList>
-#include <QTimer>
 
 #include "net/rosbridge/client.h"
 #include "robot/map_dispatch.h"
 #include "robot/ros/dispatch_names.h"
 #include "robot/ros/read_messages.h"
-#include "robot/wire/errand.h"
+#include "robot/wire/wait_list.h"
 
 namespace mapwright::robot::ros {
 
@@ -37,12 +36,12 @@ class DispatchRequests : public QObject {
  public:
   /// `map_frame` tells the frame of the robot's map; empty while it is not known.
   DispatchRequests(net::rosbridge::Client& client, DispatchWish wish, DispatchPatience patience,
-                   std::function<std::string()> map_frame, QObject* parent = nullptr);
+                   std::function<std::string()> map_frame);
 
   /// What there is, as far as the server tells.
   void take(FoundDispatch found);
   /// The connection is lost: what waits for topics waits no more.
-  void lose();
+  void lose() { waits_.drop(); }
   /// Another connection: perhaps another robot.
   void beginAnew();
   const FoundDispatch& found() const { return found_; }
@@ -69,7 +68,7 @@ class DispatchRequests : public QObject {
                OutcomeTo<std::vector<map::Projection>> reply);
 
  Q_SIGNALS:
-  void offersChanged();
+  void offersChanged(const mapwright::robot::ros::FoundDispatch& found);
   void topicsChanged();
   void lookWanted();  // there may be other topics now
   void mapChanged();
@@ -92,22 +91,21 @@ class DispatchRequests : public QObject {
     bool answered = true;                 // false: its call is under way
     bool looked = true;                   // false: which topics there are now is being asked
     bool listed = false;                  // it is asked for by people: that nobody can tell is a failure
-    int number = 0;                       // in the errand
-    QTimer timer;
   };
   using WatchPtr = std::shared_ptr<Watch>;
-  using Taken = std::function<void(const Field& values)>;
-  using Failed = std::function<void(map::Failure)>;
+  struct Answer {
+    std::string service;
+    Field values;  // valid while it is handed over
+  };
 
   void ask(const wire::ErrandPtr& errand, DispatchService service, QByteArray args,
-           std::chrono::milliseconds patience, map::AskedFor asked_for, Taken taken, Failed failed);
+           std::chrono::milliseconds patience, map::AskedFor asked_for, OutcomeTo<Answer> then);
   void readByService(const wire::ErrandPtr& errand, ProjectionsReply reply);
   void begin(const WatchPtr& watch);
   void projectNow(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
                   ProjectionsReply reply);
-  void lookAt(const WatchPtr& watch);
   void looked();
-  void end(const WatchPtr& watch, std::optional<map::Failure> failure);
+  void end(const WatchPtr& watch, wire::WaitList::End how);
   bool tellsProjections() const;
   std::vector<map::Projection> shown() const;
   std::map<int, std::string> projectedTopics() const;
@@ -139,8 +137,13 @@ class DispatchRequests : public QObject {
   std::optional<map::GridReference> extent_;           // as it was told last
   std::string seen_map_;                               // fingerprint
   std::list<WatchPtr> watches_;
+  wire::WaitList waits_;  // those of them that wait
 };
 
+/// What a dispatcher is called of which nothing is known.
+inline constexpr const char* kDispatcher = "map dispatcher (REP 130)";
+/// The service that gives points or occupied cells, all or a region of them.
+DispatchService cloudService(CloudKind kind, bool region);
 /// What is said where there is no dispatcher, or where it lacks a service.
 map::Failure notDispatched(DispatchService service, const FoundDispatch& found);
 

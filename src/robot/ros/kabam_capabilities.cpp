@@ -2,31 +2,19 @@
 
 #include <utility>
 
-#include <QPointer>
-
 #include "robot/ros/kabam_messages.h"
+#include "robot/ros/kabam_picture.h"
 #include "robot/ros/kabam_plan.h"
+#include "robot/wire/forwarded.h"
 
 namespace mapwright::robot::ros {
 
-Call KabamWaypoints::waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) {
-  return wire::askAcross(line_.asker, line_.link, lists_, map::placesOf(key), std::move(reply),
-                         [key](RosLink& link, auto errand, OutcomeTo<map::WaypointList> answer) {
-                           link.waypoints(errand, key, [answer](Outcome<StoredWaypoints> stored) {
-                             if (!stored) return answer(tl::make_unexpected(std::move(stored.error())));
-                             answer(map::WaypointList{std::move(stored->points), std::move(stored->notes)});
-                           });
-                         });
-}
-
-KabamWaypointStore::KabamWaypointStore(RosLink* link, QObject* parent) : WaypointStore(parent), link_(link) {
-  connect(link_, &RosLink::waypointsChanged, this, &WaypointStore::changed);
+KabamWaypointStore::KabamWaypointStore(RosLink* link) : kabam_(link, &RosLink::kabam) {
+  connect(&link->kabam(), &KabamRequests::waypointsChanged, this, &WaypointStore::changed);
 }
 
 Call KabamWaypointStore::read(const map::MapKey& key, OutcomeTo<StoredWaypoints> reply) {
-  return wire::askAcross(
-      this, link_, reads_, map::placesOf(key), std::move(reply),
-      [key](RosLink& link, auto errand, auto answer) { link.waypoints(errand, key, std::move(answer)); });
+  return kabam_.ask(map::placesOf(key), std::move(reply), &KabamRequests::waypoints, key);
 }
 
 std::vector<WaypointRequest> KabamWaypointStore::plan(const StoredWaypoints& now,
@@ -46,12 +34,7 @@ WaypointCall KabamWaypointStore::callOf(const map::MapKey& key, const WaypointRe
 
 Call KabamWaypointStore::perform(const map::MapKey& key, const WaypointRequest& request,
                                  OutcomeTo<WaypointReceipt> reply) {
-  return wire::askAcross(
-      this, link_, changes_, map::placesOf(key), std::move(reply),
-      [key, request](RosLink& link, auto errand, auto answer) {
-        link.perform(errand, key, request, std::move(answer));
-      },
-      wire::Stopping::AsItStands);
+  return kabam_.change(map::placesOf(key), std::move(reply), &KabamRequests::perform, key, request);
 }
 
 std::optional<Obstacle> KabamAdministration::obstacle(MapChange change,
@@ -82,21 +65,27 @@ std::optional<Obstacle> KabamAdministration::obstacle(MapChange change,
 }
 
 Call KabamAdministration::carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
-  const bool of_none = order.key.id.empty();
-  return wire::askAcross(
-      line_.asker, line_.link, changes_,
-      of_none ? map::Subject(map::SubjectKind::Catalogue, map::kMapsPart) : map::subjectOf(order.key),
-      telling(std::move(reply)),
-      [order](RosLink& link, auto errand, auto answer) { link.carryOut(errand, order, std::move(answer)); },
-      wire::Stopping::AsItStands);
+  return kabam_.change(order.key.id.empty() ? wire::kMapList : map::subjectOf(order.key),
+                       kabam_.telling(changed_, std::move(reply)), &KabamRequests::carryOut, order);
 }
 
-OutcomeTo<map::CatalogueEntry> KabamAdministration::telling(OutcomeTo<map::CatalogueEntry> reply) const {
-  return [asker = QPointer<QObject>(line_.asker), changed = changed_,
-          reply = std::move(reply)](Outcome<map::CatalogueEntry> outcome) {
-    if (outcome || outcome.error().applied != map::Applied::No) changed();
-    if (asker) reply(std::move(outcome));
-  };
+KabamPictureStore::KabamPictureStore(RosLink* link) : pictures_(link, &RosLink::pictures) {
+  connect(&link->pictures(), &KabamPictures::changed, this, [this](const QString& map_id) {
+    Q_EMIT changed({map::MapKind::Stored, map_id.toStdString()});
+  });
+}
+
+std::optional<PictureObstacle> KabamPictureStore::obstacle(const map::WholeMap& map) const {
+  if (map.key.kind != map::MapKind::Stored) return PictureObstacle::NotStored;
+  return std::nullopt;
+}
+
+bool KabamPictureStore::holdsCell(const map::WholeMap&, std::uint8_t cell) const {
+  return shadeOf(cell).has_value();
+}
+
+Call KabamPictureStore::write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) {
+  return pictures_.change(map::subjectOf(change.map), std::move(reply), &KabamPictures::write, change);
 }
 
 }  // namespace mapwright::robot::ros

@@ -7,26 +7,18 @@
 #include <utility>
 
 #include "robot/map_administration.h"
-#include "robot/ros/ros_capabilities.h"
+#include "robot/picture_store.h"
+#include "robot/ros/ros_link.h"
 #include "robot/waypoint_store.h"
+#include "robot/wire/link_ref.h"
 
 namespace mapwright::robot::ros {
-
-class KabamWaypoints : public WaypointSource {
- public:
-  explicit KabamWaypoints(Line line) : line_(line) {}
-  Call waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) override;
-
- private:
-  Line line_;
-  wire::PendingCalls<map::WaypointList> lists_;
-};
 
 /// One service call for each change; a created waypoint gets its id from the robot.
 class KabamWaypointStore : public WaypointStore {
   Q_OBJECT
  public:
-  explicit KabamWaypointStore(RosLink* link, QObject* parent = nullptr);
+  explicit KabamWaypointStore(RosLink* link);
   /// MapWaypoint has no type, and an orientation always; names are told apart within a map.
   KeptFields keeps() const override { return {.type = false, .no_heading = false, .name_twice = false}; }
   Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) override;
@@ -38,16 +30,15 @@ class KabamWaypointStore : public WaypointStore {
                OutcomeTo<WaypointReceipt> reply) override;
 
  private:
-  RosLink* link_;
-  wire::PendingCalls<StoredWaypoints> reads_;
-  wire::PendingCalls<WaypointReceipt> changes_;
+  wire::LinkRef<KabamRequests> kabam_;
 };
 
 class KabamAdministration : public MapAdministration {
  public:
   /// `changed` is called, on the thread of the robot, before the answer to a change that may have been
   /// applied.
-  KabamAdministration(Line line, std::function<void()> changed) : line_(line), changed_(std::move(changed)) {}
+  KabamAdministration(RosLink* link, std::function<void()> changed)
+      : kabam_(link, &RosLink::kabam), changed_(std::move(changed)) {}
   /// What the manager does now (IDLE, MAPPING, ACTIVE); empty = it has not said.
   void setState(std::string state) { state_ = std::move(state); }
   std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
@@ -55,12 +46,26 @@ class KabamAdministration : public MapAdministration {
   Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) override;
 
  private:
-  OutcomeTo<map::CatalogueEntry> telling(OutcomeTo<map::CatalogueEntry> reply) const;
-
-  Line line_;
+  wire::LinkRef<KabamRequests> kabam_;
   std::function<void()> changed_;
   std::string state_;
-  wire::PendingCalls<map::CatalogueEntry> changes_;
+};
+
+/// The picture of the map that the robot works with, replaced: it is the only one that is sent. An image goes
+/// without a place: size, resolution and origin are those that the map has.
+class KabamPictureStore : public PictureStore {
+  Q_OBJECT
+ public:
+  explicit KabamPictureStore(RosLink* link);
+
+  std::optional<PictureObstacle> obstacle(const map::WholeMap& map) const override;
+  bool holdsUnknown(const map::WholeMap&) const override { return true; }
+  bool holdsCell(const map::WholeMap& map, std::uint8_t cell) const override;
+  /// Cancelled while it travels, it has not been applied: no part of it counts.
+  Call write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) override;
+
+ private:
+  wire::LinkRef<KabamPictures> pictures_;
 };
 
 }  // namespace mapwright::robot::ros

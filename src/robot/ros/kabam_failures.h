@@ -1,4 +1,4 @@
-// How a change of what a map manager keeps may end besides. Private to this room.
+// How requests about maps may end besides. Private to this room.
 #pragma once
 
 #include <chrono>
@@ -7,6 +7,8 @@
 
 namespace mapwright::robot::ros {
 
+/// No answer can be had; `cause` says why, if there is more to be said of it.
+map::Failure unsupported(map::Subject subject, Fault cause = {});
 /// The robot said that it was done, and does not show it.
 map::Failure unconfirmed(map::Subject subject, std::chrono::milliseconds within);
 /// The change went out; whether it was made is not known.

@@ -168,7 +168,7 @@ void KabamRequests::sendOrder(const wire::ErrandPtr& errand, const std::shared_p
 
 void KabamRequests::confirmOrder(const wire::ErrandPtr& errand, const std::shared_ptr<Ordered>& ordered,
                                  std::optional<map::Failure> doubt) {
-  await(
+  waits_.await(
       errand, patience_.confirm, [this, ordered] { return ordered->holds(book_); },
       [this, ordered, doubt = std::move(doubt)](Awaited how) {
         if (how == Awaited::Held) return ordered->reply(ordered->now(book_));

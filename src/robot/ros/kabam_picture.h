@@ -35,7 +35,7 @@ class PictureArgs : public net::rosbridge::ArgsSource {
   /// The cell that has no shade, because of which it ended; nullopt: none.
   std::optional<std::uint8_t> cellBetween() const { return between_; }
   /// Once all has been handed out: wire::fingerprint of pgmOf() of these cells, as a topic brings them.
-  std::string fingerprint() const { return fingerprint_; }
+  const std::string& fingerprint() const { return fingerprint_; }
 
  private:
   bool makeBand();

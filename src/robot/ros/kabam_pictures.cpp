@@ -1,6 +1,5 @@
 #include "robot/ros/kabam_pictures.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "robot/ros/faults.h"
@@ -18,13 +17,11 @@ using std::chrono::milliseconds;
 constexpr std::int64_t kBytesPerMs = 1024;
 
 map::Failure unfit(const map::Subject& subject, Fault cause) {
-  map::Failure failure;
-  failure.kind = map::FailureKind::Unsupported;
-  failure.subject = subject;
-  failure.asked_for = map::AskedFor::Change;
-  failure.reason = map::FailureReason::Unfit;
-  failure.cause = std::move(cause);
-  return failure;
+  return {.kind = map::FailureKind::Unsupported,
+          .subject = subject,
+          .asked_for = map::AskedFor::Change,
+          .reason = map::FailureReason::Unfit,
+          .cause = std::move(cause)};
 }
 
 milliseconds timeFor(const grids::GridPyramid& cells) {
@@ -33,9 +30,12 @@ milliseconds timeFor(const grids::GridPyramid& cells) {
 
 }  // namespace
 
-KabamPictures::KabamPictures(Means means, KabamPatience patience, QObject* parent)
-    : QObject(parent), means_(std::move(means)), patience_(patience) {
-  connect(&means_.live_map, &LiveMap::came, this, &KabamPictures::look);
+KabamPictures::KabamPictures(Means means, KabamPatience patience, milliseconds settles)
+    : means_(std::move(means)), patience_(patience) {
+  settle_.setSingleShot(true);
+  settle_.setInterval(settles);
+  connect(&settle_, &QTimer::timeout, this, &KabamPictures::compare);
+  connect(&means_.live_map, &LiveMap::came, &waits_, &wire::WaitList::look);
 }
 
 void KabamPictures::write(const wire::ErrandPtr& errand, const PictureChange& change,
@@ -86,12 +86,10 @@ std::optional<map::Failure> KabamPictures::conflict(const Writing& writing) cons
   const bool fits = !last || (last->fingerprint == writing.change.revision &&
                               last->grid.width == cells.width() && last->grid.height == cells.height());
   if (fits) return std::nullopt;
-  map::Failure failure;
-  failure.kind = map::FailureKind::Conflict;
-  failure.subject = writing.subject();
-  failure.asked_for = map::AskedFor::Change;
-  failure.cause = {fault::PictureChangedMeanwhile, {writing.name}};
-  return failure;
+  return map::Failure{.kind = map::FailureKind::Conflict,
+                      .subject = writing.subject(),
+                      .asked_for = map::AskedFor::Change,
+                      .cause = {fault::PictureChangedMeanwhile, {writing.name}}};
 }
 
 bool KabamPictures::shows(const std::string& fingerprint) const {
@@ -139,53 +137,35 @@ void KabamPictures::takeAnswer(const WritingPtr& writing, const CallAnswer& answ
                      answer.kind == CallAnswer::Kind::Cancelled || answer.kind == CallAnswer::Kind::LinkLost);
   if (!ends) return confirm(writing);
   // Once there is a connection again, the map tells what has become of it.
-  if (writing->doubt->applied != map::Applied::No) Q_EMIT doubted(writing->change.map.id);
+  if (writing->doubt->applied != map::Applied::No) doubt(writing->change.map.id);
   end(writing, fail(*writing->doubt));
 }
 
 /// Waits for the map to show it; halfway it is asked for once more, in case that it is not sent by itself.
 void KabamPictures::confirm(const WritingPtr& writing) {
   writing->within = patience_.confirm + timeFor(*writing->change.cells);
-  confirming_.push_back(writing);
-  const auto timer = [this, &writing](milliseconds after, auto then) {
-    auto made = std::make_unique<QTimer>();
-    made->setSingleShot(true);
-    connect(made.get(), &QTimer::timeout, this, [held = std::weak_ptr(writing), then] {
-      if (const WritingPtr now = held.lock()) then(now);
-    });
-    made->start(after);
-    return made;
-  };
-  writing->halfway = timer(writing->within / 2, [this](const WritingPtr&) { means_.ask_again(); });
-  writing->patience = timer(writing->within, [this](const WritingPtr& now) { giveUp(now); });
-  writing->number = writing->errand->begun([this, held = std::weak_ptr(writing)] {
-    QMetaObject::invokeMethod(
-        this,
-        [this, held] {
-          const WritingPtr now = held.lock();
-          if (!now || !finishConfirming(now)) return;
-          Q_EMIT doubted(now->change.map.id);
-          end(now, fail(cancelled(now->subject())));
-        },
-        Qt::QueuedConnection);
+  writing->confirming = true;
+  QTimer::singleShot(writing->within / 2, this, [this, held = std::weak_ptr(writing)] {
+    const WritingPtr now = held.lock();
+    if (now && now->confirming) means_.ask_again();
   });
-  look();
-}
-
-void KabamPictures::look() {
-  const std::list<WritingPtr> now = confirming_;
-  for (const WritingPtr& writing : now) {
-    const std::string& wanted = writing->args->fingerprint();
-    if (wanted.empty() || !shows(wanted) || !finishConfirming(writing)) continue;
-    PictureReceipt receipt;
-    receipt.revision = wanted;
-    end(writing, std::move(receipt));
-  }
+  waits_.await(
+      writing->errand, writing->within,
+      [this, writing] {
+        const std::string& wanted = writing->args->fingerprint();
+        return !wanted.empty() && shows(wanted);
+      },
+      [this, writing](wire::WaitList::End how) {
+        writing->confirming = false;
+        if (how == wire::WaitList::End::Held)
+          return end(writing, PictureReceipt{writing->args->fingerprint()});
+        doubt(writing->change.map.id);
+        if (how == wire::WaitList::End::Cancelled) return end(writing, fail(cancelled(writing->subject())));
+        giveUp(writing);
+      });
 }
 
 void KabamPictures::giveUp(const WritingPtr& writing) {
-  if (!finishConfirming(writing)) return;
-  Q_EMIT doubted(writing->change.map.id);
   if (writing->doubt) return end(writing, fail(std::move(*writing->doubt)));
   const auto& last = means_.live_map.last();
   const bool other = last && last->png && !shows(writing->change.revision) &&
@@ -198,22 +178,28 @@ void KabamPictures::giveUp(const WritingPtr& writing) {
   end(writing, fail(std::move(failure)));
 }
 
-/// False: it is over already.
-bool KabamPictures::finishConfirming(const WritingPtr& writing) {
-  const auto found = std::find(confirming_.begin(), confirming_.end(), writing);
-  if (found == confirming_.end()) return false;
-  confirming_.erase(found);
-  for (std::unique_ptr<QTimer>* timer : {&writing->halfway, &writing->patience}) {
-    (*timer)->stop();
-    (*timer)->setParent(this);        // and goes with this at the latest
-    timer->release()->deleteLater();  // it may be the one that is speaking
+void KabamPictures::doubt(const std::string& map_id) {
+  doubted_.insert(map_id);
+  settle_.start();
+}
+
+void KabamPictures::compare() {
+  const KabamBook& book = means_.requests.book();
+  const bool told = means_.known() && means_.requests.there() && book.current() && !book.isMapping();
+  if (!told || book.current()->map.id.empty()) return;
+  const std::string& id = book.current()->map.id;
+  const auto& last = means_.live_map.last();
+  bool other = doubted_.erase(id) > 0;
+  if (last) {
+    std::string& seen = seen_[id];
+    other |= !seen.empty() && seen != last->fingerprint;
+    seen = last->fingerprint;
   }
-  writing->errand->ended(writing->number);
-  return true;
+  if (other) Q_EMIT changed(QString::fromStdString(id));
 }
 
 void KabamPictures::end(const WritingPtr& writing, Outcome<PictureReceipt> outcome) {
-  if (!outcome && outcome.error().kind == map::FailureKind::Conflict) Q_EMIT doubted(writing->change.map.id);
+  if (!outcome && outcome.error().kind == map::FailureKind::Conflict) doubt(writing->change.map.id);
   writing->reply(std::move(outcome));
   writing->listening.reset();
 }

@@ -4,9 +4,10 @@
 
 #include <chrono>
 #include <functional>
-#include <list>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <QObject>
@@ -16,6 +17,7 @@
 #include "robot/ros/kabam_picture.h"
 #include "robot/ros/kabam_requests.h"
 #include "robot/ros/live_map.h"
+#include "robot/wire/wait_list.h"
 
 namespace mapwright::robot::ros {
 
@@ -31,14 +33,20 @@ class KabamPictures : public QObject {
     KabamRequests& requests;
     LiveMap& live_map;
     std::function<void()> ask_again;
+    std::function<bool()> known;  // what the robot has, on this connection
   };
-  KabamPictures(Means means, KabamPatience patience, QObject* parent = nullptr);
+  /// Which map a picture is of is told by another topic, before it or after it: after `settles` both have
+  /// come.
+  KabamPictures(Means means, KabamPatience patience, std::chrono::milliseconds settles);
 
   void write(const wire::ErrandPtr& errand, const PictureChange& change, OutcomeTo<PictureReceipt> reply);
 
+  /// A picture has come, or which map it is of was told.
+  void sawMap() { settle_.start(); }
+
  Q_SIGNALS:
-  /// What is kept of this map is not, or may not be, what somebody here takes it for.
-  void doubted(const std::string& map_id);
+  /// The picture of this map is another one, or may not be what somebody here takes it for.
+  void changed(const QString& map_id);
 
  private:
   struct Writing {
@@ -51,8 +59,7 @@ class KabamPictures : public QObject {
     bool changed_meanwhile = false;
     std::optional<map::Failure> doubt;  // what it ends in, should the map not show it
     std::chrono::milliseconds within{0};
-    std::unique_ptr<QTimer> halfway, patience;
-    int number = 0;  // of the errand
+    bool confirming = false;
     map::Subject subject() const { return map::subjectOf(change.map, name); }
   };
   using WritingPtr = std::shared_ptr<Writing>;
@@ -61,16 +68,19 @@ class KabamPictures : public QObject {
   void send(const WritingPtr& writing);
   void takeAnswer(const WritingPtr& writing, const net::rosbridge::CallAnswer& answer);
   void confirm(const WritingPtr& writing);
-  void look();
   void giveUp(const WritingPtr& writing);
-  bool finishConfirming(const WritingPtr& writing);
+  void doubt(const std::string& map_id);
+  void compare();
   bool shows(const std::string& fingerprint) const;
   std::optional<map::Failure> conflict(const Writing& writing) const;
   void end(const WritingPtr& writing, Outcome<PictureReceipt> outcome);
 
   Means means_;
   KabamPatience patience_;
-  std::list<WritingPtr> confirming_;
+  wire::WaitList waits_;
+  QTimer settle_;
+  std::map<std::string, std::string> seen_;  // fingerprints, by map
+  std::set<std::string> doubted_;            // maps whose picture is to be looked at anew
 };
 
 }  // namespace mapwright::robot::ros

@@ -7,6 +7,7 @@
 #include "robot/ros/kabam_failures.h"
 #include "robot/ros/kabam_results.h"
 #include "robot/ros/ros_calls.h"
+#include "robot/wire/failures.h"
 #include "robot/wire/faults.h"
 
 namespace mapwright::robot::ros {
@@ -15,20 +16,12 @@ namespace {
 using net::rosbridge::CallAnswer;
 using std::chrono::steady_clock;
 
-map::Failure notThere(map::Subject subject) {
+map::Failure tagsKept(map::Subject subject, const std::string& name) {
   return {.kind = map::FailureKind::RejectedByRobot,
           .subject = std::move(subject),
-          .reason = map::FailureReason::NotThere};
-}
-
-map::Failure tagsKept(map::Subject subject, const std::string& name) {
-  map::Failure failure;
-  failure.kind = map::FailureKind::RejectedByRobot;
-  failure.subject = std::move(subject);
-  failure.applied = map::Applied::Yes;
-  failure.reason = map::FailureReason::Unfit;
-  failure.cause = {fault::TagsNotTaken, {name}};
-  return failure;
+          .applied = map::Applied::Yes,
+          .reason = map::FailureReason::Unfit,
+          .cause = {fault::TagsNotTaken, {name}}};
 }
 
 bool sameAsKept(const map::Waypoint& kept, const map::Waypoint& now) {
@@ -46,19 +39,38 @@ std::optional<map::Failure> conflictIn(const StoredWaypoints& stored, const Wayp
                                        const map::Subject& subject) {
   const map::Waypoint* const kept = find(stored, change.id);
   if (kept && sameAsKept(*kept, *change.before)) return std::nullopt;
-  map::Failure failure;
-  failure.kind = map::FailureKind::Conflict;
-  failure.subject = subject;
-  failure.asked_for = map::AskedFor::Change;
-  failure.cause = {fault::ChangedMeanwhile, {change.before->name}};
-  return failure;
+  return map::Failure{.kind = map::FailureKind::Conflict,
+                      .subject = subject,
+                      .asked_for = map::AskedFor::Change,
+                      .cause = {fault::ChangedMeanwhile, {change.before->name}}};
 }
 
 }  // namespace
 
-KabamRequests::KabamRequests(net::rosbridge::Client& client, KabamPatience patience,
-                             std::function<std::string()> fixed_frame, QObject* parent)
-    : QObject(parent), client_(client), patience_(patience), fixed_frame_(std::move(fixed_frame)) {}
+KabamRequests::KabamRequests(net::rosbridge::Client& client, KabamPatience patience, WhenKnown when_known,
+                             std::function<std::string()> fixed_frame)
+    : client_(client),
+      patience_(patience),
+      when_known_(std::move(when_known)),
+      fixed_frame_(std::move(fixed_frame)) {}
+
+bool KabamRequests::setPlace(const std::optional<std::string>& place) {
+  if (place) {
+    book_.setPlace(*place);
+  } else {
+    book_.forget();
+  }
+  return std::exchange(there_, place.has_value()) != there_;
+}
+
+void KabamRequests::tell(const KabamBook::Taken& taken) {
+  if (taken.maps) {
+    Q_EMIT stands(QString::fromStdString(book_.state()));
+    Q_EMIT mapsChanged();
+  }
+  waits_.look();
+  if (taken.waypoints) Q_EMIT waypointsChanged();
+}
 
 net::rosbridge::CallRequest KabamRequests::request(const char* service, QByteArray args) const {
   net::rosbridge::CallRequest request;
@@ -68,62 +80,26 @@ net::rosbridge::CallRequest KabamRequests::request(const char* service, QByteArr
   return request;
 }
 
-void KabamRequests::await(const wire::ErrandPtr& errand, std::chrono::milliseconds within,
-                          std::function<bool()> holds, Then then) {
-  if (holds()) return then(Awaited::Held);
-  const auto entry = std::make_shared<Waiting>();
-  entry->holds = std::move(holds);
-  entry->then = std::move(then);
-  entry->errand = errand;
-  entry->patience = std::make_unique<QTimer>();
-  entry->patience->setSingleShot(true);
-  connect(entry->patience.get(), &QTimer::timeout, this,
-          [this, held = std::weak_ptr(entry)] { end(held.lock(), Awaited::TooLate); });
-  entry->patience->start(within);
-  waiting_.push_back(entry);
-  // Later: nothing ends from within its beginning.
-  entry->number = errand->begun([this, held = std::weak_ptr(entry)] {
-    QMetaObject::invokeMethod(
-        this, [this, held] { end(held.lock(), Awaited::Cancelled); }, Qt::QueuedConnection);
-  });
-}
-
-void KabamRequests::end(const Entry& entry, Awaited how) {
-  if (!entry) return;
-  const auto found = std::find(waiting_.begin(), waiting_.end(), entry);
-  if (found == waiting_.end()) return;
-  waiting_.erase(found);
-  entry->patience->stop();
-  entry->patience->setParent(this);          // and goes with this at the latest
-  entry->patience.release()->deleteLater();  // it may be the one that is speaking
-  entry->errand->ended(entry->number);
-  entry->then(how);
-}
-
-void KabamRequests::look() {
-  const std::list<Entry> now = waiting_;
-  for (const Entry& entry : now) {
-    if (entry->holds()) end(entry, Awaited::Held);
-  }
-}
-
 void KabamRequests::whenListed(const wire::ErrandPtr& errand, const map::Subject& subject,
                                std::function<void(std::optional<map::Failure>)> then) {
-  await(
-      errand, patience_.lists, [this] { return book_.listed(); },
-      [this, subject, then = std::move(then)](Awaited how) {
-        // A manager without a current map may say nothing of it.
-        const bool enough = how == Awaited::TooLate && book_.partlyListed();
-        if (how == Awaited::Held || enough) return then(std::nullopt);
-        map::Failure failure;
-        failure.subject = subject;
-        failure.kind = map::FailureKind::Cancelled;
-        if (how == Awaited::TooLate) {
-          failure.kind = map::FailureKind::TimedOut;
-          failure.cause = {fault::ListsNotTold};
-        }
-        then(std::move(failure));
-      });
+  when_known_(errand, subject, map::AskedFor::All,
+              [this, errand, subject, then = std::move(then)](std::optional<map::Failure> failure) {
+                if (!failure && !there_) failure = unsupported(subject);
+                if (failure) return then(std::move(failure));
+                waits_.await(
+                    errand, patience_.lists, [this] { return book_.listed(); },
+                    [this, subject, then](Awaited how) {
+                      // A manager without a current map may say nothing of it.
+                      const bool enough = how == Awaited::TooLate && book_.partlyListed();
+                      if (how == Awaited::Held || enough) return then(std::nullopt);
+                      map::Failure late{.kind = map::FailureKind::Cancelled, .subject = subject};
+                      if (how == Awaited::TooLate) {
+                        late.kind = map::FailureKind::TimedOut;
+                        late.cause = {fault::ListsNotTold};
+                      }
+                      then(std::move(late));
+                    });
+              });
 }
 
 void KabamRequests::list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
@@ -140,7 +116,7 @@ void KabamRequests::describe(const wire::ErrandPtr& errand, const map::MapKey& k
              [this, key, reply = std::move(reply)](std::optional<map::Failure> failure) {
                if (failure) return reply(fail(std::move(*failure)));
                auto entry = key.kind == map::MapKind::Stored ? book_.entry(key.id) : std::nullopt;
-               if (!entry) return reply(fail(notThere(map::subjectOf(key))));
+               if (!entry) return reply(fail(wire::notThere(map::subjectOf(key))));
                reply(std::move(*entry));
              });
 }
@@ -150,7 +126,7 @@ void KabamRequests::waypoints(const wire::ErrandPtr& errand, const map::MapKey& 
   const map::Subject subject = map::placesOf(key);
   whenListed(errand, subject, [this, errand, key, subject, reply](std::optional<map::Failure> failure) {
     if (failure) return reply(fail(std::move(*failure)));
-    if (key.kind != map::MapKind::Stored || !book_.find(key.id)) return reply(fail(notThere(subject)));
+    if (key.kind != map::MapKind::Stored || !book_.find(key.id)) return reply(fail(wire::notThere(subject)));
     if (book_.isCurrent(key.id)) {
       if (auto stored = book_.waypoints(fixed_frame_())) return reply(std::move(*stored));
     }
@@ -160,10 +136,7 @@ void KabamRequests::waypoints(const wire::ErrandPtr& errand, const map::MapKey& 
       if (answer.kind != CallAnswer::Kind::Answered) return reply(fail(failed(answer, subject)));
       auto stored = readWaypoints(answer.values, key.id, fixed_frame_());
       if (stored) return reply(std::move(*stored));
-      reply(fail({.kind = map::FailureKind::MalformedAnswer,
-                  .subject = subject,
-                  .reason = map::FailureReason::Unfit,
-                  .cause = {robot::wire::fault::PointsAreNoList}}));
+      reply(fail(wire::unfit(subject, robot::wire::fault::PointsAreNoList)));
     });
   });
 }
@@ -173,12 +146,8 @@ void KabamRequests::perform(const wire::ErrandPtr& errand, const map::MapKey& ke
   const map::Subject subject = map::placesOf(key);
   whenListed(errand, subject,
              [this, errand, key, request, subject, reply](std::optional<map::Failure> failure) {
-               if (!failure && !book_.find(key.id)) failure = notThere(subject);
-               if (!failure && request.changes.size() != 1) {
-                 failure = map::Failure{.kind = map::FailureKind::Unsupported,
-                                        .subject = subject,
-                                        .reason = map::FailureReason::NotOffered};
-               }
+               if (!failure && !book_.find(key.id)) failure = wire::notThere(subject);
+               if (!failure && request.changes.size() != 1) failure = wire::notOffered(subject);
                if (failure) {
                  failure->asked_for = map::AskedFor::Change;
                  return reply(fail(std::move(*failure)));
@@ -271,7 +240,7 @@ void KabamRequests::confirm(const wire::ErrandPtr& errand, const ChangePtr& chan
   const bool told = book_.isCurrent(change->key.id) && book_.waypoints(fixed_frame_());
   const auto left =
       std::chrono::duration_cast<std::chrono::milliseconds>(change->until - steady_clock::now());
-  await(
+  waits_.await(
       errand, std::clamp(left, std::chrono::milliseconds(0), told ? patience_.topic : change->pause),
       [this, told, change, shown] {
         const auto stored = told ? book_.waypoints(fixed_frame_()) : std::nullopt;

@@ -4,19 +4,19 @@
 
 #include <chrono>
 #include <functional>
-#include <list>
 #include <memory>
 
 #include <QObject>
-#include <QTimer>
+#include <QString>
 
 #include "net/rosbridge/client.h"
 #include "robot/map_administration.h"
 #include "robot/robot.h"
 #include "robot/ros/kabam_book.h"
 #include "robot/ros/kabam_plan.h"
+#include "robot/ros/ros_calls.h"
 #include "robot/waypoint_store.h"
-#include "robot/wire/errand.h"
+#include "robot/wire/wait_list.h"
 
 namespace mapwright::robot::ros {
 
@@ -32,14 +32,21 @@ struct KabamPatience {
 class KabamRequests : public QObject {
   Q_OBJECT
  public:
-  /// `client` and what `fixed_frame` looks at outlive this. `fixed_frame`: that of the map, which waypoints
+  /// `client` and what the functions look at outlive this. `fixed_frame`: that of the map, which waypoints
   /// lie in; empty = not known.
-  KabamRequests(net::rosbridge::Client& client, KabamPatience patience,
-                std::function<std::string()> fixed_frame, QObject* parent = nullptr);
+  KabamRequests(net::rosbridge::Client& client, KabamPatience patience, WhenKnown when_known,
+                std::function<std::string()> fixed_frame);
 
   KabamBook& book() { return book_; }
-  /// Something of the book is new: what waits for it is looked at.
-  void look();
+  /// Where the manager is ("/map_manager"); nullopt: there is none. True when it has come or gone.
+  bool setPlace(const std::optional<std::string>& place);
+  bool there() const { return there_; }
+  /// A message of one of its topics, or of another: then it says so.
+  KabamBook::Taken take(const net::rosbridge::TopicMessage& message) {
+    return book_.take(message.topic, message.frame, message.msg);
+  }
+  /// Tells what was taken; what waits for it is looked at.
+  void tell(const KabamBook::Taken& taken);
 
   void list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
   void describe(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
@@ -48,11 +55,15 @@ class KabamRequests : public QObject {
                OutcomeTo<WaypointReceipt> reply);
   void carryOut(const wire::ErrandPtr& errand, const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply);
 
+ Q_SIGNALS:
+  void stands(const QString& state);  // what it does now; comes before mapsChanged()
+  void mapsChanged();
+  void waypointsChanged();
+
  private:
   /// How a change stands in a list.
   enum class Shown { NotYet, OtherTags, Done };
-  enum class Awaited { Held, TooLate, Cancelled };
-  using Then = std::function<void(Awaited)>;
+  using Awaited = wire::WaitList::End;
   struct Change {
     map::MapKey key;
     WaypointChange what;
@@ -63,12 +74,9 @@ class KabamRequests : public QObject {
   };
   using ChangePtr = std::shared_ptr<Change>;
 
-  /// `then` once the lists have come, or a failure about `subject`.
+  /// `then` once the lists have come, or with a failure about `subject`.
   void whenListed(const wire::ErrandPtr& errand, const map::Subject& subject,
                   std::function<void(std::optional<map::Failure>)> then);
-  /// `then` as soon as `holds`, or when it does not in time.
-  void await(const wire::ErrandPtr& errand, std::chrono::milliseconds within, std::function<bool()> holds,
-             Then then);
   net::rosbridge::CallRequest request(const char* service, QByteArray args) const;
   void lookFirst(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& asked,
                  OutcomeTo<WaypointReceipt> reply);
@@ -86,18 +94,11 @@ class KabamRequests : public QObject {
 
   net::rosbridge::Client& client_;
   KabamPatience patience_;
+  WhenKnown when_known_;
   std::function<std::string()> fixed_frame_;
   KabamBook book_;
-  struct Waiting {
-    std::function<bool()> holds;
-    Then then;
-    std::unique_ptr<QTimer> patience;
-    wire::ErrandPtr errand;
-    int number = 0;  // of the errand
-  };
-  using Entry = std::shared_ptr<Waiting>;
-  void end(const Entry& entry, Awaited how);
-  std::list<Entry> waiting_;
+  bool there_ = false;
+  wire::WaitList waits_;
 };
 
 }  // namespace mapwright::robot::ros

@@ -1,6 +1,5 @@
 #include "robot/ros/live_map.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "robot/ros/faults.h"
@@ -20,11 +19,15 @@ map::WholeMap wholeMap(const map::GridMessage& grid, const map::MapKey& key, con
   return map;
 }
 
-map::Failure failure(const map::MapKey& key, map::FailureKind kind, FaultCode cause) {
+map::Failure failure(const map::MapKey& key, wire::WaitList::End how) {
+  using End = wire::WaitList::End;
   map::Failure failure;
-  failure.kind = kind;
+  failure.kind = how == End::TooLate   ? map::FailureKind::TimedOut
+                 : how == End::Dropped ? map::FailureKind::Unreachable
+                                       : map::FailureKind::Cancelled;
   failure.subject = map::subjectOf(key);
-  failure.cause = {cause};
+  if (how == End::TooLate) failure.cause = {fault::NoAnswerInTime};
+  if (how == End::Dropped) failure.cause = {fault::LinkBrokeOff};
   return failure;
 }
 
@@ -32,8 +35,7 @@ map::Failure failure(const map::MapKey& key, map::FailureKind kind, FaultCode ca
 
 void LiveMap::take(const map::GridMessage& grid) {
   last_ = grid;
-  const std::list<Entry> now = waiting_;
-  for (const Entry& entry : now) end(entry, wholeMap(grid, entry->key, entry->name));
+  waits_.look();
   Q_EMIT came();
 }
 
@@ -49,47 +51,17 @@ std::shared_ptr<void> LiveMap::listen() {
 
 void LiveMap::fetch(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& name,
                     OutcomeTo<map::WholeMap> reply, std::chrono::milliseconds longer) {
-  if (last_) return reply(wholeMap(*last_, key, name));
-  const auto entry = std::make_shared<Waiting>();
-  entry->key = key;
-  entry->name = name;
-  entry->reply = std::move(reply);
-  entry->errand = errand;
-  entry->patience = std::make_unique<QTimer>();
-  entry->patience->setSingleShot(true);
-  const auto endAs = [this, held = std::weak_ptr(entry)](map::FailureKind kind, FaultCode cause) {
-    if (const Entry now = held.lock()) end(now, tl::make_unexpected(failure(now->key, kind, cause)));
-  };
-  connect(entry->patience.get(), &QTimer::timeout, this,
-          [endAs] { endAs(map::FailureKind::TimedOut, fault::NoAnswerInTime); });
-  entry->patience->start(patience_ + longer);
-  waiting_.push_back(entry);
-  entry->number = errand->begun([this, endAs] {
-    QMetaObject::invokeMethod(
-        this, [endAs] { endAs(map::FailureKind::Cancelled, FaultCode()); }, Qt::QueuedConnection);
-  });
+  waits_.await(
+      errand, patience_ + longer, [this] { return last_.has_value(); },
+      [this, key, name, reply = std::move(reply)](wire::WaitList::End how) {
+        if (how == wire::WaitList::End::Held) {
+          reply(wholeMap(*last_, key, name));
+        } else {
+          reply(fail(failure(key, how)));
+        }
+        Q_EMIT wantedChanged();
+      });
   Q_EMIT wantedChanged();
-}
-
-void LiveMap::end(const Entry& entry, Outcome<map::WholeMap> outcome) {
-  const auto found = std::find(waiting_.begin(), waiting_.end(), entry);
-  if (found == waiting_.end()) return;
-  waiting_.erase(found);
-  entry->patience->stop();
-  entry->patience->setParent(this);          // and goes with this at the latest
-  entry->patience.release()->deleteLater();  // it may be the one that is speaking
-  entry->errand->ended(entry->number);
-  entry->reply(std::move(outcome));
-  Q_EMIT wantedChanged();
-}
-
-void LiveMap::endAll(const map::Failure& failure) {
-  const std::list<Entry> now = waiting_;
-  for (const Entry& entry : now) {
-    map::Failure own = failure;
-    own.subject = map::subjectOf(entry->key);
-    end(entry, tl::make_unexpected(std::move(own)));
-  }
 }
 
 }  // namespace mapwright::robot::ros

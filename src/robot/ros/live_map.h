@@ -2,25 +2,22 @@
 #pragma once
 
 #include <chrono>
-#include <list>
 #include <memory>
 #include <optional>
 
 #include <QObject>
 #include <QPointer>
-#include <QTimer>
 
 #include "map/live_topics.h"
 #include "robot/call.h"
-#include "robot/wire/errand.h"
+#include "robot/wire/wait_list.h"
 
 namespace mapwright::robot::ros {
 
 class LiveMap : public QObject {
   Q_OBJECT
  public:
-  explicit LiveMap(std::chrono::milliseconds patience, QObject* parent = nullptr)
-      : QObject(parent), patience_(patience) {}
+  explicit LiveMap(std::chrono::milliseconds patience) : patience_(patience) {}
 
   void take(const map::GridMessage& grid);
   /// What came is not what the robot works with any more.
@@ -31,31 +28,21 @@ class LiveMap : public QObject {
   void fetch(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& name,
              OutcomeTo<map::WholeMap> reply, std::chrono::milliseconds longer = {});
   /// Somebody waits for it, or wants to hear of each.
-  bool wanted() const { return !waiting_.empty() || !listeners_.expired(); }
+  bool wanted() const { return !waits_.empty() || !listeners_.expired(); }
   /// As long as it is held, the map is asked for; came() tells of each. Let go of it on the link's thread,
   /// while this lives or after.
   std::shared_ptr<void> listen();
-  void endAll(const map::Failure& failure);
+  /// The connection broke off.
+  void lose() { waits_.drop(); }
 
  Q_SIGNALS:
   void wantedChanged();
   void came();
 
  private:
-  struct Waiting {
-    map::MapKey key;
-    std::string name;
-    OutcomeTo<map::WholeMap> reply;
-    wire::ErrandPtr errand;
-    int number = 0;
-    std::unique_ptr<QTimer> patience;
-  };
-  using Entry = std::shared_ptr<Waiting>;
-  void end(const Entry& entry, Outcome<map::WholeMap> outcome);
-
   std::chrono::milliseconds patience_;
   std::optional<map::GridMessage> last_;
-  std::list<Entry> waiting_;
+  wire::WaitList waits_;
   std::weak_ptr<void> listeners_;
 };
 

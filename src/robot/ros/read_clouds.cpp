@@ -79,14 +79,13 @@ Read<Points> readPointCloud2(const Field& msg) {
   PointList points;
   points.reserve(count / stride + 1);
   const auto value = [&](const char* record, const std::optional<NumberPlace>& place) {
-    return place ? numberAt(record, *place, of.big_endian) : 0;
+    return place ? wire::numberAt(record, *place, of.big_endian) : 0;
   };
   for (std::size_t i = 0; i < count; i += stride) {
     const char* const record = data->data() + i / of.width * of.row_step + i % of.width * of.point_step;
     points.add(value(record, of.x), value(record, of.y), value(record, of.z), value(record, of.intensity));
   }
-  const bool bytes =
-      of.intensity && (of.intensity->type == NumberType::U8 || of.intensity->type == NumberType::I8);
+  const bool bytes = of.intensity && wire::isByte(of.intensity->type);
   Points read = std::move(points).points(headerOf(msg), bytes);
   noteThinned(read, count);
   return read;

@@ -85,8 +85,8 @@ std::optional<std::vector<FoundTopic>> sentTopics(const Found& found) {
   return sent;
 }
 
-RosApi::RosApi(net::rosbridge::Client& client, std::chrono::milliseconds patience, QObject* parent)
-    : QObject(parent), client_(client), patience_(patience) {}
+RosApi::RosApi(net::rosbridge::Client& client, std::chrono::milliseconds patience)
+    : client_(client), patience_(patience) {}
 
 void RosApi::ask(const char* service, const QByteArray& args, net::rosbridge::Client::Reply reply) {
   net::rosbridge::CallRequest request;

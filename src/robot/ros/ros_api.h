@@ -45,7 +45,7 @@ bool lists(const Found& found, const std::string& topic);
 class RosApi : public QObject {
   Q_OBJECT
  public:
-  RosApi(net::rosbridge::Client& client, std::chrono::milliseconds patience, QObject* parent = nullptr);
+  RosApi(net::rosbridge::Client& client, std::chrono::milliseconds patience);
 
   /// Asks for all topics with their types, and all services. What lies below `ns` goes first.
   void look(const std::string& ns, const DispatchWish& dispatch, std::function<void(Found)> then);

@@ -1,6 +1,9 @@
 // Service calls over rosbridge, in the words of the port.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "map/failure.h"
 #include "net/rosbridge/client.h"
 #include "robot/wire/errand.h"
@@ -10,6 +13,11 @@ namespace mapwright::robot::ros {
 /// Calls for `errand`: once that is cancelled, the answer comes as Cancelled. `client` outlives the call.
 void call(const wire::ErrandPtr& errand, net::rosbridge::Client& client, net::rosbridge::CallRequest request,
           net::rosbridge::Client::Reply reply);
+
+/// `then` once it is known what the robot can do, or with a failure about `subject`.
+using WhenKnown =
+    std::function<void(const wire::ErrandPtr& errand, const map::Subject& subject, map::AskedFor asked_for,
+                       std::function<void(std::optional<map::Failure>)> then)>;
 
 /// Of an answer that is not Answered. What a server refuses may have been done all the same
 /// (docs/protocols/rosbridge.md, "Calls").

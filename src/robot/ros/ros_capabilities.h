@@ -1,62 +1,19 @@
-// What a ROS robot can be asked for whatever runs on it: one object each, on the thread of the robot. They
-// ask the link on its own thread and hand over what comes back.
+// What a ROS robot can be asked for whatever runs on it, on the thread of the robot.
 #pragma once
 
-#include <memory>
-
-#include "robot/robot.h"
 #include "robot/ros/ros_link.h"
-#include "robot/wire/pending_calls.h"
+#include "robot/wire/forwarded.h"
 
 namespace mapwright::robot::ros {
 
-/// Who asks, and who is asked. Both outlive the capability's questions.
-struct Line {
-  QObject* asker;
-  RosLink* link;
-};
-
-/// The live map alone, or the maps of a map manager.
-class Catalogue : public MapCatalogue {
- public:
-  explicit Catalogue(Line line) : line_(line) {}
-  Call list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) override;
-  Call describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) override;
-  Call thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) override;
-
- private:
-  Line line_;
-  wire::PendingCalls<std::vector<map::CatalogueEntry>> lists_;
-  wire::PendingCalls<map::CatalogueEntry> descriptions_;
-  wire::PendingCalls<std::string> thumbnails_;
-};
-
-/// The map that the robot works with; of others it sends nothing.
-class WholeMaps : public WholeMapSource {
- public:
-  explicit WholeMaps(Line line) : line_(line) {}
-  Call fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) override;
-
- private:
-  Line line_;
-  wire::PendingCalls<map::WholeMap> maps_;
-};
-
-class Topics : public LiveTopics {
+class Topics : public wire::TopicsOf<RosLink> {
  public:
   /// `known` is kept up to date by the robot.
-  Topics(Line line, std::shared_ptr<wire::TapPlace> tap, const KnownTopics& known)
-      : line_(line), tap_(std::move(tap)), known_(known) {}
+  Topics(RosLink* link, const KnownTopics& known) : TopicsOf(link), known_(known) {}
   QStringList known() const override;
   QStringList topicsOf(map::Stream stream) const override;
-  void setWanted(const map::Streams& streams, const QStringList& topics) override;
-  void setBasics(const Basics& basics) override;
-  void setWatching(bool on) override;
-  void setTap(FrameTap tap) override { tap_->set(std::move(tap)); }
 
  private:
-  Line line_;
-  std::shared_ptr<wire::TapPlace> tap_;
   const KnownTopics& known_;
 };
 

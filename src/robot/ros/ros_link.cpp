@@ -6,7 +6,6 @@
 #include <QDateTime>
 
 #include "robot/faults.h"
-#include "robot/ros/dispatch_messages.h"
 #include "robot/ros/faults.h"
 #include "robot/wire/link_state.h"
 
@@ -14,29 +13,48 @@ namespace mapwright::robot::ros {
 
 using net::WebSocketLink;
 
-RosLink::RosLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
-                 std::shared_ptr<wire::TapPlace> tap, std::shared_ptr<wire::DeliveryPlace> deliveries)
+RosLink::RosLink(LinkOptions options)
     : options_(std::move(options)),
-      mailbox_(std::move(mailbox)),
-      tap_(std::move(tap)),
-      deliveries_(std::move(deliveries)),
       world_(options_.ns),
-      sources_(sourcesOf(std::nullopt, options_.ns)) {}
+      sources_(sourcesOf(std::nullopt, options_.ns)),
+      client_(std::make_unique<net::rosbridge::Client>(options_.url, clientOptions())),
+      api_(*client_, options_.look_patience),
+      subscriptions_(*client_, api_, options_.topics),
+      deliveries_(places_->deliveries, api_, found_, sources_, [this] { return wall(); }),
+      live_map_(options_.map_patience),
+      asked_map_(*client_, options_.asked_map),
+      dispatch_(*client_, options_.dispatch, options_.dispatch_patience,
+                [this] { return world_.mapFrame(); }),
+      kabam_(*client_, options_.kabam, std::bind_front(&RosLink::whenKnown, this),
+             [this] { return world_.mapFrame(); }),
+      pictures_({*client_, kabam_, live_map_,
+                 [this] {
+                   for (const Source& source : sourcesFor(map::Stream::WholeMap, sources_)) {
+                     if (source.form == Form::Grid) subscriptions_.askAgain(source.topic);
+                   }
+                 },
+                 [this] { return known_; }},
+                options_.kabam, options_.picture_settles),
+      maps_({kabam_, dispatch_, live_map_, world_, sources_, std::bind_front(&RosLink::whenKnown, this)}) {
+  clock_.start();
+  client_->setTrust(options_.trust);
+  look_timer_.setSingleShot(true);
+  pose_timer_.setSingleShot(true);
+  overdue_timer_.setInterval(options_.topics.look_every);
+  listen();
+}
 
 RosLink::~RosLink() {
   // What is under way must not reach a half-destroyed object.
-  if (!client_) return;
   client_->disconnect(this);
-  subscriptions_->disconnect(this);
-  live_map_->disconnect(this);
-  asked_map_->disconnect(this);
-  dispatch_->disconnect(this);
+  subscriptions_.disconnect(this);
+  live_map_.disconnect(this);
+  asked_map_.disconnect(this);
+  dispatch_.disconnect(this);
   client_.reset();
 }
 
-void RosLink::start() {
-  if (client_) return;
-  clock_.start();
+net::rosbridge::ClientOptions RosLink::clientOptions() const {
   net::rosbridge::ClientOptions client = options_.client;
   if (!options_.secret.isEmpty()) {
     net::rosbridge::Credentials credentials;
@@ -44,114 +62,61 @@ void RosLink::start() {
     credentials.destination = options_.url.host();
     client.credentials = std::move(credentials);
   }
-  client_ = std::make_unique<net::rosbridge::Client>(options_.url, std::move(client));
-  client_->setTrust(options_.trust);
-  api_ = std::make_unique<RosApi>(*client_, options_.look_patience);
-  kabam_ = std::make_unique<KabamRequests>(*client_, options_.kabam, [this] { return world_.mapFrame(); });
-  subscriptions_ = std::make_unique<RosSubscriptions>(*client_, *api_, options_.topics);
-  live_map_ = std::make_unique<LiveMap>(options_.map_patience);
-  asked_map_ = std::make_unique<AskedMap>(*client_, options_.asked_map);
-  dispatch_ = std::make_unique<DispatchRequests>(*client_, options_.dispatch, options_.dispatch_patience,
-                                                 [this] { return world_.mapFrame(); });
-  pictures_ = std::make_unique<KabamPictures>(
-      KabamPictures::Means{*client_, *kabam_, *live_map_,
-                           [this] {
-                             for (const Source& source : sourcesFor(map::Stream::WholeMap, sources_)) {
-                               if (source.form == Form::Grid) subscriptions_->askAgain(source.topic);
-                             }
-                           }},
-      options_.kabam);
-  look_timer_ = std::make_unique<QTimer>();
-  pose_timer_ = std::make_unique<QTimer>();
-  overdue_timer_ = std::make_unique<QTimer>();
-  picture_timer_ = std::make_unique<QTimer>();
-  picture_timer_->setSingleShot(true);
-  picture_timer_->setInterval(options_.picture_settles);
-  look_timer_->setSingleShot(true);
-  pose_timer_->setSingleShot(true);
-  overdue_timer_->setInterval(options_.topics.look_every);
-  wireClient();
-  wireParts();
+  return client;
 }
 
-void RosLink::wireClient() {
+void RosLink::listen() {
   using net::rosbridge::Client;
   connect(client_.get(), &Client::changed, this, &RosLink::noteLink);
   connect(client_.get(), &Client::opened, this, &RosLink::begin);
   connect(client_.get(), &Client::received, this, &RosLink::take);
   connect(client_.get(), &Client::frameReceived, this,
           [this](std::string_view bytes, bool binary, double received_s) {
-            tap_->pass({bytes, binary, received_s});
+            places_->tap.pass({bytes, binary, received_s});
           });
   connect(client_.get(), &Client::statusReceived, this, [this](const QString& level, const QString& words) {
     const bool serious = level == QLatin1String("error") || level == QLatin1String("warning");
-    if (serious) report(map::Severity::Warning, {robot::fault::ItAnswered, {words.left(300).toStdString()}});
+    if (serious)
+      report(options_.url, map::Severity::Warning,
+             {robot::fault::ItAnswered, {words.left(300).toStdString()}});
   });
   connect(client_.get(), &Client::sharesOneConnection, this, [this](const Fault& why) {
-    report(map::Severity::Info, {fault::RosOneConnection, {}, {why}});
+    report(options_.url, map::Severity::Info, {fault::RosOneConnection, {}, {why}});
   });
   connect(client_.get(), &Client::odd, this,
-          [this] { report(map::Severity::Info, {fault::MessageNotUnderstood}); });
-}
-
-void RosLink::wireParts() {
-  connect(subscriptions_.get(), &RosSubscriptions::problemFound, this, &RosLink::problemFound);
-  connect(subscriptions_.get(), &RosSubscriptions::recovered, this, &RosLink::recovered);
-  connect(subscriptions_.get(), &RosSubscriptions::dropped, this, [this](const std::string& topic) {
+          [this] { report(options_.url, map::Severity::Info, {fault::MessageNotUnderstood}); });
+  connect(&subscriptions_, &RosSubscriptions::problemFound, this, &RosLink::problemFound);
+  connect(&subscriptions_, &RosSubscriptions::recovered, this, &RosLink::recovered);
+  connect(&subscriptions_, &RosSubscriptions::dropped, this, [this](const std::string& topic) {
     world_.forget(topic);
     forgetTrouble(topic);
-    const auto& map = live_map_->last();
-    if (map && map->topic == topic) live_map_->forget();
+    const auto& map = live_map_.last();
+    if (map && map->topic == topic) live_map_.forget();
   });
-  connect(live_map_.get(), &LiveMap::wantedChanged, this, [this] {
-    if (std::exchange(wish_.whole_map, live_map_->wanted()) != live_map_->wanted()) sync();
+  connect(&live_map_, &LiveMap::wantedChanged, this, [this] {
+    if (std::exchange(wish_.whole_map, live_map_.wanted()) != live_map_.wanted()) sync();
   });
-  connect(asked_map_.get(), &AskedMap::came, this, &RosLink::takeAskedMap);
-  connect(asked_map_.get(), &AskedMap::failed, this, [this](const std::string& service, const Fault& why) {
+  connect(&asked_map_, &AskedMap::came, this, &RosLink::takeAskedMap);
+  connect(&asked_map_, &AskedMap::failed, this, [this](const std::string& service, const Fault& why) {
     note(service, map::ProblemCode::Unavailable, Fault(fault::MapServiceFailed, {service}, {why}));
   });
-  connect(dispatch_.get(), &DispatchRequests::offersChanged, this, [this] {
-    Q_EMIT dispatchKnown(dispatch_->found());
-    sync();  // whoever gives the map by region is not asked for all of it
-  });
-  connect(dispatch_.get(), &DispatchRequests::topicsChanged, this, &RosLink::sync);
-  connect(dispatch_.get(), &DispatchRequests::lookWanted, this, &RosLink::lookAnew);
-  connect(dispatch_.get(), &DispatchRequests::mapChanged, this, &RosLink::dispatchedMapChanged);
-  connect(dispatch_.get(), &DispatchRequests::projectedCame, this, &RosLink::projectedCame);
-  connect(dispatch_.get(), &DispatchRequests::projectedGone, this, &RosLink::projectedGone);
-  connect(dispatch_.get(), &DispatchRequests::extentTold, this,
-          [this](const std::optional<map::GridReference>& grid) {
-            std::optional<MapExtent> extent;
-            if (grid) {
-              const std::int64_t cells = std::int64_t(grid->width) * grid->height;
-              extent = MapExtent{*grid, aboutBytesOfCells(cells), leastBytesOfCells(cells),
-                                 std::int64_t(options_.client.max_message_bytes)};
-            }
-            Q_EMIT mapExtentTold(extent);
-          });
-  connect(dispatch_.get(), &DispatchRequests::projectedSilent, this, &RosLink::projectedSilent);
-  connect(pictures_.get(), &KabamPictures::doubted, this, [this](const std::string& map_id) {
-    pictures_doubted_.insert(map_id);
-    picture_timer_->start();
-  });
-  connect(picture_timer_.get(), &QTimer::timeout, this, &RosLink::comparePicture);
-  connect(look_timer_.get(), &QTimer::timeout, this, &RosLink::look);
-  connect(pose_timer_.get(), &QTimer::timeout, this, &RosLink::tellPose);
-  connect(overdue_timer_.get(), &QTimer::timeout, this, [this] {
+  // Whoever gives the map by region is not asked for all of it.
+  connect(&dispatch_, &DispatchRequests::offersChanged, this, &RosLink::sync);
+  connect(&dispatch_, &DispatchRequests::topicsChanged, this, &RosLink::sync);
+  connect(&dispatch_, &DispatchRequests::lookWanted, this, &RosLink::lookAnew);
+  connect(&look_timer_, &QTimer::timeout, this, &RosLink::look);
+  connect(&pose_timer_, &QTimer::timeout, this, &RosLink::tellPose);
+  connect(&overdue_timer_, &QTimer::timeout, this, [this] {
     for (WorldResult& result : world_.overdue(wall())) tell(std::move(result));
     tellReception();
   });
 }
 
 double RosLink::wall() const {
-  return options_.client.wall_s ? options_.client.wall_s()
-                                : double(QDateTime::currentMSecsSinceEpoch()) / 1000;
+  return options_.client.wall_s ? options_.client.wall_s() : wire::secondsOfDay();
 }
 
-bool RosLink::open_() const { return client_ && client_->link().state() == WebSocketLink::State::Open; }
-
 void RosLink::open() {
-  start();
   wanted_ = true;
   client_->open();
   if (awaits_manager_) look();
@@ -162,19 +127,17 @@ void RosLink::close() {
   wanted_ = false;
   was_known_ = false;
   found_ = {};
-  if (client_) client_->close();
+  client_->close();
   noteLink();
 }
 
 void RosLink::trust(const QByteArray& pinned_sha256) {
-  start();
   options_.trust.pinned_sha256 = pinned_sha256;
   client_->setTrust(options_.trust);
   open();
 }
 
 void RosLink::setWanted(const map::Streams& streams, const QStringList& topics) {
-  start();
   wish_.streams = streams;
   wish_.names.clear();
   for (const QString& topic : topics) wish_.names.push_back(topic.toStdString());
@@ -182,19 +145,17 @@ void RosLink::setWanted(const map::Streams& streams, const QStringList& topics) 
 }
 
 void RosLink::setEveryMessage(bool on) {
-  start();
   wish_.every_message = on;
   sync();
 }
 
 void RosLink::setRecorded(bool on) {
-  start();
   wish_.recorded = on;
   sync();
+  deliveries_.define();
 }
 
 void RosLink::choose(const Choices& choices) {
-  start();
   const Choices before = std::exchange(choices_, choices);
   if (before == choices || !known_) return;
   // What came of the topic before is not of this one.
@@ -211,7 +172,6 @@ void RosLink::choose(const Choices& choices) {
 }
 
 void RosLink::setBasics(const LiveTopics::Basics& basics) {
-  start();
   wish_.basics = basics;
   sync();
 }
@@ -220,49 +180,44 @@ void RosLink::setBasics(const LiveTopics::Basics& basics) {
 void RosLink::begin() {
   ++round_;
   known_ = looking_ = look_again_ = awaits_manager_ = false;
-  deliveries_->forget();
-  delivered_types_.clear();
-  defined_types_.clear();
-  defining_ = false;
+  deliveries_.beginAnew();
   reception_ = {};
   least_late_s_.reset();
-  before_ = mailbox_->replaced() + world_.gaveWay();
+  before_ = places_->mailbox.replaced() + world_.gaveWay();
   world_.forgetAll();
-  kabam_->book().forget();
-  live_map_->forget();
-  asked_map_->beginAnew();
-  dispatch_->beginAnew();
-  subscriptions_->beginAnew();
-  overdue_timer_->start();
+  kabam_.book().forget();
+  live_map_.forget();
+  asked_map_.beginAnew();
+  dispatch_.beginAnew();
+  subscriptions_.beginAnew();
+  overdue_timer_.start();
   look();
 }
 
 void RosLink::noteLink() {
-  if (!open_() && client_) {
+  if (!isOpen()) {
     ++round_;
     known_ = looking_ = look_again_ = awaits_manager_ = false;
-    look_timer_->stop();
-    overdue_timer_->stop();
-    subscriptions_->pause();
-    asked_map_->beginAnew();
-    dispatch_->lose();
+    look_timer_.stop();
+    overdue_timer_.stop();
+    deliveries_.pause();
+    subscriptions_.pause();
+    asked_map_.beginAnew();
+    dispatch_.lose();
     while (!troubles_.empty()) forgetTrouble(troubles_.begin()->first);
     // Who waits for a first connection goes on waiting; there is none to wait for any more otherwise.
     if (client_->link().state() != WebSocketLink::State::Connecting) {
-      const auto early = early_;
-      for (const EarlyPtr& one : early) endEarly(one, map::FailureKind::Unreachable);
-      live_map_->endAll({.kind = map::FailureKind::Unreachable, .cause = {fault::LinkBrokeOff}});
+      early_.drop();
+      live_map_.lose();
     }
   }
   publishState();
 }
 
 void RosLink::publishState() {
-  ConnectionState state;
-  if (client_) state = wire::stateOf(client_->link(), wanted_);
+  ConnectionState state = wire::stateOf(client_->link(), wanted_);
   if (state.phase == ConnectionPhase::Online && !known_) state.phase = ConnectionPhase::Connecting;
-  const std::string host =
-      QStringLiteral("%1:%2").arg(options_.url.host()).arg(options_.url.port()).toStdString();
+  const std::string host = wire::hostOf(options_.url);
   if (state.failure == map::FailureKind::NotARobot) {
     state.reason = {fault::NoRosbridgeThere, {host}, {state.reason}};
   }
@@ -270,16 +225,10 @@ void RosLink::publishState() {
     state.phase = ConnectionPhase::Interrupted;
     state.failure = map::FailureKind::NotARobot;
     state.reason = {fault::NoMapManagerThere, {host}};
-    state.retry_in_ms = std::max(0, look_timer_->remainingTime());
+    state.retry_in_ms = std::max(0, look_timer_.remainingTime());
   }
-  Q_EMIT silenceChanged(client_ ? client_->link().silentSince().value_or(QDateTime()) : QDateTime());
+  Q_EMIT silenceChanged(client_->link().silentSince().value_or(QDateTime()));
   Q_EMIT stateChanged(state);
-}
-
-void RosLink::report(map::Severity severity, Fault reason) {
-  const QString host = QStringLiteral("%1:%2").arg(options_.url.host()).arg(options_.url.port());
-  Q_EMIT problemFound(
-      {severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), std::move(reason)});
 }
 
 /// What is being told now may be of before.
@@ -290,7 +239,7 @@ void RosLink::lookAnew() {
 
 void RosLink::look() {
   if (std::exchange(looking_, true)) return;
-  api_->look(options_.ns, options_.dispatch, [this, round = round_](Found found) {
+  api_.look(options_.ns, options_.dispatch, [this, round = round_](Found found) {
     if (round != round_) return;
     if (std::exchange(look_again_, false)) {
       looking_ = false;
@@ -300,10 +249,10 @@ void RosLink::look() {
     auto manager = mapManagerIn(found, options_.ns);
     if (manager || found.services) return takeLook(std::move(found), std::move(manager));
     // Nobody tells: it is asked something.
-    const std::string place = has_manager_ ? kabam_->book().place() : options_.ns + "/map_manager";
-    api_->probeMapManager(place, [this, round, found = std::move(found), place](std::optional<bool> there) {
+    const std::string place = kabam_.there() ? kabam_.book().place() : options_.ns + "/map_manager";
+    api_.probeMapManager(place, [this, round, found = std::move(found), place](std::optional<bool> there) {
       if (round == round_)
-        takeLook(found, there.value_or(has_manager_) ? std::optional(place) : std::nullopt);
+        takeLook(found, there.value_or(kabam_.there()) ? std::optional(place) : std::nullopt);
     });
   });
 }
@@ -325,40 +274,32 @@ void RosLink::keepUnheard(Found& found) const {
 
 void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   looking_ = false;
-  look_timer_->start(options_.look_every);
+  look_timer_.start(options_.look_every);
   if (!manager && options_.kabam_only && !was_known_) return awaitManager();
   awaits_manager_ = false;
   found_ = std::move(found);
-  dispatch_->take(dispatchIn(found_.dispatch_services, sentTopics(found_), options_.dispatch));
-  wish_.managers_own.clear();
-  if (manager) {
-    kabam_->book().setPlace(*manager);
-    wish_.managers_own = kabam_->book().topics();
-  } else {
-    kabam_->book().forget();
-  }
+  dispatch_.take(dispatchIn(found_.dispatch_services, sentTopics(found_), options_.dispatch));
+  const bool other = kabam_.setPlace(manager);
+  wish_.managers_own = manager ? kabam_.book().topics() : std::vector<std::string>();
   findSources();
   const bool takes_pictures =
       manager && (!found_.services || std::find(found_.services->begin(), found_.services->end(),
                                                 *manager + "/update_map_image") != found_.services->end());
   const bool first = !std::exchange(known_, true);
   was_known_ = true;
-  const bool other = std::exchange(has_manager_, manager.has_value()) != has_manager_;
   Q_EMIT pictureServiceKnown(takes_pictures);
-  if (first || other) Q_EMIT mapManagerKnown(has_manager_);
+  if (first || other) Q_EMIT mapManagerKnown(kabam_.there());
   sync();
   if (!first) return;
   known_since_.start();
   publishState();
-  const auto early = early_;
-  for (const EarlyPtr& one : early) endEarly(one, std::nullopt);
+  early_.look();
 }
 
 /// It may be started after the server: it is looked for until it is there.
 void RosLink::awaitManager() {
   awaits_manager_ = true;
-  const auto early = early_;
-  for (const EarlyPtr& one : early) endEarly(one, map::FailureKind::Unreachable);
+  early_.drop();
   publishState();
 }
 
@@ -377,17 +318,36 @@ void RosLink::findSources() {
   Q_EMIT topicsKnown({sources_, found_.topics, managesMaps()});
 }
 
-bool RosLink::managesMaps() const { return !wish_.managers_own.empty() || dispatch_->found().any(); }
+void RosLink::whenKnown(const wire::ErrandPtr& errand, const map::Subject& subject, map::AskedFor asked_for,
+                        std::function<void(std::optional<map::Failure>)> then) {
+  using End = wire::WaitList::End;
+  const auto ended = [subject, asked_for, then = std::move(then)](End how) {
+    if (how == End::Held) return then(std::nullopt);
+    map::Failure failure{.kind = map::FailureKind::Cancelled, .subject = subject, .asked_for = asked_for};
+    if (how == End::Dropped) {
+      failure.kind = map::FailureKind::Unreachable;
+      failure.cause = {fault::NotConnected};
+    }
+    then(std::move(failure));
+  };
+  const bool connecting = client_->link().state() == WebSocketLink::State::Connecting;
+  const bool coming = !awaits_manager_ && (isOpen() || connecting);
+  if (!known_ && !coming) return ended(End::Dropped);
+  early_.await(
+      errand, std::nullopt, [this] { return known_; }, ended);
+}
+
+bool RosLink::managesMaps() const { return !wish_.managers_own.empty() || dispatch_.found().any(); }
 
 void RosLink::sync() {
   // Before it is known what there is, nothing is asked for.
   if (!known_) return;
   // The map of a dispatcher that gives it by region may be gigabytes: about the whole people decide.
-  wish_.map_by_region = dispatch_->found().has(DispatchService::GridRegion);
-  wish_.dispatchers_own = dispatch_->topics();
-  wish_.dispatchers_tried = dispatch_->triedTopic();
+  wish_.map_by_region = dispatch_.found().has(DispatchService::GridRegion);
+  wish_.dispatchers_own = dispatch_.topics();
+  wish_.dispatchers_tried = dispatch_.triedTopic();
   const auto wanted = topicsFor(wish_, sources_, found_);
-  subscriptions_->ask(wanted, found_);
+  subscriptions_.ask(wanted, found_);
   const bool by_topic = std::any_of(wanted.begin(), wanted.end(), [](const auto& topic) {
     return std::any_of(topic.second.sources.begin(), topic.second.sources.end(), [](const Source& source) {
       return source.stream == map::Stream::WholeMap && source.form == Form::Grid;
@@ -402,7 +362,7 @@ void RosLink::sync() {
     if (options_.dispatch.expected)
       services.names.insert(services.names.begin(), nameBy(options_.dispatch, DispatchName::GetMap));
   }
-  asked_map_->want(map_wanted, by_topic, std::move(services));
+  asked_map_.want(map_wanted, by_topic, std::move(services));
 }
 
 }  // namespace mapwright::robot::ros

@@ -12,16 +12,15 @@ namespace {
 
 using net::rosbridge::TopicMessage;
 
-constexpr qint64 kPoseAnywayMs = 1'000;   // a robot that stands still is told of, too
-constexpr qint64 kFramesMs = 2'000;       // for the frames of map and robot to be known
-constexpr qint64 kPoseMissingMs = 2'000;  // before it is told that it has none
+constexpr std::chrono::milliseconds kPoseEvery{50};  // told at most so often
+constexpr qint64 kPoseAnywayMs = 1'000;              // a robot that stands still is told of, too
+constexpr qint64 kFramesMs = 2'000;                  // for the frames of map and robot to be known
+constexpr qint64 kPoseMissingMs = 2'000;             // before it is told that it has none
 
 constexpr qint64 kTellAgainMs = 5'000;
 constexpr qint64 kReceptionEveryMs = 1'000;
 constexpr double kLateS = 1;
 constexpr std::size_t kMostAges = 100;
-
-constexpr const char* kAskedMap = "nav_msgs/GetMapResponse";
 
 map::Subject topicSubject(const std::string& topic) { return {map::SubjectKind::Topic, topic}; }
 
@@ -35,98 +34,17 @@ RawMessage rawOf(const TopicMessage& message) {
   return raw;
 }
 
-/// A robot's frames are told by many, each of some: one message does not stand for the others.
-std::string slotOf(const TopicMessage& message) {
-  std::string slot = message.topic;
-  if (lastPart(message.topic) != "tf_static") return slot;
-  message.msg["transforms"].each(
-      [&](const net::rosbridge::Field& transform) { slot += '\n' + transform["child_frame_id"].text(); });
-  return slot;
-}
-
 }  // namespace
 
-void RosLink::deliver(const std::string& name, std::string type, std::string slot,
-                      const std::shared_ptr<const net::rosbridge::Frame>& frame, const char* member,
-                      std::optional<double> said_s, double received_s) {
-  if (!type.empty() && delivered_types_.insert(type).second) askDefinition();
-  wire::DeliveryPlace::Parcel parcel;
-  parcel.name = name;
-  parcel.schema = std::move(type);
-  parcel.encoding = frame->wire() == net::rosbridge::Frame::Wire::Binary ? "cbor" : "json";
-  parcel.slot = std::move(slot);
-  parcel.keeps = frame;
-  parcel.held_bytes = std::size_t(frame->bytes()) * (parcel.encoding[0] == 'j' ? 3 : 1);
-  parcel.find = [frame = frame.get(), member] { return frame->rawMember(member); };
-  parcel.received_s = received_s;
-  parcel.said_s = said_s;
-  deliveries_->pass(std::move(parcel));
-}
-
-void RosLink::defineTypes() { askDefinition(); }
-
-void RosLink::askDefinition() {
-  if (defining_ || !known_ || !deliveries_->taken()) return;
-  const auto next = std::find_if(delivered_types_.begin(), delivered_types_.end(),
-                                 [&](const std::string& type) { return !defined_types_.contains(type); });
-  if (next == delivered_types_.end()) return;
-  const std::string type = *next;
-  defined_types_.insert(type);
-  defining_ = true;
-  // Services are not told of by that name: what it answers with is a map.
-  const bool ros2 =
-      found_.topics && std::any_of(found_.topics->begin(), found_.topics->end(), [](const FoundTopic& one) {
-        return one.type.find("/msg/") != std::string::npos;
-      });
-  const std::string map = ros2 ? "nav_msgs/msg/OccupancyGrid" : "nav_msgs/OccupancyGrid";
-  const bool asked_map = type == kAskedMap;
-  api_->define(asked_map ? map : type,
-               [this, round = round_, type, map, asked_map](std::optional<RosDefinition> definition) {
-                 if (round != round_) return;
-                 defining_ = false;
-                 if (definition && asked_map) definition = definitionAround(*definition, map, "map");
-                 deliverDefinition(type, definition);
-                 askDefinition();
-               });
-}
-
-void RosLink::deliverDefinition(const std::string& type, const std::optional<RosDefinition>& definition) {
-  wire::DeliveryPlace::Parcel parcel;
-  parcel.kind = Delivery::Kind::Definition;
-  parcel.name = type;
-  parcel.encoding = definition && definition->ros2 ? "ros2msg" : "ros1msg";
-  parcel.slot = "definition of " + type;
-  if (definition) {
-    const auto text = std::make_shared<const std::string>(definition->text);
-    parcel.bytes = *text;
-    parcel.held_bytes = text->size();
-    parcel.keeps = text;
-  }
-  parcel.received_s = wall();
-  deliveries_->pass(std::move(parcel));
-}
-
-void RosLink::deliverMessage(const TopicMessage& message) {
-  std::string type = typeOf(found_, message.topic);
-  if (type.empty()) {
-    // Asked for by its usual name.
-    const auto source = std::find_if(sources_.begin(), sources_.end(),
-                                     [&](const Source& one) { return one.topic == message.topic; });
-    if (source != sources_.end()) type = source->type;
-  }
-  deliver(message.topic, std::move(type), slotOf(message), message.frame, "msg",
-          message.msg["header"]["stamp"].time(), message.received_s);
-}
-
 void RosLink::take(const TopicMessage& message) {
-  deliverMessage(message);
-  if (watching_ && raw_limit_.allow(clock_.elapsed(), message.bytes)) Q_EMIT rawReceived(rawOf(message));
-  const WantedTopic* const wanted = subscriptions_->heard(message.topic);
+  deliveries_.take(message);
+  if (passesRaw(message.bytes)) Q_EMIT rawReceived(rawOf(message));
+  const WantedTopic* const wanted = subscriptions_.heard(message.topic);
   if (!wanted) return;
   takeOfManager(message);
   if (std::any_of(wish_.dispatchers_own.begin(), wish_.dispatchers_own.end(),
                   [&](const FoundTopic& own) { return own.name == message.topic; }))
-    note(message.topic, map::ProblemCode::Unreadable, dispatch_->hear(message.topic, message.msg));
+    note(message.topic, map::ProblemCode::Unreadable, dispatch_.hear(message.topic, message.msg));
   ++reception_.came;
   bool of_pose = false;
   const std::vector<Source> sources = wanted->sources;
@@ -134,12 +52,11 @@ void RosLink::take(const TopicMessage& message) {
   for (const Source& source : sources) {
     for (WorldResult& result : world_.take(source, message.msg, message.received_s)) tell(std::move(result));
     of_pose |= source.stream == map::Stream::Pose;
-    if (source.stream == map::Stream::WholeMap && source.form == Form::Grid) asked_map_->heard();
+    if (source.stream == map::Stream::WholeMap && source.form == Form::Grid) asked_map_.heard();
   }
-  if (of_pose && wish_.basics.pose && !pose_timer_->isActive()) {
-    const qint64 since = pose_told_.isValid() ? pose_told_.elapsed() : options_.pose_every.count();
-    pose_timer_->start(
-        std::max(std::chrono::milliseconds(0), options_.pose_every - std::chrono::milliseconds(since)));
+  if (of_pose && wish_.basics.pose && !pose_timer_.isActive()) {
+    const qint64 since = pose_told_.isValid() ? pose_told_.elapsed() : qint64(kPoseEvery.count());
+    pose_timer_.start(std::max(std::chrono::milliseconds(0), kPoseEvery - std::chrono::milliseconds(since)));
   }
 }
 
@@ -158,7 +75,7 @@ void RosLink::tellReception() {
   if (reception_told_.isValid() && reception_told_.elapsed() < kReceptionEveryMs) return;
   reception_told_.start();
   Reception now = reception_;
-  now.dropped = qint64(mailbox_->replaced() + world_.gaveWay() - before_);
+  now.dropped = qint64(places_->mailbox.replaced() + world_.gaveWay() - before_);
   for (const auto& [pair, age_s] : world_.ages(wall())) {
     if (now.transforms.size() == kMostAges) break;
     now.transforms.push_back(
@@ -179,31 +96,25 @@ void RosLink::takeAskedMap(const std::string& service, const net::rosbridge::Cal
     source.base = maps.front().topic;
   }
   note(service, map::ProblemCode::Unavailable, std::nullopt);
-  deliver(service, kAskedMap, service, answer.frame, "values", answer.values["map"]["header"]["stamp"].time(),
-          wall());
+  deliveries_.takeMap(service, answer);
   // Patches, and whoever listens to the topic, take it for what that would have brought.
   if (!source.base.empty()) source.topic = source.base;
   for (WorldResult& result : world_.take(source, answer.values["map"], wall())) tell(std::move(result));
-  if (!source.base.empty()) subscriptions_->replacedBy(source.base, service);
+  if (!source.base.empty()) subscriptions_.replacedBy(source.base, service);
 }
 
 void RosLink::takeOfManager(const TopicMessage& message) {
-  if (wish_.managers_own.empty()) return;
-  KabamBook& book = kabam_->book();
-  const KabamBook::Taken taken = book.take(message.topic, message.frame, message.msg);
+  if (!kabam_.there()) return;
+  const KabamBook::Taken taken = kabam_.take(message);
   if (!taken.own) return;
   const std::optional<Fault> odd =
       taken.readable ? std::nullopt : std::optional<Fault>(fault::MessageNotUnderstood);
   note(message.topic, map::ProblemCode::Unreadable, odd);
+  KabamBook& book = kabam_.book();
   if (taken.maps && book.current() && !book.current()->map.id.empty())
     emitTopic(book.topics().front(), book.mapInfo(), message.received_s, std::nullopt);
-  if (taken.maps) {
-    picture_timer_->start();
-    Q_EMIT mapManagerStands(QString::fromStdString(book.state()));
-    Q_EMIT mapsChanged();
-  }
-  kabam_->look();
-  if (taken.waypoints) Q_EMIT waypointsChanged();
+  if (taken.maps) pictures_.sawMap();
+  kabam_.tell(taken);
 }
 
 void RosLink::tell(WorldResult result) {
@@ -217,25 +128,11 @@ void RosLink::tell(WorldResult result) {
   const auto* const grid = std::get_if<map::GridMessage>(&*result.message);
   const bool whole = grid && grid->kind == map::GridKind::WholeMap;
   if (whole) {
-    live_map_->take(*grid);
-    if (live_map_->last()) dispatch_->sawMap(live_map_->last()->fingerprint);
-    picture_timer_->start();
+    live_map_.take(*grid);
+    if (live_map_.last()) dispatch_.sawMap(live_map_.last()->fingerprint);
+    pictures_.sawMap();
   }
   emitTopic(topic, std::move(*result.message), result.received_s, result.recorded_s);
-}
-
-void RosLink::comparePicture() {
-  const KabamBook& book = kabam_->book();
-  if (!known_ || !has_manager_ || !book.current() || book.current()->map.id.empty() || book.isMapping())
-    return;
-  const std::string& id = book.current()->map.id;
-  bool other = pictures_doubted_.erase(id) > 0;
-  if (live_map_->last()) {
-    std::string& seen = pictures_seen_[id];
-    other |= !seen.empty() && seen != live_map_->last()->fingerprint;
-    seen = live_map_->last()->fingerprint;
-  }
-  if (other) Q_EMIT pictureChanged(QString::fromStdString(id));
 }
 
 void RosLink::note(const std::string& topic, map::ProblemCode code, const std::optional<Fault>& reason) {
@@ -270,7 +167,7 @@ bool RosLink::framesComplete() const {
 
 void RosLink::tellPose() {
   if (known_since_.elapsed() < kFramesMs && !framesComplete()) {
-    pose_timer_->start(std::chrono::milliseconds(kFramesMs / 20));
+    pose_timer_.start(std::chrono::milliseconds(kFramesMs / 20));
     return;
   }
   const auto pose = world_.pose();
@@ -295,13 +192,7 @@ void RosLink::tellPose() {
 
 void RosLink::emitTopic(const std::string& topic, map::TopicMessage message, double received_s,
                         std::optional<double> recorded_s) {
-  const bool by_mail = wire::TopicMailbox::takes(message);
-  map::StampedMessage stamped{std::move(message), received_s, recorded_s, topic};
-  if (!by_mail) {
-    Q_EMIT topicReceived(stamped);
-  } else if (mailbox_->put(std::move(stamped))) {
-    Q_EMIT mailArrived();
-  }
+  pass({std::move(message), received_s, recorded_s, topic});
 }
 
 }  // namespace mapwright::robot::ros

@@ -7,63 +7,36 @@
 namespace mapwright::robot::ros {
 
 RosRobot::RosRobot(QString address, LinkOptions options, QObject* parent)
-    : Robot(parent),
-      address_(std::move(address)),
-      known_{sourcesOf(std::nullopt, options.ns), {}, false},
-      mailbox_(std::make_shared<wire::TopicMailbox>()),
-      tap_(std::make_shared<wire::TapPlace>()),
-      deliveries_(std::make_shared<wire::DeliveryPlace>()),
-      link_(new RosLink(std::move(options), mailbox_, tap_, deliveries_)),
-      catalogue_({this, link_}),
-      whole_maps_({this, link_}),
-      topics_({this, link_}, tap_, known_),
-      waypoints_({this, link_}),
+    : RosRobot(std::move(address), wire::startLink<RosLink>(QStringLiteral("ros link"), options),
+               std::int64_t(options.client.max_message_bytes),
+               {sourcesOf(std::nullopt, options.ns), {}, false}, parent) {}
+
+RosRobot::RosRobot(QString address, wire::StartedLink<RosLink> started, std::int64_t longest_message,
+                   KnownTopics known, QObject* parent)
+    : NetworkRobot(std::move(address), started.link, std::move(started.thread), parent),
+      link_(started.link),
+      known_(std::move(known)),
+      catalogue_(link_, &RosLink::maps),
+      whole_maps_(link_, &RosLink::maps),
+      topics_(link_, known_),
       waypoint_store_(link_),
+      waypoints_(waypoint_store_),
       picture_store_(link_),
-      administration_({this, link_}, [this] { Q_EMIT mapsChanged(); }),
-      dispatch_(link_) {
-  qRegisterMetaType<ConnectionState>();
-  qRegisterMetaType<map::StampedMessage>();
-  qRegisterMetaType<map::Problem>();
-  qRegisterMetaType<map::Recovery>();
-  qRegisterMetaType<RawMessage>();
+      administration_(link_, [this] { Q_EMIT mapsChanged(); }),
+      dispatch_(link_, longest_message) {
   qRegisterMetaType<KnownTopics>();
   qRegisterMetaType<Reception>();
   qRegisterMetaType<FoundDispatch>();
   qRegisterMetaType<std::shared_ptr<const ProjectedPart>>();
-  link_->moveToThread(&thread_);
-  thread_.setObjectName(QStringLiteral("ros link"));
-  connect(&thread_, &QThread::finished, link_, &QObject::deleteLater);
   listen();
-  thread_.start();
 }
 
-RosRobot::~RosRobot() {
-  link_->disconnect(this);
-  link_->disconnect(&waypoint_store_);
-  link_->disconnect(&picture_store_);
-  link_->disconnect(&dispatch_);
-  thread_.quit();
-  thread_.wait();
-}
+RosRobot::~RosRobot() { stopLink(); }
 
 void RosRobot::listen() {
-  connect(link_, &RosLink::silenceChanged, this, [this](const QDateTime& since) {
-    if (std::exchange(silent_since_, since) != since) Q_EMIT connectionChanged();
-  });
-  connect(link_, &RosLink::stateChanged, this, [this](const ConnectionState& state) {
-    if (state == state_) return;
-    state_ = state;
-    Q_EMIT connectionChanged();
-  });
-  connect(link_, &RosLink::topicReceived, this, &Robot::topicReceived);
-  connect(link_, &RosLink::mailArrived, this, &RosRobot::takeMail);
-  connect(link_, &RosLink::rawReceived, this, &Robot::rawReceived);
-  connect(link_, &RosLink::problemFound, this, &Robot::problemFound);
-  connect(link_, &RosLink::recovered, this, &Robot::recovered);
-  connect(link_, &RosLink::mapManagerStands, this,
+  connect(&link_->kabam(), &KabamRequests::stands, this,
           [this](const QString& state) { administration_.setState(state.toStdString()); });
-  connect(link_, &RosLink::mapsChanged, this, &Robot::mapsChanged);
+  connect(&link_->kabam(), &KabamRequests::mapsChanged, this, &Robot::mapsChanged);
   connect(link_, &RosLink::topicsKnown, this, [this](const KnownTopics& known) {
     if (known == known_) return;
     known_ = known;
@@ -74,7 +47,7 @@ void RosRobot::listen() {
   connect(link_, &RosLink::pictureServiceKnown, this, [this](bool there) {
     if (std::exchange(takes_pictures_, there) != there) Q_EMIT capabilitiesChanged();
   });
-  connect(link_, &RosLink::dispatchKnown, this, [this](const FoundDispatch& found) {
+  connect(&link_->dispatch(), &DispatchRequests::offersChanged, this, [this](const FoundDispatch& found) {
     const QPointer<RosRobot> alive(this);
     dispatch_.setFound(found);
     // One that goes leaves what it has told: that it offers nothing any more is what its offers say.
@@ -93,9 +66,8 @@ void RosRobot::listen() {
 
 void RosRobot::setDeliveryTap(DeliveryTap tap) {
   const bool on = static_cast<bool>(tap);
-  deliveries_->set(std::move(tap));
+  NetworkRobot::setDeliveryTap(std::move(tap));
   QMetaObject::invokeMethod(link_, [link = link_, on] { link->setRecorded(on); });
-  QMetaObject::invokeMethod(link_, &RosLink::defineTypes);
 }
 
 std::optional<std::vector<OfferedTopic>> RosRobot::offered() const {
@@ -131,14 +103,6 @@ RobotIdentity RosRobot::identity() const {
   return identity;
 }
 
-void RosRobot::connectToRobot() { QMetaObject::invokeMethod(link_, &RosLink::open); }
-
-void RosRobot::disconnectFromRobot() { QMetaObject::invokeMethod(link_, &RosLink::close); }
-
-void RosRobot::trustCertificate(const QString& sha256) {
-  QMetaObject::invokeMethod(link_, [link = link_, pin = net::fingerprintFrom(sha256)] { link->trust(pin); });
-}
-
 Absence RosRobot::whyNot(Capability capability) const {
   const bool managers = capability == Capability::Waypoints || capability == Capability::WaypointEditing ||
                         capability == Capability::Administration;
@@ -149,13 +113,6 @@ Absence RosRobot::whyNot(Capability capability) const {
   if (capability == Capability::Dispatch)
     return {Absence::Reason::NoService, {"map dispatcher (REP 130: get_sub_map, get_point_map …)"}};
   return {};
-}
-
-void RosRobot::takeMail() {
-  const QPointer<RosRobot> alive(this);
-  for (const map::StampedMessage& message : mailbox_->take()) {
-    if (alive) Q_EMIT topicReceived(message);
-  }
 }
 
 }  // namespace mapwright::robot::ros

@@ -2,32 +2,22 @@
 // Source: docs/protocols/rosbridge.md, docs/protocols/kabam-map-manager.md.
 #pragma once
 
-#include <QThread>
-
-#include "robot/delivery.h"
 #include "robot/offers_topics.h"
-#include "robot/robot.h"
 #include "robot/ros/dispatch_capability.h"
 #include "robot/ros/kabam_capabilities.h"
-#include "robot/ros/kabam_picture_store.h"
 #include "robot/ros/ros_capabilities.h"
 #include "robot/ros/ros_link.h"
-#include "robot/silence.h"
+#include "robot/wire/forwarded.h"
+#include "robot/wire/network_robot.h"
 
 namespace mapwright::robot::ros {
 
-class RosRobot : public Robot, public Delivers, public OffersTopics, public MeasuresSilence {
+class RosRobot : public wire::NetworkRobot, public OffersTopics {
   Q_OBJECT
  public:
   RosRobot(QString address, LinkOptions options, QObject* parent = nullptr);
   ~RosRobot() override;
 
-  QString address() const override { return address_; }
-  void connectToRobot() override;
-  void disconnectFromRobot() override;
-  void trustCertificate(const QString& sha256) override;
-  ConnectionState connection() const override { return state_; }
-  QDateTime silentSince() const override { return silent_since_; }
   RobotIdentity identity() const override;
   MapCatalogue* mapCatalogue() override { return &catalogue_; }
   WholeMapSource* wholeMapSource() override { return &whole_maps_; }
@@ -47,28 +37,23 @@ class RosRobot : public Robot, public Delivers, public OffersTopics, public Meas
   std::optional<Reception> reception() const override { return reception_; }
 
  private:
+  /// `longest_message`: as the client takes it, in bytes.
+  RosRobot(QString address, wire::StartedLink<RosLink> started, std::int64_t longest_message,
+           KnownTopics known, QObject* parent);
   void listen();
-  void takeMail();
 
-  QString address_;
+  RosLink* link_;
   KnownTopics known_;
   TopicChoices chosen_;
   std::optional<Reception> reception_;
-  std::shared_ptr<wire::TopicMailbox> mailbox_;
-  std::shared_ptr<wire::TapPlace> tap_;
-  std::shared_ptr<wire::DeliveryPlace> deliveries_;
-  QThread thread_;
-  RosLink* link_;  // lives on thread_, deleted when it ends
-  Catalogue catalogue_;
-  WholeMaps whole_maps_;
+  wire::CatalogueOf<RosMaps> catalogue_;
+  wire::WholeMapsOf<RosMaps> whole_maps_;
   Topics topics_;
-  KabamWaypoints waypoints_;
   KabamWaypointStore waypoint_store_;
+  wire::WaypointsOfStore waypoints_;
   KabamPictureStore picture_store_;
   KabamAdministration administration_;
   RosDispatch dispatch_;
-  ConnectionState state_;
-  QDateTime silent_since_;
   bool has_manager_ = false, takes_pictures_ = false, has_dispatch_ = false;
 };
 

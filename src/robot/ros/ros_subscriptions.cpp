@@ -113,9 +113,8 @@ std::map<std::string, WantedTopic> topicsFor(const TopicWish& wish, const std::v
   return wanted;
 }
 
-RosSubscriptions::RosSubscriptions(net::rosbridge::Client& client, RosApi& api, Patience patience,
-                                   QObject* parent)
-    : QObject(parent), client_(client), api_(api), patience_(patience) {
+RosSubscriptions::RosSubscriptions(net::rosbridge::Client& client, RosApi& api, Patience patience)
+    : client_(client), api_(api), patience_(patience) {
   timer_.setParent(this);
   timer_.setInterval(patience_.look_every);
   connect(&timer_, &QTimer::timeout, this, &RosSubscriptions::look);

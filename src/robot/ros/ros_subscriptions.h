@@ -61,7 +61,7 @@ class RosSubscriptions : public QObject {
     std::chrono::milliseconds look_every{250};
     std::chrono::milliseconds again{10'000};  // servers refuse a topic that is not there yet, for good
   };
-  RosSubscriptions(net::rosbridge::Client& client, RosApi& api, Patience patience, QObject* parent = nullptr);
+  RosSubscriptions(net::rosbridge::Client& client, RosApi& api, Patience patience);
 
   void ask(std::map<std::string, WantedTopic> wanted, const Found& found);
   /// Another connection: all topics are asked for again by the client, and may be silent anew.
@@ -74,7 +74,6 @@ class RosSubscriptions : public QObject {
   void replacedBy(const std::string& topic, const std::string& service);
   /// What is latched of the topic is to be sent again; nothing where it is not asked for.
   void askAgain(const std::string& topic);
-  bool asksFor(const std::string& topic) const { return asked_.contains(topic); }
 
  Q_SIGNALS:
   void problemFound(const mapwright::map::Problem& problem);

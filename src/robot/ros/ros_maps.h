@@ -1,0 +1,46 @@
+// The maps of a ROS robot: what it sends live, what a map manager keeps, and what a map dispatcher projects.
+// Lives on the link's thread.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "robot/ros/dispatch_requests.h"
+#include "robot/ros/kabam_requests.h"
+#include "robot/ros/live_map.h"
+#include "robot/ros/ros_topics.h"
+#include "robot/ros/ros_world.h"
+
+namespace mapwright::robot::ros {
+
+class RosMaps {
+ public:
+  /// All of them outlive this. `sources` are kept up to date by the link.
+  struct Parts {
+    KabamRequests& kabam;
+    DispatchRequests& dispatch;
+    LiveMap& live_map;
+    const RosWorld& world;
+    const std::vector<Source>& sources;
+    WhenKnown when_known;
+  };
+  explicit RosMaps(Parts parts) : of_(std::move(parts)) {}
+
+  void list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  void describe(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
+  /// The map that the robot works with, or a projected one; of others it sends nothing.
+  void fetch(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
+
+ private:
+  std::optional<map::CatalogueEntry> liveEntry() const;
+  std::shared_ptr<const ProjectedPart> findProjected(const map::MapKey& key) const;
+  void listKept(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  void describeNow(const wire::ErrandPtr& errand, const map::MapKey& key,
+                   OutcomeTo<map::CatalogueEntry> reply);
+  Outcome<map::WholeMap> projectedMap(const ProjectedPart& projected) const;
+
+  Parts of_;
+};
+
+}  // namespace mapwright::robot::ros

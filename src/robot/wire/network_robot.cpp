@@ -1,0 +1,87 @@
+#include "robot/wire/network_robot.h"
+
+#include <utility>
+
+#include <QPointer>
+
+#include "net/trust.h"
+
+namespace mapwright::robot::wire {
+
+std::unique_ptr<QThread> startThread(const QString& name, const std::function<QObject*()>& make) {
+  auto thread = std::make_unique<QThread>();
+  thread->setObjectName(name);
+  QObject place;
+  place.moveToThread(thread.get());
+  thread->start();
+  QMetaObject::invokeMethod(
+      &place,
+      [&] {
+        QObject* const made = make();
+        QObject::connect(thread.get(), &QThread::finished, made, &QObject::deleteLater);
+        place.moveToThread(thread->thread());
+      },
+      Qt::BlockingQueuedConnection);
+  return thread;
+}
+
+NetworkRobot::NetworkRobot(QString address, RobotLink* link, std::unique_ptr<QThread> thread, QObject* parent)
+    : Robot(parent),
+      places_(link->places()),
+      address_(std::move(address)),
+      thread_(std::move(thread)),
+      link_(link) {
+  qRegisterMetaType<ConnectionState>();
+  qRegisterMetaType<map::StampedMessage>();
+  qRegisterMetaType<map::Problem>();
+  qRegisterMetaType<map::Recovery>();
+  qRegisterMetaType<RawMessage>();
+  connect(link_, &RobotLink::silenceChanged, this, [this](const QDateTime& since) {
+    if (std::exchange(silent_since_, since) != since) Q_EMIT connectionChanged();
+  });
+  connect(link_, &RobotLink::stateChanged, this, &NetworkRobot::takeState);
+  connect(link_, &RobotLink::topicReceived, this, &NetworkRobot::takeTopic);
+  connect(link_, &RobotLink::mailArrived, this, &NetworkRobot::takeMail);
+  connect(link_, &RobotLink::rawReceived, this, &Robot::rawReceived);
+  connect(link_, &RobotLink::problemFound, this, &Robot::problemFound);
+  connect(link_, &RobotLink::recovered, this, &Robot::recovered);
+}
+
+NetworkRobot::~NetworkRobot() { stopLink(); }
+
+void NetworkRobot::stopLink() {
+  if (!thread_->isRunning()) return;
+  link_->disconnect(this);
+  thread_->quit();
+  thread_->wait();
+}
+
+void NetworkRobot::connectToRobot() { QMetaObject::invokeMethod(link_, &RobotLink::open); }
+
+void NetworkRobot::disconnectFromRobot() { QMetaObject::invokeMethod(link_, &RobotLink::close); }
+
+void NetworkRobot::trustCertificate(const QString& sha256) {
+  QMetaObject::invokeMethod(link_, [link = link_, pin = net::fingerprintFrom(sha256)] { link->trust(pin); });
+}
+
+void NetworkRobot::takeTopic(const map::StampedMessage& message) { Q_EMIT topicReceived(message); }
+
+void NetworkRobot::takeState(const ConnectionState& state) {
+  if (state == state_) return;
+  const bool online = state.phase == ConnectionPhase::Online && state_.phase != ConnectionPhase::Online;
+  state_ = state;
+  const QPointer<NetworkRobot> alive(this);
+  Q_EMIT connectionChanged();
+  if (alive && online) cameOnline();
+}
+
+void NetworkRobot::takeMail() {
+  const QPointer<NetworkRobot> alive(this);
+  for (const map::StampedMessage& message : places_->mailbox.take()) {
+    if (alive) Q_EMIT topicReceived(message);
+  }
+}
+
+}  // namespace mapwright::robot::wire
+
+#include "moc_network_robot.cpp"

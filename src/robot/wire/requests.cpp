@@ -1,0 +1,76 @@
+#include "robot/wire/requests.h"
+
+#include <utility>
+
+namespace mapwright::robot::wire {
+namespace {
+
+void setOver(Call::State& state) {
+  state.over = true;
+  state.cancel = nullptr;
+  state.on_progress = nullptr;
+}
+
+}  // namespace
+
+Requests::~Requests() {
+  for (auto& [ticket, entry] : entries_) setOver(*entry.state);
+}
+
+quint64 Requests::add(OutcomeTo<Value> reply, std::shared_ptr<Call::State> state) {
+  entries_.emplace(++last_, Entry{std::move(reply), std::move(state)});
+  return last_;
+}
+
+/// From any thread.
+void Requests::postEnd(quint64 ticket, Outcome<Value> outcome) {
+  QMetaObject::invokeMethod(
+      this, [this, ticket, outcome = std::move(outcome)] { end(ticket, outcome); }, Qt::QueuedConnection);
+}
+
+/// Once; what is over already is ignored. The callback may destroy this.
+void Requests::end(quint64 ticket, Outcome<Value> outcome) {
+  auto node = entries_.extract(ticket);
+  if (node.empty()) return;
+  setOver(*node.mapped().state);
+  if (node.mapped().reply) node.mapped().reply(std::move(outcome));
+}
+
+/// Its listener may destroy this.
+void Requests::tell(quint64 ticket, Progress progress) {
+  const auto found = entries_.find(ticket);
+  if (found == entries_.end()) return;
+  found->second.state->progress = progress;
+  if (const auto listener = found->second.state->on_progress) listener(progress);
+}
+
+Call Requests::send(QObject* link, const map::Subject& subject, OutcomeTo<Value> reply, Work work,
+                    Stopping stopping) {
+  auto state = std::make_shared<Call::State>();
+  const quint64 ticket = add(std::move(reply), state);
+  const auto errand = std::make_shared<Errand>([this, ticket](Progress progress) {
+    QMetaObject::invokeMethod(
+        this, [this, ticket, progress] { tell(ticket, progress); }, Qt::QueuedConnection);
+  });
+  QMetaObject::invokeMethod(
+      link,
+      [this, ticket, errand, work = std::move(work)] {
+        work(errand, [this, ticket](Outcome<Value> outcome) { postEnd(ticket, std::move(outcome)); });
+      },
+      Qt::QueuedConnection);
+  state->cancel = [this, link, errand, ticket, subject, stopping] {
+    QMetaObject::invokeMethod(
+        link, [errand] { errand->cancel(); }, Qt::QueuedConnection);
+    if (stopping == Stopping::AtOnce)
+      postEnd(ticket, fail({.kind = map::FailureKind::Cancelled, .subject = subject}));
+  };
+  return Call(std::move(state));
+}
+
+Call Requests::endLater(OutcomeTo<Value> reply, Outcome<Value> outcome) {
+  auto state = std::make_shared<Call::State>();
+  postEnd(add(std::move(reply), state), std::move(outcome));
+  return Call(std::move(state));
+}
+
+}  // namespace mapwright::robot::wire
