@@ -21,6 +21,7 @@
 #include "robot/robot.h"
 #include "robot/wire/delivery_place.h"
 #include "robot/wire/errand.h"
+#include "robot/wire/link_log.h"
 
 namespace mapwright::robot::aimdk {
 
@@ -81,6 +82,7 @@ class AimdkLink : public QObject {
 
   LinkOptions options_;
   std::shared_ptr<wire::DeliveryPlace> deliveries_;
+  wire::LinkLog link_log_;
   std::unique_ptr<net::HttpClient> http_;
   std::unique_ptr<QTimer> timer_;    // until the next try, or the next poll
   std::unique_ptr<QTimer> healthy_;  // while online, until it counts as healthy

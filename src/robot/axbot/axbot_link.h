@@ -25,6 +25,7 @@
 #include "robot/axbot/topic_subscriptions.h"
 #include "robot/robot.h"
 #include "robot/wire/delivery_place.h"
+#include "robot/wire/link_log.h"
 #include "robot/wire/raw_limit.h"
 #include "robot/wire/tap_place.h"
 #include "robot/wire/topic_mailbox.h"
@@ -124,6 +125,7 @@ class AxbotLink : public QObject {
   std::shared_ptr<wire::TopicMailbox> mailbox_;
   std::shared_ptr<wire::TapPlace> tap_;
   std::shared_ptr<wire::DeliveryPlace> deliveries_;
+  wire::LinkLog link_log_;
   TopicReader topic_reader_;
   TopicSubscriptions subscriptions_;
   std::set<std::string> unreadable_topics_;  // whose last message could not be read

@@ -7,6 +7,7 @@
 #include "robot/files/map_files.h"
 #include "robot/files/picture_files.h"
 #include "robot/robot.h"
+#include "robot/wire/link_log.h"
 #include "robot/wire/pending_calls.h"
 
 namespace mapwright::robot::files {
@@ -70,6 +71,7 @@ class FileRobot : public Robot {
   bool folder_;          // as far as is known
   bool wanted_ = false;  // connected, or about to be
   ConnectionState state_;
+  wire::LinkLog link_log_;
   QThread thread_;
   MapFiles* files_;  // lives on thread_, deleted when it ends
   Catalogue catalogue_;

@@ -7,6 +7,7 @@
 #include "robot/bag_library.h"
 #include "robot/recorded/recorded_file.h"
 #include "robot/robot.h"
+#include "robot/wire/link_log.h"
 #include "robot/wire/pending_calls.h"
 
 namespace mapwright::robot::recorded {
@@ -141,6 +142,7 @@ class RecordedRobot : public Robot, public OffersTopics {
   QString address_;
   bool wanted_ = false;
   ConnectionState state_;
+  wire::LinkLog link_log_;
   RobotIdentity identity_;
   RecordingFacts facts_;
   TopicChoices chosen_;

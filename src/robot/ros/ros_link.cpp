@@ -5,14 +5,18 @@
 
 #include <QDateTime>
 
+#include "net/plain_sentences.h"
 #include "robot/faults.h"
 #include "robot/ros/dispatch_messages.h"
 #include "robot/ros/faults.h"
+#include "robot/ros/log.h"
 #include "robot/wire/link_state.h"
 
 namespace mapwright::robot::ros {
 
 using net::WebSocketLink;
+
+Q_LOGGING_CATEGORY(lcRos, "mapwright.ros", QtWarningMsg)
 
 RosLink::RosLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
                  std::shared_ptr<wire::TapPlace> tap, std::shared_ptr<wire::DeliveryPlace> deliveries)
@@ -20,6 +24,7 @@ RosLink::RosLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbo
       mailbox_(std::move(mailbox)),
       tap_(std::move(tap)),
       deliveries_(std::move(deliveries)),
+      link_log_(lcRos(), net::hostAndPort(options_.url).toStdString()),
       world_(options_.ns),
       sources_(sourcesOf(std::nullopt, options_.ns)) {}
 
@@ -272,11 +277,13 @@ void RosLink::publishState() {
     state.reason = {fault::NoMapManagerThere, {host}};
     state.retry_in_ms = std::max(0, look_timer_->remainingTime());
   }
+  link_log_.note(state);
   Q_EMIT silenceChanged(client_ ? client_->link().silentSince().value_or(QDateTime()) : QDateTime());
   Q_EMIT stateChanged(state);
 }
 
 void RosLink::report(map::Severity severity, Fault reason) {
+  qCInfo(lcRos, "%s", inEnglish(reason).c_str());
   const QString host = QStringLiteral("%1:%2").arg(options_.url.host()).arg(options_.url.port());
   Q_EMIT problemFound(
       {severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), std::move(reason)});
@@ -326,6 +333,11 @@ void RosLink::keepUnheard(Found& found) const {
 void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   looking_ = false;
   look_timer_->start(options_.look_every);
+  if (!(found == found_) || !known_) {
+    const auto count = [](const auto& list) { return list ? std::to_string(list->size()) : "unknown"; };
+    qCInfo(lcRos, "topics: %s, services: %s, map manager: %s", count(found.topics).c_str(),
+           count(found.services).c_str(), manager ? manager->c_str() : "none");
+  }
   if (!manager && options_.kabam_only && !was_known_) return awaitManager();
   awaits_manager_ = false;
   found_ = std::move(found);

@@ -30,6 +30,7 @@
 #include "robot/waypoint_store.h"
 #include "robot/wire/delivery_place.h"
 #include "robot/wire/errand.h"
+#include "robot/wire/link_log.h"
 #include "robot/wire/raw_limit.h"
 #include "robot/wire/tap_place.h"
 #include "robot/wire/topic_mailbox.h"
@@ -193,6 +194,7 @@ class RosLink : public QObject {
   std::shared_ptr<wire::TopicMailbox> mailbox_;
   std::shared_ptr<wire::TapPlace> tap_;
   std::shared_ptr<wire::DeliveryPlace> deliveries_;
+  wire::LinkLog link_log_;
   std::unique_ptr<net::rosbridge::Client> client_;
   std::unique_ptr<RosApi> api_;
   std::unique_ptr<KabamRequests> kabam_;
