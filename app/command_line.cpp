@@ -11,6 +11,7 @@
 #include "app/bench_program.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/log.h"
 #include "app/option_words.h"
 #include "app/output_paths.h"
 #include "app/recording_operand.h"
@@ -27,7 +28,7 @@ class CommandLineText {
 };
 
 int runCommand(int argc, char** argv) {
-  std::string robot, demo_query, operand;
+  std::string robot, demo_query, operand, log_rules;
   AccessWords access;
   CLI::App cli(
       help(CommandLineText::tr(
@@ -55,6 +56,7 @@ int runCommand(int argc, char** argv) {
   for (const auto add : {addSimulate, addSnapshot, addMaps, addProjections, addWaypoints, addBags, addRecord,
                          addClouds, addTopics})
     add(commands);
+  addLog(cli, log_rules);
   CLI::App* bench = cli.add_subcommand(
       "bench", help(CommandLineText::tr("Measure against other ways to do the same, in the same run")));
   bench->prefix_command();
@@ -69,6 +71,10 @@ int runCommand(int argc, char** argv) {
     if (error.get_exit_code() == 0) return cli.exit(error);
     const QString why = QString::fromStdString(words::plainLine(std::string_view(error.what())));
     std::fprintf(stderr, "%s\n", qUtf8Printable(CommandLineText::tr("%1 (see mapwright --help)").arg(why)));
+    return kUsage;
+  }
+  if (const auto started = startLog(log_rules); !started) {
+    std::fprintf(stderr, "%s\n", qUtf8Printable(words::plainLine(started.error())));
     return kUsage;
   }
   if (const auto code = commands.run({robot, access, argc, argv})) return *code;

@@ -64,17 +64,9 @@ std::unique_ptr<QTemporaryDir> pinFonts() {
   return nullptr;
 }
 
-/// Qt's own remarks (a missing XDG_RUNTIME_DIR, say) are no business of whoever reads our one line of error.
-void keepQtQuiet(QtMsgType type, const QMessageLogContext&, const QString& message) {
-  const bool wanted =
-      type == QtCriticalMsg || type == QtFatalMsg || qEnvironmentVariableIsSet("MAPWRIGHT_DEBUG");
-  if (wanted) std::fprintf(stderr, "%s\n", qUtf8Printable(message));
-}
-
 }  // namespace
 
 void chooseWindowPlatform() {
-  qInstallMessageHandler(keepQtQuiet);
   if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) return;
   QByteArray platforms;
   if (!qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) platforms += "wayland;";
@@ -83,7 +75,6 @@ void chooseWindowPlatform() {
 }
 
 std::unique_ptr<QTemporaryDir> chooseOffscreenPlatform() {
-  qInstallMessageHandler(keepQtQuiet);
   qputenv("QT_QPA_PLATFORM", "offscreen");
   return pinFonts();
 }

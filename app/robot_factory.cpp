@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "app/log.h"
 #include "app/recording_operand.h"
 #include "robot/address.h"
 #include "robot/aimdk/aimdk_address.h"
@@ -190,6 +191,9 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& ad
                                                                DemoTime demo_time) {
   const auto parsed = knownAddresses().parse(address);
   if (!parsed) return tl::make_unexpected(parsed.error());
+  hideInLog(access.secret);
+  qCInfo(lcApp, "robot %s, secret: %s", qUtf8Printable(parsed->text),
+         access.secret.isEmpty() ? "none" : "given");
   for (const Kind& kind : kinds()) {
     if (kind.scheme.prefix == parsed->scheme) return kind.make(*parsed, access, demo_time);
   }

@@ -9,9 +9,11 @@
 
 #include "app/display.h"
 #include "app/exit_code.h"
+#include "app/log.h"
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
+  static_cast<void>(mapwright::app::startLog({}));
   const auto fonts = mapwright::app::chooseOffscreenPlatform();
   int qt_argc = 1;
   char* qt_argv[] = {argv[0], nullptr};

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLoggingCategory>
 #include <QUuid>
 
 #include "disk/file_error.h"
@@ -13,6 +14,8 @@
 
 namespace mapwright::edit {
 namespace {
+
+Q_LOGGING_CATEGORY(lcEdit, "mapwright.edit", QtWarningMsg)
 
 constexpr std::size_t kLongestDraft = std::size_t(256) << 20;
 
@@ -44,7 +47,12 @@ std::optional<Fault> DraftFile::write(const QByteArray& bytes) {
     lock_ = std::move(lock);
   }
   const auto fault = disk::writeFile(path_.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
-  return fault ? std::optional(disk::notWritten(*fault)) : std::nullopt;
+  if (!fault) {
+    qCDebug(lcEdit, "draft %s: %lld bytes written", qUtf8Printable(path_), qint64(bytes.size()));
+    return std::nullopt;
+  }
+  qCInfo(lcEdit, "draft %s: %s", qUtf8Printable(path_), inEnglish(disk::notWritten(*fault)).c_str());
+  return disk::notWritten(*fault);
 }
 
 std::optional<Fault> DraftFile::remove() {
@@ -68,6 +76,8 @@ LeftDrafts leftDrafts(const QString& folder, const DraftIdentity& of) {
       continue;
     }
     draft.bytes = QByteArray::fromStdString(*bytes);
+    qCInfo(lcEdit, "draft %s: left by another run, %lld bytes", qUtf8Printable(draft.path),
+           qint64(draft.bytes.size()));
     left.drafts.push_back(std::move(draft));
   }
   return left;
@@ -79,6 +89,7 @@ std::optional<Fault> removeDraft(LeftDraft draft) {
 }
 
 Fault setAside(LeftDraft draft) {
+  qCInfo(lcEdit, "draft %s: cannot be understood, set aside", qUtf8Printable(draft.path));
   const QString aside = draft.path + QStringLiteral(".broken");
   QFile::remove(aside);
   const std::string path = draft.path.toStdString();

@@ -1,5 +1,8 @@
 #include "fault/fault.h"
 
+#include <locale>
+#include <sstream>
+
 namespace mapwright {
 namespace {
 
@@ -21,6 +24,16 @@ std::size_t endOfNumber(const std::string& text, std::size_t at) {
     }
   }
   return at;
+}
+
+std::string textOf(const FaultArgument& argument) {
+  if (const auto* const text = std::get_if<std::string>(&argument)) return *text;
+  if (const auto* const status = std::get_if<HttpStatus>(&argument)) return std::to_string(status->code);
+  if (const auto* const whole = std::get_if<std::int64_t>(&argument)) return std::to_string(*whole);
+  std::ostringstream number;
+  number.imbue(std::locale::classic());
+  number << std::get<double>(argument);
+  return number.str();
 }
 
 }  // namespace
@@ -50,6 +63,25 @@ std::string patternOf(const Fault& fault) {
   }
   for (const Fault& cause : fault.because) pattern += '(' + patternOf(cause) + ')';
   return pattern;
+}
+
+std::string inEnglish(const Fault& fault) {
+  const std::string_view text = fault.code.text;
+  std::string english;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%' || i + 1 == text.size() || !isDigit(text[i + 1])) {
+      english += text[i];
+      continue;
+    }
+    const auto place = std::size_t(text[++i] - '0');
+    if (place >= 1 && place <= fault.arguments.size()) english += textOf(fault.arguments[place - 1]);
+  }
+  const char* between = english.empty() ? "" : ": ";
+  for (const Fault& cause : fault.because) {
+    english += between + inEnglish(cause);
+    between = "; ";
+  }
+  return english;
 }
 
 }  // namespace mapwright

@@ -91,6 +91,8 @@ struct Fault {
 std::string patternOf(const Fault& fault);
 /// A text with every number replaced: what "Row 12 is 3.5 m off" and "Row 7 is 1,200 m off" share.
 std::string withoutNumbers(const std::string& text);
+/// For logs: one line of untranslated words, with what lies behind it.
+std::string inEnglish(const Fault& fault);
 
 }  // namespace mapwright
 

@@ -5,6 +5,7 @@
 #include <QCryptographicHash>
 
 #include "net/cache_control.h"
+#include "net/log.h"
 
 namespace mapwright::net {
 
@@ -28,7 +29,10 @@ HttpCache::~HttpCache() = default;
 std::optional<CacheRecord> HttpCache::read(const QByteArray& name, const QUrl& url) {
   if (auto errand = writer_.waiting(name)) return std::move(errand->record);
   auto found = folder_.read(name, keyOf(url), now_().toMSecsSinceEpoch());
-  if (found.broken) writer_.remove(name);
+  if (found.broken) {
+    qCInfo(lcCache, "%s: what was kept is broken", qUtf8Printable(urlForLog(url)));
+    writer_.remove(name);
+  }
   return std::move(found.record);
 }
 
@@ -57,9 +61,11 @@ void HttpCache::store(const QUrl& url, const QByteArray& body, const QByteArray&
   }
   const bool of_use = record.fresh_s != 0 || !etag.isEmpty();
   if (control.no_store || !of_use) {
+    qCDebug(lcCache, "%s: not kept, its headers forbid it", qUtf8Printable(urlForLog(url)));
     writer_.remove(name);
     return;
   }
+  qCDebug(lcCache, "%s: kept, %lld bytes", qUtf8Printable(urlForLog(url)), (long long)(body.size()));
   keep(name, std::move(record));
 }
 
@@ -97,7 +103,10 @@ void HttpCache::copy(const QUrl& from, const QUrl& to) {
   keep(nameOf(to), std::move(*record));
 }
 
-void HttpCache::remove(const QUrl& url) { writer_.remove(nameOf(url)); }
+void HttpCache::remove(const QUrl& url) {
+  qCDebug(lcCache, "%s: removed", qUtf8Printable(urlForLog(url)));
+  writer_.remove(nameOf(url));
+}
 
 void HttpCache::keep(const QByteArray& name, CacheRecord record) {
   if (fileBytes(record) > folder_.budgetBytes()) {
@@ -118,6 +127,7 @@ qint64 HttpCache::bytes() {
 }
 
 void HttpCache::noteFailure(const Fault& why) {
+  qCInfo(lcCache, "%s", inEnglish(why).c_str());
   const std::lock_guard lock(mutex_);
   last_error_ = why;
   if (untold_) return;  // it is under way

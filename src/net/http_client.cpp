@@ -10,6 +10,7 @@
 #include <QSet>
 
 #include "net/http_job.h"
+#include "net/log.h"
 #include "net/plain_sentences.h"
 
 namespace mapwright::net {
@@ -169,6 +170,7 @@ class HttpClient::Impl {
       });
     }
     job.silence->start(job.request.timeout);
+    job.since_sent.start();
   }
 
   void judge(RequestId id, const QList<QSslError>& errors) {
@@ -306,6 +308,7 @@ class HttpClient::Impl {
       finish(id, failure(HttpAnswer::Kind::Refused, fault::LeadsInCircles));
       return;
     }
+    qCDebug(lcNet, "%s leads to %s", qUtf8Printable(urlForLog(job.url)), qUtf8Printable(urlForLog(target)));
     job.network_reply->disconnect(owner_);
     job.network_reply->deleteLater();
     job.url = target;
@@ -342,6 +345,7 @@ class HttpClient::Impl {
     if (answer.status == 0 && job.network_reply != nullptr) {
       answer.status = job.network_reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
     }
+    qCDebug(lcNet, "%s", qUtf8Printable(lineOf(job, answer)));
     job.answer = std::move(answer);
     if (job.network_reply != nullptr) {
       --in_flight_;

@@ -4,6 +4,7 @@
 
 #include <QLocale>
 
+#include "net/log.h"
 #include "net/plain_sentences.h"
 
 namespace mapwright::net {
@@ -198,6 +199,22 @@ HttpAnswer storedAnswer(const HttpJob& job) {
   answer.content_type = job.stored->content_type;
   answer.from_cache = true;
   return answer;
+}
+
+QString lineOf(const HttpJob& job, const HttpAnswer& answer) {
+  QString line =
+      QStringLiteral("%1 %2: ").arg(QString::fromLatin1(verbOf(job.request.method)), urlForLog(job.url));
+  if (answer.kind == HttpAnswer::Kind::Answered) {
+    line += QStringLiteral("%1, ").arg(answer.status);
+    line += QStringLiteral("%1 bytes").arg(answer.body.size() + (answer.from_cache ? 0 : job.handed_over));
+    if (answer.from_cache) line += QStringLiteral(", from disk");
+  } else if (answer.status > 0) {
+    line += QStringLiteral("%1, but ").arg(answer.status);
+  }
+  if (answer.kind != HttpAnswer::Kind::Answered) line += QString::fromStdString(inEnglish(answer.reason));
+  if (job.since_sent.isValid()) line += QStringLiteral(" (%1 ms)").arg(job.since_sent.elapsed());
+  if (!answer.said.isEmpty()) line += QStringLiteral(": ") + answer.said;
+  return line;
 }
 
 }  // namespace mapwright::net

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <QByteArray>
+#include <QElapsedTimer>
 #include <QNetworkAccessManager>
 #include <QNetworkReply>
 #include <QNetworkRequest>
@@ -32,6 +33,7 @@ struct HttpJob {
   OneWayBody* upload = nullptr;  // of network_reply
   bool heard_sent = false;       // of this request
   std::unique_ptr<QTimer> silence;
+  QElapsedTimer since_sent;  // the last time
   QByteArray body;
   qint64 handed_over = 0;  // of the body, to HttpRequest::take
   qint64 received() const { return body.size() + handed_over; }
@@ -61,5 +63,7 @@ HttpAnswer brokenOff(const HttpJob& job);
 HttpAnswer answerOf(HttpJob& job, int status);
 /// What lay on the disk.
 HttpAnswer storedAnswer(const HttpJob& job);
+/// What became of it, for the log.
+QString lineOf(const HttpJob& job, const HttpAnswer& answer);
 
 }  // namespace mapwright::net

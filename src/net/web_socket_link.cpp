@@ -12,6 +12,7 @@
 #include <QWebSocket>
 
 #include "net/backoff.h"
+#include "net/log.h"
 #include "net/plain_sentences.h"
 #include "net/secret.h"
 
@@ -121,6 +122,7 @@ class WebSocketLink::Impl {
       return;
     }
     sayFarewell();
+    qCInfo(lcNet, "%s: closed, as asked for", name().constData());
     silent_since_.reset();
     reason_ = {};
     failure_ = Failure::None;
@@ -167,7 +169,11 @@ class WebSocketLink::Impl {
     enter(State::Connecting);
   }
 
+  /// Of what is or was connected to last, for the log.
+  QByteArray name() const { return urlForLog(urls_.value(url_)).toUtf8(); }
+
   void connectSocket() {
+    qCInfo(lcNet, "%s: connecting, attempt %d", name().constData(), attempt_);
     dropSocket();
     socket_ = new QWebSocket(QString(), QWebSocketProtocol::VersionLatest, owner_);
     socket_->setMaxAllowedIncomingFrameSize(options_.max_message_bytes);
@@ -236,6 +242,7 @@ class WebSocketLink::Impl {
   }
 
   void becomeOpen() {
+    qCInfo(lcNet, "%s: open", name().constData());
     connect_limit_.stop();
     attempt_ = 0;
     status_ = 0;
@@ -289,6 +296,7 @@ class WebSocketLink::Impl {
       return;
     }
     noteLastByte();
+    qCInfo(lcNet, "%s: nothing has come for %lld ms", name().constData(), (long long)(silent.count()));
     Q_EMIT owner_->changed();
   }
 
@@ -366,6 +374,7 @@ class WebSocketLink::Impl {
 
   /// Asking again by itself would not help.
   void refuse(Failure failure, const Fault& reason) {
+    qCInfo(lcNet, "%s: %s; not tried again", name().constData(), inEnglish(reason).c_str());
     failure_ = failure;
     reason_ = reason;
     dropSocket();
@@ -379,7 +388,10 @@ class WebSocketLink::Impl {
       noteLastByte();
     }
     dropSocket();
-    retry_.start(backoff_.next());
+    const auto wait = backoff_.next();
+    qCInfo(lcNet, "%s: %s; next attempt in %lld ms", name().constData(), inEnglish(reason).c_str(),
+           (long long)(wait.count()));
+    retry_.start(wait);
     enter(State::Waiting);
   }
 

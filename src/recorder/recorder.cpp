@@ -5,11 +5,15 @@
 #include <cmath>
 #include <utility>
 
+#include <QLoggingCategory>
+
 #include "recorder/layout.h"
 #include "robot/delivery.h"
 
 namespace mapwright::recorder {
 namespace {
+
+Q_LOGGING_CATEGORY(lcRecorder, "mapwright.recorder", QtWarningMsg)
 
 constexpr std::chrono::milliseconds kTick{200};
 constexpr int kTellEveryMs = 250;
@@ -82,6 +86,7 @@ Recorder::Recorder(robot::Robot& robot, std::unique_ptr<recording::McapWriter> w
 Recorder::~Recorder() { finish(); }
 
 void Recorder::begin() {
+  qCInfo(lcRecorder, "recording of %s begins", qUtf8Printable(robot_->address()));
   thread_ = std::thread([this] { run(); });
   tell();
   connect(robot_.data(), &robot::Robot::identityChanged, this, &Recorder::tell);
@@ -150,6 +155,11 @@ void Recorder::run() {
   auto fault = tape_.finish(options_.now_ns(), queue_->lost());
   publish();
   const std::lock_guard lock(mutex_);
+  const Written& written = progress_.written;
+  qCInfo(lcRecorder, "recording ends: %lld messages, %lld files, %lld bytes; %lld lost%s%s",
+         (long long)(written.messages), (long long)(written.files), (long long)(written.bytes),
+         (long long)(written.lost), fault ? "; " : "",
+         fault ? inEnglish(disk::notWritten(*fault)).c_str() : "");
   progress_.end_fault = std::move(fault);
   progress_.finished = true;
   progress_.seconds = double(options_.now_ns() - started_ns_) / 1e9;

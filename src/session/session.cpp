@@ -3,13 +3,18 @@
 #include <utility>
 
 #include <QFile>
+#include <QLoggingCategory>
 
 #include "grids/tile_cache.h"
 #include "map/repeats.h"
 #include "robot/silence.h"
+#include "sentences/problem_sentence.h"
+#include "sentences/subject_name.h"
 
 namespace mapwright::session {
 namespace {
+
+Q_LOGGING_CATEGORY(lcSession, "mapwright.session", QtWarningMsg)
 
 constexpr int kProblemsEveryMs = 100;
 constexpr submap::Millis kListsStayFor{60'000};
@@ -147,6 +152,7 @@ void Session::noteConnection() {
   if (online != was_online_) {
     if (!online) stale_since_ = robot::silentSince(*robot_).value_or(wall_());
     if (online) stale_since_.reset();
+    qCInfo(lcSession, "%s: %s", qUtf8Printable(robot_->address()), online ? "online" : "offline");
     was_online_ = online;
     if (online) {
       if (problems_.resolveAll(map::SubjectKind::Robot, wall_())) tellProblems();
@@ -215,12 +221,16 @@ void Session::reset(map::World world, bool whole) {
 }
 
 void Session::report(const map::Problem& problem, const QDateTime& at) {
+  qCInfo(lcSession, "%s: %s", qUtf8Printable(sentences::nameOf(problem.subject)),
+         qUtf8Printable(sentences::sentenceOf(problem)));
   problems_.add(problem, at.isValid() ? at : wall_());
   tellProblems();
 }
 
 void Session::recover(const map::Recovery& recovery, const QDateTime& at) {
-  if (problems_.resolve(recovery, at.isValid() ? at : wall_())) tellProblems();
+  if (!problems_.resolve(recovery, at.isValid() ? at : wall_())) return;
+  qCInfo(lcSession, "%s: well again", qUtf8Printable(sentences::nameOf(recovery.subject)));
+  tellProblems();
 }
 
 void Session::tellProblems() {

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include <QLoggingCategory>
 #include <QPointer>
 
 #include "session/faults.h"
 
 namespace mapwright::session {
 namespace {
+
+Q_LOGGING_CATEGORY(lcSubmaps, "mapwright.session", QtWarningMsg)
 
 constexpr int kTouchedEveryMs = 100;
 constexpr std::size_t kLongList = 2'000;  // from here on comparing is felt
@@ -189,6 +192,14 @@ void Submaps::takeAnswer(map::SubmapAnswer answer) {
   if (answer.outcome != Outcome::Cancelled) Q_EMIT bodyCame(answer.bytes, answer.from_cache);
   scheduler_.answered(answer.key, answer.outcome, answer.version, monotonic_());
   const map::SubmapKey key = answer.key;
+  if (answer.outcome == Outcome::Ok || answer.outcome == Outcome::Cancelled) {
+    qCDebug(lcSubmaps, "submap %d/%d version %d: %s, %zu bytes%s", key.id.trajectory, key.id.index,
+            key.version, answer.outcome == Outcome::Ok ? "came" : "cancelled", answer.bytes,
+            answer.from_cache ? ", from disk" : "");
+  } else {
+    qCInfo(lcSubmaps, "submap %d/%d version %d: %s", key.id.trajectory, key.id.index, key.version,
+           inEnglish(answer.reason).c_str());
+  }
   if (key.uuid == book_.uuid() && book_.find(key.id)) {
     if (answer.outcome != Outcome::Ok && answer.outcome != Outcome::Cancelled) {
       failure_reasons_[key.id] = answer.reason;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <QDateTime>
+#include <QLoggingCategory>
 #include <QTimer>
 
 #include "net/plain_sentences.h"
@@ -15,7 +16,45 @@
 namespace mapwright::net::rosbridge {
 namespace {
 
+Q_LOGGING_CATEGORY(lcRosbridge, "mapwright.rosbridge", QtWarningMsg)
+
 using Kind = CallAnswer::Kind;
+
+std::string lineOf(const CallAnswer& answer) {
+  switch (answer.kind) {
+    case Kind::Answered:
+      return "answered";
+    case Kind::Refused:
+      return "refused: " + answer.words;
+    case Kind::TimedOut:
+      return "timed out";
+    case Kind::LinkLost:
+      return "connection lost";
+    case Kind::Cancelled:
+      return "cancelled";
+    case Kind::Malformed:
+      break;
+  }
+  return (answer.sent ? "unreadable answer: " : "not sent: ") + answer.words;
+}
+
+const char* lineOf(Oddity oddity) {
+  switch (oddity) {
+    case Oddity::UnreadableFrame:
+      return "unreadable frame";
+    case Oddity::BadFragment:
+      return "stray fragment";
+    case Oddity::LostFragments:
+      return "lost fragments";
+    case Oddity::UnknownOperation:
+      return "unknown op";
+    case Oddity::UnknownCall:
+      return "unknown call";
+    case Oddity::MalformedMessage:
+      break;
+  }
+  return "malformed message";
+}
 
 /// A connection that goes so soon after the other one came may have had to make way for it.
 constexpr std::chrono::milliseconds kSoonLost{2'000};
@@ -102,6 +141,7 @@ class Client::Impl {
     const auto known = topics_.find(topic);
     if (known == topics_.end()) return;
     if (!known->second.id.isEmpty()) {
+      qCDebug(lcRosbridge, "unsubscribe %s", topic.c_str());
       connection(isLarge(known->second)).send(unsubscribeRequest(known->second.id, topic));
     }
     topics_.erase(known);
@@ -128,6 +168,7 @@ class Client::Impl {
     Subscription wanted;
     QString id;  // empty: not sent
     std::chrono::milliseconds since{0};
+    bool heard = false;  // since it was sent
   };
 
   /// Whether all goes by one connection.
@@ -216,6 +257,7 @@ class Client::Impl {
     }
     for (const CallBook::Call& call : book_.lost(true)) fail(call, Kind::LinkLost, !breakOff(call.number));
     uploads_[true].clear();
+    qCInfo(lcRosbridge, "one connection for everything from now on: %s", inEnglish(reason).c_str());
     sharing_ = how;
     book_.allQuick();
     large_.link().close();
@@ -289,6 +331,9 @@ class Client::Impl {
     if (!by.ready()) return;
     topic.id = QLatin1Char('s') + QString::number(++last_subscription_);
     topic.since = options_.now();
+    topic.heard = false;
+    qCDebug(lcRosbridge, "subscribe %s (%s)", topic.wanted.topic.c_str(),
+            topic.wanted.type.empty() ? "any type" : topic.wanted.type.c_str());
     by.send(subscribeRequest(topic.id, topic.wanted));
   }
 
@@ -302,6 +347,7 @@ class Client::Impl {
       return coming ? CallBook::Next::Wait : CallBook::Next::Fail;
     };
     const auto send = [this](const CallBook::Call& call) {
+      qCDebug(lcRosbridge, "call %llu %s", call.number, call.request.service.c_str());
       if (call.request.made_while_sent) {
         if (!call.request.service.empty()) beginUpload(call);
         return !call.request.service.empty();
@@ -343,6 +389,8 @@ class Client::Impl {
     // Of a topic that was unsubscribed, or of its former subscription: under way as that was sent.
     if (topic == topics_.end() || isLarge(topic->second) != large) return;
     topic->second.since = options_.now();
+    if (!std::exchange(topic->second.heard, true))
+      qCDebug(lcRosbridge, "first message of %s: %lld bytes", topic->first.c_str(), bytes);
     message.topic = topic->first;
     message.frame = frame;
     message.received_s = received_s;
@@ -367,6 +415,7 @@ class Client::Impl {
     const QString level = plainText(QString::fromStdString(status["level"].text()));
     const QString words = plainText(QString::fromStdString(status["msg"].text()));
     const std::optional<QString> id = idIn(status["id"]);
+    qCInfo(lcRosbridge, "status %s: %s", qUtf8Printable(level), qUtf8Printable(words));
     if (id && level == QLatin1String("error")) {
       // Instead of an answer: what was asked for could not be understood.
       if (const CallBook::Answered answered = book_.answered(id, {}, large); answered.call) {
@@ -409,6 +458,8 @@ class Client::Impl {
   }
 
   void deliver(const CallBook::Call& call, CallAnswer answer) {
+    qCDebug(lcRosbridge, "call %llu %s: %s", call.number, call.request.service.c_str(),
+            lineOf(answer).c_str());
     if (!call.reply) return;
     QMetaObject::invokeMethod(
         owner_, [reply = call.reply, answer = std::move(answer)] { reply(answer); }, Qt::QueuedConnection);
@@ -416,6 +467,7 @@ class Client::Impl {
 
   void tell(Oddity what, const QString& detail) {
     ++oddities_;
+    qCInfo(lcRosbridge, "%s %s", lineOf(what), qUtf8Printable(detail));
     Q_EMIT owner_->odd(what, detail);
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "net/plain_sentences.h"
 #include "robot/aimdk/faults.h"
 #include "robot/wire/entry_of.h"
 #include "robot/wire/http_errand.h"
@@ -11,6 +12,8 @@
 
 namespace mapwright::robot::aimdk {
 namespace {
+
+Q_LOGGING_CATEGORY(lcAimdk, "mapwright.aimdk", QtWarningMsg)
 
 constexpr const char* kMapNames = "aimdk.protocol.MappingService/GetStoredMapNames";
 constexpr const char* kCurrentMap = "aimdk.protocol.MappingService/GetCurrentWorkingMap";
@@ -24,6 +27,8 @@ map::Subject catalogueSubject(const char* part) { return {map::SubjectKind::Cata
 
 /// The answer came (2xx) and holds something else.
 map::Failure said(const net::HttpAnswer& answer, map::Subject subject, const RpcError& error) {
+  qCInfo(lcAimdk, "%s %s: %s %s", error.refused ? "refused" : "unreadable answer", subject.id.c_str(),
+         error.code.c_str(), inEnglish(error.cause).c_str());
   if (!error.refused)
     return wire::misread(answer, std::move(subject), error.cause, map::FailureReason::Unfit);
   return {.kind = map::FailureKind::RejectedByRobot,
@@ -51,7 +56,8 @@ map::Failure unasked(map::Subject subject, const char* ids) {
 }  // namespace
 
 AimdkLink::AimdkLink(LinkOptions options)
-    : options_(std::move(options)),
+    : RobotLink(lcAimdk(), options.base),
+      options_(std::move(options)),
       http_(options_.base, QByteArray(), nullptr),  // the interface knows no secret
       backoff_(options_.backoff_first, options_.backoff_limit, options_.jitter_seed) {
   http_.setTrust(options_.trust);
@@ -191,6 +197,7 @@ void AimdkLink::poll() {
 
 void AimdkLink::noteCurrent(const std::string& id) {
   const bool changed = current_ && *current_ != id;
+  if (current_ != id) qCDebug(lcAimdk, "map in use: %s", id.empty() ? "none" : id.c_str());
   current_ = id;
   if (changed) Q_EMIT currentMapChanged();
 }
@@ -233,6 +240,7 @@ void AimdkLink::enter(ConnectionPhase phase, std::optional<int> retry_in_ms) {
   state.certificate = certificate_;
   state.attempt = attempt_;
   state.retry_in_ms = retry_in_ms;
+  link_log_.note(state);
   Q_EMIT silenceChanged(silent_since_.value_or(QDateTime()));
   Q_EMIT stateChanged(state);
 }

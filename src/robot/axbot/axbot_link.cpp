@@ -8,6 +8,7 @@
 #include <QUrlQuery>
 
 #include "net/http_cache.h"
+#include "net/plain_sentences.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/raw_messages.h"
@@ -20,6 +21,8 @@
 
 namespace mapwright::robot::axbot {
 namespace {
+
+Q_LOGGING_CATEGORY(lcAxbot, "mapwright.axbot", QtWarningMsg)
 
 constexpr int kSubscribeAnswerMs = 3'000;
 constexpr std::chrono::milliseconds kListExpectedWithin{10'000};  // before it is remarked upon
@@ -61,7 +64,8 @@ QUrl socketUrl(const QUrl& base, bool binary) {
 
 }  // namespace
 
-AxbotLink::AxbotLink(LinkOptions options) : options_(std::move(options)) {}
+AxbotLink::AxbotLink(LinkOptions options)
+    : RobotLink(lcAxbot(), options.base), options_(std::move(options)) {}
 
 AxbotLink::~AxbotLink() {
   // Replies of what is under way must not reach a half-destroyed object.
@@ -115,6 +119,7 @@ void AxbotLink::start() {
   for (QTimer* timer : {list_timer_.get(), subscribe_timer_.get(), older_timer_.get(), again_timer_.get()})
     timer->setSingleShot(true);
   connect(older_timer_.get(), &QTimer::timeout, this, [this] {
+    qCDebug(lcAxbot, "topics are silent: their older names are tried too");
     older_.merge(silentStreams());
     askForWanted();
   });
@@ -127,6 +132,7 @@ void AxbotLink::start() {
   });
   connect(subscribe_timer_.get(), &QTimer::timeout, this, [this] {
     if (topics_confirmed_) return;
+    qCInfo(lcAxbot, "no list of topics was confirmed: they are enabled one by one");
     subscriptions_.setTakesLists(false);
     send(subscriptions_.all());
   });
@@ -203,10 +209,13 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
     identity.name = memberText(info, {"nickname", "name"});
     identity.version = memberText(info, {"axbot_version", "version", "software_version"});
     subscriptions_.setTakesLists(findMember(info, {"supportsEnableTopicList"}).toBool(false));
+    qCInfo(lcAxbot, "model \"%s\", firmware \"%s\", takes lists of topics: %s",
+           qUtf8Printable(identity.model), qUtf8Printable(identity.version),
+           subscriptions_.takesLists() ? "yes" : "no");
     Q_EMIT identityChanged(identity);
   } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
     // Not fatal: the robot is then taken for the oldest kind.
-    report(options_.base, map::Severity::Info, {fault::DoesNotSayWhatItIs, {}, {answer.reason}});
+    report(map::Severity::Info, {fault::DoesNotSayWhatItIs, {}, {answer.reason}});
   }
   device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
   if (socket_->state() == net::WebSocketLink::State::Open) subscribe();
@@ -271,7 +280,10 @@ void AxbotLink::askAgainForOnceSaid() {
 }
 
 void AxbotLink::send(const QStringList& requests) {
-  for (const QString& request : requests) socket_->sendText(request);
+  for (const QString& request : requests) {
+    qCDebug(lcAxbot, "sent %s", qUtf8Printable(request));
+    socket_->sendText(request);
+  }
 }
 
 void AxbotLink::deliver(std::shared_ptr<const std::string> bytes, const std::string& topic,
@@ -307,11 +319,12 @@ void AxbotLink::takeText(const QByteArray& utf8) {
     grids_->fetch(std::move(*frame.grid_to_fetch));
   } else if (frame.enabled_topics) {
     const QStringList asked = subscriptions_.names();
+    qCDebug(lcAxbot, "enabled topics: %zu", frame.enabled_topics->size());
     topics_confirmed_ |=
         std::any_of(frame.enabled_topics->begin(), frame.enabled_topics->end(),
                     [&](const std::string& name) { return asked.contains(QString::fromStdString(name)); });
   } else if (!frame.error.empty()) {
-    report(options_.base, map::Severity::Warning, {robot::fault::ItAnswered, {frame.error.substr(0, 300)}});
+    report(map::Severity::Warning, {robot::fault::ItAnswered, {frame.error.substr(0, 300)}});
   }
 }
 
@@ -341,10 +354,12 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
       Q_EMIT recovered({map::Subject(map::SubjectKind::Topic, name), map::ProblemCode::Unreadable});
   };
   if (const auto* unreadable = std::get_if<map::UnreadableMessage>(&message)) {
-    unreadable_topics_.insert(unreadable->topic);
+    if (unreadable_topics_.insert(unreadable->topic).second)
+      qCInfo(lcAxbot, "%s cannot be read: %s", unreadable->topic.c_str(),
+             inEnglish(unreadable->reason).c_str());
     if (unreadable->topic == kUnknownTopic && !again_timer_->isActive()) again_timer_->start();
   } else {
-    ++heard_topics_[topic];
+    if (++heard_topics_[topic] == 1) qCDebug(lcAxbot, "first message of %s", topic.c_str());
     if (!unreadable_topics_.empty()) {
       recover(topic);
       recover(kUnknownTopic);  // whatever it was, messages can be read again
@@ -470,6 +485,7 @@ void AxbotLink::trust(const QByteArray& pinned_sha256) {
 void AxbotLink::publishState() {
   ConnectionState state = wire::stateOf(*socket_, wanted_);
   if (state.reason.any()) state.reason = whyNot();
+  link_log_.note(state);
   Q_EMIT silenceChanged(socket_->silentSince().value_or(QDateTime()));
   Q_EMIT stateChanged(state);
 }

@@ -3,12 +3,18 @@
 #include <QFileInfo>
 
 namespace mapwright::robot::files {
+namespace {
+
+Q_LOGGING_CATEGORY(lcFiles, "mapwright.files", QtWarningMsg)
+
+}  // namespace
 
 FileRobot::FileRobot(QString address, FileOptions options, QObject* parent)
     : Robot(parent),
       address_(std::move(address)),
       path_(options.path),
       folder_(!isMapFile(path_)),
+      link_log_(lcFiles(), path_.toStdString()),
       files_(new MapFiles(options)),
       catalogue_(files_),
       whole_maps_(files_),
@@ -26,6 +32,7 @@ FileRobot::FileRobot(QString address, FileOptions options, QObject* parent)
     enter(!trouble.any() ? ConnectionPhase::Online : ConnectionPhase::Refused, trouble);
   });
   connect(files_, &MapFiles::changed, this, [this] {
+    qCDebug(lcFiles, "%s: changed on disk", qUtf8Printable(path_));
     if (wanted_) Q_EMIT mapsChanged();
   });
   thread_.start();
@@ -61,6 +68,7 @@ void FileRobot::enter(ConnectionPhase phase, const Fault& reason) {
   const ConnectionState state{phase, reason, 0, {}, {}};
   if (state == state_) return;
   state_ = state;
+  link_log_.note(state);
   Q_EMIT connectionChanged();
 }
 

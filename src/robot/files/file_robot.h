@@ -8,6 +8,7 @@
 #include "robot/files/map_files.h"
 #include "robot/robot.h"
 #include "robot/wire/forwarded.h"
+#include "robot/wire/link_log.h"
 
 namespace mapwright::robot::files {
 
@@ -39,6 +40,7 @@ class FileRobot : public Robot {
   bool folder_;          // as far as is known
   bool wanted_ = false;  // connected, or about to be
   ConnectionState state_;
+  wire::LinkLog link_log_;
   QThread thread_;
   MapFiles* files_;  // lives on thread_, deleted when it ends
   wire::CatalogueOf<MapFiles> catalogue_;

@@ -12,6 +12,8 @@
 namespace mapwright::robot::recorded {
 namespace {
 
+Q_LOGGING_CATEGORY(lcRecorded, "mapwright.recorded", QtWarningMsg)
+
 map::Failure onlyRead(map::Subject subject) {
   return {.kind = map::FailureKind::Unsupported,
           .subject = std::move(subject),
@@ -80,6 +82,7 @@ QStringList Topics::topicsOf(map::Stream stream) const {
 RecordedRobot::RecordedRobot(QString address, RecordedOptions options, QObject* parent)
     : Robot(parent),
       address_(std::move(address)),
+      link_log_(lcRecorded(), options.path.toStdString()),
       file_(new RecordedFile(options)),
       library_(file_),
       submaps_(file_),
@@ -98,6 +101,8 @@ RecordedRobot::RecordedRobot(QString address, RecordedOptions options, QObject* 
   connect(file_, &RecordedFile::problemFound, this, &Robot::problemFound);
   connect(file_, &RecordedFile::recovered, this, &Robot::recovered);
   connect(file_, &RecordedFile::opened, this, [this](const RecordingFacts& facts) {
+    qCInfo(lcRecorded, "%s: %zu topics, %lld of them understood", qUtf8Printable(identity_.name),
+           facts.offered.size(), (long long)(facts.topics.size()));
     facts_ = facts;
     topics_.set(facts);
     RobotIdentity identity = facts.identity;
@@ -147,6 +152,7 @@ void RecordedRobot::enter(ConnectionPhase phase, const Fault& reason) {
   const ConnectionState state{phase, reason, 0, {}, {}};
   if (state == state_) return;
   state_ = state;
+  link_log_.note(state);
   Q_EMIT connectionChanged();
 }
 

@@ -8,6 +8,7 @@
 #include "robot/recorded/recorded_file.h"
 #include "robot/robot.h"
 #include "robot/wire/forwarded.h"
+#include "robot/wire/link_log.h"
 
 namespace mapwright::robot::recorded {
 
@@ -80,6 +81,7 @@ class RecordedRobot : public Robot, public OffersTopics {
   QString address_;
   bool wanted_ = false;
   ConnectionState state_;
+  wire::LinkLog link_log_;
   RobotIdentity identity_;
   RecordingFacts facts_;
   TopicChoices chosen_;

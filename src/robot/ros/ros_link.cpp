@@ -5,16 +5,21 @@
 
 #include <QDateTime>
 
+#include "net/plain_sentences.h"
 #include "robot/faults.h"
 #include "robot/ros/faults.h"
+#include "robot/ros/log.h"
 #include "robot/wire/link_state.h"
 
 namespace mapwright::robot::ros {
 
 using net::WebSocketLink;
 
+Q_LOGGING_CATEGORY(lcRos, "mapwright.ros", QtWarningMsg)
+
 RosLink::RosLink(LinkOptions options)
-    : options_(std::move(options)),
+    : RobotLink(lcRos(), options.url),
+      options_(std::move(options)),
       world_(options_.ns),
       sources_(sourcesOf(std::nullopt, options_.ns)),
       client_(std::make_unique<net::rosbridge::Client>(options_.url, clientOptions())),
@@ -76,15 +81,13 @@ void RosLink::listen() {
           });
   connect(client_.get(), &Client::statusReceived, this, [this](const QString& level, const QString& words) {
     const bool serious = level == QLatin1String("error") || level == QLatin1String("warning");
-    if (serious)
-      report(options_.url, map::Severity::Warning,
-             {robot::fault::ItAnswered, {words.left(300).toStdString()}});
+    if (serious) report(map::Severity::Warning, {robot::fault::ItAnswered, {words.left(300).toStdString()}});
   });
   connect(client_.get(), &Client::sharesOneConnection, this, [this](const Fault& why) {
-    report(options_.url, map::Severity::Info, {fault::RosOneConnection, {}, {why}});
+    report(map::Severity::Info, {fault::RosOneConnection, {}, {why}});
   });
   connect(client_.get(), &Client::odd, this,
-          [this] { report(options_.url, map::Severity::Info, {fault::MessageNotUnderstood}); });
+          [this] { report(map::Severity::Info, {fault::MessageNotUnderstood}); });
   connect(&subscriptions_, &RosSubscriptions::problemFound, this, &RosLink::problemFound);
   connect(&subscriptions_, &RosSubscriptions::recovered, this, &RosLink::recovered);
   connect(&subscriptions_, &RosSubscriptions::dropped, this, [this](const std::string& topic) {
@@ -227,6 +230,7 @@ void RosLink::publishState() {
     state.reason = {fault::NoMapManagerThere, {host}};
     state.retry_in_ms = std::max(0, look_timer_.remainingTime());
   }
+  link_log_.note(state);
   Q_EMIT silenceChanged(client_->link().silentSince().value_or(QDateTime()));
   Q_EMIT stateChanged(state);
 }
@@ -275,6 +279,11 @@ void RosLink::keepUnheard(Found& found) const {
 void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   looking_ = false;
   look_timer_.start(options_.look_every);
+  if (!(found == found_) || !known_) {
+    const auto count = [](const auto& list) { return list ? std::to_string(list->size()) : "unknown"; };
+    qCInfo(lcRos, "topics: %s, services: %s, map manager: %s", count(found.topics).c_str(),
+           count(found.services).c_str(), manager ? manager->c_str() : "none");
+  }
   if (!manager && options_.kabam_only && !was_known_) return awaitManager();
   awaits_manager_ = false;
   found_ = std::move(found);

@@ -5,6 +5,7 @@
 #include <QDateTime>
 
 #include "robot/ros/faults.h"
+#include "robot/ros/log.h"
 #include "robot/ros/ros_link.h"
 
 namespace mapwright::robot::ros {
@@ -141,6 +142,7 @@ void RosLink::note(const std::string& topic, map::ProblemCode code, const std::o
     const qint64 now = clock_.elapsed();
     if (trouble.reason == *reason && now - trouble.told_ms < kTellAgainMs) return;
     trouble = {*reason, now};
+    qCInfo(lcRos, "%s: %s", topic.c_str(), inEnglish(*reason).c_str());
     Q_EMIT problemFound({map::Severity::Warning, topicSubject(topic), *reason, code});
     return;
   }

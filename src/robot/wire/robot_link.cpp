@@ -10,8 +10,14 @@ std::string hostOf(const QUrl& url) {
   return QStringLiteral("%1:%2").arg(url.host()).arg(url.port()).toStdString();
 }
 
-void RobotLink::report(const QUrl& server, map::Severity severity, Fault reason) {
-  Q_EMIT problemFound({severity, map::Subject(map::SubjectKind::Robot, hostOf(server)), std::move(reason)});
+RobotLink::RobotLink(const QLoggingCategory& log, const QUrl& server)
+    : server_(hostOf(server)), link_log_(log, server_) {
+  clock_.start();
+}
+
+void RobotLink::report(map::Severity severity, Fault reason) {
+  link_log_.note(reason);
+  Q_EMIT problemFound({severity, map::Subject(map::SubjectKind::Robot, server_), std::move(reason)});
 }
 
 bool RobotLink::passesRaw(qint64 bytes) { return watching_ && raw_limit_.allow(clock_.elapsed(), bytes); }

@@ -12,6 +12,7 @@
 
 #include "robot/robot.h"
 #include "robot/wire/delivery_place.h"
+#include "robot/wire/link_log.h"
 #include "robot/wire/raw_limit.h"
 #include "robot/wire/tap_place.h"
 #include "robot/wire/topic_mailbox.h"
@@ -34,7 +35,8 @@ struct Places {
 class RobotLink : public QObject {
   Q_OBJECT
  public:
-  RobotLink() { clock_.start(); }
+  /// `log` outlives this.
+  RobotLink(const QLoggingCategory& log, const QUrl& server);
   const std::shared_ptr<Places>& places() const { return places_; }
 
   virtual void open() = 0;
@@ -52,8 +54,7 @@ class RobotLink : public QObject {
   void recovered(const mapwright::map::Recovery& recovery);
 
  protected:
-  /// `server`: whom the problem is about.
-  void report(const QUrl& server, map::Severity severity, Fault reason);
+  void report(map::Severity severity, Fault reason);
   /// Somebody watches, and can take one of this size now.
   bool passesRaw(qint64 bytes);
   /// To whoever shows it, by mail where it is large.
@@ -62,6 +63,8 @@ class RobotLink : public QObject {
   static DeliveryPlace::Parcel parcelOf(std::string name, std::shared_ptr<const std::string> body,
                                         double received_s);
 
+  const std::string server_;  // its host and port: whom problems are about
+  LinkLog link_log_;
   const std::shared_ptr<Places> places_ = std::make_shared<Places>();
 
  private:

@@ -1,0 +1,142 @@
+#include "app/log.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+#include <set>
+
+#include <CLI/CLI.hpp>
+#include <QCoreApplication>
+#include <QLoggingCategory>
+#include <QRegularExpression>
+
+#include "app/option_words.h"
+#include "net/plain_sentences.h"
+#include "words/plain.h"
+
+namespace mapwright::app {
+namespace {
+
+class LogText {
+  Q_DECLARE_TR_FUNCTIONS(Log)
+};
+
+const QStringList kParts = {QStringLiteral("app"),       QStringLiteral("net"),   QStringLiteral("cache"),
+                            QStringLiteral("rosbridge"), QStringLiteral("axbot"), QStringLiteral("aimdk"),
+                            QStringLiteral("ros"),       QStringLiteral("files"), QStringLiteral("recorded"),
+                            QStringLiteral("session"),   QStringLiteral("edit"),  QStringLiteral("recorder")};
+
+/// Qt's message handler is a plain function: what it needs can lie nowhere else. Never destroyed, for other
+/// threads may still write when the program ends.
+struct Hidden {
+  std::mutex mutex;
+  std::set<std::string> secrets;
+  const QRegularExpression mac{QStringLiteral("[0-9A-Fa-f]{128}")};
+};
+Hidden& hidden() {
+  static Hidden* const all = new Hidden;
+  return *all;
+}
+
+std::string withoutSecrets(std::string line) {
+  constexpr const char* kInstead = "***";
+  // What rosauth proves the secret with (SHA-512), should a server repeat it.
+  QString text = QString::fromStdString(line);
+  if (text.size() >= 128 && text.contains(hidden().mac))
+    line = text.replace(hidden().mac, QLatin1String(kInstead)).toStdString();
+  const std::lock_guard lock(hidden().mutex);
+  for (const std::string& secret : hidden().secrets) {
+    for (auto at = line.find(secret); at != std::string::npos; at = line.find(secret, at + 3))
+      line.replace(at, secret.size(), kInstead);
+  }
+  return line;
+}
+
+/// Qt's own remarks (a missing XDG_RUNTIME_DIR, say) are no business of whoever reads our one line of error.
+void keepQtQuiet(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "%s\n", qUtf8Printable(message));
+}
+
+void writeLine(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+  const std::string line = qFormatLogMessage(type, context, message).toStdString();
+  std::fprintf(stderr, "%s\n", words::plainLine(std::string_view(withoutSecrets(line))).c_str());
+}
+
+}  // namespace
+
+Q_LOGGING_CATEGORY(lcApp, "mapwright.app", QtWarningMsg)
+
+void addLog(CLI::App& program, std::string& rules) {
+  program.add_option(
+      "--log", rules,
+      help(LogText::tr("Tell on standard error what goes on: all, parts of the program such as "
+                       "net,session, or rules of Qt such as mapwright.net.debug=true (or "
+                       "MAPWRIGHT_LOG)")));
+  for (CLI::App* command : program.get_subcommands({})) addLog(*command, rules);
+}
+
+tl::expected<QString, QString> logRules(const QString& typed) {
+  static const QRegularExpression kBetween(QStringLiteral("[;,\\n]"));
+  // As QLoggingCategory takes them: a star stands first, last, or alone.
+  static const QRegularExpression kRule(
+      QStringLiteral("^(\\*?[\\w.-]*?\\*?)(\\.(?:debug|info|warning|critical))?\\s*=\\s*(true|false)$"));
+  // What others remark without a category is no part of it, unless it is asked for.
+  QStringList rules{QStringLiteral("default.debug=false"), QStringLiteral("default.info=false"),
+                    QStringLiteral("default.warning=false")};
+  for (const QString& part : typed.split(kBetween, Qt::SkipEmptyParts)) {
+    const QString rule = part.trimmed();
+    if (rule.isEmpty()) continue;
+    if (rule == QLatin1String("all")) {
+      rules << QStringLiteral("mapwright.*=true");
+      continue;
+    }
+    const QString own = rule.startsWith(QLatin1String("mapwright.")) ? rule.mid(10) : rule;
+    if (kParts.contains(own)) {
+      rules << QStringLiteral("mapwright.%1=true").arg(own);
+      continue;
+    }
+    const QRegularExpressionMatch parts = kRule.match(rule);
+    const QString category = parts.captured(1);
+    const bool unknown = category.startsWith(QLatin1String("mapwright.")) &&
+                         !category.contains(QLatin1Char('*')) && !kParts.contains(category.mid(10));
+    if (!parts.hasMatch() || category.isEmpty() || unknown) {
+      return tl::make_unexpected(
+          LogText::tr("\"%1\" is no rule for the log. Give all, some of %2, or rules such as "
+                      "mapwright.net.debug=true.")
+              .arg(rule, kParts.join(QLatin1String(", "))));
+    }
+    // "net=false" behind "all".
+    rules << (kParts.contains(category) ? QStringLiteral("mapwright.") + rule : rule);
+  }
+  return rules.join(QLatin1Char('\n'));
+}
+
+tl::expected<void, QString> startLog(const std::string& given) {
+  const bool typed = !given.empty();
+  const QString words = typed ? QString::fromStdString(given) : qEnvironmentVariable("MAPWRIGHT_LOG");
+  if (words.trimmed().isEmpty()) {
+    qInstallMessageHandler(keepQtQuiet);
+    return {};
+  }
+  const auto rules = logRules(words);
+  if (!rules) {
+    return tl::make_unexpected((typed ? QStringLiteral("--log: ") : QStringLiteral("MAPWRIGHT_LOG: ")) +
+                               rules.error());
+  }
+  qSetMessagePattern(QStringLiteral("%{time hh:mm:ss.zzz} %{category}: %{message}"));
+  qInstallMessageHandler(writeLine);
+  QLoggingCategory::setFilterRules(*rules);
+  qCInfo(lcApp, "mapwright %s, Qt %s", MAPWRIGHT_VERSION, qVersion());
+  return {};
+}
+
+void hideInLog(const QByteArray& secret) {
+  if (secret.isEmpty()) return;
+  const std::lock_guard lock(hidden().mutex);
+  hidden().secrets.insert(secret.toStdString());
+  // As robots' words are shown.
+  if (const QString shown = net::plainText(QString::fromUtf8(secret)); !shown.isEmpty())
+    hidden().secrets.insert(shown.toStdString());
+}
+
+}  // namespace mapwright::app

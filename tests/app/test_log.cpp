@@ -1,0 +1,230 @@
+// --log and MAPWRIGHT_LOG: what they switch on, and what never stands in the log.
+#include <QEventLoop>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "../robot/scripted_bridge.h"
+#include "../robot/scripted_robot.h"
+#include "app/log.h"
+#include "test_program.h"
+
+namespace test_log {
+
+using namespace mapwright;
+using namespace mapwright::app;
+namespace {
+
+using robot::testing::ScriptedBridge;
+using robot::testing::ScriptedRobot;
+
+struct Outcome {
+  int code = -1;
+  QByteArray out, err;
+};
+
+const QByteArray kSecret = "hush-hush";
+
+}  // namespace
+
+class LogTest : public QObject {
+  Q_OBJECT
+ private:
+  QTemporaryDir folder_;
+
+  QString at(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+  /// The servers of a test live on this thread: its events go on meanwhile.
+  Outcome run(const QString& line, const QMap<QString, QString>& more = {}) const {
+    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "QT_LOGGING_RULES",
+                             "QT_MESSAGE_PATTERN", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET", "MAPWRIGHT_LOG"})
+      env.remove(QLatin1String(name));
+    env.insert(QStringLiteral("XDG_CACHE_HOME"), at("cache"));
+    env.insert(QStringLiteral("XDG_CONFIG_HOME"), at("config"));
+    for (auto it = more.begin(); it != more.end(); ++it) env.insert(it.key(), it.value());
+    QProcess process;
+    process.setProcessEnvironment(env);
+    process.setWorkingDirectory(folder_.path());
+    QEventLoop loop;
+    connect(&process, &QProcess::finished, &loop, &QEventLoop::quit);
+    connect(&process, &QProcess::errorOccurred, &loop, &QEventLoop::quit);
+    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), line.split(QLatin1Char(' ')));
+    if (process.state() != QProcess::NotRunning) loop.exec();
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+  }
+  QString secretFile() const {
+    QFile file(at("secret"));
+    if (file.open(QIODevice::WriteOnly)) file.write(kSecret);
+    return file.fileName();
+  }
+  static QString axbot(const ScriptedRobot& robot) {
+    return QStringLiteral("axbot+") + robot.url().toString();
+  }
+  static void serveMaps(ScriptedRobot& robot) {
+    robot.serve("/device/info", R"({"model":"T1","caps":{"supportsEnableTopicList":true}})");
+    robot.serve("/maps/", R"([{"id":1,"uid":"u","map_name":"Hall","map_version":1}])");
+    robot.serve("/mappings/", "[]");
+    robot.serve("/chassis/current-map", R"({"id":1})");
+  }
+
+ private Q_SLOTS:
+  void rulesAreThoseOfQtWithShortFormsForOurs_data() {
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("rules");  // behind those that are always there; empty = refused
+    const auto row = [](const char* typed, const char* rules) {
+      QTest::newRow(typed) << QString::fromLatin1(typed) << QString::fromLatin1(rules);
+    };
+    row("all", "mapwright.*=true");
+    row("net", "mapwright.net=true");
+    row("mapwright.net", "mapwright.net=true");
+    row("net, session;ros", "mapwright.net=true|mapwright.session=true|mapwright.ros=true");
+    row("all,cache=false", "mapwright.*=true|mapwright.cache=false");
+    row("net.info=true", "mapwright.net.info=true");
+    row("mapwright.net.debug=false", "mapwright.net.debug=false");
+    row("mapwright.*.debug=true", "mapwright.*.debug=true");
+    row("qt.network.*=true", "qt.network.*=true");
+    row("*=true;", "*=true");
+    for (const char* wrong :
+         {"nte", "net=maybe", "net=", "=true", "mapwright.nte=true", "a*b=true", "net true"})
+      row(wrong, "");
+  }
+  void rulesAreThoseOfQtWithShortFormsForOurs() {
+    QFETCH(QString, typed);
+    QFETCH(QString, rules);
+    const auto read = logRules(typed);
+    QCOMPARE(read.has_value(), !rules.isEmpty());
+    if (read) QCOMPARE(read->split(QLatin1Char('\n')).mid(3).join(QLatin1Char('|')), rules);
+    if (!read) QVERIFY2(read.error().contains(typed), qPrintable(read.error()));
+  }
+
+  void wrongRulesAreOneLineAndExitCodeTwo() {
+    const QString log = QStringLiteral("MAPWRIGHT_LOG");
+    for (const Outcome& outcome :
+         {run(QStringLiteral("maps list --robot demo: --log nonsense")),
+          run(QStringLiteral("--log nonsense")), run(QStringLiteral("--log  maps list --robot demo:")),
+          run(QStringLiteral("maps list --robot demo:"), {{log, QStringLiteral("nonsense")}})}) {
+      QCOMPARE(outcome.code, 2);
+      QCOMPARE(outcome.err.count('\n'), 1);
+      QVERIFY(outcome.out.isEmpty());
+    }
+  }
+
+  void theLogGoesToStandardErrorAndChangesNothingElse() {
+    ScriptedRobot robot;
+    serveMaps(robot);
+    const QString list = QStringLiteral("maps list --robot ") + axbot(robot);
+    const Outcome quiet = run(list);
+    QCOMPARE(quiet.code, 0);
+    QVERIFY2(quiet.err.isEmpty(), quiet.err.constData());
+    const QString log = QStringLiteral("MAPWRIGHT_LOG"), net = QStringLiteral("net");
+    for (const Outcome& told :
+         {run(list + QStringLiteral(" --log net")), run(QStringLiteral("--log net ") + list),
+          run(list, {{log, net}}),
+          run(list + QStringLiteral(" --log net"), {{log, QStringLiteral("nonsense")}})}) {
+      QCOMPARE(told.code, 0);
+      QCOMPARE(told.out, quiet.out);
+      QVERIFY2(told.err.contains(" mapwright.net: GET http://127.0.0.1:"), told.err.constData());
+      QVERIFY2(told.err.contains("/maps/: 200, "), told.err.constData());
+      QVERIFY2(!told.err.contains("mapwright.axbot"), told.err.constData());
+    }
+  }
+
+  void whyARobotDoesNotConnectIsToldByEachKind() {
+    for (const char* scheme : {"axbot+http", "aimdk+http", "ros+ws", "kabam+ws"}) {
+      const Outcome outcome = run(QStringLiteral("maps list --timeout 3 --log all --robot %1://127.0.0.1:1")
+                                      .arg(QLatin1String(scheme)));
+      QVERIFY(outcome.code != 0);
+      QVERIFY2(outcome.err.contains("127.0.0.1:1: connecting") && outcome.err.contains("refused"),
+               outcome.err.constData());
+    }
+  }
+
+  void wordsOfOthersCommandNoTerminal() {
+    ScriptedRobot robot;
+    serveMaps(robot);
+    robot.answers["/maps/"] = ScriptedRobot::reply(
+        500, "{\"detail\":\"\\u001b[2Jgone\\nmapwright.net: forged\"}", "Content-Type: application/json\r\n");
+    const Outcome outcome = run(QStringLiteral("maps list --log all --robot ") + axbot(robot));
+    QVERIFY2(outcome.err.contains("gone"), outcome.err.constData());
+    QVERIFY(!outcome.err.contains('\x1b') && !outcome.err.contains("\nmapwright.net: forged"));
+  }
+
+  void aSecretIsNeverInTheLog_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<bool>("in_environment");
+    const auto row = [](const char* name, const char* line, bool in_environment) {
+      QTest::newRow(name) << QString::fromLatin1(line) << in_environment;
+    };
+    row("a file", "maps list --robot ROBOT --secret-file FILE --log all", false);
+    row("a file before the command", "--log all --robot ROBOT --secret-file FILE maps list", false);
+    row("the environment", "maps list --robot ROBOT --log all", true);
+    row("of another robot", "maps list --robot ROBOT --secret-file-for ROBOT FILE --log all", false);
+    row("live",
+        "topics echo /tracked_pose --robot ROBOT --secret-file FILE --count 1 --timeout 3 --log *=true",
+        false);
+    row("a picture", "snapshot --mode whole --robot ROBOT --secret-file FILE --timeout 6 --log all -o p.png",
+        false);
+    row("a recording", "record --duration 2 --robot ROBOT --secret-file FILE --force -o r.mcap --log *=true",
+        false);
+    row("ROS", "topics echo /a --robot BRIDGE --secret-file FILE --count 1 --timeout 4 --log *=true", false);
+    row("ROS, the environment", "topics echo /a --robot BRIDGE --count 1 --timeout 3 --log all", true);
+  }
+  void aSecretIsNeverInTheLog() {
+    QFETCH(QString, line);
+    QFETCH(bool, in_environment);
+    // Both repeat what they are told, and more.
+    ScriptedRobot robot;
+    serveMaps(robot);
+    robot.serve("/maps/1", R"({"id":1,"map_name":"Hall","grid_resolution":0.05,"grid_origin_x":0,)"
+                           R"("grid_origin_y":0,"image_url":"/maps/1.png?token=tok-en"})");
+    robot.answers["/mappings/"] = ScriptedRobot::reply(500, "{\"detail\":\"not with " + kSecret + "\"}",
+                                                       "Content-Type: application/json\r\n");
+    robot.answers["/chassis/current-map"] =
+        "HTTP/1.1 302 Found\r\nConnection: close\r\nContent-Length: 0\r\n"
+        "Location: /chassis/there?secret=tok-en\r\n\r\n";
+    robot.greeting = "{\"error\":\"no " + kSecret + "\"}";
+    ScriptedBridge bridge;
+    bridge.advertise(QStringLiteral("/a"), QStringLiteral("std_msgs/String"));
+    const QString robot_address = axbot(robot);
+    line.replace(QStringLiteral("ROBOT"), robot_address)
+        .replace(QStringLiteral("BRIDGE"), QStringLiteral("ros+") + bridge.url().toString())
+        .replace(QStringLiteral("FILE"), secretFile());
+    QTimer repeat;
+    connect(&repeat, &QTimer::timeout, &repeat, [&] {
+      for (const QJsonObject& asked : std::as_const(bridge.asked)) {
+        if (asked[QLatin1String("op")] != QLatin1String("auth")) continue;
+        const QString said =
+            QString::fromUtf8(kSecret) + QLatin1Char(' ') + asked[QLatin1String("mac")].toString();
+        const QJsonObject status{{QStringLiteral("op"), QStringLiteral("status")},
+                                 {QStringLiteral("level"), QStringLiteral("error")},
+                                 {QStringLiteral("msg"), said}};
+        for (QWebSocket* peer : std::as_const(bridge.peers))
+          peer->sendTextMessage(QString::fromUtf8(QJsonDocument(status).toJson(QJsonDocument::Compact)));
+      }
+    });
+    repeat.start(300);
+    QMap<QString, QString> env;
+    if (in_environment) env.insert(QStringLiteral("MAPWRIGHT_SECRET"), QString::fromUtf8(kSecret));
+    const Outcome outcome = run(line, env);
+    QByteArray log;  // what the commands say themselves is another matter
+    for (const QByteArray& one : outcome.err.split('\n')) {
+      if (one.contains(" mapwright.") || one.contains(" qt.")) log += one + '\n';
+    }
+    QVERIFY2(log.contains("mapwright.net: "), outcome.err.constData());
+    QVERIFY2(!log.contains(kSecret) && !log.contains("tok-en"), log.constData());
+    for (const QJsonObject& asked : std::as_const(bridge.asked)) {
+      const QByteArray mac = asked[QLatin1String("mac")].toString().toLatin1();
+      QVERIFY2(mac.isEmpty() || !log.contains(mac), log.constData());
+    }
+    const bool ros = line.contains(QLatin1String("ros+"));
+    const bool told =
+        ros ? log.contains("status error: ***") : log.contains("not with ***") || log.contains("no ***");
+    QVERIFY2(told, log.constData());
+  }
+};
+
+}  // namespace test_log
+
+MAPWRIGHT_TEST(test_log, LogTest, Widgets)
+#include "test_log.moc"
