@@ -156,17 +156,15 @@ std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo&
              .arg(one.compression.empty() ? BagJsonText::tr("none") : words::plainName(one.compression),
                   QString::number(one.parts), window::bytesText(one.stored_bytes),
                   window::bytesText(one.unpacked_bytes))});
-  if (info.attachments > 0)
-    rows.push_back({BagJsonText::tr("files in it"), QString::number(info.attachments)});
+  if (info.attachments > 0) rows.push_back({BagJsonText::tr("files"), QString::number(info.attachments)});
   if (info.interrupted)
-    rows.push_back(
-        {BagJsonText::tr("interrupted"),
-         times ? timeText(info.end_s) : BagJsonText::tr("before its first messages were written")});
+    rows.push_back({BagJsonText::tr("interrupted"),
+                    times ? timeText(info.end_s) : BagJsonText::tr("no message was written")});
   if (info.repair)
     rows.push_back({BagJsonText::tr("repaired"),
                     info.repair->broke_off_s
-                        ? BagJsonText::tr("it broke off at %1").arg(timeText(*info.repair->broke_off_s))
-                        : BagJsonText::tr("it broke off before its first messages were written")});
+                        ? BagJsonText::tr("cut off at %1").arg(timeText(*info.repair->broke_off_s))
+                        : BagJsonText::tr("cut off before any message was written")});
   for (const robot::BagAway& one : info.away)
     rows.push_back(
         {BagJsonText::tr("no connection"),

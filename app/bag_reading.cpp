@@ -52,8 +52,8 @@ CommandResult<double> timeFrom(const std::string& word, const QString& option) {
   return tl::make_unexpected(CommandFailure{
       kUsage,
       word.empty()
-          ? BagReadingText::tr("%1 is needed: seconds since 1970, or 2024-06-03T09:00:00Z.").arg(option)
-          : BagReadingText::tr("%1 %2 is no time: seconds since 1970, or 2024-06-03T09:00:00Z.")
+          ? BagReadingText::tr("%1 is required: seconds since 1970, or 2024-06-03T09:00:00Z.").arg(option)
+          : BagReadingText::tr("%1 %2 is not a time: give seconds since 1970, or 2024-06-03T09:00:00Z.")
                 .arg(option, text(word))});
 }
 
@@ -67,7 +67,7 @@ CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsWords& words) {
     *value = *time;
   }
   if (span.from_s && span.to_s && *span.to_s < *span.from_s)
-    return tl::make_unexpected(CommandFailure{kUsage, BagReadingText::tr("--to lies before --from.")});
+    return tl::make_unexpected(CommandFailure{kUsage, BagReadingText::tr("--to is earlier than --from.")});
   return span;
 }
 
@@ -195,7 +195,7 @@ void BagReading::noteUnknown(const std::vector<std::string>& topics) {
     const bool there = std::any_of(known.begin(), known.end(),
                                    [&](const robot::BagTopic& one) { return one.name == topic; });
     if (!known.empty() && !there)
-      robot_->lack(BagReadingText::tr("There is no topic %1 in it.").arg(words::plainName(topic)));
+      robot_->lack(BagReadingText::tr("It has no topic %1.").arg(words::plainName(topic)));
   }
 }
 
@@ -204,7 +204,8 @@ void BagReading::noteUnreadable(double until_s) {
   for (const auto& [from_s, count] : *unreadable_) odd += from_s <= until_s ? count : 0;
   if (odd > 0)
     robot_->lack(
-        BagReadingText::tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(odd));
+        BagReadingText::tr("Messages left out because they have no time stamp or cannot be read: %1.")
+            .arg(odd));
   robot_->insistOnReadable();
 }
 

@@ -50,14 +50,14 @@ CommandResult<ExportOrder> orderFrom(const BagsWords& words, const QStringList& 
   if (order.format.isEmpty()) {
     order.format = QFileInfo(order.path).suffix().toLower();
     if (!formats.contains(order.format))
-      return wrong(BagsExportText::tr("%1: its name does not end in one of %2. Say which by --format.")
-                       .arg(order.path, known));
+      return wrong(
+          BagsExportText::tr("%1: the name must end in one of %2, or pass --format.").arg(order.path, known));
   } else if (!formats.contains(order.format)) {
-    return wrong(BagsExportText::tr("--format %1: give one of %2.").arg(text(words.format), known));
+    return wrong(BagsExportText::tr("--format %1: must be one of %2.").arg(text(words.format), known));
   }
   if (const auto why = whyNotWritable(order.path)) return wrong(*why);
   if (QFileInfo(order.path).isFile() && !words.force)
-    return wrong(BagsExportText::tr("%1 is there already. --force replaces it.").arg(order.path));
+    return wrong(BagsExportText::tr("%1 already exists. Pass --force to replace it.").arg(order.path));
   return order;
 }
 
@@ -130,9 +130,7 @@ CommandResult<int> exportSlice(const BagsWords& words, MapsCommand& command, Bag
        {{QStringLiteral("messages"), qint64(done.messages)},
         {QStringLiteral("said_before"), qint64(done.said_before)},
         {QStringLiteral("attachments"), qint64(done.attachments)}},
-       BagsExportText::tr("%1 messages, %2 that had been said before")
-           .arg(done.messages)
-           .arg(done.said_before));
+       BagsExportText::tr("%1 messages, %2 from before the range").arg(done.messages).arg(done.said_before));
   return kDone;
 }
 
@@ -146,7 +144,7 @@ Told toldOf(const excerpt::Written& done, excerpt::Kind kind) {
     case excerpt::Kind::Mcap:
       return {{{QStringLiteral("messages"), qint64(done.messages)},
                {QStringLiteral("said_before"), qint64(done.said_before)}},
-              BagsExportText::tr("%1 messages, %2 that had been said before")
+              BagsExportText::tr("%1 messages, %2 from before the range")
                   .arg(done.messages)
                   .arg(done.said_before)};
     case excerpt::Kind::Lines:
@@ -155,7 +153,7 @@ Told toldOf(const excerpt::Written& done, excerpt::Kind kind) {
     default:
       return {{{QStringLiteral("samples"), qint64(done.samples)},
                {QStringLiteral("pieces"), qint64(done.pieces)}},
-              BagsExportText::tr("%1 samples in %2 pieces").arg(done.samples).arg(done.pieces)};
+              BagsExportText::tr("%1 samples in %2 segments").arg(done.samples).arg(done.pieces)};
   }
 }
 
@@ -164,7 +162,7 @@ CommandResult<int> exportExcerpt(const BagsWords& words, MapsCommand& command, B
   const excerpt::Order wanted = excerptOf(words, bags, order);
   const bool mcap = wanted.kind == excerpt::Kind::Mcap;
   if (mcap && isStandardOutput(order.path))
-    return wrong(BagsExportText::tr("An MCAP file needs a file of its own (-o FILE)."));
+    return wrong(BagsExportText::tr("An MCAP file must be a regular file (-o FILE)."));
   if (const auto recording = mcap ? recordingOf(words) : std::nullopt)
     return exportSlice(words, command, bags, *recording, order);
   const auto writing = excerpt::begin(wanted);

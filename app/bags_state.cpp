@@ -142,7 +142,7 @@ CommandResult<std::set<replay::EventGroup>> groupsFrom(const std::string& kinds)
     if (found == std::end(replay::kEventGroups))
       return tl::make_unexpected(CommandFailure{
           kUsage,
-          BagsStateText::tr("--kind: \"%1\" is none. Choose among: alerts, planner, position, maps, stops.")
+          BagsStateText::tr("--kind: \"%1\" is unknown. Choose from: alerts, planner, position, maps, stops.")
               .arg(word)});
     groups.insert(*found);
   }

@@ -57,7 +57,7 @@ tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query,
       ok = ok && options.start_at_s >= 0 && options.start_at_s <= 1e6;
     } else {
       return tl::make_unexpected(
-          DemoRobotText::tr("demo: knows scene, submaps, seed and at, but not \"%1\".").arg(name));
+          DemoRobotText::tr("demo: accepts scene, submaps, seed and at, but not \"%1\".").arg(name));
     }
     if (!ok) return tl::make_unexpected(DemoRobotText::tr("demo: %1 cannot be \"%2\".").arg(name, value));
   }

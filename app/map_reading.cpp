@@ -117,7 +117,7 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
   if (address.isEmpty()) {
     return tl::make_unexpected(CommandFailure{
         kUsage,
-        MapReadingText::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too.")});
+        MapReadingText::tr("Which robot? Pass --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too.")});
   }
   Access timed = access;
   timed.timeout = std::chrono::milliseconds(qint64(time.timeout_s * 1000));
@@ -275,8 +275,8 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
                 : refused() ? exitCodeOf(map::FailureKind::Refused)
                             : int(kIncomplete),
                 counts.listed == 0 && settled
-                    ? MapReadingText::tr("It has no submap yet.")
-                    : MapReadingText::tr("None of its submaps could be had. %1").arg(firstOf(why))));
+                    ? MapReadingText::tr("It has no submaps yet.")
+                    : MapReadingText::tr("None of its submaps could be loaded. %1").arg(firstOf(why))));
   }
   render::DenseCache cache(work::budgetsFrom().dense + work::budgetsFrom().tiles);  // no tiles are kept
   bool in_time = true;
@@ -288,8 +288,8 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
                                   {workers_});
   if (!in_time) {
     return tl::make_unexpected(failure(
-        kIncomplete, MapReadingText::tr("%1 of %2 submaps had arrived, but they could not be put together "
-                                        "within %3 s (--timeout).")
+        kIncomplete, MapReadingText::tr(
+                         "%1 of %2 submaps had arrived, but drawing them took longer than %3 s (--timeout).")
                          .arg(counts.shown)
                          .arg(counts.listed)
                          .arg(time_.timeout_s)));

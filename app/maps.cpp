@@ -129,7 +129,7 @@ int mapsList(const MapsWords& words, int& argc, char** argv) {
       return kDone;
     }
     if ((*rows)->empty()) {
-      std::printf("%s\n", qUtf8Printable(MapsText::tr("There is no map.")));
+      std::printf("%s\n", qUtf8Printable(MapsText::tr("There are no maps.")));
       return kDone;
     }
     std::vector<QStringList> table{{QStringLiteral(" "), MapsText::tr("ID"), MapsText::tr("VERSION"),
@@ -222,20 +222,18 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     QString format = !words.format.empty() ? text(words.format) : printed ? QStringLiteral("png") : suffix;
     if (format == QLatin1String("yaml") || format == QLatin1String("yml")) format = QStringLiteral("pgm");
     if (format != QLatin1String("png") && format != QLatin1String("pgm")) {
-      return wrong(
-          MapsText::tr("--output %1: the name ends in .png, or in .pgm or .yaml for both of these; or give "
-                       "--format png or pgm.")
-              .arg(output));
+      return wrong(MapsText::tr("--output %1: the name must end in .png, or in .pgm or .yaml to get both of "
+                                "these; or pass --format png or pgm.")
+                       .arg(output));
     }
     const bool names_png = suffix == QLatin1String("png");
     const bool names_pgm = suffix == QLatin1String("pgm") || suffix.startsWith(QLatin1Char('y'));
     if (!words.format.empty() && (format == QLatin1String("png") ? names_pgm : names_png)) {
-      return wrong(
-          MapsText::tr("--output %1 and --format %2 contradict each other.").arg(output, text(words.format)));
+      return wrong(MapsText::tr("--output %1 contradicts --format %2.").arg(output, text(words.format)));
     }
     if (printed && (format != QLatin1String("png") || words.world_file)) {
       return wrong(
-          MapsText::tr("Only one PNG can be written to the standard output (--output %1).").arg(output));
+          MapsText::tr("Only a single PNG can be written to the standard output (--output %1).").arg(output));
     }
     if (const auto why = whyNotWritable(output)) return wrong(*why);
     if (const auto why = whyNotTogether({output, text(words.report)})) return wrong(*why);
@@ -245,8 +243,7 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
       const auto typed = gridRegionFrom(words.region);
       if (!typed) return wrong(typed.error());
       if (!live)
-        return wrong(
-            MapsText::tr("--region: only the live map is given by region, not %1.").arg(text(words.id)));
+        return wrong(MapsText::tr("--region only works with the live map, not with %1.").arg(text(words.id)));
       region = *typed;
     }
     auto robot = openRobot(command, text(words.robot), words, purposeOf(words.id));
@@ -332,14 +329,14 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
       row(MapsText::tr("occupied in the first only"), cells(Difference::Vanished));
       row(MapsText::tr("known in the first only"), cells(Difference::OnlyFirst));
       row(MapsText::tr("known in the second only"), cells(Difference::OnlySecond));
-      row(MapsText::tr("alike, of another gray level"), diff->levels_differ);
+      row(MapsText::tr("same state, different gray level"), diff->levels_differ);
       row(MapsText::tr("free in both"), cells(Difference::SameFree));
       row(MapsText::tr("occupied in both"), cells(Difference::SameOccupied));
       printTable(table);
       const QString outcome = !diff->same() ? MapsText::tr("The maps differ.")
                               : command.complete()
                                   ? MapsText::tr("The maps are the same.")
-                                  : MapsText::tr("What could be had of the maps is the same.");
+                                  : MapsText::tr("The parts of the maps that could be read are the same.");
       std::printf("%s\n", qUtf8Printable(outcome));
     }
     return diff->same() ? kDone : kIncomplete;

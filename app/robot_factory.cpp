@@ -149,16 +149,17 @@ std::optional<QString> whyNoPlace(const QString& address, const std::string& res
                           : resolution.empty() ? QStringLiteral("--origin")
                                                : RobotFactoryText::tr("--resolution and --origin");
   if (parsed->path.isEmpty()) {
-    return RobotFactoryText::tr("%1: only for a bare picture file. A robot says itself where its maps lie.")
+    return RobotFactoryText::tr(
+               "%1: only for a plain picture file. A robot reports itself where its maps are.")
         .arg(options);
   }
   if (!parsed->options.isEmpty()) {
-    return RobotFactoryText::tr("%1: the address says it already, after its ?. Give one of the two.")
+    return RobotFactoryText::tr("%1: the address already contains it after the ?. Give it only once.")
         .arg(options);
   }
   const QString suffix = QFileInfo(parsed->path).suffix().toLower();
   if (suffix == QLatin1String("yaml") || suffix == QLatin1String("yml")) {
-    return RobotFactoryText::tr("%1: only for a bare picture file. %2 says itself where its map lies.")
+    return RobotFactoryText::tr("%1: only for a plain picture file. %2 states itself where its map is.")
         .arg(options, QFileInfo(parsed->path).fileName());
   }
   return std::nullopt;
@@ -193,7 +194,7 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& ad
   for (const Kind& kind : kinds()) {
     if (kind.scheme.prefix == parsed->scheme) return kind.make(*parsed, access, demo_time);
   }
-  return tl::make_unexpected(RobotFactoryText::tr("There is no robot for %1.").arg(address));
+  return tl::make_unexpected(RobotFactoryText::tr("No kind of robot supports the address %1.").arg(address));
 }
 
 }  // namespace mapwright::app

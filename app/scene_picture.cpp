@@ -79,15 +79,17 @@ class ScenePicture : public SnapshotPicture {
     const scene::RobotPlace& place = scene_.robotPlace();
     const QString names = of_robot.join(QStringLiteral(", "));
     if (place.drawn == scene::ScreenPart::None) {
-      return {ScenePictureText::tr("The robot is not in this map. Left out: %1. --robot-anyway draws them.")
+      return {ScenePictureText::tr(
+                  "The robot is not in this map. Left out: %1. Pass --robot-anyway to draw them.")
                   .arg(names)};
     }
     if (place.by_choice) {
-      return {ScenePictureText::tr("The robot is not in this map. Drawn all the same: %1.").arg(names)};
+      return {ScenePictureText::tr("The robot is not in this map. Drawn anyway: %1.").arg(names)};
     }
     if (place.where == map::Whereabouts::Unknown && session_.live().robot_pose) {
-      return {ScenePictureText::tr("The robot does not say which map it is in. It may not be this one: %1.")
-                  .arg(names)};
+      return {
+          ScenePictureText::tr("The robot does not report which map it is in. It may not be this one: %1.")
+              .arg(names)};
     }
     return {};
   }

@@ -61,10 +61,11 @@ QString summaryOf(const SnapshotRun& run) {
   QString line = SnapshotText::tr("%1: %2 of %3 submaps")
                      .arg(run.options().output, QString::number(submaps[QLatin1String("drawn")].toInt()),
                           QString::number(submaps[QLatin1String("listed")].toInt()));
-  for (const auto& [kind, counted] : {std::pair{"missing", SnapshotText::tr(", %1 missing")},
-                                      std::pair{"failed", SnapshotText::tr(", %1 failed")},
-                                      std::pair{"corrupt", SnapshotText::tr(", %1 corrupt")},
-                                      std::pair{"without_slice", SnapshotText::tr(", %1 without slice")}}) {
+  for (const auto& [kind, counted] :
+       {std::pair{"missing", SnapshotText::tr(", %1 missing")},
+        std::pair{"failed", SnapshotText::tr(", %1 failed")},
+        std::pair{"corrupt", SnapshotText::tr(", %1 corrupt")},
+        std::pair{"without_slice", SnapshotText::tr(", %1 without this slice")}}) {
     if (const int count = submaps[QLatin1String(kind)].toInt()) line += counted.arg(count);
   }
   return line;
@@ -86,7 +87,7 @@ int sayWhatCame(const SnapshotRun& run, int exit_code) {
       std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(run.shownInstead())));
     return kDone;
   }
-  return refuse(exit_code, SnapshotText::tr("Not complete. %1").arg(firstOf(run.warnings())));
+  return refuse(exit_code, SnapshotText::tr("Incomplete. %1").arg(firstOf(run.warnings())));
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   if (!options) return refuse(kUsage, options.error());
   // Outlives all that may take its time, also in going away.
   Deadline deadline(app::later(start.begun, options->timeout_s + start.grace.end_s),
-                    [late = SnapshotText::tr("%1: it could not be connected to in time.")
+                    [late = SnapshotText::tr("%1: no connection was made in time.")
                                 .arg(oneLine(options->robot))
                                 .toStdString()] {
                       sayAtTheEnd(late);

@@ -78,17 +78,18 @@ void SnapshotRun::paint(bool settled) {
   if (replayed_ && !options_.map && wantsWhole(options_) && map_.key() &&
       map_.key()->kind != map::MapKind::Live) {
     say(isLocal() ? SnapshotPaintText::tr(
-                        "The bag holds no map until then: the one that was recorded with it is drawn.")
+                        "The bag contains no map up to this time: the one recorded with it is drawn.")
                   : SnapshotPaintText::tr(
-                        "The bag holds no map until then: the one that the robot keeps now is drawn."));
+                        "The bag contains no map up to this time: the robot's present map is drawn."));
   }
   if (lacksSubmaps())
-    notes_ << SnapshotPaintText::tr("The bag holds no submap list until then: there are no submaps to draw.");
+    notes_ << SnapshotPaintText::tr(
+        "The bag contains no submap list up to this time: there are no submaps to draw.");
   noteChosenTopics();
   for (const QString& topic : live_layers_.silent()) {
     // A bag is not asked for anything: what is not in it is not missing.
     if (replayed_) break;
-    notes_ << SnapshotPaintText::tr("Topic %1 gave nothing within %2 s.")
+    notes_ << SnapshotPaintText::tr("Nothing arrived on topic %1 within %2 s.")
                   .arg(topic, QString::number(options_.settle_s.value_or(kTopicsWithinS)));
   }
   for (const scene::Layer layer : live_layers_.unfillable()) {
@@ -124,7 +125,7 @@ void SnapshotRun::noteChosenTopics() {
     QString fitting = of->choicesFor(stream).join(QLatin1String(", "));
     if (fitting.isEmpty()) fitting = SnapshotPaintText::tr("none");
     notes_ << SnapshotPaintText::tr(
-                  "Topic %1 is not there, or of no type that fits its layer. Those that fit: %2.")
+                  "Topic %1 does not exist or its type does not fit the layer. Topics that fit: %2.")
                   .arg(topic, fitting);
     complete_ = false;
   }

@@ -166,9 +166,8 @@ bool SnapshotRun::connected() {
 bool SnapshotRun::topicsChoosable() {
   robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
   if (options_.topics.empty() || (of && of->chosen() == options_.topics)) return true;
-  fail(kUsage, SnapshotRunText::tr(
-                   "%1: its topics cannot be chosen (--layers NAME=TOPIC): that is for ROS robots and "
-                   "their recordings.")
+  fail(kUsage, SnapshotRunText::tr("%1: its topics cannot be chosen (--layers NAME=TOPIC): this only works "
+                                   "for ROS robots and their recordings.")
                    .arg(options_.robot));
   return false;
 }
@@ -214,14 +213,13 @@ bool SnapshotRun::wantsWholeInstead() {
 void SnapshotRun::takeWholeInstead() {
   options_.mode = SnapshotMode::Whole;
   whole_asked_s_ = seconds() - connected_s_;
-  shown_instead_ =
-      SnapshotRunText::tr(
-          "The robot sent no submap list within %1 s: its whole map is drawn instead. --mode submaps waits "
-          "longer.")
-          .arg(listWithin());
+  shown_instead_ = SnapshotRunText::tr(
+                       "The robot sent no submap list within %1 s: its whole map is drawn instead. Pass "
+                       "--mode submaps to wait longer.")
+                       .arg(listWithin());
   if (replayed_)
     shown_instead_ =
-        SnapshotRunText::tr("The bag holds no submap list until then: a whole map is drawn instead.");
+        SnapshotRunText::tr("The bag contains no submap list up to this time: a whole map is drawn instead.");
   notes_ << shown_instead_;
   live_layers_.ask(options_.layers, true);
 }
@@ -239,7 +237,8 @@ void SnapshotRun::look() {
       return;
     }
     scans_alone_ = true;
-    notes_ << SnapshotRunText::tr("%1 What is scanned is drawn without a map.").arg(map_.failure().sentence);
+    notes_ << SnapshotRunText::tr("%1 The robot's sensor data is drawn without a map.")
+                  .arg(map_.failure().sentence);
   }
   if (!options_.settle_s && everythingIn() && topicsIn() && cloudIn()) {
     paint(true);
@@ -277,7 +276,7 @@ void SnapshotRun::noteStanding() {
   const bool connected = connected_s_ >= 0;
   standing.exit_code = connected ? kIncomplete : kUnreachable;
   standing.sentence =
-      connected ? SnapshotRunText::tr("Not complete. No picture could be made within %1 s (--timeout).")
+      connected ? SnapshotRunText::tr("Incomplete: no picture could be made within %1 s (--timeout).")
                       .arg(options_.timeout_s)
                 : noConnection();
   if (connected) standing.sentence += whatOfTheLink();
@@ -345,15 +344,13 @@ void SnapshotRun::timeOut() {
   cut_off_.start(milliseconds(options_.timeout_s + start_.grace.draw_s - seconds()));
   if (chosen_) return;
   const bool no_list = wantsSubmaps(options_) && !session_.book().listReceived();
-  notes_ << (!no_list
-                 ? SnapshotRunText::tr("Not everything had arrived within %1 s (--timeout).")
-                           .arg(options_.timeout_s) +
-                       whatOfTheLink()
-                 : SnapshotRunText::tr(
-                       "The robot sent no submap list within %1 s (--timeout). Its whole map is drawn by "
-                       "--mode whole.")
-                           .arg(options_.timeout_s) +
-                       whatOfTheLink());
+  notes_ << (!no_list ? SnapshotRunText::tr("Not everything had arrived within %1 s (--timeout).")
+                                .arg(options_.timeout_s) +
+                            whatOfTheLink()
+                      : SnapshotRunText::tr("The robot sent no submap list within %1 s (--timeout). Pass "
+                                            "--mode whole to draw its whole map.")
+                                .arg(options_.timeout_s) +
+                            whatOfTheLink());
   paint(false);
 }
 

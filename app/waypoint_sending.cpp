@@ -224,7 +224,7 @@ QString wordOf(StepState state) {
     case StepState::Failed:
       return WaypointSendingText::tr("failed");
     case StepState::Unknown:
-      return WaypointSendingText::tr("not known");
+      return WaypointSendingText::tr("unknown");
     case StepState::NotSent:
       break;
   }
@@ -250,10 +250,10 @@ QString shownName(const exchange::WaypointStep& step) { return words::plainName(
 
 QString sentenceOf(const LeftName& left) {
   const QString sentence =
-      left.certain ? WaypointSendingText::tr(
-                         "\"%1\" has the temporary name \"%2\" now, until it can be called \"%3\".")
-                   : WaypointSendingText::tr(
-                         "\"%1\" may have the temporary name \"%2\" now, until it can be called \"%3\".");
+      left.certain
+          ? WaypointSendingText::tr("\"%1\" is temporarily called \"%2\", until the name \"%3\" is free.")
+          : WaypointSendingText::tr(
+                "\"%1\" may temporarily be called \"%2\", until the name \"%3\" is free.");
   return sentence.arg(words::plainName(left.before), words::plainName(left.name),
                       words::plainName(left.wanted));
 }
@@ -263,7 +263,7 @@ QString sentenceOf(const std::vector<LeftName>& left) {
   QStringList lines;
   for (const LeftName& one : left) lines << sentenceOf(one);
   return QLatin1Char(' ') + lines.join(QLatin1Char(' ')) + QLatin1Char(' ') +
-         WaypointSendingText::tr("Do the same again to finish it.");
+         WaypointSendingText::tr("Run the command again to finish it.");
 }
 
 }  // namespace
@@ -288,10 +288,11 @@ QString SentWaypoints::whatBecame() const {
                                                  .arg(lines.first(), QString::number(lines.size() - 1))
                                            : lines.first();
     return WaypointSendingText::tr(
-               "Others have changed the waypoints meanwhile, and that does not go together: %1. %2")
+               "The waypoints have been changed by someone else in the meantime, in a way that conflicts "
+               "with this: %1. %2")
         .arg(first, count(StepState::Applied) + count(StepState::Unknown) == 0
-                        ? WaypointSendingText::tr("Nothing has been sent.")
-                        : WaypointSendingText::tr("The rest has not been sent."));
+                        ? WaypointSendingText::tr("Nothing was sent.")
+                        : WaypointSendingText::tr("The rest was not sent."));
   }
   QStringList lines;
   for (const StepState state : {StepState::Unknown, StepState::Failed}) {
@@ -304,7 +305,7 @@ QString SentWaypoints::whatBecame() const {
   const QString first = lines.isEmpty() ? QString() : lines.first();
   if (steps.size() == 1) return first;
   return WaypointSendingText::tr(
-             "Of %1 changes %2 are applied, %3 failed, %4 are not known and %5 not sent. %6")
+             "Of %1 changes %2 are applied, %3 failed, %4 are unknown and %5 were not sent. %6")
       .arg(QString::number(steps.size()), QString::number(count(StepState::Applied)),
            QString::number(count(StepState::Failed)), QString::number(count(StepState::Unknown)),
            QString::number(count(StepState::NotSent)), first);

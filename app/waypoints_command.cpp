@@ -66,7 +66,7 @@ int waypointsList(const WaypointsWords& words, int& argc, char** argv) {
       return exit_code;
     }
     if (list->stored.points.empty()) {
-      std::printf("%s\n", qUtf8Printable(WaypointsCommandText::tr("There is no waypoint.")));
+      std::printf("%s\n", qUtf8Printable(WaypointsCommandText::tr("There are no waypoints.")));
       return exit_code;
     }
     std::vector<QStringList> table{{WaypointsCommandText::tr("ID"), WaypointsCommandText::tr("X (m)"),

@@ -148,7 +148,7 @@ int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
     const QString address = list->robot->session().robot().address();
     if (!words.force && (address != plan->robot || list->mapId() != plan->map))
       return wrong(WaypointsTransferText::tr(
-                       "%1 was made for the map %2 of %3. Give --force to apply it to the map %4 of %5.")
+                       "%1 was made for the map %2 of %3. Pass --force to apply it to the map %4 of %5.")
                        .arg(file, text(plan->map), plan->robot, text(list->mapId()), address));
     plan->edits = fitted(*list, std::move(plan->edits));
     return carryOut(command, *list, exchange::withoutCreated(*plan, exchange::itemsOf(list->stored.points)),

@@ -80,7 +80,7 @@ int showWindow(const QString& address, const RobotAccess& known) {
   if (settings->status() != QSettings::NoError) {
     std::fprintf(
         stderr, "%s\n",
-        qUtf8Printable(WindowCommandText::tr("The window's layout cannot be kept: %1 cannot be written.")
+        qUtf8Printable(WindowCommandText::tr("The window layout cannot be saved: %1 is not writable.")
                            .arg(settings->fileName())));
   }
   return exit_code;

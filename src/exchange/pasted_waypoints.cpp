@@ -135,14 +135,14 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
   if (text.size() > kMaxWantedBytes)
     return tl::make_unexpected(PastedWaypointsText::tr("It is larger than 64 MiB."));
   if (!QUtf8StringView(text.data(), qsizetype(text.size())).isValidUtf8())
-    return tl::make_unexpected(PastedWaypointsText::tr("It is no UTF-8 text."));
+    return tl::make_unexpected(PastedWaypointsText::tr("It is not UTF-8 text."));
   auto records = csvRecords(text, shape.separator);
   if (!records) return tl::make_unexpected(records.error());
   if (records->empty()) return tl::make_unexpected(PastedWaypointsText::tr("It is empty."));
   std::size_t columns = 0;
   for (const CsvRecord& record : *records) columns = std::max(columns, record.fields.size());
   if (columns > kMostColumns)
-    return tl::make_unexpected(PastedWaypointsText::tr("It has too many columns for a list of waypoints."));
+    return tl::make_unexpected(PastedWaypointsText::tr("It has too many columns for a waypoint list."));
   for (CsvRecord& record : *records) record.fields.resize(columns);
   std::vector<std::string> header;
   if (shape.header) {
@@ -155,9 +155,9 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
   } else {
     header = guessedHeader(*records, shape);
     if (std::find(header.begin(), header.end(), "x") == header.end())
-      return tl::make_unexpected(PastedWaypointsText::tr(
-          "No two columns of numbers stand side by side: x and y in metres. Give a first row that names the "
-          "columns: name, x, y, heading, tags."));
+      return tl::make_unexpected(
+          PastedWaypointsText::tr("It needs two adjacent columns of numbers: x and y in metres. Or start "
+                                  "with a row that names the columns: name, x, y, heading, tags."));
     records->insert(records->begin(), CsvRecord{records->front().line, {}});
   }
   // In the terms of a CSV: a point in numbers, turns in radians, and a column that it cannot do without.
@@ -172,7 +172,7 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
       const auto degrees = csvNumber(field);
       if (!degrees && !isBlank(field))
         return tl::make_unexpected(
-            PastedWaypointsText::tr("Line %1: the heading \"%2\" is no number such as 90.")
+            PastedWaypointsText::tr("Line %1: the heading \"%2\" is not a number such as 90.")
                 .arg(QString::number(record.line), QString::fromStdString(field.substr(0, 80))));
       field = degrees ? csvNumber(geometry::radiansFromDegrees(*degrees)) : std::string();
     }

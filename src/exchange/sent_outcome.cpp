@@ -93,8 +93,8 @@ QString sentenceOf(const SentOutcome& outcome) {
   if (outcome.state == SentState::Applied || outcome.state == SentState::NotSent) return {};
   if (outcome.failure) return QString::fromStdString(sentences::sentenceOf(*outcome.failure));
   if (outcome.state == SentState::Unknown)
-    return OutcomeWords::tr("Whether it has been changed is not known.");
-  return OutcomeWords::tr("It was taken, but afterwards it is not so.");
+    return OutcomeWords::tr("Whether the change took effect is unknown.");
+  return OutcomeWords::tr("The robot accepted the change, but it has no effect.");
 }
 
 }  // namespace mapwright::exchange

@@ -66,10 +66,10 @@ class WaypointPlanTest : public QObject {
     QCOMPARE(fitted.edits.size(), std::size_t(1));  // the type alone was another one
     QCOMPARE(fitted.edits.front().after->type, std::string());
     QCOMPARE(fitted.edits.front().after->yaw_rad, std::optional(0.0));
-    QCOMPARE(
-        fitted.notes,
-        (QStringList{QStringLiteral("Types are not kept here: those of 2 waypoints are left out."),
-                     QStringLiteral("Every waypoint has a heading here: 1 waypoint without one gets 0°.")}));
+    QCOMPARE(fitted.notes,
+             (QStringList{
+                 QStringLiteral("Waypoint types cannot be stored here: those of 2 waypoints are left out."),
+                 QStringLiteral("Every waypoint has a heading here: 1 waypoint without one gets 0°.")}));
     QVERIFY(exchange::fitted({{"k", std::nullopt, typed}}, {}).notes.isEmpty());
   }
 

@@ -37,7 +37,7 @@ ParsedAddress parse(const QString& rest) {
     }
   }
   if (url->hasFragment())
-    return error(AimdkAddressText::tr("The address of an Agibot robot has no part after #."));
+    return error(AimdkAddressText::tr("The address of an Agibot robot cannot have a # part."));
   url->setQuery(QString());
   address.url = *url;
   address.text = QStringLiteral("aimdk+") + url->toString();

@@ -39,11 +39,11 @@ QString whyNotOptions(const QUrlQuery& options) {
   for (const auto& [name, value] : options.queryItems(QUrl::FullyDecoded)) {
     const bool resolution = name == QLatin1String("resolution");
     if (!resolution && name != QLatin1String("origin")) {
-      return FileAddressText::tr("file: knows resolution and origin after the ?, but not \"%1\".").arg(name);
+      return FileAddressText::tr("file: accepts resolution and origin after the ?, but not \"%1\".")
+          .arg(name);
     }
     if (resolution ? !resolutionFrom(value) : !originFrom(value)) {
-      return FileAddressText::tr(
-                 "file: %1 cannot be \"%2\". Write for example ?resolution=0.05&origin=-10,-7.5.")
+      return FileAddressText::tr("file: %1 cannot be \"%2\". For example: ?resolution=0.05&origin=-10,-7.5.")
           .arg(name, value);
     }
   }
@@ -73,13 +73,13 @@ ParsedAddress parse(const QString& rest) {
     path.truncate(mark);
   }
   if (path.isEmpty())
-    return error(FileAddressText::tr("Give the path of a map, for example file:maps/office.yaml."));
+    return error(FileAddressText::tr("Enter the path of a map, for example file:maps/office.yaml."));
   if (path.startsWith(QLatin1String("~/"))) path.replace(0, 1, QDir::homePath());
   Address address;
   address.options = QUrlQuery(query);
   if (const QString why = whyNotOptions(address.options); !why.isEmpty()) return error(why);
   if (!query.isEmpty() && whatSaysItsPlace(path))
-    return error(FileAddressText::tr("%1 says itself where its map lies: leave out what follows the ?.")
+    return error(FileAddressText::tr("%1 already states where its map is: leave out the part after the ?.")
                      .arg(QFileInfo(path).fileName()));
   address.path = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
   address.text = QStringLiteral("file:") + address.path;

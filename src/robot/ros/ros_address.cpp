@@ -63,12 +63,11 @@ MaybeQuery readOptions(const QUrlQuery& typed, bool dispatcher) {
     const QString whole = ns ? value : wholeName(value, below);
     if (!fits || !isNamespace(whole) || read.hasQueryItem(name)) {
       return error(
-          dispatcher
-              ? RosAddressText::tr("The address of a map dispatcher may only have names of ROS after its ?, "
-                                   "each once: ?ns=/NAMESPACE, or %1 with the name that it has instead.")
-                    .arg(known.join(QStringLiteral(", ")))
-              : RosAddressText::tr(
-                    "The address of a ROS robot may only have ?ns=/NAMESPACE after the host."));
+          dispatcher ? RosAddressText::tr("The address of a map dispatcher may only have ROS names after its "
+                                          "?, each once: ?ns=/NAMESPACE, or %1 with the name used instead.")
+                           .arg(known.join(QStringLiteral(", ")))
+                     : RosAddressText::tr(
+                           "The address of a ROS robot may only have ?ns=/NAMESPACE after the host."));
     }
     read.addQueryItem(name, withoutLastSlashes(whole));
   }
@@ -91,7 +90,8 @@ ParsedAddress parse(const QString& rest, const QString& prefix) {
   const auto options = readOptions(QUrlQuery(*url), prefix == QLatin1String("rep130+"));
   if (!options) return error(options.error());
   address.options = *options;
-  if (url->hasFragment()) return error(RosAddressText::tr("The address of a ROS robot has no part after #."));
+  if (url->hasFragment())
+    return error(RosAddressText::tr("The address of a ROS robot cannot have a # part."));
   url->setQuery(QString());
   url->setScheme(url->scheme() == QLatin1String("https") ? QStringLiteral("wss") : QStringLiteral("ws"));
   address.url = *url;
