@@ -320,11 +320,9 @@ class TestWindowFiles : public QObject {
     QVERIFY(dialog->hiddenBox()->isVisible());
     QVERIFY(dialog->hiddenBox()->isChecked());
     QVERIFY(dialog->hiddenBox()->text().contains(QLatin1String("2 submaps")));
-    QCOMPARE(dialog->contentText(),
-             QStringLiteral("3 of 4 submaps are in it. Not there yet, or damaged: 1."));
+    QCOMPARE(dialog->contentText(), QStringLiteral("3 of 4 submaps are included. Missing or damaged: 1."));
     dialog->hiddenBox()->setChecked(false);
-    QCOMPARE(dialog->contentText(),
-             QStringLiteral("1 of 4 submaps are in it. Not there yet, or damaged: 1."));
+    QCOMPARE(dialog->contentText(), QStringLiteral("1 of 4 submaps are included. Missing or damaged: 1."));
     dialog->formatButton(ExportFormat::ViewPicture)->setChecked(true);
     QVERIFY(dialog->contentText().contains(QLatin1String("hidden")));
     QVERIFY(!dialog->hiddenBox()->isEnabled());
@@ -345,7 +343,7 @@ class TestWindowFiles : public QObject {
     bench.load();
     bench.action("export")->trigger();
     QVERIFY(!window.exportDialog()->hiddenBox()->isVisible());
-    QCOMPARE(window.exportDialog()->contentText(), QStringLiteral("3 of 3 submaps are in it."));
+    QCOMPARE(window.exportDialog()->contentText(), QStringLiteral("3 of 3 submaps are included."));
   }
 
   void exportsTheViewAndSaysWhatWentWrong() {

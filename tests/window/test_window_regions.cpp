@@ -178,7 +178,7 @@ class TestWindowRegions : public QObject {
     // What the robot does not tell is said to be unknown.
     robot_->dispatch.told_extent.reset();
     action("fetchWholeMap")->trigger();
-    QVERIFY2(controller()->question()->text().contains(QStringLiteral("the robot does not say")),
+    QVERIFY2(controller()->question()->text().contains(QStringLiteral("the robot does not report")),
              qPrintable(controller()->question()->text()));
   }
   void aWholeMapThatMayBreakTheLinkIsAskedAboutWithThat() {
@@ -221,7 +221,7 @@ class TestWindowRegions : public QObject {
     action("fetchWholeMap")->trigger();
     answerCalled("fetchWhole")->click();
     QCOMPARE(robot_->dispatch.asked_whole, 1);
-    QVERIFY2(notice().contains(QStringLiteral("Nothing of it has come yet")), qPrintable(notice()));
+    QVERIFY2(notice().contains(QStringLiteral("Nothing has arrived yet")), qPrintable(notice()));
     const auto whole = robot_->dispatch.waiting.back();
     QVERIFY(!whole->region);
     whole->state->on_progress({12 * 1024 * 1024, {}});
@@ -305,7 +305,7 @@ class TestWindowRegions : public QObject {
     connectRobot();
     look(0.05);
     QTRY_VERIFY(controller()->map()->regions().counts().failed > 1);
-    QTRY_VERIFY(notice().contains(QStringLiteral("could be fetched")));
+    QTRY_VERIFY(notice().contains(QStringLiteral("be fetched")));
     QVERIFY2(notice().contains(QStringLiteral("<b>no</b>")), qPrintable(notice()));
     robot_->dispatch.answer = {};
     offer()->click();
@@ -365,7 +365,7 @@ class TestWindowRegions : public QObject {
     QTRY_VERIFY(!robot_->dispatch.waiting.empty());
     robot_->dispatch.answerOne();  // how large a cell is
     QTRY_VERIFY(!robot_->dispatch.waiting.empty());
-    QVERIFY2(tip().contains(QStringLiteral("is being fetched")), qPrintable(tip()));
+    QVERIFY2(tip().contains(QStringLiteral("being fetched")), qPrintable(tip()));
   }
   void aRectangleIsDrawnAndKept() {
     open();
@@ -569,7 +569,7 @@ class TestWindowRegions : public QObject {
     QCoreApplication::processEvents();
     QVERIFY(controller()->map()->regions().bytes() > 0);
     QVERIFY(window_->mapScene()->layerVisible(Layer::Regions));
-    QVERIFY2(notice().contains(QStringLiteral("gives no regions")), qPrintable(notice()));
+    QVERIFY2(notice().contains(QStringLiteral("no longer sends its map by region")), qPrintable(notice()));
     QVERIFY(!controller()->statusShown().isEmpty());
     const auto asked = robot_->dispatch.asked.size();
     robot_->dispatch.offers_regions = true;

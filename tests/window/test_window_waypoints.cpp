@@ -581,7 +581,7 @@ class TestWindowWaypoints : public QObject {
     QVERIFY(!desk.window->overlay()->card()->isVisible());
     NoticeBar* const notice = desk.window->overlay()->notice();
     QTRY_VERIFY(notice->isVisible());
-    QVERIFY2(notice->sentence().contains(QLatin1String("only the map that it works with")),
+    QVERIFY2(notice->sentence().contains(QLatin1String("only sends its current map")),
              qPrintable(notice->sentence()));
   }
 
@@ -618,7 +618,7 @@ class TestWindowWaypoints : public QObject {
     QTRY_COMPARE(desk.dock().model()->rowCount(), 2);
     QVERIFY(!desk.editing().editable());
     QVERIFY(!desk.dock().addButton()->isEnabled());
-    QVERIFY(desk.dock().statusShown().contains(QLatin1String("takes no changes")));
+    QVERIFY(desk.dock().statusShown().contains(QLatin1String("read-only")));
     desk.take();
     desk.click(desk.px(2, 0.5));
     desk.drag(desk.px(1, 1), desk.px(1.5, 1));

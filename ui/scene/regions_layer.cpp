@@ -107,9 +107,9 @@ void RegionGround::paintOutlines(QPainter& painter) const {
       const QRectF box = shape.boundingRect();
       if (box.width() < kLeastLabelPx || region.state == RegionState::Held) continue;
       QString words;
-      if (region.state == RegionState::Nothing) words = QCoreApplication::translate("scene", "nothing here");
+      if (region.state == RegionState::Nothing) words = QCoreApplication::translate("scene", "empty");
       if (busy) words = QCoreApplication::translate("scene", "being fetched…");
-      if (failed) words = QCoreApplication::translate("scene", "could not be fetched");
+      if (failed) words = QCoreApplication::translate("scene", "fetch failed");
       if (words.isEmpty()) continue;
       const QPointF middle = box.center();
       const double width = QFontMetricsF(theme.label_font).horizontalAdvance(words);

@@ -219,7 +219,7 @@ void MainWindow::addOwnActions() {
   actions_.add({.id = "resetLayout",
                 .text = tr("&Reset layout"),
                 .icon = "reset",
-                .tip = tr("Docks, layers and colours as they were at first"),
+                .tip = tr("Restore the original docks, layers and colours"),
                 .menu = {MenuGroup::Window, 40}},
                this, &MainWindow::resetLayout);
 }

@@ -26,11 +26,12 @@ AdministrationController::AdministrationController(WindowContext& context, QObje
     action->setProperty("tip", action->toolTip());
     mapping_.push_back({change, action});
   };
-  add(MapChange::StartMapping, "startMapping", tr("Start &mapping…"), tr("Let the robot begin a new map"),
+  add(MapChange::StartMapping, "startMapping", tr("Start &mapping…"), tr("Make the robot start a new map"),
       10);
-  add(MapChange::StopMapping, "stopMapping", tr("S&top mapping…"), tr("Let the robot end its new map"), 20);
+  add(MapChange::StopMapping, "stopMapping", tr("S&top mapping…"), tr("Make the robot finish its new map"),
+      20);
   add(MapChange::Save, "saveNewMap", tr("Save the &new map…"),
-      tr("Keep what the robot has mapped, under a name"), 30);
+      tr("Store the map that the robot has made, under a name"), 30);
   connect(&context_.current, &CurrentSession::stateChanged, this, &AdministrationController::refresh);
   refresh();
 }
@@ -73,7 +74,7 @@ void AdministrationController::fillMenu(QMenu* menu, const map::MapKey& key) {
   for (const Entry& entry :
        {Entry{MapChange::Load, tr("Load on the robot…")},
         Entry{MapChange::Rename, tr("Rename on the robot…")}, Entry{MapChange::Archive, tr("Archive…")},
-        Entry{MapChange::Unarchive, tr("Take out of the archive…")},
+        Entry{MapChange::Unarchive, tr("Restore from the archive…")},
         Entry{MapChange::Delete, tr("Delete from the robot…")}}) {
     const auto obstacle = robots->obstacle(entry.change, map);
     const bool pointless = obstacle == Obstacle::NotOffered || obstacle == Obstacle::IsNotArchived ||

@@ -114,7 +114,7 @@ QString ChangeDialog::whyNot() const {
   if (name_) {
     if (QString why = jobs::whyNoMapName(name_->text()); !why.isEmpty()) return why;
     if (question_.order.change == robot::MapChange::Rename && name_->text() == *question_.name)
-      return tr("It is called so already.");
+      return tr("It already has this name.");
   }
   if (typed_ && typed_->text() != question_.typed) return tr("Type the name of the map to delete it.");
   return {};
@@ -173,7 +173,7 @@ void ChangeDialog::reject() {
   // What became of it is told by the robot: the dialog goes when it has.
   if (waiting()) {
     call_->cancel();
-    error_->setText(tr("Giving up: waiting for what became of it…"));
+    error_->setText(tr("Cancelling: checking whether the change took effect…"));
     return;
   }
   QDialog::reject();

@@ -60,7 +60,7 @@ CloudsController::CloudsController(WindowContext& context, QObject* parent)
                      context_.actions.add({.id = "cloudSection",
                                            .text = tr("S&ection"),
                                            .icon = "line",
-                                           .tip = tr("Drag a line to see a cloud from its side"),
+                                           .tip = tr("Drag a line to see a cross-section of a cloud"),
                                            .toggle = true,
                                            .needs_session = true,
                                            .menu = {MenuGroup::Tools, 70}}));
@@ -159,7 +159,7 @@ void CloudsController::refreshOffer() {
   const robot::MapDispatch* const offered = dispatch();
   QString absence;
   if (!session) {
-    absence = tr("Connect to a robot with a map dispatcher to see its map in space.");
+    absence = tr("Connect to a robot with a map dispatcher to see its 3D map.");
   } else if (!offered) {
     absence = sentences::whyAbsent(robot::Capability::Dispatch,
                                    session->robot().whyNot(robot::Capability::Dispatch));
@@ -167,8 +167,8 @@ void CloudsController::refreshOffer() {
   dock_->setAbsence(absence);
   using robot::DispatchService;
   CloudOffer offer;
-  offer.why_not = dock_->voxels() ? tr("This robot does not offer that of its occupied cells.")
-                                  : tr("This robot does not offer that of its points.");
+  offer.why_not = dock_->voxels() ? tr("This robot does not offer a cloud of its occupied cells.")
+                                  : tr("This robot does not offer a cloud of its points.");
   if (offered) {
     // It may have come only now.
     connect(offered, &robot::MapDispatch::offersChanged, this, &CloudsController::refreshOffer,
@@ -186,7 +186,7 @@ void CloudsController::fetchBox(const geometry::WorldRect& box) {
   region.centre_m = {box.center().x(), box.center().y(), (heights.low_m + heights.high_m) / 2};
   region.size_m = {box.width(), box.height(), heights.high_m - heights.low_m};
   if (!(region.size_m.z() > 0)) {
-    dock_->setOutcome(tr("The heights to fetch begin and end in one place."), true);
+    dock_->setOutcome(tr("The lowest and the highest height to fetch are the same."), true);
     context_.panels.open(dock_);
     return;
   }
@@ -198,7 +198,7 @@ void CloudsController::fetch(const std::optional<map::CloudRegion>& region) {
   robot::MapDispatch* const offered = dispatch();
   if (!offered) return refreshOffer();
   if (!call_.over()) {
-    dock_->setOutcome(tr("One cloud is being fetched already."), true);
+    dock_->setOutcome(tr("A cloud is already being fetched."), true);
     return;
   }
   const auto kind = dock_->voxels() ? robot::CloudKind::Occupancy : robot::CloudKind::Points;
@@ -231,10 +231,10 @@ void CloudsController::take(robot::CloudKind kind, const std::optional<map::Clou
   if (outcome->elsewhere()) {
     said << tr("The robot answered with another region.");
   } else if (cloud.points.empty()) {
-    said << tr("The robot has no points there.");
+    said << tr("The robot has no points in this region.");
   } else {
     const auto points = qint64(cloud.points.size());
-    said << sentences::counted(tr("%1 points have come.", nullptr, sentences::formOf(points)), points);
+    said << sentences::counted(tr("%1 points were received.", nullptr, sentences::formOf(points)), points);
   }
   said << outcome->notes();
   dock_->setOutcome(said.join(QLatin1Char('\n')), outcome->elsewhere() || !outcome->complete());
@@ -298,7 +298,7 @@ std::vector<Fetched> CloudsController::fetched() {
 void CloudsController::askAndSave(std::function<void()> then) {
   const QString folder = folderToWriteInto({context_.settings.value(kCloudsFolderKey).toString()});
   const QString proposed = QDir(folder).filePath(QStringLiteral("cloud.pcd"));
-  QString path = QFileDialog::getSaveFileName(&context_.window, tr("Save the cloud that is shown"), proposed,
+  QString path = QFileDialog::getSaveFileName(&context_.window, tr("Save the displayed cloud"), proposed,
                                               tr("Clouds (*.pcd *.ply *.csv)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1String(".pcd");
@@ -310,7 +310,7 @@ void CloudsController::saveTo(const QString& path, std::function<void()> then) {
   const QString end = QFileInfo(path).suffix().toLower();
   if (end != QLatin1String("pcd") && end != QLatin1String("ply") && end != QLatin1String("csv")) {
     context_.overlay.toasts()->add(Mark::Bad,
-                                   tr("A cloud is saved as .pcd, .ply or .csv. Choose one of these."));
+                                   tr("A cloud can be saved as .pcd, .ply or .csv. Choose one of these."));
     return;
   }
   clouds_.write(path, [this, path, asked = asked_,

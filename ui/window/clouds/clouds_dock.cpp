@@ -98,10 +98,10 @@ void CloudsDock::buildAsking(QVBoxLayout* column) {
   auto* const form = new QFormLayout;
   kind_ = new QComboBox(asking_);
   kind_->addItems({tr("Points"), tr("Occupied cells")});
-  kind_->setAccessibleName(tr("What is fetched"));
+  kind_->setAccessibleName(tr("What to fetch"));
   form->addRow(tr("What"), kind_);
-  ask_low_ = metresBox(-kFarthestM, kFarthestM, 2, tr("Fetched from this height"), asking_);
-  ask_high_ = metresBox(-kFarthestM, kFarthestM, 2, tr("Fetched up to this height"), asking_);
+  ask_low_ = metresBox(-kFarthestM, kFarthestM, 2, tr("Lowest height to fetch"), asking_);
+  ask_high_ = metresBox(-kFarthestM, kFarthestM, 2, tr("Highest height to fetch"), asking_);
   ask_low_->setValue(-50);
   ask_high_->setValue(50);
   form->addRow(tr("Heights"), fromTo(ask_low_, ask_high_, asking_));
@@ -121,9 +121,10 @@ void CloudsDock::buildAsking(QVBoxLayout* column) {
   auto* const ask = new QVBoxLayout(question_);
   ask->setContentsMargins(0, 0, 0, 0);
   auto* const text = cloudText(question_);
-  text->setText(tr("The robot does not say how large its whole cloud is. It may take long and much memory."));
+  text->setText(tr(
+      "The robot does not report the size of its whole cloud. Fetching it may need much time and memory."));
   sure_ = cloudButton(tr("Fetch everything"), question_);
-  auto* const no = cloudButton(tr("Do not"), question_);
+  auto* const no = cloudButton(tr("Cancel"), question_);
   auto* const answers = new QHBoxLayout;
   answers->addWidget(sure_);
   answers->addWidget(no);
@@ -176,13 +177,13 @@ void CloudsDock::buildLook(QVBoxLayout* column) {
   form->addRow(tr("Point size"), size_);
   voxel_ = metresBox(0, 10, 3, tr("Size of the cells"), body_);
   voxel_->setSingleStep(0.01);
-  voxel_->setSpecialValueText(tr("as found"));
+  voxel_->setSpecialValueText(tr("detected"));
   form->addRow(tr("Cell size"), voxel_);
   column->addLayout(form);
   slider_ = new HeightSlider(body_);
   column->addWidget(slider_);
-  low_ = metresBox(-1e7, 1e7, 2, tr("Shown from this height"), body_);
-  high_ = metresBox(-1e7, 1e7, 2, tr("Shown up to this height"), body_);
+  low_ = metresBox(-1e7, 1e7, 2, tr("Lowest height to show"), body_);
+  high_ = metresBox(-1e7, 1e7, 2, tr("Highest height to show"), body_);
   column->addLayout(fromTo(low_, high_, body_));
   auto* const all = cloudButton(tr("All heights"), body_);
   column->addWidget(all, 0, Qt::AlignLeft);
@@ -282,7 +283,7 @@ void CloudsDock::setClouds(const scene::CloudSums& sums, const scene::CloudHeigh
 
 void CloudsDock::setScale(const std::optional<scene::CloudScale>& scale) { scale_->setScale(scale); }
 
-void CloudsDock::setSorting() { counts_->setText(tr("What has come is being put in order…")); }
+void CloudsDock::setSorting() { counts_->setText(tr("Preparing the cloud…")); }
 
 void CloudsDock::setStyle(const scene::LayerStyle& style) {
   const QSignalBlocker quiet(size_);

@@ -37,7 +37,7 @@ void HeightSlider::setRange(std::optional<scene::CloudRange> range) {
 }
 
 void HeightSlider::tell() {
-  setAccessibleName(tr("Heights that are shown"));
+  setAccessibleName(tr("Visible heights"));
   const scene::CloudRange now = shown();
   setAccessibleDescription(
       usable() ? tr("from %1 m to %2 m")

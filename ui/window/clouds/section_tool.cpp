@@ -78,8 +78,8 @@ void SectionTool::forget() {
 
 QString SectionTool::hint() const {
   if (!line_ || line_->from_m == line_->to_m)
-    return tr("Drag a line to look at the cloud from its side. Esc leaves.");
-  return tr("%1 long. Drag another line, or Esc to forget it.")
+    return tr("Drag a line to see a cross-section of the cloud. Esc leaves.");
+  return tr("%1 long. Drag another line, or press Esc to remove it.")
       .arg(lengthText((line_->to_m - line_->from_m).norm()));
 }
 

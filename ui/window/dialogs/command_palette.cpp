@@ -139,7 +139,7 @@ void CommandPalette::fill() {
     if (!action->isEnabled()) item->setFlags(Qt::NoItemFlags);
   }
   if (list_->count() == 0) {
-    auto* item = new QListWidgetItem(tr("No command of that name"), list_);
+    auto* item = new QListWidgetItem(tr("No matching command"), list_);
     item->setFlags(Qt::NoItemFlags);
   } else {
     list_->setCurrentRow(0);

@@ -39,7 +39,7 @@ QString examplesText(const QStringList& examples) {
   const QString host = ConnectDialog::tr("For example 192.0.2.7 or robot.local:8090.");
   if (examples.isEmpty()) return host;
   return host + QLatin1Char(' ') +
-         ConnectDialog::tr("A whole address looks like %1.").arg(examples.join(QStringLiteral(", ")));
+         ConnectDialog::tr("A full address looks like %1.").arg(examples.join(QStringLiteral(", ")));
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ void GoToDialog::check() {
   const bool fine = point().has_value();
   go_->setEnabled(fine);
   const bool complain = !fine && !field_->text().trimmed().isEmpty();
-  error_->setText(complain ? tr("Two numbers in metres are needed, for example 12.5, -3.2.") : QString());
+  error_->setText(complain ? tr("Enter two numbers in metres, for example 12.5, -3.2.") : QString());
 }
 
 }  // namespace mapwright::window

@@ -337,7 +337,7 @@ void InspectorDock::refreshDetails() {
     text = sentences::whyAbsent(robot::Capability::Submaps,
                                 session_->robot().whyNot(robot::Capability::Submaps));
   } else {
-    text = tr("Select a submap to see where it is and how it stands. Double click shows it on the map.");
+    text = tr("Select a submap to see its pose and state. Double-click one to show it on the map.");
   }
   if (const QString plain = words::plainText(text); plain != details_->text()) details_->setText(plain);
 }

@@ -25,7 +25,7 @@ QString slamStateText(const session::Session& session) {
         break;
       case map::SlamState::Invalid:
         // Or not told, or not in words that are known.
-        text = QCoreApplication::translate("window", "not told");
+        text = QCoreApplication::translate("window", "not reported");
         break;
     }
   } else if (text == QLatin1String("slam")) {

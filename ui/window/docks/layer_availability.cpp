@@ -37,13 +37,13 @@ QString whyLayerStaysEmpty(Layer layer, session::Session* session) {
       if (gone) return {};
       return dispatch->offered(robot::DispatchService::GridRegion)
                  ? QString()
-                 : QCoreApplication::translate("window", "This robot gives its map only as a whole.");
+                 : QCoreApplication::translate("window", "This robot only sends its map as a whole.");
     }
     case Layer::Overlays:
     case Layer::Landmarks:
     case Layer::Trajectory:
       return whole || live ? QString()
-                           : QCoreApplication::translate("window", "This robot tells nothing of the kind.");
+                           : QCoreApplication::translate("window", "This robot does not provide this.");
     case Layer::Waypoints:
       return robot.waypointSource() || robot.waypointStore() ? QString() : why(robot::Capability::Waypoints);
     case Layer::DispatchedCloud:
@@ -57,7 +57,7 @@ QString whyLayerStaysEmpty(Layer layer, session::Session* session) {
   // All that is left is seen, planned or driven by the robot just now.
   return live || submaps ? QString()
                          : QCoreApplication::translate(
-                               "window", "Nothing live comes from here, so this layer stays empty.");
+                               "window", "There is no live data here, so this layer stays empty.");
 }
 
 }  // namespace mapwright::window

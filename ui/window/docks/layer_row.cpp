@@ -61,8 +61,8 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
     settings_->setIconSize({14, 14});
     settings_->setFixedSize(22, 22);
     settings_->setFocusPolicy(Qt::TabFocus);
-    settings_->setToolTip(scene::chosenStream(layer) ? tr("Colour, topic and the like")
-                                                     : tr("Colour, size and the like"));
+    settings_->setToolTip(scene::chosenStream(layer) ? tr("Colour, topic and more")
+                                                     : tr("Colour, size and more"));
     QSizePolicy place = settings_->sizePolicy();
     place.setRetainSizeWhenHidden(true);
     settings_->setSizePolicy(place);

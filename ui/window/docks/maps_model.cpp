@@ -189,10 +189,11 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       if (row.kind == RowKind::Section) return {};
       if (row.kind == RowKind::Fetched)
-        return plainToolTip(tr("%1\n%2\nKept until another map is shown. Double click looks at it.")
+        return plainToolTip(tr("%1\n%2\nKept until another map is shown. Double-click to preview it.")
                                 .arg(row.title, row.detail));
-      return plainToolTip(tr("%1\n%2\nDouble click opens it here. Nothing is loaded or changed on the robot.")
-                              .arg(row.title, row.detail));
+      return plainToolTip(
+          tr("%1\n%2\nDouble-click to open it here. This loads and changes nothing on the robot.")
+              .arg(row.title, row.detail));
     case Qt::AccessibleTextRole:
       return QStringLiteral("%1, %2%3%4")
           .arg(row.title, row.detail, row.current ? tr(", current") : QString(),

@@ -49,7 +49,7 @@ QString prettyJson(const QByteArray& bytes, qsizetype limit, qsizetype longest_s
   const QString text = QString::fromUtf8(words::escapedJson(bytes)).trimmed();
   const auto cutNote = [&] {
     return QLatin1Char('\n') +
-           QCoreApplication::translate("window", "… cut here: %1 in all").arg(bytesText(bytes.size()));
+           QCoreApplication::translate("window", "… truncated: %1 in total").arg(bytesText(bytes.size()));
   };
   if (!text.startsWith(QLatin1Char('{')) && !text.startsWith(QLatin1Char('['))) {
     return text.size() <= limit ? text : text.left(limit) + cutNote();

@@ -69,7 +69,7 @@ QVariant SubmapTreeModel::leafData(const SubmapFacts& leaf, int column, int role
       if (column == NameColumn) return int(leaf.visible ? Qt::Checked : Qt::Unchecked);
       return {};
     case Qt::ToolTipRole: {
-      if (column == LocateColumn) return tr("Show this submap in the middle of the map");
+      if (column == LocateColumn) return tr("Centre the map on this submap");
       QStringList lines{
           tr("Submap %1, version %2").arg(QString::fromStdString(map::toText(leaf.id))).arg(leaf.version)};
       if (leaf.visible && leaf.shown_version >= 0 && leaf.shown_version != leaf.version) {

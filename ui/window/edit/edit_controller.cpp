@@ -39,7 +39,7 @@ EditController::EditController(WindowContext& context, QObject* parent)
                                 .text = tr("&Undo"),
                                 .icon = "undo",
                                 .keys = {"Ctrl+Z"},
-                                .tip = tr("Take the last change back"),
+                                .tip = tr("Undo the last change"),
                                 .menu = {MenuGroup::Undo, 10},
                                 .bar = {BarGroup::Edit, 10}},
                                &group, &QUndoGroup::undo);
@@ -47,7 +47,7 @@ EditController::EditController(WindowContext& context, QObject* parent)
                                 .text = tr("&Redo"),
                                 .icon = "redo",
                                 .keys = {"Ctrl+Shift+Z", "Ctrl+Y"},
-                                .tip = tr("Make the change again that was taken back last"),
+                                .tip = tr("Redo the change that was undone last"),
                                 .menu = {MenuGroup::Undo, 20},
                                 .bar = {BarGroup::Edit, 20}},
                                &group, &QUndoGroup::redo);
@@ -55,7 +55,7 @@ EditController::EditController(WindowContext& context, QObject* parent)
                                 .text = tr("&Save"),
                                 .icon = "save",
                                 .keys = {"Ctrl+S"},
-                                .tip = tr("Write what has been changed where it is kept"),
+                                .tip = tr("Save the changes"),
                                 .menu = {MenuGroup::Save, 10},
                                 .bar = {BarGroup::Edit, 30}},
                                &context_.unsaved, &UnsavedChanges::save);
@@ -76,7 +76,7 @@ void EditController::addHistory() {
   history_ = new QDockWidget(tr("History"), &context_.window);
   history_->setObjectName(QStringLiteral("history"));
   auto* const steps = new History(&context_.undo, history_);
-  steps->setEmptyLabel(tr("As it was opened"));
+  steps->setEmptyLabel(tr("Original state"));
   steps->setAccessibleName(tr("Steps that can be undone"));
   steps->setUniformItemSizes(true);
   history_->setWidget(steps);

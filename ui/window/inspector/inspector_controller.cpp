@@ -81,9 +81,9 @@ void InspectorController::locate(map::SubmapId id) {
   if (!session) return;
   const geometry::WorldRect bounds = session->book().bounds(id, session->slice());
   if (!bounds.empty()) return context_.viewpoint.lookAt(bounds);
-  context_.overlay.toasts()->add(
-      Mark::Warning,
-      tr("Submap %1 has no usable pose, so it lies nowhere.").arg(QString::fromStdString(map::toText(id))));
+  context_.overlay.toasts()->add(Mark::Warning,
+                                 tr("Submap %1 has no valid pose, so it cannot be placed on the map.")
+                                     .arg(QString::fromStdString(map::toText(id))));
 }
 
 void InspectorController::goToFilter() {

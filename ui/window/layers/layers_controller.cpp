@@ -123,10 +123,10 @@ void LayersController::addColors() {
     action->setData(int(mode));
     colors_->addAction(action);
   };
-  colors("colorsNormal", tr("Normal colours"), render::ColorMode::Normal, 10, tr("Grey as usual"));
-  colors("colorsIncremental", tr("Incremental submaps tinted"), render::ColorMode::Incremental, 20,
+  colors("colorsNormal", tr("Normal colours"), render::ColorMode::Normal, 10, tr("Plain grey"));
+  colors("colorsIncremental", tr("Tint incremental submaps"), render::ColorMode::Incremental, 20,
          tr("Incremental submaps in blue and red"));
-  colors("colorsActive", tr("Frozen submaps dimmed"), render::ColorMode::Active, 30,
+  colors("colorsActive", tr("Dim frozen submaps"), render::ColorMode::Active, 30,
          tr("Only active submaps at full strength"));
 }
 

@@ -48,9 +48,9 @@ EmptyState cloudsInstead() {
   EmptyState state;
   state.kind = EmptyState::Kind::NoMap;
   state.icon = QStringLiteral("map");
-  state.title = QCoreApplication::translate("window", "No map in the plane");
+  state.title = QCoreApplication::translate("window", "No 2D map");
   state.text = QCoreApplication::translate(
-      "window", "This robot gives clouds of points. Should it send a map, that appears by itself.");
+      "window", "This robot provides point clouds. If it sends a map, the map appears automatically.");
   state.offers_clouds = true;
   return state;
 }
@@ -110,19 +110,19 @@ std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool store
   }
   if (live) {
     state.kind = EmptyState::Kind::LoadingMap;
-    state.title = QCoreApplication::translate("window", "Waiting for the map of the robot");
-    state.text = stored
-                     ? QCoreApplication::translate(
-                           "window", "It appears as soon as the robot sends it. Stored maps are under Maps.")
-                     : QCoreApplication::translate("window", "It appears as soon as the robot sends it.");
+    state.title = QCoreApplication::translate("window", "Waiting for the robot's map");
+    state.text =
+        stored ? QCoreApplication::translate(
+                     "window", "It appears as soon as the robot sends it. Stored maps are listed under Maps.")
+               : QCoreApplication::translate("window", "It appears as soon as the robot sends it.");
     return state;
   }
   state.kind = EmptyState::Kind::NoMap;
   state.title = QCoreApplication::translate("window", "No map is open");
-  state.text = stored
-                   ? QCoreApplication::translate(
-                         "window", "Double click one under Maps. Nothing is loaded or changed on the robot.")
-                   : QCoreApplication::translate("window", "None comes from here, and none is stored here.");
+  state.text =
+      stored ? QCoreApplication::translate(
+                   "window", "Double-click one under Maps. This loads and changes nothing on the robot.")
+             : QCoreApplication::translate("window", "The robot sends no map, and none is stored here.");
   return state;
 }
 
@@ -133,10 +133,9 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
     state.kind = EmptyState::Kind::NoRobot;
     state.icon = QStringLiteral("robot");
     state.title = QCoreApplication::translate("window", "No robot connected");
-    state.text = QCoreApplication::translate(
-        "window",
-        "Connect to a robot by its address, look around with the simulated one, or open a map file: it can "
-        "also be dropped here.");
+    state.text = QCoreApplication::translate("window",
+                                             "Connect to a robot by its address, try the simulated one, or "
+                                             "open a map file (you can also drop it here).");
     state.offers_connect = state.offers_demo = state.offers_file = true;
     return state;
   }
@@ -163,7 +162,7 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
       state.icon = QStringLiteral("error");
       state.offers_secret = wantsSecret(connection);
       state.title = connection.phase == ConnectionPhase::Refused
-                        ? QCoreApplication::translate("window", "The robot refused")
+                        ? QCoreApplication::translate("window", "The robot refused the connection")
                         : QCoreApplication::translate("window", "Cannot reach the robot");
       state.text = connection.reason.any()
                        ? QStringLiteral("%1\n%2").arg(address, sentences::wordsOf(connection.reason))
@@ -197,7 +196,7 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
     state.title = QCoreApplication::translate("window", "This robot lists no submaps");
     state.text = QCoreApplication::translate(
         "window",
-        "They appear here as soon as it maps or positions itself. Start mapping or load a map on the robot.");
+        "They appear here as soon as the robot maps or localizes. Start mapping or load a map on the robot.");
     return state;
   }
   if (counts->pending > 0) {

@@ -16,7 +16,7 @@ SwipeHandle::SwipeHandle(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("swipe"));
   setCursor(Qt::SplitHCursor);
   setFocusPolicy(Qt::StrongFocus);
-  setToolTip(tr("Drag, or press Left and Right, to uncover the one map or the other"));
+  setToolTip(tr("Drag it, or press Left and Right, to reveal one map or the other"));
   setAccessibleName(tr("Divider between the compared maps"));
   hide();
 }

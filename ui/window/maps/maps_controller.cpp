@@ -119,7 +119,7 @@ void MapsController::noteOtherFile() {
   const session::MapSlot& slot = session->wholeMap();
   if (slot.phase() == session::MapSlot::Phase::Empty) return;
   context_.overlay.toasts()->add(
-      Mark::Good, tr("%1 changed on disk and is read again.").arg(mapCalled(slot.name(), slot.key())));
+      Mark::Good, tr("%1 changed on disk and is being reloaded.").arg(mapCalled(slot.name(), slot.key())));
 }
 
 void MapsController::fitNew() {

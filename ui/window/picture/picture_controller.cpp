@@ -104,7 +104,7 @@ void PictureController::addActions() {
                                        .icon = "edit-map",
                                        .keys = {"B"},
                                        .reach = Reach::OutsideText,
-                                       .tip = tr("Paint free, occupied and unknown ground"),
+                                       .tip = tr("Paint free, occupied and unknown areas"),
                                        .toggle = true,
                                        .menu = {MenuGroup::Waypoints, 30},
                                        .bar = {BarGroup::Tools, 40}});
@@ -224,7 +224,7 @@ void PictureController::keepDraft() {
   const bool unsaved = editing_.unsaved();
   if (const auto trouble = drafts_->keep(); trouble && unsaved)
     context_.overlay.toasts()->add(
-        Mark::Bad, tr("The changes of the map are lost. %1").arg(sentences::wordsOf(*trouble)));
+        Mark::Bad, tr("The changes to the map are lost. %1").arg(sentences::wordsOf(*trouble)));
   drafts_.reset();
 }
 
@@ -248,11 +248,9 @@ void PictureController::takeOther(const MapSlot& slot) {
   trouble_.clear();
   openMap(slot);
   if (lost > 0)
-    context_.overlay.toasts()->add(
-        Mark::Bad,
-        tr("The map has been replaced by one of another size or place. What was not saved fits it no "
-           "more and is gone: %1.")
-            .arg(cellsText(lost)));
+    context_.overlay.toasts()->add(Mark::Bad, tr("The map was replaced by one of another size or position. "
+                                                 "The unsaved changes do not fit it and were discarded: %1.")
+                                                  .arg(cellsText(lost)));
 }
 
 void PictureController::showCells() {
@@ -286,8 +284,9 @@ bool PictureController::opening() const {
 
 void PictureController::noteForgotten() {
   if (std::exchange(forgetting_told_, true)) return;
-  context_.overlay.toasts()->add(Mark::Warning, tr("The oldest changes of this map cannot be undone any "
-                                                   "more: undoing them would take too much memory."));
+  context_.overlay.toasts()->add(
+      Mark::Warning,
+      tr("The oldest changes to this map can no longer be undone: that would take too much memory."));
 }
 
 QString PictureController::whyNot() const {
@@ -296,19 +295,18 @@ QString PictureController::whyNot() const {
   constexpr auto kEditing = robot::Capability::PictureEditing;
   if (!store) return sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing));
   if (editing_.isOpen()) return {};
-  if (opening()) return tr("The map is being read.");
+  if (opening()) return tr("The map is loading.");
   if (const auto key = mapInstead()) {
     const map::CatalogueEntry* const entry = session_->catalogue().find(*key);
-    return tr("This is the map as the robot sends it now. The tool (B) edits \"%1\", the stored map that it "
-              "works with.")
+    return tr("This is the robot's live map. The tool (B) edits \"%1\", the stored map that the robot uses.")
         .arg(entry ? QString::fromStdString(entry->name) : QString::fromStdString(key->id));
   }
   const MapSlot& slot = session_->wholeMap();
-  if (!slot.cells()) return tr("Pictures belong to a whole map. Open one in the panel Maps.");
+  if (!slot.cells()) return tr("Only a whole map has a picture to edit. Open one in the Maps panel.");
   if (const auto obstacle = store->obstacle(slot.shown())) return obstacleText(*obstacle);
   if (looked_.between && looked_.cells == slot.cells()) return cellBetweenText(*looked_.between);
-  if (slot.broken()) return tr("Parts of this map could not be read, so it cannot be saved again.");
-  return tr("The map is being read.");
+  if (slot.broken()) return tr("Parts of this map could not be read, so it cannot be saved.");
+  return tr("The map is loading.");
 }
 
 void PictureController::refresh() {

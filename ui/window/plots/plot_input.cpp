@@ -125,9 +125,9 @@ void PlotWidget::fillMenu(QMenu& menu) {
   }
   menu.addAction(tr("Remove this plot"), this, &PlotWidget::plotUnwanted);
   menu.addSeparator();
-  menu.addAction(tr("Show all of the time"), this, &PlotWidget::allWanted);
+  menu.addAction(tr("Show the whole time range"), this, &PlotWidget::allWanted);
   QAction* const fits =
-      menu.addAction(tr("Values: fit what is shown"), this, [this] { setFixedValues(std::nullopt); });
+      menu.addAction(tr("Values: fit automatically"), this, [this] { setFixedValues(std::nullopt); });
   fits->setCheckable(true);
   fits->setChecked(!fixed_);
   QAction* const stays =

@@ -118,7 +118,7 @@ QString PlotWidget::valueAtCursor(std::size_t curve) const {
   const PlotCurve& of = curves_[curve];
   const auto sample = at_s && of.series ? of.series->at(*at_s) : std::nullopt;
   // Nothing here, or nothing anywhere: a name that is none must not look like a gap.
-  if (!sample && of.series && of.series->empty() && !of.series->covered().empty()) return tr("none so far");
+  if (!sample && of.series && of.series->empty() && !of.series->covered().empty()) return tr("none yet");
   if (!sample) return QStringLiteral("–");
   const QString unit = plotUnit(of.wish);
   return unit.isEmpty() ? valueText(sample->value) : valueText(sample->value) + QChar(QChar::Nbsp) + unit;

@@ -80,7 +80,7 @@ QWidget* PlotsDock::buildControls() {
     each->setSpacing(6);
     rows->addLayout(each);
   }
-  path_->setPlaceholderText(tr("Field, as in /topic.member[0]"));
+  path_->setPlaceholderText(tr("Field, for example /topic.member[0]"));
   path_->setAccessibleName(tr("Field to plot"));
   path_->setMaxLength(int(series::FieldPath::kLongest));
   path_->setClearButtonEnabled(true);
@@ -91,11 +91,11 @@ QWidget* PlotsDock::buildControls() {
   completer->setMaxVisibleItems(12);
   path_->setCompleter(completer);
   add_->setToolTip(tr("Plot this field of the messages of a topic"));
-  new_plot_->setToolTip(tr("One more plot below the others"));
+  new_plot_->setToolTip(tr("Add another plot below"));
   whole_->setCheckable(true);
-  whole_->setToolTip(tr("Read all of the bag, and not only what is needed for the time that is shown"));
+  whole_->setToolTip(tr("Read the whole bag, not only the part that is shown"));
   quantities_->setText(tr("Quantity"));
-  quantities_->setToolTip(tr("Plot pose, speed and the like"));
+  quantities_->setToolTip(tr("Plot pose, speed and more"));
   quantities_->setPopupMode(QToolButton::InstantPopup);
   auto* const menu = new QMenu(quantities_);
   menu->addAction(tr("Pose: x, y and heading"), this, [this] {
@@ -209,11 +209,11 @@ bool PlotsDock::addCurve(PlotWidget* plot, const PlotWish& wish) {
   int all = 0;
   for (const PlotWidget* const each : plots_) all += int(each->curves().size());
   if (int(curves.size()) >= kPlotLooks || all >= kMostCurves) {
-    say(tr("There are as many curves as can be told apart. Remove one first: right click on the plot."));
+    say(tr("There are already as many curves as can be told apart. Remove one first: right-click the plot."));
     return false;
   }
   if (std::any_of(curves.begin(), curves.end(), [&](const PlotCurve& each) { return each.wish == wish; })) {
-    say(tr("%1 is in this plot already.").arg(plotName(wish).left(100)));
+    say(tr("%1 is already in this plot.").arg(plotName(wish).left(100)));
     return false;
   }
   // The first look that is free: one that was removed does not change the others.
@@ -253,7 +253,7 @@ void PlotsDock::addTyped() {
   if (text.isEmpty()) return;
   auto path = series::FieldPath::parse(text.toStdString());
   if (!path) {
-    say(tr("\"%1\" names no field. Write a topic and what to take of its messages, as in /topic.member[0].")
+    say(tr("\"%1\" is not a field. Enter a topic and a member of its messages, for example /topic.member[0].")
             .arg(words::plainName(text.left(100))));
     return;
   }
@@ -265,7 +265,7 @@ void PlotsDock::addTyped() {
   const bool of_topic = std::any_of(known.begin(), known.end(),
                                     [&](const QString& each) { return each.startsWith(topic + u'.'); });
   if (of_topic && !known.contains(word))
-    say(tr("The messages at hand have no number %1. It is drawn where one has it.")
+    say(tr("No message so far has a number %1. It will be drawn as soon as one does.")
             .arg(words::plainName(word.left(100))));
 }
 
@@ -345,13 +345,13 @@ void PlotsDock::refresh() {
   for (PlotWidget* const plot : plots_) {
     QString hint;
     if (plot->curves().empty()) {
-      hint = tr("Drop a number of a message here, type its name above, or choose a quantity.");
+      hint = tr("Drop a number from a message here, type its name above, or choose a quantity.");
     } else if (bag_) {
-      hint = tr("Nothing of it is in what has been read of the bag so far.");
+      hint = tr("The part of the bag that has been read so far has no such data.");
     } else if (feed_.live()) {
-      hint = tr("Nothing of it has come yet.");
+      hint = tr("No data has arrived yet.");
     } else {
-      hint = tr("Open a recording or connect to a robot to see its curves.");
+      hint = tr("Open a recording or connect to a robot to see curves.");
     }
     plot->setHint(hint);
     plot->refresh();

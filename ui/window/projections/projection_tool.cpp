@@ -155,20 +155,20 @@ bool ProjectionTool::keyPressed(const MapKeyPress& press) {
 
 QString ProjectionTool::hint() const {
   if (!editable_ && draft_->wanted().empty()) {
-    return takes_ ? tr("The robot is waited for. Esc leaves.")
-                  : tr("There is no robot here that takes projections, and none to choose. Esc leaves.");
+    return takes_ ? tr("Waiting for the robot. Esc leaves.")
+                  : tr("Projections cannot be set on this robot, and there are none to select. Esc leaves.");
   }
-  if (!takes_) return tr("This robot takes no projections: click in one to choose it. Esc leaves.");
-  if (!editable_) return tr("Click in a projection to choose it. Esc leaves.");
+  if (!takes_) return tr("Projections cannot be set on this robot: click one to select it. Esc leaves.");
+  if (!editable_) return tr("Click a projection to select it. Esc leaves.");
   if (hold_ && hold_->index < 0 && hold_->from_m != hold_->to_m) {
     return tr("%1 x %2").arg(lengthText(std::abs(hold_->to_m.x() - hold_->from_m.x())),
                              lengthText(std::abs(hold_->to_m.y() - hold_->from_m.y())));
   }
   if (const map::Projection* const one = draft_->selectedOne()) {
-    return tr("%1 x %2. Drag it or its edges; Delete takes it out. Esc leaves.")
+    return tr("%1 x %2. Drag it or its edges; Delete removes it. Esc leaves.")
         .arg(lengthText(one->size_m.x()), lengthText(one->size_m.y()));
   }
-  return tr("Drag a rectangle for a new projection, click in one to choose it. Esc leaves.");
+  return tr("Drag a rectangle for a new projection, or click one to select it. Esc leaves.");
 }
 
 void ProjectionTool::paint(QPainter& painter) {

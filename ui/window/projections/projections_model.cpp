@@ -65,13 +65,13 @@ QString flawText(map::ProjectionFlaw flaw) {
     case map::ProjectionFlaw::None:
       break;
     case map::ProjectionFlaw::NotFinite:
-      return ProjectionsModel::tr("One of its numbers is none.");
+      return ProjectionsModel::tr("One of its values is not a number.");
     case map::ProjectionFlaw::TooFar:
-      return ProjectionsModel::tr("It lies farther away than 10,000 km.");
+      return ProjectionsModel::tr("It is more than 10,000 km away.");
     case map::ProjectionFlaw::WithoutSize:
-      return ProjectionsModel::tr("Its width and its height must be more than 0.");
+      return ProjectionsModel::tr("Its width and height must be greater than 0.");
     case map::ProjectionFlaw::HeightsCrossed:
-      return ProjectionsModel::tr("Its lower height must be below its upper one.");
+      return ProjectionsModel::tr("Its lower height must be below its upper height.");
   }
   return {};
 }

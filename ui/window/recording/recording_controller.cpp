@@ -63,9 +63,9 @@ QString fileNameFor(const robot::RobotIdentity& identity) {
 RecordingController::RecordingController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context), label_(new PlainLabel(&context.bar)) {
   action_ = context_.actions.add({.id = "record",
-                                  .text = tr("R&ecord into a file…"),
+                                  .text = tr("R&ecord to a file…"),
                                   .icon = "record",
-                                  .tip = tr("Record what the robot sends into a file; again to stop"),
+                                  .tip = tr("Record what the robot sends to a file; again to stop"),
                                   .toggle = true,
                                   .menu = {MenuGroup::Link, 30},
                                   .bar = {BarGroup::Robot, 20}},
@@ -109,7 +109,7 @@ void RecordingController::askAndStart() {
   if (!session_) return;
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   const QDir folder(folderToWriteInto({context_.settings.value(kRecordingFolderKey).toString(), documents}));
-  QString path = QFileDialog::getSaveFileName(&context_.window, tr("Record into a file"),
+  QString path = QFileDialog::getSaveFileName(&context_.window, tr("Record to a file"),
                                               folder.filePath(fileNameFor(session_->robot().identity())),
                                               tr("Recordings (*.mcap)"));
   if (path.isEmpty()) return;
@@ -119,7 +119,7 @@ void RecordingController::askAndStart() {
 }
 
 std::optional<QString> RecordingController::startInto(const QString& path) {
-  if (!session_ || recorder_) return tr("There is no robot to record.");
+  if (!session_ || recorder_) return tr("There is no robot to record from.");
   auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
   if (!target) return sentences::wordsOf(disk::notWritten(target.error()));
   recorder::Recorder::Options options;
@@ -171,11 +171,11 @@ recorder::Recorder* RecordingController::conclude() {
     toasts->add(Mark::Bad, sentences::wordsOf(disk::notWritten(fault)));
   } else if (const QStringList lacks = this->lacks(done); !lacks.isEmpty()) {
     toasts->add(Mark::Warning,
-                tr("Recorded into %1, which is not complete: %2")
+                tr("Recorded to %1, but it is incomplete: %2")
                     .arg(file, lacks.join(QStringLiteral("; ")) + QLatin1Char('.')),
                 play);
   } else {
-    toasts->add(Mark::Good, tr("Recorded into %1").arg(file), play);
+    toasts->add(Mark::Good, tr("Recorded to %1").arg(file), play);
   }
   refresh();
   return recorder;
@@ -185,12 +185,12 @@ QStringList RecordingController::lacks(const recorder::Recorder::Progress& done)
   QStringList lacks;
   if (interruptions_ > 0) {
     QString lost = tr("the connection was lost, times: %1").arg(interruptions_);
-    if (away_) lost += tr(", the last time until the end");
+    if (away_) lost += tr(", and not restored at the end");
     lacks << lost;
   }
   if (done.written.lost > 0)
     lacks << tr("messages lost because the disk or this computer was too slow: %1").arg(done.written.lost);
-  if (not_had_ > 0) lacks << tr("maps, lists or places that could not be had: %1").arg(not_had_);
+  if (not_had_ > 0) lacks << tr("maps, lists or waypoints that could not be loaded: %1").arg(not_had_);
   return lacks;
 }
 
@@ -209,7 +209,7 @@ void RecordingController::takeLink() {
   } else if (away_ && link.phase == robot::ConnectionPhase::Online) {
     away_ = false;
     context_.overlay.toasts()->add(Mark::Neutral,
-                                   tr("Connected again after %1: the recording goes on.").arg(after));
+                                   tr("Reconnected after %1: recording continues.").arg(after));
   }
   tellProgress();
 }
@@ -235,8 +235,8 @@ void RecordingController::refresh() {
   const bool online = session_ && session_->connection().phase == robot::ConnectionPhase::Online;
   action_->setEnabled(can && (recorder_ ? !recorder_->stopped() : online));
   action_->setToolTip(can && !online && !recorder_
-                          ? tr("The robot cannot be reached at present.")
-                          : tr("Record what the robot sends into a file; again to stop"));
+                          ? tr("The robot cannot be reached at the moment.")
+                          : tr("Record what the robot sends to a file; again to stop"));
   action_->setChecked(recording());
   const QColor red = appColors().error;
   QIcon icon = themedIcon(QStringLiteral("record"));
@@ -259,11 +259,10 @@ void RecordingController::tellProgress() {
   if (now.written.fault && now.written.fault != told_) {
     disk::FileError fault = *now.written.fault;
     if (fault.path.empty()) fault.path = path_.toStdString();
-    toasts->add(
-        Mark::Bad,
-        tr("%1 Recording goes on when there is room.").arg(sentences::wordsOf(disk::notWritten(fault))));
+    toasts->add(Mark::Bad, tr("%1 Recording continues when there is enough disk space.")
+                               .arg(sentences::wordsOf(disk::notWritten(fault))));
   } else if (!now.written.fault && told_) {
-    toasts->add(Mark::Good, tr("The recording is being written again."));
+    toasts->add(Mark::Good, tr("Recording to the file continues."));
   }
   told_ = now.written.fault;
 }

@@ -150,7 +150,7 @@ QVariant BagsModel::data(const QModelIndex& index, int role) const {
       return sortValue(*entry, index.column());
     case Qt::ToolTipRole:
       if (index.column() == DurationColumn && !durations_.contains(entry->key))
-        return tr("How long it is the robot tells when it is opened.");
+        return tr("The robot reports the length when the bag is opened.");
       return plainToolTip(text(*entry, index.column()));
     case Qt::TextAlignmentRole:
       return int(isFigure(index.column()) ? Qt::AlignRight | Qt::AlignVCenter

@@ -78,7 +78,7 @@ void RectangleTool::paint(QPainter& painter) {
 
 QString RectangleTool::hint() const {
   const geometry::WorldRect rect = this->rect();
-  if (rect.empty()) return tr("Drag a rectangle over what is to be fetched. Esc: back");
+  if (rect.empty()) return tr("Drag a rectangle over the region to fetch. Esc: back");
   return describe_(rect);
 }
 

@@ -95,14 +95,14 @@ RegionsController::~RegionsController() {
 
 void RegionsController::addActions() {
   refresh_ = context_.actions.add({.id = "refreshRegions",
-                                   .text = tr("&Fetch the regions anew"),
+                                   .text = tr("Re&fetch the regions"),
                                    .icon = "retry",
-                                   .tip = tr("Ask for all regions in view once more"),
+                                   .tip = tr("Fetch all visible regions again"),
                                    .menu = {MenuGroup::WholeMap, 30}},
                                   this, [this] {
                                     if (map_) map_->refresh();
                                   });
-  auto* const menu = new QMenu(tr("Fetch regions anew b&y itself"), &context_.window);
+  auto* const menu = new QMenu(tr("Refetch regions automaticall&y"), &context_.window);
   menu->menuAction()->setObjectName(QStringLiteral("refreshRegionsEvery"));
   const std::array titles{tr("Never"), tr("Every 10 seconds"), tr("Every minute"), tr("Every 10 minutes")};
   for (std::size_t at = 0; at < kEveryS.size(); ++at) {
@@ -117,21 +117,22 @@ void RegionsController::addActions() {
   fetch_whole_ = context_.actions.add({.id = "fetchWholeMap",
                                        .text = tr("Fetch the &whole map…"),
                                        .icon = "download",
-                                       .tip = tr("Ask the robot for all of its map at once"),
+                                       .tip = tr("Fetch the robot's whole map at once"),
                                        .menu = {MenuGroup::WholeMap, 50}},
                                       errand_.get(), &MapErrand::fetchWhole);
   save_map_ = context_.actions.add({.id = "saveMapOnRobot",
                                     .text = tr("&Save the map on the robot…"),
                                     .icon = "download",
-                                    .tip = tr("The robot writes its map into a file of its own"),
+                                    .tip = tr("The robot writes its map to a file on its own disk"),
                                     .menu = {MenuGroup::WholeMap, 60}},
                                    this, [this] { saving_->ask(dispatch_); });
-  fetch_region_ = context_.actions.add({.id = "fetchRegion",
-                                        .text = tr("Fetch a regi&on…"),
-                                        .icon = "rectangle",
-                                        .tip = tr("Draw a rectangle, fetch it, save it or keep it on screen"),
-                                        .toggle = true,
-                                        .menu = {MenuGroup::Tools, 30}});
+  fetch_region_ =
+      context_.actions.add({.id = "fetchRegion",
+                            .text = tr("Fetch a regi&on…"),
+                            .icon = "rectangle",
+                            .tip = tr("Draw a rectangle to fetch it, then save it or keep it on screen"),
+                            .toggle = true,
+                            .menu = {MenuGroup::Tools, 30}});
   context_.tools.add(tool_, fetch_region_);
   setRefreshEvery(0);
 }
@@ -250,8 +251,8 @@ void RegionsController::tell() {
   if (busy) return context_.notices.set(NoticeRank::Regions, errand_->notice());
   const RegionsNotice notice =
       by_region ? regionsNotice(map_->regions(), whole, extent)
-      : left    ? RegionsNotice{Mark::Warning, tr("The robot gives no regions of its map any more. "
-                                                     "What came of it stays.")}
+      : left    ? RegionsNotice{Mark::Warning, tr("The robot no longer sends its map by region. The regions "
+                                                     "received so far stay.")}
                 : RegionsNotice{};
   using Offer = RegionsNotice::Offer;
   const bool too_far = notice.offer == Offer::Whole || notice.offer == Offer::Region;

@@ -275,7 +275,8 @@ void ReplayController::chooseMode() {
     return;
   mode_before_ = mode;
   setViewMode(context_.scene, ViewMode::Whole);
-  context_.overlay.toasts()->add(Mark::Neutral, tr("This bag lists no submaps: the whole map is shown."));
+  context_.overlay.toasts()->add(Mark::Neutral,
+                                 tr("This bag contains no submap list: the whole map is shown."));
 }
 
 QString ReplayController::backWords() const {
@@ -294,22 +295,21 @@ void ReplayController::refresh() {
     const session::MapSlot& slot = context_.current.session()->wholeMap();
     const bool of_now = slot.cells() && slot.shown().key.kind != map::MapKind::Live && !robot->isLocal();
     if (mapsInView(context_.scene).whole && of_now)
-      notice.sentence += QLatin1Char(' ') + tr("The map is that of now.");
+      notice.sentence += QLatin1Char(' ') + tr("The map is the robot's present one.");
     if (hasToldNoMap(context_.current.session(), mapsInView(context_.scene)))
-      notice.sentence += QLatin1Char(' ') + tr("The bag has not told a map yet at this time.");
+      notice.sentence += QLatin1Char(' ') + tr("The bag contains no map up to this time.");
     const std::optional<robot::BagInfo>& info = clock_->reading()->info();
     if (const robot::BagAway* const away = info ? info->awayAt(clock_->at()) : nullptr)
       notice.sentence +=
-          QLatin1Char(' ') + tr("No connection to the robot since %1: nothing came at this time.")
+          QLatin1Char(' ') + tr("No connection to the robot since %1: nothing was recorded at this time.")
                                  .arg(clockText(away->from_s, 0));
     if (info && info->interrupted)
       notice.sentence +=
-          QLatin1Char(' ') + tr("The recording was interrupted at %1, or is still being written.")
-                                 .arg(clockText(info->end_s, 0));
-    if (info && info->repair && info->repair->broke_off_s)
-      notice.sentence +=
           QLatin1Char(' ') +
-          tr("The recording broke off at %1 and was repaired.").arg(clockText(*info->repair->broke_off_s, 0));
+          tr("The recording was interrupted at %1, or is still going on.").arg(clockText(info->end_s, 0));
+    if (info && info->repair && info->repair->broke_off_s)
+      notice.sentence += QLatin1Char(' ') + tr("The recording was cut off at %1 and has been repaired.")
+                                                .arg(clockText(*info->repair->broke_off_s, 0));
     notice.offer = backWords();
     notice.take = [this] { back(); };
     notice.closable = true;

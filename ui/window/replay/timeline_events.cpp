@@ -65,13 +65,13 @@ QString eventText(const Event& event) {
     case EventKind::PositionJump:
       return TimelineEventsText::tr("The position jumped by %1 m").arg(event.metres, 0, 'f', 1);
     case EventKind::MapChanged:
-      return TimelineEventsText::tr("Another map: %1").arg(text);
+      return TimelineEventsText::tr("Map changed: %1").arg(text);
     case EventKind::SessionChanged:
-      return TimelineEventsText::tr("A new SLAM session");
+      return TimelineEventsText::tr("New SLAM session");
     case EventKind::QualityLow:
-      return TimelineEventsText::tr("The position is poor or lost");
+      return TimelineEventsText::tr("Localization is poor or lost");
     case EventKind::QualityGood:
-      return TimelineEventsText::tr("The position is good again");
+      return TimelineEventsText::tr("Localization is good again");
     case EventKind::EmergencyStopOn:
       return TimelineEventsText::tr("Emergency stop pressed");
     case EventKind::EmergencyStopOff:
@@ -95,9 +95,9 @@ QString kindName(EventKind kind) {
     case EventKind::SessionChanged:
       return TimelineEventsText::tr("SLAM session");
     case EventKind::QualityLow:
-      return TimelineEventsText::tr("Position poor");
+      return TimelineEventsText::tr("Localization poor");
     case EventKind::QualityGood:
-      return TimelineEventsText::tr("Position good");
+      return TimelineEventsText::tr("Localization good");
     case EventKind::EmergencyStopOn:
       return TimelineEventsText::tr("Emergency stop");
     case EventKind::EmergencyStopOff:
@@ -113,7 +113,7 @@ QString groupName(replay::EventGroup group) {
     case replay::EventGroup::Planner:
       return TimelineEventsText::tr("States of the planner");
     case replay::EventGroup::Position:
-      return TimelineEventsText::tr("Position: jumps, poor and good again");
+      return TimelineEventsText::tr("Localization: jumps, poor and good again");
     case replay::EventGroup::Maps:
       return TimelineEventsText::tr("Maps and SLAM sessions");
     case replay::EventGroup::Stops:

@@ -39,7 +39,7 @@ QString state(const map::SafetyCondition& condition) {
     case SafetyKind::PositionUncertain:
       return SafetyBadgeText::tr("Position uncertain");
     case SafetyKind::WheelsSlipping:
-      return SafetyBadgeText::tr("Wheels slip");
+      return SafetyBadgeText::tr("Wheels slipping");
     case SafetyKind::Alert:
       break;
   }

@@ -112,7 +112,7 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
   coordinates_->setAlignment(Qt::AlignRight);
   coordinates_->setHint(tr("World coordinates under the cursor"));
   occupancy_->setSample(QStringLiteral("occupied 100 %"));
-  occupancy_->setHint(tr("What the map says under the cursor"));
+  occupancy_->setHint(tr("Map value under the cursor"));
   scale_->setSample(QStringLiteral("1:100,000  12.5 cm/px"));
   scale_->setAlignment(Qt::AlignRight);
   scale_->setHint(tr("Scale of the map on this screen"));

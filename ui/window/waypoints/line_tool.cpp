@@ -173,9 +173,9 @@ void LineTool::paint(QPainter& painter) {
 }
 
 QString LineTool::hint() const {
-  if (!from_) return tr("Waypoints along a line: click where it begins, or drag. Esc leaves.");
-  if (!fixed_) return tr("Click where it ends. Shift: by 15°, Alt: free, Esc begins anew.");
-  return tr("Enter creates them, Esc begins anew.");
+  if (!from_) return tr("Waypoints along a line: click its start, or drag. Esc leaves.");
+  if (!fixed_) return tr("Click the end. Shift: steps of 15°, Alt: free, Esc starts over.");
+  return tr("Enter creates them, Esc starts over.");
 }
 
 }  // namespace mapwright::window

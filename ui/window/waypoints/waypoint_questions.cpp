@@ -36,7 +36,7 @@ void WaypointQuestions::askToLeave(const QString& sentence, bool may_keep,
   if (may_keep) {
     keep = question_->addButton(tr("Keep as draft"), QMessageBox::ActionRole);
     keep->setObjectName(QStringLiteral("keepDraft"));
-    keep->setToolTip(tr("They are offered again when this map is opened"));
+    keep->setToolTip(tr("They will be offered when you open this map again"));
   }
   connect(question_, &QMessageBox::finished, this, [this, keep, then = std::move(then)] {
     QMessageBox* const asked = std::exchange(question_, nullptr);

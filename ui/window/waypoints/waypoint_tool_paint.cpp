@@ -142,14 +142,15 @@ QString WaypointTool::hint() const {
         .arg(yawText(editing_->preview().at(grabbed_).yaw_rad));
   if (drag_ == Drag::Move && editing_->preview().contains(grabbed_)) {
     const Eigen::Vector2d at = editing_->preview().at(grabbed_).position_m;
-    return tr("%1, %2 m. Ctrl: to the grid, Alt: free, Esc cancels.").arg(metresOf(at.x()), metresOf(at.y()));
+    return tr("%1, %2 m. Ctrl: snap to the grid, Alt: no snapping, Esc cancels.")
+        .arg(metresOf(at.x()), metresOf(at.y()));
   }
   if (editing_->selected().empty())
-    return tr("Click adds a waypoint, drag moves one, Shift and drag frames several. Esc leaves.");
+    return tr("Click to add a waypoint, drag to move one, Shift and drag to select several. Esc leaves.");
   if (editing_->selected().size() > 1)
-    return tr("%1: drag or arrows move, the handle turns, Delete deletes. Esc lets go.")
+    return tr("%1: drag or use the arrows to move, drag the handle to turn, Delete deletes. Esc deselects.")
         .arg(waypointsText(qsizetype(editing_->selected().size())));
-  return tr("Drag or arrows move, F2 renames, Delete deletes. Esc lets go.");
+  return tr("Drag or use the arrows to move, F2 renames, Delete deletes. Esc deselects.");
 }
 
 }  // namespace mapwright::window

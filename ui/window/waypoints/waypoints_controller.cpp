@@ -122,9 +122,9 @@ void WaypointsController::addActions() {
                        [this, world_m] { addAt(world_m); });
       });
   revert_action_ = context_.actions.add({.id = "revertWaypoints",
-                                         .text = tr("&Discard changes of waypoints…"),
+                                         .text = tr("&Discard changes to waypoints…"),
                                          .icon = "reset",
-                                         .tip = tr("Everything as it was saved last"),
+                                         .tip = tr("Restore the waypoints as last saved"),
                                          .menu = {MenuGroup::Waypoints, 20}},
                                         this, &WaypointsController::revertAll);
 }
@@ -242,7 +242,7 @@ void WaypointsController::closeList() {
     // What is not saved stays as a draft; where that is impossible somebody has to know.
     if (const auto trouble = list_->unsaved() ? list_->keepDraft() : std::nullopt)
       context_.overlay.toasts()->add(
-          Mark::Bad, tr("The changes of waypoints are lost. %1").arg(sentences::wordsOf(*trouble)));
+          Mark::Bad, tr("The changes to the waypoints are lost. %1").arg(sentences::wordsOf(*trouble)));
     list_->disconnect(this);
     list_->document().disconnect(this);
     list_.reset();
@@ -262,7 +262,7 @@ void WaypointsController::noteSaving() {
     when_saved_ = nullptr;
     context_.overlay.toasts()->add(
         Mark::Warning,
-        tr("Not saved yet: some waypoints were changed here and elsewhere. Choose which is right."));
+        tr("Not saved yet: some waypoints were changed here and elsewhere. Choose which version to keep."));
     context_.panels.open(dock_);
   }
   if (phase != edit::SubmissionPhase::Undecided) said_decide_ = false;
@@ -287,14 +287,14 @@ void WaypointsController::takeChange() {
 void WaypointsController::refresh() {
   QString sentence;
   if (!session_) {
-    sentence = tr("Open a map file (Ctrl+Shift+O) to see and change its waypoints.");
+    sentence = tr("Open a map file (Ctrl+Shift+O) to see and edit its waypoints.");
   } else if (!session_->robot().waypointStore() && !session_->robot().waypointSource()) {
     sentence = sentences::whyAbsent(robot::Capability::Waypoints,
                                     session_->robot().whyNot(robot::Capability::Waypoints));
   } else if (!open_map_) {
-    sentence = tr("Waypoints belong to a whole map. Open one in the panel Maps.");
+    sentence = tr("Waypoints belong to a whole map. Open one in the Maps panel.");
   } else if (list_ && list_->phase() == edit::OpenWaypoints::Phase::Reading) {
-    sentence = tr("The waypoints are being read.");
+    sentence = tr("Loading the waypoints.");
   } else if (list_ && list_->failure()) {
     sentence = failureText(*list_->failure());
   }
@@ -316,7 +316,7 @@ void WaypointsController::refreshNotice() {
   NoticeBar* const notice = context_.overlay.editNotice();
   if (list_ && list_->draftTrouble().any()) {
     return notice->setNotice(Mark::Bad,
-                             tr("Changes of waypoints are not kept safe: save them soon. %1")
+                             tr("Changes to waypoints are not backed up: save them soon. %1")
                                  .arg(sentences::wordsOf(list_->draftTrouble())),
                              tr("Show"));
   }
@@ -327,13 +327,13 @@ void WaypointsController::refreshNotice() {
   }
   if (list_ && !list_->document().conflicts().empty()) {
     return notice->setNotice(Mark::Warning,
-                             tr("%1 changed here and elsewhere. Choose which is right before saving.")
+                             tr("%1 changed here and elsewhere. Choose which version to keep before saving.")
                                  .arg(waypointsText(qsizetype(list_->document().conflicts().size()))),
                              tr("Show"));
   }
   if (const auto left = nameLeft()) {
     notice->setNotice(Mark::Warning, left->sentence, left->offer);
-    if (left->remedy != LeftName::Remedy::SendRest) notice->setSecondOffer(tr("Leave it so"));
+    if (left->remedy != LeftName::Remedy::SendRest) notice->setSecondOffer(tr("Keep the name"));
     return;
   }
   notice->setNotice(Mark::None, {}, {});
@@ -346,7 +346,7 @@ std::optional<LeftName> WaypointsController::nameLeft() const {
 
 void WaypointsController::takeOffer() {
   if (list_ && !list_->draftTrouble().any()) {
-    if (!list_->offered().empty()) return list_->takeUp(tr("take up the draft"));
+    if (!list_->offered().empty()) return list_->takeUp(tr("restore the draft"));
     const auto left = list_->document().conflicts().empty() ? nameLeft() : std::nullopt;
     if (left && left->remedy == LeftName::Remedy::SendRest) return save();
     if (left && left->remedy == LeftName::Remedy::CallItSo)
@@ -388,7 +388,7 @@ QString WaypointsController::mapName() const {
 
 void WaypointsController::revertAll() {
   if (!unsaved()) return;
-  questions_.askToDiscard(tr("Discard %1 of the waypoints of %2? This cannot be undone.")
+  questions_.askToDiscard(tr("Discard %1 to the waypoints of %2? This cannot be undone.")
                               .arg(changesText(qsizetype(list_->document().unsaved().size())), mapName()),
                           [this] {
                             if (list_) list_->discard();

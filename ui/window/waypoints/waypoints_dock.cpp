@@ -73,9 +73,9 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
     label->setContentsMargins(8, 4, 8, 4);
   }
   for (QLabel* label : {empty_, status_}) label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  add_->setToolTip(tr("A new waypoint in the middle of the view. On the map: press W, then click"));
-  remove_->setToolTip(tr("Delete what is selected (Delete)"));
-  save_->setToolTip(tr("Write the changes where the list is kept (Ctrl+S)"));
+  add_->setToolTip(tr("Add a waypoint in the centre of the view. On the map: press W, then click"));
+  remove_->setToolTip(tr("Delete the selected waypoints (Delete)"));
+  save_->setToolTip(tr("Save the changes (Ctrl+S)"));
   add_->setIcon(themedIcon(QStringLiteral("add")));
   remove_->setIcon(themedIcon(QStringLiteral("trash")));
   save_->setIcon(themedIcon(QStringLiteral("save")));
@@ -182,7 +182,7 @@ void WaypointsDock::buildFilter() {
   filter_->setClearButtonEnabled(true);
   filter_->setAccessibleName(tr("Filter waypoints"));
   filter_->installEventFilter(this);
-  pending_->setAccessibleName(tr("Filter by what is not saved"));
+  pending_->setAccessibleName(tr("Filter unsaved waypoints"));
   pending_->addItem(tr("All"), 0);
   pending_->addItem(tr("Not saved"), int(kUnsaved));
   pending_->addItem(tr("New"), int(kNew));
