@@ -141,7 +141,7 @@ class OpenWaypoints : public QObject {
   std::vector<WaypointDraft> offered_;
   std::vector<LeftDraft> left_;  // the files of `offered_`
   std::unique_ptr<DraftKeeper> keeper_;
-  std::vector<LeftDraft> taken_up_;  // to be removed when the keeper has written
+  std::vector<LeftDraft> taken_up_;  // removed when the keeper has written
   work::Share looking_;              // for drafts
 };
 

@@ -1,5 +1,5 @@
-// HTTP to one robot: bounded, cancellable, secret kept to its own origin, answers cached on disk, what
-// changes something never sent twice. Source: docs/protocols/autoxing.md, "Requests";
+// HTTP to one robot: bounded, cancellable, with the secret sent only to its own origin, answers cached on
+// disk, and changes never sent twice. Source: docs/protocols/autoxing.md, "Requests";
 // docs/protocols/cartographer-submaps.md, "Versions, caching and fetching".
 #pragma once
 
@@ -20,25 +20,25 @@ namespace mapwright::net {
 
 class HttpCache;
 
-/// All but Get are sent once at most, over a connection of their own, are never redirected and never cached.
+/// All but Get are sent at most once, over a connection of their own, and are never redirected or cached.
 enum class HttpMethod { Get, Post, Put, Patch, Delete };
 
-/// How much of a body has travelled: of the request's (`up`), later of the answer's.
+/// How much of a body has been transferred: of the request's (`up`), later of the answer's.
 struct HttpProgress {
   bool up = false;
   qint64 bytes = 0;
   std::optional<qint64> of_bytes;  // nullopt = not known
 };
 
-/// A part of a body on its way (HttpRequest::take).
+/// A part of a body in transfer (HttpRequest::take).
 struct HttpPart {
-  int status = 0;                  // 206: it goes on where the request said; 200: it begins anew
-  std::optional<qint64> of_bytes;  // of this body; nullopt = not known
+  int status = 0;                  // 206: continues where the request said; 200: starts over
+  std::optional<qint64> of_bytes;  // of this body; nullopt = unknown
   QByteArray bytes;
-  // Of a 206, as its Content-Range says: where it begins, and how long the whole is; nullopt = it does not.
+  // For a 206, from its Content-Range: where it begins, and the total length; nullopt = not given.
   std::optional<qint64> from_byte = {};
   std::optional<qint64> whole_bytes = {};
-  QByteArray etag = {};  // as it was sent; empty = none
+  QByteArray etag = {};  // as sent; empty = none
 };
 
 struct HttpRequest {
@@ -46,11 +46,11 @@ struct HttpRequest {
   QUrl url;  // absolute
   QByteArray accept = "application/json";
   QByteArray body;                               // of any method but Get
-  QByteArray content_type = "application/json";  // of `body`, where it is not empty
-  bool cacheable = false;                        // look into and fill the disk cache
+  QByteArray content_type = "application/json";  // of `body`, if that is not empty
+  bool cacheable = false;                        // read from and written to the disk cache
   bool content_addressed =
-      false;  // the URL names a version: without Cache-Control and ETag the body is kept for good
-  qint64 max_bytes = qint64(256) << 20;       // a longer body is cut off and fails
+      false;  // the URL contains a version: without Cache-Control and ETag the body is stored permanently
+  qint64 max_bytes = qint64(256) << 20;       // longer bodies are cut off and fail
   std::chrono::milliseconds timeout{30'000};  // without a byte going out or coming in, once it is its turn
   std::function<void(HttpProgress)> progress = {};  // told before the answer; may cancel, must not destroy
   qint64 from_byte = 0;     // > 0: only what comes from there on, where the server can (Range)
