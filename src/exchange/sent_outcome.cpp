@@ -92,8 +92,7 @@ SentCounts countsOf(const std::vector<SentRequest>& sent, const edit::WaypointDo
 QString sentenceOf(const SentOutcome& outcome) {
   if (outcome.state == SentState::Applied || outcome.state == SentState::NotSent) return {};
   if (outcome.failure) return QString::fromStdString(sentences::sentenceOf(*outcome.failure));
-  if (outcome.state == SentState::Unknown)
-    return OutcomeWords::tr("Whether the change took effect is unknown.");
+  if (outcome.state == SentState::Unknown) return OutcomeWords::tr("Whether it was changed is unknown.");
   return OutcomeWords::tr("The robot accepted the change, but it has no effect.");
 }
 

@@ -216,7 +216,7 @@ class TestDecodeCells : public QObject {
                           QStringLiteral("10 x 12")));
     // Even when its file has as many bytes as raw cells would have.
     const Bytes file = samples::png(picture);
-    QVERIFY(sentenceOf(file, int(file.size()), 1).startsWith(QStringLiteral("the PNG is 10 x 12 where")));
+    QVERIFY(sentenceOf(file, int(file.size()), 1).startsWith(QStringLiteral("the PNG is 10 x 12 but")));
   }
 
   void refusesWhatIsCutOffOrDamaged_data() {

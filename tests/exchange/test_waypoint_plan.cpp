@@ -69,7 +69,7 @@ class WaypointPlanTest : public QObject {
     QCOMPARE(fitted.notes,
              (QStringList{
                  QStringLiteral("Waypoint types cannot be stored here: those of 2 waypoints are left out."),
-                 QStringLiteral("Every waypoint has a heading here: 1 waypoint without one gets 0°.")}));
+                 QStringLiteral("Every waypoint needs a heading here: 1 waypoint without one gets 0°.")}));
     QVERIFY(exchange::fitted({{"k", std::nullopt, typed}}, {}).notes.isEmpty());
   }
 
@@ -113,7 +113,7 @@ class WaypointPlanTest : public QObject {
       return edits ? QString() : edits.error();
     };
     QVERIFY(refused(two(), {wanted("1", {}, {}), wanted("1", {}, {})}).contains(QStringLiteral("same")));
-    QVERIFY(refused(two(), {wanted("", "Shelf", {})}).contains(QStringLiteral("place")));
+    QVERIFY(refused(two(), {wanted("", "Shelf", {})}).contains(QStringLiteral("position")));
     QVERIFY(refused(two(), {wanted("9", {}, Eigen::Vector2d(0, 0))}).contains(QStringLiteral("name")));
     QVERIFY(refused(two(), {wanted("1", "a\nb", {})}).contains(QStringLiteral("one line")));
     QVERIFY(refused(two(), {wanted("1", {}, Eigen::Vector2d(1e9, 0))}).contains(QStringLiteral("origin")));

@@ -213,7 +213,7 @@ class TestGridDamage : public QObject {
     QTest::newRow("no rows") << 5 << 0 << QStringLiteral("it is empty");
     QTest::newRow("wide") << 400'001 << 1 << QStringLiteral("400,000 along an edge");
     QTest::newRow("high") << 1 << 2'147'483'647 << QStringLiteral("2,147,483,647");
-    QTest::newRow("many") << 399'999 << 399'999 << QStringLiteral("34,359,738,368 in all");
+    QTest::newRow("many") << 399'999 << 399'999 << QStringLiteral("34,359,738,368 in total");
     QTest::newRow("negative") << -1 << -1 << QStringLiteral("4,294,967,295");
   }
   void emptyAndAbsurdSizesAreSentences() {

@@ -165,15 +165,15 @@ class SentencesTest : public QObject {
     row("File a.yaml: Its picture cannot be read. There is no file /b.pgm.",
         map::subjectOf({map::MapKind::File, "a.yaml"}),
         {robot::files::fault::PictureNotReadable, {}, {{robot::files::fault::NoSuchFile, {"/b.pgm"}}}});
-    row("Waypoints of Mapping 48: 1 point without a place was left out.",
+    row("Waypoints of Mapping 48: 1 point without a position was left out.",
         map::placesOf({map::MapKind::Mapping, "48"}), {robot::wire::fault::PointsUnplaced, {1}});
     row("Live map: Shown without a.json: no answer.", map::subjectOf({map::MapKind::Live, {}}),
         {robot::axbot::fault::FileNotHad, {"a.json"}, {fault::said("no answer")}});
     row("Mappings: 2 rows without an id were left out.", {SubjectKind::Catalogue, map::kMappingsPart},
         {robot::wire::fault::RowsWithoutId, {2}});
     row("Alert 6004: Hot <b>", {SubjectKind::Condition, "alert:6004"}, fault::said("Hot <b>"));
-    row("Map 12: It says that it is 60,000 x 60,000 pixels, but its data ends after 1 row. The rest is shown "
-        "as unknown.",
+    row("Map 12: Its header says 60,000 x 60,000 pixels, but its data ends after 1 row. The rest is shown as "
+        "unknown.",
         {SubjectKind::Map, "12"},
         {grids::fault::PictureEndsEarly, {"1", "60,000 x 60,000"}, {grids::fault::DataEnds}});
     row("Map 12: Its header says 60 x 60 pixels, but its data is damaged after 1,212 rows. The rest is shown "
