@@ -16,41 +16,41 @@
 
 namespace mapwright::render {
 
-/// The colour of every cell byte: 0xAARRGGBB, premultiplied. What is outside the grid is transparent.
+/// The colour of every cell byte: 0xAARRGGBB, premultiplied. Outside the grid it is transparent.
 using GridPalette = std::array<std::uint32_t, 256>;
 
-/// What several renderers may keep together, bytes. GUI thread.
+/// How many bytes several renderers may use together. GUI thread.
 struct TileBudget {
   std::size_t bytes = work::budgetsFrom().grid_tiles;
-  std::size_t held = 0;  // by those that have it
+  std::size_t held = 0;  // used by those that share it
 };
 
-/// GUI-thread object; samples on the crew, like TileRenderer: tiles lie in the grid of the view and are drawn
-/// at integer offsets; a replaced content or view stands in until the new one is there. With previews a tile
-/// is first made from a level of detail, and exactly once every tile in view has something to show. Cost of a
-/// frame depends on the screen, not on the map.
+/// GUI-thread object; samples on the thread pool, like TileRenderer: tiles are aligned with the view's pixels
+/// and drawn at integer offsets; old content or an old view is shown until the new one is ready. With
+/// previews a tile is first made from a coarser level, and exactly once every visible tile has something to
+/// show. The cost of a frame depends on the screen, not on the map.
 class GridRenderer : public QObject {
   Q_OBJECT
  public:
   struct Options {
-    std::shared_ptr<TileBudget> budget = {};      // null = one of its own
-    std::shared_ptr<work::Workers> workers = {};  // null = a crew of its own
-    bool previews = true;                         // false: only exact tiles are ever shown (snapshots)
+    std::shared_ptr<TileBudget> budget = {};      // null = a private one
+    std::shared_ptr<work::Workers> workers = {};  // null = a thread pool of its own
+    bool previews = true;                         // false: only exact tiles are shown (snapshots)
   };
   explicit GridRenderer(Options options, QObject* parent = nullptr);
   ~GridRenderer() override;
 
-  /// Shows `placed`; with `compared` the difference between the two (bytes are then Difference codes).
+  /// Shows `placed`; with `compared` their difference (bytes are then Difference codes).
   void setGrid(std::optional<PlacedGrid> placed, std::optional<PlacedGrid> compared = {});
   const std::optional<PlacedGrid>& grid() const;
   /// More rows of the shown grid have been read.
   void rowsArrived();
-  /// Cells of the shown grid, or of the compared one, have become others within these bounds.
+  /// Cells of the shown or the compared grid have changed within these bounds.
   void cellsChanged(const geometry::WorldRect& where);
   void setPalette(const GridPalette& palette);
   /// A view without pixels shows nothing. Device pixels.
   void setView(const geometry::ViewTransform& view);
-  /// While switched off nothing is made; switching on makes what is missing.
+  /// While inactive nothing is rendered; activation renders what is missing.
   void setActive(bool active);
 
   /// What to paint now: stand-ins (outside `exact_region`) first, then finished tiles.
@@ -60,8 +60,8 @@ class GridRenderer : public QObject {
   };
   Drawing drawing();
 
-  /// Every visible tile shows all that has been read of the present content: exactly, but with previews a map
-  /// that is still being read.
+  /// Every visible tile shows everything read of the present content: exactly, or as a preview while a map is
+  /// still being read.
   bool settled() const;
   std::size_t cacheBytes() const;
 

@@ -1,4 +1,4 @@
-// Keeps the tiles of a layer up to date whose pictures somebody else paints: clouds from above, sections.
+// Keeps the tiles of a layer up to date that is painted by a callback: clouds from above, sections.
 #pragma once
 
 #include <atomic>
@@ -12,12 +12,13 @@
 
 namespace mapwright::render {
 
-/// Paints the window of a raster: ARGB32_Premultiplied or RGB32 of its size, null where there is nothing. A
-/// pure function that any thread may call; polls the flag, after which its result does not matter.
+/// Paints the window of a raster: ARGB32_Premultiplied or RGB32 of its size, null if it is empty. A pure
+/// function, called on any thread; polls the flag, after which its result is ignored.
 using TilePainter = std::function<QImage(const PixelGrid&, const std::atomic<bool>& cancelled)>;
 
-/// GUI-thread object; paints on the crew, like GridRenderer: tiles lie in the grid of the view and are drawn
-/// at integer offsets; a picture of another view or of older content stands in until the new one is there.
+/// GUI-thread object; paints on the thread pool, like GridRenderer: tiles are aligned with the view's pixels
+/// and drawn at integer offsets; a picture of another view or of older content is shown until the new one is
+/// ready.
 class PaintedTiles : public QObject {
   Q_OBJECT
  public:
@@ -25,7 +26,7 @@ class PaintedTiles : public QObject {
   explicit PaintedTiles(GridRenderer::Options options, QObject* parent = nullptr);
   ~PaintedTiles() override;
 
-  /// From now on this is painted; null = nothing is.
+  /// Paints with this from now on; null = nothing.
   void setPainter(TilePainter painter);
   /// A view without pixels shows nothing. Device pixels.
   void setView(const geometry::ViewTransform& view);

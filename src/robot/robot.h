@@ -1,15 +1,12 @@
-// The port: what mapwright can ask of any robot. Adapters live in src/robot/<backend>/.
-//
-// A robot is a set of capabilities (docs/decisions/0003-one-port-for-all-robots.md), each an object of its
-// own that the robot owns. A capability that a robot lacks is a null pointer; whyNot() says why, for a
-// tooltip. Capabilities may come and go while connected: whoever keeps a pointer asks again after
-// capabilitiesChanged(). All members are called on the thread that made the robot (the GUI thread, or the
-// command line's main thread), all signals and callbacks arrive there; adapters do their network work on
-// threads of their own.
-//
-// Every question answers with a Call and ends exactly once, later: in a value, or in a map::Failure that says
-// of which kind it is and, of a request that changes something, whether it was applied (robot/call.h).
-// tests/robot/contract holds what every adapter must hold.
+// The port: everything mapwright can ask of any robot. Adapters are in src/robot/<backend>/.
+// A robot is a set of capabilities (docs/decisions/0003-one-port-for-all-robots.md), each an object owned by
+// the robot. A missing capability is a null pointer; whyNot() gives the reason, for a tooltip. Capabilities
+// may appear and disappear while connected: get the pointers again after capabilitiesChanged(). All members
+// are called on the thread that made the robot (the GUI thread, or the command line's main thread), all
+// signals and callbacks arrive there; adapters do their network work on their own threads.
+// Every request returns a Call and ends exactly once, later: with a value, or with a map::Failure that gives
+// its kind and, for a change, whether it was applied (robot/call.h). tests/robot/contract checks what every
+// adapter must fulfil.
 #pragma once
 
 #include <functional>
@@ -40,35 +37,35 @@ enum class ConnectionPhase {
   Offline,      // not asked to connect, or told to stop
   Connecting,   // first attempt under way
   Online,       // live messages can arrive
-  Interrupted,  // was online or failed to get there; will try again by itself
-  Refused,      // will not try again by itself (bad secret, not such a robot)
+  Interrupted,  // was online or failed to connect; retries automatically
+  Refused,      // does not retry automatically (bad secret, not such a robot)
 };
 
-/// A certificate that is not accepted, for people to decide on. Names in it are untrusted plain text.
+/// A rejected certificate, for the user to decide. Names in it are untrusted plain text.
 struct UntrustedCertificate {
   QString host;            // "10.0.0.7:8443"
-  std::vector<Fault> why;  // "it is self-signed", "it has expired on 2024-05-01"
+  std::vector<Fault> why;  // "it is self-signed", "it expired on 2024-05-01"
   QString sha256;          // "AB:CD:…"
-  QString pinned_sha256;   // of the one that was trusted so far; empty = none
+  QString pinned_sha256;   // of the one trusted so far; empty = none
   QString subject, issuer;
   QDateTime from, until;
-  bool trustable = false;  // it may be trusted all the same
+  bool trustable = false;  // the user may trust it anyway
   bool operator==(const UntrustedCertificate&) const = default;
 };
 
-/// The state of the link, to be visible at all times.
+/// The state of the connection, always visible to the user.
 struct ConnectionState {
   ConnectionPhase phase = ConnectionPhase::Offline;
-  Fault reason;                      // why it is not online; None when online
-  int attempt = 0;                   // tries since it was last online
-  std::optional<int> retry_in_ms;    // while Interrupted: how long until the next try (as of now)
+  Fault reason;                      // why it is not online; None if online
+  int attempt = 0;                   // attempts since it was last online
+  std::optional<int> retry_in_ms;    // while Interrupted: time until the next attempt (as of now)
   std::optional<int> round_trip_ms;  // last measured ping
-  map::FailureKind failure = map::FailureKind::None;     // what kind of reason it is; None when online
+  map::FailureKind failure = map::FailureKind::None;     // the kind of reason; None if online
   std::optional<UntrustedCertificate> certificate = {};  // of FailureKind::Certificate
   bool operator==(const ConnectionState&) const = default;
 };
 
-/// What a robot says of itself; empty where it said nothing. Untrusted plain text.
+/// What a robot says about itself; empty if it says nothing. Untrusted plain text.
 struct RobotIdentity {
   QString model, serial, name, version;
   bool operator==(const RobotIdentity&) const = default;
@@ -79,18 +76,18 @@ class SubmapSource {
  public:
   using Reply = std::function<void(map::SubmapAnswer)>;
   virtual ~SubmapSource() = default;
-  /// Asks for one submap. `reply` is called exactly once, later, never from within fetch(); never after the
-  /// robot is gone. Cancelled, it comes with Outcome::Cancelled.
+  /// Requests one submap. `reply` is called exactly once, later, never from within fetch(); never after the
+  /// robot is gone. If cancelled, with Outcome::Cancelled.
   virtual Call fetch(const map::SubmapKey& key, Reply reply) = 0;
   /// The same as cancelling all calls, or those of one key.
   virtual void cancelAll() = 0;
   virtual void cancel(const map::SubmapKey& key) = 0;
-  /// The answer for `key`, which said that it was of `answered_version`, cannot be decoded: it is kept
-  /// nowhere, and the next fetch of the key asks the robot itself.
+  /// The answer for `key`, with `answered_version`, cannot be decoded: it is not cached, and the next fetch
+  /// of the key asks the robot itself.
   virtual void discard(const map::SubmapKey& /*key*/, std::int32_t /*answered_version*/) {}
 };
 
-/// Capability: which maps the robot keeps. Asking changes nothing on the robot.
+/// Capability: the maps stored on the robot. Requests change nothing on the robot.
 class MapCatalogue {
  public:
   virtual ~MapCatalogue() = default;

@@ -1,5 +1,5 @@
-// What an Autoxing robot can be asked for: one object each, on the thread of the robot. They ask the link on
-// its own thread and hand over what comes back.
+// The capabilities of an Autoxing robot: one object each, on the thread of the robot. They call the link on
+// its own thread and return its results.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace mapwright::robot::axbot {
 
-/// Who asks, and who is asked. Both outlive the capability's questions.
+/// The caller's context and the link. Both outlive the requests of a capability.
 struct Line {
   QObject* asker;
   AxbotLink* link;

@@ -1,4 +1,4 @@
-// The network half of an Autoxing robot. Lives on a thread of its own; values go in and out by queued calls.
+// The network side of an Autoxing robot. Lives on its own thread; values go in and out by queued calls.
 // Source: docs/protocols/autoxing.md, "Requests", "Live topics".
 #pragma once
 
@@ -43,30 +43,29 @@ struct LinkOptions {
   QUrl base;  // http(s)://host:port[/prefix]
   QByteArray secret;
   net::Trust trust;
-  QString cache_folder;  // empty = nothing is kept on disk
+  QString cache_folder;  // empty = no disk cache
   qint64 cache_budget_bytes = qint64(2) << 30;
   net::WebSocketLinkOptions socket;
   std::chrono::milliseconds fetch_timeout{30'000};         // of submaps
-  std::chrono::milliseconds patience{30'000};              // of questions about maps: without a byte
-  std::chrono::milliseconds list_expected_within{10'000};  // after subscribing, before it is remarked upon
-  std::chrono::milliseconds ask_again_after{1'000};        // after a message that nobody could read, at first
-  std::chrono::milliseconds older_names_after{2'500};      // of silence of a stream that was asked for
-  /// The time of day, in seconds since the epoch, that arriving messages are stamped with. On any thread.
+  std::chrono::milliseconds patience{30'000};              // for requests about maps: without a byte
+  std::chrono::milliseconds list_expected_within{10'000};  // after subscribing, before it is reported
+  std::chrono::milliseconds ask_again_after{1'000};        // first delay after an unreadable message
+  std::chrono::milliseconds older_names_after{2'500};      // of silence on a requested stream
+  /// The time of arriving messages, in seconds since the epoch. On any thread.
   std::function<double()> wall_s = secondsOfDay;
 };
 
 class AxbotLink : public QObject {
   Q_OBJECT
  public:
-  /// Large messages go into `mailbox`, frames to whoever sits in `tap`, all that comes to whoever sits in
-  /// `deliveries`: they are shared with others.
+  /// Large messages go to `mailbox`, frames to `tap`, and everything to `deliveries`: all are shared.
   AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
             std::shared_ptr<wire::TapPlace> tap, std::shared_ptr<wire::DeliveryPlace> deliveries);
   ~AxbotLink() override;
 
   void open();
   void close();
-  void trust(const QByteArray& pinned_sha256);  // from now on, and connects
+  void trust(const QByteArray& pinned_sha256);  // from now on; also connects
   void fetch(quint64 ticket, const map::SubmapKey& key);
   void cancel(const map::SubmapKey& key);
   void cancelFetch(quint64 ticket);
@@ -78,33 +77,33 @@ class AxbotLink : public QObject {
   void setWatching(bool on) { watching_ = on; }
   MapRequests& maps();
   BagRequests& bags();
-  /// A question of the overview, to be noted when this robot does not know it.
+  /// A request for the overview; also notes if the robot does not support it.
   void fetchOverview(wire::ErrandPtr errand, double resolution_m, OutcomeTo<map::WholeMap> reply);
 
  Q_SIGNALS:
   void stateChanged(const mapwright::robot::ConnectionState& state);
-  void silenceChanged(const QDateTime& since);  // as MeasuresSilence says; comes before stateChanged()
+  void silenceChanged(const QDateTime& since);  // as in MeasuresSilence; emitted before stateChanged()
   void identityChanged(const mapwright::robot::RobotIdentity& identity);
   void topicReceived(const mapwright::map::StampedMessage& message);
-  void mailArrived();  // the mailbox was empty and is no more
+  void mailArrived();  // the mailbox was empty and has content now
   void rawReceived(const mapwright::robot::RawMessage& message);
   void problemFound(const mapwright::map::Problem& problem);
   void recovered(const mapwright::map::Recovery& recovery);
   void answered(quint64 ticket, const mapwright::map::SubmapAnswer& answer);
-  /// It was asked for an overview and answered so, which is how one answers who knows no such question.
+  /// The answer to a request for an overview shows that the robot does not support it.
   void overviewUnknown(const QString& answer);
 
  private:
-  void start();  // makes the network objects, on this object's thread
+  void start();  // creates the network objects, on this object's thread
   void askDeviceInfo();
   void takeDeviceInfo(const net::HttpAnswer& answer);
   void subscribe();
   void send(const QStringList& requests);
   void askForWanted();
-  /// What is said once is said again to whoever asks anew: after a message that could not even be told whose
-  /// it was, for the topics that it may have been.
+  /// Latched messages are sent again after a new subscription: used after an unreadable message of unknown
+  /// topic, for the topics it may have belonged to.
   void askAgainForOnceSaid();
-  /// Streams of which nothing has come, and that older firmware calls otherwise.
+  /// Streams that are silent so far and have another name in older firmware.
   map::Streams silentStreams() const;
   void deliver(std::shared_ptr<const std::string> bytes, const std::string& topic, const char* encoding,
                std::optional<double> said_s);
@@ -113,7 +112,7 @@ class AxbotLink : public QObject {
   void takeBinary(const QByteArray& bytes);
   void ask(quint64 ticket, const map::SubmapKey& key);
   void takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http, quint64 ticket);
-  /// `topic` as it was sent, whatever the message became of it.
+  /// `topic` as sent, whatever became of the message.
   void emitTopic(const std::string& topic, map::TopicMessage message);
   void publishState();
   Fault whyNot() const;
@@ -126,7 +125,7 @@ class AxbotLink : public QObject {
   std::shared_ptr<wire::DeliveryPlace> deliveries_;
   TopicReader topic_reader_;
   TopicSubscriptions subscriptions_;
-  std::set<std::string> unreadable_topics_;  // whose last message could not be read
+  std::set<std::string> unreadable_topics_;  // whose last message was unreadable
   wire::RawLimit raw_limit_;
   QElapsedTimer clock_;
   std::unique_ptr<net::HttpCache> cache_;
@@ -138,9 +137,9 @@ class AxbotLink : public QObject {
   std::unique_ptr<QTimer> list_timer_, subscribe_timer_, older_timer_, again_timer_;
   map::Streams streams_;  // that are wanted
   QStringList topics_;    // that are wanted by name
-  map::Streams older_;    // streams whose older names are asked for too, on this connection
-  std::map<std::string, int> heard_topics_;  // how often, on this connection
-  bool delivered_definition_ = false;        // likewise: of what binary frames hold
+  map::Streams older_;    // streams whose older names are subscribed as well on this connection
+  std::map<std::string, int> heard_topics_;  // number of messages on this connection
+  bool delivered_definition_ = false;        // likewise: the definition of binary frames
   bool wanted_ = false;
   bool device_info_answered_ = false;
   bool device_info_asked_ = false;

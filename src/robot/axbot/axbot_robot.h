@@ -57,7 +57,7 @@ class AxbotRobot : public Robot, public Delivers, public MeasuresSilence {
   ConnectionState state_;
   QDateTime silent_since_;
   RobotIdentity identity_;
-  std::optional<QString> overview_unknown_;    // what it answered when it was asked for one
+  std::optional<QString> overview_unknown_;    // its answer to a request for one
   std::optional<map::MapInfo> last_map_info_;  // without overlays
 };
 

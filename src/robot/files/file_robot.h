@@ -11,7 +11,7 @@
 
 namespace mapwright::robot::files {
 
-/// Who asks, and who is asked, on a thread of its own. Both outlive the capabilities' questions.
+/// The caller's context and the objects on the file thread. Both outlive all requests of the capabilities.
 struct Line {
   QObject* asker;
   MapFiles* files;
@@ -42,12 +42,12 @@ class WholeMaps : public WholeMapSource {
   wire::PendingCalls<map::WholeMap> maps_;
 };
 
-/// Nothing here touches the disk: MapFiles does, on a thread of its own.
+/// Nothing here accesses the disk: MapFiles does, on a thread of its own.
 class FileRobot : public Robot {
   Q_OBJECT
  public:
   FileRobot(QString address, FileOptions options, QObject* parent = nullptr);
-  /// Waits for at most one look at one file.
+  /// Waits for at most one access to one file.
   ~FileRobot() override;
 
   QString address() const override { return address_; }

@@ -8,11 +8,11 @@
 
 namespace mapwright::robot::files {
 
-/// Nothing here touches the disk: WaypointFiles does, on another thread. The whole list is written at once.
+/// Nothing here accesses the disk: WaypointFiles does, on another thread. The whole list is written at once.
 class FileWaypointStore : public WaypointStore {
   Q_OBJECT
  public:
-  /// `files` lives on a thread that ends before this does, and is deleted there.
+  /// `files` lives on a thread that ends before this object, and is deleted there.
   explicit FileWaypointStore(WaypointFiles* files, QObject* parent = nullptr);
 
   Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) override;
@@ -27,10 +27,10 @@ class FileWaypointStore : public WaypointStore {
   wire::PendingCalls<WaypointReceipt> changes_;
 };
 
-/// The same lists, to be looked at.
+/// The same lists, read-only.
 class FileWaypoints : public WaypointSource {
  public:
-  /// `files` as above; `asker` lives where this does.
+  /// `files` as above; `asker` lives on the same thread as this object.
   FileWaypoints(QObject* asker, WaypointFiles* files) : asker_(asker), files_(files) {}
   Call waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) override;
 

@@ -1,4 +1,4 @@
-// The pictures of local maps, written anew. Lives on the thread of MapFiles: shares may be slow.
+// Writes the pictures of local maps. Lives on the thread of MapFiles: network drives may be slow.
 #pragma once
 
 #include "robot/files/map_files.h"
@@ -11,7 +11,7 @@ class PictureFiles : public QObject {
   Q_OBJECT
  public:
   explicit PictureFiles(FileOptions options);
-  /// The map.yaml is not touched: the picture is written so that it says the right thing.
+  /// Does not change the map.yaml: the picture is written to match it.
   Outcome<PictureReceipt> write(const PictureChange& change);
 
  private:
@@ -19,11 +19,11 @@ class PictureFiles : public QObject {
   YamlShelf yamls_;
 };
 
-/// Nothing here touches the disk: PictureFiles does, on another thread.
+/// Nothing here accesses the disk: PictureFiles does, on another thread.
 class FilePictureStore : public PictureStore {
   Q_OBJECT
  public:
-  /// `files` lives on a thread that ends before this does, and is deleted there.
+  /// `files` lives on a thread that ends before this object, and is deleted there.
   explicit FilePictureStore(PictureFiles* files, QObject* parent = nullptr);
 
   std::optional<PictureObstacle> obstacle(const map::WholeMap& map) const override;
