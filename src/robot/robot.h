@@ -91,14 +91,14 @@ class SubmapSource {
 class MapCatalogue {
  public:
   virtual ~MapCatalogue() = default;
-  /// All maps and mapping results, the current one marked. A part that failed (say, the mappings) is a
-  /// problemFound(); the answer holds the rest.
+  /// All maps and mapping results, with the current one marked. If a part fails (such as the mappings)
+  /// problemFound() is emitted, and the answer contains the rest.
   virtual Call list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) = 0;
-  /// More about one: the grid, dates, versions.
+  /// More about one map: grid, dates, versions.
   virtual Call describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) = 0;
-  /// A small picture of it (PNG).
+  /// A thumbnail (PNG).
   virtual Call thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) = 0;
-  /// That picture cannot be decoded: it is kept nowhere.
+  /// That picture cannot be decoded: do not cache it.
   virtual void discardThumbnail(const map::MapKey& /*key*/) {}
 };
 
@@ -106,39 +106,39 @@ class MapCatalogue {
 class WholeMapSource {
  public:
   virtual ~WholeMapSource() = default;
-  /// A stored map, a mapping result or the file, whole. MapKind::Live comes as a topic (map::GridMessage).
+  /// A stored map, a mapping result or the file, complete. MapKind::Live comes as a topic (map::GridMessage).
   virtual Call fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) = 0;
-  /// The picture of this fingerprint, of a map or of a topic, cannot be read to its end: it is kept nowhere,
-  /// and the robot itself is asked the next time.
+  /// The picture with this fingerprint, of a map or a topic, is damaged: do not cache it, and ask the robot
+  /// itself the next time.
   virtual void discardPicture(const std::string& /*fingerprint*/) {}
 };
 
-/// Capability: the present SLAM map as one picture, at a resolution of the asker's choice (metres per cell).
+/// Capability: the present SLAM map as one picture, at any resolution (metres per cell).
 class OverviewSource {
  public:
   virtual ~OverviewSource() = default;
   virtual Call fetchOverview(double resolution_m, OutcomeTo<map::WholeMap> reply) = 0;
 };
 
-/// Capability: the named places of a map (read only).
+/// Capability: the waypoints of a map (read-only).
 class WaypointSource {
  public:
   virtual ~WaypointSource() = default;
   virtual Call waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) = 0;
 };
 
-/// One message as it came, for the raw-message inspector.
+/// One message as received, for the raw-message inspector.
 struct RawMessage {
   QString topic;
   QDateTime received;
   qint64 bytes = 0;  // on the wire
   bool binary = false;
-  QByteArray
-      text;  // JSON as sent; binary ones as readable JSON where known, else a hex dump; cut at kMaxRawText
+  QByteArray text;  // JSON as sent; binary messages as readable JSON if known, otherwise as a hex dump;
+                    // truncated at kMaxRawText
 };
 inline constexpr qsizetype kMaxRawText = qsizetype(1) << 20;
 
-/// A frame as it came over the wire, before anything reads it, drops it or lets a newer one replace it.
+/// A frame as received, before it is parsed, dropped or replaced by a newer one.
 struct RawFrame {
   std::string_view bytes;  // valid during the call only
   bool binary = false;
@@ -147,34 +147,34 @@ struct RawFrame {
 /// Called on a thread of the adapter, for one frame after the other.
 using FrameTap = std::function<void(const RawFrame&)>;
 
-/// Capability: what the robot sends by itself. Messages come by Robot::topicReceived, each with its stamps.
-///
-/// Layers and panels ask for kinds of data (map::Stream); which topics bring them is the adapter's business,
-/// with the names of older firmware where the newer stay silent. Names of topics are the robot's own: they
-/// are shown and compared, and mean nothing to whoever asks.
+/// Capability: data that the robot sends by itself. Messages arrive by Robot::topicReceived with their
+/// stamps.
+/// Layers and panels request kinds of data (map::Stream); the adapter chooses the topics, including the names
+/// used by older firmware if the newer ones stay silent. Topic names are the robot's own: callers only show
+/// and compare them.
 class LiveTopics {
  public:
   virtual ~LiveTopics() = default;
-  /// Topics that this adapter understands, for completion.
+  /// Topics that this adapter can parse, for completion.
   virtual QStringList known() const = 0;
-  /// Every topic that `stream` may come by, the usual one first; none = it is not sent.
+  /// All topics that can carry `stream`, the usual one first; none = it is not available.
   virtual QStringList topicsOf(map::Stream stream) const = 0;
-  /// Enables exactly these streams and topics (any names, known or not), besides the basics. Kept over
-  /// reconnects.
+  /// Subscribes to exactly these streams and topics (any names, known or not), besides the basics. Kept
+  /// across reconnects.
   virtual void setWanted(const map::Streams& streams, const QStringList& topics) = 0;
-  /// What a robot is asked for besides: a command that shows none of it does without.
+  /// What else to subscribe to: commands that show none of it can do without.
   struct Basics {
-    bool submaps = true;  // the list of them
-    bool pose = true;     // where it is, and its outline
-    bool state = true;    // what its localisation does
+    bool submaps = true;  // the submap list
+    bool pose = true;     // the pose and the footprint
+    bool state = true;    // the state of localization
     bool operator==(const Basics&) const = default;
   };
-  /// To be told before connecting; without a word everything is asked for.
+  /// Call it before connecting; by default all basics are subscribed.
   virtual void setBasics(const Basics&) {}
   /// While on, every message (also of unknown topics) is reported by Robot::rawReceived.
   virtual void setWatching(bool on) = 0;
-  /// From now on every frame goes to `tap` first, none left out; an empty one ends it. Once this has returned
-  /// the tap of before is not called any more. Not to be called from within a tap.
+  /// From now on every frame goes to `tap` first; an empty one ends it. After this returns the previous tap
+  /// is no longer called. Not to be called from within a tap.
   virtual void setTap(FrameTap tap) = 0;
 };
 
@@ -189,13 +189,13 @@ class Robot : public QObject {
  public:
   using QObject::QObject;
 
-  virtual QString address() const = 0;  // as the user may type it again; never holds a secret
-  /// It is files on this computer: what is wrong with it is wrong with them, and nobody refuses anything.
+  virtual QString address() const = 0;  // can be typed again by the user; never contains a secret
+  /// It consists of local files: problems are about these, and there is nobody to refuse anything.
   virtual bool isLocal() const { return false; }
   virtual void connectToRobot() = 0;  // also "retry now" while interrupted
   virtual void disconnectFromRobot() = 0;
-  /// From now on exactly the certificate with this SHA-256 ("AB:CD:…") is accepted, and no other; connects.
-  /// Robots without certificates ignore it.
+  /// From now on only the certificate with this SHA-256 ("AB:CD:…") is accepted; connects. Robots without
+  /// certificates ignore it.
   virtual void trustCertificate(const QString& sha256);
   virtual ConnectionState connection() const = 0;
   virtual RobotIdentity identity() const = 0;
@@ -213,20 +213,20 @@ class Robot : public QObject {
   virtual BagLibrary* bagLibrary() { return nullptr; }
   virtual MapDispatch* mapDispatch() { return nullptr; }
 
-  /// Why a capability is absent. Of one that is there it says nothing of use.
+  /// Why a capability is missing. Meaningless for one that exists.
   virtual Absence whyNot(Capability) const { return {}; }
 
  Q_SIGNALS:
   void connectionChanged();
   void identityChanged();
-  /// A capability has come or gone, or is absent for another reason.
+  /// A capability has appeared or disappeared, or is missing for another reason.
   void capabilitiesChanged();
   void topicReceived(const mapwright::map::StampedMessage& message);
   void problemFound(const mapwright::map::Problem& problem);
-  /// What problemFound() told of is well again.
+  /// A problem reported by problemFound() is resolved.
   void recovered(const mapwright::map::Recovery& recovery);
   void rawReceived(const mapwright::robot::RawMessage& message);
-  /// The list of maps, the current one, or a local file's content may have changed: ask again.
+  /// The list of maps, the current one, or the content of a local file may have changed: request them again.
   void mapsChanged();
 };
 

@@ -1,4 +1,4 @@
-// The thread of a server, which does all that has to do with sockets, and its workers.
+// A server's thread, which handles all sockets, and its workers.
 #pragma once
 
 #include <chrono>

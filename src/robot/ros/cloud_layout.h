@@ -1,5 +1,5 @@
-// How the points of a sensor_msgs/PointCloud2 lie in its bytes. Private to the readers.
-// Source: sensor_msgs/PointCloud2, PointField.
+// The layout of points in the bytes of a sensor_msgs/PointCloud2. Private to the readers. Source:
+// sensor_msgs/PointCloud2, PointField.
 #pragma once
 
 #include <cstddef>
@@ -12,32 +12,32 @@
 
 namespace mapwright::robot::ros {
 
-/// A number inside a record. The numbers are those of PointField.
+/// A number inside a record. The values are those of PointField.
 enum class NumberType : std::uint8_t { I8 = 1, U8, I16, U16, I32, U32, F32, F64 };
 
 struct NumberPlace {
   NumberType type = NumberType::F32;
-  std::size_t offset = 0;  // in the record, in which it lies whole
+  std::size_t offset = 0;  // in the record; the number lies completely inside
 };
 
-/// As it is, which may be no number.
+/// The raw value, which may be NaN.
 double numberAt(const char* record, const NumberPlace& place, bool big_endian);
-/// Four bytes, whatever they are read as: a colour may be called a float.
+/// Four bytes without conversion: colours may be declared as float.
 std::uint32_t bitsAt(const char* record, const NumberPlace& place, bool big_endian);
 
 struct CloudLayout {
   std::optional<NumberPlace> x, y, z, intensity;
   std::optional<NumberPlace> color;  // "rgb" or "rgba": four bytes, 0xAARRGGBB
-  std::vector<std::string> outside;  // fields of these that do not lie in a record
+  std::vector<std::string> outside;  // required fields that extend beyond the record
   std::size_t width = 0, height = 0, point_step = 0, row_step = 0;
   bool big_endian = false;
 };
 
-/// Products of two of its numbers are numbers still: none is above `most_bytes`, which is below 2^31. Of no
-/// points nothing else is read.
+/// The product of any two of its numbers does not overflow: none exceeds `most_bytes`, which is below 2^31.
+/// If there are no points, nothing else is read.
 Read<CloudLayout> readCloudLayout(const Field& msg, std::size_t most_bytes);
 
-/// There are fewer bytes than the layout says.
+/// There are fewer bytes than the layout needs.
 Fault cloudCutShort(const CloudLayout& layout, std::size_t bytes);
 
 }  // namespace mapwright::robot::ros

@@ -1,4 +1,4 @@
-// What a robot with a KABAM map manager can be asked for besides. On the thread of the robot.
+// The additional capabilities of a robot with a KABAM map manager. On the thread of the robot.
 #pragma once
 
 #include <functional>
@@ -22,17 +22,17 @@ class KabamWaypoints : public WaypointSource {
   wire::PendingCalls<map::WaypointList> lists_;
 };
 
-/// One service call for each change; a created waypoint gets its id from the robot.
+/// One service call per change; the robot assigns the id of a created waypoint.
 class KabamWaypointStore : public WaypointStore {
   Q_OBJECT
  public:
   explicit KabamWaypointStore(RosLink* link, QObject* parent = nullptr);
-  /// MapWaypoint has no type, and an orientation always; names are told apart within a map.
+  /// MapWaypoint has no type, but always an orientation; names are unique within a map.
   KeptFields keeps() const override { return {.type = false, .no_heading = false, .name_twice = false}; }
   Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) override;
   std::vector<WaypointRequest> plan(const StoredWaypoints& now,
                                     const std::vector<WaypointChange>& changes) const override;
-  /// As it is going to be sent, but for the frame of created ones, which only the link knows.
+  /// As it will be sent, except for the frame of created waypoints, which only the link knows.
   WaypointCall callOf(const map::MapKey& map, const WaypointRequest& request) const override;
   Call perform(const map::MapKey& map, const WaypointRequest& request,
                OutcomeTo<WaypointReceipt> reply) override;
@@ -48,7 +48,7 @@ class KabamAdministration : public MapAdministration {
   /// `changed` is called, on the thread of the robot, before the answer to a change that may have been
   /// applied.
   KabamAdministration(Line line, std::function<void()> changed) : line_(line), changed_(std::move(changed)) {}
-  /// What the manager does now (IDLE, MAPPING, ACTIVE); empty = it has not said.
+  /// The present state of the manager (IDLE, MAPPING, ACTIVE); empty = unknown.
   void setState(std::string state) { state_ = std::move(state); }
   std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
   bool loadAsksForPlace() const override { return true; }

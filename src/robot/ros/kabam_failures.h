@@ -1,4 +1,4 @@
-// How a change of what a map manager keeps may end besides. Private to this room.
+// Further failures of changes to a map manager's data. Private to this room.
 #pragma once
 
 #include <chrono>
@@ -7,9 +7,9 @@
 
 namespace mapwright::robot::ros {
 
-/// The robot said that it was done, and does not show it.
+/// The robot reported success but does not show the change.
 map::Failure unconfirmed(map::Subject subject, std::chrono::milliseconds within);
-/// The change went out; whether it was made is not known.
+/// The change was sent; whether it was made is unknown.
 map::Failure cancelled(map::Subject subject);
 
 }  // namespace mapwright::robot::ros

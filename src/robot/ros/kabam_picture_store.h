@@ -1,6 +1,5 @@
-// The pictures of a KABAM map manager's maps, replaced: of the map that the robot works with, which is the
-// only one that it sends. On the thread of the robot. Source: docs/protocols/kabam-map-manager.md,
-// "Pictures".
+// Replaces the picture of a KABAM map manager's current map, the only one that it sends. On the thread of the
+// robot. Source: docs/protocols/kabam-map-manager.md, "Pictures".
 #pragma once
 
 #include "robot/picture_store.h"
@@ -8,7 +7,7 @@
 
 namespace mapwright::robot::ros {
 
-/// An image goes without a place: size, resolution and origin are those that the map has.
+/// An image is sent without a position: size, resolution and origin stay those of the map.
 class KabamPictureStore : public PictureStore {
   Q_OBJECT
  public:
@@ -17,7 +16,7 @@ class KabamPictureStore : public PictureStore {
   std::optional<PictureObstacle> obstacle(const map::WholeMap& map) const override;
   bool holdsUnknown(const map::WholeMap&) const override { return true; }
   bool holdsCell(const map::WholeMap& map, std::uint8_t cell) const override;
-  /// Cancelled while it travels, it has not been applied: no part of it counts.
+  /// If it is cancelled during the upload it was not applied: partial uploads have no effect.
   Call write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) override;
 
  private:

@@ -1,5 +1,5 @@
-// What a KABAM map manager can be asked for, on the link's thread. What it tells by its topics is the truth:
-// after a change they are waited for. Source: docs/protocols/kabam-map-manager.md.
+// Requests to a KABAM map manager, on the link's thread. Its topics are authoritative: after a change it
+// waits for them. Source: docs/protocols/kabam-map-manager.md.
 #pragma once
 
 #include <chrono>
@@ -21,24 +21,25 @@
 namespace mapwright::robot::ros {
 
 struct KabamPatience {
-  std::chrono::milliseconds call{10'000};     // for an answer
-  std::chrono::milliseconds read{60'000};     // for all waypoints of a map: there may be very many
-  std::chrono::milliseconds lists{5'000};     // for the first messages of the topics
-  std::chrono::milliseconds confirm{5'000};   // for the topics to show a change
-  std::chrono::milliseconds topic{2'000};     // for the topic of waypoints to, before they are asked for
-  std::chrono::milliseconds look_again{500};  // at waypoints that are asked for
+  std::chrono::milliseconds call{10'000};    // for an answer
+  std::chrono::milliseconds read{60'000};    // for all waypoints of a map: there may be very many
+  std::chrono::milliseconds lists{5'000};    // for the first messages of the topics
+  std::chrono::milliseconds confirm{5'000};  // for the topics to show a change
+  std::chrono::milliseconds topic{
+      2'000};  // for the waypoint topic to do so, before the waypoints are requested
+  std::chrono::milliseconds look_again{500};  // interval between requests for waypoints
 };
 
 class KabamRequests : public QObject {
   Q_OBJECT
  public:
-  /// `client` and what `fixed_frame` looks at outlive this. `fixed_frame`: that of the map, which waypoints
-  /// lie in; empty = not known.
+  /// `client` and everything used by `fixed_frame` outlive this. `fixed_frame`: the frame of the map and its
+  /// waypoints; empty = unknown.
   KabamRequests(net::rosbridge::Client& client, KabamPatience patience,
                 std::function<std::string()> fixed_frame, QObject* parent = nullptr);
 
   KabamBook& book() { return book_; }
-  /// Something of the book is new: what waits for it is looked at.
+  /// New data has arrived on the topics: checks the waiting requests.
   void look();
 
   void list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
@@ -49,24 +50,24 @@ class KabamRequests : public QObject {
   void carryOut(const wire::ErrandPtr& errand, const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply);
 
  private:
-  /// How a change stands in a list.
+  /// How far a change is visible in a list.
   enum class Shown { NotYet, OtherTags, Done };
   enum class Awaited { Held, TooLate, Cancelled };
   using Then = std::function<void(Awaited)>;
   struct Change {
     map::MapKey key;
     WaypointChange what;
-    std::string id;  // of a created one, as the robot said; empty = by its name
+    std::string id;  // for a created one, as given by the robot; empty = compare the name
     OutcomeTo<WaypointReceipt> reply;
     std::chrono::steady_clock::time_point until;
     std::chrono::milliseconds pause{0};  // before they are asked for
   };
   using ChangePtr = std::shared_ptr<Change>;
 
-  /// `then` once the lists have come, or a failure about `subject`.
+  /// Calls `then` once the lists have arrived, or fails about `subject`.
   void whenListed(const wire::ErrandPtr& errand, const map::Subject& subject,
                   std::function<void(std::optional<map::Failure>)> then);
-  /// `then` as soon as `holds`, or when it does not in time.
+  /// Calls `then` as soon as `holds` is true, or when the time is over.
   void await(const wire::ErrandPtr& errand, std::chrono::milliseconds within, std::function<bool()> holds,
              Then then);
   net::rosbridge::CallRequest request(const char* service, QByteArray args) const;

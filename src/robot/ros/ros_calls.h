@@ -1,4 +1,4 @@
-// Service calls over rosbridge, in the words of the port.
+// Service calls over rosbridge, as requests of the port.
 #pragma once
 
 #include "map/failure.h"
@@ -7,11 +7,11 @@
 
 namespace mapwright::robot::ros {
 
-/// Calls for `errand`: once that is cancelled, the answer comes as Cancelled. `client` outlives the call.
+/// Calls for `errand`: if that is cancelled, the answer is Cancelled. `client` outlives the call.
 void call(const wire::ErrandPtr& errand, net::rosbridge::Client& client, net::rosbridge::CallRequest request,
           net::rosbridge::Client::Reply reply);
 
-/// Of an answer that is not Answered. What a server refuses may have been done all the same
+/// For any result but Answered. A call that the server refuses may have been carried out
 /// (docs/protocols/rosbridge.md, "Calls").
 map::Failure failed(const net::rosbridge::CallAnswer& answer, map::Subject subject,
                     map::AskedFor asked_for = map::AskedFor::All);

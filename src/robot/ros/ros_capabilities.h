@@ -1,5 +1,5 @@
-// What a ROS robot can be asked for whatever runs on it: one object each, on the thread of the robot. They
-// ask the link on its own thread and hand over what comes back.
+// The capabilities that every ROS robot may have: one object each, on the thread of the robot. They call the
+// link on its own thread and return its results.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,13 @@
 
 namespace mapwright::robot::ros {
 
-/// Who asks, and who is asked. Both outlive the capability's questions.
+/// The caller's context and the link. Both outlive the requests of a capability.
 struct Line {
   QObject* asker;
   RosLink* link;
 };
 
-/// The live map alone, or the maps of a map manager.
+/// Only the live map, or the maps of a map manager.
 class Catalogue : public MapCatalogue {
  public:
   explicit Catalogue(Line line) : line_(line) {}
@@ -31,7 +31,7 @@ class Catalogue : public MapCatalogue {
   wire::PendingCalls<std::string> thumbnails_;
 };
 
-/// The map that the robot works with; of others it sends nothing.
+/// The robot's current map; it sends no others.
 class WholeMaps : public WholeMapSource {
  public:
   explicit WholeMaps(Line line) : line_(line) {}

@@ -1,5 +1,5 @@
-// The network half of a ROS robot behind a rosbridge server. Lives on a thread of its own; values go in and
-// out by queued calls. Source: docs/protocols/rosbridge.md, docs/protocols/kabam-map-manager.md.
+// The network side of a ROS robot behind a rosbridge server. Lives on its own thread; values go in and out by
+// queued calls. Source: docs/protocols/rosbridge.md, docs/protocols/kabam-map-manager.md.
 #pragma once
 
 #include <chrono>
@@ -36,54 +36,54 @@
 
 namespace mapwright::robot::ros {
 
-/// How to reach a robot. `secret` is for rosauth, and is said to `url` only.
+/// How to reach a robot. `secret` is for rosauth, and is only sent to `url`.
 struct LinkOptions {
   QUrl url;  // ws(s)://host:port[/path]
   QByteArray secret;
-  std::string ns;           // "/robot1": what is below it goes first; empty = none
-  bool kabam_only = false;  // without a map manager it is not the robot that was meant, yet
+  std::string ns;           // "/robot1": preferred namespace; empty = none
+  bool kabam_only = false;  // without a map manager it is not (yet) the expected robot
   net::Trust trust;
   net::rosbridge::ClientOptions client;
-  std::chrono::milliseconds look_every{10'000};  // which topics and services there are
+  std::chrono::milliseconds look_every{10'000};  // interval of listing topics and services
   std::chrono::milliseconds look_patience{3'000};
   std::chrono::milliseconds pose_every{50};  // told at most so often
   std::chrono::milliseconds map_patience{10'000};
   AskedMap::Patience asked_map;
   DispatchWish dispatch;
   DispatchPatience dispatch_patience;
-  /// Which map a picture is of is told by another topic, before it or after it: both have come by then.
+  /// Which map a picture belongs to is reported on another topic, before or after it: this long both have
+  /// time to arrive.
   std::chrono::milliseconds picture_settles{1'000};
   RosSubscriptions::Patience topics;
   KabamPatience kabam;
 };
 
-/// What the robot sends, as far as that is known.
+/// What the robot sends, as far as known.
 struct KnownTopics {
-  std::vector<Source> sources;                     // of the usual names where the robot does not tell
-  std::optional<std::vector<FoundTopic>> offered;  // all that the robot tells of
-  bool manages_maps = false;                       // its map is not to be taken for another one
+  std::vector<Source> sources;                     // with the usual names if the robot does not list topics
+  std::optional<std::vector<FoundTopic>> offered;  // everything the robot lists
+  bool manages_maps = false;                       // its map must not be confused with another one
   bool operator==(const KnownTopics&) const = default;
 };
 
 class RosLink : public QObject {
   Q_OBJECT
  public:
-  /// Large messages go into `mailbox`, frames to whoever sits in `tap`, all messages to whoever sits in
-  /// `deliveries`: they are shared with others.
+  /// Large messages go to `mailbox`, frames to `tap`, and all messages to `deliveries`: all are shared.
   RosLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
           std::shared_ptr<wire::TapPlace> tap, std::shared_ptr<wire::DeliveryPlace> deliveries);
   ~RosLink() override;
 
   void open();
   void close();
-  void trust(const QByteArray& pinned_sha256);  // from now on, and connects
+  void trust(const QByteArray& pinned_sha256);  // from now on; also connects
   void setWanted(const map::Streams& streams, const QStringList& topics);
   void setBasics(const LiveTopics::Basics& basics);
   void setWatching(bool on) { watching_ = on; }
-  /// Whoever sits in the deliveries now gets the definitions of all types that were delivered.
+  /// Sends the definitions of all types delivered so far to the new tap in the deliveries.
   void defineTypes();
   void setEveryMessage(bool on);
-  void setRecorded(bool on);  // somebody sits in the deliveries: nothing is left out to spare the network
+  void setRecorded(bool on);  // a recording is running: no message is dropped to save bandwidth
   void choose(const Choices& choices);
 
   void list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
@@ -107,9 +107,9 @@ class RosLink : public QObject {
 
  Q_SIGNALS:
   void stateChanged(const mapwright::robot::ConnectionState& state);
-  void silenceChanged(const QDateTime& since);  // as MeasuresSilence says; comes before stateChanged()
+  void silenceChanged(const QDateTime& since);  // as in MeasuresSilence; emitted before stateChanged()
   void topicReceived(const mapwright::map::StampedMessage& message);
-  void mailArrived();  // the mailbox was empty and is no more
+  void mailArrived();  // the mailbox was empty and has content now
   void rawReceived(const mapwright::robot::RawMessage& message);
   void problemFound(const mapwright::map::Problem& problem);
   void recovered(const mapwright::map::Recovery& recovery);
@@ -117,8 +117,8 @@ class RosLink : public QObject {
   void receptionTold(const mapwright::robot::Reception& reception);
   void mapManagerKnown(bool there);
   void pictureServiceKnown(bool there);         // comes before mapManagerKnown()
-  void pictureChanged(const QString& map_id);   // of the current map: it is another one, or may be
-  void mapManagerStands(const QString& state);  // what it does now; comes before mapsChanged()
+  void pictureChanged(const QString& map_id);   // the picture of the current map has changed, or may have
+  void mapManagerStands(const QString& state);  // its present state; emitted before mapsChanged()
   void mapsChanged();
   void waypointsChanged();
   void dispatchKnown(const mapwright::robot::ros::FoundDispatch& found);
@@ -126,15 +126,15 @@ class RosLink : public QObject {
   void projectedCame(const std::shared_ptr<const mapwright::robot::ProjectedPart>& part);
   void projectedGone(int index);
   void mapExtentTold(const std::optional<mapwright::robot::MapExtent>& extent);
-  void projectedSilent(const QStringList& topics);  // and no others; comes before the answer
+  void projectedSilent(const QStringList& topics);  // exactly these; emitted before the answer
 
  private:
-  /// What was told of a topic last, and when: the same is not told at the rate of its messages.
+  /// The last problem reported for a topic, and when: the same one is not repeated with every message.
   struct Trouble {
     Fault reason;
     qint64 told_ms = 0;
   };
-  /// A question that waits until it is known what the robot can do.
+  /// A request that waits until the robot's capabilities are known.
   struct Early {
     wire::ErrandPtr errand;
     std::function<void(std::optional<map::Failure>)> then;
@@ -142,7 +142,7 @@ class RosLink : public QObject {
   };
   using EarlyPtr = std::shared_ptr<Early>;
 
-  void start();  // makes the network objects, on this object's thread
+  void start();  // creates the network objects, on this object's thread
   void wireClient();
   void wireParts();
   void begin();
@@ -163,7 +163,7 @@ class RosLink : public QObject {
                const std::shared_ptr<const net::rosbridge::Frame>& frame, const char* member,
                std::optional<double> said_s, double received_s);
   void deliverMessage(const net::rosbridge::TopicMessage& message);
-  /// Asks what the types to be defined are made of, one after the other.
+  /// Requests missing type definitions, one after the other.
   void askDefinition();
   void deliverDefinition(const std::string& type, const std::optional<RosDefinition>& definition);
   void takeAskedMap(const std::string& service, const net::rosbridge::CallAnswer& answer);
@@ -181,7 +181,7 @@ class RosLink : public QObject {
                  std::function<void(std::optional<map::Failure>)> then);
   void endEarly(const EarlyPtr& early, std::optional<map::FailureKind> failure);
   std::optional<map::CatalogueEntry> liveEntry() const;
-  // What a dispatcher projects is listed and fetched like maps.
+  // Projections of a dispatcher are listed and fetched like maps.
   std::shared_ptr<const ProjectedPart> findProjected(const map::MapKey& key) const;
   void listKept(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
   void addProjected(std::vector<map::CatalogueEntry>& entries) const;
@@ -203,26 +203,26 @@ class RosLink : public QObject {
   std::unique_ptr<KabamPictures> pictures_;
   std::unique_ptr<QTimer> look_timer_, pose_timer_, overdue_timer_, picture_timer_;
   std::map<std::string, std::string> pictures_seen_;  // fingerprints, by map
-  std::set<std::string> pictures_doubted_;            // maps whose picture is to be looked at anew
+  std::set<std::string> pictures_doubted_;            // maps whose picture has to be checked again
   RosWorld world_;
   TopicWish wish_;
   Found found_;
   std::vector<Source> sources_;
-  // Types of messages that were delivered on this connection, and those whose definition is not known yet.
+  // Types of messages delivered on this connection, and those whose definition is still unknown.
   std::set<std::string> delivered_types_, defined_types_;
   bool defining_ = false;
   Choices choices_;
-  Reception reception_;                 // of this connection, but for the transforms
-  std::size_t before_ = 0;              // what made way on connections before
+  Reception reception_;                 // of this connection, except the transforms
+  std::size_t before_ = 0;              // dropped on earlier connections
   std::optional<double> least_late_s_;  // arrival less stamp, at best
   QElapsedTimer reception_told_;
   bool wanted_ = false, watching_ = false;
   bool looking_ = false;
-  bool look_again_ = false;  // when this look is over: it may tell of before
-  bool known_ = false;       // what this connection's robot has
-  bool was_known_ = false;   // on a connection before
+  bool look_again_ = false;  // look again when this look is over, as its result may be outdated
+  bool known_ = false;       // the robot's topics on this connection are known
+  bool was_known_ = false;   // they were known on an earlier connection
   bool has_manager_ = false;
-  bool awaits_manager_ = false;  // connected, and looking for the map manager that is not there yet
+  bool awaits_manager_ = false;  // connected, and looking for the missing map manager
   int round_ = 0;                // of connections
   std::list<EarlyPtr> early_;
   std::map<std::string, std::map<map::ProblemCode, Trouble>> troubles_;  // by topic

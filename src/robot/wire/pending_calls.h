@@ -1,4 +1,4 @@
-// Questions that wait for their outcome from another thread.
+// Requests waiting for their result from another thread.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,8 @@
 
 namespace mapwright::robot::wire {
 
-/// Keeps the callbacks of questions on the thread that asked, under a ticket that may travel. What is still
-/// held when it is destroyed is never called, and its calls are over.
+/// Keeps the callbacks of requests on the caller's thread, by a ticket that can be passed to other threads.
+/// Callbacks still waiting at destruction are never called, and their calls are over.
 template <typename T>
 class PendingCalls {
  public:
@@ -35,7 +35,7 @@ class PendingCalls {
     end(*node.mapped().state);
     if (node.mapped().reply) node.mapped().reply(std::move(outcome));
   }
-  /// How far it is; its listener may destroy this.
+  /// Reports progress; its listener may destroy this.
   void tell(quint64 ticket, Progress progress) {
     const auto found = entries_.find(ticket);
     if (found == entries_.end()) return;
@@ -58,15 +58,15 @@ class PendingCalls {
   std::unordered_map<quint64, Entry> entries_;
 };
 
-/// What cancelling does to a question.
+/// What cancelling a request does.
 enum class Stopping {
-  AtOnce,      // it only reads: it ends as cancelled, whatever becomes of its requests
-  AsItStands,  // it changes something: the link's own outcome says what has become of that
+  AtOnce,      // read-only: it ends as cancelled at once, whatever becomes of its requests
+  AsItStands,  // a change: the link's own result says whether it took effect
 };
 
-/// Asks `link` on its own thread: question(*link, errand, reply), where `reply` may be called there once,
-/// whenever. The outcome comes to `pending` on the thread of `asker`, which owns it and outlives the link's
-/// thread. `subject`: whom a cancelled question was about.
+/// Calls question(*link, errand, reply) on the thread of `link`, where `reply` may be called once at any
+/// time. The result arrives in `pending` on the thread of `asker`, which owns it and outlives the link's
+/// thread. `subject`: for the failure of a cancelled request.
 template <typename T, typename Link, typename Question>
 Call askAcross(QObject* asker, Link* link, PendingCalls<T>& pending, const map::Subject& subject,
                OutcomeTo<T> reply, Question question, Stopping stopping = Stopping::AtOnce) {
@@ -94,7 +94,7 @@ Call askAcross(QObject* asker, Link* link, PendingCalls<T>& pending, const map::
   return Call(std::move(state));
 }
 
-/// A question that needs nobody: its outcome is known, and told later.
+/// A request without any work: its known result is delivered later.
 template <typename T>
 Call endLater(QObject* asker, PendingCalls<T>& pending, OutcomeTo<T> reply, Outcome<T> outcome) {
   auto state = std::make_shared<Call::State>();
