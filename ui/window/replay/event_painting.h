@@ -1,4 +1,4 @@
-// The marks of events, for the time line and the list.
+// The marks of events, for the timeline and the list.
 #pragma once
 
 #include <QPainter>
