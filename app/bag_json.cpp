@@ -79,7 +79,7 @@ QJsonObject bagJson(const robot::BagEntry& entry) {
 
 namespace {
 
-// A file that was cut before its first messages has no times.
+// A file cut off before its first messages has no times.
 bool hasTimes(const robot::BagInfo& info) { return info.messages > 0 || info.end_s > 0; }
 
 }  // namespace
@@ -98,7 +98,7 @@ QJsonObject infoJson(const std::string& name, const robot::BagInfo& info) {
   if (info.repair)
     all[QStringLiteral("repaired")] =
         QJsonObject{{QStringLiteral("broke_off"), orNull(info.repair->broke_off_s)}};
-  if (info.format.empty()) return all;  // a robot tells no more
+  if (info.format.empty()) return all;  // a robot gives no further details
   QJsonArray topics, packing;
   for (const robot::BagTopic& one : info.topics)
     topics.append(QJsonObject{{QStringLiteral("topic"), text(one.name)},

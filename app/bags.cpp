@@ -1,4 +1,4 @@
-// Bags as files: which there are, fetching, deleting, recording.
+// Bags as files: list, download, delete, record.
 #include "app/bags.h"
 
 #include <cstdio>
@@ -50,7 +50,8 @@ QStringList rowOf(const robot::BagEntry& entry) {
           words::plainName(entry.key.name)};
 }
 
-/// Where a bag goes when nobody says it: its name is the robot's, and must not lead anywhere else.
+/// The default file name of a download. The bag's name comes from the robot, and must not lead to another
+/// folder.
 QString fileFor(const BagsWords& words) {
   if (!words.output.empty()) return text(words.output);
   return words::fileName(QFileInfo(text(words.name)).fileName(), {});
@@ -71,7 +72,7 @@ int bagsList(const BagsWords& words, int& argc, char** argv) {
           return bags.library().list(std::move(reply));
         });
     if (!rows) return tl::make_unexpected(bags.failure(rows.error()));
-    bags.robot().insistOnAll();  // one of the two lists is not all
+    bags.robot().insistOnAll();  // one of the two lists is incomplete
     if (words.json) {
       QJsonArray all;
       for (const robot::BagEntry& entry : *rows) all.append(bagJson(entry));

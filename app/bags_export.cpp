@@ -1,4 +1,4 @@
-// A part of a bag for other programs: its messages, and where the robot was.
+// Exports a part of a bag for other programs: its messages, and the robot's path.
 #include <cmath>
 #include <cstdio>
 
@@ -35,13 +35,13 @@ CommandFailure exportFailed(const disk::FileError& fault) {
   return {kUsage, sentences::wordsOf(disk::notWritten(fault))};
 }
 
-/// What of a bag goes where, as it was asked for.
+/// What to export, and where.
 struct ExportOrder {
   excerpt::TimeSpan span;
   QString path, format;
 };
 
-/// The format that was asked for, else as the name ends.
+/// The requested format, otherwise by the extension.
 CommandResult<ExportOrder> orderFrom(const BagsWords& words, const QStringList& formats) {
   const auto span = timeSpanFrom(words);
   if (!span) return tl::make_unexpected(span.error());
@@ -78,7 +78,7 @@ int runExport(const BagsWords& words, int& argc, char** argv, const QStringList&
       });
 }
 
-/// What was written, for scripts and for people.
+/// Reports what was written, for scripts and for people.
 void tell(const BagsWords& words, const ExportOrder& order, MapsCommand& command, QJsonObject done,
           const QString& sentence) {
   done[QStringLiteral("name")] = text(words.name);
@@ -92,7 +92,7 @@ void tell(const BagsWords& words, const ExportOrder& order, MapsCommand& command
   }
 }
 
-/// The file that is meant, where it is a recording on this computer.
+/// The file, if it is a recording on this computer.
 std::optional<std::string> recordingOf(const BagsWords& words) {
   const auto parsed = knownAddresses().parse(text(words.robot));
   if (!parsed || parsed->path.isEmpty() || !robot::recorded::isRecording(parsed->path)) return std::nullopt;
@@ -114,13 +114,13 @@ excerpt::Order excerptOf(const BagsWords& words, const BagReading& bags, const E
   return wanted;
 }
 
-/// A part of a recording is what it is there, byte for byte.
+/// A part of a recording is copied byte for byte.
 CommandResult<int> exportSlice(const BagsWords& words, MapsCommand& command, BagReading& bags,
                                const std::string& path, const ExportOrder& order) {
   if (const auto why = overOwnSource({order.path}, {path})) return wrong(*why);
   const auto sliced = excerpt::sliceRecording(path, excerptOf(words, bags, order));
   if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
-  const excerpt::Written& done = **sliced;  // nobody ends it
+  const excerpt::Written& done = **sliced;  // nobody cancels it
   bags.noteUnknown(words.topics);
   const map::Subject bag =
       subjectOf(robot::BagKey{robot::BagKind::File, robot::recorded::bagNameOf(text(path))});
@@ -134,7 +134,7 @@ CommandResult<int> exportSlice(const BagsWords& words, MapsCommand& command, Bag
   return kDone;
 }
 
-/// What was written, in figures and in words.
+/// What was written, as figures and as text.
 struct Told {
   QJsonObject json;
   QString sentence;

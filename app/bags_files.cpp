@@ -1,4 +1,4 @@
-// Recordings on this computer as other files: repaired, cut in pieces, put together.
+// Turns recordings on this computer into other files: repair, split, merge.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -60,7 +60,7 @@ std::optional<CommandFailure> whyNotInto(const QString& path, const std::vector<
   return std::nullopt;
 }
 
-/// Its end is missing, and maybe the rest of what was being written then.
+/// Its end is missing, and maybe the data being written at that time.
 bool isOfItsEnd(const Fault& loss) {
   return loss.code == robot::recorded::fault::RecordingNotFinished ||
          loss.code == robot::recorded::fault::RecordingNotBegun ||
@@ -138,7 +138,7 @@ int bagsSplit(const BagsWords& words, int& argc, char** argv) {
       if (const auto why = whyNotInto(file, {*path}, words.force)) return tl::make_unexpected(*why);
       order.path = file.toStdString();
       order.topics = words.topics;
-      // The first and the last one hold all that lies there, whatever rounding does.
+      // The first and the last part include everything up to the ends, in spite of rounding.
       if (part > 0) order.first_ns = *summary.start_ns + std::llround(double(part) * every_ns);
       if (part + 1 < std::int64_t(parts))
         order.last_ns = *summary.start_ns + std::llround(double(part + 1) * every_ns) - 1;
@@ -146,7 +146,7 @@ int bagsSplit(const BagsWords& words, int& argc, char** argv) {
       if (!made) return notOpened(made.error());
       all.messages += (*made)->messages;
       all.attachments = std::max(all.attachments, (*made)->attachments);
-      all.losses = (*made)->losses;  // they are of the whole
+      all.losses = (*made)->losses;  // they concern the whole
       files << file;
     }
     tell(words, files, all);

@@ -47,10 +47,10 @@ bool isFilm(const QString& path) {
   return suffix == QLatin1String("mp4") || suffix == QLatin1String("mkv") || suffix == QLatin1String("webm");
 }
 
-/// Where its pictures go, and how they become a film.
+/// Where the pictures go, and how to make a video of them.
 struct Place {
   QString pattern, film, ffmpeg;
-  QTemporaryDir folder;  // of the pictures of a film
+  QTemporaryDir folder;  // for the frames of a video
 };
 
 tl::expected<std::unique_ptr<Place>, QString> placeFor(const FilmWords& words) {
@@ -78,13 +78,13 @@ tl::expected<std::unique_ptr<Place>, QString> placeFor(const FilmWords& words) {
   return place;
 }
 
-/// nullopt = the film is in its place; else a sentence.
+/// nullopt = the video is in place; otherwise a sentence.
 std::optional<QString> makeFilm(const Place& place, double fps) {
   const QFileInfo film(place.film);
   const QString aside = QStringLiteral("%1.part.%2").arg(place.film, film.suffix());
   QProcess ffmpeg;
   ffmpeg.setProgram(place.ffmpeg);
-  // Most players take films of even sizes with this kind of colour alone.
+  // Most players only support even sizes and this pixel format.
   ffmpeg.setArguments({QStringLiteral("-hide_banner"), QStringLiteral("-loglevel"), QStringLiteral("error"),
                        QStringLiteral("-nostdin"), QStringLiteral("-y"), QStringLiteral("-framerate"),
                        QString::number(fps), QStringLiteral("-i"), place.pattern, QStringLiteral("-vf"),
@@ -155,7 +155,7 @@ tl::expected<std::vector<double>, QString> timesFrom(const FilmWords& words) {
 std::vector<double> filmTimes(double from_s, double to_s, double every_s) {
   std::vector<double> times;
   for (std::size_t i = 0; times.size() < kMostPictures; ++i) {
-    // Not added up: the hundred thousandth is where it belongs. Half a microsecond is what rounding costs.
+    // Computed, not accumulated: even the hundred thousandth is exact to half a microsecond.
     const double at_s = from_s + double(i) * every_s;
     if (at_s > to_s + 5e-7) break;
     times.push_back(std::min(at_s, to_s));
@@ -205,7 +205,7 @@ int bagsFilm(const FilmWords& words, int& argc, char** argv) {
   const auto access = RobotAccess::read(words.picture.access, options->robot);
   if (!access) return refuse(kUsage, access.error());
 
-  // The last picture comes first: it shows all that there is to be seen, and its view holds for all of them.
+  // The last picture comes first: it shows everything, and its view is used for all of them.
   std::vector<std::size_t> order(times->size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::rotate(order.begin(), std::prev(order.end()), order.end());

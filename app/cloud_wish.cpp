@@ -13,7 +13,7 @@ class CloudWishText {
   Q_DECLARE_TR_FUNCTIONS(CloudWish)
 };
 
-/// Higher and deeper than anything that robots drive in.
+/// Higher and deeper than any building.
 constexpr double kTallM = 2000;
 
 }  // namespace

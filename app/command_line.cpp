@@ -77,7 +77,7 @@ int runCommand(int argc, char** argv) {
   if (demo->parsed()) return app::demo(QString::fromStdString(demo_query), argc, argv);
   if (operand.empty()) return window(QString::fromStdString(robot), access, argc, argv);
   const QString file = QString::fromStdString(operand);
-  // A subcommand that is mistyped is no file.
+  // A mistyped subcommand is not a file.
   if (!isFileName(file) && !play->parsed()) {
     std::fprintf(stderr, "%s\n",
                  qUtf8Printable(CommandLineText::tr(
@@ -91,7 +91,7 @@ int runCommand(int argc, char** argv) {
 }  // namespace
 
 int commandLine(int argc, char** argv) {
-  // What cannot be written is an error with a sentence, not the end of the program.
+  // A write error is reported as a sentence; it must not end the program.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   ignoreRelativeFolders();

@@ -26,8 +26,8 @@ std::optional<int> Commands::run(const Invocation& before) const {
   return std::nullopt;
 }
 
-// No envname(): the variable would be read for the subcommands that were not given, over what was typed. It
-// comes from the option before the subcommand.
+// No envname(): the variable would also be read for subcommands that were not given, and override what was
+// typed. It is handled by the option before the subcommand.
 void addRobot(CLI::App& command, std::string& robot, AccessWords& access, const QString& about) {
   command.add_option("--robot", robot, help(about));
   addAccess(command, access);

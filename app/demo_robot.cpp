@@ -14,7 +14,7 @@ class DemoRobotText {
   Q_DECLARE_TR_FUNCTIONS(DemoRobot)
 };
 
-/// Frozen demos show the world at this moment: the live trajectory has grown, the incremental one is there.
+/// Frozen demos show this moment: the live trajectory has grown, and the incremental one exists.
 constexpr double kFrozenAtS = 90;
 
 class DemoRobot : public robot::axbot::AxbotRobot {

@@ -20,8 +20,8 @@ class DisplayText {
   Q_DECLARE_TR_FUNCTIONS(Display)
 };
 
-// Parameters behind the colon mark our own fallback, so that a user's plain "offscreen" still opens the
-// window there.
+// Parameters after the colon mark our own fallback, so that a user's plain "offscreen" still opens the window
+// there.
 constexpr char kFallback[] = "offscreen:";
 
 constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
@@ -65,7 +65,7 @@ std::unique_ptr<QTemporaryDir> pinFonts() {
   return nullptr;
 }
 
-/// Qt's own remarks (a missing XDG_RUNTIME_DIR, say) are no business of whoever reads our one line of error.
+/// Qt's own messages (such as a missing XDG_RUNTIME_DIR) do not belong into our one line of errors.
 void keepQtQuiet(QtMsgType type, const QMessageLogContext&, const QString& message) {
   const bool wanted =
       type == QtCriticalMsg || type == QtFatalMsg || qEnvironmentVariableIsSet("MAPWRIGHT_DEBUG");

@@ -25,7 +25,7 @@ class MapDiffText {
 constexpr int kStrip = 256;  // rows
 constexpr double kMostCells = double(std::int64_t(1) << 34);
 
-/// RGB rows of a picture in its place, once all of them have come.
+/// RGB rows of a picture, moved into place once all of them are written.
 class DifferencePicture {
  public:
   DifferencePicture(const QString& path, int width, int height)
@@ -33,7 +33,7 @@ class DifferencePicture {
         png_{file_},
         good_(png_.begin(width, height, grids::PngPixels::Rgb, grids::PngContent::Any)) {}
   bool row(const std::vector<std::uint8_t>& rgb) { return good_ = good_ && png_.row(rgb.data(), rgb.size()); }
-  /// nullopt = the picture is in its place.
+  /// nullopt = the picture is in place.
   std::optional<QString> end() {
     if (!good_ && file_.good()) return MapDiffText::tr("The picture of the differences cannot be encoded.");
     const auto fault = file_.place();

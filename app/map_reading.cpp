@@ -33,13 +33,13 @@ constexpr int kMapLookEveryMs = 10;
 constexpr qsizetype kLongestAddress = 200;
 constexpr int kMapConnectAttempts = 3;
 constexpr int kMapTries = 3;
-constexpr int kMapFarewellMs = 200;  // until a change that is given up says what became of it
+constexpr int kMapFarewellMs = 200;  // how long to wait for the result of a change that was given up
 
 double secondsSince(SteadyTime start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Only what the command shows is asked for.
+/// Requests only what the command shows.
 session::Session::Options quietOptions(MapReading::Purpose purpose,
                                        const std::shared_ptr<work::Workers>& workers) {
   session::Session::Options options;
@@ -179,7 +179,7 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
     return tl::make_unexpected(failure(local() ? kUsage : exitCodeOf(catalogue.failure()->kind),
                                        QString::fromStdString(sentences::sentenceOf(*catalogue.failure()))));
   }
-  // A part of the list that could not be had is a problem of its own.
+  // An incomplete list is a problem of its own.
   insistOnAll();
   return &catalogue.entries();
 }
@@ -187,7 +187,7 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
 QStringList MapReading::problems(map::Severity least) const {
   QStringList lines;
   for (const session::LoggedProblem& row : session_.problems().rows()) {
-    // What concerns the robot as such, or a submap list that has not come yet, is not what was asked for.
+    // Problems of the robot in general, or a missing submap list, do not concern the requested data.
     const map::SubjectKind kind = row.problem.subject.kind;
     const bool asked_for =
         kind != map::SubjectKind::Robot &&
@@ -207,7 +207,7 @@ void MapReading::insistOnReadable() {
 
 QStringList MapReading::warnings() const {
   QStringList all = bagLosses(session_.problems()) + notes_ + problems(map::Severity::Warning);
-  all.removeDuplicates();  // what is odd about waypoints is found again when their map is opened
+  all.removeDuplicates();  // problems of waypoints are found again when their map is opened
   return all;
 }
 
@@ -268,7 +268,7 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
     }
   }
   if (textures.empty()) {
-    // What a snapshot would draw as an empty picture cannot be a grid: it has no size.
+    // A snapshot would be empty, but a grid of no size is impossible.
     const QStringList why = refused() ? problems(map::Severity::Error) : warnings();
     return tl::make_unexpected(
         failure(complete_   ? int(kRobotError)

@@ -1,4 +1,4 @@
-// MapReading: what a map dispatcher gives of a map, by region or whole.
+// MapReading: maps from a map dispatcher, by region or whole.
 #include "app/map_region.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ QString lengths(const geometry::WorldRect& rect) {
   return MapRegionText::tr("%1 × %2").arg(rect.width(), 0, 'f', 2).arg(rect.height(), 0, 'f', 2);
 }
 
-/// Row 0 of a part is the lowest one, that of a pyramid the uppermost. -1 is 255 in both.
+/// The first row of a part is the lowest, that of a pyramid the uppermost. -1 is 255 in both.
 std::shared_ptr<const grids::GridPyramid> pyramidOf(const map::GridPart& part,
                                                     const std::shared_ptr<work::Workers>& workers) {
   const auto builder = grids::buildGrid(part.grid.width, part.grid.height, grids::CellCode::Occupancy,

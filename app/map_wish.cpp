@@ -54,7 +54,7 @@ MapWish::State MapWish::look(double online_for_s) {
   if (!key_) return failed_ ? State::Failed : State::Waiting;
   const session::MapSlot& slot = session_.wholeMap();
   if (key_->kind == map::MapKind::Live && slot.phase() == Phase::Fetching && !asked_for_whole_) {
-    // Its dispatcher may come a moment later than the robot itself.
+    // The dispatcher may be found a moment later than the robot itself.
     if (robot::givesByRegion(session_.robot())) {
       askForWhole();
     } else if (online_for_s > live_within_s_) {
@@ -64,7 +64,7 @@ MapWish::State MapWish::look(double online_for_s) {
     fail(local() ? kUsage : exitCodeOf(slot.failure()), sentences::sentenceOf(slot.remark()));
   }
   if (failed_) return State::Failed;
-  // Whose waypoints they are is told by the list of maps.
+  // The catalogue tells which map the waypoints belong to.
   const bool whose = with_points_ && key_->kind == map::MapKind::Live && session_.robot().waypointSource();
   if (whose && !session_.catalogue().asked()) session_.catalogue().refresh();
   if (whose && session_.catalogue().loading()) return State::Waiting;
@@ -84,7 +84,7 @@ void MapWish::choose() {
          MapWishText::tr(
              "It sends no live map. Request one of its stored maps by id (see mapwright maps list)."));
   } else if (local()) {
-    // The names of a folder's maps are known when its list is in.
+    // The names of a folder's maps are known once its list has arrived.
     if (!catalogueIn()) return;
     const map::CatalogueEntry* const entry = session_.catalogue().called(id);
     open(entry ? entry->key : key);
@@ -202,7 +202,7 @@ void MapWish::chooseInsteadOfLive() {
   }
   if (!catalogueIn()) return;
   const map::CatalogueEntry* const current = session_.catalogue().current();
-  // Of a robot that keeps no maps the current one is that which does not come.
+  // For a robot without stored maps the current one is the live map, which does not come.
   if (!current || current->key.kind == map::MapKind::Live) {
     const bool none = local() && session_.catalogue().entries().empty();
     failWithoutLive(

@@ -56,10 +56,10 @@ double resolutionOf(const MapsWords& words) {
   return words.resolution.empty() ? 0.05 : ok && std::isfinite(value) ? value : std::nan("");
 }
 
-/// Whether a word of `diff` is a file or an address of its own, and not a map of `robot`.
+/// Whether an operand of `diff` is a file or address of its own, not a map of `robot`.
 bool standsAlone(const QString& operand, const QString& robot) {
   if (operand.contains(QLatin1Char('/')) || knownAddresses().isAddress(operand)) return true;
-  // An address, and refused for what stands before its @: nobody but a robot has maps that are called so.
+  // An address, refused because of the part before its @: maps have no such names.
   if (robot.isEmpty() && operand.contains(QLatin1Char('@')) && !QFileInfo(operand).isFile()) return true;
   // In a folder of maps their names are ids.
   const auto folder = knownAddresses().parse(robot);
@@ -68,12 +68,12 @@ bool standsAlone(const QString& operand, const QString& robot) {
   }
   const QStringList kinds{QStringLiteral("yaml"), QStringLiteral("yml"), QStringLiteral("png"),
                           QStringLiteral("pgm"), QStringLiteral("bmp")};
-  // A file that happens to be called like a map of the robot is not that map.
+  // A file that happens to have the name of one of the robot's maps is not that map.
   return kinds.contains(QFileInfo(operand).suffix().toLower()) ||
          (robot.isEmpty() && QFileInfo(operand).isFile());
 }
 
-/// Why --resolution and --origin would have no effect on anything that the command reads.
+/// Why --resolution and --origin would have no effect on what the command reads.
 std::optional<QString> whyNoPlaceIn(const MapsWords& words) {
   if (words.resolution.empty() && words.origin.empty()) return std::nullopt;
   const bool diff = !words.first.empty();
@@ -166,7 +166,7 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
     auto robot = openRobot(command, text(words.robot), words, purposeOf(words.id));
     if (!robot) return tl::make_unexpected(robot.error());
     const bool stored = !words.id.empty() && words.id != "live" && words.id != "submaps";
-    if (stored) {  // its dates and versions are in the list
+    if (stored) {  // the catalogue has its dates and versions
       if (const auto rows = (*robot)->catalogue(); !rows) return tl::make_unexpected(rows.error());
     }
     const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
@@ -248,7 +248,7 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     }
     auto robot = openRobot(command, text(words.robot), words, purposeOf(words.id));
     if (!robot) return tl::make_unexpected(robot.error());
-    // Who says export means all of it, however large.
+    // An export always means the whole map, whatever its size.
     const bool by_part = region || (live && givesMapWhenAsked((*robot)->session().robot()));
     const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(words.id), resolutionOf(words));
     if (!placed) return tl::make_unexpected(placed.error());

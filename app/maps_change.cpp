@@ -31,7 +31,7 @@ bool isOfOneMap(MapChange change) {
 
 bool names(MapChange change) { return change == MapChange::Rename || change == MapChange::Save; }
 
-/// Why it is not even asked for; empty when it is.
+/// Why it is not even requested; empty if it is.
 QString whyNotAsked(MapChange change, const MapsWords& words) {
   if (names(change)) {
     const QString label = text(words.label);

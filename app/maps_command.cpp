@@ -65,7 +65,7 @@ int MapsCommand::run(int& argc, char** argv, const std::function<CommandResult<i
   QApplication application(argc, argv);
   const int exit_code = end(work(*this));
   std::fflush(stdout);
-  // All is said: what is left to be taken apart may take no longer than the rest.
+  // Everything has been reported: cleaning up must not take longer than the remaining time.
   deadline.setLastWords([exit_code] { return exit_code; });
   readings_.clear();
   return exit_code;

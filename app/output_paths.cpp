@@ -22,9 +22,9 @@ class OutputPathsText {
   Q_DECLARE_TR_FUNCTIONS(OutputPaths)
 };
 
-int why_not_printed = 0;  // the first errno that a write to standard output ended in
+int why_not_printed = 0;  // the first errno of a failed write to standard output
 
-/// A pipe or a device: bytes go into it, nothing is replaced.
+/// A pipe or a device: data is written to it, nothing is replaced.
 bool takesBytes(const QString& path) {
   const QFileInfo info(path);
   return info.exists() && !info.isFile() && !info.isDir();
@@ -41,7 +41,7 @@ std::optional<QString> whyNotWritable(const QString& path) {
                "%1: the standard output is a terminal. Redirect it to a file or another program.")
         .arg(path);
   }
-  // Where a link leads is found out when it is written.
+  // The target of a link is found when it is written.
   if (takesBytes(path) || QFileInfo(path).isSymLink()) return std::nullopt;
   const QFileInfo folder(QFileInfo(path).absolutePath());
   if (folder.isDir() && folder.isWritable()) return std::nullopt;
@@ -89,7 +89,7 @@ void printJson(const QJsonArray& json) {
 
 int concludeStandardOutput(int exit_code) {
   const bool flushed = std::fflush(stdout) == 0;
-  // What failed first says why; errno tells of the last call alone, and of those that went well nothing.
+  // The first failure has the reason; errno only describes the last call.
   if (!flushed && why_not_printed == 0) why_not_printed = errno;
   if (flushed && std::ferror(stdout) == 0) return exit_code;
   QString sentence = OutputPathsText::tr("The standard output cannot be written.");

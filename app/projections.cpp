@@ -1,4 +1,4 @@
-// `mapwright projections …`: what of a map in space is laid on the plane. Source:
+// `mapwright projections …`: what a robot projects from its 3D map. Source:
 // docs/protocols/rep130-map-dispatcher.md, "Projections".
 #include "map/projections.h"
 
@@ -40,7 +40,7 @@ struct ProjectionsWords {
   std::string report;
   double timeout_s = 60;
   bool json = false;
-  bool none = false;  // nothing is to be projected
+  bool none = false;  // project nothing
 };
 
 using Projections = std::vector<map::Projection>;

@@ -1,5 +1,5 @@
-// `mapwright record`: what a robot sends, into an MCAP file (docs/command-line.md,
-// "mapwright record"; recorder/layout.h).
+// `mapwright record`: records what a robot sends to an MCAP file (docs/command-line.md, "mapwright record";
+// recorder/layout.h).
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -48,10 +48,10 @@ struct RecordWords {
   std::string robot;
   AccessWords access;
   std::string output;
-  std::optional<double> duration_s;  // nullopt = until it is told to end
+  std::optional<double> duration_s;  // nullopt = until stopped
   double timeout_s = 30;             // for the connection
-  std::string topics;                // comma-separated, by the robot's own names, besides those of `streams`
-  std::string streams = "all";       // comma-separated words of kinds of data, "all" or "none"
+  std::string topics;                // comma-separated, by the robot's own names, in addition to `streams`
+  std::string streams = "all";       // comma-separated kinds of data, "all" or "none"
   std::string submaps = "listed";    // "all", "listed" or "none"
   bool json = false, force = false;
 };
@@ -61,7 +61,7 @@ using recorder::SubmapWishes;
 
 using words::text;
 
-/// What is to be recorded, checked.
+/// The validated options.
 struct RecordOrder {
   map::Streams streams;
   QStringList topics;
@@ -100,7 +100,7 @@ CommandResult<RecordOrder> orderFrom(const RecordWords& words) {
   return order;
 }
 
-/// The scheme without what joins it: "axbot".
+/// The scheme without its separator: "axbot".
 std::string kindOf(const QString& address) {
   const auto parsed = knownAddresses().parse(address);
   QString scheme = parsed ? parsed->scheme : QString();
@@ -121,7 +121,7 @@ class RecordRun {
 
   CommandResult<int> carryOut() {
     if (auto failure = connect()) return tl::make_unexpected(*failure);
-    if (stopped_) return kDone;  // nothing was begun
+    if (stopped_) return kDone;  // nothing was started
     auto target = recording::appendFile(
         words_.output, words_.force ? recording::Existing::Replace : recording::Existing::Refuse);
     if (!target) return notWritten(target.error());
@@ -147,7 +147,7 @@ class RecordRun {
     return connectWithin(*robot_, words_.timeout_s, loop_);
   }
 
-  /// Until it is to end.
+  /// Runs until it should end.
   void follow() {
     QObject::connect(recorder_.get(), &Recorder::progressed, &context_, [this] { tellProgress(); });
     QObject::connect(recorder_.get(), &Recorder::notHad, &context_, [this](const map::Failure& failure) {
@@ -271,7 +271,7 @@ class RecordRun {
   QEventLoop loop_;
   bool stopped_ = false;
   bool terminal_ = isatty(STDERR_FILENO) != 0;
-  bool away_ = false;  // the link is lost
+  bool away_ = false;  // disconnected
   int interruptions_ = 0;
   int not_had_ = 0;
   std::optional<QString> refused_;

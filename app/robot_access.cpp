@@ -25,7 +25,7 @@ tl::expected<QByteArray, QString> checked(const QByteArray& secret) {
   return secret;
 }
 
-/// Where a robot is asked; empty for what is no robot on a network (files, the demo) or no address.
+/// The server of a robot; empty for other addresses (files, the demo) and invalid ones.
 QUrl originOf(const QString& address) {
   const auto parsed = knownAddresses().parse(address);
   return parsed ? parsed->url : QUrl();

@@ -42,7 +42,7 @@ class RobotFactoryText {
 
 using Made = tl::expected<std::unique_ptr<robot::Robot>, QString>;
 
-/// A kind of robot: what its addresses look like, and how one is made of them.
+/// A kind of robot: its address scheme and its factory.
 struct Kind {
   robot::AddressScheme scheme;
   std::function<Made(const robot::Address&, const Access&, DemoTime)> make;
@@ -65,7 +65,7 @@ Made makeAimdk(const robot::Address& address, const Access& access, DemoTime) {
   if (const QUrl tf = robot::aimdk::tfOf(address); !tf.isEmpty()) {
     robot::ros::LinkOptions beside;
     beside.url = tf;
-    // It is another server: neither the secret nor the pinned certificate is its.
+    // It is another server: it gets neither the secret nor the pinned certificate.
     beside.trust.authorities = access.trust.authorities;
     robot::Address its;
     its.url = tf;
@@ -110,7 +110,7 @@ Made makeDemo(const robot::Address& address, const Access&, DemoTime time) {
   return makeDemoRobot(address.text, *options);
 }
 
-/// Maps and recordings: a path that ends like a recording is one, whether or not it is there.
+/// Maps and recordings: a path with a recording's extension is one, even if it does not exist.
 robot::AddressScheme fileScheme() {
   robot::AddressScheme scheme = robot::files::addressScheme();
   scheme.claims = [maps = scheme.claims](const QString& typed) {
@@ -121,7 +121,7 @@ robot::AddressScheme fileScheme() {
   return scheme;
 }
 
-/// Every kind of robot that there is; what nobody claims is the first.
+/// All kinds of robots; the first one takes addresses that no other claims.
 std::vector<Kind> kinds() {
   return {{robot::axbot::addressScheme(), makeAxbot},
           {robot::aimdk::addressScheme(), makeAimdk},
@@ -144,7 +144,7 @@ std::optional<QString> whyNoPlace(const QString& address, const std::string& res
                                   const std::string& origin) {
   if (resolution.empty() && origin.empty()) return std::nullopt;
   const auto parsed = knownAddresses().parse(address);
-  if (!parsed) return std::nullopt;  // which is said elsewhere
+  if (!parsed) return std::nullopt;  // reported elsewhere
   const QString options = origin.empty()       ? QStringLiteral("--resolution")
                           : resolution.empty() ? QStringLiteral("--origin")
                                                : RobotFactoryText::tr("--resolution and --origin");

@@ -34,7 +34,7 @@ render::TileRenderer::Options exactOnly(std::shared_ptr<work::Workers> workers, 
   render::TileRenderer::Options options;
   options.workers = std::move(workers);
   options.previews = false;
-  // What whole maps do not need, submaps that lie over one another in great numbers do.
+  // Whole maps do not need this, but many overlapping submaps do.
   if (!grids) {
     options.budgets.dense += options.budgets.grid_tiles + options.budgets.unpacked;
     options.budgets.grid_tiles = options.budgets.unpacked = 0;
@@ -97,7 +97,7 @@ class ScenePicture : public SnapshotPicture {
   double made() const override {
     if (scene_.picturesSettled()) return 1;
     const render::TileCounts tiles = scene_.renderer().counts();
-    // Short of all: other layers may be unfinished, too.
+    // Below 1: other layers may be unfinished, too.
     return tiles.visible > 0 ? std::min(0.99, double(tiles.exact) / tiles.visible) : 0;
   }
 

@@ -50,8 +50,7 @@ std::optional<QSize> parseSize(const QString& word) {
   return size;
 }
 
-/// X,Y,LX,LY: the middle, and the lengths of the sides.
-/// What has no place beside --region.
+/// X,Y,LX,LY: the centre and the side lengths. Options that cannot be combined with --region.
 std::optional<QString> whyNotWithRegion(const SnapshotWords& words, const SnapshotOptions& options) {
   if (options.mode == SnapshotMode::Submaps)
     return SnapshotOptionsText::tr("--region needs a robot that sends its map by region, and --mode grid.");
@@ -70,7 +69,7 @@ std::optional<QString> whyNotWithRegion(const SnapshotWords& words, const Snapsh
   return std::nullopt;
 }
 
-/// Of "path=/my_plan" the topic; what stays is the name.
+/// For "path=/my_plan" takes the topic; the name stays.
 tl::expected<void, QString> takeTopic(QString& word, robot::TopicChoices& topics) {
   const auto split = word.indexOf(QLatin1Char('='));
   if (split < 0) return {};
@@ -79,7 +78,7 @@ tl::expected<void, QString> takeTopic(QString& word, robot::TopicChoices& topics
   const auto layer = std::find_if(every.begin(), every.end(),
                                   [&](scene::Layer one) { return scene::layerName(one) == name; });
   word = name;
-  if (layer == every.end()) return {};  // said of it below
+  if (layer == every.end()) return {};  // reported below
   const std::optional<map::Stream> stream = scene::chosenStream(*layer);
   if (!stream) {
     QStringList choosable;
@@ -98,7 +97,7 @@ tl::expected<void, QString> takeTopic(QString& word, robot::TopicChoices& topics
 
 tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, robot::TopicChoices& topics) {
   using scene::Layer;
-  // What does not change from run to run by itself.
+  // The layers that do not change from run to run.
   if (words.isEmpty())
     return std::set{Layer::Grid, Layer::Trail, Layer::Footprint, Layer::Robot, Layer::ScaleBar};
   const auto every = scene::allLayers();
@@ -108,8 +107,8 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, 
     chosen.erase(Layer::Submaps);
     chosen.erase(Layer::WholeMap);
     chosen.erase(Layer::Regions);          // --region says which
-    chosen.erase(Layer::Track);            // a whole bag would be read for it
-    chosen.erase(Layer::DispatchedCloud);  // nobody says beforehand how large it is
+    chosen.erase(Layer::Track);            // it needs the whole bag
+    chosen.erase(Layer::DispatchedCloud);  // its size is not known in advance
     return chosen;
   }
   if (words == QLatin1String("none")) return chosen;
@@ -128,7 +127,7 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, 
   return chosen;
 }
 
-/// An option that nothing could come of is a mistake, and the picture would not tell.
+/// An option without effect is a mistake that the picture would not show.
 std::optional<QString> whyWithoutEffect(const SnapshotWords& words, const SnapshotOptions& options) {
   if (words.average && options.mode == SnapshotMode::Submaps) {
     return SnapshotOptionsText::tr(
@@ -190,7 +189,7 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   if (words.mode == "submaps") {
     options.mode = SnapshotMode::Submaps;
   } else if (words.mode == "whole" || words.mode == "grid") {
-    // The occupancy grids that robots and files give are their whole maps.
+    // The occupancy grids of robots and files are their whole maps.
     options.mode = SnapshotMode::Whole;
   } else if (!words.mode.empty()) {
     return wrong(
@@ -295,7 +294,7 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     options.settle_s = seconds;
   }
   if (const auto why = whyWithoutEffect(words, options)) return wrong(*why);
-  // What --raw never draws is neither asked for nor waited for.
+  // Layers that --raw never draws are neither requested nor waited for.
   if (options.raw) {
     std::erase_if(options.layers, [](scene::Layer layer) {
       return layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap;

@@ -49,7 +49,7 @@ void SnapshotRun::lookAtRegion() {
     const auto size =
         pixelsOf(*options_.region, options_.scale_m_per_px > 0 ? options_.scale_m_per_px : *resolution);
     if (!size) return fail(kUsage, tooManyPixels());
-    // Drawing takes a while, too: what has come by then is drawn within the time that there is.
+    // Drawing takes a while, too: what has arrived by then is drawn within the remaining time.
     const double draw_s = double(size->width()) * double(size->height()) / kPixelsDrawnInASecond;
     const double until_s = options_.timeout_s - std::min(draw_s, options_.timeout_s * kMostOfTimeToDraw);
     if (!fetch_->over() && fetch_->counts().answered > 0 && seconds() > until_s) {

@@ -27,7 +27,7 @@ QString layersHelp() {
       .arg(names.join(QLatin1Char(',')));
 }
 
-/// What a picture is asked for with, of a robot or of a bag.
+/// The options of a picture, of a robot or of a bag.
 void addSnapshotOptions(CLI::App* command, SnapshotWords& words) {
   addRobot(*command, words.robot, words.access,
            SnapshotWordsText::tr("Robot address, for example axbot+http://192.168.25.25:8090 or demo: (or "
@@ -95,7 +95,7 @@ void addSnapshotOptions(CLI::App* command, SnapshotWords& words) {
   command->add_flag("--json", words.json, help(SnapshotWordsText::tr("Print the report on standard output")));
 }
 
-/// What a recording is called tells of a robot, too.
+/// The name of a recording also gives the robot.
 int snapshotOf(SnapshotWords& words, const Invocation& before) {
   takeRecording(words.robot, words.bag, before.robot);
   inherit(words.robot, words.access, before);

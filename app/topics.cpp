@@ -1,5 +1,5 @@
-// `mapwright topics list|echo|hz`: what a robot sends, by its own names (docs/command-line.md,
-// "mapwright topics").
+// `mapwright topics list|echo|hz`: a robot's topics under its own names (docs/command-line.md, "mapwright
+// topics").
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -43,16 +43,16 @@ struct TopicsWords {
   std::string robot;
   AccessWords access;
   std::vector<std::string> topics;
-  int count = 0;          // of echo: messages; 0: until it is stopped
+  int count = 0;          // for echo: messages; 0: until stopped
   double seconds = 10;    // of hz
-  double timeout_s = 30;  // for the connection, and of echo for each message
+  double timeout_s = 30;  // for the connection, and for each message of echo
   bool json = false;
 };
 
 using robot::OfferedTopic;
 
 using words::text;
-/// How often a topic came.
+/// The statistics of a topic.
 struct Tally {
   qint64 count = 0, bytes = 0;
   double first_s = 0, last_s = 0, shortest_s = 0, longest_s = 0, squares = 0;
@@ -63,7 +63,7 @@ struct Tally {
       first_s = last_s = at_s;
       return;
     }
-    bytes += qint64(size);  // of those in the span, whose first message is none in it
+    bytes += qint64(size);  // of those in the time span, without its first message
     shortest_s = count == 2 ? since_s : std::min(shortest_s, since_s);
     longest_s = std::max(longest_s, since_s);
     squares += since_s * since_s;
@@ -188,7 +188,7 @@ class TopicsRun {
     printTable(table);
   }
 
-  /// JSON without line ends, as it came where it has none.
+  /// JSON without line breaks, unchanged if it has none.
   static QByteArray lineOf(const QByteArray& message) {
     if (!message.contains('\n')) return message;
     const QJsonDocument parsed = QJsonDocument::fromJson(message);

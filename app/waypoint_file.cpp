@@ -26,7 +26,7 @@ using words::text;
 
 constexpr const char* kStandardInput = "-";
 
-/// After the mark of UTF-8 and blanks.
+/// After a UTF-8 byte order mark and blanks.
 bool beginsLikeJson(std::string_view bytes) {
   constexpr std::string_view kMark = "\xef\xbb\xbf";
   if (bytes.starts_with(kMark)) bytes.remove_prefix(kMark.size());

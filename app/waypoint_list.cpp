@@ -95,7 +95,7 @@ std::vector<exchange::WaypointEdit> fitted(const ListedWaypoints& list,
 
 CommandFailure ListedWaypoints::failure(const map::Failure& failed) const {
   CommandFailure failure = robot->failure(failed);
-  // Of files nobody answers: they cannot be read, or not written.
+  // Files do not answer: they cannot be read or written.
   if (robot->local() && failed.kind != map::FailureKind::Conflict &&
       failed.kind != map::FailureKind::TimedOut)
     failure.exit_code = kUsage;

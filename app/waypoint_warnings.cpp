@@ -19,8 +19,8 @@ class WaypointWarningsText {
   Q_DECLARE_TR_FUNCTIONS(WaypointWarnings)
 };
 
-constexpr double kMapWithinS = 20;   // the command waits no longer for its picture
-constexpr double kModelWithinS = 2;  // for the robot's own shape
+constexpr double kMapWithinS = 20;   // the command waits at most this long for its picture
+constexpr double kModelWithinS = 2;  // for the robot's footprint
 
 struct Ground {
   placing::PlacedMap map;

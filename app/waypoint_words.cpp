@@ -40,12 +40,12 @@ std::vector<WaypointCommand> waypointCommands() {
        waypointsApply}};
 }
 
-/// One of the options, and what it is called there.
+/// Adds the options of a command.
 void addOptions(const std::string& name, CLI::App& command, WaypointsWords& words) {
   const auto is = [&](auto... names) { return ((name == names) || ...); };
   const std::string which = help(WaypointOptionText::tr("Its id, or its name if no other waypoint has it"));
   if (is("get", "rename", "move", "tag"))
-    // One word: a list would take the name behind it, too.
+    // A single value: a list would also take the name after it.
     command
         .add_option_function<std::string>(
             "id", [&words](const std::string& id) { words.which = {id}; }, which)

@@ -1,4 +1,4 @@
-// One waypoint changed, or some deleted.
+// Changes one waypoint, or deletes some.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -54,7 +54,7 @@ CommandResult<std::vector<std::string>> tagsIn(const char* option, const std::st
 
 using Edits = CommandResult<std::vector<exchange::WaypointEdit>>;
 
-/// What becomes of the chosen one.
+/// The change of the selected waypoint.
 Edits editOf(const ListedWaypoints& list, const WaypointsWords& words,
              const std::function<void(map::Waypoint&)>& change) {
   const auto point = chosen(list, words.which.front());
@@ -82,7 +82,7 @@ void printChanged(const SentWaypoints& sent, const std::vector<exchange::Waypoin
   one ? printJson(rows.first().toObject()) : printJson(rows);
 }
 
-/// Everything that such a command does, but for what it changes.
+/// The common part of these commands, given the change.
 int change(const WaypointsWords& words, int& argc, char** argv,
            const std::function<std::optional<CommandFailure>()>& check,
            const std::function<Edits(const ListedWaypoints&)>& editsOf) {

@@ -60,7 +60,7 @@ int showWindow(const QString& address, const RobotAccess& known) {
         robot::SecondServer* const second = made ? robot::secondServerOf(**made) : nullptr;
         const QString beside = second ? trusted.of(second->hostBeside()) : QString();
         if (!beside.isEmpty()) second->trustBeside(beside);
-        // A recording is looked at by playing it.
+        // A recording is viewed by playing it.
         if (made && parsed && !parsed->path.isEmpty() && robot::recorded::isRecording(parsed->path))
           *made = std::make_unique<replay::ReplayRobot>(
               std::move(*made), robot::recorded::bagNameOf(parsed->path), window::followedReading());

@@ -74,7 +74,7 @@ class Reader {
       return wrongAt(line_, WaypointCsvText::tr("there is text after a closing quote."));
     return value;
   }
-  /// True when a separator ended the field; false when the record is over.
+  /// True if a separator ended the field; false at the end of the record.
   bool goesOn() {
     if (rest_.starts_with(separator_)) {
       rest_.remove_prefix(1);
@@ -192,7 +192,7 @@ std::string csvLine(const std::vector<std::string>& fields, char separator) {
   std::string line;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const std::string& field = fields[i];
-    // A line of one empty field would be none.
+    // A line with a single empty field would look like an empty line.
     const bool bare = field.find_first_of(std::string{separator, '"', '\r', '\n'}) == std::string::npos &&
                       (!field.empty() || fields.size() > 1);
     if (i > 0) line += separator;

@@ -18,7 +18,7 @@ class WaypointJsonText {
 
 using words::text;
 
-/// Numbers are ids, too, as long as none of their digits is lost.
+/// Numbers are valid ids as long as no digit is lost.
 std::optional<std::string> idOf(const QJsonValue& value) {
   if (value.isUndefined() || value.isNull()) return std::string();
   if (value.isString()) return value.toString().toStdString();

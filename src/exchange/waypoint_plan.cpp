@@ -77,7 +77,7 @@ map::Waypoint withWanted(map::Waypoint point, const WantedWaypoint& wanted) {
   return point;
 }
 
-/// The change of a plan's row, on top of those before; of which waypoint.
+/// The change of a plan's row, on top of those before; returns its waypoint.
 tl::expected<edit::Key, QString> take(const QJsonObject& row, const WaypointItems& base,
                                       std::map<edit::Key, WaypointEdit>& edits) {
   const QString kind = row.value(QLatin1String("kind")).toString();
@@ -297,7 +297,7 @@ tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes) {
 
 std::vector<WaypointEdit> withoutCreated(const WaypointPlan& plan, const WaypointItems& now) {
   std::vector<WaypointEdit> edits;
-  std::set<edit::Key> taken;  // of one that is there no more than one is meant
+  std::set<edit::Key> taken;  // an existing one may only be meant once
   for (const WaypointEdit& edit : plan.edits) {
     const bool is_there = !edit.before && std::any_of(now.begin(), now.end(), [&](const auto& one) {
       return !plan.base.contains(one.first) && isAlike(*edit.after, one.second) &&

@@ -22,7 +22,7 @@ using words::text;
 
 bool isNear(const map::Waypoint& wanted, const map::Waypoint& kept) {
   if (!map::samePlace(wanted.position_m, kept.position_m)) return false;
-  // To some robots everything is turned somehow.
+  // Some robots give everything a heading.
   if (!kept.yaw_rad) return !wanted.yaw_rad;
   return map::sameHeading(wanted.yaw_rad.value_or(0), *kept.yaw_rad);
 }
