@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kStandInsOutOfView = 32;
 
-/// The colour of a mean that has none of its own: between those of the known bytes on both sides.
+/// The colour of a mean without one of its own: between those of the known bytes on both sides.
 std::uint32_t between(const GridPalette& palette, std::size_t byte) {
   std::size_t below = byte, above = byte;
   while (below > 0 && palette[below] >> 24 == 0) --below;
@@ -25,7 +25,7 @@ std::uint32_t between(const GridPalette& palette, std::size_t byte) {
   return color;
 }
 
-/// RGB32 where nothing shines through: that is drawn several times faster.
+/// RGB32 if everything is opaque: that is drawn several times faster.
 QImage paint(const Composition& pixels, const GridPalette& palette) {
   QImage image(pixels.width_px, pixels.height_px, QImage::Format_ARGB32_Premultiplied);
   std::uint32_t all = 0xff000000, any = 0;
@@ -81,7 +81,7 @@ class GridRenderer::Impl {
   void rowsArrived() {
     if (!placed_ || !placed_->cells) return;
     const int ready = placed_->cells->rowsReady();
-    // A band more above: coarse levels come a band late, and reduced pixels reach over the edge.
+    // One band more above: coarse levels are a band late, and reduced pixels extend over the edge.
     const int from = std::max(0, rows_seen_ - 2 * grids::GridPyramid::kTileEdge);
     rows_seen_ = ready;
     geometry::WorldRect rect;
@@ -91,7 +91,7 @@ class GridRenderer::Impl {
       }
     }
     ++generation_;
-    // Work under way goes on: its tile is better than none, and is made once more.
+    // Work in progress continues: its tile is better than none, and will be remade.
     tiles_.touch({rect}, generation_, [](ViewTile&) {});
     changed();
   }
@@ -99,7 +99,7 @@ class GridRenderer::Impl {
   void cellsChanged(const geometry::WorldRect& where) {
     if (!placed_ || where.empty()) return;
     ++generation_;
-    // A pixel shows what the cells around it come to, so it reaches over the edge.
+    // A pixel depends on the cells around it, so it extends over the edge.
     const double margin_m = tiles_.view().scale_m_per_px + placed_->reference.resolution_m;
     tiles_.touch({where.grown(margin_m)}, generation_, [](ViewTile&) {});
     changed();
@@ -188,7 +188,7 @@ class GridRenderer::Impl {
         Qt::QueuedConnection);
   }
 
-  /// A quick look at every tile comes first, the exact ones after that.
+  /// First a preview of every tile, then the exact ones.
   void proceed() {
     if (!placed_ || !placed_->cells || !active_) {
       keepWithin(0);
@@ -219,7 +219,7 @@ class GridRenderer::Impl {
     keepWithin(budget_->bytes);
   }
 
-  /// What is in view stays all the same.
+  /// Visible tiles stay in any case.
   void keepWithin(std::size_t budget) {
     budget_->held -= held_;
     tiles_.trim(budget > budget_->held ? budget - budget_->held : 0);
@@ -233,7 +233,7 @@ class GridRenderer::Impl {
            (placed_->cells->complete() && (!compared_ || !compared_->cells || compared_->cells->complete()));
   }
 
-  /// What somebody waits for goes before what only gets better.
+  /// Missing tiles come before improvements.
   void makeRoom() {
     tiles_.forEach([this](ViewTile& tile) {
       if (tile.exact_work != 0) workers_.cancel(tile.exact_work);
@@ -319,7 +319,7 @@ class GridRenderer::Impl {
   int rows_seen_ = 0;
   std::uint64_t raster_ = 0, generation_ = 1, colors_ = 1;
   std::unordered_map<TileWorkers::Ticket, Work> under_way_;
-  TileWorkers workers_;  // last: it waits for its work when destroyed
+  TileWorkers workers_;  // last member: its destructor waits for its work
 };
 
 GridRenderer::GridRenderer(Options options, QObject* parent)

@@ -27,8 +27,8 @@ class PaintedTiles::Impl {
     if (!painter && !painter_) return;
     painter_ = painter ? std::make_shared<const TilePainter>(std::move(painter)) : nullptr;
     ++generation_;
-    // Work under way goes on: while a hand drags a slider its tiles are better than none, and are made once
-    // more.
+    // Work in progress continues: while the user drags a slider its tiles are better than none, and will be
+    // remade.
     if (!painter_) {
       cancelAll();
       tiles_.clear();
@@ -130,7 +130,7 @@ class PaintedTiles::Impl {
     keepWithin(budget_->bytes);
   }
 
-  /// What is in view stays all the same.
+  /// Visible tiles stay in any case.
   void keepWithin(std::size_t budget) {
     budget_->held -= held_;
     tiles_.trim(budget > budget_->held ? budget - budget_->held : 0);
@@ -183,7 +183,7 @@ class PaintedTiles::Impl {
   bool active_ = true, announced_ = false, was_settled_ = true;
   std::uint64_t raster_ = 0, generation_ = 1;
   std::unordered_map<TileWorkers::Ticket, Work> under_way_;
-  TileWorkers workers_;  // last: it waits for its work when destroyed
+  TileWorkers workers_;  // last member: its destructor waits for its work
 };
 
 PaintedTiles::PaintedTiles(GridRenderer::Options options, QObject* parent)

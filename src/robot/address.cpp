@@ -22,7 +22,7 @@ QString networkPrefix(const QString& text) {
   return like.match(text).captured(1);
 }
 
-/// An address without what stands before the @, wherever in a password there may be another one.
+/// An address without the part before the @, even if the password contains another one.
 QString withoutUser(const QString& typed) {
   static const QRegularExpression scheme(QStringLiteral("^[a-z][a-z0-9]*://"),
                                          QRegularExpression::CaseInsensitiveOption);

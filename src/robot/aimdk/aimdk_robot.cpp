@@ -53,7 +53,7 @@ AimdkRobot::~AimdkRobot() {
 }
 
 QDateTime AimdkRobot::silentSince() const {
-  // Where it is comes by the other server alone.
+  // The pose only comes from the other server.
   const bool by_other = live_ && state_.phase == ConnectionPhase::Online && !silent_since_.isValid();
   return by_other ? live_->silentSince() : silent_since_;
 }
@@ -101,7 +101,7 @@ Call Catalogue::list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
 }
 
 Call Catalogue::describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
-  // There is no question for one map alone that does not send its picture.
+  // There is no request for one map without its picture.
   return list([key, reply = std::move(reply)](const Outcome<std::vector<map::CatalogueEntry>>& entries) {
     if (!entries) {
       map::Failure failure = entries.error();

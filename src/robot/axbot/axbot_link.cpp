@@ -22,9 +22,9 @@ namespace {
 
 constexpr int kSubscribeAnswerMs = 3'000;
 constexpr std::chrono::milliseconds kLongestAskAgain{60'000};
-constexpr int kSubmapsAtOnce = 4;  // on the network, however many are asked for; those on disk come besides
+constexpr int kSubmapsAtOnce = 4;  // network requests in parallel; those from disk are additional
 
-/// A member by any of its names, looked for here and one level down: firmware versions nest them differently.
+/// A member under any of its names, here and one level down: firmware versions nest them differently.
 QJsonValue findMember(const QJsonObject& object, std::initializer_list<const char*> names) {
   for (const char* name : names) {
     if (const auto value = object.value(QLatin1String(name)); !value.isUndefined() && !value.isNull())
@@ -68,10 +68,10 @@ AxbotLink::AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> ma
       deliveries_(std::move(deliveries)) {}
 
 AxbotLink::~AxbotLink() {
-  // Replies of what is under way must not reach a half-destroyed object.
+  // Late replies must not reach a half-destroyed object.
   if (http_) http_->disconnect(this);
   socket_.reset();
-  http_.reset();  // calls nobody any more, so those who ask it may go after it
+  http_.reset();  // makes no callbacks any more, so its users may be destroyed after it
 }
 
 void AxbotLink::start() {
@@ -112,7 +112,7 @@ void AxbotLink::start() {
     deliveries_->pass(std::move(parcel));
   });
   clock_.start();
-  // The query is unknown to old firmware; where the handshake is refused for it, it goes without.
+  // Old firmware does not know the query; if it refuses the handshake, try without.
   socket_ = std::make_unique<net::WebSocketLink>(
       QList<QUrl>{socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret,
       options_.socket);
@@ -146,7 +146,7 @@ void AxbotLink::start() {
     delivered_definition_ = false;
     topics_confirmed_ = false;
     subscribed_ = false;
-    // It may have got another firmware.
+    // It may have new firmware.
     heard_topics_.clear();
     again_timer_->stop();
     again_timer_->setInterval(options_.ask_again_after);
@@ -220,7 +220,7 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
     subscriptions_.setTakesLists(findMember(info, {"supportsEnableTopicList"}).toBool(false));
     Q_EMIT identityChanged(identity);
   } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
-    // Not fatal: the robot is then taken for the oldest kind.
+    // Not fatal: the robot is then treated as the oldest kind.
     Q_EMIT problemFound(problem(map::Severity::Info, {fault::DoesNotSayWhatItIs, {}, {answer.reason}}));
   }
   device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
@@ -233,7 +233,7 @@ void AxbotLink::subscribe() {
   if (names.contains(QLatin1String("/submap_list"))) list_timer_->start(options_.list_expected_within);
   send(subscriptions_.all());
   if (!silentStreams().empty()) older_timer_->start(options_.older_names_after);
-  // Some firmware claims lists and ignores them.
+  // Some firmware claims to support lists and ignores them.
   if (subscriptions_.takesLists() && !names.isEmpty()) subscribe_timer_->start(kSubscribeAnswerMs);
 }
 
@@ -254,7 +254,7 @@ void AxbotLink::askForWanted() {
     if (older_.contains(stream)) names += topics.older;
   }
   const QStringList requests = subscriptions_.setWanted(names + topics_);
-  // Before the first subscription everything is asked for with it, at once.
+  // Before the first subscription everything is included in it.
   if (!subscribed_) return;
   send(requests);
   if (!older_timer_->isActive() && !silentStreams().empty()) older_timer_->start(options_.older_names_after);
@@ -273,7 +273,7 @@ map::Streams AxbotLink::silentStreams() const {
 }
 
 void AxbotLink::askAgainForOnceSaid() {
-  // What comes again and again needs no question.
+  // Data that is sent regularly needs no request.
   QStringList topics;
   const QStringList names = subscriptions_.names();
   for (const QString& topic : names) {
@@ -281,7 +281,7 @@ void AxbotLink::askAgainForOnceSaid() {
     if (heard == heard_topics_.end() || heard->second < 2) topics << topic;
   }
   send(subscriptions_.anew(topics));
-  // A robot that goes on like this is asked ever more seldom.
+  // If this continues, the robot is asked less and less often.
   again_timer_->setInterval(std::min(again_timer_->intervalAsDuration() * 2, kLongestAskAgain));
 }
 
@@ -295,7 +295,7 @@ void AxbotLink::deliver(std::shared_ptr<const std::string> bytes, const std::str
   parcel.name = topic;
   parcel.encoding = encoding;
   if (std::string_view(encoding) == "protobuf") parcel.schema = kBinaryType;
-  // One topic may come both ways; what has no topic is about what was asked a moment ago.
+  // A topic may use both ways; an answer without topic belongs to the last request.
   if (!topic.empty()) parcel.slot = encoding + topic;
   parcel.bytes = *bytes;
   parcel.held_bytes = bytes->size();
@@ -376,7 +376,7 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
     ++heard_topics_[topic];
     if (!unreadable_topics_.empty()) {
       recover(topic);
-      recover(kUnknownTopic);  // whatever it was, messages can be read again
+      recover(kUnknownTopic);  // messages can be read again
     }
   }
   if (std::holds_alternative<map::SubmapList>(message)) {
@@ -455,7 +455,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
   if (http.ok()) {
     answer = parseSubmapResponse(key, wire::view(http.body));
     if (http.from_cache && answer.outcome != Outcome::Ok) {
-      // What lies on the disk is none of the robot's business: it is asked itself.
+      // Bypasses the disk cache.
       http_->discard(url);
       ask(ticket, key);
       return;
@@ -472,8 +472,8 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
       deliveries_->pass(std::move(parcel));
     }
     if (cache_ && !http.from_cache) {
-      // The address names the version asked for; the body is the version that the robot has. Keep it under
-      // its own name only, so that neither a failure nor an older picture is taken for that version after a
+      // The address contains the requested version; the body is the robot's present version. Cache it only
+      // under its own name, so that neither a failure nor an older picture is taken for that version after a
       // restart.
       const bool other_version = answer.version > 0 && answer.version != key.version;
       if (answer.outcome == Outcome::Ok && other_version) {

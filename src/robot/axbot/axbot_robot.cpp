@@ -40,7 +40,7 @@ AxbotRobot::AxbotRobot(QString address, LinkOptions options, QObject* parent)
     state_ = state;
     const QPointer<AxbotRobot> alive(this);
     Q_EMIT connectionChanged();
-    // Whoever is connected again may have got another firmware meanwhile.
+    // After a reconnect the robot may have other firmware.
     if (alive && again && std::exchange(overview_unknown_, std::nullopt)) Q_EMIT capabilitiesChanged();
   });
   connect(link_, &AxbotLink::identityChanged, this, [this](const RobotIdentity& identity) {

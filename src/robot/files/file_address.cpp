@@ -59,7 +59,7 @@ QString filePath(const QString& rest) {
   return path;
 }
 
-/// A description of a map, and no bare picture.
+/// A map description, not a plain picture.
 bool whatSaysItsPlace(const QString& path) {
   const QString suffix = QFileInfo(path).suffix().toLower();
   return suffix == QLatin1String("yaml") || suffix == QLatin1String("yml");
@@ -67,7 +67,7 @@ bool whatSaysItsPlace(const QString& path) {
 
 ParsedAddress parse(const QString& rest) {
   QString path = filePath(rest), query;
-  // A file may have a ? in its name; where it exists, that is what is meant.
+  // A file name may contain a ?; if the file exists, that is what is meant.
   if (const auto mark = path.lastIndexOf(QLatin1Char('?')); mark >= 0 && !QFileInfo::exists(path)) {
     query = path.mid(mark + 1);
     path.truncate(mark);
@@ -87,7 +87,7 @@ ParsedAddress parse(const QString& rest) {
   return address;
 }
 
-/// It exists as a path, looks like one, or ends like a map file.
+/// It exists as a path, looks like one, or has the extension of a map file.
 bool claims(const QString& typed) {
   if (typed.contains(QLatin1String("://"))) return false;
   const QString before_query = typed.section(QLatin1Char('?'), 0, 0);

@@ -50,12 +50,12 @@ std::optional<PictureObstacle> FilePictureStore::obstacle(const map::WholeMap& m
 }
 
 bool FilePictureStore::holdsUnknown(const map::WholeMap& map) const {
-  // A gray picture has unknown shades or has not, which its code tells to whoever paints.
+  // Whether a gray picture has unknown gray levels is known from its code.
   return map.reading.mode == map::CellReading::Mode::Picture ||
          grids::holdsUnknown(map.reading, grids::CellCode::Occupancy, map.path);
 }
 
-// What is asked of the disk cannot be taken back: cancelled, it tells how it went all the same.
+// Disk operations cannot be undone: even if cancelled, it reports the real result.
 Call FilePictureStore::write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) {
   return wire::askAcross(
       this, files_, writes_, map::subjectOf(change.map), std::move(reply),

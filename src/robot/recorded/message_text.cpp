@@ -9,8 +9,8 @@ namespace mapwright::robot::recorded {
 namespace {
 
 constexpr std::int64_t kNsOfASecond = 1'000'000'000;
-constexpr qsizetype kMostText = qsizetype(8) << 10;            // of a message whose lists are cut
-constexpr std::size_t kMostForPeople = std::size_t(64) << 10;  // larger ones are not read for a text alone
+constexpr qsizetype kMostText = qsizetype(8) << 10;            // of a message with truncated lists
+constexpr std::size_t kMostForPeople = std::size_t(64) << 10;  // larger ones are not parsed just for display
 constexpr std::size_t kMostWhole = std::size_t(16) << 10;
 
 std::string secondsText(std::int64_t ns) {
