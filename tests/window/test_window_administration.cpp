@@ -185,7 +185,7 @@ class TestWindowAdministration : public QObject {
     }
     ChangeDialog* const dialog = desk.ask("2", "Load");
     QVERIFY(dialog && dialog->places());
-    QVERIFY(dialog->textShown().contains(QLatin1String("instead of Ground floor")));
+    QVERIFY(dialog->textShown().contains(QLatin1String("from Ground floor to")));
     QTRY_COMPARE(dialog->places()->count(), 4);
     // Nobody has said where it stands.
     QCOMPARE(dialog->places()->currentText(), QStringLiteral("not stated"));

@@ -246,7 +246,7 @@ class TestWindowClouds : public QObject {
     desk.dispatch().answer(cloud);
     QTRY_VERIFY(desk.held().settled() && desk.held().sums().came == 2);
     QVERIFY(
-        desk.dock().outcome().contains(QStringLiteral("4 points that the robot says it sent have not come")));
+        desk.dock().outcome().contains(QStringLiteral("4 points that the robot announced did not arrive")));
     QVERIFY(desk.dock().outcome().contains(QStringLiteral("1 point that came lies beyond the region")));
     // Another region than the one that was asked for.
     region.centre_m = {50, 50, 0};

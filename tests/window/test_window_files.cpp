@@ -68,7 +68,7 @@ class TestWindowFiles : public QObject {
                   QUrl::fromLocalFile(touched(bench.folder, "notes.txt"))});
     QVERIFY(!window.session());
     window.openPath(bench.folder.filePath(QStringLiteral("gone.yaml")));
-    QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("is not there")));
+    QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("does not exist")));
     window.openPath(touched(bench.folder, "notes.txt"));
     QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("is no map")));
     QVERIFY(!window.session());

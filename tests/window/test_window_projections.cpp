@@ -226,7 +226,7 @@ class TestWindowProjections : public QObject {
     smaller.size_m.x() = 6;
     desk.dispatch().answer(List{smaller});
     QCOMPARE(desk.cell(0, ProjectionsModel::Width), QStringLiteral("6"));
-    QVERIFY(desk.dock().outcome().contains(QStringLiteral("1 projection is not what it was sent")));
+    QVERIFY(desk.dock().outcome().contains(QStringLiteral("1 projection differs from what was sent")));
     QVERIFY(!desk.dock().sendButton()->isEnabled());
   }
 
@@ -312,7 +312,7 @@ class TestWindowProjections : public QObject {
     Desk desk;
     desk.open(true, false);
     desk.dispatch().answer(List{floorAt(1, 1)});
-    QVERIFY(desk.dock().state().contains(QStringLiteral("only be read")));
+    QVERIFY(desk.dock().state().contains(QStringLiteral("read-only")));
     QVERIFY(!desk.dock().addButton()->isEnabled());
     QVERIFY(!desk.dock().model()->setData(desk.dock().model()->index(0, 0), 3.0, Qt::EditRole));
   }

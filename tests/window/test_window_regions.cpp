@@ -171,8 +171,8 @@ class TestWindowRegions : public QObject {
     const QString asked = controller()->question()->text();
     QVERIFY2(asked.contains(QStringLiteral("410 × 410 m")), qPrintable(asked));
     QVERIFY2(asked.contains(QStringLiteral("8,192 × 8,192 cells")), qPrintable(asked));
-    QVERIFY2(asked.contains(QStringLiteral("about 235 MB over the link")), qPrintable(asked));
-    QVERIFY2(!asked.contains(QStringLiteral("break off")), qPrintable(asked));
+    QVERIFY2(asked.contains(QStringLiteral("about 235 MB over the network")), qPrintable(asked));
+    QVERIFY2(!asked.contains(QStringLiteral("may fail")), qPrintable(asked));
     controller()->question()->button(QMessageBox::Cancel)->click();
     QTRY_VERIFY(!controller()->question());
     // What the robot does not tell is said to be unknown.
@@ -186,7 +186,7 @@ class TestWindowRegions : public QObject {
     open();
     connectRobot();
     action("fetchWholeMap")->trigger();
-    QVERIFY2(controller()->question()->text().contains(QStringLiteral("break off")),
+    QVERIFY2(controller()->question()->text().contains(QStringLiteral("may fail")),
              qPrintable(controller()->question()->text()));
     QVERIFY(answerCalled("fetchWhole"));
   }
@@ -228,7 +228,7 @@ class TestWindowRegions : public QObject {
     QVERIFY2(notice().contains(QStringLiteral("12.6 MB of about 235 MB so far")), qPrintable(notice()));
     offer()->click();
     QVERIFY(whole->cancelled);
-    QVERIFY2(!notice().contains(QStringLiteral("being fetched")), qPrintable(notice()));
+    QVERIFY2(!notice().contains(QStringLiteral("Fetching")), qPrintable(notice()));
   }
   void fittingShowsAllThatTheRobotSaysThereIs() {
     prepare_ = [](DispatchRobot& robot) { robot.dispatch.told_extent = extentOf(8192); };
@@ -512,7 +512,7 @@ class TestWindowRegions : public QObject {
     connectRobot();
     look(0.05);
     controller()->errand().keepRectangle({-10, -10, 10, 10});
-    QVERIFY(notice().contains(QStringLiteral("being fetched")));
+    QVERIFY(notice().contains(QStringLiteral("Fetching")));
     window_->leaveRobot();
     QVERIFY(!controller()->map());
     QVERIFY(!scene::RegionsOnMap::of(*window_->mapScene()).map());

@@ -747,7 +747,7 @@ class TestWindowReplay : public QObject {
     const QPointer<RangeExportDialog> dialog = desk.window->replay()->rangeDialog();
     dialog->pathEdit()->setText(desk.folder.filePath(QStringLiteral("no/such/folder/a.mcap")));
     QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
-    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("no folder")));
+    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("does not exist")));
     dialog->pathEdit()->setText(desk.folder.path());
     QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
     QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("is a folder")));
@@ -948,7 +948,7 @@ class TestWindowReplay : public QObject {
     };
     QTRY_VERIFY(hasMap());
     recorder->stop();
-    QTRY_VERIFY(tell("which is not complete: the connection was lost, times: 1."));
+    QTRY_VERIFY(tell("but it is incomplete: the connection was lost, times: 1."));
     // And is played from there.
     QSignalSpy play(recorder, &RecordingController::playWanted);
     const auto buttons = desk.window->overlay()->toasts()->findChildren<QPushButton*>();

@@ -462,7 +462,7 @@ class TestWindowWaypoints : public QObject {
     QTRY_VERIFY(!desk.window->isVisible());
     desk.start();
     QTRY_VERIFY(desk.notice()->isVisible());
-    QVERIFY2(desk.notice()->sentence().contains(QLatin1String("not saved: 1 change.")),
+    QVERIFY2(desk.notice()->sentence().contains(QLatin1String(": 1 change.")),
              qPrintable(desk.notice()->sentence()));
     QCOMPARE(desk.items().size(), std::size_t(2));
     desk.notice()->offerButton()->click();

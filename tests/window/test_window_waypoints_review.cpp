@@ -99,7 +99,7 @@ class TestWindowWaypointsReview : public QObject {
     Q_EMIT desk.robot->capabilitiesChanged();
     desk.send();
     QTRY_VERIFY(!desk.control().unsaved());
-    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("as wanted")));
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("as intended")));
     // Of what is saved nothing is lost: it is as the robot says.
     desk.robot->waypoint_store = nullptr;
     Q_EMIT desk.robot->capabilitiesChanged();
@@ -121,7 +121,7 @@ class TestWindowWaypointsReview : public QObject {
     desk.open();
     desk.send();
     QTRY_VERIFY(!desk.control().unsaved());
-    QTRY_VERIFY2(desk.review().comparedShown().contains(QLatin1String("3 as wanted, 0 differ")),
+    QTRY_VERIFY2(desk.review().comparedShown().contains(QLatin1String("3 as intended, 0 differ")),
                  qPrintable(desk.review().comparedShown()));
     for (int row = 0; row < 3; ++row) QCOMPARE(desk.outcome(row), QStringLiteral("done"));
     QVERIFY(!desk.review().sendButton()->isEnabled());
@@ -151,13 +151,13 @@ class TestWindowWaypointsReview : public QObject {
     QVERIFY2(desk.review().statusShown().contains(
                  QLatin1String("Of 3 requests 1 succeeded, 1 failed, 0 are unknown and 1 were not sent.")),
              qPrintable(desk.review().statusShown()));
-    QVERIFY(desk.review().comparedShown().contains(QLatin1String("1 as wanted, 2 differ: Kitchen, Gate")));
+    QVERIFY(desk.review().comparedShown().contains(QLatin1String("1 as intended, 2 differ: Kitchen, Gate")));
     QVERIFY(desk.control().unsaved());
     QCOMPARE(desk.review().sendButton()->text(), QStringLiteral("&Send the rest"));
     desk.send();
     QTRY_VERIFY(!desk.control().unsaved());
     QCOMPARE(desk.store.asked.size(), std::size_t(4));  // none twice that was done
-    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("3 as wanted, 0 differ")));
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("3 as intended, 0 differ")));
   }
 
   void theRestIsShownAnewWhereItTakesOtherCallsNow() {
@@ -190,7 +190,7 @@ class TestWindowWaypointsReview : public QObject {
     desk.review().goOnBox()->setChecked(true);
     desk.send();
     QTRY_COMPARE(desk.store.asked.size(), std::size_t(3));
-    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("2 as wanted, 1 differ: Kitchen")));
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("2 as intended, 1 differ: Kitchen")));
     QCOMPARE(desk.outcome(2), QStringLiteral("done"));
     QCOMPARE(desk.editing().document()->unsaved(), (std::set<edit::Key>{"b"}));
   }
@@ -245,8 +245,8 @@ class TestWindowWaypointsReview : public QObject {
     desk.store.unreadable = false;
     Q_EMIT desk.store.changed();
     // What is not to be seen there yet may come still.
-    QTRY_VERIFY2(desk.review().comparedShown().contains(arrives ? QLatin1String("2 as wanted, 1 differ")
-                                                                : QLatin1String("1 as wanted, 2 differ")),
+    QTRY_VERIFY2(desk.review().comparedShown().contains(arrives ? QLatin1String("2 as intended, 1 differ")
+                                                                : QLatin1String("1 as intended, 2 differ")),
                  qPrintable(desk.review().comparedShown()));
     QCOMPARE(desk.outcome(1), arrives ? QStringLiteral("done, answer lost")
                                       : QStringLiteral("unknown. The connection is gone."));
@@ -260,7 +260,7 @@ class TestWindowWaypointsReview : public QObject {
     QTRY_VERIFY(!desk.control().unsaved());
     QCOMPARE(desk.store.asked.size(), std::size_t(arrives ? 3 : 4));
     QCOMPARE(desk.store.find("Kitchen")->position_m.x(), 3.25);
-    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("3 as wanted, 0 differ")));
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("3 as intended, 0 differ")));
   }
 
   void whatOthersChangedMeanwhileIsMergedAndOnlyWhatWasReviewedIsSent() {
@@ -305,7 +305,7 @@ class TestWindowWaypointsReview : public QObject {
     QTRY_COMPARE(desk.outcome(1), QStringLiteral("in progress…"));
     QTest::mouseClick(desk.review().cancelButton(), Qt::LeftButton);
     QTRY_COMPARE(desk.outcome(2), QStringLiteral("not sent"));
-    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("1 as wanted, 2 differ")));
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("1 as intended, 2 differ")));
   }
 
   void leavingSavesThroughIt() {

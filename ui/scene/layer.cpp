@@ -107,7 +107,7 @@ map::Streams layerStreams(Layer layer) {
       return {Stream::NearbyRobots, Stream::NearbyFootprints};
     case Layer::Regions:
     case Layer::Submaps:
-    case Layer::DispatchedCloud:  // is asked for, region by region
+    case Layer::DispatchedCloud:  // is requested region by region
     case Layer::Grid:
     case Layer::Waypoints:
     case Layer::Outlines:

@@ -42,7 +42,7 @@ robot::MapAdministration* AdministrationController::maps() const {
 }
 
 void AdministrationController::setSession(session::Session* session) {
-  delete dialog_;  // what it asked belongs to the robot that is left
+  delete dialog_;  // its question concerns the robot that is left
   if (session) {
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &AdministrationController::refresh);
     connect(&session->robot(), &robot::Robot::mapsChanged, this, &AdministrationController::refresh);
@@ -102,7 +102,7 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
   dialog_ = new ChangeDialog(
       std::move(question),
       [this](const robot::MapOrder& order, robot::OutcomeTo<map::CatalogueEntry> reply) {
-        // It may have gone since the question was asked; then its answer says so, later, as always.
+        // It may have disappeared since the question was asked; then its answer says so, later, as always.
         if (robot::MapAdministration* const now = maps()) return now->carryOut(order, std::move(reply));
         QMetaObject::invokeMethod(
             this,
@@ -121,7 +121,7 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
           [this, change](const map::CatalogueEntry&, const QString& said, bool as_asked) {
             context_.overlay.toasts()->add(as_asked ? Mark::Good : Mark::Warning, said);
             if (session::Session* const now = context_.current.session()) now->catalogue().refresh();
-            // Who stops mapping wants to keep the map, as a rule; not within this call, its dialog is
+            // After mapping the user usually wants to save the map; not within this call, since its dialog is
             // closing.
             if (change == MapChange::StopMapping) {
               QMetaObject::invokeMethod(

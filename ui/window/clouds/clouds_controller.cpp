@@ -29,7 +29,7 @@
 namespace mapwright::window {
 namespace {
 
-constexpr int kSectionPx = 280;  // a storey and its ceiling can be told apart
+constexpr int kSectionPx = 280;  // enough for a storey and its ceiling
 
 const QString kWidthKey = QStringLiteral("clouds/section_width_m");
 const QString kCloudsFolderKey = QStringLiteral("clouds/folder");
@@ -141,7 +141,7 @@ robot::MapDispatch* CloudsController::dispatch() const {
 }
 
 void CloudsController::setSession(session::Session* session) {
-  // The scene has let go of the clouds; what was asked for is nobody's any more.
+  // The scene has dropped the clouds; pending requests are void.
   ++asked_;
   call_ = {};
   unsaved_ = false;
@@ -170,7 +170,7 @@ void CloudsController::refreshOffer() {
   offer.why_not = dock_->voxels() ? tr("This robot does not offer a cloud of its occupied cells.")
                                   : tr("This robot does not offer a cloud of its points.");
   if (offered) {
-    // It may have come only now.
+    // It may have appeared only now.
     connect(offered, &robot::MapDispatch::offersChanged, this, &CloudsController::refreshOffer,
             Qt::UniqueConnection);
     offer.whole = offered->offered(dock_->voxels() ? DispatchService::Occupancy : DispatchService::Cloud);
@@ -246,7 +246,7 @@ void CloudsController::take(robot::CloudKind kind, const std::optional<map::Clou
     context_.scene.setLayerVisible(scene::Layer::DispatchedCloud, true);
   }
   if (!first || region) return;
-  // The whole map, and nothing was on screen before: it is what one wants to look at.
+  // The whole map, and nothing was on screen before: show all of it.
   connect(
       &clouds_, &scene::MapClouds::summed, this,
       [this] {
@@ -269,13 +269,12 @@ void CloudsController::cut() {
   });
 }
 
-/// Its dock takes the place of others below the map, which may be low; once it is open its height is the
-/// user's.
+/// Its dock replaces others below the map, which may be low; once it is open the user controls its height.
 void CloudsController::openSection() {
   const bool was_open = section_dock_->isVisible() && !section_dock_->visibleRegion().isEmpty();
   context_.panels.open(section_dock_);
   if (was_open || section_dock_->isFloating()) return;
-  // The height that it got is known once it has been laid out.
+  // Its height is known once it has been laid out.
   QTimer::singleShot(0, section_dock_, [this] {
     const int wanted = std::max(kSectionPx, context_.window.height() / 4);
     if (section_dock_->height() < wanted)
@@ -320,7 +319,7 @@ void CloudsController::saveTo(const QString& path, std::function<void()> then) {
       return;
     }
     context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)));
-    if (asked == asked_) unsaved_ = false;  // nothing has been asked for since
+    if (asked == asked_) unsaved_ = false;  // nothing has been requested since
     if (then) then();
   });
 }

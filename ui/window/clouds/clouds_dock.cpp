@@ -45,7 +45,7 @@ QDoubleSpinBox* metresBox(double low, double high, int decimals, const QString& 
   box->setDecimals(decimals);
   box->setSingleStep(0.1);
   box->setSuffix(CloudsDock::tr(" m"));
-  // What is typed counts when it is finished: half a number would be a height of its own.
+  // Typed numbers count when complete: half a number would be a height of its own.
   box->setKeyboardTracking(false);
   box->setAccessibleName(name);
   box->setMinimumWidth(70);
@@ -217,7 +217,7 @@ scene::CloudRange CloudsDock::askedHeights() const {
 
 void CloudsDock::typedRange() {
   if (low_->value() > high_->value()) {
-    // The other end gives way to the one that was typed.
+    // The other end gives way to the typed one.
     QDoubleSpinBox* const typed = qobject_cast<QDoubleSpinBox*>(sender());
     QDoubleSpinBox* const other = typed == low_ ? high_ : low_;
     const QSignalBlocker quiet(other);
@@ -272,7 +272,7 @@ void CloudsDock::setClouds(const scene::CloudSums& sums, const scene::CloudHeigh
   slider_->setHeights(heights);
   slider_->setRange(range);
   const QSignalBlocker quiet_low(low_), quiet_high(high_);
-  // Rounded outwards: what is at the very end is not to be lost by two decimals.
+  // Rounded outwards, so that the two decimals do not cut off the ends.
   low_->setValue(range ? range->low_m : std::floor(heights.low_m * 100) / 100);
   high_->setValue(range ? range->high_m : std::ceil(heights.high_m * 100) / 100);
   low_->setEnabled(has_clouds_);

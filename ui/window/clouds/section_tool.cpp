@@ -104,7 +104,7 @@ void SectionTool::paint(QPainter& painter) {
   painter.drawLine(from, to);
   painter.setBrush(color);
   painter.drawEllipse(from, 4, 4);
-  // The end has an arrow: left and right in the section are that way round.
+  // The end has an arrow, which gives the direction of the section.
   const QLineF shaft(to, from);
   if (shaft.length() > 1) {
     QLineF wing(to, to + (from - to) * (10 / shaft.length()));

@@ -104,7 +104,7 @@ std::optional<QString> ConnectionController::connectTo(const QString& address, c
   if (!*robot) return tr("No robot supports this address.");
   secret_of_ = (*robot)->address();
   secret_ = secret;
-  // Shared, because what is called later has to be copyable.
+  // Shared, because the callback has to be copyable.
   context_.unsaved.whenMayLeaveRobot(
       [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot)), address] {
         begin(std::move(*made), address);
@@ -173,7 +173,7 @@ void ConnectionController::enterSecret() {
       &context_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
-  // Once it is shown, so that the focus stays.
+  // After showing it, so that the focus stays.
   dialog->askForSecret(context_.current.address(), sentences::wordsOf(session->connection().reason));
 }
 
@@ -186,7 +186,7 @@ std::optional<robot::UntrustedCertificate> ConnectionController::certificateBesi
 void ConnectionController::openCertificate() {
   const session::Session* const session = context_.current.session();
   if (!session || context_.window.findChild<CertificateDialog*>()) return;
-  // Its own goes before that of the server beside it.
+  // Its own certificate comes before that of the second server.
   const auto own = session->connection().certificate, certificate = own ? own : certificateBeside();
   if (!certificate) return;
   auto* const dialog = new CertificateDialog(*certificate, &context_.window);
@@ -249,7 +249,7 @@ void ConnectionController::refresh() {
   disconnect_->setEnabled(session != nullptr);
   const bool stale = session && session->staleSince().has_value();
   context_.scene.setStale(stale);
-  // How long it lasts goes on by itself.
+  // Updates the elapsed time.
   const bool counts = session && valuesAsOf(*session).has_value();
   if (counts && !stale_tick_.isActive()) stale_tick_.start();
   if (!counts) stale_tick_.stop();

@@ -26,7 +26,7 @@ QLabel* plain(const QString& text, QWidget* parent) {
   return label;
 }
 
-/// In two lines: 95 characters without a blank fit on none.
+/// In two lines: 95 characters without a blank are too long for one.
 QLabel* fingerprint(const QString& sha256, QWidget* parent) {
   constexpr qsizetype kInALine = kBytesInALine * 3;
   auto* label = plain(sha256.left(kInALine) + QLatin1Char('\n') + sha256.mid(kInALine), parent);

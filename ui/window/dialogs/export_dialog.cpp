@@ -102,7 +102,7 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   column->addWidget(progress_);
   column->addLayout(buttons);
 
-  // As they stand, and not as they were made.
+  // In visual order, not in order of creation.
   QWidget* const order[] = {map_picture_, map_server_, view_picture_, source_, hidden_, resolution_,
                             path_,        browse_,     world_file_,   cancel_, export_};
   for (std::size_t i = 1; i < std::size(order); ++i) setTabOrder(order[i - 1], order[i]);
@@ -179,7 +179,7 @@ void ExportDialog::sync() {
   content_->setVisible(!content_->text().isEmpty());
   export_->setEnabled(!fromSubmaps() || !chosenSubmaps().empty());
   world_file_->setEnabled(format() != jobs::ExportFormat::MapServer);
-  // The name stays, its ending follows the format.
+  // The name stays, the extension follows the format.
   QString path = path_->text();
   for (const char* suffix : {".png", ".yaml", ".pgm"}) {
     if (path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive)) {

@@ -67,7 +67,7 @@ InspectorControls::InspectorControls(QAction* show_ids, QAction* show_outlines, 
   column->addLayout(first);
 
   connect(filter_, &QLineEdit::textChanged, this, &InspectorControls::filterChanged);
-  // clicked and not toggled: only the user's doing, and a partly checked box becomes checked.
+  // clicked and not toggled: only for user actions, and a partially checked box becomes checked.
   connect(nearby_, &QCheckBox::clicked, this,
           [this] { Q_EMIT nearbyWanted(nearby_->checkState() != Qt::Unchecked); });
   connect(incremental_, &QCheckBox::clicked, this,

@@ -30,7 +30,7 @@ QString whyLayerStaysEmpty(Layer layer, session::Session* session) {
     case Layer::Regions: {
       const robot::MapDispatch* const dispatch = robot.mapDispatch();
       if (!dispatch) return why(robot::Capability::Dispatch);
-      // Of one that is gone what came stays.
+      // If it has disappeared, received data stays.
       const auto offers = dispatch->offers();
       const bool gone =
           std::none_of(offers.begin(), offers.end(), [](const auto& offer) { return offer.offered; });
@@ -54,7 +54,7 @@ QString whyLayerStaysEmpty(Layer layer, session::Session* session) {
     default:
       break;
   }
-  // All that is left is seen, planned or driven by the robot just now.
+  // Everything else is the robot's present sensor data, plans or motion.
   return live || submaps ? QString()
                          : QCoreApplication::translate(
                                "window", "There is no live data here, so this layer stays empty.");

@@ -42,7 +42,7 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
   eye_->setFocusPolicy(Qt::TabFocus);
   eye_->setAccessibleName(tr("Show %1").arg(title));
   name_->setFixedHeight(kLayerRowPx);
-  name_->setSample(QStringLiteral("xxxx"));  // the row must not force the dock's width
+  name_->setSample(QStringLiteral("xxxx"));  // the row must not determine the dock's width
   name_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   opacity_->setObjectName(QStringLiteral("opacity-") + scene::layerName(layer));
   opacity_->setAccessibleName(tr("Opacity of %1").arg(title));

@@ -104,7 +104,7 @@ void LayerStyleEditor::setTopics(const QStringList& choices, const QString& chos
       chosen.isEmpty() && !usual.isEmpty() ? tr("Default (%1)").arg(words::plainName(usual)) : as_usual,
       QString());
   QStringList all = choices;
-  if (!chosen.isEmpty() && !all.contains(chosen)) all.prepend(chosen);  // it is waited for
+  if (!chosen.isEmpty() && !all.contains(chosen)) all.prepend(chosen);  // it may still appear
   for (const QString& topic : all) topic_->addItem(words::plainName(topic), topic);
   topic_->setCurrentIndex(std::max(0, topic_->findData(chosen)));
   topic_->setToolTip(plainToolTip(chosen.isEmpty() ? usual : chosen));

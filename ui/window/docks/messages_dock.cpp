@@ -95,7 +95,7 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
     updateWatching();
     if (visible) refresh();
   });
-  // Behind another tab the topics stay asked for; closing the dock lets go of them.
+  // In a hidden tab the topics stay subscribed; closing the dock unsubscribes.
   connect(toggleViewAction(), &QAction::toggled, this, [this](bool open) {
     if (open || asked_.isEmpty()) return;
     asked_.clear();
@@ -220,7 +220,7 @@ void MessagesDock::setSession(session::Session* session) {
     if (const replay::ReplayRobot* const replayed = replayOf(session))
       connect(replayed, &replay::ReplayRobot::jumped, this, [this] {
         expectAgain();
-        if (now() == shown_ms_) return;  // it has only learnt more of the same time
+        if (now() == shown_ms_) return;  // only more data of the same time arrived
         shown_ms_ = now();
         log_.beginRatesAnew(shown_ms_);
       });
@@ -264,8 +264,8 @@ void MessagesDock::refresh() {
   model_->sync(log_, shown_ms_);
   clear_->setEnabled(model_->rowCount() > 0);
   showMessage(false);
-  // Rates fall although nothing comes: looked at again as long as there are rows. Those of a recording stand
-  // still with it.
+  // Rates decrease even without messages: updated as long as there are rows. Those of a recording pause with
+  // it.
   if (watching_ && model_->rowCount() > 0 && !replayOf(session_)) refresh_timer_.start(kIdleMs);
 }
 

@@ -11,8 +11,7 @@ namespace {
 
 constexpr qsizetype kShortList = 100;
 
-/// The end (past the bracket) of a list or object from `at` on that holds no other and is short; -1 = it is
-/// not so.
+/// The end (after the bracket) of a short list or object at `at` without nested ones; -1 = it is not one.
 qsizetype endOfShort(const QString& text, qsizetype at) {
   const QChar close = text[at] == QLatin1Char('[') ? QLatin1Char(']') : QLatin1Char('}');
   bool quoted = false;

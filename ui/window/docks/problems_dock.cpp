@@ -78,7 +78,7 @@ ProblemsDock::ProblemsDock(QWidget* parent)
 }
 
 ProblemsDock::~ProblemsDock() {
-  // As in the inspector: the table goes later than what it reports to.
+  // As in the inspector: the table is destroyed later than the object it reports to.
   table_->selectionModel()->disconnect(this);
   table_->removeEventFilter(this);
 }

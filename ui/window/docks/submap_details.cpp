@@ -1,4 +1,4 @@
-// What the inspector says about the selected submap.
+// The inspector's text about the selected submap.
 #include <QCoreApplication>
 #include <QStringList>
 

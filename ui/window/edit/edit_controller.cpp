@@ -12,13 +12,14 @@ namespace mapwright::window {
 
 namespace {
 
-/// The names of commands hold names of others: no mnemonics in them.
+/// Command names may contain other names: escapes mnemonics.
 QString withName(const QString& verb, QString command) {
   command.replace(QLatin1Char('&'), QLatin1String("&&"));
   return command.isEmpty() ? verb : QStringLiteral("%1 %2").arg(verb, command);
 }
 
-/// Steps of what is being edited; a click goes back, or forth, to one. Single letters are left to the window.
+/// The steps of the edited document; a click goes back or forth to one. Single letters are left to the
+/// window.
 class History : public QUndoView {
  public:
   using QUndoView::QUndoView;

@@ -33,7 +33,7 @@ namespace {
 const QString kExportFolderKey = QStringLiteral("export/folder");
 const QString kPictureFolderKey = QStringLiteral("screenshot/folder");
 
-/// Where the pixels of the view lie in the world.
+/// The position of the view's pixels in the world.
 map::GridReference referenceOf(const geometry::ViewTransform& view, const QSize& pixels) {
   map::GridReference reference;
   reference.width = pixels.width();

@@ -23,7 +23,7 @@ FilesController::FilesController(WindowContext& context, PicturePlacing& placing
                         .tip = tr("Open a map.yaml, a picture of a map or a recording from this computer"),
                         .menu = {MenuGroup::Places, 20}},
                        this, &FilesController::choose);
-  // What is dropped on the map is dropped on the window.
+  // Drops on the map are handled by the window.
   context_.window.setAcceptDrops(true);
   context_.view.setAcceptDrops(false);
   context_.view.viewport()->setAcceptDrops(false);

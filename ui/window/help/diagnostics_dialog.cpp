@@ -115,7 +115,7 @@ DiagnosticsDialog::DiagnosticsDialog(std::function<Diagnostics()> look, QSetting
   threads_->setRange(0, WorkSettings::kMostThreads);
   threads_->setSpecialValueText(tr("One per processor"));
   threads_->setValue(kept.settings.threads);
-  // One below the least stands for the usual.
+  // One below the minimum means the default.
   memory_->setRange(WorkSettings::kLeastMb - 1, WorkSettings::kMostMb);
   memory_->setSingleStep(64);
   memory_->setSuffix(tr(" MiB"));

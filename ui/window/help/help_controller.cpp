@@ -51,7 +51,7 @@ HelpController::HelpController(WindowContext& context, QObject* parent)
 HelpController::~HelpController() { delete diagnostics_; }
 
 void HelpController::showDiagnostics() {
-  // Beside the window, not in front of it: one looks at it while something is done there.
+  // Non-modal, so that it can be watched while working.
   if (!diagnostics_) {
     const auto look = [&context = context_] {
       Diagnostics now{context.workers->threads(), context.workers->running(), context.workers->waiting(),

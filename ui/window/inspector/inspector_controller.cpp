@@ -65,7 +65,7 @@ void InspectorController::clickedOnMap(const Eigen::Vector2d& world_m) {
 void InspectorController::setSession(session::Session* session) {
   dock_->setSession(session);
   if (!session) return;
-  // A robot without submaps has put another panel before it.
+  // A robot without submaps has put another panel in front of it.
   const bool has_submaps = session->robot().submapSource() != nullptr;
   if (std::exchange(behind_, !has_submaps) && has_submaps) context_.panels.suggest(dock_);
 }

@@ -26,7 +26,7 @@ namespace {
 
 using scene::CompareMode;
 
-/// A swatch in the very colour of the difference, with its words.
+/// A swatch in the colour of the difference, with its label.
 class LegendEntry : public QWidget {
  public:
   LegendEntry(render::Difference what, const QString& text, QWidget* parent)

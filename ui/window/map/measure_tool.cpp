@@ -56,7 +56,7 @@ void MeasureTool::left() {
 }
 
 bool MeasureTool::doubleClicked(const MapPoint&) {
-  // The first click of the two has set the point already.
+  // The first click of the two has already set the point.
   end();
   return true;
 }

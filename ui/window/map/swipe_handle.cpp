@@ -62,7 +62,7 @@ void SwipeHandle::mouseMoveEvent(QMouseEvent* event) {
 void SwipeHandle::mouseReleaseEvent(QMouseEvent*) { grab_px_.reset(); }
 
 void SwipeHandle::wheelEvent(QWheelEvent* event) {
-  // The map below goes on zooming.
+  // The map below can still be zoomed.
   auto* view = qobject_cast<QGraphicsView*>(parentWidget());
   if (!view) return;
   const QPointF at = mapToParent(event->position().toPoint());

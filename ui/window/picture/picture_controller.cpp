@@ -69,7 +69,7 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
     if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
   });
   connect(dock_, &PictureDock::lookWanted, this, [this](Tidying what, int cells) {
-    // Its keys are those of the tool, on the map.
+    // Its keys belong to the tool, on the map.
     if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
     editing_.lookFor(what, cells);
     context_.view.setFocus();
@@ -93,7 +93,7 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
 
 PictureController::~PictureController() {
   setSession(nullptr);
-  delete dock_;  // it looks at what is here
+  delete dock_;  // it refers to members of this object
 }
 
 QMessageBox* PictureController::question() const { return question_; }
@@ -218,7 +218,7 @@ void PictureController::watchDrafts() {
           [this](const QString& sentence) { context_.overlay.toasts()->add(Mark::Warning, sentence); });
 }
 
-/// What is not saved stays as a draft; where that is impossible somebody has to know.
+/// Unsaved changes stay as a draft; if that is impossible the user has to know.
 void PictureController::keepDraft() {
   if (!drafts_) return;
   const bool unsaved = editing_.unsaved();
@@ -228,16 +228,16 @@ void PictureController::keepDraft() {
   drafts_.reset();
 }
 
-/// The same map has come with another picture: what was saved here, or what somebody else has made of it.
+/// The same map has arrived with another picture: saved here, or changed by someone else.
 void PictureController::takeOther(const MapSlot& slot) {
   seen_ = slot.cells();
   const bool fits = picture::sameShape(*editing_.grid(), *seen_) && slot.reference() == editing_.reference();
   if (fits && editing_.touched()) {
     const std::string& revision = slot.shown().fingerprint;
-    // What was saved here comes back, and may be overtaken by what was saved after it.
+    // A picture saved here comes back, possibly after a later save.
     const bool known = revision == revision_ || own_revisions_.contains(revision);
     if (known && !editing_.merging()) return again_ ? noteMerged(0, revision_) : void();
-    own_revisions_.clear();  // what is like one of them from now on has been made so
+    own_revisions_.clear();  // an equal one from now on is someone else's change
     editing_.takeIn(seen_, revision);
     return;
   }
@@ -272,7 +272,7 @@ std::optional<map::MapKey> PictureController::mapInstead() const {
   return current->key;
 }
 
-/// It is on its way.
+/// It is loading.
 bool PictureController::opening() const {
   if (!session_ || editing_.isOpen()) return false;
   const MapSlot& slot = session_->wholeMap();

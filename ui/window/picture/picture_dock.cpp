@@ -42,7 +42,7 @@ QPushButton* pictureButton(const QString& text, QWidget* parent) {
   return button;
 }
 
-/// How a cell of this kind is marked on the map.
+/// The mark of cells of this kind on the map.
 QPixmap signOf(picture::Kind kind, double ratio) {
   constexpr int kEdgePx = 14;
   QPixmap sign(QSize(kEdgePx, kEdgePx) * ratio);

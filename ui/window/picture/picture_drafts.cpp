@@ -51,7 +51,7 @@ PictureDrafts::Found PictureDrafts::look(const QString& folder, const edit::Draf
     if (!taken) {
       found.remarks << sentences::wordsOf(edit::setAside(std::move(file)));
     } else if (taken->cells == 0) {
-      edit::removeDraft(std::move(file));  // it has been saved all the same
+      edit::removeDraft(std::move(file));  // it has been saved after all
     } else {
       file.bytes.clear();
       found.drafts.push_back({std::move(file), std::move(*draft), taken->cells});
@@ -77,7 +77,7 @@ std::optional<Fault> PictureDrafts::keep() {
 }
 
 void PictureDrafts::forgetTakenUp() {
-  // Only when it is kept elsewhere.
+  // Only when it is saved elsewhere.
   if (keeper_.trouble().any()) return;
   for (edit::LeftDraft& file : std::exchange(taken_up_, {})) edit::removeDraft(std::move(file));
 }

@@ -1,4 +1,4 @@
-// PictureController: saving, what comes of it, and leaving.
+// PictureController: saving, its result, and leaving.
 #include <utility>
 
 #include <QDir>
@@ -20,7 +20,7 @@
 namespace mapwright::window {
 
 namespace {
-constexpr int kKeep = -1;  // the answer that QMessageBox has no name for
+constexpr int kKeep = -1;  // the answer for which QMessageBox has no name
 }
 
 void PictureController::askToDecide() {
@@ -77,7 +77,7 @@ void PictureController::send() {
   if (saving_ || !editing_.unsaved() || !session_ || !open_map_) return;
   if (editing_.conflicts() > 0) return askToDecide();
   if (editing_.merging()) {
-    again_ = true;  // it would be refused: what is kept is another picture already
+    again_ = true;  // it would be refused: the stored picture has already changed
     return;
   }
   if (!session_->robot().pictureStore()) return;
@@ -101,7 +101,7 @@ QString PictureController::copiesHere() const {
   return copiesFolder(context_.edit.drafts_folder, session_->robot().address(), mapName());
 }
 
-/// Without it nothing is overwritten.
+/// Without a backup nothing is overwritten.
 void PictureController::noteCopied(const std::optional<Fault>& trouble) {
   if (!saving_) return;
   if (!trouble) return write();
@@ -151,7 +151,7 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
           Mark::Good, tr("%1 saved. Previous version: %2").arg(mapName(), QDir::toNativeSeparators(copy_)),
           {tr("Open it"), [this, copy = copy_] { Q_EMIT fileWanted(copy); }});
     }
-    // Leaving ends the session, and it is its robot that is speaking.
+    // Leaving ends the session, and its robot is emitting this signal.
     if (const auto then = std::exchange(when_saved_, nullptr))
       QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
   } else if (outcome.error().kind == map::FailureKind::Conflict) {
@@ -163,7 +163,7 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
   } else {
     noteNotWritten(QString::fromStdString(sentences::sentenceOf(outcome.error())));
   }
-  // What came while it was being written was not looked at.
+  // Changes that arrived during the write were ignored.
   syncMap();
 }
 
@@ -182,7 +182,7 @@ void PictureController::noteMerged(qint64 taken, const std::string& revision) {
     }
   } else if (taken > 0) {
     const QString told = tr("%1 was changed elsewhere. The two versions were merged.").arg(mapName());
-    // Somebody who paints there comes with every stroke.
+    // Someone painting there causes this with every stroke.
     if (!context_.overlay.toasts()->texts().contains(told))
       context_.overlay.toasts()->add(Mark::Warning, told);
   }

@@ -15,10 +15,10 @@ namespace mapwright::window {
 namespace {
 
 constexpr double kLeastMarkPx = 3;
-constexpr double kLinesFromPx = 6;     // a cell this wide has room for lines
-constexpr double kLeastCornersPx = 9;  // a click this near to the first corner closes a polygon
+constexpr double kLinesFromPx = 6;     // a cell this wide has room for hatching
+constexpr double kLeastCornersPx = 9;  // a click this close to the first corner closes a polygon
 
-/// A line that is seen on any ground.
+/// A line that is visible on any background.
 void strokeTwice(QPainter& painter, const auto& draw) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(QColor(255, 255, 255, 220), 3));
@@ -260,7 +260,7 @@ void PictureTool::paint(QPainter& painter) {
   paintBrush(painter);
 }
 
-/// A mark over every cell that would change, wide enough to be seen when the cells are not.
+/// A mark on every cell that would change, visible even if the cells are not.
 void PictureTool::paintPreview(QPainter& painter) const {
   if (!editing_->preview()) return;
   const map::GridReference& grid = editing_->reference();
@@ -293,7 +293,7 @@ void PictureTool::paintPreview(QPainter& painter) const {
     painter.drawRects(marks[std::size_t(i)]);
     if (cell_px < kLinesFromPx) continue;
     QBrush lines(QColor(0, 0, 0, 150), look.lines);
-    lines.setTransform(of_cells.inverted());  // in pixels, however large the cells are
+    lines.setTransform(of_cells.inverted());  // in pixels, whatever the size of the cells
     painter.setBrush(lines);
     painter.drawRects(marks[std::size_t(i)]);
   }

@@ -1,4 +1,4 @@
-// What the hand does with a plot.
+// Mouse and keyboard in a plot.
 #include <cmath>
 
 #include <QApplication>
@@ -164,7 +164,7 @@ void PlotWidget::askForValues() {
   auto* const until = field(tr("&To"), greatest, "until");
   auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, dialog);
   form->addRow(buttons);
-  // Both ways of writing a number.
+  // Accepts decimal points and commas.
   const auto number = [](const QLineEdit* edit) -> std::optional<double> {
     bool sound = false;
     double value = edit->text().trimmed().toDouble(&sound);

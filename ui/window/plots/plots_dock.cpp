@@ -66,7 +66,7 @@ PlotsDock::PlotsDock(PlotFeed& feed, QWidget* parent)
   sourceChanged();
 }
 
-// The feed may have gone before.
+// The feed may already be gone.
 PlotsDock::~PlotsDock() { disconnect(); }
 
 QWidget* PlotsDock::buildControls() {
@@ -126,7 +126,7 @@ QWidget* PlotsDock::buildControls() {
 }
 
 bool PlotsDock::eventFilter(QObject* watched, QEvent* event) {
-  // What can be completed changes with what is held: looked for when somebody begins to type.
+  // Completions depend on the messages in memory: updated when typing begins.
   if (watched == path_ && event->type() == QEvent::FocusIn) paths_->setStringList(feed_.fields());
   return QDockWidget::eventFilter(watched, event);
 }
@@ -153,7 +153,7 @@ void PlotsDock::wire(PlotWidget* plot) {
     if (bag_) Q_EMIT seekWanted(std::clamp(at_s, bag_->first, bag_->second));
   });
   connect(plot, &PlotWidget::spanWanted, this, [this](double from_s, double until_s) {
-    // Of a live robot the present stays in view as long as it is.
+    // For a live robot the present stays visible if it was.
     follows_ = feed_.now() <= until_s + (until_s - from_s) / 20;
     setSpan({from_s, until_s});
   });
@@ -216,7 +216,7 @@ bool PlotsDock::addCurve(PlotWidget* plot, const PlotWish& wish) {
     say(tr("%1 is already in this plot.").arg(plotName(wish).left(100)));
     return false;
   }
-  // The first look that is free: one that was removed does not change the others.
+  // The first free look: removing a curve does not change the others.
   int look = 0;
   while (std::any_of(curves.begin(), curves.end(), [&](const PlotCurve& each) { return each.look == look; }))
     ++look;
@@ -259,7 +259,7 @@ void PlotsDock::addTyped() {
   }
   if (!addCurve(atHand(), *path)) return;
   path_->clear();
-  // Only where other numbers of the topic are known is it likely to be a slip.
+  // It is only likely to be a typo if other numbers of the topic are known.
   const QStringList known = feed_.fields();
   const QString word = QString::fromStdString(path->text()), topic = QString::fromStdString(path->topic);
   const bool of_topic = std::any_of(known.begin(), known.end(),
@@ -300,7 +300,7 @@ void PlotsDock::closeBag() {
 void PlotsDock::setCurrent(double at_s) {
   current_s_ = at_s;
   for (PlotWidget* const plot : plots_) plot->setCurrent(current_s_);
-  // While it plays, the time goes with it.
+  // During playback the view follows the time.
   const double long_s = span_.second - span_.first;
   if (bag_ && span_ != *bag_ && on_screen_ && at_s > span_.second && at_s < span_.second + long_s / 4)
     setSpan({at_s - long_s / 10, at_s + long_s * 9 / 10});

@@ -43,7 +43,7 @@ QCursor ProjectionTool::cursor() const {
     case RectGrip::TopRight:
       break;
   }
-  return Qt::PointingHandCursor;  // the view may be turned: an arrow would point elsewhere
+  return Qt::PointingHandCursor;  // the view may be rotated: an arrow would point in a wrong direction
 }
 
 void ProjectionTool::setEditable(bool editable, bool takes) {
@@ -72,7 +72,7 @@ RectGrip ProjectionTool::gripOnChosen(const MapPoint& at) const {
   return one ? gripAt(*one, at.world_m, kReachPx * scene_->view().scale_m_per_px) : RectGrip::None;
 }
 
-/// The one below the chosen one where they lie on each other: clicking again goes through them.
+/// Where they overlap, the one below the selected one: repeated clicks cycle through them.
 std::optional<int> ProjectionTool::indexAt(const MapPoint& at) const {
   const auto& all = draft_->wanted();
   const int count = int(all.size());
@@ -195,7 +195,7 @@ void ProjectionTool::paint(QPainter& painter) {
     const QFontMetricsF metrics(painter.font());
     QRectF plate(corners[3].x() + 6, corners[3].y() + 6, metrics.horizontalAdvance(tag) + 2 * kTagPadPx,
                  metrics.height() + 2 * kTagPadPx);
-    // Those of one place stand side by side.
+    // Overlapping labels are placed side by side.
     while (std::any_of(plates.begin(), plates.end(),
                        [&plate](const QRectF& other) { return other.intersects(plate); }))
       plate.translate(plate.width() + 2, 0);

@@ -22,7 +22,7 @@ using robot::DispatchService;
 
 namespace {
 
-/// As far as grids of cells can be what they were made of.
+/// Within the precision of grid cells.
 bool isAbout(const map::Projection& told, const robot::ProjectedPart& part) {
   constexpr double kNearM = 0.5;
   const geometry::WorldRect bounds = part.part.grid.bounds();

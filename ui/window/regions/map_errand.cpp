@@ -69,7 +69,7 @@ void MapErrand::stop() {
   whole_ = {};
   whole_under_way_ = false;
   every_second_.stop();
-  if (fetch_) fetch_.release()->deleteLater();  // it may be telling just now
+  if (fetch_) fetch_.release()->deleteLater();  // it may be emitting just now
   export_.reset();
   Q_EMIT changed();
 }
@@ -142,13 +142,13 @@ void MapErrand::endWhole(const robot::Outcome<map::GridPart>& outcome) {
 
 void MapErrand::show(std::function<std::string()> picture, const map::GridReference& grid,
                      const QString& name) {
-  // Another one is another map, be it as large.
+  // Another one is another map, even if equally large.
   const QString id = tr("fetched %1").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")));
-  // Laying out hundreds of millions of cells takes a while.
+  // Writing hundreds of millions of cells takes a while.
   share_.startLong([this, picture = std::move(picture), grid, name, id, job = job_] {
     map::WholeMap map;
     map.key = {map::MapKind::Stored, id.toStdString()};
-    // What its dispatcher gives is the map that the robot is in.
+    // Its dispatcher's map is the map that the robot is in.
     map.state_of = map::MapKey{map::MapKind::Live, {}};
     map.name = name.toStdString();
     map.grid = grid;

@@ -41,7 +41,7 @@ regions::RegionMap::Options mapOptions(const work::Budgets& budgets) {
   regions::RegionMap::Options options;
   const double bytes = double(budgets.regions);
   options.regions.budget_bytes = std::size_t(bytes);
-  // What is in view is never given up, so it must fit.
+  // Visible regions are never dropped, so they must fit.
   options.regions.plan.most_in_view =
       int(std::clamp(bytes / kBytesOfRegion / 2, double(kLeastInView), double(kMostInView)));
   return options;
@@ -145,7 +145,7 @@ void RegionsController::setSession(session::Session* session) {
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &RegionsController::follow);
     was_online_ = online();
     connect(session, &session::Session::connectionChanged, this, [this] {
-      // How long an answer takes is told again and again; only the link itself is of interest.
+      // Answer times are reported all the time; only the connection state matters here.
       if (std::exchange(was_online_, online()) == online()) return;
       if (map_ && online()) map_->retryNow();
       look();
@@ -231,7 +231,7 @@ QString RegionsController::statusShown() const { return status_ && map_ ? status
 void RegionsController::tell() {
   const bool by_region = map_ && map_->offered();
   const bool left = map_ && !by_region && online() && map_->regions().bytes() > 0;
-  // Of a robot that never gave a region nothing is missing on the ground.
+  // If the robot never sent a region nothing is missing on the map.
   const bool on_map = map_ && (map_->offered() || map_->regions().bytes() > 0);
   scene::RegionsOnMap::of(context_.scene).show(on_map ? map_.get() : nullptr);
   const bool whole = dispatch_ && dispatch_->offered(DispatchService::Grid);

@@ -15,18 +15,18 @@ class MapByRegionsText {
   Q_DECLARE_TR_FUNCTIONS(MapByRegions)
 };
 
-constexpr double kMostCells = 1e15;  // more is no map
+constexpr double kMostCells = 1e15;  // larger values are invalid
 
 QString metres(double value) { return QLocale::c().toString(value, 'f', value < 100 ? 1 : 0); }
 
-/// Along its own axes, whichever way it lies.
+/// Along its own axes, whatever its rotation.
 geometry::WorldRect extentOf(const robot::MapExtent& extent) {
   return {0, 0, extent.grid.width * extent.grid.resolution_m, extent.grid.height * extent.grid.resolution_m};
 }
 
 qint64 whole(double value) { return qint64(std::clamp(value, 0.0, kMostCells)); }
 
-/// "8,000 × 8,000 cells, about 224 MB"; empty where nothing is known.
+/// "8,000 × 8,000 cells, about 224 MB"; empty if unknown.
 QString shortSizeText(const regions::MapRegions& map, const std::optional<robot::MapExtent>& extent) {
   const auto cells = [](double wide, double high, qint64 bytes) {
     return MapByRegionsText::tr("%1 × %2 cells, about %3")
@@ -155,7 +155,7 @@ RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
     }
     if (!whole)
       return {Mark::Neutral, MapByRegionsText::tr("Too much of the map is visible to be fetched. Zoom in.")};
-    // The strip is one line; the question says more.
+    // The strip is one line; the question has more detail.
     const QString size = shortSizeText(map, extent);
     return {Mark::Neutral,
             size.isEmpty()

@@ -52,7 +52,7 @@ SaveMapDialog::SaveMapDialog(QWidget* parent)
   column->addWidget(state_);
   column->addStretch();
   column->addLayout(buttons);
-  // What is wrapped needs less height than it asks for while nobody knows how wide it is.
+  // Wrapped text needs less height than requested before the width is known.
   resize(kWidthPx, column->totalHeightForWidth(kWidthPx));
   connect(name_, &QLineEdit::textChanged, this, &SaveMapDialog::look);
   connect(save_, &QPushButton::clicked, this, [this] { Q_EMIT saveWanted(filename()); });

@@ -128,7 +128,7 @@ void EventsDock::layOut() {
 void EventsDock::setEvents(const std::vector<replay::Event>& events) {
   if (!isVisible()) {
     waiting_ = events;
-    // Of a bag that is gone nothing stays.
+    // Nothing of a closed bag stays.
     if (events.empty()) model_->setEvents({}, clock_.start());
     return;
   }
@@ -137,7 +137,7 @@ void EventsDock::setEvents(const std::vector<replay::Event>& events) {
   model_->setEvents(events, clock_.start());
   takeState();
   takeTime();
-  // What is found before it pushes it away.
+  // Earlier events found later push it away.
   if (in_view) scrollToPresent();
 }
 
@@ -211,7 +211,7 @@ void EventsDock::takeTime() {
   if (!isVisible()) return;
   model_->setAt(clock_.isOpen() ? std::optional(clock_.at()) : std::nullopt);
   const replay::Event* const now = model_->event(model_->presentRow());
-  // Who scrolls away while nothing happens is let go.
+  // Scrolling away stops following until something happens.
   if (!now || now_ == *now) return;
   now_ = *now;
   scrollToPresent();

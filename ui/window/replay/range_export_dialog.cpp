@@ -59,7 +59,7 @@ QString fileNameOf(const QString& bag) {
   return name.isEmpty() ? QStringLiteral("bag") : name;
 }
 
-/// One word of a shell, whatever is in it.
+/// Quotes any text as one word of a shell.
 QString shellWord(const QString& text) {
   QString word = words::plainLine(text);
   word.replace(QLatin1Char('\''), QStringLiteral("'\\''"));
@@ -188,7 +188,7 @@ std::optional<double> RangeExportDialog::time(const QLineEdit* edit, const QStri
 }
 
 std::optional<excerpt::TimeSpan> RangeExportDialog::span() const {
-  // All of a bag is more than the times that it tells.
+  // The whole bag is more than its stated times.
   const bool all = !offer_.loop && from_->text() == from_shown_ && to_->text() == to_shown_;
   if (all) return excerpt::TimeSpan{};
   const auto from_s = time(from_, from_shown_, from_s_), to_s = time(to_, to_shown_, to_s_);
@@ -205,7 +205,7 @@ void RangeExportDialog::takeRange() {
 }
 
 void RangeExportDialog::takeKind() {
-  // The name stays, its ending follows the kind.
+  // The name stays, the extension follows the kind.
   QString path = path_->text();
   for (const char* const suffix : kSuffixes) {
     if (!path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive)) continue;
@@ -225,7 +225,7 @@ void RangeExportDialog::browse() {
   if (!named) path += suffix;
   path_->setText(path);
   say({});
-  if (named) asked_ = path;  // by the file dialog
+  if (named) asked_ = path;  // the file dialog has asked
 }
 
 std::optional<QString> RangeExportDialog::whyNot(const QString& path) const {
@@ -282,7 +282,7 @@ void RangeExportDialog::setRunning(bool running) {
 
 void RangeExportDialog::take(const excerpt::Ended& ended) {
   const QString path = path_->text().trimmed();
-  // It is the one that is telling.
+  // It is emitting this signal.
   job_.release()->deleteLater();
   setRunning(false);
   if (ended.not_read) {

@@ -47,7 +47,7 @@ const QString kRangeFolderKey = QStringLiteral("replay/exportFolder");
 const QString kEventsFolderKey = QStringLiteral("replay/eventsFolder");
 const QString kHiddenEventsKey = QStringLiteral("replay/hiddenEvents");
 constexpr double kNearTrackPx = 10, kRoomAroundTrackM = 8;
-constexpr double kOnePassS = 3;  // poses so near in time belong to one pass by a place
+constexpr double kOnePassS = 3;  // poses within this time belong to one pass of a place
 
 }  // namespace
 
@@ -161,7 +161,7 @@ void ReplayController::open(std::unique_ptr<robot::Robot> origin, const std::str
 }
 
 void ReplayController::show(std::unique_ptr<robot::Robot> replay) {
-  // Shared, because what is called later has to be copyable.
+  // Shared, because the callback has to be copyable.
   context_.unsaved.whenMayLeaveRobot(
       [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(replay))] {
         if (!replayOf(context_.current.session())) live_address_ = context_.current.address();
@@ -186,7 +186,7 @@ void ReplayController::back() {
 
 void ReplayController::setSession(session::Session* session) {
   const bool was_replay = clock_->isOpen() || !dock_was_open_;
-  // What reads of the bag must not outlive its robot.
+  // Readers of the bag must not outlive its robot.
   if (range_dialog_) range_dialog_->leaveBag();
   clock_->detach();
   scene::PoseBetween::of(context_.scene).show(std::nullopt);
@@ -203,7 +203,7 @@ void ReplayController::setSession(session::Session* session) {
     dock_->hide();
   }
   if (!robot) dock_->setOpening({});
-  // Without a replay it has nothing to say.
+  // Without a replay it is empty.
   if (session && !robot && events_->toggleViewAction()->isChecked()) {
     events_wanted_ = true;
     events_->hide();
@@ -257,7 +257,7 @@ void ReplayController::fitAtFirst() {
     for (const replay::Digest::Pose& sample : digest.poses) bounds.extend(replay::placeOf(sample).position_m);
   }
   if (bounds.empty()) return;
-  // The map comes while it plays: it must not move what somebody looks at.
+  // The map arrives during playback: it must not move the view.
   context_.viewpoint.choose();
   context_.viewpoint.fitOnce(bounds.grown(kRoomAroundTrackM));
 }
@@ -335,7 +335,7 @@ void ReplayController::clickedOnMap(const Eigen::Vector2d& world_m) {
     }
   }
   if (hits.empty()) return;
-  // Of several passes the one that is nearest in time, and of that the nearest place.
+  // Of several passes the one nearest in time, and of that the nearest position.
   const auto pass = std::min_element(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
     return std::abs(a.at_s - now_s) < std::abs(b.at_s - now_s);
   });
@@ -360,7 +360,7 @@ void ReplayController::remember(QSettings& settings) {
 }
 
 bool ReplayController::eventFilter(QObject* watched, QEvent* event) {
-  // Space held while the mouse drags moves the map; pressed and let go of alone it plays.
+  // Space with a mouse drag moves the map; Space alone plays.
   if (event->type() == QEvent::MouseButtonPress) space_pressed_ = false;
   if (watched == &context_.view &&
       (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)) {

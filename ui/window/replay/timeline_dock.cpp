@@ -30,7 +30,7 @@ using replay::Knowledge;
 namespace {
 
 constexpr std::array kSpeeds{20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, -0.1, -0.5, -1.0, -2.0, -5.0, -20.0};
-// Events of a long bag are looked for anew whenever a range is read: not for each of them.
+// The events of a long bag are not collected again for each range read.
 constexpr int kContentEveryMs = 150;
 
 TimelineRange rangeOf(const replay::Cell& cell) {
@@ -78,7 +78,7 @@ TimelineDock::TimelineDock(ReplayClock& clock, QWidget* parent)
   length_->setSecondary(true);
   const QString longest = tr("%1 of %2").arg(QStringLiteral("00:00:00.0"), QStringLiteral("00:00:00.0"));
   length_->setSample(longest);
-  // How far it is stands nowhere else: what is beside it gives way.
+  // It is the only place with the total length: its neighbours give way.
   length_->setMinimumWidth(length_->sizeHint().width());
   state_ = new StateLabel(this);
   retry_ = new QPushButton(tr("Retry"), this);
@@ -126,7 +126,7 @@ void TimelineDock::makeEventsMenu() {
     shown->setData(int(group));
     connect(shown, &QAction::toggled, this, &TimelineDock::takeGroups);
   }
-  // How many there are of each is told when it is opened.
+  // The counts are updated when it is opened.
   connect(menu, &QMenu::aboutToShow, this, [this, menu] {
     std::map<replay::EventGroup, int> counts;
     for (const replay::Event& event : view_->content().events) ++counts[replay::groupOf(event.kind)];
@@ -255,7 +255,7 @@ void TimelineDock::setBack(const QString& text) {
 void TimelineDock::fitBack() {
   const int icon_px = back_->iconSize().width() + 16;
   const int words_px = fontMetrics().horizontalAdvance(back_words_) + icon_px + 12;
-  // It must not come and go with what is said while the bag is read.
+  // Its visibility must not depend on the text while the bag is read.
   int others_px = fontMetrics().horizontalAdvance(tr("reading earlier data: %1 %").arg(100)) + 24;
   for (int i = 0; i < row_->count(); ++i) {
     const QLayoutItem* const item = row_->itemAt(i);
@@ -264,7 +264,7 @@ void TimelineDock::fitBack() {
   }
   const QMargins margins = row_->contentsMargins();
   const int room_px = widget()->width() - margins.left() - margins.right() - others_px;
-  // The strip above the map has the same button with its words.
+  // The strip above the map has the same button with its text.
   back_->setText(words_px <= room_px ? back_words_ : QString());
 }
 
@@ -309,7 +309,7 @@ void TimelineDock::takeClosed() {
   view_->setLoop(std::nullopt);
   view_->setNotice(!opening_.isEmpty() ? opening_
                                        : tr("Bags opened in the Recordings panel are played here."));
-  time_->setText({});  // clear() would count as typed, and what is typed stays
+  time_->setText({});  // clear() would count as typed, and typed text stays
   length_->setText({});
   takeState();
 }
@@ -333,7 +333,7 @@ void TimelineDock::takeContent() {
 void TimelineDock::takeTime(double at_s) {
   if (!clock_.isOpen()) return;
   view_->setAt(at_s);
-  // What somebody is about to type over stays selected.
+  // A selection that the user is about to overwrite stays.
   const bool typing = time_->isModified() || (time_->hasFocus() && time_->hasSelectedText());
   if (const QString text = clockText(at_s); !typing && text != time_->text()) time_->setText(text);
   length_->setText(

@@ -18,7 +18,7 @@ class TimelineEventsText {
 };
 
 constexpr qsizetype kTextLength = 120;
-// Steps by hand end at an event, not a hair before it.
+// Manual steps end exactly at an event.
 constexpr double kSameInstantS = 1e-6;
 
 QString said(const std::string& text) { return words::plainName(text).left(kTextLength); }
@@ -143,7 +143,7 @@ std::vector<EventCluster> clustersOf(std::span<const Event> events, const Timeli
   for (auto event = first; event != events.end() && event->at_s <= until_s; ++event) {
     const double px = axis.pixelOf(event->at_s);
     open.push_back({{std::size_t(event - events.begin()), 1, px, reach(1), markOf(*event)}, px, px});
-    // Two that have become one may reach the one before.
+    // A merged one may overlap the one before.
     while (open.size() > 1) {
       Open& before = open[open.size() - 2];
       const Open& last = open.back();

@@ -33,7 +33,7 @@ RobotController::RobotController(WindowContext& context, QObject* parent)
 }
 
 bool RobotController::comesFirst(session::Session* session) const {
-  // What the inspector lists is not there, and of files nothing is live.
+  // The inspector has nothing to list, and files have no live data.
   return session && !session->robot().submapSource() && !session->robot().isLocal();
 }
 

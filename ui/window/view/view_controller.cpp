@@ -19,8 +19,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kCursorMs =
-    40;  // what is under a resting cursor changes with the map: looked at again this often
+constexpr int kCursorMs = 40;  // the map under a resting cursor changes: updated this often
 constexpr double kRoomAroundPosesM = 8;
 constexpr double kRoomAroundScansM = 2;
 
@@ -183,7 +182,7 @@ void ViewController::fitAtFirst() {
   const geometry::WorldRect bounds = session->contentBounds();
   if (counts.listed == 0 || bounds.empty()) return;
   if (!fitted_poses_) {
-    // Only the poses are known yet: leave room for what lies around them.
+    // Only the poses are known yet: leave room around them.
     fitted_poses_ = true;
     context_.viewpoint.fit(counts.shown > 0 ? bounds : bounds.grown(kRoomAroundPosesM));
   }
@@ -193,7 +192,7 @@ void ViewController::fitAtFirst() {
   }
 }
 
-/// Of a robot that only scans: a map that comes later is looked at as if nothing had been there.
+/// For a robot with only sensor data: a map that arrives later is shown as if there had been nothing.
 void ViewController::fitScansAtFirst() {
   const session::Session* const session = context_.current.session();
   if (!session || fitted_scans_ || context_.viewpoint.chosen() || !scansInView(context_.scene)) return;
