@@ -713,7 +713,7 @@ class TestWindowWaypoints : public QObject {
     desk.notice()->offerButton()->click();
     QCOMPARE(desk.editing().find("a")->name, std::string("Dock"));
     QVERIFY(desk.control().unsaved());
-    QVERIFY(desk.notice()->sentence().contains(QStringLiteral("it is called \"Dock\"")));
+    QVERIFY(desk.notice()->sentence().contains(QStringLiteral("it will be called \"Dock\"")));
     desk.notice()->offerButton()->click();  // sends the rest
     QTRY_VERIFY(desk.store.find("Dock"));
     QTRY_VERIFY(desk.notice()->sentence().isEmpty());

@@ -33,7 +33,7 @@ void DispatchRequests::projections(const wire::ErrandPtr& errand,
   const auto there = found_.serviceOf(DispatchService::ReadProjections);
   if (!there) return reply(fail(notDispatched(DispatchService::ReadProjections, found_)));
   if (tellsProjections()) return readByService(errand, std::move(reply));
-  // Which there are now: what was left out as of before may have another meaning since.
+  // The present ones: those dropped as outdated may mean something else now.
   setMost(std::nullopt);
   const auto watch = std::make_shared<Watch>();
   watch->errand = errand;
@@ -63,7 +63,7 @@ std::set<int> DispatchRequests::unheard() const {
   return all;
 }
 
-/// Of those that are there, or should be.
+/// Of those that exist or should exist.
 QStringList DispatchRequests::silentTopics() const {
   QStringList all;
   const auto next = tried();
@@ -74,7 +74,7 @@ QStringList DispatchRequests::silentTopics() const {
   return all;
 }
 
-/// nullopt: whatever topics there are.
+/// nullopt: all topics that exist.
 void DispatchRequests::setMost(std::optional<int> most) {
   if (most) {
     for (const auto& [index, mark] : marks_) {
@@ -85,7 +85,7 @@ void DispatchRequests::setMost(std::optional<int> most) {
   if (std::exchange(most_, most) != most) Q_EMIT topicsChanged();
 }
 
-/// That of the map, which is meant where none is named.
+/// The frame of the map, which is the default.
 std::string DispatchRequests::knownFrame() const {
   if (!map_said_.empty()) return map_said_;
   const std::string of_map = map_frame_ ? map_frame_() : std::string();
@@ -118,7 +118,7 @@ void DispatchRequests::readByService(const wire::ErrandPtr& errand, ProjectionsR
 
 void DispatchRequests::project(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
                                OutcomeTo<std::vector<map::Projection>> reply) {
-  // A dispatcher looks a frame without a name up in vain.
+  // A dispatcher cannot look up an empty frame name.
   const auto lacks_frame = [](const map::Projection& one) { return one.frame.empty(); };
   if (std::none_of(wanted.begin(), wanted.end(), lacks_frame)) return projectNow(errand, wanted, reply);
   const auto set_in = [this, errand, wanted, reply,
@@ -137,7 +137,7 @@ void DispatchRequests::project(const wire::ErrandPtr& errand, const std::vector<
     projectNow(errand, whole, reply);
   };
   if (!knownFrame().empty()) return set_in(Outcome<std::vector<map::Projection>>());
-  // What is projected by now says in which one.
+  // The present projections tell which frame is used.
   if (tellsProjections()) return readByService(errand, set_in);
   awaitProjected(errand, set_in);
 }
@@ -153,7 +153,7 @@ void DispatchRequests::projectNow(const wire::ErrandPtr& errand, const std::vect
   const int count = int(std::min<std::size_t>(wanted.size(), kMostProjected));
   for (int index = 0; index < count; ++index) watch->awaited.insert(index);
   std::erase_if(left_, [count](const auto& left) { return left.first < count; });
-  // A topic may tell before the service answers.
+  // A topic may report before the service answers.
   watches_.push_back(watch);
   if (std::exchange(told_, count) != count) Q_EMIT topicsChanged();
   ask(
@@ -161,7 +161,7 @@ void DispatchRequests::projectNow(const wire::ErrandPtr& errand, const std::vect
       map::AskedFor::Change,
       [this, watch, count](const Field& values) {
         watch->answered = true;
-        // Topics of what is not projected any more may be there for long, as somebody listens.
+        // Topics of former projections may stay while somebody subscribes.
         watch->looked = found_.projected.empty();
         setMost(count);
         Q_EMIT lookWanted();
@@ -174,7 +174,7 @@ void DispatchRequests::projectNow(const wire::ErrandPtr& errand, const std::vect
           watches_.remove(watch);
           return readByService(watch->errand,
                                [this, watch, count](Outcome<std::vector<map::Projection>> told) {
-                                 // It has been set, whatever became of the question.
+                                 // It has been set, whatever the result of the request.
                                  if (!told) told.error().applied = map::Applied::Yes;
                                  if (told && int(told->size()) > count) setMost(std::nullopt);
                                  watch->reply(std::move(told));

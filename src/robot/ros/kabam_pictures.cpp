@@ -14,7 +14,7 @@ namespace {
 using net::rosbridge::CallAnswer;
 using std::chrono::milliseconds;
 
-/// Slower than this nobody has waited for a map in the first place.
+/// The expected minimum speed.
 constexpr std::int64_t kBytesPerMs = 1024;
 
 map::Failure unfit(const map::Subject& subject, Fault cause) {
@@ -57,7 +57,7 @@ void KabamPictures::write(const wire::ErrandPtr& errand, const PictureChange& ch
 }
 
 void KabamPictures::readAgain(const WritingPtr& writing) {
-  // Where it is listened to already, what came last may be all that comes: it is to be told once more.
+  // If it is already subscribed, there may be no further message: request it again.
   means_.live_map.forget();
   means_.ask_again();
   writing->listening = means_.live_map.listen();
@@ -105,7 +105,7 @@ void KabamPictures::send(const WritingPtr& writing) {
   writing->args =
       std::make_shared<PictureArgs>(map, writing->change.cells, [this, asked = std::weak_ptr(writing)] {
         const WritingPtr now = asked.lock();
-        // What somebody else changes while this one travels is not written over: no part of it counts.
+        // Changes by others during the upload are not overwritten silently.
         if (now) now->changed_meanwhile = conflict(*now).has_value();
         return now && !now->changed_meanwhile;
       });
@@ -138,12 +138,12 @@ void KabamPictures::takeAnswer(const WritingPtr& writing, const CallAnswer& answ
                     (writing->doubt->applied == map::Applied::No ||
                      answer.kind == CallAnswer::Kind::Cancelled || answer.kind == CallAnswer::Kind::LinkLost);
   if (!ends) return confirm(writing);
-  // Once there is a connection again, the map tells what has become of it.
+  // After a reconnect the map shows the result.
   if (writing->doubt->applied != map::Applied::No) Q_EMIT doubted(writing->change.map.id);
   end(writing, fail(*writing->doubt));
 }
 
-/// Waits for the map to show it; halfway it is asked for once more, in case that it is not sent by itself.
+/// Waits for the map to show it; requests it once more half-way, in case it is not sent automatically.
 void KabamPictures::confirm(const WritingPtr& writing) {
   writing->within = patience_.confirm + timeFor(*writing->change.cells);
   confirming_.push_back(writing);
@@ -198,15 +198,15 @@ void KabamPictures::giveUp(const WritingPtr& writing) {
   end(writing, fail(std::move(failure)));
 }
 
-/// False: it is over already.
+/// False: already finished.
 bool KabamPictures::finishConfirming(const WritingPtr& writing) {
   const auto found = std::find(confirming_.begin(), confirming_.end(), writing);
   if (found == confirming_.end()) return false;
   confirming_.erase(found);
   for (std::unique_ptr<QTimer>* timer : {&writing->halfway, &writing->patience}) {
     (*timer)->stop();
-    (*timer)->setParent(this);        // and goes with this at the latest
-    timer->release()->deleteLater();  // it may be the one that is speaking
+    (*timer)->setParent(this);        // deleted with this at the latest
+    timer->release()->deleteLater();  // it may be emitting the current signal
   }
   writing->errand->ended(writing->number);
   return true;

@@ -41,7 +41,7 @@ const map::Waypoint* find(const StoredWaypoints& stored, const std::string& id) 
   return found == stored.points.end() ? nullptr : &*found;
 }
 
-/// It is not kept as it was when the change of it was made.
+/// The stored waypoint differs from the one that the change was made for.
 std::optional<map::Failure> conflictIn(const StoredWaypoints& stored, const WaypointChange& change,
                                        const map::Subject& subject) {
   const map::Waypoint* const kept = find(stored, change.id);
@@ -81,7 +81,7 @@ void KabamRequests::await(const wire::ErrandPtr& errand, std::chrono::millisecon
           [this, held = std::weak_ptr(entry)] { end(held.lock(), Awaited::TooLate); });
   entry->patience->start(within);
   waiting_.push_back(entry);
-  // Later: nothing ends from within its beginning.
+  // Later: a request never ends from within its start.
   entry->number = errand->begun([this, held = std::weak_ptr(entry)] {
     QMetaObject::invokeMethod(
         this, [this, held] { end(held.lock(), Awaited::Cancelled); }, Qt::QueuedConnection);
@@ -94,8 +94,8 @@ void KabamRequests::end(const Entry& entry, Awaited how) {
   if (found == waiting_.end()) return;
   waiting_.erase(found);
   entry->patience->stop();
-  entry->patience->setParent(this);          // and goes with this at the latest
-  entry->patience.release()->deleteLater();  // it may be the one that is speaking
+  entry->patience->setParent(this);          // deleted with this at the latest
+  entry->patience.release()->deleteLater();  // it may be emitting the current signal
   entry->errand->ended(entry->number);
   entry->then(how);
 }
@@ -112,7 +112,7 @@ void KabamRequests::whenListed(const wire::ErrandPtr& errand, const map::Subject
   await(
       errand, patience_.lists, [this] { return book_.listed(); },
       [this, subject, then = std::move(then)](Awaited how) {
-        // A manager without a current map may say nothing of it.
+        // A manager without a current map may send no message about it.
         const bool enough = how == Awaited::TooLate && book_.partlyListed();
         if (how == Awaited::Held || enough) return then(std::nullopt);
         map::Failure failure;
@@ -188,8 +188,7 @@ void KabamRequests::perform(const wire::ErrandPtr& errand, const map::MapKey& ke
              });
 }
 
-// Somebody else may have been quicker. The topic does not tell: it may lag, and is about the current map
-// alone.
+// Someone else may have been faster. The topic may lag, and only covers the current map.
 void KabamRequests::lookFirst(const wire::ErrandPtr& errand, const map::MapKey& key,
                               const WaypointRequest& asked, OutcomeTo<WaypointReceipt> reply) {
   const std::string id = asked.changes.front().id;
@@ -200,7 +199,7 @@ void KabamRequests::lookFirst(const wire::ErrandPtr& errand, const map::MapKey& 
                                  ? readWaypoints(answer.values, key.id, fixed_frame_())
                                  : std::nullopt;
          if (!stored) {
-           // What was only looked at has changed nothing.
+           // A read-only request has changed nothing.
            map::Failure failure = failed(answer, subject);
            failure.asked_for = map::AskedFor::Change;
            failure.applied = map::Applied::No;
@@ -210,7 +209,7 @@ void KabamRequests::lookFirst(const wire::ErrandPtr& errand, const map::MapKey& 
            if (book_.isCurrent(key.id)) book_.distrustWaypoints();
            return reply(fail(*conflict));
          }
-         // What is not understood of it goes back as it is now.
+         // Unknown members are sent back unchanged.
          WaypointRequest fresh = asked;
          if (fresh.changes.front().after)
            fresh.changes.front().after->source = find(*stored, asked.changes.front().id)->source;
@@ -254,7 +253,7 @@ KabamRequests::Shown KabamRequests::shownIn(const StoredWaypoints& stored, Chang
   if (!what.after) return find(stored, what.id) ? Shown::NotYet : Shown::Done;
   const map::Waypoint* shown = find(stored, what.before ? what.id : change.id);
   if (!shown && !what.before) {
-    // Who created it did not say which one it is.
+    // The creator got no id in the answer.
     const auto found =
         std::find_if(stored.points.begin(), stored.points.end(),
                      [&](const map::Waypoint& point) { return sameBesidesTags(point, *what.after); });
@@ -286,10 +285,10 @@ void KabamRequests::confirm(const wire::ErrandPtr& errand, const ChangePtr& chan
       });
 }
 
-// Of a map that no topic tells of, or sooner than the topic does.
+// For a map without a topic, or faster than the topic.
 void KabamRequests::askWhetherShown(const wire::ErrandPtr& errand, const ChangePtr& change,
                                     std::optional<map::Failure> doubt) {
-  // One that is gone is asked for among all: nobody knows what is answered for it alone.
+  // A deleted one is looked up in the whole list: the answer for a missing id is undefined.
   const std::string id = !change->what.after   ? std::string()
                          : change->what.before ? change->what.id
                                                : change->id;

@@ -17,7 +17,7 @@ struct Meaning {
   Fault cause;
 };
 
-/// What is not known to have been refused may have been done.
+/// Anything but a known refusal may have been carried out.
 Meaning undefined() { return {FailureKind::RejectedByRobot, Applied::Maybe, {fault::ResultUndefined}}; }
 
 map::Failure failure(map::Subject subject, std::int64_t code, Meaning meaning) {
@@ -63,7 +63,7 @@ std::optional<map::Failure> waypointResult(const Field& values, map::Subject sub
     case 2:
       meaning.cause = {fault::ResultNameTaken, {name}};
       break;
-    case 4:  // somebody else has deleted it
+    case 4:  // someone else has deleted it
       meaning.kind = FailureKind::Conflict;
       meaning.cause = {fault::ResultWaypointUnknown};
       break;

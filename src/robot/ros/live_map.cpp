@@ -76,8 +76,8 @@ void LiveMap::end(const Entry& entry, Outcome<map::WholeMap> outcome) {
   if (found == waiting_.end()) return;
   waiting_.erase(found);
   entry->patience->stop();
-  entry->patience->setParent(this);          // and goes with this at the latest
-  entry->patience.release()->deleteLater();  // it may be the one that is speaking
+  entry->patience->setParent(this);          // deleted with this at the latest
+  entry->patience.release()->deleteLater();  // it may be emitting the current signal
   entry->errand->ended(entry->number);
   entry->reply(std::move(outcome));
   Q_EMIT wantedChanged();

@@ -21,19 +21,19 @@ bool isNamespace(const QString& text) {
   return text.size() <= 200 && like.match(text).hasMatch();
 }
 
-/// ws and wss are http and https by other means; every other scheme is left as it is, to be refused.
+/// ws and wss are treated like http and https; other schemes are unchanged, and will be refused.
 QString asWeb(const QString& typed) {
   const auto starts = [&](const char* scheme) {
     return typed.startsWith(QLatin1String(scheme), Qt::CaseInsensitive);
   };
   if (starts("ws://")) return QStringLiteral("http://") + typed.mid(5);
   if (starts("wss://")) return QStringLiteral("https://") + typed.mid(6);
-  // What was not meant must not become a WebSocket by accident.
+  // Other input must not become a WebSocket by accident.
   if (starts("http://") || starts("https://")) return QStringLiteral("x-") + typed;
   return typed;
 }
 
-/// As ROS resolves names: those without a slash at their beginning lie in the namespace.
+/// Resolves names like ROS: those without a leading slash are in the namespace.
 QString wholeName(const QString& typed, const QString& ns) {
   return typed.startsWith(QLatin1Char('/')) ? typed : ns + QLatin1Char('/') + typed;
 }
@@ -43,7 +43,7 @@ QString withoutLastSlashes(QString name) {
   return name;
 }
 
-/// All that may follow the ? beside ns.
+/// All options after the ? except ns.
 QStringList dispatchOptions() {
   QStringList all;
   for (const DispatchName name : kDispatchNames) all << QLatin1String(usualName(name));

@@ -24,7 +24,7 @@ RosLink::RosLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbo
       sources_(sourcesOf(std::nullopt, options_.ns)) {}
 
 RosLink::~RosLink() {
-  // What is under way must not reach a half-destroyed object.
+  // Late results must not reach a half-destroyed object.
   if (!client_) return;
   client_->disconnect(this);
   subscriptions_->disconnect(this);
@@ -112,7 +112,7 @@ void RosLink::wireParts() {
   });
   connect(dispatch_.get(), &DispatchRequests::offersChanged, this, [this] {
     Q_EMIT dispatchKnown(dispatch_->found());
-    sync();  // whoever gives the map by region is not asked for all of it
+    sync();  // if it provides the map by region, do not request all of it
   });
   connect(dispatch_.get(), &DispatchRequests::topicsChanged, this, &RosLink::sync);
   connect(dispatch_.get(), &DispatchRequests::lookWanted, this, &RosLink::lookAnew);
@@ -197,7 +197,7 @@ void RosLink::choose(const Choices& choices) {
   start();
   const Choices before = std::exchange(choices_, choices);
   if (before == choices || !known_) return;
-  // What came of the topic before is not of this one.
+  // Data of the former topic does not belong to this one.
   const auto other = [&](map::Stream stream) {
     const auto was = before.find(stream), is = choices.find(stream);
     return (was == before.end()) != (is == choices.end()) ||
@@ -216,7 +216,7 @@ void RosLink::setBasics(const LiveTopics::Basics& basics) {
   sync();
 }
 
-/// Open, perhaps again: another robot may answer there now.
+/// Connected, perhaps again: it may be another robot now.
 void RosLink::begin() {
   ++round_;
   known_ = looking_ = look_again_ = awaits_manager_ = false;
@@ -247,7 +247,7 @@ void RosLink::noteLink() {
     asked_map_->beginAnew();
     dispatch_->lose();
     while (!troubles_.empty()) forgetTrouble(troubles_.begin()->first);
-    // Who waits for a first connection goes on waiting; there is none to wait for any more otherwise.
+    // Requests waiting for the first connection keep waiting; otherwise there is nothing to wait for.
     if (client_->link().state() != WebSocketLink::State::Connecting) {
       const auto early = early_;
       for (const EarlyPtr& one : early) endEarly(one, map::FailureKind::Unreachable);
@@ -282,7 +282,7 @@ void RosLink::report(map::Severity severity, Fault reason) {
       {severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), std::move(reason)});
 }
 
-/// What is being told now may be of before.
+/// Results in progress may be outdated.
 void RosLink::lookAnew() {
   look_again_ = looking_;
   look();
@@ -299,7 +299,7 @@ void RosLink::look() {
     keepUnheard(found);
     auto manager = mapManagerIn(found, options_.ns);
     if (manager || found.services) return takeLook(std::move(found), std::move(manager));
-    // Nobody tells: it is asked something.
+    // Services are not listed: send it a request.
     const std::string place = has_manager_ ? kabam_->book().place() : options_.ns + "/map_manager";
     api_->probeMapManager(place, [this, round, found = std::move(found), place](std::optional<bool> there) {
       if (round == round_)
@@ -354,7 +354,7 @@ void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   for (const EarlyPtr& one : early) endEarly(one, std::nullopt);
 }
 
-/// It may be started after the server: it is looked for until it is there.
+/// It may be started after the server: looks for it until it is there.
 void RosLink::awaitManager() {
   awaits_manager_ = true;
   const auto early = early_;
@@ -365,7 +365,7 @@ void RosLink::awaitManager() {
 void RosLink::findSources() {
   sources_ = sourcesOf(found_.topics, options_.ns);
   Choices choices = choices_;
-  // What is edited, or asked for by regions, is the map that the robot works with.
+  // Editing, and requests by region, refer to the robot's current map.
   if (managesMaps()) choices.erase(map::Stream::WholeMap);
   ros::choose(sources_, choices, found_.topics);
   if (!choices.contains(map::Stream::WholeMap)) addMapServices(sources_, found_.map_services);
@@ -380,9 +380,9 @@ void RosLink::findSources() {
 bool RosLink::managesMaps() const { return !wish_.managers_own.empty() || dispatch_->found().any(); }
 
 void RosLink::sync() {
-  // Before it is known what there is, nothing is asked for.
+  // Nothing is subscribed before the topics are known.
   if (!known_) return;
-  // The map of a dispatcher that gives it by region may be gigabytes: about the whole people decide.
+  // The map of a dispatcher may have gigabytes: fetching all of it is the user's decision.
   wish_.map_by_region = dispatch_->found().has(DispatchService::GridRegion);
   wish_.dispatchers_own = dispatch_->topics();
   wish_.dispatchers_tried = dispatch_->triedTopic();

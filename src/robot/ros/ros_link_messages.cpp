@@ -1,4 +1,4 @@
-// RosLink: what comes by topics.
+// RosLink: incoming messages.
 #include <algorithm>
 #include <utility>
 
@@ -12,9 +12,9 @@ namespace {
 
 using net::rosbridge::TopicMessage;
 
-constexpr qint64 kPoseAnywayMs = 1'000;   // a robot that stands still is told of, too
-constexpr qint64 kFramesMs = 2'000;       // for the frames of map and robot to be known
-constexpr qint64 kPoseMissingMs = 2'000;  // before it is told that it has none
+constexpr qint64 kPoseAnywayMs = 1'000;   // also for a robot that stands still
+constexpr qint64 kFramesMs = 2'000;       // time for the frames of map and robot to become known
+constexpr qint64 kPoseMissingMs = 2'000;  // before its absence is reported
 
 constexpr qint64 kTellAgainMs = 5'000;
 constexpr qint64 kReceptionEveryMs = 1'000;
@@ -35,7 +35,7 @@ RawMessage rawOf(const TopicMessage& message) {
   return raw;
 }
 
-/// A robot's frames are told by many, each of some: one message does not stand for the others.
+/// Several publishers each send some of a robot's frames: one message does not replace the others.
 std::string slotOf(const TopicMessage& message) {
   std::string slot = message.topic;
   if (lastPart(message.topic) != "tf_static") return slot;
@@ -73,7 +73,7 @@ void RosLink::askDefinition() {
   const std::string type = *next;
   defined_types_.insert(type);
   defining_ = true;
-  // Services are not told of by that name: what it answers with is a map.
+  // A service has no such name in the list: its answer is a map.
   const bool ros2 =
       found_.topics && std::any_of(found_.topics->begin(), found_.topics->end(), [](const FoundTopic& one) {
         return one.type.find("/msg/") != std::string::npos;
@@ -109,7 +109,7 @@ void RosLink::deliverDefinition(const std::string& type, const std::optional<Ros
 void RosLink::deliverMessage(const TopicMessage& message) {
   std::string type = typeOf(found_, message.topic);
   if (type.empty()) {
-    // Asked for by its usual name.
+    // Subscribed by its usual name.
     const auto source = std::find_if(sources_.begin(), sources_.end(),
                                      [&](const Source& one) { return one.topic == message.topic; });
     if (source != sources_.end()) type = source->type;
@@ -143,7 +143,7 @@ void RosLink::take(const TopicMessage& message) {
   }
 }
 
-// Clocks differ: what counts is how much later it comes than the quickest.
+// Clocks differ: what counts is the delay relative to the fastest message.
 void RosLink::noteDelay(const Source& source, const TopicMessage& message) {
   const bool of_sensor =
       source.form == Form::LaserScan || source.form == Form::PointCloud || source.form == Form::Odometry;
@@ -181,7 +181,7 @@ void RosLink::takeAskedMap(const std::string& service, const net::rosbridge::Cal
   note(service, map::ProblemCode::Unavailable, std::nullopt);
   deliver(service, kAskedMap, service, answer.frame, "values", answer.values["map"]["header"]["stamp"].time(),
           wall());
-  // Patches, and whoever listens to the topic, take it for what that would have brought.
+  // Patches and subscribers treat it like the topic that it replaces.
   if (!source.base.empty()) source.topic = source.base;
   for (WorldResult& result : world_.take(source, answer.values["map"], wall())) tell(std::move(result));
   if (!source.base.empty()) subscriptions_->replacedBy(source.base, service);
@@ -258,8 +258,8 @@ void RosLink::forgetTrouble(const std::string& topic) {
   for (const auto& [code, trouble] : troubles.mapped()) Q_EMIT recovered({topicSubject(topic), code});
 }
 
-// The first transforms to come may be those of the wheels alone, and a pose may come before any of them: the
-// robot would seem to jump when the others do.
+// The first transforms may be only those of the wheels, and a pose may arrive before any of them: the robot
+// would seem to jump when the others arrive.
 bool RosLink::framesComplete() const {
   const bool map_expected =
       (!wish_.map_by_region || wish_.whole_map) && !sourcesFor(map::Stream::WholeMap, sources_).empty();

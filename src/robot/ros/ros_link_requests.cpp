@@ -1,4 +1,4 @@
-// RosLink: what it is asked.
+// RosLink: outgoing requests.
 #include <algorithm>
 #include <utility>
 

@@ -64,7 +64,7 @@ ProjectionsController::ProjectionsController(WindowContext& context, QObject* pa
   connect(dock_, &ProjectionsDock::sendWanted, this, &ProjectionsController::send);
   connect(dock_, &ProjectionsDock::addWanted, this, [this] {
     const geometry::WorldRect seen = context_.view.destination().visibleWorld();
-    // The middle half of what is in view: its edges can be seen and taken hold of.
+    // The middle half of the visible area: its edges can be seen and dragged.
     add(seen.grown(-std::min(seen.width(), seen.height()) / 4));
   });
   const auto take_out = [this] {
@@ -146,7 +146,7 @@ void ProjectionsController::follow() {
       connect(offered, &robot::MapDispatch::projectedChanged, this, &ProjectionsController::followProjected);
     }
   }
-  // Another robot may answer once it is back, or the same one with another list.
+  // After a reconnect it may be another robot, or the same one with another list.
   if (session && session->connection().phase != robot::ConnectionPhase::Online) tried_ = false;
   QString absence;
   if (!session) {
@@ -166,7 +166,7 @@ void ProjectionsController::follow() {
   refresh();
 }
 
-/// A projected map has come or gone. What the list says already is no news.
+/// A projected map was added or removed. Ignored if the list already says so.
 void ProjectionsController::followProjected(int index) {
   const robot::MapDispatch* const offered = dispatch();
   if (!offered || !draft_.told() || !call_.over()) return;
@@ -266,7 +266,7 @@ void ProjectionsController::send() {
 void ProjectionsController::takeSet(const ProjectionDraft::List& wanted,
                                     const robot::Outcome<ProjectionDraft::List>& outcome) {
   call_ = {};
-  tried_ = true;  // it has just been told
+  tried_ = true;  // it has just been reported
   dock_->setBusy(false);
   if (!outcome) {
     dock_->setOutcome(QString::fromStdString(sentences::sentenceOf(outcome.error())), true);

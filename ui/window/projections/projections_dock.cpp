@@ -32,7 +32,7 @@ QPushButton* smallButton(const QString& text, const QString& tip, QWidget* paren
   return button;
 }
 
-/// Metres are typed into a box that knows its bounds; the frame into a line.
+/// Metres are typed into a box with limits; the frame into a line.
 class NumberDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -77,7 +77,7 @@ ProjectionsDock::ProjectionsDock(const ProjectionDraft* draft, QWidget* parent)
   table_->setAccessibleName(tr("Projections"));
   table_->setTabKeyNavigation(false);
   table_->setWordWrap(false);
-  // All of a row is to be seen at once: the frame, mostly the same, takes what is left.
+  // A whole row should be visible: the frame, usually the same, gets the remaining width.
   table_->horizontalHeader()->setMinimumSectionSize(kLeastColumnPx);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(ProjectionsModel::Frame, QHeaderView::Stretch);
@@ -118,7 +118,7 @@ ProjectionsDock::ProjectionsDock(const ProjectionDraft* draft, QWidget* parent)
   connect(remove_, &QPushButton::clicked, this, &ProjectionsDock::removeWanted);
   connect(revert_, &QPushButton::clicked, this, &ProjectionsDock::revertWanted);
   connect(send_, &QPushButton::clicked, this, [this] {
-    // It is greyed at once, and the keyboard would go on to another dock.
+    // It is disabled at once, and the focus would move to another dock.
     table_->setFocus();
     Q_EMIT sendWanted();
   });

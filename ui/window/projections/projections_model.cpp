@@ -46,7 +46,7 @@ void setNumber(map::Projection& one, int column, double value) {
   }
 }
 
-/// To the centimetre, without zeros that say nothing: all columns are to be seen side by side.
+/// To the centimetre, without trailing zeros, so that all columns fit.
 QString shortNumber(double value) {
   QString text = QString::number(value, 'f', 2);
   while (text.contains(QLatin1Char('.')) &&
@@ -102,7 +102,7 @@ QVariant ProjectionsModel::data(const QModelIndex& index, int role) const {
       return flaw.isEmpty() ? QVariant() : flaw.toHtmlEscaped();
     }
     case Qt::FontRole: {
-      // What the robot does not say is not there yet.
+      // Not confirmed by the robot yet.
       const auto& told = draft_->told();
       const bool known = told && index.row() < int(told->size()) && (*told)[std::size_t(index.row())] == one;
       QFont font;

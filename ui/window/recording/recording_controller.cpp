@@ -30,7 +30,7 @@ const QString kRecordingFolderKey = QStringLiteral("recording/folder");
 const QString kWish = QStringLiteral("recording");
 constexpr int kIconPx = 20;
 
-/// The scheme of an address without what joins it: "axbot".
+/// The scheme of an address without its separator: "axbot".
 std::string kindOf(const robot::Addresses& addresses, const QString& address) {
   const auto parsed = addresses.parse(address);
   QString scheme = parsed ? parsed->scheme : QString();
@@ -47,7 +47,7 @@ QString recordedFor(double seconds) {
   return QStringLiteral("%1:%2:%3").arg(whole / 3'600).arg(whole / 60 % 60, 2, 10, zero).arg(last);
 }
 
-/// What the user named the robot, as far as it can be part of a file's name.
+/// The robot's name, as far as it can be part of a file name.
 QString fileNameFor(const robot::RobotIdentity& identity) {
   QString name;
   for (const QChar c : identity.name.isEmpty() ? identity.serial : identity.name)
@@ -82,7 +82,7 @@ RecordingController::~RecordingController() {
 
 void RecordingController::setSession(session::Session* session) {
   if (recorder_) {
-    // The robot is being left: what came until now is finished first.
+    // The robot is being left: first finishes the file.
     recorder_->disconnect(this);
     recorder_->finish();
     delete conclude();
@@ -133,13 +133,13 @@ std::optional<QString> RecordingController::startInto(const QString& path) {
   interruptions_ = not_had_ = 0;
   away_ = false;
   connect(recorder_.get(), &recorder::Recorder::progressed, this, &RecordingController::tellProgress);
-  // It may not go while it is telling.
+  // It must not be destroyed while it emits a signal.
   connect(recorder_.get(), &recorder::Recorder::finished, this, [this] { conclude()->deleteLater(); });
   connect(recorder_.get(), &recorder::Recorder::notHad, this, [this](const map::Failure& failure) {
     ++not_had_;
     if (session_) session_->report(map::problemOf(failure, map::Severity::Warning));
   });
-  // Whatever it can send, not only what is on screen.
+  // Everything it can send, not only what is on screen.
   session_->want(kWish, recorder::everyStream());
   map::SubmapList listed;
   listed.uuid = session_->book().uuid();
@@ -218,7 +218,7 @@ void RecordingController::wantOpenMaps() {
   if (!recording() || !session_) return;
   for (const session::MapSlot* const slot : {&session_->wholeMap(), &session_->comparedMap()}) {
     const map::MapKey& key = slot->key();
-    // What was kept for comparing is no map of the robot's.
+    // A map kept for comparing is not one of the robot's maps.
     const bool kept = slot->shown().key == key && slot->shown().state_of;
     if (slot->phase() != session::MapSlot::Phase::Empty && key.kind != map::MapKind::Live && !kept)
       recorder_->fetches().wantMap(key);
@@ -231,7 +231,7 @@ QString RecordingController::shown() const {
 
 void RecordingController::refresh() {
   const bool can = session_ && robot::deliversOf(session_->robot()) != nullptr;
-  // One that is under way goes on when the link is lost; none begins then.
+  // A recording in progress continues when the connection is lost; a new one cannot be started.
   const bool online = session_ && session_->connection().phase == robot::ConnectionPhase::Online;
   action_->setEnabled(can && (recorder_ ? !recorder_->stopped() : online));
   action_->setToolTip(can && !online && !recorder_

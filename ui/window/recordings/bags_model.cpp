@@ -115,7 +115,7 @@ QString BagsModel::text(const robot::BagEntry& entry, int column) const {
       return entry.size_bytes ? bytesText(*entry.size_bytes) : plainWords(entry.size_text, 20);
     case DurationColumn: {
       const auto known = durations_.find(entry.key);
-      // Robots tell whole seconds.
+      // Robots give whole seconds.
       return known == durations_.end() ? QStringLiteral("—") : elapsedText(known->second).chopped(2);
     }
     case EndColumn:

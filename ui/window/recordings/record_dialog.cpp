@@ -68,7 +68,7 @@ void RecordDialog::say(const QString& sentence, bool bad) {
 }
 
 void RecordDialog::check() {
-  // It becomes part of a file name on the robot. What cannot be in it is told, not swallowed.
+  // It becomes part of a file name on the robot. Invalid characters are reported, not removed.
   static const QRegularExpression fits(QStringLiteral("^[A-Za-z0-9_-]*$"));
   const bool good = fits.match(suffix_->text()).hasMatch();
   say(good ? QString() : tr("A suffix may only contain letters from A to Z, digits, - and _."), !good);

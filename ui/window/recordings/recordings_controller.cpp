@@ -33,7 +33,7 @@ const QString kRecordingsFolderKey = QStringLiteral("recordings/folder");
 
 QString sentence(const map::Failure& failure) { return words::plainName(sentences::sentenceOf(failure)); }
 
-/// A file name of a name from a robot.
+/// A file name from a robot's name.
 QString fileNameOf(const BagKey& key) {
   return words::fileName(bagCalled(key), QStringLiteral("recording.bag"));
 }
@@ -146,7 +146,7 @@ void RecordingsController::open(const BagKey& key) {
     if (!outcome) return fail(key, outcome.error());
     dock_->model()->setNote(key, {});
     dock_->model()->setDuration(key, outcome->end_s - outcome->start_s);
-    // The robot that answers here is left then: not from within its answer.
+    // This leaves the robot that is answering: not from within its answer.
     QMetaObject::invokeMethod(
         this, [this, key] { Q_EMIT openWanted(key); }, Qt::QueuedConnection);
   });
@@ -216,7 +216,7 @@ void RecordingsController::record(RecordDialog* asked) {
   library->record(asked->order(),
                   [this, asking = QPointer<QDialog>(asked)](const robot::Outcome<robot::BagEntry>& outcome) {
                     auto* const dialog = qobject_cast<RecordDialog*>(asking.data());
-                    // Who has closed it is told all the same.
+                    // If it was closed, the result is reported anyway.
                     const bool open = dialog && dialog->isVisible();
                     if (outcome) {
                       context_.overlay.toasts()->add(

@@ -49,7 +49,7 @@ RecordingsDock::RecordingsDock(QWidget* parent)
   refresh_->setToolTip(tr("Ask the robot for its recordings again"));
   showRows(*table_, sorted_, tr("Recordings"));
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  // The ends of names tell them apart.
+  // The ends of names distinguish them.
   table_->setTextElideMode(Qt::ElideMiddle);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->installEventFilter(this);
@@ -93,7 +93,7 @@ RecordingsDock::RecordingsDock(QWidget* parent)
 }
 
 RecordingsDock::~RecordingsDock() {
-  // The table goes later than what it reports to.
+  // The table is destroyed later than the object it reports to.
   table_->selectionModel()->disconnect(this);
   model_->disconnect(this);
   table_->removeEventFilter(this);
@@ -188,7 +188,7 @@ void RecordingsDock::refreshButtons() {
   open_->setEnabled(key && !busy);
   download_->setEnabled(key && !busy);
   download_->setText(kind == BagNote::Kind::Stopped ? tr("Resume") : tr("Download…"));
-  // One stands in the place of the other: a row has no use for both.
+  // One replaces the other: a row does not need both.
   const bool downloading = kind == BagNote::Kind::Downloading;
   stop_->setEnabled(downloading);
   stop_->setVisible(downloading);

@@ -120,7 +120,7 @@ GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
 
   connect(editing_, &WaypointEditing::selectionChanged, this, &GroupForm::refresh);
   connect(editing_, &WaypointEditing::opened, this, [this] {
-    // What is not kept there is not offered.
+    // Fields that the store cannot keep are not offered.
     const robot::KeptFields& keeps = editing_->keeps();
     for (QWidget* of_types : std::initializer_list<QWidget*>{type_label_, type_})
       of_types->setVisible(keeps.type);

@@ -23,7 +23,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kMostRows = 2'000;  // the others are counted
+constexpr int kMostRows = 2'000;  // the others are only counted
 constexpr int kImportRowPx = 24;
 
 QString becomes(exchange::StepKind kind) {
@@ -185,7 +185,7 @@ void ImportDialog::fill(const std::vector<exchange::WaypointStep>& steps) {
   namespace field = edit::waypoint_field;
   for (int row = 0; row < rows; ++row) {
     const exchange::WaypointStep& step = steps[std::size_t(row)];
-    // Of this step alone: an edit may be several.
+    // Only of this step: an edit may have several.
     std::optional<map::Waypoint> after = step.after;
     if (step.before && step.after) {
       const edit::FieldMask fields = step.kind == exchange::StepKind::Rename  ? field::kName

@@ -12,7 +12,7 @@
 namespace mapwright::window {
 namespace {
 constexpr double kTickPx = 11;
-constexpr std::size_t kMostLineTicks = 500;  // more than can be told apart
+constexpr std::size_t kMostLineTicks = 500;  // more could not be distinguished
 }  // namespace
 
 LineTool::LineTool(const scene::MapScene* scene, WaypointSnapping* snapping, QObject* parent)
@@ -59,7 +59,7 @@ Eigen::Vector2d LineTool::caught(const MapPoint& at) {
 }
 
 bool LineTool::pressed(const MapPoint& at) {
-  // The second click of two, or a line that begins anew.
+  // The second of two clicks, or the start of a new line.
   if (!from_ || fixed_) {
     fixed_ = false;
     from_.reset();
@@ -159,7 +159,7 @@ void LineTool::paint(QPainter& painter) {
     painter.drawLine(a, b);
   }
   const std::vector<placing::Spot> spots = this->spots();
-  // Each where it would be, with its heading.
+  // Each at its future position, with its heading.
   if (spots.size() > kMostLineTicks) return;
   for (const placing::Spot& spot : spots) {
     const QPointF at = px(spot.position_m);

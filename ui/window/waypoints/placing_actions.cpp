@@ -15,7 +15,7 @@
 
 namespace mapwright::window {
 namespace {
-constexpr double kDuplicatePx = 24;  // at least so far from the first ones, to be seen beside them
+constexpr double kDuplicatePx = 24;  // minimum distance from the originals, so that both are visible
 }
 
 PlacingActions::PlacingActions(WindowContext& context, WaypointEditing* editing, WaypointSnapping* snapping,

@@ -15,7 +15,7 @@ namespace mapwright::window {
 namespace {
 
 constexpr double kFarthestPlaceM = 1e6;
-constexpr double kNoPlaceHeading = -181;  // the least value of its field stands for none
+constexpr double kNoPlaceHeading = -181;  // the minimum of its field means none
 constexpr int kLongestPlaceName = 500;
 
 QDoubleSpinBox* number(double least, double most, int decimals, double step, const QString& suffix,

@@ -95,7 +95,7 @@ ReviewModel::Outcome ReviewModel::outcome(int row) const {
     case exchange::SentState::Failed:
       break;
   }
-  // The state first: a column is narrow, and its tooltip has the whole sentence.
+  // The state first: the column is narrow, and its tooltip has the whole sentence.
   const bool failed = outcome.state == exchange::SentState::Failed;
   const QString sentence = words::plainLine(exchange::sentenceOf(outcome));
   const QString why = outcome.failure ? whyText(*outcome.failure) : sentence;
@@ -118,7 +118,7 @@ std::vector<robot::WaypointRequest> ReviewModel::rest() const {
 
 int ReviewModel::rowCount(const QModelIndex& parent) const {
   if (parent.isValid() || !list_) return 0;
-  // While a submission begins its rows change before it tells so.
+  // When a submission starts, its rows change before it emits the signal.
   return follows_ ? std::min(told_rows_, int(list_->submission().rows().size())) : int(plan_.size());
 }
 int ReviewModel::columnCount(const QModelIndex&) const { return kColumns; }

@@ -15,7 +15,7 @@ namespace {
 
 const QString kRadiusKey = QStringLiteral("waypoints/robot_radius_m");
 using placing::kMostRadiusM;
-constexpr double kAroundBareM = 3;  // around waypoints that lie on no picture
+constexpr double kAroundBareM = 3;  // around waypoints without a picture
 
 }  // namespace
 
@@ -59,7 +59,7 @@ QAction* WaypointPlacing::addRule(const char* id, const QString& text, const QSt
     placing::SnapRules rules = snapping_->rules();
     rules.*rule = checked;
     snapping_->setRules(rules);
-    // Whoever chooses what to snap to wants to snap.
+    // Choosing what to snap to also turns snapping on.
     if (checked) snapping_->setOn(true);
   });
   rules_.push_back({action, rule});
@@ -123,7 +123,7 @@ void WaypointPlacing::setSession(session::Session* session) {
 
 void WaypointPlacing::syncGround() {
   placing::PlacedMap under = mapUnder(context_.scene);
-  // What was fetched of a map does not tell where the map ends.
+  // A fetched part does not tell where the map ends.
   under.is_part = session_ && session_->wholeMap().shown().state_of;
   warnings_->setMap(under);
 }

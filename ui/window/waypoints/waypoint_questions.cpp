@@ -23,7 +23,7 @@ void WaypointQuestions::askToDiscard(const QString& sentence, std::function<void
 void WaypointQuestions::askToLeave(const QString& sentence, bool may_keep,
                                    std::function<void(Leaving)> then) {
   if (question_) {
-    // Whatever it was about: what is asked now is what matters.
+    // Only the newest question matters.
     question_->disconnect(this);
     question_->close();
   }

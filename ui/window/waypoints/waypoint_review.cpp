@@ -63,7 +63,7 @@ WaypointReview::WaypointReview(QWidget* parent)
   header->setHighlightSections(false);
   header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   header->setSectionResizeMode(ReviewModel::ChangeColumn, QHeaderView::Stretch);
-  // In letters of middling width: what the longest of our own texts and usual names take.
+  // In average letter widths: room for the longest of our own texts and usual names.
   const auto wide = [&](int letters) { return letters * fontMetrics().averageCharWidth() + 20; };
   header->resizeSection(ReviewModel::NumberColumn, wide(4));
   header->resizeSection(ReviewModel::CallColumn, wide(22));
@@ -95,7 +95,7 @@ WaypointReview::WaypointReview(QWidget* parent)
 }
 
 bool WaypointReview::isWorthIt(const edit::OpenWaypoints& list) {
-  // One of them tells: a robot is called for all of them, or for none.
+  // The first one is representative: either all of them are calls, or none.
   const auto changes = list.document().changes();
   if (changes.empty()) return false;
   const auto& one = changes.front();
@@ -109,7 +109,7 @@ void WaypointReview::review(edit::OpenWaypoints* list, const QString& map) {
     forget();
     list_ = list;
     connect(list, &edit::OpenWaypoints::changed, this, &WaypointReview::refresh);
-    // Whoever goes on editing sees what it takes then; once a turn, however much has changed.
+    // Further edits update the plan; at most once per turn of the event loop.
     connect(&list->document(), &edit::DocumentEvents::changed, this, [this] {
       if (isHidden() || !list_ || list_->saving() || !model_->showsPlan() || std::exchange(waiting_, true))
         return;
@@ -144,7 +144,7 @@ void WaypointReview::forget() {
 }
 
 void WaypointReview::takePlan() {
-  sent_ = false;  // nothing of this has been
+  sent_ = false;  // none of this has been sent
   model_->showPlan(list_, list_->planned());
   refresh();
 }
@@ -152,7 +152,7 @@ void WaypointReview::takePlan() {
 void WaypointReview::send() {
   if (!list_ || list_->saving()) return;
   std::vector<edit::PlannedRequest> planned = list_->planned();
-  // What is sent is what stands here, and nothing else.
+  // Sends exactly what is shown, nothing else.
   if (!model_->showsPlan() && !areCalls(*list_, planned, model_->rest())) {
     overtaken_ = true;
     return takePlan();
@@ -172,14 +172,14 @@ void WaypointReview::refresh() {
   using edit::SubmissionPhase;
   const SubmissionPhase phase = list_->submission().phase();
   if (sent_ && phase == SubmissionPhase::Undecided) {
-    // Nothing has been sent: others were there meanwhile.
+    // Nothing was sent: others have changed something.
     overtaken_ = true;
     return takePlan();
   }
   const bool before_the_first = phase != SubmissionPhase::Looking && phase != SubmissionPhase::Done &&
                                 list_->submission().rows().empty();
   if (sent_ && !list_->saving() && before_the_first) {
-    // How they are kept could not be looked up: what stands here is still what it takes.
+    // The stored state could not be read: the shown plan is still valid.
     unreached_ = true;
     return takePlan();
   }
@@ -201,7 +201,7 @@ void WaypointReview::refresh() {
   progress_->setValue(int(list_->submission().done()));
   const bool all_done = sent_ && phase == SubmissionPhase::Done;
   send_->setText(sent_ && !all_done ? tr("&Send the rest") : tr("&Send"));
-  // A button that goes leaves the focus to the next one, and Space would press that.
+  // Hiding a button would move the focus to the next one, and Space would press that.
   if (saving ? send_->hasFocus() || close_->hasFocus() : cancel_->hasFocus()) table_->setFocus();
   send_->setVisible(!saving);
   send_->setEnabled(list_->maySave() && (model_->showsPlan() ? rows > 0 : !all_done));
@@ -245,7 +245,7 @@ QString WaypointReview::statusText() const {
   QString text = tr("Of %1 requests %2 succeeded, %3 failed, %4 are unknown and %5 were not sent.")
                      .arg(figure(std::size_t(model_->rowCount())), figure(counts.applied),
                           figure(counts.failed), figure(counts.unknown), figure(counts.not_sent));
-  // Why alone: what has become of each stands in its row.
+  // Only the reason: the result of each is shown in its row.
   if (const auto why = list_->stoppedBy()) text = whyText(*why) + QLatin1Char(' ') + text;
   if (!list_->looked())
     text += QLatin1Char(' ') +
@@ -270,7 +270,7 @@ QString WaypointReview::madeUpText() const {
 }
 
 void WaypointReview::keyPressEvent(QKeyEvent* event) {
-  // A key that is held down sends once.
+  // Holding the key down only sends once.
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (!enter || !event->isAutoRepeat()) QDialog::keyPressEvent(event);
 }

@@ -33,7 +33,7 @@ bool isCsv(const QString& path) {
   return ending == QLatin1String("csv") || ending == QLatin1String("tsv") || ending == QLatin1String("txt");
 }
 
-/// "Dock 2", such that nobody is called so.
+/// "Dock 2", a name that nobody has.
 std::string freeName(const std::string& like, std::set<std::string>& taken,
                      std::map<std::string, int>& numbers) {
   std::string name = like;
@@ -144,7 +144,7 @@ void WaypointTransfer::pasteCopied(const std::string& geojson) {
   std::set<std::string> taken;
   std::map<std::string, int> numbers;
   for (const auto& [key, point] : editing_->document()->items()) taken.insert(point.name);
-  // As new ones: in another map these ids mean nothing, in this one they are somebody else.
+  // As new ones: in another map these ids are meaningless, in this one they belong to others.
   for (exchange::WantedWaypoint& one : wanted->points) {
     one.id.clear();
     if (one.name) one.name = freeName(*one.name, taken, numbers);
