@@ -73,7 +73,7 @@ QString whyAbsent(Capability capability, const Absence& absence) {
              AbsenceText::tr("%1 is not running on it, or cannot be reached from here.")
                  .arg(argument(absence));
     case Absence::Reason::LocalFiles:
-      // What stands in the place of a robot is told by its name: replay::ReplayRobot.
+      // A replay is described by its name: replay::ReplayRobot.
       if (!absence.arguments.empty())
         return AbsenceText::tr("This is a replay of %1: nothing can be changed.")
             .arg(words::plainName(absence.arguments.front()));
@@ -90,7 +90,7 @@ QString limitsOf(robot::Robot& robot) {
   QStringList limits;
   const auto add = [&](Capability capability) {
     const Absence absence = robot.whyNot(capability);
-    // Of files nobody expects it.
+    // Nobody expects this of files.
     if (capability == Capability::Administration && absence.reason == Absence::Reason::LocalFiles) return;
     const bool telling = absence.reason == Absence::Reason::ReadOnly ||
                          absence.reason == Absence::Reason::NotYetHere ||

@@ -22,7 +22,7 @@ class FailureText {
   Q_DECLARE_TR_FUNCTIONS(Failure)
 };
 
-/// What is wrong, in the words of a finder or of somebody else.
+/// What is wrong, as described by the finder or the robot.
 std::string toldBy(const Failure& failure) {
   return failure.cause.any() ? wordsOf(failure.cause).toStdString() : failure.detail;
 }
@@ -47,7 +47,7 @@ QString pictureFailed(const Failure& failure) {
                : FailureText::tr("Its picture cannot be loaded");
 }
 
-/// What has not come about, without its reason.
+/// What did not work, without the reason.
 QString opening(const Failure& failure) {
   if (failure.asked_for == AskedFor::Change) return changeFailed(failure);
   if (failure.asked_for != AskedFor::All) return pictureFailed(failure);
@@ -93,7 +93,7 @@ QString reasonOf(const Failure& failure) {
   }
 }
 
-/// What can be said where nobody has said anything.
+/// A generic reason if there is no other.
 QString kindOf(const Failure& failure) {
   switch (failure.kind) {
     case FailureKind::Unreachable:
@@ -143,7 +143,7 @@ std::string sentenceOf(const map::Failure& failure) { return textOf(failure).toS
 
 std::string whyOf(const map::Failure& failure) {
   const bool told = failure.reason == FailureReason::Told || failure.reason == FailureReason::Empty;
-  // Who was overtaken has not been refused by anybody.
+  // A conflict is not a refusal.
   QString why = failure.kind == FailureKind::Conflict ? text(toldBy(failure))
                 : told                                ? reasonOf(failure)
                                                       : textOf(failure);

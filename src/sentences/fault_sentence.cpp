@@ -23,7 +23,7 @@ QString textOf(const FaultArgument& argument) {
   return QString::fromStdString(std::get<std::string>(argument));
 }
 
-/// What the sentence counts, where it counts anything: a number, or one that is grouped.
+/// The number that the sentence counts, if any: plain or grouped.
 int countIn(const Fault& fault) {
   constexpr int kMany = 2;
   if (fault.arguments.empty()) return kMany;
@@ -153,7 +153,7 @@ QString wordsOf(const std::vector<Fault>& faults) {
 QString sentenceOf(const Fault& fault) {
   const std::string words = wordsOf(fault).toStdString();
   std::string sentence = words::asSentence(words);
-  // A name at its beginning (of a file) stays as it is written.
+  // A name at its beginning (of a file) is not capitalised.
   const auto* const name =
       fault.arguments.empty() ? nullptr : std::get_if<std::string>(&fault.arguments.front());
   const bool begins = name && !name->empty() && words.starts_with(*name) && words.size() > name->size();

@@ -17,7 +17,7 @@ struct Singular {
   const char* singular;
 };
 
-// tests/house compares it with what is written in the sources.
+// tests/house compares it with the texts in the sources.
 constexpr Singular kSingulars[] = {
     {"%1 alerts", "%1 alert"},
     {"%1 answers", "%1 answer"},
