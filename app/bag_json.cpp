@@ -79,7 +79,7 @@ QJsonObject bagJson(const robot::BagEntry& entry) {
 
 namespace {
 
-// A file that was cut before its first messages has no times.
+// A file cut off before its first messages has no times.
 bool hasTimes(const robot::BagInfo& info) { return info.messages > 0 || info.end_s > 0; }
 
 }  // namespace
@@ -98,7 +98,7 @@ QJsonObject infoJson(const std::string& name, const robot::BagInfo& info) {
   if (info.repair)
     all[QStringLiteral("repaired")] =
         QJsonObject{{QStringLiteral("broke_off"), orNull(info.repair->broke_off_s)}};
-  if (info.format.empty()) return all;  // a robot tells no more
+  if (info.format.empty()) return all;  // a robot gives no further details
   QJsonArray topics, packing;
   for (const robot::BagTopic& one : info.topics)
     topics.append(QJsonObject{{QStringLiteral("topic"), text(one.name)},
@@ -156,17 +156,15 @@ std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo&
              .arg(one.compression.empty() ? BagJsonText::tr("none") : words::plainName(one.compression),
                   QString::number(one.parts), window::bytesText(one.stored_bytes),
                   window::bytesText(one.unpacked_bytes))});
-  if (info.attachments > 0)
-    rows.push_back({BagJsonText::tr("files in it"), QString::number(info.attachments)});
+  if (info.attachments > 0) rows.push_back({BagJsonText::tr("files"), QString::number(info.attachments)});
   if (info.interrupted)
-    rows.push_back(
-        {BagJsonText::tr("interrupted"),
-         times ? timeText(info.end_s) : BagJsonText::tr("before its first messages were written")});
+    rows.push_back({BagJsonText::tr("interrupted"),
+                    times ? timeText(info.end_s) : BagJsonText::tr("no message was written")});
   if (info.repair)
     rows.push_back({BagJsonText::tr("repaired"),
                     info.repair->broke_off_s
-                        ? BagJsonText::tr("it broke off at %1").arg(timeText(*info.repair->broke_off_s))
-                        : BagJsonText::tr("it broke off before its first messages were written")});
+                        ? BagJsonText::tr("cut off at %1").arg(timeText(*info.repair->broke_off_s))
+                        : BagJsonText::tr("cut off before any message was written")});
   for (const robot::BagAway& one : info.away)
     rows.push_back(
         {BagJsonText::tr("no connection"),

@@ -14,14 +14,14 @@
 
 namespace mapwright::app {
 
-/// {"name","kind","size_bytes","end"}: size and end are null where the robot does not tell them.
+/// {"name","kind","size_bytes","end"}: size and end are null if the robot does not report them.
 QJsonObject bagJson(const robot::BagEntry& entry);
-/// What a robot, or a file, tells of it as a whole (docs/command-line.md, "mapwright bags").
+/// General information about a robot or a file (docs/command-line.md, "mapwright bags").
 QJsonObject infoJson(const std::string& name, const robot::BagInfo& info);
 std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo& info);
-/// What a file holds by which topic; empty: it is none, or nothing is in it.
+/// The topics of a file with their messages; empty if it has none.
 std::vector<QStringList> topicRows(const robot::BagInfo& info);
-/// The world of a time (docs/command-line.md, "mapwright bags").
+/// The state at a given time (docs/command-line.md, "mapwright bags").
 QJsonObject stateJson(double at_s, const replay::Moment& moment, const robot::BagInfo& bag);
 std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment, const robot::BagInfo& bag);
 /// [{"at","kind"}] with "code", "text" or "metres" where it has them.

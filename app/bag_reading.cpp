@@ -33,7 +33,7 @@ using words::text;
 }  // namespace
 
 CommandFailure BagReading::failure(const map::Failure& failed) const {
-  // A file that cannot be read is no robot that answers with an error.
+  // An unreadable file is not a robot that answers with an error.
   const int code = robot_->local() ? int(kUsage) : int(exitCodeOf(failed.kind));
   if (failed.subject.kind != map::SubjectKind::Bag || failed.subject.id.empty())
     return robot_->failure(code, QString::fromStdString(sentences::sentenceOf(failed)));
@@ -52,8 +52,8 @@ CommandResult<double> timeFrom(const std::string& word, const QString& option) {
   return tl::make_unexpected(CommandFailure{
       kUsage,
       word.empty()
-          ? BagReadingText::tr("%1 is needed: seconds since 1970, or 2024-06-03T09:00:00Z.").arg(option)
-          : BagReadingText::tr("%1 %2 is no time: seconds since 1970, or 2024-06-03T09:00:00Z.")
+          ? BagReadingText::tr("%1 is required: seconds since 1970, or 2024-06-03T09:00:00Z.").arg(option)
+          : BagReadingText::tr("%1 %2 is not a time: give seconds since 1970, or 2024-06-03T09:00:00Z.")
                 .arg(option, text(word))});
 }
 
@@ -67,7 +67,7 @@ CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsWords& words) {
     *value = *time;
   }
   if (span.from_s && span.to_s && *span.to_s < *span.from_s)
-    return tl::make_unexpected(CommandFailure{kUsage, BagReadingText::tr("--to lies before --from.")});
+    return tl::make_unexpected(CommandFailure{kUsage, BagReadingText::tr("--to is earlier than --from.")});
   return span;
 }
 
@@ -137,9 +137,9 @@ std::optional<CommandFailure> BagReading::waitUntil(const std::function<bool()>&
   QTimer look;
   std::optional<CommandFailure> failed;
   bool is_done = done();
-  // Gaps are rare: they and the time are looked for now and then.
+  // Gaps are rare: checking for them and for the time now and then is enough.
   QObject::connect(&look, &QTimer::timeout, &loop, [&] {
-    // What lies later is only read ahead.
+    // Anything later is only read-ahead.
     const double wanted_s = reading_->chunks().wanted().value_or(-1e300);
     for (const auto& [from, cell] : reading_->chunks().cells()) {
       if (replay::secondsOf(from) > wanted_s) break;
@@ -170,7 +170,7 @@ std::optional<CommandFailure> BagReading::readRanges(std::optional<double> from_
 }
 
 std::optional<CommandFailure> BagReading::readWhole() {
-  // From the end back to the start, whatever lies beyond what is told.
+  // From the end back to the start, including parts beyond the stated times.
   reading_->want(1e300);
   return waitUntil([&] { return reading_->chunks().wholeRead(); });
 }
@@ -178,7 +178,7 @@ std::optional<CommandFailure> BagReading::readWhole() {
 CommandResult<replay::Moment> BagReading::momentAt(double at_s) {
   reading_->want(at_s);
   replay::Moment moment;
-  // Looking at the world costs the more the more is known of it: not before all of it is.
+  // Computing the world gets more expensive the more is known: wait until all of it is.
   const auto failed = waitUntil([&] {
     if (!reading_->chunks().readUntil(at_s)) return false;
     moment = reading_->moment();
@@ -195,7 +195,7 @@ void BagReading::noteUnknown(const std::vector<std::string>& topics) {
     const bool there = std::any_of(known.begin(), known.end(),
                                    [&](const robot::BagTopic& one) { return one.name == topic; });
     if (!known.empty() && !there)
-      robot_->lack(BagReadingText::tr("There is no topic %1 in it.").arg(words::plainName(topic)));
+      robot_->lack(BagReadingText::tr("It has no topic %1.").arg(words::plainName(topic)));
   }
 }
 
@@ -204,7 +204,8 @@ void BagReading::noteUnreadable(double until_s) {
   for (const auto& [from_s, count] : *unreadable_) odd += from_s <= until_s ? count : 0;
   if (odd > 0)
     robot_->lack(
-        BagReadingText::tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(odd));
+        BagReadingText::tr("Messages left out because they have no time stamp or cannot be read: %1.")
+            .arg(odd));
   robot_->insistOnReadable();
 }
 

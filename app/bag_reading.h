@@ -1,4 +1,4 @@
-// A bag as a command reads it: found by its name, waited for.
+// A bag as a command reads it: looks it up by name and waits for the data.
 #pragma once
 
 #include <cstdint>
@@ -19,37 +19,37 @@ namespace mapwright::app {
 
 class BagReading {
  public:
-  /// Asks the robot of `words`; nothing but its bags is asked for, and no live link is needed.
+  /// Connects to the robot of `words`; requests only its bags, without needing a live connection.
   static CommandResult<BagReading> open(MapsCommand& command, const BagsWords& words);
 
   MapReading& robot() const { return *robot_; }
   robot::BagLibrary& library() const { return *library_; }
-  /// The bag, or else the recording, of this name. One that is not listed is asked for all the same: what is
-  /// wrong with it the robot says.
+  /// The bag of this name, or else the recording. A name that is not listed is requested anyway: the robot
+  /// then says what is wrong.
   robot::BagKey keyOf(const std::string& name) const;
   /// Names the bag, where it is about one.
   CommandFailure failure(const map::Failure& failed) const;
 
   /// Opens it for replaying.
   CommandResult<replay::Reading*> replay(const std::string& name);
-  /// To be read once from one end to the other: whole texts, where they are what is wanted.
+  /// For reading once from one end to the other; Whole keeps complete texts.
   enum class Texts { Short, Whole };
   CommandResult<replay::Reading*> readThrough(const std::string& name, Texts texts);
-  /// Until `done`, which is asked again whenever something was read. A range that the robot cannot give, or
-  /// fails to give again and again, ends it.
+  /// Runs until `done`, which is called again after each read. Ends with a failure if the robot cannot
+  /// deliver a range, or keeps failing.
   std::optional<CommandFailure> waitUntil(const std::function<bool()>& done);
-  /// Range by range, in their order, those that hold something of `from_s` to `to_s`; without them all,
-  /// whatever the told times are. Nothing else is read. A failure of `take` ends it.
+  /// Passes on the ranges that overlap `from_s` to `to_s`, in order; without limits all of them, whatever
+  /// times they state. Reads nothing else. Ends if `take` fails.
   using TakeRange = std::function<std::optional<CommandFailure>(const replay::Chunk&)>;
   std::optional<CommandFailure> readRanges(std::optional<double> from_s, std::optional<double> to_s,
                                            const TakeRange& take);
-  /// The bag to its very ends; its index knows all of it then.
+  /// Reads the whole bag; its index is complete afterwards.
   std::optional<CommandFailure> readWhole();
-  /// The world of `at_s`, exactly.
+  /// The exact state at `at_s`.
   CommandResult<replay::Moment> momentAt(double at_s);
-  /// Those of the topics that a file does not hold; robots tell only of what they have sent.
+  /// Notes topics that a file does not contain. Robots only report topics that they have sent.
   void noteUnknown(const std::vector<std::string>& topics);
-  /// What was read until then lacks what cannot be read, or has no stamp: says so.
+  /// Notes messages before `until_s` that could not be read or have no time stamp.
   void noteUnreadable(double until_s);
 
  private:

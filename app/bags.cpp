@@ -1,4 +1,4 @@
-// Bags as files: which there are, fetching, deleting, recording.
+// Bags as files: list, download, delete, record.
 #include "app/bags.h"
 
 #include <cstdio>
@@ -50,7 +50,8 @@ QStringList rowOf(const robot::BagEntry& entry) {
           words::plainName(entry.key.name)};
 }
 
-/// Where a bag goes when nobody says it: its name is the robot's, and must not lead anywhere else.
+/// The default file name of a download. The bag's name comes from the robot, and must not lead to another
+/// folder.
 QString fileFor(const BagsWords& words) {
   if (!words.output.empty()) return text(words.output);
   return words::fileName(QFileInfo(text(words.name)).fileName(), {});
@@ -71,7 +72,7 @@ int bagsList(const BagsWords& words, int& argc, char** argv) {
           return bags.library().list(std::move(reply));
         });
     if (!rows) return tl::make_unexpected(bags.failure(rows.error()));
-    bags.robot().insistOnAll();  // one of the two lists is not all
+    bags.robot().insistOnAll();  // one of the two lists is incomplete
     if (words.json) {
       QJsonArray all;
       for (const robot::BagEntry& entry : *rows) all.append(bagJson(entry));
@@ -79,7 +80,7 @@ int bagsList(const BagsWords& words, int& argc, char** argv) {
       return kDone;
     }
     if (rows->empty()) {
-      std::printf("%s\n", qUtf8Printable(BagsText::tr("There is no bag.")));
+      std::printf("%s\n", qUtf8Printable(BagsText::tr("There are no bags.")));
       return kDone;
     }
     std::vector<QStringList> table{
@@ -112,13 +113,12 @@ int bagsInfo(const BagsWords& words, int& argc, char** argv) {
 int bagsDownload(const BagsWords& words, int& argc, char** argv) {
   return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
     const QString path = fileFor(words);
-    if (path.isEmpty()) return wrong(BagsText::tr("Where should it go? Give -o FILE."));
+    if (path.isEmpty()) return wrong(BagsText::tr("Where should it be saved? Pass -o FILE."));
     if (isStandardOutput(path))
-      return wrong(
-          BagsText::tr("A download can go on where it broke off: it needs a file of its own (-o FILE)."));
+      return wrong(BagsText::tr("A download can be resumed, so it must go to a regular file (-o FILE)."));
     if (const auto why = whyNotWritable(path)) return wrong(*why);
     if (QFileInfo::exists(path) && !words.force)
-      return wrong(BagsText::tr("%1 is there already. --force replaces it.").arg(path));
+      return wrong(BagsText::tr("%1 already exists. Pass --force to replace it.").arg(path));
     const robot::BagKey key = bags.keyOf(words.name);
     const bool terminal = isatty(STDERR_FILENO) != 0;
     const auto done = bags.robot().ask<robot::BagDownload>([&](robot::OutcomeTo<robot::BagDownload> reply) {
@@ -148,7 +148,7 @@ int bagsDownload(const BagsWords& words, int& argc, char** argv) {
 int bagsDelete(const BagsWords& words, int& argc, char** argv) {
   return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
     if (!words.yes)
-      return wrong(BagsText::tr("A bag that is deleted cannot be had back. Say --yes when %1 may go.")
+      return wrong(BagsText::tr("Deleting a bag cannot be undone. Pass --yes to delete %1.")
                        .arg(words::plainName(words.name)));
     const robot::BagKey key = bags.keyOf(words.name);
     const auto done = bags.robot().ask<robot::BagKey>(

@@ -8,7 +8,7 @@
 
 namespace mapwright::app {
 
-/// The words as typed; empty = not given. Times are seconds since the epoch, or ISO 8601.
+/// The options as typed; empty = not given. Times are seconds since the epoch, or ISO 8601.
 struct BagsWords {
   std::string robot;
   AccessWords access;
@@ -16,10 +16,10 @@ struct BagsWords {
   std::string from, to, at;                // times
   std::vector<std::string> topics;         // frames, export: of these alone
   std::string kinds;                       // events: of these groups alone
-  std::string output;                      // download: the file; "" = called like the bag. export, track
-  std::string format;                      // export, track; "" = as the file's name ends
+  std::string output;                      // download: the file; "" = named after the bag. export, track
+  std::string format;                      // export, track; "" = by the extension of the file
   std::string suffix, duration, category;  // record
-  std::vector<std::string> files;          // merge: those that are put together
+  std::vector<std::string> files;          // merge: the inputs
   double every_s = 60;                     // split
   std::string report;
   double timeout_s = 300;

@@ -1,4 +1,4 @@
-// A part of a bag for other programs: its messages, and where the robot was.
+// Exports a part of a bag for other programs: its messages, and the robot's path.
 #include <cmath>
 #include <cstdio>
 
@@ -35,13 +35,13 @@ CommandFailure exportFailed(const disk::FileError& fault) {
   return {kUsage, sentences::wordsOf(disk::notWritten(fault))};
 }
 
-/// What of a bag goes where, as it was asked for.
+/// What to export, and where.
 struct ExportOrder {
   excerpt::TimeSpan span;
   QString path, format;
 };
 
-/// The format that was asked for, else as the name ends.
+/// The requested format, otherwise by the extension.
 CommandResult<ExportOrder> orderFrom(const BagsWords& words, const QStringList& formats) {
   const auto span = timeSpanFrom(words);
   if (!span) return tl::make_unexpected(span.error());
@@ -50,14 +50,14 @@ CommandResult<ExportOrder> orderFrom(const BagsWords& words, const QStringList& 
   if (order.format.isEmpty()) {
     order.format = QFileInfo(order.path).suffix().toLower();
     if (!formats.contains(order.format))
-      return wrong(BagsExportText::tr("%1: its name does not end in one of %2. Say which by --format.")
-                       .arg(order.path, known));
+      return wrong(
+          BagsExportText::tr("%1: the name must end in one of %2, or pass --format.").arg(order.path, known));
   } else if (!formats.contains(order.format)) {
-    return wrong(BagsExportText::tr("--format %1: give one of %2.").arg(text(words.format), known));
+    return wrong(BagsExportText::tr("--format %1: must be one of %2.").arg(text(words.format), known));
   }
   if (const auto why = whyNotWritable(order.path)) return wrong(*why);
   if (QFileInfo(order.path).isFile() && !words.force)
-    return wrong(BagsExportText::tr("%1 is there already. --force replaces it.").arg(order.path));
+    return wrong(BagsExportText::tr("%1 already exists. Pass --force to replace it.").arg(order.path));
   return order;
 }
 
@@ -78,7 +78,7 @@ int runExport(const BagsWords& words, int& argc, char** argv, const QStringList&
       });
 }
 
-/// What was written, for scripts and for people.
+/// Reports what was written, for scripts and for people.
 void tell(const BagsWords& words, const ExportOrder& order, MapsCommand& command, QJsonObject done,
           const QString& sentence) {
   done[QStringLiteral("name")] = text(words.name);
@@ -92,7 +92,7 @@ void tell(const BagsWords& words, const ExportOrder& order, MapsCommand& command
   }
 }
 
-/// The file that is meant, where it is a recording on this computer.
+/// The file, if it is a recording on this computer.
 std::optional<std::string> recordingOf(const BagsWords& words) {
   const auto parsed = knownAddresses().parse(text(words.robot));
   if (!parsed || parsed->path.isEmpty() || !robot::recorded::isRecording(parsed->path)) return std::nullopt;
@@ -114,13 +114,13 @@ excerpt::Order excerptOf(const BagsWords& words, const BagReading& bags, const E
   return wanted;
 }
 
-/// A part of a recording is what it is there, byte for byte.
+/// A part of a recording is copied byte for byte.
 CommandResult<int> exportSlice(const BagsWords& words, MapsCommand& command, BagReading& bags,
                                const std::string& path, const ExportOrder& order) {
   if (const auto why = overOwnSource({order.path}, {path})) return wrong(*why);
   const auto sliced = excerpt::sliceRecording(path, excerptOf(words, bags, order));
   if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
-  const excerpt::Written& done = **sliced;  // nobody ends it
+  const excerpt::Written& done = **sliced;  // nobody cancels it
   bags.noteUnknown(words.topics);
   const map::Subject bag =
       subjectOf(robot::BagKey{robot::BagKind::File, robot::recorded::bagNameOf(text(path))});
@@ -130,13 +130,11 @@ CommandResult<int> exportSlice(const BagsWords& words, MapsCommand& command, Bag
        {{QStringLiteral("messages"), qint64(done.messages)},
         {QStringLiteral("said_before"), qint64(done.said_before)},
         {QStringLiteral("attachments"), qint64(done.attachments)}},
-       BagsExportText::tr("%1 messages, %2 that had been said before")
-           .arg(done.messages)
-           .arg(done.said_before));
+       BagsExportText::tr("%1 messages, %2 from before the range").arg(done.messages).arg(done.said_before));
   return kDone;
 }
 
-/// What was written, in figures and in words.
+/// What was written, as figures and as text.
 struct Told {
   QJsonObject json;
   QString sentence;
@@ -146,7 +144,7 @@ Told toldOf(const excerpt::Written& done, excerpt::Kind kind) {
     case excerpt::Kind::Mcap:
       return {{{QStringLiteral("messages"), qint64(done.messages)},
                {QStringLiteral("said_before"), qint64(done.said_before)}},
-              BagsExportText::tr("%1 messages, %2 that had been said before")
+              BagsExportText::tr("%1 messages, %2 from before the range")
                   .arg(done.messages)
                   .arg(done.said_before)};
     case excerpt::Kind::Lines:
@@ -155,7 +153,7 @@ Told toldOf(const excerpt::Written& done, excerpt::Kind kind) {
     default:
       return {{{QStringLiteral("samples"), qint64(done.samples)},
                {QStringLiteral("pieces"), qint64(done.pieces)}},
-              BagsExportText::tr("%1 samples in %2 pieces").arg(done.samples).arg(done.pieces)};
+              BagsExportText::tr("%1 samples in %2 segments").arg(done.samples).arg(done.pieces)};
   }
 }
 
@@ -164,7 +162,7 @@ CommandResult<int> exportExcerpt(const BagsWords& words, MapsCommand& command, B
   const excerpt::Order wanted = excerptOf(words, bags, order);
   const bool mcap = wanted.kind == excerpt::Kind::Mcap;
   if (mcap && isStandardOutput(order.path))
-    return wrong(BagsExportText::tr("An MCAP file needs a file of its own (-o FILE)."));
+    return wrong(BagsExportText::tr("An MCAP file must be a regular file (-o FILE)."));
   if (const auto recording = mcap ? recordingOf(words) : std::nullopt)
     return exportSlice(words, command, bags, *recording, order);
   const auto writing = excerpt::begin(wanted);

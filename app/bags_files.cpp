@@ -1,4 +1,4 @@
-// Recordings on this computer as other files: repaired, cut in pieces, put together.
+// Turns recordings on this computer into other files: repair, split, merge.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -43,7 +43,7 @@ auto notOpened(const Fault& why) { return wrong(sentences::sentenceOf(why)); }
 CommandResult<std::string> recordingFrom(const BagsWords& words) {
   const auto parsed = knownAddresses().parse(text(words.robot));
   if (!parsed || parsed->path.isEmpty())
-    return wrong(BagsFilesText::tr("%1 is no recording on this computer. Give a file (.mcap, .bag).")
+    return wrong(BagsFilesText::tr("%1 is not a recording on this computer. Pass a file (.mcap, .bag).")
                      .arg(text(words.name)));
   return parsed->path.toStdString();
 }
@@ -51,15 +51,16 @@ CommandResult<std::string> recordingFrom(const BagsWords& words) {
 std::optional<CommandFailure> whyNotInto(const QString& path, const std::vector<std::string>& sources,
                                          bool force) {
   if (isStandardOutput(path))
-    return CommandFailure{kUsage, BagsFilesText::tr("An MCAP file needs a file of its own (-o FILE).")};
+    return CommandFailure{kUsage, BagsFilesText::tr("An MCAP file must be a regular file (-o FILE).")};
   if (const auto why = whyNotWritable(path)) return CommandFailure{kUsage, *why};
   if (const auto why = overOwnSource({path}, sources)) return CommandFailure{kUsage, *why};
   if (QFileInfo::exists(path) && !force)
-    return CommandFailure{kUsage, BagsFilesText::tr("%1 is there already. --force replaces it.").arg(path)};
+    return CommandFailure{kUsage,
+                          BagsFilesText::tr("%1 already exists. Pass --force to replace it.").arg(path)};
   return std::nullopt;
 }
 
-/// Its end is missing, and maybe the rest of what was being written then.
+/// Its end is missing, and maybe the data being written at that time.
 bool isOfItsEnd(const Fault& loss) {
   return loss.code == robot::recorded::fault::RecordingNotFinished ||
          loss.code == robot::recorded::fault::RecordingNotBegun ||
@@ -83,8 +84,7 @@ void tell(const BagsWords& words, const QStringList& files, const excerpt::Writt
   for (const QString& file : files) std::printf("%s\n", qUtf8Printable(oneLine(file)));
   std::printf(
       "%s\n",
-      qUtf8Printable(
-          BagsFilesText::tr("messages: %1, files in it: %2").arg(done.messages).arg(done.attachments)));
+      qUtf8Printable(BagsFilesText::tr("messages: %1, files: %2").arg(done.messages).arg(done.attachments)));
 }
 
 int run(const BagsWords& words, int& argc, char** argv,
@@ -115,19 +115,21 @@ int bagsSplit(const BagsWords& words, int& argc, char** argv) {
   return run(words, argc, argv, [&](MapsCommand&) -> CommandResult<int> {
     const auto path = recordingFrom(words);
     if (!path) return tl::make_unexpected(path.error());
-    if (!(words.every_s > 0)) return wrong(BagsFilesText::tr("--every must be more than 0 seconds."));
+    if (!(words.every_s > 0)) return wrong(BagsFilesText::tr("--every must be greater than 0 seconds."));
     const QString pattern = text(words.output);
     if (numbered(pattern, 0).isEmpty())
-      return wrong(BagsFilesText::tr("-o %1: give the parts a number, as in part-%03d.mcap.").arg(pattern));
+      return wrong(
+          BagsFilesText::tr("-o %1: the parts need a number in their name, for example part-%03d.mcap.")
+              .arg(pattern));
     const auto opened = recording::openRecording(*path);
     if (!opened) return notOpened(robot::recorded::reasonOf(opened.error()));
     const recording::Summary summary = (*opened)->summary();
-    if (!summary.start_ns) return wrong(BagsFilesText::tr("There is no message in it."));
+    if (!summary.start_ns) return wrong(BagsFilesText::tr("It contains no messages."));
     const double every_ns = words.every_s * 1e9;
     const double parts = std::floor(double(summary.durationNs()) / every_ns) + 1;
     if (parts > double(kMostParts))
       return wrong(
-          BagsFilesText::tr("That would be more than %1 parts. Let --every be longer.").arg(kMostParts));
+          BagsFilesText::tr("That would be more than %1 parts. Choose a longer --every.").arg(kMostParts));
     excerpt::Written all;
     QStringList files;
     for (std::int64_t part = 0; part < std::int64_t(parts); ++part) {
@@ -136,7 +138,7 @@ int bagsSplit(const BagsWords& words, int& argc, char** argv) {
       if (const auto why = whyNotInto(file, {*path}, words.force)) return tl::make_unexpected(*why);
       order.path = file.toStdString();
       order.topics = words.topics;
-      // The first and the last one hold all that lies there, whatever rounding does.
+      // The first and the last part include everything up to the ends, in spite of rounding.
       if (part > 0) order.first_ns = *summary.start_ns + std::llround(double(part) * every_ns);
       if (part + 1 < std::int64_t(parts))
         order.last_ns = *summary.start_ns + std::llround(double(part + 1) * every_ns) - 1;
@@ -144,7 +146,7 @@ int bagsSplit(const BagsWords& words, int& argc, char** argv) {
       if (!made) return notOpened(made.error());
       all.messages += (*made)->messages;
       all.attachments = std::max(all.attachments, (*made)->attachments);
-      all.losses = (*made)->losses;  // they are of the whole
+      all.losses = (*made)->losses;  // they concern the whole
       files << file;
     }
     tell(words, files, all);

@@ -47,10 +47,10 @@ bool isFilm(const QString& path) {
   return suffix == QLatin1String("mp4") || suffix == QLatin1String("mkv") || suffix == QLatin1String("webm");
 }
 
-/// Where its pictures go, and how they become a film.
+/// Where the pictures go, and how to make a video of them.
 struct Place {
   QString pattern, film, ffmpeg;
-  QTemporaryDir folder;  // of the pictures of a film
+  QTemporaryDir folder;  // for the frames of a video
 };
 
 tl::expected<std::unique_ptr<Place>, QString> placeFor(const FilmWords& words) {
@@ -59,33 +59,32 @@ tl::expected<std::unique_ptr<Place>, QString> placeFor(const FilmWords& words) {
   if (!isFilm(output)) {
     place->pattern = output;
     if (numbered(output, 0).isEmpty() || !output.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
-      return tl::make_unexpected(
-          FilmText::tr(
-              "-o %1: give pictures a number, as in frames/%05d.png, or name a film: .mp4, .mkv or .webm.")
-              .arg(output));
+      return tl::make_unexpected(FilmText::tr("-o %1: number the pictures, for example frames/%05d.png, or "
+                                              "name a video: .mp4, .mkv or .webm.")
+                                     .arg(output));
     return place;
   }
   place->film = output;
   place->ffmpeg = QStandardPaths::findExecutable(QStringLiteral("ffmpeg"));
   if (place->ffmpeg.isEmpty())
-    return tl::make_unexpected(FilmText::tr(
-        "A film needs the program ffmpeg, which is not there. Pictures can be had without it: -o "
-        "frames/%05d.png."));
+    return tl::make_unexpected(
+        FilmText::tr("Making a video needs ffmpeg, which is not installed. Pictures work without it: -o "
+                     "frames/%05d.png."));
   if (const auto why = whyNotWritable(output)) return tl::make_unexpected(*why);
   if (!place->folder.isValid())
-    return tl::make_unexpected(
-        FilmText::tr("There is no room for the pictures of the film: %1").arg(place->folder.errorString()));
+    return tl::make_unexpected(FilmText::tr("There is not enough disk space for the frames of the video: %1")
+                                   .arg(place->folder.errorString()));
   place->pattern = place->folder.filePath(QStringLiteral("%06d.png"));
   return place;
 }
 
-/// nullopt = the film is in its place; else a sentence.
+/// nullopt = the video is in place; otherwise a sentence.
 std::optional<QString> makeFilm(const Place& place, double fps) {
   const QFileInfo film(place.film);
   const QString aside = QStringLiteral("%1.part.%2").arg(place.film, film.suffix());
   QProcess ffmpeg;
   ffmpeg.setProgram(place.ffmpeg);
-  // Most players take films of even sizes with this kind of colour alone.
+  // Most players only support even sizes and this pixel format.
   ffmpeg.setArguments({QStringLiteral("-hide_banner"), QStringLiteral("-loglevel"), QStringLiteral("error"),
                        QStringLiteral("-nostdin"), QStringLiteral("-y"), QStringLiteral("-framerate"),
                        QString::number(fps), QStringLiteral("-i"), place.pattern, QStringLiteral("-vf"),
@@ -96,7 +95,7 @@ std::optional<QString> makeFilm(const Place& place, double fps) {
   if (ffmpeg.exitStatus() != QProcess::NormalExit || ffmpeg.exitCode() != 0) {
     QFile::remove(aside);
     const QString said = QString::fromUtf8(ffmpeg.readAllStandardError()).trimmed();
-    return FilmText::tr("%1: ffmpeg could not make it. %2").arg(place.film, said);
+    return FilmText::tr("%1: ffmpeg failed. %2").arg(place.film, said);
   }
   if (std::rename(aside.toLocal8Bit().constData(), place.film.toLocal8Bit().constData()) != 0) {
     const QString why = qt_error_string(errno);
@@ -140,13 +139,14 @@ tl::expected<std::vector<double>, QString> timesFrom(const FilmWords& words) {
   if (!from_s) return tl::make_unexpected(from_s.error().sentence);
   const auto to_s = timeFrom(words.to, QStringLiteral("--to"));
   if (!to_s) return tl::make_unexpected(to_s.error().sentence);
-  if (*to_s < *from_s) return tl::make_unexpected(FilmText::tr("--to lies before --from."));
-  if (!(words.every_s > 0)) return tl::make_unexpected(FilmText::tr("--every must be more than 0 seconds."));
+  if (*to_s < *from_s) return tl::make_unexpected(FilmText::tr("--to is earlier than --from."));
+  if (!(words.every_s > 0))
+    return tl::make_unexpected(FilmText::tr("--every must be greater than 0 seconds."));
   if (!(words.fps > 0 && words.fps <= kFastestFps))
-    return tl::make_unexpected(FilmText::tr("--fps must be more than 0 and at most %1.").arg(kFastestFps));
+    return tl::make_unexpected(FilmText::tr("--fps must be greater than 0 and at most %1.").arg(kFastestFps));
   if ((*to_s - *from_s) / words.every_s >= double(kMostPictures))
     return tl::make_unexpected(
-        FilmText::tr("That would be more than %1 pictures. Let --every be longer.").arg(kMostPictures));
+        FilmText::tr("That would be more than %1 pictures. Choose a longer --every.").arg(kMostPictures));
   return filmTimes(*from_s, *to_s, words.every_s);
 }
 
@@ -155,7 +155,7 @@ tl::expected<std::vector<double>, QString> timesFrom(const FilmWords& words) {
 std::vector<double> filmTimes(double from_s, double to_s, double every_s) {
   std::vector<double> times;
   for (std::size_t i = 0; times.size() < kMostPictures; ++i) {
-    // Not added up: the hundred thousandth is where it belongs. Half a microsecond is what rounding costs.
+    // Computed, not accumulated: even the hundred thousandth is exact to half a microsecond.
     const double at_s = from_s + double(i) * every_s;
     if (at_s > to_s + 5e-7) break;
     times.push_back(std::min(at_s, to_s));
@@ -174,15 +174,16 @@ QString numbered(const QString& pattern, int number) {
 void addFilm(CLI::App& command, FilmWords& words) {
   const std::string time = FilmText::tr("Seconds since 1970, or 2024-06-03T09:00:00Z").toStdString();
   command
-      .add_option("name", words.name, FilmText::tr("Its name (mapwright bags list), or a file").toStdString())
+      .add_option("name", words.name,
+                  FilmText::tr("Name of the bag (see mapwright bags list), or a file").toStdString())
       ->required();
   command.add_option("--from", words.from, time)->required();
   command.add_option("--to", words.to, time)->required();
   command
       .add_option("--every", words.every_s,
-                  FilmText::tr("Seconds of the bag from picture to picture").toStdString())
+                  FilmText::tr("Seconds of the recording between two pictures").toStdString())
       ->capture_default_str();
-  command.add_option("--fps", words.fps, FilmText::tr("Pictures a second of a film").toStdString())
+  command.add_option("--fps", words.fps, FilmText::tr("Frames per second of the video").toStdString())
       ->capture_default_str();
 }
 
@@ -204,7 +205,7 @@ int bagsFilm(const FilmWords& words, int& argc, char** argv) {
   const auto access = RobotAccess::read(words.picture.access, options->robot);
   if (!access) return refuse(kUsage, access.error());
 
-  // The last picture comes first: it shows all that there is to be seen, and its view holds for all of them.
+  // The last picture comes first: it shows everything, and its view is used for all of them.
   std::vector<std::size_t> order(times->size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::rotate(order.begin(), std::prev(order.end()), order.end());
@@ -247,7 +248,7 @@ int bagsFilm(const FilmWords& words, int& argc, char** argv) {
   if (incomplete == 0) return kDone;
   return refuse(
       kIncomplete,
-      FilmText::tr("%1 of %2 pictures are not complete. %3").arg(incomplete).arg(done).arg(first_trouble));
+      FilmText::tr("%1 of %2 pictures are incomplete. %3").arg(incomplete).arg(done).arg(first_trouble));
 }
 
 }  // namespace mapwright::app

@@ -1,4 +1,4 @@
-// What is in a bag: its messages, the world at a time, what happened.
+// The content of a bag: its messages, its state at a time, its events.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -38,8 +38,7 @@ int runBagsCommand(const BagsWords& words, int& argc, char** argv,
   return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);
 }
 
-/// Those of a range that is held, between two times.
-/// False: nobody takes them any more.
+/// The messages of a range between two times. False: the output accepts no more.
 bool printFrames(const replay::Chunk& chunk, const excerpt::TimeSpan& span,
                  const std::vector<std::string>& topics) {
   for (std::size_t place = 0; place < chunk.order.size(); ++place) {
@@ -51,7 +50,7 @@ bool printFrames(const replay::Chunk& chunk, const excerpt::TimeSpan& span,
   return true;
 }
 
-/// What a picture of it would say: a file without a map says so, and which one its messages name.
+/// What a picture would report: that the file has no map, and which one its messages name.
 std::optional<QString> noMapIn(const BagReading& bags, const replay::Moment& moment) {
   robot::Robot& robot = bags.robot().session().robot();
   robot::MapCatalogue* const maps = robot.mapCatalogue();
@@ -76,7 +75,7 @@ int bagsFrames(const BagsWords& words, int& argc, char** argv) {
     const auto failed = opened->readRanges(
         span->from_s, span->to_s, [&](const replay::Chunk& chunk) -> std::optional<CommandFailure> {
           taken = printFrames(chunk, *span, words.topics);
-          // Nothing more is read for nobody; why, is said in the end.
+          // Stops reading if nobody takes the output; the reason is reported at the end.
           return taken ? std::nullopt : std::optional(CommandFailure{kUsage, {}});
         });
     if (!taken) return kUsage;
@@ -101,7 +100,7 @@ int bagsState(const BagsWords& words, int& argc, char** argv) {
     if (!opened) return tl::make_unexpected(opened.error());
     const auto replayed = opened->replay(words.name);
     if (!replayed) return tl::make_unexpected(replayed.error());
-    // Played from there on: each range on the way is looked at.
+    // Plays from there: looks at each range on the way.
     while (from_s && *from_s < *at_s) {
       const auto moment = opened->momentAt(*from_s);
       if (!moment) return tl::make_unexpected(moment.error());
@@ -129,7 +128,7 @@ int bagsState(const BagsWords& words, int& argc, char** argv) {
 
 namespace {
 
-/// The words are those of --kind; none = all of them.
+/// Parses --kind; empty = all of them.
 CommandResult<std::set<replay::EventGroup>> groupsFrom(const std::string& kinds) {
   std::set<replay::EventGroup> groups;
   if (kinds.empty()) return std::set(std::begin(replay::kEventGroups), std::end(replay::kEventGroups));
@@ -142,7 +141,7 @@ CommandResult<std::set<replay::EventGroup>> groupsFrom(const std::string& kinds)
     if (found == std::end(replay::kEventGroups))
       return tl::make_unexpected(CommandFailure{
           kUsage,
-          BagsStateText::tr("--kind: \"%1\" is none. Choose among: alerts, planner, position, maps, stops.")
+          BagsStateText::tr("--kind: \"%1\" is unknown. Choose from: alerts, planner, position, maps, stops.")
               .arg(word)});
     groups.insert(*found);
   }

@@ -32,14 +32,13 @@ int bench(const std::vector<std::string>& arguments) {
   ::execv(argv[0], argv.data());
   const int error = errno;
   const QString program = QString::fromStdString(words::plainLine(std::string_view(words[0])));
-  const QString why =
-      error == ENOENT
-          ? BenchProgramText::tr(
-                "The benchmarks are a program of their own that is built on demand: there is no %1. Start "
-                "them with \"./run bench\" in the sources of mapwright.")
-                .arg(program)
-          : BenchProgramText::tr("%1 cannot be started: %2.")
-                .arg(program, QString::fromLocal8Bit(std::strerror(error)));
+  const QString why = error == ENOENT
+                          ? BenchProgramText::tr(
+                                "The benchmarks are a separate program that is built on demand, and there is "
+                                "no %1. Run \"./run bench\" in mapwright's source tree.")
+                                .arg(program)
+                          : BenchProgramText::tr("%1 cannot be started: %2.")
+                                .arg(program, QString::fromLocal8Bit(std::strerror(error)));
   std::fprintf(stderr, "%s\n", qUtf8Printable(why));
   return kUsage;
 }

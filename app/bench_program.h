@@ -1,4 +1,4 @@
-// mapwright bench: a program of its own, mapwright-bench, started in place of this one.
+// mapwright bench: starts a separate program, mapwright-bench, in place of this one.
 #pragma once
 
 #include <string>
@@ -6,7 +6,8 @@
 
 namespace mapwright::app {
 
-/// Hands over to mapwright-bench beside this program; returns an exit code only when it is not there.
+/// Replaces this process with mapwright-bench from the same folder; returns an exit code only if it is
+/// missing.
 int bench(const std::vector<std::string>& arguments);
 
 }  // namespace mapwright::app

@@ -13,7 +13,7 @@ class CloudWishText {
   Q_DECLARE_TR_FUNCTIONS(CloudWish)
 };
 
-/// Higher and deeper than anything that robots drive in.
+/// Higher and deeper than any building.
 constexpr double kTallM = 2000;
 
 }  // namespace
@@ -36,7 +36,7 @@ void CloudWish::ask(const geometry::WorldRect& seen) {
         if (outcome && *outcome) {
           answer->came = scene::CloudPiece{*outcome, false, region};
         } else if (outcome) {
-          answer->problem = CloudWishText::tr("The robot's cloud of the map came without content.");
+          answer->problem = CloudWishText::tr("The robot sent an empty cloud of the map.");
         } else {
           answer->problem = QString::fromStdString(sentences::sentenceOf(outcome.error()));
         }

@@ -1,4 +1,4 @@
-// The cloud of the map in a snapshot: that of what the picture shows.
+// The part of the map's cloud that a snapshot shows.
 #pragma once
 
 #include <memory>
@@ -17,13 +17,13 @@ class CloudWish {
   /// The session outlives this.
   explicit CloudWish(session::Session& session) : session_(session) {}
 
-  /// Asks for the points over this part of the plane, whatever their height; once.
+  /// Requests the points over this part of the plane, at any height; only once.
   void ask(const geometry::WorldRect& seen);
   bool asked() const { return asked_; }
-  /// It has come, or cannot be had.
+  /// True when it has arrived or cannot be loaded.
   bool in() const { return answer_->came.has_value() || !answer_->problem.isEmpty(); }
   const std::optional<scene::CloudPiece>& came() const { return answer_->came; }
-  /// Why it cannot be had: a sentence; empty = nothing is known to be wrong.
+  /// Why it cannot be loaded, as a sentence; empty = nothing is known to be wrong.
   QString problem() const { return answer_->problem; }
 
  private:
@@ -33,7 +33,7 @@ class CloudWish {
   };
   session::Session& session_;
   bool asked_ = false;
-  std::shared_ptr<Answer> answer_ = std::make_shared<Answer>();  // it may come when this has gone
+  std::shared_ptr<Answer> answer_ = std::make_shared<Answer>();  // may arrive after this object is gone
 };
 
 }  // namespace mapwright::app

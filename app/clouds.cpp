@@ -47,14 +47,14 @@ CommandResult<CloudOrder> orderFrom(const CloudsWords& words) {
   order.region = *region;
   order.path = text(words.output);
   const auto format = clouds::formatOf(words.output);
-  if (!format) return wrong(CloudsText::tr("-o names a file that ends in .pcd, .ply or .csv."));
+  if (!format) return wrong(CloudsText::tr("-o must name a file that ends in .pcd, .ply or .csv."));
   order.format =
       words.ascii && *format == clouds::CloudFormat::PcdBinary ? clouds::CloudFormat::PcdAscii : *format;
   if (words.ascii && *format != clouds::CloudFormat::PcdBinary)
-    return wrong(CloudsText::tr("--ascii is about .pcd files alone."));
+    return wrong(CloudsText::tr("--ascii applies only to PCD files."));
   if (const auto why = whyNotWritable(order.path)) return wrong(*why);
   if (QFileInfo(order.path).isFile() && !words.force)
-    return wrong(CloudsText::tr("%1 is there already. --force replaces it.").arg(order.path));
+    return wrong(CloudsText::tr("%1 already exists. Pass --force to replace it.").arg(order.path));
   return order;
 }
 
@@ -105,9 +105,8 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
   if (!came) return tl::make_unexpected(reading.failure(came.error()));
   if (came->elsewhere()) {
     return tl::make_unexpected(reading.failure(
-        kIncomplete,
-        CloudsText::tr("It answered with another region: none of the points that came lies in the one "
-                       "that was asked for. Nothing is written.")));
+        kIncomplete, CloudsText::tr("The robot answered with another region: none of the points lies in the "
+                                    "requested one. Nothing was written.")));
   }
   for (const QString& note : came->notes()) reading.note(note);
   disk::WrittenFile file(order.path.toStdString());
@@ -117,7 +116,7 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
   });
   if (!written && file.good()) {
     return tl::make_unexpected(
-        reading.failure(kIncomplete, CloudsText::tr("The time was over before it was written.")));
+        reading.failure(kIncomplete, CloudsText::tr("The time ran out before the file was written.")));
   }
   if (const auto fault = file.place()) {
     return wrong(sentences::sentenceOf(disk::notWritten(*fault)));
@@ -142,9 +141,9 @@ int runClouds(const CloudsWords& words, int& argc, char** argv) {
 tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const CloudsWords& words) {
   const int given = int(!words.box.empty()) + int(!words.sphere.empty()) + int(words.all);
   if (given != 1) {
-    return tl::make_unexpected(CloudsText::tr(
-        "Which part? Give --box or --sphere, or --all for the whole map, whose size is not known "
-        "beforehand."));
+    return tl::make_unexpected(
+        CloudsText::tr("Which part? Pass --box or --sphere, or --all for the whole map (its size is not "
+                       "known in advance)."));
   }
   if (words.all) return std::optional<map::CloudRegion>();
   map::CloudRegion region;
@@ -153,7 +152,7 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
     const std::vector<double> box = typed && typed->size() == 6 ? *typed : std::vector<double>(6);
     if (!(box[3] > 0 && box[4] > 0 && box[5] > 0)) {
       return tl::make_unexpected(CloudsText::tr(
-          "--box is X,Y,Z,LX,LY,LZ: its middle and how long its sides are (more than 0), in metres."));
+          "--box is X,Y,Z,LX,LY,LZ: its centre and the lengths of its sides (greater than 0), in metres."));
     }
     region.centre_m = {box[0], box[1], box[2]};
     region.size_m = {box[3], box[4], box[5]};
@@ -163,7 +162,7 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
   const std::vector<double> sphere = typed && typed->size() == 4 ? *typed : std::vector<double>(4);
   if (!(sphere[3] > 0)) {
     return tl::make_unexpected(
-        CloudsText::tr("--sphere is X,Y,Z,R: its middle and its radius (more than 0), in metres."));
+        CloudsText::tr("--sphere is X,Y,Z,R: its centre and its radius (greater than 0), in metres."));
   }
   region.centre_m = {sphere[0], sphere[1], sphere[2]};
   region.radius_m = sphere[3];
@@ -173,29 +172,27 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
 void addClouds(Commands& commands) {
   const auto shared = std::make_shared<CloudsWords>();
   CloudsWords& words = *shared;
-  CLI::App* const clouds = commands.program().add_subcommand(
-      "clouds", help(CloudsText::tr("The map of a robot in space, as points")));
+  CLI::App* const clouds =
+      commands.program().add_subcommand("clouds", help(CloudsText::tr("The robot's 3D map, as points")));
   clouds->require_subcommand(1);
   CLI::App* const command = clouds->add_subcommand(
       "export",
-      help(CloudsText::tr("Write the points of a region, or of the whole map, into a PCD, PLY or CSV file")));
+      help(CloudsText::tr("Write the points of a region or of the whole map to a PCD, PLY or CSV file")));
   addRobot(*command, words.robot, words.access,
            CloudsText::tr("Robot address, for example rep130+ws://HOST:9090 (or MAPWRIGHT_ROBOT)"));
   command->add_option(
       "--box", words.box,
-      help(CloudsText::tr("X,Y,Z,LX,LY,LZ: the middle of a box and how long its sides are, in metres")));
+      help(CloudsText::tr("X,Y,Z,LX,LY,LZ: the centre of a box and the lengths of its sides, in metres")));
   command->add_option("--sphere", words.sphere,
-                      help(CloudsText::tr("X,Y,Z,R: the middle of a sphere and its radius, in metres")));
-  command->add_flag("--all", words.all, help(CloudsText::tr("The whole map, however large it is")));
-  command->add_flag(
-      "--occupancy", words.occupancy,
-      help(CloudsText::tr("The middles of occupied cells, instead of the points that were seen")));
-  command
-      ->add_option("-o,--output", words.output, help(CloudsText::tr("The file to write: .pcd, .ply or .csv")))
+                      help(CloudsText::tr("X,Y,Z,R: the centre of a sphere and its radius, in metres")));
+  command->add_flag("--all", words.all, help(CloudsText::tr("The whole map, regardless of its size")));
+  command->add_flag("--occupancy", words.occupancy,
+                    help(CloudsText::tr("The centres of occupied cells instead of measured points")));
+  command->add_option("-o,--output", words.output, help(CloudsText::tr("Output file: .pcd, .ply or .csv")))
       ->required();
-  command->add_flag("--ascii", words.ascii, help(CloudsText::tr("A PCD file as text")));
-  command->add_flag("--force", words.force, help(CloudsText::tr("Replace a file that is there")));
-  command->add_flag("--json", words.json, help(CloudsText::tr("Print what was written on standard output")));
+  command->add_flag("--ascii", words.ascii, help(CloudsText::tr("Write the PCD file as text")));
+  command->add_flag("--force", words.force, help(CloudsText::tr("Replace an existing file")));
+  command->add_flag("--json", words.json, help(CloudsText::tr("Print a summary on standard output")));
   addTimeout(*command, words.timeout_s);
   commands.add(command, shared, runClouds);
 }

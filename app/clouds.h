@@ -1,4 +1,4 @@
-// `mapwright clouds export`: the cloud of a robot's map, into a file (docs/command-line.md).
+// `mapwright clouds export`: writes the cloud of a robot's map to a file (docs/command-line.md).
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace mapwright::app {
 
-/// The words as typed; empty = not given.
+/// The options as typed; empty = not given.
 struct CloudsWords {
   std::string robot;
   AccessWords access;
@@ -23,7 +23,7 @@ struct CloudsWords {
   double timeout_s = 60;
 };
 
-/// What is asked for; nullopt = the whole map. The error is a sentence.
+/// The requested region; nullopt = the whole map. The error is a sentence.
 tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const CloudsWords& words);
 
 }  // namespace mapwright::app

@@ -1,4 +1,4 @@
-// Why a command ends without what it was asked for.
+// Why a command could not do its job.
 #pragma once
 
 #include <QString>
@@ -16,7 +16,7 @@ struct CommandFailure {
 template <typename T>
 using CommandResult = tl::expected<T, CommandFailure>;
 
-/// What was typed cannot be done.
+/// The options given make no sense together or on their own.
 inline tl::unexpected<CommandFailure> wrong(const QString& sentence) {
   return tl::make_unexpected(CommandFailure{kUsage, sentence});
 }

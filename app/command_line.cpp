@@ -35,30 +35,31 @@ int runCommand(int argc, char** argv) {
           "mapwright: look at the maps of mobile robots. Without a subcommand it opens the window.")),
       "mapwright");
   cli.set_version_flag("--version", std::string("mapwright ") + MAPWRIGHT_VERSION);
-  cli.set_help_all_flag("--help-all", help(CommandLineText::tr("Help on every subcommand")));
+  cli.set_help_all_flag("--help-all", help(CommandLineText::tr("Help for all subcommands")));
   cli.require_subcommand(0, 1);
-  cli.add_option("--robot", robot,
-                 help(CommandLineText::tr(
-                     "Connect the window to this robot, for example axbot+http://192.168.25.25:8090; "
-                     "aimdk+http://HOST?tf=ws://HOST:9090 names an Agibot robot and the rosbridge that tells "
-                     "where it is")))
+  cli.add_option(
+         "--robot", robot,
+         help(CommandLineText::tr("Connect the window to this robot, for example "
+                                  "axbot+http://192.168.25.25:8090; aimdk+http://HOST?tf=ws://HOST:9090 "
+                                  "names an Agibot robot and the rosbridge that provides its pose")))
       ->envname("MAPWRIGHT_ROBOT");
   addAccess(cli, access);
   CLI::App* demo =
-      cli.add_subcommand("demo", help(CommandLineText::tr("Open the window on a simulated robot")));
+      cli.add_subcommand("demo", help(CommandLineText::tr("Open the window with a simulated robot")));
   demo->add_option("query", demo_query,
-                   help(CommandLineText::tr("Such as scene=warehouse&submaps=500&seed=3")));
+                   help(CommandLineText::tr("For example scene=warehouse&submaps=500&seed=3")));
   cli.add_option("file", operand,
-                 help(CommandLineText::tr("A map or a recording (MCAP, bag of ROS 1) to open")));
-  CLI::App* play = cli.add_subcommand("play", help(CommandLineText::tr("Open the window on a recording")));
-  play->add_option("file", operand, help(CommandLineText::tr("MCAP, or a bag of ROS 1")))->required();
+                 help(CommandLineText::tr("A map or a recording (MCAP or ROS 1 bag) to open")));
+  CLI::App* play = cli.add_subcommand("play", help(CommandLineText::tr("Open the window with a recording")));
+  play->add_option("file", operand, help(CommandLineText::tr("MCAP or ROS 1 bag")))->required();
   Commands commands(cli);
   for (const auto add : {addSimulate, addSnapshot, addMaps, addProjections, addWaypoints, addBags, addRecord,
                          addClouds, addTopics})
     add(commands);
   addLog(cli, log_rules);
   CLI::App* bench = cli.add_subcommand(
-      "bench", help(CommandLineText::tr("Measure against other ways to do the same, in the same run")));
+      "bench", help(CommandLineText::tr(
+                   "Run the benchmarks, which compare mapwright with other ways of doing the same")));
   bench->prefix_command();
   bench->footer(help(CommandLineText::tr(
       "Everything after bench goes to Google Benchmark, for example --benchmark_filter=Compose")));
@@ -82,12 +83,12 @@ int runCommand(int argc, char** argv) {
   if (demo->parsed()) return app::demo(QString::fromStdString(demo_query), argc, argv);
   if (operand.empty()) return window(QString::fromStdString(robot), access, argc, argv);
   const QString file = QString::fromStdString(operand);
-  // A subcommand that is mistyped is no file.
+  // A mistyped subcommand is not a file.
   if (!isFileName(file) && !play->parsed()) {
-    std::fprintf(
-        stderr, "%s\n",
-        qUtf8Printable(CommandLineText::tr("%1 is neither a subcommand nor a file (see mapwright --help)")
-                           .arg(words::plainName(file))));
+    std::fprintf(stderr, "%s\n",
+                 qUtf8Printable(CommandLineText::tr(
+                                    "%1 is neither a subcommand nor an existing file (see mapwright --help)")
+                                    .arg(words::plainName(file))));
     return kUsage;
   }
   return window(file, access, argc, argv);
@@ -96,7 +97,7 @@ int runCommand(int argc, char** argv) {
 }  // namespace
 
 int commandLine(int argc, char** argv) {
-  // What cannot be written is an error with a sentence, not the end of the program.
+  // A write error is reported as a sentence; it must not end the program.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   ignoreRelativeFolders();

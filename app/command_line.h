@@ -3,7 +3,7 @@
 
 namespace mapwright::app {
 
-/// What `mapwright` was asked for on its command line. Returns the exit code; throws nothing.
+/// Runs the `mapwright` command line. Returns the exit code; does not throw.
 int commandLine(int argc, char** argv);
 
 }  // namespace mapwright::app

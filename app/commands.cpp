@@ -26,8 +26,8 @@ std::optional<int> Commands::run(const Invocation& before) const {
   return std::nullopt;
 }
 
-// No envname(): the variable would be read for the subcommands that were not given, over what was typed. It
-// comes from the option before the subcommand.
+// No envname(): the variable would also be read for subcommands that were not given, and override what was
+// typed. It is handled by the option before the subcommand.
 void addRobot(CLI::App& command, std::string& robot, AccessWords& access, const QString& about) {
   command.add_option("--robot", robot, help(about));
   addAccess(command, access);
@@ -36,18 +36,16 @@ void addRobot(CLI::App& command, std::string& robot, AccessWords& access, const 
 void addAccess(CLI::App& command, AccessWords& access) {
   command.add_option(
       "--secret-file", access.secret_file,
-      help(CommandsText::tr("File that holds the secret of the robot of --robot (or MAPWRIGHT_SECRET)")));
+      help(CommandsText::tr("File with the secret for the robot of --robot (or MAPWRIGHT_SECRET)")));
   command
-      .add_option("--secret-file-for", access.secret_files_for,
-                  help(CommandsText::tr(
-                      "Address of another robot, and the file that holds its secret; may be repeated")))
+      .add_option(
+          "--secret-file-for", access.secret_files_for,
+          help(CommandsText::tr("Address of another robot, and the file with its secret; may be repeated")))
       ->type_name("ADDRESS FILE")
       ->allow_extra_args(false);
-  command.add_option(
-      "--ca-file", access.ca_file,
-      help(CommandsText::tr(
-          "PEM file of certificate authorities (or self-signed certificates) to believe besides "
-          "those of this computer")));
+  command.add_option("--ca-file", access.ca_file,
+                     help(CommandsText::tr("PEM file with certificate authorities (or self-signed "
+                                           "certificates) to trust in addition to the system's")));
 }
 
 void addTimeout(CLI::App& command, double& timeout_s, const QString& about) {
@@ -56,12 +54,11 @@ void addTimeout(CLI::App& command, double& timeout_s, const QString& about) {
 }
 
 void addReport(CLI::App& command, std::string& path) {
-  command.add_option("--report", path,
-                     help(CommandsText::tr("Write what was done, and every warning, as JSON")));
+  command.add_option("--report", path, help(CommandsText::tr("Write a summary and all warnings as JSON")));
 }
 
 void addJson(CLI::App& command, bool& json) {
-  command.add_flag("--json", json, help(CommandsText::tr("Machine-readable")));
+  command.add_flag("--json", json, help(CommandsText::tr("Print JSON")));
 }
 
 }  // namespace mapwright::app

@@ -1,4 +1,4 @@
-// The subcommands of mapwright, and the options that many of them have (docs/how-to/add-a-command.md).
+// The subcommands of mapwright and their common options (docs/how-to/add-a-command.md).
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ class App;
 
 namespace mapwright::app {
 
-/// What was given before the subcommand, and what Qt takes.
+/// The options before the subcommand, and the arguments that Qt takes.
 struct Invocation {
   const std::string& robot;
   const AccessWords& access;
@@ -27,7 +27,7 @@ struct Invocation {
   char** argv;
 };
 
-/// Where `robot` was not named with the subcommand it is the one before it; `access` gets what was given
+/// Uses the robot given before the subcommand if the subcommand names none; `access` gets the options given
 /// there.
 void inherit(std::string& robot, AccessWords& access, const Invocation& before);
 
@@ -40,9 +40,9 @@ class Commands {
   explicit Commands(CLI::App& program) : program_(program) {}
   CLI::App& program() { return program_; }
 
-  /// `command`: one that has no subcommands of its own.
+  /// `command` must not have subcommands of its own.
   void add(const CLI::App* command, Run run) { runs_.emplace_back(command, std::move(run)); }
-  /// One that speaks to a robot: what was given before it holds for it, too.
+  /// For a command that talks to a robot: also applies the options given before it.
   template <typename Words>
   void add(const CLI::App* command, std::shared_ptr<Words> words,
            std::type_identity_t<std::function<int(const Words&, int&, char**)>> run) {
@@ -52,7 +52,7 @@ class Commands {
     });
   }
 
-  /// Runs the one that was given; nullopt: none was.
+  /// Runs the command that was given; nullopt: none was given.
   std::optional<int> run(const Invocation& before) const;
 
  private:
@@ -60,12 +60,12 @@ class Commands {
   std::vector<std::pair<const CLI::App*, Run>> runs_;
 };
 
-/// --robot, with --secret-file, --secret-file-for and --ca-file; `about`: which addresses it takes. What is
-/// typed goes into what is handed in, here and below, which outlives `command`.
+/// Adds --robot, --secret-file, --secret-file-for and --ca-file; `about`: which addresses it accepts. Values
+/// are written into the arguments, here and below, which must outlive `command`.
 void addRobot(CLI::App& command, std::string& robot, AccessWords& access, const QString& about);
 /// --secret-file, --secret-file-for and --ca-file.
 void addAccess(CLI::App& command, AccessWords& access);
-/// --timeout in seconds; `about`: what is given up then, empty = waiting.
+/// Adds --timeout in seconds; `about`: what is given up then, empty = waiting.
 void addTimeout(CLI::App& command, double& timeout_s, const QString& about = {});
 /// --report
 void addReport(CLI::App& command, std::string& path);

@@ -1,4 +1,4 @@
-// Waiting until a robot is there, for commands that have no session with it.
+// Waits for a connection, for commands without a session.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace mapwright::app {
 
-/// Connects, and runs `loop` until the robot is online, refuses, or the time is over; whoever ends the loop
-/// earlier looks at why itself. nullopt: it is online, or the loop was ended.
+/// Connects and runs `loop` until the robot is online, refuses, or the time is over. If something else ends
+/// the loop, the caller has to check why. nullopt: it is online, or the loop was ended.
 std::optional<CommandFailure> connectWithin(robot::Robot& robot, double timeout_s, QEventLoop& loop);
 
 }  // namespace mapwright::app

@@ -20,7 +20,8 @@ double processAge() {
   std::ifstream stat("/proc/self/stat");
   std::string line;
   std::getline(stat, line);
-  // The name, in parentheses, may hold anything; the start is the 20th word after it, in ticks since boot.
+  // The name, in parentheses, may contain anything; the start time is the 20th word after it, in ticks since
+  // boot.
   const std::size_t name_end = line.rfind(')');
   if (name_end == std::string::npos) return 0;
   std::istringstream words(line.substr(name_end + 1));
@@ -63,7 +64,7 @@ void Deadline::wait(SteadyTime when) {
 
 void sayAtTheEnd(const std::string& line) {
   const std::string text = line + '\n';
-  if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nobody to hear it
+  if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nowhere to write to
 }
 
 }  // namespace mapwright::app

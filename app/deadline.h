@@ -1,4 +1,4 @@
-// The end of a command's time, kept also while its main thread is busy.
+// Enforces a command's time limit even if its main thread is busy.
 #pragma once
 
 #include <chrono>
@@ -11,21 +11,21 @@ namespace mapwright::app {
 
 using SteadyTime = std::chrono::steady_clock::time_point;
 
-/// After the time-out (--timeout), in seconds: so long what has come may still be drawn, and then the process
-/// ends, whatever it is doing.
+/// Seconds after --timeout during which the data received so far may still be drawn; then the process ends in
+/// any case.
 struct Grace {
   double draw_s = 0.15, end_s = 0.4;
 };
-/// When a command's time began, and what it has after it.
+/// When a command's time began, and how much it gets after the timeout.
 struct CommandStart {
   SteadyTime begun;
   Grace grace;
 };
-/// The time counts from the start of the process, which is `age_s` ago: on a busy machine a program takes
-/// long to be loaded. A process that another one became may be of any age: such an age does not count, but
-/// the grace is short then.
+/// The time counts from the start of the process, `age_s` ago: loading a program takes long on a busy
+/// machine. A process that was replaced by exec can have any age: a large age does not count, but the grace
+/// time is short then.
 CommandStart commandStart(double timeout_s, double age_s, SteadyTime now = std::chrono::steady_clock::now());
-/// Seconds since the process was made; 0 where that is not known.
+/// Seconds since the process started; 0 if unknown.
 double processAge();
 
 /// `seconds` after `start`.
@@ -33,10 +33,10 @@ SteadyTime later(SteadyTime start, double seconds);
 
 class Deadline {
  public:
-  /// Called on the deadline's own thread when the time is over, while the main thread may be anywhere: says
-  /// what there is to say and returns the exit code. It may use only what nobody changes meanwhile.
+  /// Called on the deadline's own thread when the time is over, while the main thread may be anywhere: prints
+  /// the final messages and returns the exit code. It may only use data that nobody else changes.
   using LastWords = std::function<int()>;
-  /// `end` gets the exit code; without it the process ends at once, without any cleaning up.
+  /// `end` gets the exit code; by default the process ends at once, without cleanup.
   Deadline(SteadyTime when, LastWords words, std::function<void(int)> end = {});
   /// In time: nothing happens any more.
   ~Deadline();
@@ -56,7 +56,7 @@ class Deadline {
   std::thread thread_;
 };
 
-/// One line on standard error, past every buffer that the main thread may hold.
+/// Writes a line to standard error, bypassing all buffers that the main thread may hold.
 void sayAtTheEnd(const std::string& line);
 
 }  // namespace mapwright::app

@@ -14,7 +14,7 @@ class DemoRobotText {
   Q_DECLARE_TR_FUNCTIONS(DemoRobot)
 };
 
-/// Frozen demos show the world at this moment: the live trajectory has grown, the incremental one is there.
+/// Frozen demos show this moment: the live trajectory has grown, and the incremental one exists.
 constexpr double kFrozenAtS = 90;
 
 class DemoRobot : public robot::axbot::AxbotRobot {
@@ -57,7 +57,7 @@ tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query,
       ok = ok && options.start_at_s >= 0 && options.start_at_s <= 1e6;
     } else {
       return tl::make_unexpected(
-          DemoRobotText::tr("demo: knows scene, submaps, seed and at, but not \"%1\".").arg(name));
+          DemoRobotText::tr("demo: accepts scene, submaps, seed and at, but not \"%1\".").arg(name));
     }
     if (!ok) return tl::make_unexpected(DemoRobotText::tr("demo: %1 cannot be \"%2\".").arg(name, value));
   }

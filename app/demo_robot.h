@@ -12,14 +12,14 @@
 
 namespace mapwright::app {
 
-/// Whether the demo's world goes on by itself or stands still, so that every snapshot of it is the same.
+/// Whether the demo's world runs, or stands still so that all snapshots are the same.
 enum class DemoTime { Running, Frozen };
 
-/// The simulator's options from the query of "demo:?scene=warehouse&submaps=500&seed=3"; the error is a
+/// Parses the query of "demo:?scene=warehouse&submaps=500&seed=3" into simulator options; the error is a
 /// sentence.
 tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query, DemoTime time);
 
-/// "demo:", "demo:?scene=warehouse". What follows the ? is checked when the robot is made.
+/// "demo:", "demo:?scene=warehouse". The part after the ? is checked when the robot is made.
 robot::AddressScheme demoAddressScheme();
 
 /// Starts a simulator on a free loopback port and a client connected to it.

@@ -20,8 +20,8 @@ class DisplayText {
   Q_DECLARE_TR_FUNCTIONS(Display)
 };
 
-// Parameters behind the colon mark our own fallback, so that a user's plain "offscreen" still opens the
-// window there.
+// Parameters after the colon mark our own fallback, so that a user's plain "offscreen" still opens the window
+// there.
 constexpr char kFallback[] = "offscreen:";
 
 constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
@@ -58,9 +58,10 @@ std::unique_ptr<QTemporaryDir> pinFonts() {
     auto folder = std::make_unique<QTemporaryDir>(place + QStringLiteral("/mapwright-XXXXXX"));
     if (folder->isValid() && pinFontsIn(folder->path())) return folder;
   }
-  std::fprintf(stderr, "%s\n",
-               qUtf8Printable(DisplayText::tr(
-                   "Fonts cannot be pinned: no folder can be written. Labels may look different.")));
+  std::fprintf(
+      stderr, "%s\n",
+      qUtf8Printable(DisplayText::tr(
+          "No folder is writable, so the built-in fonts cannot be used. Labels may look different.")));
   return nullptr;
 }
 

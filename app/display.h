@@ -7,13 +7,13 @@ class QTemporaryDir;
 
 namespace mapwright::app {
 
-/// Chooses the Qt platform before QApplication exists: the user's own choice, else the screen that the
-/// environment names with "offscreen" to fall back on.
+/// Chooses the Qt platform before QApplication exists: the user's choice, or else the screen in the
+/// environment, with "offscreen" as the fallback.
 void chooseWindowPlatform();
-/// For everything that needs no screen: offscreen, and fonts that do not depend on the user's settings. What
-/// it returns (maybe null) has to live as long as QApplication.
+/// For everything that needs no screen: offscreen, with fonts that do not depend on the user's settings. The
+/// result (may be null) must live as long as QApplication.
 [[nodiscard]] std::unique_ptr<QTemporaryDir> chooseOffscreenPlatform();
-/// After QApplication exists: false when a screen was wanted and there is none.
+/// After QApplication exists: false if a screen was wanted but there is none.
 bool haveDisplay();
 
 }  // namespace mapwright::app

@@ -8,13 +8,13 @@ namespace mapwright::app {
 
 enum ExitCode : int {
   kDone = 0,
-  kIncomplete = 1,   // done, but not complete, or it is not known
+  kIncomplete = 1,   // done, but incomplete or unconfirmed
   kUsage = 2,        // wrong usage or bad input file
   kUnreachable = 3,  // the robot cannot be reached or refused
   kRobotError = 4,   // the robot answered with an error for this request
 };
 
-/// What a failed request ends in; `otherwise` where its kind was not told.
+/// The exit code for a failed request; `otherwise` if its kind is unknown.
 constexpr ExitCode exitCodeOf(map::FailureKind failure, ExitCode otherwise = kRobotError) {
   switch (failure) {
     case map::FailureKind::Unreachable:
@@ -35,7 +35,7 @@ constexpr ExitCode exitCodeOf(map::FailureKind failure, ExitCode otherwise = kRo
   return otherwise;
 }
 
-/// Of a change that was not answered and may have been made it is said that it is not known.
+/// A change without an answer may have taken effect, so its result counts as unknown.
 inline ExitCode exitCodeOf(const map::Failure& failure) {
   const ExitCode code = exitCodeOf(failure.kind);
   const bool unknown = code == kUnreachable && failure.asked_for == map::AskedFor::Change &&

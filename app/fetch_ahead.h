@@ -1,11 +1,11 @@
-// How many submaps are asked for before the first of them is there.
+// How many submaps are requested before the first one has arrived.
 #pragma once
 
 namespace mapwright::app {
 
-/// The adapter keeps to what a robot can bear (four at a time); those on disk, and the next ones, it has at
-/// hand then without a turn of the main thread in between, which may be painting. Few enough that a view that
-/// has moved is not kept waiting.
+/// The adapter limits the number of parallel requests (four). With a few more queued it can continue from
+/// disk, or with the next request, without waiting for the main thread, which may be painting. Small enough
+/// to react quickly when the view moves.
 inline constexpr int kFetchAhead = 32;
 
 }  // namespace mapwright::app

@@ -11,7 +11,7 @@ namespace {
 
 using scene::Layer;
 
-/// A picture is there when it is decoded, not when the message that names it has come.
+/// A picture has arrived when it is decoded, not when the message with its address has.
 constexpr std::array<std::pair<Layer, map::GridKind>, 5> kPictures{
     {{Layer::Incremental, map::GridKind::Incremental},
      {Layer::EnvMatch, map::GridKind::EnvMatch},
@@ -22,7 +22,7 @@ constexpr std::array<std::pair<Layer, map::GridKind>, 5> kPictures{
 }  // namespace
 
 LayerWish::LayerWish(session::Session& session) : session_(session) {
-  // The session listens, too, and did so earlier: what is heard here is in its world.
+  // The session connected to this signal earlier, so its world already contains the message.
   connect(&session_.robot(), &robot::Robot::topicReceived, this,
           [this](const map::StampedMessage& message) { heard_.insert(message.topic); });
 }
@@ -56,7 +56,7 @@ void LayerWish::ask(const std::set<Layer>& layers, bool live_map) {
     }
   }
   if (live_map) all.merge(scene::layerStreams(Layer::WholeMap));
-  // What comes without being asked for is waited for all the same.
+  // Waits also for data that needs no subscription.
   if (basics(layers, false).pose) waiting_.insert(map::Stream::Pose);
   if (layers.contains(Layer::Footprint) || layers.contains(Layer::ExpandedFootprint))
     waiting_.insert(map::Stream::Model);
@@ -68,7 +68,7 @@ QStringList LayerWish::topicsOf(map::Stream stream) const {
   return live ? live->topicsOf(stream) : QStringList();
 }
 
-/// Several scanners are seen together: none that the robot says it has may be missing.
+/// The points of several scanners are shown together: none that the robot lists may be missing.
 QStringList LayerWish::silentOf(map::Stream stream) const {
   const QStringList topics = topicsOf(stream);
   QStringList silent, missing;

@@ -1,4 +1,4 @@
-// The live layers of a snapshot: what the robot is asked for, and whether it has come.
+// The live layers of a snapshot: what to request from the robot, and whether it has arrived.
 #pragma once
 
 #include <map>
@@ -20,18 +20,18 @@ class LayerWish : public QObject {
  public:
   explicit LayerWish(session::Session& session);
 
-  /// What a robot is asked for besides what `layers` need.
+  /// What to request in addition to what `layers` need.
   static robot::LiveTopics::Basics basics(const std::set<scene::Layer>& layers, bool submaps);
 
-  /// Asks for what `layers` need, and for the live map where that is wanted.
+  /// Requests what `layers` need, and the live map if `live_map` is set.
   void ask(const std::set<scene::Layer>& layers, bool live_map);
-  /// What of this topic is in the world already.
+  /// Notes that data of this topic has arrived.
   void hear(const std::string& topic) { heard_.insert(topic); }
-  /// Every layer has got something to show.
+  /// Every layer has something to show.
   bool in() const;
-  /// What gave nothing, as the robot calls it.
+  /// Topics that sent nothing, as the robot names them.
   QStringList silent() const;
-  /// Layers that were asked for and that no topic of the robot can fill.
+  /// Requested layers for which the robot has no topic.
   std::vector<scene::Layer> unfillable() const;
 
  private:
@@ -40,8 +40,8 @@ class LayerWish : public QObject {
 
   session::Session& session_;
   std::set<scene::Layer> layers_;                  // asked for
-  std::set<std::string> heard_;                    // topics that a message of has been taken into the world
-  map::Streams waiting_;                           // that something is to come of
+  std::set<std::string> heard_;                    // topics whose messages have been applied
+  map::Streams waiting_;                           // still expected to send something
   std::map<map::GridKind, map::Stream> pictures_;  // streams that are pictures
 };
 

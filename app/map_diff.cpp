@@ -25,7 +25,7 @@ class MapDiffText {
 constexpr int kStrip = 256;  // rows
 constexpr double kMostCells = double(std::int64_t(1) << 34);
 
-/// RGB rows of a picture in its place, once all of them have come.
+/// RGB rows of a picture, moved into place once all of them are written.
 class DifferencePicture {
  public:
   DifferencePicture(const QString& path, int width, int height)
@@ -33,9 +33,9 @@ class DifferencePicture {
         png_{file_},
         good_(png_.begin(width, height, grids::PngPixels::Rgb, grids::PngContent::Any)) {}
   bool row(const std::vector<std::uint8_t>& rgb) { return good_ = good_ && png_.row(rgb.data(), rgb.size()); }
-  /// nullopt = the picture is in its place.
+  /// nullopt = the picture is in place.
   std::optional<QString> end() {
-    if (!good_ && file_.good()) return MapDiffText::tr("The picture of the difference cannot be encoded.");
+    if (!good_ && file_.good()) return MapDiffText::tr("The picture of the differences cannot be encoded.");
     const auto fault = file_.place();
     return fault ? std::optional(sentences::wordsOf(disk::notWritten(*fault))) : std::nullopt;
   }
@@ -72,7 +72,7 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
   }
   if (!((right - left) * (bottom - top) <= kMostCells)) {
     return tl::make_unexpected(
-        MapDiffText::tr("The two maps lie too far apart, or are too large, to be compared cell by cell."));
+        MapDiffText::tr("The two maps are too far apart or too large to be compared cell by cell."));
   }
   MapDiff diff;
   diff.width = int(right - left);

@@ -12,17 +12,17 @@
 
 namespace mapwright::app {
 
-/// Cells of the first map's grid, extended so that the second is inside too.
+/// The cells of the first map's grid, extended to contain the second map.
 struct MapDiff {
   int width = 0, height = 0;
   double cell_area_m2 = 0;
   std::array<std::int64_t, render::kDifferences> cells{};  // by render::Difference
-  std::int64_t levels_differ =
-      0;  // alike by class, but not of the same value (only where the codes are alike)
+  std::int64_t levels_differ = 0;  // same class but another value (only if the codes are comparable)
   bool same() const;
 };
 
-/// The difference picture (as on screen) goes to `picture_path` unless empty. The error is a sentence.
+/// Writes the difference picture (as on screen) to `picture_path` unless that is empty. The error is a
+/// sentence.
 tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const render::PlacedGrid& second,
                                         const QString& picture_path);
 

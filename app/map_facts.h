@@ -1,4 +1,4 @@
-// What `mapwright maps` tells of one map, besides its cells.
+// What `mapwright maps` shows about a map, besides its cells.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,17 @@
 
 namespace mapwright::app {
 
-/// "2026-11-22 10:00"; "-" = it is not known. `epoch_s`: seconds since 1970.
+/// "2026-11-22 10:00"; "-" = unknown. `epoch_s`: seconds since 1970.
 QString dateText(std::optional<double> epoch_s);
 
 /// [{"id","name","type","x","y","yaw"}], metres and radians.
 QJsonArray pointsJson(const std::vector<map::Waypoint>& points);
-/// Rows for people: the same; and what the list of maps says of one.
+/// The same as table rows; and the catalogue's data about a map.
 void addPoints(std::vector<QStringList>& table, const std::vector<map::Waypoint>& points);
 void addRow(std::vector<QStringList>& table, const map::CatalogueEntry& row);
 
-/// What there is of the map that `reading` has opened and that the robot sends no picture of
-/// (session::lacksPicture()): its name, its row and its waypoints; in JSON "grid" is null. That the
-/// picture is missing is said, and the command is not complete.
+/// Shows what is known of a map without a picture (session::lacksPicture()): its name, catalogue entry and
+/// waypoints; "grid" is null in JSON. Reports the missing picture, and the result is incomplete.
 CommandResult<int> showWithoutPicture(MapReading& reading, bool json);
 
 }  // namespace mapwright::app

@@ -33,13 +33,13 @@ constexpr int kMapLookEveryMs = 10;
 constexpr qsizetype kLongestAddress = 200;
 constexpr int kMapConnectAttempts = 3;
 constexpr int kMapTries = 3;
-constexpr int kMapFarewellMs = 200;  // until a change that is given up says what became of it
+constexpr int kMapFarewellMs = 200;  // how long to wait for the result of a change that was given up
 
 double secondsSince(SteadyTime start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Only what the command shows is asked for.
+/// Requests only what the command shows.
 session::Session::Options quietOptions(MapReading::Purpose purpose,
                                        const std::shared_ptr<work::Workers>& workers) {
   session::Session::Options options;
@@ -117,7 +117,7 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
   if (address.isEmpty()) {
     return tl::make_unexpected(CommandFailure{
         kUsage,
-        MapReadingText::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too.")});
+        MapReadingText::tr("Which robot? Pass --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too.")});
   }
   Access timed = access;
   timed.timeout = std::chrono::milliseconds(qint64(time.timeout_s * 1000));
@@ -179,7 +179,7 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
     return tl::make_unexpected(failure(local() ? kUsage : exitCodeOf(catalogue.failure()->kind),
                                        QString::fromStdString(sentences::sentenceOf(*catalogue.failure()))));
   }
-  // A part of the list that could not be had is a problem of its own.
+  // An incomplete list is a problem of its own.
   insistOnAll();
   return &catalogue.entries();
 }
@@ -187,7 +187,7 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
 QStringList MapReading::problems(map::Severity least) const {
   QStringList lines;
   for (const session::LoggedProblem& row : session_.problems().rows()) {
-    // What concerns the robot as such, or a submap list that has not come yet, is not what was asked for.
+    // Problems of the robot in general, or a missing submap list, do not concern the requested data.
     const map::SubjectKind kind = row.problem.subject.kind;
     const bool asked_for =
         kind != map::SubjectKind::Robot &&
@@ -207,7 +207,7 @@ void MapReading::insistOnReadable() {
 
 QStringList MapReading::warnings() const {
   QStringList all = bagLosses(session_.problems()) + notes_ + problems(map::Severity::Warning);
-  all.removeDuplicates();  // what is odd about waypoints is found again when their map is opened
+  all.removeDuplicates();  // problems of waypoints are found again when their map is opened
   return all;
 }
 
@@ -268,15 +268,15 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
     }
   }
   if (textures.empty()) {
-    // What a snapshot would draw as an empty picture cannot be a grid: it has no size.
+    // A snapshot would be empty, but a grid of no size is impossible.
     const QStringList why = refused() ? problems(map::Severity::Error) : warnings();
     return tl::make_unexpected(
         failure(complete_   ? int(kRobotError)
                 : refused() ? exitCodeOf(map::FailureKind::Refused)
                             : int(kIncomplete),
                 counts.listed == 0 && settled
-                    ? MapReadingText::tr("It has no submap yet.")
-                    : MapReadingText::tr("None of its submaps could be had. %1").arg(firstOf(why))));
+                    ? MapReadingText::tr("It has no submaps yet.")
+                    : MapReadingText::tr("None of its submaps could be loaded. %1").arg(firstOf(why))));
   }
   render::DenseCache cache(work::budgetsFrom().dense + work::budgetsFrom().tiles);  // no tiles are kept
   bool in_time = true;
@@ -288,8 +288,8 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
                                   {workers_});
   if (!in_time) {
     return tl::make_unexpected(failure(
-        kIncomplete, MapReadingText::tr("%1 of %2 submaps had arrived, but they could not be put together "
-                                        "within %3 s (--timeout).")
+        kIncomplete, MapReadingText::tr(
+                         "%1 of %2 submaps had arrived, but drawing them took longer than %3 s (--timeout).")
                          .arg(counts.shown)
                          .arg(counts.listed)
                          .arg(time_.timeout_s)));

@@ -1,5 +1,5 @@
-// One robot (or file) for a command that reads its maps and ends: waits for answers in an event loop of its
-// own.
+// One robot (or file) for a command that reads its maps and then exits: waits for answers in its own event
+// loop.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@
 
 namespace mapwright::app {
 
-/// How long a command may take, and since when.
+/// The time limit of a command, and when it started.
 struct CommandTime {
   CommandStart start;
   double timeout_s = 0;
@@ -32,9 +32,9 @@ struct CommandTime {
 
 class MapReading {
  public:
-  /// What is going to be asked for: nothing else is.
+  /// What the command needs; nothing else is requested.
   enum class Purpose { Maps, Submaps, Bags };
-  /// Connects; for Bags only where they are not there without a link: they are asked for by requests alone.
+  /// Connects; for Bags only if they need a connection, since they use single requests.
   static CommandResult<std::unique_ptr<MapReading>> open(const QString& address, const Access& access,
                                                          CommandTime time, Purpose purpose,
                                                          std::shared_ptr<work::Workers> workers);
@@ -42,50 +42,49 @@ class MapReading {
   session::Session& session() { return session_; }
   const std::shared_ptr<work::Workers>& workers() const { return workers_; }
   bool local() const;
-  /// The catalogue, once it is in.
+  /// The catalogue, as soon as it has arrived.
   CommandResult<const std::vector<map::CatalogueEntry>*> catalogue();
-  /// Opens a map and reads it to the end. "" = the live or current one; "submaps" composes the submaps at
-  /// `resolution_m`. From then on nothing of the session changes any more.
+  /// Opens a map and reads it completely. "" = the live or current one; "submaps" composes the submaps at
+  /// `resolution_m`. Afterwards the session does not change any more.
   CommandResult<render::PlacedGrid> map(const QString& id, double resolution_m);
-  /// A region of its map from a map dispatcher, nullopt: all of it. What comes of a region is where the
-  /// dispatcher says that it lies.
+  /// A region of the map of a map dispatcher, nullopt: the whole map. It is placed where the dispatcher says.
   CommandResult<render::PlacedGrid> part(const std::optional<map::GridRegion>& region);
-  /// Asks for a change of one of its maps, and waits for what comes of it. A change that is under way when
-  /// the time is over is given up, and the failure says whether it may have been made.
+  /// Requests a change of one of its maps and waits for the result. When the time runs out the request is
+  /// given up, and the failure says whether the change may have been made.
   CommandResult<map::CatalogueEntry> change(const robot::MapOrder& order);
-  /// Asks, and waits for the outcome. A request that is under way when the time is over is given up: then it
-  /// is FailureKind::TimedOut, with what is known of it.
+  /// Sends a request and waits for its result. When the time runs out it is given up with
+  /// FailureKind::TimedOut and what is known of it.
   template <typename T>
   robot::Outcome<T> ask(const std::function<robot::Call(robot::OutcomeTo<T>)>& request);
-  /// False when the time is up, or `at_most_s` is over.
+  /// False if the time is up, or `at_most_s` has passed.
   bool waitUntil(const std::function<bool()>& done, double at_most_s = 1e9);
   CommandTime time() const { return time_; }
-  /// The same failure, for want of time.
+  /// The same failure, but because of the time limit.
   map::Failure tooLate(map::Failure failure) const;
   /// A sentence about this robot, and its exit code.
   CommandFailure failure(int exit_code, const QString& sentence) const;
   CommandFailure failure(const map::Failure& failed) const;
-  /// That it has nothing of the sort.
+  /// The failure for a capability that the robot lacks.
   CommandFailure lacks(robot::Capability capability) const;
-  /// Something odd, to be said in the end.
+  /// Adds a remark that is printed at the end.
   void note(const QString& sentence) { notes_ << sentence; }
-  /// The same, of something that was asked for and could not be had.
+  /// The same for something that was requested but could not be loaded; the result is incomplete then.
   void lack(const QString& sentence) {
     note(sentence);
     complete_ = false;
   }
-  /// Nothing that came was unreadable, else it is not complete.
+  /// Marks the result as incomplete if anything received was unreadable.
   void insistOnReadable();
-  /// Every part of what was asked for could be had, else it is not complete.
+  /// Marks the result as incomplete if any part of the request could not be loaded.
   void insistOnAll() { complete_ = complete_ && problems(map::Severity::Warning).isEmpty(); }
   QString nameOfMap() const { return name_; }
   /// The local files that the map was read from.
   std::vector<std::string> sourceFiles() const;
-  /// False when something that was asked for could not be had: warnings() say what.
+  /// False if something that was requested could not be loaded; warnings() says what.
   bool complete() const { return complete_ && bagLosses(session_.problems()).isEmpty(); }
-  /// What is missing, or some of it, was refused.
+  /// Something is missing because the robot refused it.
   bool refused() const { return !complete() && anyRefused(session_.problems()); }
-  /// What is odd, a line each.
+  /// One line per warning.
   QStringList warnings() const;
   /// {"map" or "submaps", "uuid", "bytes_fetched", …} of what was read, for a report.
   QJsonObject facts() const;
@@ -93,7 +92,7 @@ class MapReading {
  private:
   MapReading(std::unique_ptr<robot::Robot> robot, QString address, CommandTime time, Purpose purpose,
              std::shared_ptr<work::Workers> workers);
-  /// Nobody waits for it any more; what it has to say at once is still heard.
+  /// Cancels a call; results that are delivered immediately still count.
   void giveUp(const robot::Call& call, const std::function<bool()>& over) const;
   CommandResult<render::PlacedGrid> submaps(double resolution_m);
   QStringList problems(map::Severity least) const;  // unresolved
@@ -110,7 +109,7 @@ class MapReading {
 
 template <typename T>
 robot::Outcome<T> MapReading::ask(const std::function<robot::Call(robot::OutcomeTo<T>)>& request) {
-  // Shared: an outcome may still come when nobody waits for it any more.
+  // Shared, because a result may still arrive when nobody waits for it.
   const auto outcome = std::make_shared<std::optional<robot::Outcome<T>>>();
   const robot::Call call = request([outcome](robot::Outcome<T> given) { *outcome = std::move(given); });
   const auto over = [&] { return outcome->has_value(); };

@@ -1,4 +1,4 @@
-// MapReading: what a map dispatcher gives of a map, by region or whole.
+// MapReading: maps from a map dispatcher, by region or whole.
 #include "app/map_region.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ QString lengths(const geometry::WorldRect& rect) {
   return MapRegionText::tr("%1 × %2").arg(rect.width(), 0, 'f', 2).arg(rect.height(), 0, 'f', 2);
 }
 
-/// Row 0 of a part is the lowest one, that of a pyramid the uppermost. -1 is 255 in both.
+/// The first row of a part is the lowest, that of a pyramid the uppermost. -1 is 255 in both.
 std::shared_ptr<const grids::GridPyramid> pyramidOf(const map::GridPart& part,
                                                     const std::shared_ptr<work::Workers>& workers) {
   const auto builder = grids::buildGrid(part.grid.width, part.grid.height, grids::CellCode::Occupancy,
@@ -47,10 +47,9 @@ tl::expected<map::GridRegion, QString> gridRegionFrom(const std::string& typed) 
   const auto given = numbersFrom(typed);
   const std::vector<double> numbers = given && given->size() == 4 ? *given : std::vector<double>(4);
   if (!(numbers[2] > 0) || !(numbers[3] > 0)) {
-    return tl::make_unexpected(
-        MapRegionText::tr(
-            "--region %1: give the centre and the lengths in metres, X,Y,LX,LY, for example 10,-5,40,30.")
-            .arg(QString::fromStdString(typed)));
+    return tl::make_unexpected(MapRegionText::tr("--region %1: give the centre and the side lengths in "
+                                                 "metres, X,Y,LX,LY, for example 10,-5,40,30.")
+                                   .arg(QString::fromStdString(typed)));
   }
   return map::GridRegion{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
 }
@@ -76,12 +75,12 @@ CommandResult<render::PlacedGrid> MapReading::part(const std::optional<map::Grid
   for (const Fault& note : part->notes) notes_ << failure(kDone, sentences::wordsOf(note)).sentence;
   if (part->grid.width == 0) {
     return tl::make_unexpected(
-        failure(kIncomplete, region ? MapRegionText::tr("There is nothing of its map in this region.")
-                                    : MapRegionText::tr("There is nothing in its map.")));
+        failure(kIncomplete, region ? MapRegionText::tr("Its map is empty in this region.")
+                                    : MapRegionText::tr("Its map is empty.")));
   }
   if (part->grid.width > grids::kMaxGridEdge || part->grid.height > grids::kMaxGridEdge)
     return tl::make_unexpected(
-        failure(kRobotError, MapRegionText::tr("Its answer has too many cells in one row.")));
+        failure(kRobotError, MapRegionText::tr("Its answer has too many cells in a row.")));
   const geometry::WorldRect bounds = part->grid.bounds();
   if (region) {
     const Eigen::Vector2d low = region->centre_m - region->size_m / 2,
@@ -98,11 +97,9 @@ CommandResult<render::PlacedGrid> MapReading::part(const std::optional<map::Grid
                     .sentence;
     } else if (part->grid.origin.yaw_rad == 0 &&
                (common.width() < asked.width() - rounding || common.height() < asked.height() - rounding)) {
-      notes_ << failure(
-                    kDone,
-                    MapRegionText::tr(
-                        "Its answer has %1 of the %2 m asked for: its map ends there, or it gives no more.")
-                        .arg(lengths(common), lengths(asked)))
+      notes_ << failure(kDone, MapRegionText::tr("Its answer covers %1 of the %2 m requested: either its map "
+                                                 "ends there, or it does not send more at once.")
+                                   .arg(lengths(common), lengths(asked)))
                     .sentence;
     }
   }

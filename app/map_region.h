@@ -14,7 +14,7 @@ namespace mapwright::app {
 /// "X,Y,LX,LY": the centre and the lengths, metres. The error is a sentence.
 tl::expected<map::GridRegion, QString> gridRegionFrom(const std::string& typed);
 
-/// Its live map comes by a map dispatcher, whole when that is asked for, and by nothing else.
+/// Its live map comes from a map dispatcher only, which can also send it whole on request.
 bool givesMapWhenAsked(robot::Robot& robot);
 
 }  // namespace mapwright::app

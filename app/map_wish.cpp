@@ -26,9 +26,7 @@ class MapWishText {
 using Phase = session::MapSlot::Phase;
 using robot::DispatchService;
 
-QString byRegionsOnly() {
-  return MapWishText::tr("It gives its map by regions: ask for one with --region X,Y,LX,LY.");
-}
+QString byRegionsOnly() { return MapWishText::tr("It sends its map by region: pass --region X,Y,LX,LY."); }
 
 }  // namespace
 
@@ -56,7 +54,7 @@ MapWish::State MapWish::look(double online_for_s) {
   if (!key_) return failed_ ? State::Failed : State::Waiting;
   const session::MapSlot& slot = session_.wholeMap();
   if (key_->kind == map::MapKind::Live && slot.phase() == Phase::Fetching && !asked_for_whole_) {
-    // Its dispatcher may come a moment later than the robot itself.
+    // The dispatcher may be found a moment later than the robot itself.
     if (robot::givesByRegion(session_.robot())) {
       askForWhole();
     } else if (online_for_s > live_within_s_) {
@@ -66,7 +64,7 @@ MapWish::State MapWish::look(double online_for_s) {
     fail(local() ? kUsage : exitCodeOf(slot.failure()), sentences::sentenceOf(slot.remark()));
   }
   if (failed_) return State::Failed;
-  // Whose waypoints they are is told by the list of maps.
+  // The catalogue tells which map the waypoints belong to.
   const bool whose = with_points_ && key_->kind == map::MapKind::Live && session_.robot().waypointSource();
   if (whose && !session_.catalogue().asked()) session_.catalogue().refresh();
   if (whose && session_.catalogue().loading()) return State::Waiting;
@@ -83,9 +81,10 @@ void MapWish::choose() {
   const map::MapKey key = id_.isEmpty() ? map::MapKey{map::MapKind::Live, {}} : map::mapKeyFromText(id);
   if (key.kind == map::MapKind::Live && !sendsMaps()) {
     fail(local() ? kUsage : kRobotError,
-         MapWishText::tr("It sends no live map. Ask for one of its maps by its id (mapwright maps list)."));
+         MapWishText::tr(
+             "It sends no live map. Request one of its stored maps by id (see mapwright maps list)."));
   } else if (local()) {
-    // The names of a folder's maps are known when its list is in.
+    // The names of a folder's maps are known once its list has arrived.
     if (!catalogueIn()) return;
     const map::CatalogueEntry* const entry = session_.catalogue().called(id);
     open(entry ? entry->key : key);
@@ -97,7 +96,7 @@ void MapWish::choose() {
 void MapWish::askForWhole() {
   if (!whole_agreed_) {
     fail(kRobotError, byRegionsOnly() + QLatin1Char(' ') +
-                          MapWishText::tr("All of it, however large, is had with --mode whole."));
+                          MapWishText::tr("To get the whole map, whatever its size, pass --mode whole."));
     return;
   }
   asked_for_whole_ = true;
@@ -124,8 +123,8 @@ void MapWish::takeWhole(const robot::Outcome<map::GridPart>& outcome) {
   const map::GridPart& part = *outcome;
   const bool none = part.grid.width <= 0 || part.grid.height <= 0;
   if (regions::flawOf(part) != regions::Misfit::None) {
-    fail(none ? kIncomplete : kRobotError, none ? MapWishText::tr("There is nothing in its map.")
-                                                : MapWishText::tr("Its whole map cannot be used."));
+    fail(none ? kIncomplete : kRobotError,
+         none ? MapWishText::tr("Its map is empty.") : MapWishText::tr("Its whole map cannot be used."));
     return;
   }
   for (const Fault& note : part.notes) notes_ << sentences::wordsOf(note);
@@ -148,11 +147,12 @@ void MapWish::chooseCurrent() {
   if (entry) {
     open(entry->key);
   } else {
-    fail(kRobotError,
-         catalogue.entries().empty()
-             ? noMapSentence(session_.world().live.map_info)
-             : MapWishText::tr("None of its %1 maps is the current one. Give an id (mapwright maps list).")
-                   .arg(catalogue.entries().size()));
+    fail(
+        kRobotError,
+        catalogue.entries().empty()
+            ? noMapSentence(session_.world().live.map_info)
+            : MapWishText::tr("None of its %1 maps is the current one. Pass an id (see mapwright maps list).")
+                  .arg(catalogue.entries().size()));
   }
 }
 
@@ -171,7 +171,8 @@ QStringList MapWish::liveTroubles() const {
 }
 
 QString noMapSentence(const std::optional<map::MapInfo>& named) {
-  return (QStringList(MapWishText::tr("There is no map.")) + namedMapSentence(named)).join(QLatin1Char(' '));
+  return (QStringList(MapWishText::tr("There are no maps.")) + namedMapSentence(named))
+      .join(QLatin1Char(' '));
 }
 
 QStringList namedMapSentence(const std::optional<map::MapInfo>& named) {
@@ -190,7 +191,8 @@ void MapWish::failWithoutLive(const QString& sentence) {
 }
 
 QString MapWish::noMapNow() const {
-  return robot::givesByRegion(session_.robot()) ? byRegionsOnly() : MapWishText::tr("It sends no map now.");
+  return robot::givesByRegion(session_.robot()) ? byRegionsOnly()
+                                                : MapWishText::tr("It is sending no map at the moment.");
 }
 
 void MapWish::chooseInsteadOfLive() {
@@ -200,20 +202,23 @@ void MapWish::chooseInsteadOfLive() {
   }
   if (!catalogueIn()) return;
   const map::CatalogueEntry* const current = session_.catalogue().current();
-  // Of a robot that keeps no maps the current one is that which does not come.
+  // For a robot without stored maps the current one is the live map, which does not come.
   if (!current || current->key.kind == map::MapKind::Live) {
     const bool none = local() && session_.catalogue().entries().empty();
     failWithoutLive(
-        none      ? MapWishText::tr("There is no map.")
-        : current ? noMapNow()
-                  : MapWishText::tr("It sends no map now, and none of its stored maps is the current one."));
+        none ? MapWishText::tr("There are no maps.")
+        : current
+            ? noMapNow()
+            : MapWishText::tr(
+                  "It is sending no map at the moment, and none of its stored maps is the current one."));
     return;
   }
   live_broken_ |= !liveTroubles().isEmpty();
   notes_ << (live_broken_
                  ? MapWishText::tr(
-                       "The map that the robot sends cannot be had. Its current stored map is shown.")
-                 : MapWishText::tr("The robot sends no map now. Its current stored map is shown."));
+                       "The live map of the robot cannot be read. Its current stored map is shown.")
+                 : MapWishText::tr(
+                       "The robot is sending no map at the moment. Its current stored map is shown."));
   open(current->key);
 }
 

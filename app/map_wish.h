@@ -1,4 +1,4 @@
-// The one whole map that a command was asked for: brought onto its session, and no other taken for it.
+// The whole map that a command asked for: opened in its session, and never mistaken for another one.
 #pragma once
 
 #include <algorithm>
@@ -16,52 +16,51 @@
 
 namespace mapwright::app {
 
-/// Which map messages name, where it is not there itself; empty: none.
+/// The map that messages name, if it is not available itself; empty: none.
 QStringList namedMapSentence(const std::optional<map::MapInfo>& named);
-/// That there is no map, and which one is named.
+/// States that there is no map, and which one the messages name.
 QString noMapSentence(const std::optional<map::MapInfo>& named);
 
 /// The session must not open maps by itself (session::Session::Options::maps).
 class MapWish {
  public:
-  /// `id`: as people type it; "" = the map that the robot sends, else its current one. `with_points`: its
-  /// waypoints are waited for too.
+  /// `id`: as typed; "" = the live map, or else the current one. `with_points`: also waits for its waypoints.
   MapWish(session::Session& session, QString id, bool with_points);
 
   enum class State { Waiting, Here, Failed };
-  /// Takes the next step that is due. To be called, while online, whenever something may have changed.
+  /// Takes the next step. Call it while online, whenever something may have changed.
   State look(double online_for_s);
-  /// How long a robot that can send its map may take for it before its current stored one is drawn: this, or
-  /// the usual time where that is shorter.
+  /// How long to wait for a live map before the current stored one is drawn: this, or the usual time if that
+  /// is shorter.
   void setPatience(double seconds) { live_within_s_ = std::min(live_within_s_, seconds); }
-  /// Of a robot that gives its map by regions all of it is asked for at once, however large; without this,
-  /// that is a failure that names the regions.
+  /// Allows fetching the whole map of a robot that sends its map by region, whatever its size; otherwise that
+  /// is a failure that suggests --region.
   void agreeToWhole() { whole_agreed_ = true; }
-  /// Why it Failed.
+  /// Why the state is Failed.
   const CommandFailure& failure() const { return failure_; }
 
-  /// Which map it is, once that is known.
+  /// Which map it is, as soon as that is known.
   const std::optional<map::MapKey>& key() const { return key_; }
-  /// The cells of that map as far as they have been read; nullopt while there are none, or those of another.
+  /// The cells of that map read so far; nullopt while there are none, or if another map is open.
   std::optional<render::PlacedGrid> grid() const;
-  /// It is read to its end, and is what was to be had.
+  /// It has been read completely, and it is the requested one.
   bool complete() const;
-  /// What is known to be wrong with the map that the robot sends: sentences, the gravest first.
+  /// Known problems of the live map: sentences, most severe first.
   QStringList liveTroubles() const;
-  /// What is to be said beside the picture.
+  /// Remarks to print along with the picture.
   const QStringList& notes() const { return notes_; }
 
  private:
   void choose();
-  /// The robot's current map, or its only one.
+  /// Chooses the robot's current map, or its only one.
   void chooseCurrent();
   void chooseInsteadOfLive();
   QString noMapNow() const;
   void open(const map::MapKey& key);
-  /// Of a dispatcher; fails where nobody has agreed to that.
+  /// From a dispatcher; fails unless agreeToWhole() was called.
   void askForWhole();
   void takeWhole(const robot::Outcome<map::GridPart>& outcome);
-  /// Asks for the catalogue; false while it is on its way, or cannot be had.
+  /// Requests the catalogue; false while it has not arrived, or cannot be loaded.
   bool catalogueIn();
   void fail(int exit_code, const QString& sentence);
   void failWithoutLive(const QString& sentence);
@@ -74,8 +73,8 @@ class MapWish {
   bool with_points_;
   std::optional<map::MapKey> key_;
   bool failed_ = false, live_broken_ = false, whole_agreed_ = false;
-  bool asked_for_whole_ = false;         // of a dispatcher: there is nothing to be patient about
-  std::shared_ptr<const bool> present_;  // as long as this is
+  bool asked_for_whole_ = false;         // from a dispatcher: no time limit for the live map then
+  std::shared_ptr<const bool> present_;  // lives as long as this object
   double live_within_s_ = 8;
   CommandFailure failure_;
   QStringList notes_;

@@ -56,10 +56,10 @@ double resolutionOf(const MapsWords& words) {
   return words.resolution.empty() ? 0.05 : ok && std::isfinite(value) ? value : std::nan("");
 }
 
-/// Whether a word of `diff` is a file or an address of its own, and not a map of `robot`.
+/// Whether an operand of `diff` is a file or address of its own, not a map of `robot`.
 bool standsAlone(const QString& operand, const QString& robot) {
   if (operand.contains(QLatin1Char('/')) || knownAddresses().isAddress(operand)) return true;
-  // An address, and refused for what stands before its @: nobody but a robot has maps that are called so.
+  // An address, refused because of the part before its @: maps have no such names.
   if (robot.isEmpty() && operand.contains(QLatin1Char('@')) && !QFileInfo(operand).isFile()) return true;
   // In a folder of maps their names are ids.
   const auto folder = knownAddresses().parse(robot);
@@ -68,12 +68,12 @@ bool standsAlone(const QString& operand, const QString& robot) {
   }
   const QStringList kinds{QStringLiteral("yaml"), QStringLiteral("yml"), QStringLiteral("png"),
                           QStringLiteral("pgm"), QStringLiteral("bmp")};
-  // A file that happens to be called like a map of the robot is not that map.
+  // A file that happens to have the name of one of the robot's maps is not that map.
   return kinds.contains(QFileInfo(operand).suffix().toLower()) ||
          (robot.isEmpty() && QFileInfo(operand).isFile());
 }
 
-/// Why --resolution and --origin would have no effect on anything that the command reads.
+/// Why --resolution and --origin would have no effect on what the command reads.
 std::optional<QString> whyNoPlaceIn(const MapsWords& words) {
   if (words.resolution.empty() && words.origin.empty()) return std::nullopt;
   const bool diff = !words.first.empty();
@@ -129,7 +129,7 @@ int mapsList(const MapsWords& words, int& argc, char** argv) {
       return kDone;
     }
     if ((*rows)->empty()) {
-      std::printf("%s\n", qUtf8Printable(MapsText::tr("There is no map.")));
+      std::printf("%s\n", qUtf8Printable(MapsText::tr("There are no maps.")));
       return kDone;
     }
     std::vector<QStringList> table{{QStringLiteral(" "), MapsText::tr("ID"), MapsText::tr("VERSION"),
@@ -166,7 +166,7 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
     auto robot = openRobot(command, text(words.robot), words, purposeOf(words.id));
     if (!robot) return tl::make_unexpected(robot.error());
     const bool stored = !words.id.empty() && words.id != "live" && words.id != "submaps";
-    if (stored) {  // its dates and versions are in the list
+    if (stored) {  // the catalogue has its dates and versions
       if (const auto rows = (*robot)->catalogue(); !rows) return tl::make_unexpected(rows.error());
     }
     const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
@@ -222,20 +222,18 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     QString format = !words.format.empty() ? text(words.format) : printed ? QStringLiteral("png") : suffix;
     if (format == QLatin1String("yaml") || format == QLatin1String("yml")) format = QStringLiteral("pgm");
     if (format != QLatin1String("png") && format != QLatin1String("pgm")) {
-      return wrong(
-          MapsText::tr("--output %1: the name ends in .png, or in .pgm or .yaml for both of these; or give "
-                       "--format png or pgm.")
-              .arg(output));
+      return wrong(MapsText::tr("--output %1: the name must end in .png, or in .pgm or .yaml to get both of "
+                                "these; or pass --format png or pgm.")
+                       .arg(output));
     }
     const bool names_png = suffix == QLatin1String("png");
     const bool names_pgm = suffix == QLatin1String("pgm") || suffix.startsWith(QLatin1Char('y'));
     if (!words.format.empty() && (format == QLatin1String("png") ? names_pgm : names_png)) {
-      return wrong(
-          MapsText::tr("--output %1 and --format %2 contradict each other.").arg(output, text(words.format)));
+      return wrong(MapsText::tr("--output %1 contradicts --format %2.").arg(output, text(words.format)));
     }
     if (printed && (format != QLatin1String("png") || words.world_file)) {
       return wrong(
-          MapsText::tr("Only one PNG can be written to the standard output (--output %1).").arg(output));
+          MapsText::tr("Only a single PNG can be written to the standard output (--output %1).").arg(output));
     }
     if (const auto why = whyNotWritable(output)) return wrong(*why);
     if (const auto why = whyNotTogether({output, text(words.report)})) return wrong(*why);
@@ -245,13 +243,12 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
       const auto typed = gridRegionFrom(words.region);
       if (!typed) return wrong(typed.error());
       if (!live)
-        return wrong(
-            MapsText::tr("--region: only the live map is given by region, not %1.").arg(text(words.id)));
+        return wrong(MapsText::tr("--region only works with the live map, not with %1.").arg(text(words.id)));
       region = *typed;
     }
     auto robot = openRobot(command, text(words.robot), words, purposeOf(words.id));
     if (!robot) return tl::make_unexpected(robot.error());
-    // Who says export means all of it, however large.
+    // An export always means the whole map, whatever its size.
     const bool by_part = region || (live && givesMapWhenAsked((*robot)->session().robot()));
     const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(words.id), resolutionOf(words));
     if (!placed) return tl::make_unexpected(placed.error());
@@ -332,14 +329,14 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
       row(MapsText::tr("occupied in the first only"), cells(Difference::Vanished));
       row(MapsText::tr("known in the first only"), cells(Difference::OnlyFirst));
       row(MapsText::tr("known in the second only"), cells(Difference::OnlySecond));
-      row(MapsText::tr("alike, of another gray level"), diff->levels_differ);
+      row(MapsText::tr("same state, different gray level"), diff->levels_differ);
       row(MapsText::tr("free in both"), cells(Difference::SameFree));
       row(MapsText::tr("occupied in both"), cells(Difference::SameOccupied));
       printTable(table);
       const QString outcome = !diff->same() ? MapsText::tr("The maps differ.")
                               : command.complete()
                                   ? MapsText::tr("The maps are the same.")
-                                  : MapsText::tr("What could be had of the maps is the same.");
+                                  : MapsText::tr("The parts of the maps that could be read are the same.");
       std::printf("%s\n", qUtf8Printable(outcome));
     }
     return diff->same() ? kDone : kIncomplete;

@@ -1,4 +1,4 @@
-// `mapwright maps …`: the catalogue of a robot or a folder, exports and differences (docs/command-line.md).
+// `mapwright maps …`: the maps of a robot or a folder, exports and differences (docs/command-line.md).
 #pragma once
 
 #include <string>
@@ -7,22 +7,22 @@
 
 namespace mapwright::app {
 
-/// The words as typed; empty = not given.
+/// The options as typed; empty = not given.
 struct MapsWords {
   std::string robot;
   AccessWords access;
   std::string id;             // show, export: a map (12, mapping:48, live, submaps)
-  std::string label;          // rename, save: what it is called from now on
+  std::string label;          // rename, save: the new name
   std::string place;          // load: the name of the waypoint where the robot stands
   std::string first, second;  // diff: a map of the robot, or a file
   std::string output, format, diff_picture, report;
-  std::string resolution, origin;  // of a bare picture file; of exported submaps: the resolution
+  std::string resolution, origin;  // of a plain picture file; resolution also for exported submaps
   std::string region;              // export: X,Y,LX,LY
   std::string filename;            // save-on-robot
   double timeout_s = 60;
   bool json = false, world_file = false;
-  bool force = false;  // also over a file that is read
-  bool yes = false;    // delete: it may go
+  bool force = false;  // overwrite files even if the map was read from them
+  bool yes = false;    // delete: confirmed
 };
 
 /// The exit code (docs/command-line.md).

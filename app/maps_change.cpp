@@ -31,21 +31,22 @@ bool isOfOneMap(MapChange change) {
 
 bool names(MapChange change) { return change == MapChange::Rename || change == MapChange::Save; }
 
-/// Why it is not even asked for; empty when it is.
+/// Why it is not even requested; empty if it is.
 QString whyNotAsked(MapChange change, const MapsWords& words) {
   if (names(change)) {
     const QString label = text(words.label);
     if (label.trimmed().isEmpty()) {
-      return change == MapChange::Save ? MapsChangeText::tr("A map must have a name: maps save NAME.")
-                                       : MapsChangeText::tr("A map must have a name: maps rename ID NAME.");
+      return change == MapChange::Save ? MapsChangeText::tr("Name the map: maps save NAME.")
+                                       : MapsChangeText::tr("Name the map: maps rename ID NAME.");
     }
     if (const QString why = jobs::whyNoMapName(label); !why.isEmpty()) return why;
   }
   const map::MapKey key = map::mapKeyFromText(words.id);
   if (isOfOneMap(change) && (key.kind != map::MapKind::Stored || key.id.empty()))
-    return MapsChangeText::tr("%1: give the id of a stored map (mapwright maps list).").arg(text(words.id));
+    return MapsChangeText::tr("%1: pass the id of a stored map (see mapwright maps list).")
+        .arg(text(words.id));
   if (change == MapChange::Delete && !words.yes)
-    return MapsChangeText::tr("A map that is deleted cannot be had back. Say --yes when %1 may go.")
+    return MapsChangeText::tr("Deleting a map cannot be undone. Pass --yes to delete %1.")
         .arg(text(words.id));
   return {};
 }
@@ -104,8 +105,8 @@ int mapsSaveOnRobot(const MapsWords& words, int& argc, char** argv) {
       return dispatch->save(words.filename, std::move(reply));
     });
     if (!saved) return tl::make_unexpected((*robot)->failure(saved.error()));
-    std::printf("%s\n", qUtf8Printable(
-                            MapsChangeText::tr("The robot has written %1.").arg(words::plainName(*saved))));
+    std::printf("%s\n",
+                qUtf8Printable(MapsChangeText::tr("The robot wrote %1.").arg(words::plainName(*saved))));
     return kDone;
   };
   return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);

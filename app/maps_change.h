@@ -7,7 +7,7 @@
 
 namespace mapwright::app {
 
-/// The exit code (docs/command-line.md). What the robot makes of it is printed as it tells it afterwards.
+/// The exit code (docs/command-line.md). Afterwards prints the result as the robot reports it.
 int mapsChange(robot::MapChange change, const MapsWords& words, int& argc, char** argv);
 
 }  // namespace mapwright::app

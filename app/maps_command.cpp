@@ -48,25 +48,24 @@ bool MapsCommand::complete() const {
 
 int MapsCommand::run(int& argc, char** argv, const std::function<CommandResult<int>(MapsCommand&)>& work) {
   if (!(time_.timeout_s > 0 && time_.timeout_s <= 86'400)) {
-    return refuse(kUsage, MapsCommandText::tr("--timeout must be more than 0 and at most 86400 seconds."));
+    return refuse(kUsage, MapsCommandText::tr("--timeout must be greater than 0 and at most 86400 seconds."));
   }
-  Deadline deadline(
-      later(time_.start.begun, time_.timeout_s + time_.start.grace.end_s),
-      [connected = connected_, path = report_path_, timeout_s = time_.timeout_s] {
-        const QString sentence =
-            (*connected ? MapsCommandText::tr(
-                              "Not complete. The command could not be finished within %1 s (--timeout).")
-                        : MapsCommandText::tr("No connection within %1 s (--timeout)."))
-                .arg(timeout_s);
-        if (!path.isEmpty()) writeReportInHaste(path, failed(sentence));
-        sayAtTheEnd(sentence.toStdString());
-        return int(*connected ? kIncomplete : kUnreachable);
-      });
+  Deadline deadline(later(time_.start.begun, time_.timeout_s + time_.start.grace.end_s),
+                    [connected = connected_, path = report_path_, timeout_s = time_.timeout_s] {
+                      const QString sentence =
+                          (*connected ? MapsCommandText::tr(
+                                            "Incomplete: the command did not finish within %1 s (--timeout).")
+                                      : MapsCommandText::tr("No connection within %1 s (--timeout)."))
+                              .arg(timeout_s);
+                      if (!path.isEmpty()) writeReportInHaste(path, failed(sentence));
+                      sayAtTheEnd(sentence.toStdString());
+                      return int(*connected ? kIncomplete : kUnreachable);
+                    });
   const auto fonts = chooseOffscreenPlatform();
   QApplication application(argc, argv);
   const int exit_code = end(work(*this));
   std::fflush(stdout);
-  // All is said: what is left to be taken apart may take no longer than the rest.
+  // Everything has been reported: cleaning up must not take longer than the remaining time.
   deadline.setLastWords([exit_code] { return exit_code; });
   readings_.clear();
   return exit_code;
@@ -98,7 +97,7 @@ int MapsCommand::end(const CommandResult<int>& result) const {
     return refuse(refused            ? exitCodeOf(map::FailureKind::Refused)
                   : *result == kDone ? int(kIncomplete)
                                      : *result,
-                  MapsCommandText::tr("Not complete. %1").arg(firstOf(warnings)));
+                  MapsCommandText::tr("Incomplete. %1").arg(firstOf(warnings)));
   }
   return warnings.isEmpty() ? *result : refuse(*result, firstOf(warnings));
 }

@@ -1,4 +1,4 @@
-// The frame of every `mapwright maps …`: its time, its robots, its one line on standard error, its report.
+// Common to every `mapwright maps …`: its time limit, its robots, its one line on standard error, its report.
 #pragma once
 
 #include <atomic>
@@ -14,22 +14,21 @@ namespace mapwright::app {
 
 class MapsCommand {
  public:
-  /// `report_path`: where what was done is written as JSON; empty = nowhere.
+  /// `report_path`: where to write the JSON report; empty = nowhere.
   MapsCommand(double timeout_s, QString report_path);
 
-  /// Connects; the reading lives as long as this.
+  /// Connects; the result lives as long as this object.
   CommandResult<MapReading*> open(const QString& address, const Access& access, MapReading::Purpose purpose);
-  /// What has been done, and under which name, for the report: told again, it replaces; failed commands tell
-  /// it, too.
+  /// Sets an entry of the report, replacing an earlier one of that name; also used by commands that fail.
   void report(const QString& name, const QJsonObject& done) {
     done_name_ = name;
     done_ = done;
   }
-  /// True when everything that was asked for could be had.
+  /// True if everything that was requested could be loaded.
   bool complete() const;
 
-  /// An application without a display, `work`, and what is to be said in the end; the exit code. The process
-  /// ends in time, whatever `work` does.
+  /// Sets up an application without a display, runs `work`, prints the final messages and returns the exit
+  /// code. The process ends in time whatever `work` does.
   int run(int& argc, char** argv, const std::function<CommandResult<int>(MapsCommand&)>& work);
 
  private:

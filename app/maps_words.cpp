@@ -28,17 +28,15 @@ struct MapChangeCommand {
 
 std::vector<MapChangeCommand> mapChangeCommands() {
   return {
-      {MapChange::Rename, "rename", MapsOptionText::tr("Call a stored map otherwise"), true, true},
-      {MapChange::Load, "load", MapsOptionText::tr("Make a stored map the one that the robot works with"),
-       true, false},
-      {MapChange::Archive, "archive", MapsOptionText::tr("Put a stored map away"), true, false},
-      {MapChange::Unarchive, "unarchive", MapsOptionText::tr("Take a map out of the archive"), true, false},
+      {MapChange::Rename, "rename", MapsOptionText::tr("Rename a stored map"), true, true},
+      {MapChange::Load, "load", MapsOptionText::tr("Make a stored map the current one"), true, false},
+      {MapChange::Archive, "archive", MapsOptionText::tr("Archive a stored map"), true, false},
+      {MapChange::Unarchive, "unarchive", MapsOptionText::tr("Restore a map from the archive"), true, false},
       {MapChange::Delete, "delete", MapsOptionText::tr("Delete a stored map (--yes)"), true, false},
-      {MapChange::StartMapping, "start-mapping", MapsOptionText::tr("Let the robot begin a new map"), false,
-       false},
-      {MapChange::StopMapping, "stop-mapping",
-       MapsOptionText::tr("End mapping; save keeps what has been mapped"), false, false},
-      {MapChange::Save, "save", MapsOptionText::tr("Keep what has been mapped, under a name"), false, true}};
+      {MapChange::StartMapping, "start-mapping", MapsOptionText::tr("Start mapping"), false, false},
+      {MapChange::StopMapping, "stop-mapping", MapsOptionText::tr("End mapping; save stores the result"),
+       false, false},
+      {MapChange::Save, "save", MapsOptionText::tr("Store the result of mapping under a name"), false, true}};
 }
 
 }  // namespace
@@ -48,7 +46,7 @@ void addMaps(Commands& commands) {
   MapsWords& words = *shared;
   CLI::App* maps = commands.program().add_subcommand(
       "maps",
-      help(MapsOptionText::tr("The maps that a robot or a folder keeps: list, export, compare, change")));
+      help(MapsOptionText::tr("Maps stored on a robot or in a folder: list, export, compare, change")));
   maps->require_subcommand(1);
   using Run = std::function<int(const MapsWords&, int&, char**)>;
   const auto addOne = [&](const char* name, const std::string& what, Run run) {
@@ -62,23 +60,22 @@ void addMaps(Commands& commands) {
   };
   const auto add = [&](const char* name, const std::string& what, Run run) {
     CLI::App* command = addOne(name, what, std::move(run));
+    command->add_option("--resolution", words.resolution,
+                        help(MapsOptionText::tr("Metres per cell, for a plain picture file or for submaps "
+                                                "that are exported or compared (default: 0.05)")));
     command->add_option(
-        "--resolution", words.resolution,
-        help(MapsOptionText::tr(
-            "Metres per cell: of a bare picture file, or of submaps that are exported or compared (0.05)")));
-    command->add_option("--origin", words.origin,
-                        help(MapsOptionText::tr("Lower left corner of a bare picture file: X,Y or X,Y,YAW")));
+        "--origin", words.origin,
+        help(MapsOptionText::tr("Lower left corner of a plain picture file: X,Y or X,Y,YAW")));
     return command;
   };
   const std::string which = help(MapsOptionText::tr(
-      "A stored map by its id, mapping:ID, live, or submaps; without it the live or current one"));
-  addJson(*add("list", help(MapsOptionText::tr("All maps and mapping results; * marks the current one")),
+      "Id of a stored map, mapping:ID, live, or submaps; by default the live or current one"));
+  addJson(*add("list", help(MapsOptionText::tr("List all maps and mapping results; * marks the current one")),
                mapsList),
           words.json);
-  addJson(*add("current", help(MapsOptionText::tr("The map that the robot works with")), mapsCurrent),
-          words.json);
+  addJson(*add("current", help(MapsOptionText::tr("Show the robot's current map")), mapsCurrent), words.json);
   CLI::App* show =
-      add("show", help(MapsOptionText::tr("Size, place, dates and waypoints of one map")), mapsShow);
+      add("show", help(MapsOptionText::tr("Show size, place, dates and waypoints of a map")), mapsShow);
   show->add_option("id", words.id, which);
   addJson(*show, words.json);
   CLI::App* exported =
@@ -86,30 +83,28 @@ void addMaps(Commands& commands) {
           mapsExport);
   exported->add_option("id", words.id, which);
   exported
-      ->add_option(
-          "-o,--output", words.output,
-          help(MapsOptionText::tr(
-              "What to write: NAME.png, or NAME.yaml / NAME.pgm (both); - is a PNG on the standard output")))
+      ->add_option("-o,--output", words.output,
+                   help(MapsOptionText::tr("Output file: NAME.png, or NAME.yaml / NAME.pgm (both); - writes "
+                                           "a PNG to the standard output")))
       ->required();
   exported->add_flag("--force", words.force,
-                     help(MapsOptionText::tr("Write even over a file that the map is read from")));
+                     help(MapsOptionText::tr("Overwrite a file even if the map was read from it")));
   exported->add_option("--format", words.format,
-                       help(MapsOptionText::tr("png or pgm, when the name does not tell")));
+                       help(MapsOptionText::tr("png or pgm, if the file name does not say")));
   exported->add_flag("--world-file", words.world_file,
-                     help(MapsOptionText::tr("Write NAME.pgw (world file) beside it")));
-  exported->add_option(
-      "--region", words.region,
-      help(MapsOptionText::tr("Only this region of the live map, from a map dispatcher (REP 130): "
-                              "X,Y,LX,LY, its centre and its lengths in metres")));
+                     help(MapsOptionText::tr("Also write NAME.pgw (a world file)")));
+  exported->add_option("--region", words.region,
+                       help(MapsOptionText::tr("Only this region of the live map of a map dispatcher (REP "
+                                               "130): X,Y,LX,LY, its centre and side lengths in metres")));
   CLI::App* saved =
       addOne("save-on-robot",
-             help(MapsOptionText::tr("Let a map dispatcher (REP 130) write its map into a file of its own")),
+             help(MapsOptionText::tr("Make a map dispatcher (REP 130) write its map to a file on the robot")),
              mapsSaveOnRobot);
   saved
       ->add_option(
           "file", words.filename,
-          help(MapsOptionText::tr("A name on the robot. Its extension tells the robot what to write: most "
-                                  "know .png, .pgm or .yaml of grids and .pcd, .ply or .vtk of clouds")))
+          help(MapsOptionText::tr("File name on the robot. Its extension selects the format: most know .png, "
+                                  ".pgm or .yaml for grids and .pcd, .ply or .vtk for clouds")))
       ->required();
   CLI::App* diff =
       add("diff", help(MapsOptionText::tr("Compare two maps cell by cell; exit code 1 when they differ")),
@@ -118,11 +113,12 @@ void addMaps(Commands& commands) {
           "first", words.first,
           help(MapsOptionText::tr("A map of --robot (id, mapping:ID, live, submaps), or a file or address")))
       ->required();
-  diff->add_option("second", words.second, help(MapsOptionText::tr("Likewise")))->required();
+  diff->add_option("second", words.second, help(MapsOptionText::tr("The same for the second map")))
+      ->required();
   diff->add_option("--diff", words.diff_picture,
-                   help(MapsOptionText::tr("Write the difference as a PNG; - is the standard output")));
+                   help(MapsOptionText::tr("Write the differences as a PNG; - is the standard output")));
   diff->add_flag("--force", words.force,
-                 help(MapsOptionText::tr("Write even over a file that a map is read from")));
+                 help(MapsOptionText::tr("Overwrite a file even if a map was read from it")));
   addJson(*diff, words.json);
   for (const MapChangeCommand& one : mapChangeCommands()) {
     CLI::App* command = addOne(one.name, help(one.about),
@@ -131,14 +127,13 @@ void addMaps(Commands& commands) {
                                });
     addJson(*command, words.json);
     if (one.of_one_map)
-      command->add_option("id", words.id, help(MapsOptionText::tr("A stored map by its id")))->required();
-    if (one.names)
-      command->add_option("name", words.label, help(MapsOptionText::tr("Its name from now on")))->required();
+      command->add_option("id", words.id, help(MapsOptionText::tr("Id of a stored map")))->required();
+    if (one.names) command->add_option("name", words.label, help(MapsOptionText::tr("New name")))->required();
     if (one.change == MapChange::Load)
       command->add_option("--waypoint", words.place,
-                          help(MapsOptionText::tr("The name of the waypoint where the robot stands")));
+                          help(MapsOptionText::tr("Name of the waypoint at which the robot stands")));
     if (one.change == MapChange::Delete)
-      command->add_flag("--yes", words.yes, help(MapsOptionText::tr("Needed: it cannot be had back")));
+      command->add_flag("--yes", words.yes, help(MapsOptionText::tr("Required: deleting cannot be undone")));
   }
 }
 

@@ -5,7 +5,7 @@
 
 namespace mapwright::app {
 
-/// Control characters and line breaks become blanks; what is longer than `most` loses its middle.
+/// Replaces control characters and line breaks with blanks; texts longer than `most` lose their middle.
 QString oneLine(const QString& text, qsizetype most = 1'000);
 
 }  // namespace mapwright::app

@@ -43,7 +43,7 @@ void refuseOddWords(CLI::App& app) {
     const std::string type = option->get_type_name();
     const bool number = type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT");
     option->check([number](const std::string& word) {
-      if (word.empty()) return OptionWordsText::tr("its value is empty").toStdString();
+      if (word.empty()) return OptionWordsText::tr("the value is empty").toStdString();
       if (!number || isDecimal(word)) return std::string();
       return OptionWordsText::tr("\"%1\" is not a number").arg(QString::fromStdString(word)).toStdString();
     });

@@ -22,9 +22,9 @@ class OutputPathsText {
   Q_DECLARE_TR_FUNCTIONS(OutputPaths)
 };
 
-int why_not_printed = 0;  // the first errno that a write to standard output ended in
+int why_not_printed = 0;  // the first errno of a failed write to standard output
 
-/// A pipe or a device: bytes go into it, nothing is replaced.
+/// A pipe or a device: data is written to it, nothing is replaced.
 bool takesBytes(const QString& path) {
   const QFileInfo info(path);
   return info.exists() && !info.isFile() && !info.isDir();
@@ -38,14 +38,14 @@ std::optional<QString> whyNotWritable(const QString& path) {
   if (isStandardOutput(path)) {
     if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
     return OutputPathsText::tr(
-               "%1: the standard output is a terminal. Send it into a file or another program.")
+               "%1: the standard output is a terminal. Redirect it to a file or another program.")
         .arg(path);
   }
-  // Where a link leads is found out when it is written.
+  // The target of a link is found when it is written.
   if (takesBytes(path) || QFileInfo(path).isSymLink()) return std::nullopt;
   const QFileInfo folder(QFileInfo(path).absolutePath());
   if (folder.isDir() && folder.isWritable()) return std::nullopt;
-  return OutputPathsText::tr("%1 cannot be written: there is no writable folder %2.")
+  return OutputPathsText::tr("%1 cannot be written: the folder %2 does not exist or is not writable.")
       .arg(path, folder.filePath());
 }
 
@@ -55,12 +55,13 @@ std::optional<QString> whyNotTogether(const QStringList& outputs) {
       const QString &one = outputs[i], &other = outputs[j];
       if (one.isEmpty() || other.isEmpty()) continue;
       if (isStandardOutput(one) && isStandardOutput(other)) {
-        return OutputPathsText::tr("Only one thing can be written to the standard output.");
+        return OutputPathsText::tr("Only one of the outputs can go to the standard output.");
       }
       if (isStandardOutput(one) || isStandardOutput(other) || takesBytes(one)) continue;
       const bool same = QFileInfo(one).absoluteFilePath() == QFileInfo(other).absoluteFilePath() ||
                         disk::sameFile(one.toStdString(), other.toStdString());
-      if (same) return OutputPathsText::tr("%1 and %2 are the same file. Name two.").arg(one, other);
+      if (same)
+        return OutputPathsText::tr("%1 and %2 are the same file. Choose two different ones.").arg(one, other);
     }
   }
   return std::nullopt;
@@ -69,7 +70,7 @@ std::optional<QString> whyNotTogether(const QStringList& outputs) {
 std::optional<QString> overOwnSource(const QStringList& outputs, const std::vector<std::string>& sources) {
   const QString own = jobs::firstOwnSource(outputs, sources);
   if (own.isEmpty()) return std::nullopt;
-  return OutputPathsText::tr("%1 is a file that the map is read from. Give --force to replace it.").arg(own);
+  return OutputPathsText::tr("%1 is a file that the map is read from. Pass --force to replace it.").arg(own);
 }
 
 bool printOut(std::string_view text) {
@@ -88,7 +89,7 @@ void printJson(const QJsonArray& json) {
 
 int concludeStandardOutput(int exit_code) {
   const bool flushed = std::fflush(stdout) == 0;
-  // What failed first says why; errno tells of the last call alone, and of those that went well nothing.
+  // The first failure has the reason; errno only describes the last call.
   if (!flushed && why_not_printed == 0) why_not_printed = errno;
   if (flushed && std::ferror(stdout) == 0) return exit_code;
   QString sentence = OutputPathsText::tr("The standard output cannot be written.");

@@ -1,4 +1,4 @@
-// Where a command writes to: checked before the work begins, and before something is lost.
+// Where a command writes: checked before the work begins and before anything is lost.
 #pragma once
 
 #include <optional>
@@ -13,27 +13,27 @@
 
 namespace mapwright::app {
 
-/// "-" and its other names.
+/// "-" and equivalent names.
 bool isStandardOutput(const QString& path);
 
-/// A sentence when it is known beforehand that nothing can be written there.
+/// A sentence if it is clear beforehand that nothing can be written there.
 std::optional<QString> whyNotWritable(const QString& path);
 
-/// A sentence when two of them are one file. Devices take both. Empty ones are none.
+/// A sentence if two of them are the same file. Devices may be used twice; empty paths are ignored.
 std::optional<QString> whyNotTogether(const QStringList& outputs);
 
-/// A sentence when one of `outputs` is one of the files that were read, by whatever path or link.
+/// A sentence if one of `outputs` is a file that was read, through any path or link.
 std::optional<QString> overOwnSource(const QStringList& outputs, const std::vector<std::string>& sources);
 
-/// Writes to standard output, for what may be long; false: it takes nothing any more. Why not is known to
-/// concludeStandardOutput(), whatever the program does until then.
+/// Writes to standard output, for long outputs; false: it accepts no more data. concludeStandardOutput()
+/// reports the reason at the end.
 bool printOut(std::string_view text);
 
 /// As printOut(), for people to read and programs to parse.
 void printJson(const QJsonObject& json);
 void printJson(const QJsonArray& json);
 
-/// Standard output is written out; when that fails, a sentence on standard error and another exit code.
+/// Flushes standard output; if that fails, prints a sentence to standard error and returns another exit code.
 int concludeStandardOutput(int exit_code);
 
 }  // namespace mapwright::app

@@ -1,4 +1,4 @@
-// `mapwright projections …`: what of a map in space is laid on the plane. Source:
+// `mapwright projections …`: what a robot projects from its 3D map. Source:
 // docs/protocols/rep130-map-dispatcher.md, "Projections".
 #include "map/projections.h"
 
@@ -40,7 +40,7 @@ struct ProjectionsWords {
   std::string report;
   double timeout_s = 60;
   bool json = false;
-  bool none = false;  // nothing is to be projected
+  bool none = false;  // project nothing
 };
 
 using Projections = std::vector<map::Projection>;
@@ -55,9 +55,8 @@ tl::expected<map::Projection, QString> projectionFrom(const std::string& typed) 
   if (whole) one = {{}, {(*given)[0], (*given)[1]}, {(*given)[2], (*given)[3]}, (*given)[4], (*given)[5]};
   if (!whole || map::flawOf(one) != map::ProjectionFlaw::None) {
     return tl::make_unexpected(
-        ProjectionsText::tr(
-            "--projection %1: give X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, "
-            "and the frame behind them where it is not that of the map.")
+        ProjectionsText::tr("--projection %1: give X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower "
+                            "left corner, followed by the frame if it is not that of the map.")
             .arg(text(typed)));
   }
   if (parts.size() == 7) one.frame = parts.back().trimmed().toStdString();
@@ -79,7 +78,7 @@ void print(const Projections& all, bool json) {
     return;
   }
   if (all.empty()) {
-    std::printf("%s\n", qUtf8Printable(ProjectionsText::tr("Nothing is projected.")));
+    std::printf("%s\n", qUtf8Printable(ProjectionsText::tr("There are no projections.")));
     return;
   }
   const auto metres = [](double value) { return QString::number(value, 'f', 2); };
@@ -108,7 +107,7 @@ CommandResult<int> list(MapReading& reading, const ProjectionsWords& words) {
   const std::vector<std::string> silent = dispatch->silent();
   if (!told->empty() || silent.empty() || words.json) print(*told, words.json);
   for (const std::string& topic : silent)
-    reading.note(ProjectionsText::tr("%1: nothing has come of it.").arg(words::plainName(topic)));
+    reading.note(ProjectionsText::tr("%1: it had no effect.").arg(words::plainName(topic)));
   return silent.empty() ? kDone : kIncomplete;
 }
 
@@ -119,8 +118,8 @@ CommandResult<int> set(MapReading& reading, const ProjectionsWords& words, const
       !dispatch->offered(robot::DispatchService::ChangeProjections)) {
     return tl::make_unexpected(reading.failure(
         kRobotError,
-        ProjectionsText::tr("Its set_map_projections is of the type that REP 130 names, which takes "
-                            "nothing: the projections can only be read (mapwright projections list).")));
+        ProjectionsText::tr("Its set_map_projections has the type that REP 130 defines, which has no fields: "
+                            "projections can only be read (mapwright projections list).")));
   }
   const auto told = reading.ask<Projections>(
       [&](robot::OutcomeTo<Projections> reply) { return dispatch->project(wanted, std::move(reply)); });
@@ -128,7 +127,7 @@ CommandResult<int> set(MapReading& reading, const ProjectionsWords& words, const
   print(*told, words.json);
   if (map::differing(wanted, *told) == 0) return kDone;
   return tl::make_unexpected(reading.failure(
-      kIncomplete, ProjectionsText::tr("It took it, but projects something else than it was told.")));
+      kIncomplete, ProjectionsText::tr("The robot accepted it, but does not project what was requested.")));
 }
 
 int runProjections(bool sets, const ProjectionsWords& words, int& argc, char** argv) {
@@ -143,8 +142,7 @@ int runProjections(bool sets, const ProjectionsWords& words, int& argc, char** a
       wanted.push_back(*one);
     }
     if (sets && wanted.empty() != words.none) {
-      return wrong(ProjectionsText::tr(
-          "projections set: give --projection, once for each of them, or --none for nothing."));
+      return wrong(ProjectionsText::tr("projections set: pass --projection, once for each one, or --none."));
     }
     const auto access = RobotAccess::read(words.access, text(words.robot));
     if (!access) return wrong(access.error());
@@ -162,8 +160,9 @@ void addProjections(Commands& commands) {
   const auto shared = std::make_shared<ProjectionsWords>();
   ProjectionsWords& words = *shared;
   CLI::App* projections = commands.program().add_subcommand(
-      "projections", help(ProjectionsText::tr(
-                         "What a map dispatcher (REP 130) lays on the plane of a map in space: list, set")));
+      "projections",
+      help(ProjectionsText::tr(
+          "What a map dispatcher (REP 130) projects from its 3D map onto a plane: list, set")));
   projections->require_subcommand(1);
   const auto add = [&](const char* name, const std::string& what, bool sets) {
     CLI::App* command = projections->add_subcommand(name, what);
@@ -176,16 +175,16 @@ void addProjections(Commands& commands) {
     });
     return command;
   };
-  add("list", help(ProjectionsText::tr("What is projected now")), false);
-  CLI::App* command =
-      add("set", help(ProjectionsText::tr("Choose all that is projected; prints what then is")), true);
+  add("list", help(ProjectionsText::tr("List the current projections")), false);
+  CLI::App* command = add(
+      "set", help(ProjectionsText::tr("Replace all projections, then print what the robot projects")), true);
   command
       ->add_option(
           "--projection", words.wanted,
           help(ProjectionsText::tr("X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, and "
-                                   ",FRAME where it is not that of the map; may be repeated")))
+                                   ",FRAME if it is not that of the map; may be repeated")))
       ->allow_extra_args(false);
-  command->add_flag("--none", words.none, help(ProjectionsText::tr("Nothing is to be projected")));
+  command->add_flag("--none", words.none, help(ProjectionsText::tr("Project nothing")));
 }
 
 }  // namespace mapwright::app

@@ -1,4 +1,4 @@
-// The map's cells alone, in bands on every core.
+// Draws only the map's cells, in bands on all cores.
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -65,7 +65,7 @@ class RawPicture : public SnapshotPicture {
 
   std::optional<QString> write(const QString& path) override {
     if (bandsMade() == band_made_.size()) return writeGrayAlpha(content_.view, pixels_, path);
-    // Threads still draw into the bands that are not made.
+    // Threads are still drawing into unfinished bands.
     std::vector<std::uint8_t> part(pixels_.size());
     for (std::size_t i = 0; i < part.size(); i += 2) part[i] = kUndecided;
     for (std::size_t band = 0; band < band_made_.size(); ++band) {
@@ -133,7 +133,7 @@ class RawPicture : public SnapshotPicture {
   std::size_t row_bytes_;
   std::vector<std::uint8_t> pixels_;  // gray and alpha
   std::vector<std::atomic<bool>> band_made_;
-  work::Share share_;  // last: it drops what waits, and waits for what runs
+  work::Share share_;  // last member: drops waiting jobs, and waits for running ones
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// `mapwright record`: what a robot sends, into an MCAP file (docs/command-line.md,
-// "mapwright record"; recorder/layout.h).
+// `mapwright record`: records what a robot sends to an MCAP file (docs/command-line.md, "mapwright record";
+// recorder/layout.h).
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -48,10 +48,10 @@ struct RecordWords {
   std::string robot;
   AccessWords access;
   std::string output;
-  std::optional<double> duration_s;  // nullopt = until it is told to end
+  std::optional<double> duration_s;  // nullopt = until stopped
   double timeout_s = 30;             // for the connection
-  std::string topics;                // comma-separated, by the robot's own names, besides those of `streams`
-  std::string streams = "all";       // comma-separated words of kinds of data, "all" or "none"
+  std::string topics;                // comma-separated, by the robot's own names, in addition to `streams`
+  std::string streams = "all";       // comma-separated kinds of data, "all" or "none"
   std::string submaps = "listed";    // "all", "listed" or "none"
   bool json = false, force = false;
 };
@@ -61,7 +61,7 @@ using recorder::SubmapWishes;
 
 using words::text;
 
-/// What is to be recorded, checked.
+/// The validated options.
 struct RecordOrder {
   map::Streams streams;
   QStringList topics;
@@ -74,7 +74,7 @@ CommandResult<RecordOrder> orderFrom(const RecordWords& words) {
   order.path = text(words.output);
   const auto streams = streamsFrom(text(words.streams));
   if (!streams)
-    return wrong(RecordText::tr("--streams: \"%1\" is none. Choose among: all, none, %2.")
+    return wrong(RecordText::tr("--streams: \"%1\" is unknown. Choose from: all, none, %2.")
                      .arg(streams.error(), streamWords().join(QLatin1String(", "))));
   order.streams = *streams;
   for (const QString& topic : text(words.topics).split(QLatin1Char(','), Qt::SkipEmptyParts))
@@ -85,22 +85,22 @@ CommandResult<RecordOrder> orderFrom(const RecordWords& words) {
     order.submaps = SubmapWishes::Which::None;
   } else if (words.submaps != "listed") {
     return wrong(
-        RecordText::tr("--submaps is all, listed or none, but not \"%1\".").arg(text(words.submaps)));
+        RecordText::tr("--submaps must be all, listed or none, not \"%1\".").arg(text(words.submaps)));
   }
   if (words.duration_s && !(*words.duration_s > 0 && *words.duration_s <= 1e8))
-    return wrong(RecordText::tr("--duration must be more than 0 seconds, and at most 100000000."));
+    return wrong(RecordText::tr("--duration must be greater than 0 seconds and at most 100000000."));
   if (!(words.timeout_s > 0 && words.timeout_s <= 86'400))
-    return wrong(RecordText::tr("--timeout must be more than 0 and at most 86400 seconds."));
+    return wrong(RecordText::tr("--timeout must be greater than 0 and at most 86400 seconds."));
   if (isStandardOutput(order.path))
-    return wrong(
-        RecordText::tr("A recording needs a file of its own (-o FILE): its index is written in the end."));
+    return wrong(RecordText::tr(
+        "A recording must go to a regular file (-o FILE), because its index is written at the end."));
   if (const auto why = whyNotWritable(order.path)) return wrong(*why);
   if (QFileInfo::exists(order.path) && !words.force)
-    return wrong(RecordText::tr("%1 is there already. --force replaces it.").arg(order.path));
+    return wrong(RecordText::tr("%1 already exists. Pass --force to replace it.").arg(order.path));
   return order;
 }
 
-/// The scheme without what joins it: "axbot".
+/// The scheme without its separator: "axbot".
 std::string kindOf(const QString& address) {
   const auto parsed = knownAddresses().parse(address);
   QString scheme = parsed ? parsed->scheme : QString();
@@ -121,7 +121,7 @@ class RecordRun {
 
   CommandResult<int> carryOut() {
     if (auto failure = connect()) return tl::make_unexpected(*failure);
-    if (stopped_) return kDone;  // nothing was begun
+    if (stopped_) return kDone;  // nothing was started
     auto target = recording::appendFile(
         words_.output, words_.force ? recording::Existing::Replace : recording::Existing::Refuse);
     if (!target) return notWritten(target.error());
@@ -147,7 +147,7 @@ class RecordRun {
     return connectWithin(*robot_, words_.timeout_s, loop_);
   }
 
-  /// Until it is to end.
+  /// Runs until it should end.
   void follow() {
     QObject::connect(recorder_.get(), &Recorder::progressed, &context_, [this] { tellProgress(); });
     QObject::connect(recorder_.get(), &Recorder::notHad, &context_, [this](const map::Failure& failure) {
@@ -167,7 +167,7 @@ class RecordRun {
       } else if (link.phase == robot::ConnectionPhase::Online && away_) {
         away_ = false;
         clearLine();
-        say(RecordText::tr("Connected again after %1 s.")
+        say(RecordText::tr("Reconnected after %1 s.")
                 .arg(QString::number(recorder_->progress().seconds, 'f', 1)));
       }
       if (link.phase != robot::ConnectionPhase::Refused) return;
@@ -187,7 +187,7 @@ class RecordRun {
       say(sentences::wordsOf(disk::notWritten(withPath(*now.written.fault))));
     } else if (!now.written.fault && told_) {
       clearLine();
-      say(RecordText::tr("%1 is being written again.").arg(order_.path));
+      say(RecordText::tr("Recording to %1 continues.").arg(order_.path));
     }
     told_ = now.written.fault;
     if (!terminal_) return;
@@ -239,7 +239,7 @@ class RecordRun {
                             {QStringLiteral("silent_topics"), QJsonArray::fromStringList(silent)},
                             {QStringLiteral("complete"), complete}});
     } else {
-      std::printf("%s\n", qUtf8Printable(RecordText::tr("%1: %2 s, %3, messages: %4, files in it: %5")
+      std::printf("%s\n", qUtf8Printable(RecordText::tr("%1: %2 s, %3, messages: %4, files: %5")
                                              .arg(oneLine(order_.path), QString::number(done.seconds, 'f', 1),
                                                   window::bytesText(qint64(done.written.bytes)),
                                                   QString::number(done.written.messages),
@@ -250,14 +250,15 @@ class RecordRun {
     } else if (refused_) {
       say(*refused_);
     } else if (done.written.lost > 0) {
-      say(RecordText::tr("Not complete. Lost because the disk or this computer was too slow: %1 (%2).")
+      say(RecordText::tr(
+              "Incomplete: messages were lost because the disk or this computer was too slow: %1 (%2).")
               .arg(QString::number(done.written.lost), window::bytesText(qint64(done.written.lost_bytes))));
     }
     for (const QString& topic : silent)
-      say(RecordText::tr("Nothing came by %1: %2")
+      say(RecordText::tr("Nothing arrived on %1: %2")
               .arg(oneLine(topic), offers(topic)
-                                       ? RecordText::tr("the robot has it, and was silent.")
-                                       : RecordText::tr("the robot tells of no topic of that name.")));
+                                       ? RecordText::tr("the robot has this topic but sent nothing.")
+                                       : RecordText::tr("the robot does not list this topic.")));
     return complete ? kDone : kIncomplete;
   }
 
@@ -270,7 +271,7 @@ class RecordRun {
   QEventLoop loop_;
   bool stopped_ = false;
   bool terminal_ = isatty(STDERR_FILENO) != 0;
-  bool away_ = false;  // the link is lost
+  bool away_ = false;  // disconnected
   int interruptions_ = 0;
   int not_had_ = 0;
   std::optional<QString> refused_;
@@ -281,14 +282,14 @@ CommandResult<int> carryOut(const RecordWords& words) {
   auto order = orderFrom(words);
   if (!order) return tl::make_unexpected(order.error());
   const QString address = text(words.robot);
-  if (address.isEmpty()) return wrong(RecordText::tr("Which robot? Give --robot ADDRESS."));
+  if (address.isEmpty()) return wrong(RecordText::tr("Which robot? Pass --robot ADDRESS."));
   const auto access = RobotAccess::read(words.access, address);
   if (!access) return wrong(access.error());
   auto robot = makeRobot(address, access->forAddress(address), DemoTime::Running);
   if (!robot) return wrong(robot.error());
   if (!robot::deliversOf(**robot))
     return wrong(
-        RecordText::tr("%1 is no robot that sends anything: there is nothing to record.").arg(address));
+        RecordText::tr("%1 is not a robot that sends messages: there is nothing to record.").arg(address));
   return RecordRun(words, std::move(*order), std::move(*robot)).carryOut();
 }
 
@@ -309,24 +310,24 @@ void addRecord(Commands& commands) {
   const auto shared = std::make_shared<RecordWords>();
   RecordWords& words = *shared;
   CLI::App* const command = commands.program().add_subcommand(
-      "record",
-      help(RecordText::tr("Record what a robot sends into a file, with the maps that belong to it")));
+      "record", help(RecordText::tr("Record what a robot sends to a file, including its maps")));
   addRobot(*command, words.robot, words.access, RecordText::tr("Robot address (or MAPWRIGHT_ROBOT)"));
   command->add_option("-o,--output", words.output, help(RecordText::tr("The MCAP file to write")))
       ->required();
-  command->add_flag("--force", words.force, help(RecordText::tr("Replace a file that is there")));
+  command->add_flag("--force", words.force, help(RecordText::tr("Replace an existing file")));
   command->add_option("--duration", words.duration_s,
-                      help(RecordText::tr("How many seconds; without it until Ctrl+C")));
-  command->add_option("--topics", words.topics,
-                      help(RecordText::tr("Comma-separated: topics besides, as the robot calls them")));
+                      help(RecordText::tr("Length in seconds; by default until Ctrl+C")));
+  command->add_option(
+      "--topics", words.topics,
+      help(RecordText::tr("Additional topics, separated by commas, as the robot names them")));
   command
       ->add_option("--streams", words.streams,
-                   help(RecordText::tr("Comma-separated kinds of data: all, none, %1")
+                   help(RecordText::tr("Kinds of data, separated by commas: all, none, %1")
                             .arg(streamWords().join(QLatin1String(", ")))))
       ->capture_default_str();
   command
       ->add_option("--submaps", words.submaps,
-                   help(RecordText::tr("listed (each that there is), all (every version of them) or none")))
+                   help(RecordText::tr("listed (each submap once), all (every version) or none")))
       ->capture_default_str();
   addTimeout(*command, words.timeout_s, RecordText::tr("Give up connecting after this many seconds"));
   addJson(*command, words.json);

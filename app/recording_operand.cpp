@@ -17,7 +17,7 @@ void takeRecording(std::string& robot, std::string& bag, const std::string& othe
   const QString typed = QString::fromStdString(bag);
   const bool is_path =
       typed.contains(QLatin1Char('/')) || typed.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive);
-  // One that is meant and is not there is opened all the same: what is wrong with it is said then.
+  // A missing file is opened anyway, so that the error is reported then.
   if (is_path || (otherwise.empty() && QFileInfo(typed).isFile())) {
     robot = (QStringLiteral("file:") + absolute(typed)).toStdString();
     bag = robot::recorded::bagNameOf(typed);

@@ -1,4 +1,4 @@
-// Recordings on this computer as words of the command line.
+// Recordings on this computer as operands of the command line.
 #pragma once
 
 #include <memory>
@@ -10,17 +10,17 @@
 
 namespace mapwright::app {
 
-/// `bag` is what was typed where a bag or a file may stand, `robot` the address that was named with it and
-/// `otherwise` the one that counts where none was (MAPWRIGHT_ROBOT, or before the subcommand). A file is
-/// meant where no robot was named and it is there; beside a robot of `otherwise`, whose bags may be called
-/// the same, only where it is written as a path or ends in .mcap. Then `robot` becomes its address and `bag`
-/// the name that it has there; else `robot` becomes `otherwise` where it is empty.
+/// `bag` is the bag or file as typed, `robot` the address given with it, `otherwise` the default address
+/// (MAPWRIGHT_ROBOT, or given before the subcommand). If no robot is given and the file exists, it means the
+/// file; with only a default robot, whose bags may have the same name, only if it is written as a path or
+/// ends in .mcap. Then `robot` becomes the address of the file and `bag` its name there; otherwise an empty
+/// `robot` becomes `otherwise`.
 void takeRecording(std::string& robot, std::string& bag, const std::string& otherwise);
 
-/// Whether it is a file that is there, or is written like a path or like the name of a recording.
+/// True if it is an existing file, or written like a path or a recording's name.
 bool isFileName(const QString& typed);
 
-/// A recording, to be played: nothing but its bag is of use. `name`: that of its bag.
+/// A recording to replay: only its bag is used. `name`: that of its bag.
 struct OpenedRecording {
   std::unique_ptr<robot::Robot> robot;
   std::string name;

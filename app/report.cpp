@@ -46,7 +46,7 @@ QJsonObject trafficJson(const session::SubmapCounts& counts) {
 }
 
 QJsonObject gridJson(const map::GridReference& grid) {
-  const bool size_known = grid.width > 0 && grid.height > 0;  // else its picture was not opened
+  const bool size_known = grid.width > 0 && grid.height > 0;  // otherwise its picture was not opened
   return {
       {QStringLiteral("size"), size_known ? QJsonValue(QJsonArray{grid.width, grid.height}) : QJsonValue()},
       {QStringLiteral("resolution"), grid.resolution_m},
@@ -131,7 +131,7 @@ bool writeReportInHaste(const QString& path, const QJsonObject& report) {
     return ::write(STDOUT_FILENO, json.constData(), std::size_t(json.size())) == json.size();
   }
   const QFileInfo target(path);
-  const bool aside = !target.exists() || target.isFile();  // not into the place of a device
+  const bool aside = !target.exists() || target.isFile();  // not next to a device
   QFile file(aside ? path + QStringLiteral(".part") : path);
   const bool written = file.open(QIODevice::WriteOnly) && file.write(json) == json.size() && file.flush();
   file.close();
@@ -143,7 +143,7 @@ bool writeReportInHaste(const QString& path, const QJsonObject& report) {
 }
 
 qint64 peakMemoryBytes() {
-  // getrusage() would answer with that of whoever started it, were that more.
+  // getrusage() would return the parent's peak if that is higher.
   QFile status(QStringLiteral("/proc/self/status"));
   if (!status.open(QIODevice::ReadOnly)) return 0;
   for (const QByteArray& line : status.readAll().split('\n')) {

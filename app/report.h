@@ -1,4 +1,4 @@
-// What a command says of its work, as JSON and in words. Pure, but for the memory.
+// What a command reports, as JSON and as text. Pure, except for the memory figure.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace mapwright::app {
 
-/// Everything that is listed and has the chosen slice is there, and none has a newer version on its way.
+/// Everything that is listed and has the chosen slice is loaded, and no newer version is on its way.
 bool submapsComplete(const session::SubmapCounts& counts);
 /// {"listed", "drawn", "missing", "failed", "corrupt", "without_slice"}
 QJsonObject submapsJson(const session::SubmapCounts& counts);
@@ -28,22 +28,22 @@ QJsonObject mapJson(const map::MapKey& key, const QString& name, const map::Grid
 
 /// "Map 12: It breaks off."
 QString problemLine(const map::Problem& problem);
-/// What is wrong now, one line each, the gravest first: a terminal shows no more than one.
+/// Current problems, one line each, most severe first: a terminal shows only the first one.
 QStringList problemLines(const session::ProblemLog& log);
-/// Something could not be had for want of the right secret, and still cannot.
+/// Something could not be loaded because the secret is wrong or missing.
 bool anyRefused(const session::ProblemLog& log);
-/// What is lost of a bag, because its file is damaged or cut off; one line each.
+/// What is lost of a bag because its file is damaged or cut off; one line each.
 QStringList bagLosses(const session::ProblemLog& log);
-/// The first and how many more there are; "" when there is none.
+/// The first line and the number of others; "" if there is none.
 QString firstOf(const QStringList& lines);
 
 /// nullopt = written, else a sentence. "-" is the standard output.
 std::optional<QString> writeReport(const QString& path, const QJsonObject& report);
 
-/// The same when the time is over: a disk that takes long to confirm is not waited for.
+/// The same after the time limit: does not wait for the disk to confirm.
 bool writeReportInHaste(const QString& path, const QJsonObject& report);
 
-/// The most memory this program has held.
+/// Peak memory use of this program.
 qint64 peakMemoryBytes();
 
 }  // namespace mapwright::app

@@ -25,7 +25,7 @@ tl::expected<QByteArray, QString> checked(const QByteArray& secret) {
   return secret;
 }
 
-/// Where a robot is asked; empty for what is no robot on a network (files, the demo) or no address.
+/// The server of a robot; empty for other addresses (files, the demo) and invalid ones.
 QUrl originOf(const QString& address) {
   const auto parsed = knownAddresses().parse(address);
   return parsed ? parsed->url : QUrl();
@@ -65,7 +65,7 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
     const QUrl origin = parsed->url;
     if (origin.isEmpty()) {
       return tl::make_unexpected(
-          RobotAccessText::tr("--secret-file-for %1: give the address of a robot, then the file.")
+          RobotAccessText::tr("--secret-file-for %1: give the address of a robot, followed by the file.")
               .arg(text(address)));
     }
     const auto secret = readSecret(text(file));
@@ -76,9 +76,8 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
     const auto secret = readSecret(text(words.secret_file));
     if (!secret) return tl::make_unexpected(secret.error());
     if (robot.isEmpty()) {
-      return tl::make_unexpected(
-          RobotAccessText::tr("--secret-file belongs to --robot, which is not given. For another robot give "
-                              "--secret-file-for ADDRESS FILE."));
+      return tl::make_unexpected(RobotAccessText::tr(
+          "--secret-file needs --robot. For another robot pass --secret-file-for ADDRESS FILE."));
     }
     access.secrets_.emplace_back(originOf(robot), *secret);
   } else if (const QByteArray given = qgetenv("MAPWRIGHT_SECRET").trimmed(); !given.isEmpty()) {
@@ -109,8 +108,7 @@ Access RobotAccess::forAddress(const QString& address) const {
 QString whyNotConnected(const robot::ConnectionState& state) {
   const QString reason = sentences::wordsOf(state.reason);
   if (!state.certificate) return reason;
-  return reason +
-         RobotAccessText::tr(". If an authority of your own vouches for it, give it by --ca-file PEM.");
+  return reason + RobotAccessText::tr(". If it is signed by your own authority, pass --ca-file PEM.");
 }
 
 }  // namespace mapwright::app

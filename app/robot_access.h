@@ -1,5 +1,5 @@
-// What robots are spoken to with: secrets and certificates, from files or the environment, never from an
-// argument (docs/command-line.md, "Addresses").
+// Credentials for robots: secrets and certificates, from files or the environment, never from an argument
+// (docs/command-line.md, "Addresses").
 #pragma once
 
 #include <chrono>
@@ -18,18 +18,18 @@
 
 namespace mapwright::app {
 
-/// The words of the command line.
+/// The options as typed.
 struct AccessWords {
   std::string secret_file;                                            // of the robot of --robot
   std::vector<std::pair<std::string, std::string>> secret_files_for;  // address and file, of other robots
   std::string ca_file;
 };
 
-/// The content of `file` without surrounding blanks. The error is a sentence that never holds the secret.
+/// The content of `file` without surrounding blanks. The error is a sentence and never contains the secret.
 tl::expected<QByteArray, QString> readSecret(const QString& file);
 
-/// The words of a subcommand, whose robot is `robot`, with those given before it: their --secret-file belongs
-/// to the robot named there, `outer_robot`.
+/// Adds the options given before the subcommand to those of the subcommand, whose robot is `robot`: the outer
+/// --secret-file belongs to `outer_robot`.
 AccessWords withOuter(AccessWords words, const std::string& robot, const AccessWords& outer,
                       const std::string& outer_robot);
 
@@ -37,17 +37,17 @@ AccessWords withOuter(AccessWords words, const std::string& robot, const AccessW
 struct Access {
   QByteArray secret;
   net::Trust trust;
-  /// How long a long answer may take, where the user says (--timeout).
+  /// Time limit for a long answer, if the user sets one (--timeout).
   std::optional<std::chrono::milliseconds> timeout = {};
 };
 
-/// Which secret goes to which robot. One belongs to one origin (scheme, host, port): every other address gets
-/// none.
+/// Which secret goes to which robot. A secret belongs to one origin (scheme, host, port) and is never sent to
+/// any other.
 class RobotAccess {
  public:
-  /// `robot`: what --secret-file belongs to. MAPWRIGHT_SECRET belongs to MAPWRIGHT_ROBOT where that is set,
-  /// else to `robot`; a file goes before it. Every file is read. The error is a sentence that never holds a
-  /// secret.
+  /// `robot`: what --secret-file belongs to. MAPWRIGHT_SECRET belongs to MAPWRIGHT_ROBOT if that is set,
+  /// otherwise to `robot`; a file takes precedence. Reads all files. The error is a sentence and never
+  /// contains a secret.
   static tl::expected<RobotAccess, QString> read(const AccessWords& words, const QString& robot);
   Access forAddress(const QString& address) const;
 
@@ -56,7 +56,7 @@ class RobotAccess {
   net::Trust trust_;
 };
 
-/// Why there is no connection, with what the command line offers to do about it.
+/// Why there is no connection, with the options that may help.
 QString whyNotConnected(const robot::ConnectionState& state);
 
 }  // namespace mapwright::app

@@ -43,7 +43,7 @@ class RobotFactoryText {
 
 using Made = tl::expected<std::unique_ptr<robot::Robot>, QString>;
 
-/// A kind of robot: what its addresses look like, and how one is made of them.
+/// A kind of robot: its address scheme and its factory.
 struct Kind {
   robot::AddressScheme scheme;
   std::function<Made(const robot::Address&, const Access&, DemoTime)> make;
@@ -66,7 +66,7 @@ Made makeAimdk(const robot::Address& address, const Access& access, DemoTime) {
   if (const QUrl tf = robot::aimdk::tfOf(address); !tf.isEmpty()) {
     robot::ros::LinkOptions beside;
     beside.url = tf;
-    // It is another server: neither the secret nor the pinned certificate is its.
+    // It is another server: it gets neither the secret nor the pinned certificate.
     beside.trust.authorities = access.trust.authorities;
     robot::Address its;
     its.url = tf;
@@ -111,7 +111,7 @@ Made makeDemo(const robot::Address& address, const Access&, DemoTime time) {
   return makeDemoRobot(address.text, *options);
 }
 
-/// Maps and recordings: a path that ends like a recording is one, whether or not it is there.
+/// Maps and recordings: a path with a recording's extension is one, even if it does not exist.
 robot::AddressScheme fileScheme() {
   robot::AddressScheme scheme = robot::files::addressScheme();
   scheme.claims = [maps = scheme.claims](const QString& typed) {
@@ -122,7 +122,7 @@ robot::AddressScheme fileScheme() {
   return scheme;
 }
 
-/// Every kind of robot that there is; what nobody claims is the first.
+/// All kinds of robots; the first one takes addresses that no other claims.
 std::vector<Kind> kinds() {
   return {{robot::axbot::addressScheme(), makeAxbot},
           {robot::aimdk::addressScheme(), makeAimdk},
@@ -145,21 +145,22 @@ std::optional<QString> whyNoPlace(const QString& address, const std::string& res
                                   const std::string& origin) {
   if (resolution.empty() && origin.empty()) return std::nullopt;
   const auto parsed = knownAddresses().parse(address);
-  if (!parsed) return std::nullopt;  // which is said elsewhere
+  if (!parsed) return std::nullopt;  // reported elsewhere
   const QString options = origin.empty()       ? QStringLiteral("--resolution")
                           : resolution.empty() ? QStringLiteral("--origin")
                                                : RobotFactoryText::tr("--resolution and --origin");
   if (parsed->path.isEmpty()) {
-    return RobotFactoryText::tr("%1: only for a bare picture file. A robot says itself where its maps lie.")
+    return RobotFactoryText::tr(
+               "%1: only for a plain picture file. A robot reports itself where its maps are.")
         .arg(options);
   }
   if (!parsed->options.isEmpty()) {
-    return RobotFactoryText::tr("%1: the address says it already, after its ?. Give one of the two.")
+    return RobotFactoryText::tr("%1: the address already contains it after the ?. Give it only once.")
         .arg(options);
   }
   const QString suffix = QFileInfo(parsed->path).suffix().toLower();
   if (suffix == QLatin1String("yaml") || suffix == QLatin1String("yml")) {
-    return RobotFactoryText::tr("%1: only for a bare picture file. %2 says itself where its map lies.")
+    return RobotFactoryText::tr("%1: only for a plain picture file. %2 states itself where its map is.")
         .arg(options, QFileInfo(parsed->path).fileName());
   }
   return std::nullopt;
@@ -197,7 +198,7 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& ad
   for (const Kind& kind : kinds()) {
     if (kind.scheme.prefix == parsed->scheme) return kind.make(*parsed, access, demo_time);
   }
-  return tl::make_unexpected(RobotFactoryText::tr("There is no robot for %1.").arg(address));
+  return tl::make_unexpected(RobotFactoryText::tr("No kind of robot supports the address %1.").arg(address));
 }
 
 }  // namespace mapwright::app

@@ -1,4 +1,4 @@
-// From an address to a robot: the one place that knows every back-end.
+// Makes robots from addresses: the only place that knows every back-end.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace mapwright::app {
 
-/// The addresses of every kind of robot that this program knows.
+/// The address schemes of all kinds of robots that this program supports.
 robot::Addresses knownAddresses();
 
 /// Makes the robot that `address` names, not yet connected. `access` is for this address. The error is a
@@ -23,22 +23,22 @@ robot::Addresses knownAddresses();
 tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address, const Access& access,
                                                                DemoTime demo_time);
 
-/// The local files that a map is read from, the map.yaml beside a picture included; none of a robot.
+/// The local files that a map is read from, including the map.yaml of a picture; none for a robot.
 std::vector<std::string> sourceFilesOf(const QString& address, const std::string& id,
                                        const std::string& picture);
 
-/// The address of a bare picture with its resolution (metres per cell) and origin ("x,y" or "x,y,yaw") from
-/// the command line, which makeRobot() then checks; other addresses, and empty words, change nothing.
-/// Why --resolution and --origin make no sense for this address; nullopt when they do, or are not given.
+/// whyNoPlace says why --resolution and --origin do not apply to this address; nullopt if they do, or are not
+/// given. placedFile adds the resolution (metres per cell) and origin ("x,y" or "x,y,yaw") to the address of
+/// a plain picture; makeRobot() checks them later. Other addresses and empty values change nothing.
 std::optional<QString> whyNoPlace(const QString& address, const std::string& resolution,
                                   const std::string& origin);
 QString placedFile(const QString& address, const std::string& resolution, const std::string& origin);
 
-/// The folder of answers kept on disk (XDG_CACHE_HOME/mapwright/http).
+/// The folder of cached HTTP answers (XDG_CACHE_HOME/mapwright/http).
 QString httpCacheFolder();
-/// The folder of finished pyramids of large maps (XDG_CACHE_HOME/mapwright/grids).
+/// The folder of cached pyramids of large maps (XDG_CACHE_HOME/mapwright/grids).
 QString gridCacheFolder();
-/// The folder of what was changed and is not saved yet (XDG_DATA_HOME/mapwright/drafts).
+/// The folder of unsaved drafts (XDG_DATA_HOME/mapwright/drafts).
 QString draftsFolder();
 
 }  // namespace mapwright::app

@@ -10,7 +10,7 @@
 namespace mapwright::app {
 
 inline void say(const QString& sentence) { std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence))); }
-/// Why nothing was done. Returns the exit code.
+/// Prints why nothing was done. Returns the exit code.
 inline int refuse(int exit_code, const QString& sentence) {
   say(sentence);
   return exit_code;

@@ -34,7 +34,7 @@ render::TileRenderer::Options exactOnly(std::shared_ptr<work::Workers> workers, 
   render::TileRenderer::Options options;
   options.workers = std::move(workers);
   options.previews = false;
-  // What whole maps do not need, submaps that lie over one another in great numbers do.
+  // Whole maps do not need this, but many overlapping submaps do.
   if (!grids) {
     options.budgets.dense += options.budgets.grid_tiles + options.budgets.unpacked;
     options.budgets.grid_tiles = options.budgets.unpacked = 0;
@@ -79,15 +79,17 @@ class ScenePicture : public SnapshotPicture {
     const scene::RobotPlace& place = scene_.robotPlace();
     const QString names = of_robot.join(QStringLiteral(", "));
     if (place.drawn == scene::ScreenPart::None) {
-      return {ScenePictureText::tr("The robot is not in this map. Left out: %1. --robot-anyway draws them.")
+      return {ScenePictureText::tr(
+                  "The robot is not in this map. Left out: %1. Pass --robot-anyway to draw them.")
                   .arg(names)};
     }
     if (place.by_choice) {
-      return {ScenePictureText::tr("The robot is not in this map. Drawn all the same: %1.").arg(names)};
+      return {ScenePictureText::tr("The robot is not in this map. Drawn anyway: %1.").arg(names)};
     }
     if (place.where == map::Whereabouts::Unknown && session_.live().robot_pose) {
-      return {ScenePictureText::tr("The robot does not say which map it is in. It may not be this one: %1.")
-                  .arg(names)};
+      return {
+          ScenePictureText::tr("The robot does not report which map it is in. It may not be this one: %1.")
+              .arg(names)};
     }
     return {};
   }
@@ -95,7 +97,7 @@ class ScenePicture : public SnapshotPicture {
   double made() const override {
     if (scene_.picturesSettled()) return 1;
     const render::TileCounts tiles = scene_.renderer().counts();
-    // Short of all: other layers may be unfinished, too.
+    // Below 1: other layers may be unfinished, too.
     return tiles.visible > 0 ? std::min(0.99, double(tiles.exact) / tiles.visible) : 0;
   }
 

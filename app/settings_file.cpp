@@ -40,8 +40,8 @@ bool writeSettings(QIODevice& device, const QSettings::SettingsMap& map) {
   QJsonObject object;
   for (auto at = map.begin(); at != map.end(); ++at) object.insert(at.key(), jsonFrom(at.value()));
   const QByteArray text = QJsonDocument(object).toJson();
-  // QSettings and QSaveFile of Qt 6.4 look at no result of writing out the buffer: a file that does not fit
-  // is put in place empty. Here nothing is, unless all of it has been written.
+  // QSettings and QSaveFile of Qt 6.4 ignore the result of flushing the buffer: a file that does not fit is
+  // replaced by an empty one. Here nothing is replaced unless everything was written.
   auto* const file = qobject_cast<QFileDevice*>(&device);
   return device.write(text) == text.size() && file != nullptr && file->flush();
 }
@@ -58,7 +58,7 @@ std::unique_ptr<QSettings> openSettingsIn(const QString& folder) {
       QSettings::registerFormat(QStringLiteral("json"), &readSettings, &writeSettings);
   const QFileInfo file(folder + QStringLiteral("/mapwright.json"));
   const QFileInfo older(folder + QStringLiteral("/mapwright.ini"));
-  // A named pipe would be waited for; nothing can be kept below a device.
+  // A named pipe would block; nothing can be stored below a device.
   const bool in_the_way = file.exists() && !file.isFile();
   auto settings = std::make_unique<QSettings>(
       in_the_way ? QStringLiteral("/dev/null/mapwright.json") : file.filePath(), format);

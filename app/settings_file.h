@@ -1,4 +1,4 @@
-// What the window remembers, in a file that a full disk does not empty.
+// The window's settings, in a file that survives a full disk.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,8 @@
 
 namespace mapwright::app {
 
-/// XDG_CONFIG_HOME/mapwright/mapwright.json. What an older version kept in mapwright.ini is taken over once.
-/// Where no file can be kept the settings last as long as the program; status() says so after sync().
+/// XDG_CONFIG_HOME/mapwright/mapwright.json. Takes over mapwright.ini of older versions once. If no file can
+/// be written the settings last until the program ends; status() says so after sync().
 std::unique_ptr<QSettings> openSettings();
 
 /// The same in `folder`.

@@ -21,7 +21,7 @@ class SimulateText {
 
 int simulate(const SimulateWords& words) {
   simulator::Options options = words.options;
-  // MAPWRIGHT_SECRET is a client's: only a file makes this robot ask for one.
+  // MAPWRIGHT_SECRET is for clients: only a file makes this robot require a secret.
   if (!words.secret_file.empty()) {
     const auto secret = readSecret(QString::fromStdString(words.secret_file));
     if (!secret || secret->isEmpty()) {
@@ -33,7 +33,7 @@ int simulate(const SimulateWords& words) {
     }
     options.secret = secret->toStdString();
   }
-  // Blocked before any thread starts, so that they arrive at sigwait() and nowhere else.
+  // Blocked before any thread starts, so that they only arrive at sigwait().
   sigset_t stop_signals;
   sigemptyset(&stop_signals);
   sigaddset(&stop_signals, SIGINT);

@@ -29,7 +29,7 @@ class SnapshotText {
   Q_DECLARE_TR_FUNCTIONS(Snapshot)
 };
 
-/// What the deadline does when the run is not over in time: it says so, also in the report.
+/// Called at the deadline if the run is not finished: reports it, also in the report.
 int giveUp(const SnapshotOptions& options, const SnapshotStanding& standing) {
   if (!options.report.isEmpty()) writeReportInHaste(options.report, standing.report);
   if (options.json && !isStandardOutput(options.report)) {
@@ -61,16 +61,17 @@ QString summaryOf(const SnapshotRun& run) {
   QString line = SnapshotText::tr("%1: %2 of %3 submaps")
                      .arg(run.options().output, QString::number(submaps[QLatin1String("drawn")].toInt()),
                           QString::number(submaps[QLatin1String("listed")].toInt()));
-  for (const auto& [kind, counted] : {std::pair{"missing", SnapshotText::tr(", %1 missing")},
-                                      std::pair{"failed", SnapshotText::tr(", %1 failed")},
-                                      std::pair{"corrupt", SnapshotText::tr(", %1 corrupt")},
-                                      std::pair{"without_slice", SnapshotText::tr(", %1 without slice")}}) {
+  for (const auto& [kind, counted] :
+       {std::pair{"missing", SnapshotText::tr(", %1 missing")},
+        std::pair{"failed", SnapshotText::tr(", %1 failed")},
+        std::pair{"corrupt", SnapshotText::tr(", %1 corrupt")},
+        std::pair{"without_slice", SnapshotText::tr(", %1 without this slice")}}) {
     if (const int count = submaps[QLatin1String(kind)].toInt()) line += counted.arg(count);
   }
   return line;
 }
 
-/// The report, and what goes to the terminal; the exit code.
+/// Writes the report and the terminal output; returns the exit code.
 int sayWhatCame(const SnapshotRun& run, int exit_code) {
   const QJsonObject report = run.report();
   const QString& report_path = run.options().report;
@@ -86,7 +87,7 @@ int sayWhatCame(const SnapshotRun& run, int exit_code) {
       std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(run.shownInstead())));
     return kDone;
   }
-  return refuse(exit_code, SnapshotText::tr("Not complete. %1").arg(firstOf(run.warnings())));
+  return refuse(exit_code, SnapshotText::tr("Incomplete. %1").arg(firstOf(run.warnings())));
 }
 
 }  // namespace
@@ -95,9 +96,9 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   const CommandStart start = commandStart(words.timeout_s, processAge());
   auto options = parseSnapshotOptions(words);
   if (!options) return refuse(kUsage, options.error());
-  // Outlives all that may take its time, also in going away.
+  // Outlives everything that may take time, including destruction.
   Deadline deadline(app::later(start.begun, options->timeout_s + start.grace.end_s),
-                    [late = SnapshotText::tr("%1: it could not be connected to in time.")
+                    [late = SnapshotText::tr("%1: no connection was made in time.")
                                 .arg(oneLine(options->robot))
                                 .toStdString()] {
                       sayAtTheEnd(late);
@@ -132,7 +133,7 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   if (terminal) std::fprintf(stderr, "\r%-70s\r", "");
   exit_code = sayWhatCame(run, exit_code);
   std::fflush(stdout);
-  // All is said: what is left to be taken apart may take no longer than the rest.
+  // Everything has been reported: cleaning up must not take longer than the remaining time.
   deadline.setLastWords([exit_code] { return exit_code; });
   return exit_code;
 }

@@ -35,7 +35,7 @@ session::Session::Options sessionFor(const SnapshotOptions& options,
   session.workers = workers;
   session.scheduler.max_concurrent = kFetchAhead;
   session.sidecar_folder = gridCacheFolder();
-  session.overview = false;  // a picture shows what is exact, or nothing
+  session.overview = false;  // a picture shows exact data, or none
   session.maps = false;
   session.basics = LayerWish::basics(options.layers, wantsSubmaps(options));
   return session;

@@ -1,4 +1,4 @@
-// What a snapshot is to be made of, from what was asked for and what the session has.
+// What to put into a snapshot, from the options and what the session has.
 #pragma once
 
 #include <memory>
@@ -13,17 +13,17 @@
 
 namespace mapwright::app {
 
-/// With a mode: where nobody chose one, what `robot` offers decides.
+/// Fills in the mode if none was chosen, depending on what `robot` offers.
 SnapshotOptions decided(SnapshotOptions options, robot::Robot& robot);
 bool wantsSubmaps(const SnapshotOptions& options);
 bool wantsWhole(const SnapshotOptions& options);
-/// Of a session that asks for nothing but what is drawn.
+/// A session that only requests what is drawn.
 session::Session::Options sessionFor(const SnapshotOptions& options,
                                      const std::shared_ptr<work::Workers>& workers);
-/// What was asked for, or all that has come so far.
+/// The requested view, or all that has been received so far.
 geometry::ViewTransform viewOf(const SnapshotOptions& options, const session::Session& session,
                                const MapWish& map);
-/// The session stands still from before.
+/// The session must not change any more.
 SnapshotContent contentOf(const SnapshotOptions& options, const session::Session& session, const MapWish& map,
                           const geometry::ViewTransform& view);
 

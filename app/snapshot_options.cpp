@@ -50,28 +50,26 @@ std::optional<QSize> parseSize(const QString& word) {
   return size;
 }
 
-/// X,Y,LX,LY: the middle, and the lengths of the sides.
-/// What has no place beside --region.
+/// X,Y,LX,LY: the centre and the side lengths. Options that cannot be combined with --region.
 std::optional<QString> whyNotWithRegion(const SnapshotWords& words, const SnapshotOptions& options) {
   if (options.mode == SnapshotMode::Submaps)
-    return SnapshotOptionsText::tr(
-        "--region is a part of a map that the robot gives by regions: it needs --mode grid.");
+    return SnapshotOptionsText::tr("--region needs a robot that sends its map by region, and --mode grid.");
   if (!words.map.empty())
-    return SnapshotOptionsText::tr("--region is a part of the robot's own map: give it, or --map.");
+    return SnapshotOptionsText::tr(
+        "--region shows a part of the robot's own map and cannot be combined with --map.");
   if (!words.bag.empty())
-    return SnapshotOptionsText::tr("A bag has no map by regions: give --region, or --bag.");
+    return SnapshotOptionsText::tr("A bag has no map by region: --region and --bag cannot be combined.");
   if (!words.center.empty() || words.fit || words.rotate_deg != 0)
     return SnapshotOptionsText::tr(
-        "--region says what the picture shows: give it, or --center, --fit and --rotate.");
+        "--region already sets the view: it cannot be combined with --center, --fit and --rotate.");
   if (words.size != SnapshotWords().size)
     return SnapshotOptionsText::tr(
-        "With --region a pixel is a cell of the map, or as large as --scale says: --size has no place "
-        "there.");
-  if (words.average) return SnapshotOptionsText::tr("--average is for whole maps, not for --region.");
+        "With --region a pixel is one cell of the map, or as large as --scale says: --size cannot be set.");
+  if (words.average) return SnapshotOptionsText::tr("--average only applies to whole maps, not to --region.");
   return std::nullopt;
 }
 
-/// Of "path=/my_plan" the topic; what stays is the name.
+/// For "path=/my_plan" takes the topic; the name stays.
 tl::expected<void, QString> takeTopic(QString& word, robot::TopicChoices& topics) {
   const auto split = word.indexOf(QLatin1Char('='));
   if (split < 0) return {};
@@ -80,27 +78,26 @@ tl::expected<void, QString> takeTopic(QString& word, robot::TopicChoices& topics
   const auto layer = std::find_if(every.begin(), every.end(),
                                   [&](scene::Layer one) { return scene::layerName(one) == name; });
   word = name;
-  if (layer == every.end()) return {};  // said of it below
+  if (layer == every.end()) return {};  // reported below
   const std::optional<map::Stream> stream = scene::chosenStream(*layer);
   if (!stream) {
     QStringList choosable;
     for (const scene::Layer one : every) {
       if (scene::chosenStream(one)) choosable << scene::layerName(one);
     }
-    return tl::make_unexpected(
-        SnapshotOptionsText::tr("--layers: for \"%1\" no topic can be chosen, only for %2.")
-            .arg(name, choosable.join(QLatin1String(", "))));
+    return tl::make_unexpected(SnapshotOptionsText::tr("--layers: \"%1\" has no choice of topic, only %2.")
+                                   .arg(name, choosable.join(QLatin1String(", "))));
   }
   if (topic.isEmpty())
     return tl::make_unexpected(
-        SnapshotOptionsText::tr("--layers %1=: name the topic, for example %1=/topic.").arg(name));
+        SnapshotOptionsText::tr("--layers %1=: the topic is missing, for example %1=/topic.").arg(name));
   topics.insert_or_assign(*stream, topic.startsWith(QLatin1Char('/')) ? topic : QLatin1Char('/') + topic);
   return {};
 }
 
 tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, robot::TopicChoices& topics) {
   using scene::Layer;
-  // What does not change from run to run by itself.
+  // The layers that do not change from run to run.
   if (words.isEmpty())
     return std::set{Layer::Grid, Layer::Trail, Layer::Footprint, Layer::Robot, Layer::ScaleBar};
   const auto every = scene::allLayers();
@@ -110,8 +107,8 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, 
     chosen.erase(Layer::Submaps);
     chosen.erase(Layer::WholeMap);
     chosen.erase(Layer::Regions);          // --region says which
-    chosen.erase(Layer::Track);            // a whole bag would be read for it
-    chosen.erase(Layer::DispatchedCloud);  // nobody says beforehand how large it is
+    chosen.erase(Layer::Track);            // it needs the whole bag
+    chosen.erase(Layer::DispatchedCloud);  // its size is not known in advance
     return chosen;
   }
   if (words == QLatin1String("none")) return chosen;
@@ -130,28 +127,28 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, 
   return chosen;
 }
 
-/// An option that nothing could come of is a mistake, and the picture would not tell.
+/// An option without effect is a mistake that the picture would not show.
 std::optional<QString> whyWithoutEffect(const SnapshotWords& words, const SnapshotOptions& options) {
   if (words.average && options.mode == SnapshotMode::Submaps) {
     return SnapshotOptionsText::tr(
-        "--average is for whole maps: submaps are always averaged when zoomed out.");
+        "--average only applies to whole maps: submaps are always averaged when zoomed out.");
   }
   const bool whole = options.mode == SnapshotMode::Whole;
   if (whole && words.slice != 0) {
-    return SnapshotOptionsText::tr("--slice is for submaps: a whole map has no slices.");
+    return SnapshotOptionsText::tr("--slice only applies to submaps: a whole map has no slices.");
   }
   if (whole && options.colors != render::ColorMode::Normal) {
-    return SnapshotOptionsText::tr("--colors %1 is for submaps: a whole map has none.")
+    return SnapshotOptionsText::tr("--colors %1 only applies to submaps, not to a whole map.")
         .arg(text(words.colors));
   }
   if (!words.raw) return std::nullopt;
   if (options.dark || options.colors != render::ColorMode::Normal) {
-    return SnapshotOptionsText::tr("--raw has no colours: give it, or --theme and --colors.");
+    return SnapshotOptionsText::tr("--raw has no colours: it cannot be combined with --theme or --colors.");
   }
   if (words.layers.empty()) return std::nullopt;
   for (const scene::Layer layer : options.layers) {
     if (layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap) {
-      return SnapshotOptionsText::tr("--raw draws the map alone, without the layer \"%1\" of --layers.")
+      return SnapshotOptionsText::tr("--raw draws only the map, without the layer \"%1\" of --layers.")
           .arg(scene::layerName(layer));
     }
   }
@@ -179,10 +176,10 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   options.force = words.force;
   if (options.robot.isEmpty()) {
     return wrong(SnapshotOptionsText::tr(
-        "Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in one."));
+        "Which robot? Pass --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in simulated robot."));
   }
   if (words.bag.empty() != words.at.empty())
-    return wrong(SnapshotOptionsText::tr("--bag NAME and --at TIME belong together."));
+    return wrong(SnapshotOptionsText::tr("--bag NAME and --at TIME must be used together."));
   if (!words.bag.empty()) {
     const auto at_s = timeFrom(words.at, QStringLiteral("--at"));
     if (!at_s) return wrong(at_s.error().sentence);
@@ -192,17 +189,16 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   if (words.mode == "submaps") {
     options.mode = SnapshotMode::Submaps;
   } else if (words.mode == "whole" || words.mode == "grid") {
-    // The occupancy grids that robots and files give are their whole maps.
+    // The occupancy grids of robots and files are their whole maps.
     options.mode = SnapshotMode::Whole;
   } else if (!words.mode.empty()) {
     return wrong(
-        SnapshotOptionsText::tr("--mode: submaps, whole or grid, not \"%1\".").arg(text(words.mode)));
+        SnapshotOptionsText::tr("--mode must be submaps, whole or grid, not \"%1\".").arg(text(words.mode)));
   }
   if (!words.map.empty()) {
     if (options.mode == SnapshotMode::Submaps) {
-      return wrong(
-          SnapshotOptionsText::tr("--map needs --mode whole: the submaps shown are those of the robot's "
-                                  "present SLAM session."));
+      return wrong(SnapshotOptionsText::tr(
+          "--map needs --mode whole: only the submaps of the robot's current SLAM session can be shown."));
     }
     options.mode = SnapshotMode::Whole;
     options.map = map::mapKeyFromText(words.map);
@@ -221,35 +217,34 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   const auto size = parseSize(text(words.size));
   if (!size) {
     return wrong(
-        SnapshotOptionsText::tr(
-            "--size %1: write WIDTHxHEIGHT, for example 1920x1080, at most %2 pixels on an edge "
-            "and %3 million in all.")
+        SnapshotOptionsText::tr("--size %1: give WIDTHxHEIGHT, for example 1920x1080, with at most %2 pixels "
+                                "per edge and %3 million in total.")
             .arg(text(words.size), QString::number(kMaxEdge), QString::number(kMaxPixels / 1'000'000)));
   }
   options.size_px = *size;
   const bool has_center = !words.center.empty(), has_scale = words.scale.has_value();
   if (words.fit && (has_center || has_scale)) {
     return wrong(SnapshotOptionsText::tr(
-        "--fit chooses the centre and the scale itself: give it, or --center and --scale."));
+        "--fit chooses centre and scale itself: it cannot be combined with --center and --scale."));
   }
   if (options.region && has_scale) {
     if (!(*words.scale >= geometry::kMinScaleMPerPx && *words.scale <= geometry::kMaxScaleMPerPx)) {
-      return wrong(SnapshotOptionsText::tr("--scale must lie between %1 and %2 metres per pixel.")
+      return wrong(SnapshotOptionsText::tr("--scale must be between %1 and %2 metres per pixel.")
                        .arg(geometry::kMinScaleMPerPx)
                        .arg(geometry::kMaxScaleMPerPx));
     }
     options.scale_m_per_px = *words.scale;
   } else if (has_center != has_scale) {
-    return wrong(SnapshotOptionsText::tr("--center X,Y and --scale METRES_PER_PIXEL belong together."));
+    return wrong(SnapshotOptionsText::tr("--center X,Y and --scale METRES_PER_PIXEL must be used together."));
   }
   if (has_center) {
     options.center_m = parsePoint(text(words.center));
     if (!options.center_m) {
-      return wrong(SnapshotOptionsText::tr("--center %1: write X,Y in metres, for example 12.5,-3.")
+      return wrong(SnapshotOptionsText::tr("--center %1: give X,Y in metres, for example 12.5,-3.")
                        .arg(text(words.center)));
     }
     if (!(*words.scale >= geometry::kMinScaleMPerPx && *words.scale <= geometry::kMaxScaleMPerPx)) {
-      return wrong(SnapshotOptionsText::tr("--scale must lie between %1 and %2 metres per pixel.")
+      return wrong(SnapshotOptionsText::tr("--scale must be between %1 and %2 metres per pixel.")
                        .arg(geometry::kMinScaleMPerPx)
                        .arg(geometry::kMaxScaleMPerPx));
     }
@@ -273,32 +268,33 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   else if (words.colors == "active")
     options.colors = render::ColorMode::Active;
   else
-    return wrong(SnapshotOptionsText::tr("--colors: normal, incremental or active, not \"%1\".")
+    return wrong(SnapshotOptionsText::tr("--colors must be normal, incremental or active, not \"%1\".")
                      .arg(text(words.colors)));
   if (words.theme != "light" && words.theme != "dark") {
-    return wrong(SnapshotOptionsText::tr("--theme: light or dark, not \"%1\".").arg(text(words.theme)));
+    return wrong(
+        SnapshotOptionsText::tr("--theme must be light or dark, not \"%1\".").arg(text(words.theme)));
   }
   options.dark = words.theme == "dark";
   if (!(words.timeout_s > 0 && words.timeout_s <= 86'400)) {
-    return wrong(SnapshotOptionsText::tr("--timeout must be more than 0 and at most 86400 seconds."));
+    return wrong(SnapshotOptionsText::tr("--timeout must be greater than 0 and at most 86400 seconds."));
   }
   options.timeout_s = words.timeout_s;
   if (words.settle != "complete") {
     bool ok = false;
     const double seconds = text(words.settle).toDouble(&ok);
     if (!ok || !(seconds >= 0 && seconds <= 86'400)) {
-      return wrong(SnapshotOptionsText::tr("--settle: complete, or a number of seconds, not \"%1\".")
+      return wrong(SnapshotOptionsText::tr("--settle must be complete or a number of seconds, not \"%1\".")
                        .arg(text(words.settle)));
     }
     if (seconds > words.timeout_s) {
-      return wrong(SnapshotOptionsText::tr("--settle %1 lasts longer than --timeout %2.")
+      return wrong(SnapshotOptionsText::tr("--settle %1 is longer than --timeout %2.")
                        .arg(seconds)
                        .arg(words.timeout_s));
     }
     options.settle_s = seconds;
   }
   if (const auto why = whyWithoutEffect(words, options)) return wrong(*why);
-  // What --raw never draws is neither asked for nor waited for.
+  // Layers that --raw never draws are neither requested nor waited for.
   if (options.raw) {
     std::erase_if(options.layers, [](scene::Layer layer) {
       return layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap;

@@ -1,5 +1,4 @@
-// What `mapwright snapshot` was asked for, from the words of the command line to values
-// (docs/command-line.md).
+// The options of `mapwright snapshot`, parsed from the command line (docs/command-line.md).
 #pragma once
 
 #include <optional>
@@ -20,7 +19,7 @@
 
 namespace mapwright::app {
 
-/// The words as typed; empty = not given.
+/// The options as typed; empty = not given.
 struct SnapshotWords {
   std::string robot, output, mode, map, region, center,
       size = "1280x800", layers, colors = "normal", theme = "light", settle = "complete", report, resolution,
@@ -29,43 +28,44 @@ struct SnapshotWords {
   double rotate_deg = 0, timeout_s = 60;
   int slice = 0;
   bool fit = false, raw = false, json = false, average = false, robot_anyway = false, force = false;
-  std::string bag, at;  // what the robot was like then
+  std::string bag, at;  // show the robot as it was at that time
   AccessWords access;
 };
 
-/// What is drawn: the submaps, or a whole map. Automatic: submaps where the robot has them.
+/// What to draw: the submaps, or a whole map. Automatic: submaps if the robot has them.
 enum class SnapshotMode { Automatic, Submaps, Whole };
 
 struct SnapshotOptions {
   QString robot, output, report;
-  std::string bag;             // its name; empty = the robot as it is
+  std::string bag;             // its name; empty = the live robot
   std::optional<double> at_s;  // of a bag: seconds since the epoch
   SnapshotMode mode = SnapshotMode::Automatic;
   std::optional<map::MapKey> map;  // nullopt = the live or the current one
-  bool average = false;            // zoomed out: average instead of "occupied wins"
-  /// A part of a map that the robot gives by regions, and nothing else; its own size is that of the picture:
-  /// `size_px` is not known before the size of a cell is, nor `scale_m_per_px` where none was given.
+  bool average = false;            // when zoomed out: average instead of "occupied wins"
+  /// Only this part of a map that the robot sends by region. The picture gets the size of the region:
+  /// `size_px` is unknown until the cell size is known, and so is `scale_m_per_px` unless it was given.
   std::optional<geometry::WorldRect> region;
   std::optional<Eigen::Vector2d> center_m;  // nullopt = fit
   double scale_m_per_px = 0;
   QSize size_px;
   double rotation_rad = 0;
-  std::set<scene::Layer> layers;  // without Submaps and WholeMap: the mode says which, unless both are named
-  bool without_submaps = false;   // layers were named, and the submaps are not among them
-  std::set<scene::Layer> named;   // by themselves: a word is said of those that stay empty
-  robot::TopicChoices topics;     // --layers NAME=TOPIC
-  bool robot_anyway = false;      // draw the robot also on a map that it is not in
+  std::set<scene::Layer>
+      layers;  // without Submaps and WholeMap, which follow from the mode unless both are named
+  bool without_submaps = false;  // layers were named, and submaps are not among them
+  std::set<scene::Layer> named;  // named one by one: a warning is printed if one of them stays empty
+  robot::TopicChoices topics;    // --layers NAME=TOPIC
+  bool robot_anyway = false;     // draw the robot also on a map that it is not in
   int slice = 0;
   render::ColorMode colors = render::ColorMode::Normal;
   bool dark = false;
   bool raw = false;
   bool json = false;
-  bool force = false;              // also over a file that the map is read from
+  bool force = false;              // overwrite files even if the map was read from them
   std::optional<double> settle_s;  // nullopt = complete
   double timeout_s = 60;
 };
 
-/// The pixels of a region at so many metres each; nullopt = more than a picture may have.
+/// The size in pixels of a region at this scale; nullopt = larger than a picture may be.
 std::optional<QSize> pixelsOf(const geometry::WorldRect& region, double scale_m_per_px);
 
 /// The error is a sentence that names the option.

@@ -1,4 +1,4 @@
-// SnapshotRun: what the picture is made of in the end, what is written, and what is said of it.
+// SnapshotRun: the final content of the picture, and the output.
 #include <algorithm>
 #include <utility>
 
@@ -51,10 +51,9 @@ void SnapshotRun::paint(bool settled) {
   }
   poll_.stop();
   settle_.stop();
-  // The picture takes a while to be made. What the robot sends meanwhile must change neither it nor what is
-  // said of it.
+  // Drawing takes a while. Messages that arrive meanwhile must change neither the picture nor the report.
   session_.standStill();
-  // Closing lets go of all that was read of a bag.
+  // Closing drops everything read from a bag.
   const auto track = wantsTrack() ? window::trackOfBag(*replayed_->reading()) : nullptr;
   session_.close();
   chosen_ = std::make_unique<SnapshotChoice>();
@@ -68,7 +67,7 @@ void SnapshotRun::paint(bool settled) {
               (!wantsWhole(options_) || scans_alone_ || map_.complete()) && !waypointsLost() &&
               (!options_.region || fetch_->complete()) && (!wantsCloud() || cloud_.came()) &&
               bagLosses(session_.problems()).isEmpty();
-  // Said on standard error, too, although nothing is missing.
+  // Also printed to standard error although nothing is missing.
   const auto say = [this](const QString& note) {
     notes_ << note;
     shown_instead_ += (shown_instead_.isEmpty() ? QString() : QStringLiteral(" ")) + note;
@@ -78,17 +77,18 @@ void SnapshotRun::paint(bool settled) {
   if (replayed_ && !options_.map && wantsWhole(options_) && map_.key() &&
       map_.key()->kind != map::MapKind::Live) {
     say(isLocal() ? SnapshotPaintText::tr(
-                        "The bag holds no map until then: the one that was recorded with it is drawn.")
+                        "The bag contains no map up to this time: the one recorded with it is drawn.")
                   : SnapshotPaintText::tr(
-                        "The bag holds no map until then: the one that the robot keeps now is drawn."));
+                        "The bag contains no map up to this time: the robot's present map is drawn."));
   }
   if (lacksSubmaps())
-    notes_ << SnapshotPaintText::tr("The bag holds no submap list until then: there are no submaps to draw.");
+    notes_ << SnapshotPaintText::tr(
+        "The bag contains no submap list up to this time: there are no submaps to draw.");
   noteChosenTopics();
   for (const QString& topic : live_layers_.silent()) {
-    // A bag is not asked for anything: what is not in it is not missing.
+    // Nothing is requested for a bag: data that is not in it is not missing.
     if (replayed_) break;
-    notes_ << SnapshotPaintText::tr("Topic %1 gave nothing within %2 s.")
+    notes_ << SnapshotPaintText::tr("Nothing arrived on topic %1 within %2 s.")
                   .arg(topic, QString::number(options_.settle_s.value_or(kTopicsWithinS)));
   }
   for (const scene::Layer layer : live_layers_.unfillable()) {
@@ -124,7 +124,7 @@ void SnapshotRun::noteChosenTopics() {
     QString fitting = of->choicesFor(stream).join(QLatin1String(", "));
     if (fitting.isEmpty()) fitting = SnapshotPaintText::tr("none");
     notes_ << SnapshotPaintText::tr(
-                  "Topic %1 is not there, or of no type that fits its layer. Those that fit: %2.")
+                  "Topic %1 does not exist or its type does not fit the layer. Topics that fit: %2.")
                   .arg(topic, fitting);
     complete_ = false;
   }

@@ -1,5 +1,5 @@
-// The picture of a snapshot on its way: made beside the main thread, written when it is whole or when the
-// time is over.
+// The picture of a snapshot in progress: drawn beside the main thread, written when it is complete or when
+// the time is over.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@
 
 namespace mapwright::app {
 
-/// What is drawn. The session stands still from before this was chosen.
+/// What to draw. The session must not change after this was chosen.
 struct SnapshotContent {
   geometry::ViewTransform view;
   bool submaps = false, whole = false;
@@ -37,23 +37,23 @@ class SnapshotPicture : public QObject {
   Q_OBJECT
  public:
   virtual void start() = 0;
-  /// What is to be said of the picture, known as soon as it is started.
+  /// Remarks about the picture, known as soon as drawing starts.
   virtual QStringList notes() const { return {}; }
-  /// The share of the picture that is made, 0..1.
+  /// Which share of the picture is drawn, 0..1.
   virtual double made() const = 0;
-  /// Writes what is made; the rest stays empty. The error is a sentence.
+  /// Writes what has been drawn; the rest stays empty. The error is a sentence.
   virtual std::optional<QString> write(const QString& path) = 0;
 
  Q_SIGNALS:
   void finished();  // all of it is made
 };
 
-/// The scene of the window, with all its layers.
+/// Draws the window's scene with all its layers.
 std::unique_ptr<SnapshotPicture> makeScenePicture(const SnapshotOptions& options, session::Session& session,
                                                   const SnapshotContent& content,
                                                   std::shared_ptr<work::Workers> workers);
-/// The cells alone: gray = intensity, alpha 0 = not observed (docs/command-line.md, "mapwright snapshot"). Of
-/// a whole map gray pictures keep their gray levels, also where they mean "unknown".
+/// Draws only the cells: gray = intensity, alpha 0 = not observed (docs/command-line.md, "mapwright
+/// snapshot"). Gray pictures of whole maps keep their gray levels, even those that mean "unknown".
 std::unique_ptr<SnapshotPicture> makeRawPicture(const SnapshotContent& content,
                                                 std::shared_ptr<work::Workers> workers);
 

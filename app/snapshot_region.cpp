@@ -36,11 +36,11 @@ void SnapshotRun::lookAtRegion() {
       connect(fetch_.get(), &regions::RegionFetch::finished, this, &SnapshotRun::look);
       fetch_->start();
     } else if (seconds() - connected_s_ > std::min(kOffersWithinS, options_.timeout_s / 2)) {
-      const QString why = dispatch ? SnapshotRegionText::tr("It gives its map only as a whole.")
+      const QString why = dispatch ? SnapshotRegionText::tr("It only sends its map as a whole.")
                                    : sentences::whyAbsent(robot::Capability::Dispatch,
                                                           robot.whyNot(robot::Capability::Dispatch));
       fail(exitCodeOf(map::FailureKind::Unsupported),
-           SnapshotRegionText::tr("%1: no region of its map can be asked for. %2").arg(options_.robot, why));
+           SnapshotRegionText::tr("%1: it does not offer its map by region. %2").arg(options_.robot, why));
     }
     return;
   }
@@ -49,7 +49,7 @@ void SnapshotRun::lookAtRegion() {
     const auto size =
         pixelsOf(*options_.region, options_.scale_m_per_px > 0 ? options_.scale_m_per_px : *resolution);
     if (!size) return fail(kUsage, tooManyPixels());
-    // Drawing takes a while, too: what has come by then is drawn within the time that there is.
+    // Drawing takes a while, too: what has arrived by then is drawn within the remaining time.
     const double draw_s = double(size->width()) * double(size->height()) / kPixelsDrawnInASecond;
     const double until_s = options_.timeout_s - std::min(draw_s, options_.timeout_s * kMostOfTimeToDraw);
     if (!fetch_->over() && fetch_->counts().answered > 0 && seconds() > until_s) {
@@ -62,7 +62,7 @@ void SnapshotRun::lookAtRegion() {
 }
 
 QString SnapshotRun::tooManyPixels() const {
-  return SnapshotRegionText::tr("--region is too large for one picture: a coarser --scale makes it smaller.");
+  return SnapshotRegionText::tr("--region is too large for one picture: choose a coarser --scale.");
 }
 
 bool SnapshotRun::sizeRegion() {
@@ -70,7 +70,7 @@ bool SnapshotRun::sizeRegion() {
   const regions::RegionCounts counts = fetch_ ? fetch_->counts() : regions::RegionCounts{};
   if (fetch_ && fetch_->tooLarge()) {
     fail(kUsage, SnapshotRegionText::tr(
-                     "--region is too large: it has more cells than are fetched for one picture."));
+                     "--region is too large: it has more cells than can be fetched for one picture."));
     return false;
   }
   const bool some_came = fetch_ && fetch_->map().regions().holdsAnyOf(*options_.region);
@@ -79,19 +79,17 @@ bool SnapshotRun::sizeRegion() {
         fetch_ && fetch_->over() && fetch_->trouble().kind == regions::RegionTrouble::Kind::Failed
             ? fetch_->trouble().failure.kind
             : map::FailureKind::TimedOut;
-    fail(exitCodeOf(kind),
-         SnapshotRegionText::tr("%1: nothing of the region was fetched. %2").arg(options_.robot, trouble) +
-             whatOfTheLink());
+    fail(exitCodeOf(kind), SnapshotRegionText::tr("%1: no part of the region could be fetched. %2")
+                                   .arg(options_.robot, trouble) +
+                               whatOfTheLink());
     return false;
   }
   const auto resolution = fetch_->map().regions().plan().resolution();
   if (options_.scale_m_per_px <= 0) {
     if (!resolution) {
-      fail(kIncomplete,
-           SnapshotRegionText::tr(
-               "%1: there is nothing in this region, and how large its cells would be is not known. "
-               "--scale says how large a pixel is.")
-               .arg(options_.robot));
+      fail(kIncomplete, SnapshotRegionText::tr("%1: the map is empty in this region, so the size of its "
+                                               "cells is unknown. Pass --scale to set the size of a pixel.")
+                            .arg(options_.robot));
       return false;
     }
     options_.scale_m_per_px = *resolution;
@@ -104,24 +102,23 @@ bool SnapshotRun::sizeRegion() {
   options_.size_px = *size;
   if (const std::int64_t odd = fetch_->map().regions().oddCells(); odd > 0) {
     notes_ << SnapshotRegionText::tr(
-                  "%1 cells of its answers are neither -1 nor 0 to 100. Those above 100 are shown as 100, "
-                  "those below -1 as unknown.",
+                  "%1 cells in its answers are outside the range of -1 to 100. Values above 100 are shown as "
+                  "100, values below -1 as unknown.",
                   nullptr, sentences::formOf(qint64(odd)))
                   .arg(odd);
   }
   if (fetch_->map().regions().asksForCorners()) {
     notes_ << SnapshotRegionText::tr(
-                  "%1 takes the place that it is asked for as a corner of the region instead of its middle "
-                  "(REP 130): it was asked accordingly.")
+                  "%1 treats the position in a request as a corner of the region instead of its centre (REP "
+                  "130): requests were adjusted to that.")
                   .arg(options_.robot);
   }
   if (counts.smaller > 0 && counts.answered == counts.in_view) {
     notes_ << SnapshotRegionText::tr(
-                  "Some of its answers are smaller than the regions asked for (%1 of %2): what is missing is "
-                  "blank.")
+                  "Some of its answers are smaller than requested (%1 of %2): the missing parts are blank.")
                   .arg(QString::number(counts.smaller), QString::number(counts.in_view));
   } else if (!fetch_->complete()) {
-    notes_ << SnapshotRegionText::tr("Parts of the region are missing (%1 of %2 came). %3")
+    notes_ << SnapshotRegionText::tr("Parts of the region are missing (%1 of %2 arrived). %3")
                   .arg(QString::number(counts.answered), QString::number(counts.in_view), trouble);
   }
   return true;
@@ -139,7 +136,7 @@ void SnapshotRun::takeRegion(SnapshotContent& content) {
   if (fetched.other_lattices > 0) {
     complete_ = false;
     notes_ << SnapshotRegionText::tr(
-        "Some of it came with cells of another size or direction, and is left out.");
+        "Some of its answers have cells of another size or orientation and were left out.");
   }
 }
 

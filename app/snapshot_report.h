@@ -1,5 +1,4 @@
-// What is said of a snapshot as JSON (docs/command-line.md, "mapwright snapshot"), and how one stands while
-// it is made.
+// The JSON report of a snapshot (docs/command-line.md, "mapwright snapshot"), and its state while it is made.
 #pragma once
 
 #include <mutex>
@@ -16,7 +15,7 @@ namespace mapwright::app {
 
 struct SnapshotFacts {
   bool complete = false;
-  bool whole = false;  // a whole map is drawn, and not the submaps
+  bool whole = false;  // draws a whole map instead of submaps
   QString uuid;        // of the submap list
   session::SubmapCounts counts;
   double made = 0;                                               // the share of the picture, 0..1
@@ -28,7 +27,7 @@ struct SnapshotFacts {
 };
 QJsonObject reportOf(const SnapshotFacts& facts);
 
-/// How things stood a short while ago, for whoever ends the run from another thread.
+/// A recent state of the snapshot, for another thread that ends the run.
 struct SnapshotStanding {
   int exit_code = 0;
   QString sentence;

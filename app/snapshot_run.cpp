@@ -24,16 +24,15 @@ class SnapshotRunText {
   Q_DECLARE_TR_FUNCTIONS(SnapshotRun)
 };
 
-constexpr int kSnapshotTries = 3;  // of a failing submap, before it counts as failed
+constexpr int kSnapshotTries = 3;  // attempts for a submap before it counts as failed
 constexpr int kSnapshotConnectAttempts = 3;
 constexpr double kConnectWithinS = 10;
 constexpr int kSnapshotLookEveryMs = 20;
-constexpr double kBagMapWithinS = 0;  // the map of a bag is there with its world, or not at all
+constexpr double kBagMapWithinS = 0;  // the map of a bag is there with its state, or not at all
 constexpr double kNoteEveryS = 0.25;
-// Of a robot that is gone nothing more is waited for when so much of the time is left: drawing takes some,
-// too.
+// If the robot is gone, waiting ends when this much time is left, since drawing takes some, too.
 constexpr double kDrawShare = 0.2, kDrawAtMostS = 5;
-constexpr double kListWithinS = 8, kListAtLeastS = 3;  // where a whole map can be drawn instead
+constexpr double kListWithinS = 8, kListAtLeastS = 3;  // if a whole map can be drawn instead
 
 int milliseconds(double seconds) { return int(std::clamp(seconds * 1000, 0.0, 2e9)); }
 
@@ -123,7 +122,7 @@ bool SnapshotRun::connected() {
   if (connected_s_ >= 0) return true;
   const robot::ConnectionState link = session_.connection();
   if (link.phase == robot::ConnectionPhase::Refused) {
-    // A file that cannot be read is no robot that cannot be reached.
+    // An unreadable file is not an unreachable robot.
     const int code = replayed_ ? exitCodeOf(link.failure, kUnreachable) : int(kUnreachable);
     QString subject = options_.robot;
     if (replayed_)
@@ -153,7 +152,7 @@ bool SnapshotRun::connected() {
   connected_s_ = seconds();
   live_layers_.ask(options_.layers,
                    wantsWhole(options_) && (!options_.map || options_.map->kind == map::MapKind::Live));
-  // A robot is drawn on the maps that it is in: which one that is, its list of maps tells.
+  // A robot is drawn on the maps that it is in, which the catalogue tells.
   asks_where_ = !options_.raw && wantsWhole(options_) && options_.map &&
                 options_.map->kind != map::MapKind::Live && session_.robot().liveTopics() &&
                 std::any_of(options_.layers.begin(), options_.layers.end(), scene::followsRobot);
@@ -166,9 +165,8 @@ bool SnapshotRun::connected() {
 bool SnapshotRun::topicsChoosable() {
   robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
   if (options_.topics.empty() || (of && of->chosen() == options_.topics)) return true;
-  fail(kUsage, SnapshotRunText::tr(
-                   "%1: its topics cannot be chosen (--layers NAME=TOPIC): that is for ROS robots and "
-                   "their recordings.")
+  fail(kUsage, SnapshotRunText::tr("%1: its topics cannot be chosen (--layers NAME=TOPIC): this only works "
+                                   "for ROS robots and their recordings.")
                    .arg(options_.robot));
   return false;
 }
@@ -196,7 +194,7 @@ bool SnapshotRun::recalled() {
 }
 
 double SnapshotRun::listWithin() const {
-  // What a bag does not hold does not come later: not a moment is waited.
+  // Data that is not in a bag will not arrive later: no waiting.
   if (replayed_) return -1;
 
   return std::clamp(options_.timeout_s / 4, kListAtLeastS, kListWithinS);
@@ -214,14 +212,13 @@ bool SnapshotRun::wantsWholeInstead() {
 void SnapshotRun::takeWholeInstead() {
   options_.mode = SnapshotMode::Whole;
   whole_asked_s_ = seconds() - connected_s_;
-  shown_instead_ =
-      SnapshotRunText::tr(
-          "The robot sent no submap list within %1 s: its whole map is drawn instead. --mode submaps waits "
-          "longer.")
-          .arg(listWithin());
+  shown_instead_ = SnapshotRunText::tr(
+                       "The robot sent no submap list within %1 s: its whole map is drawn instead. Pass "
+                       "--mode submaps to wait longer.")
+                       .arg(listWithin());
   if (replayed_)
     shown_instead_ =
-        SnapshotRunText::tr("The bag holds no submap list until then: a whole map is drawn instead.");
+        SnapshotRunText::tr("The bag contains no submap list up to this time: a whole map is drawn instead.");
   notes_ << shown_instead_;
   live_layers_.ask(options_.layers, true);
 }
@@ -230,7 +227,7 @@ void SnapshotRun::look() {
   if (done_ || chosen_ || !connected()) return;
   if (options_.region) return lookAtRegion();
   if (wantsWholeInstead()) takeWholeInstead();
-  // A picture that a bag names and the robot sends is not waited for in vain.
+  // Do not wait for pictures that a bag names but the robot no longer has.
   const bool coming = replayed_ && replayed_->picturesUnderWay() > 0;
   const double waited_s = coming ? 0 : seconds() - connected_s_ - whole_asked_s_;
   if (wantsWhole(options_) && !scans_alone_ && map_.look(waited_s) == MapWish::State::Failed) {
@@ -239,7 +236,8 @@ void SnapshotRun::look() {
       return;
     }
     scans_alone_ = true;
-    notes_ << SnapshotRunText::tr("%1 What is scanned is drawn without a map.").arg(map_.failure().sentence);
+    notes_ << SnapshotRunText::tr("%1 The robot's sensor data is drawn without a map.")
+                  .arg(map_.failure().sentence);
   }
   if (!options_.settle_s && everythingIn() && topicsIn() && cloudIn()) {
     paint(true);
@@ -247,7 +245,7 @@ void SnapshotRun::look() {
     notes_ << SnapshotRunText::tr("Not everything had arrived.") + whatOfTheLink();
     paint(false);
   } else if (seconds() - noted_s_ > std::max(kNoteEveryS, 20 * note_took_s_)) {
-    // Counting a hundred thousand submaps takes a moment: that may not be all that is done.
+    // Counting a hundred thousand submaps takes a moment, so do not do it every time.
     noteStanding();
     tellProgress();
   }
@@ -277,7 +275,7 @@ void SnapshotRun::noteStanding() {
   const bool connected = connected_s_ >= 0;
   standing.exit_code = connected ? kIncomplete : kUnreachable;
   standing.sentence =
-      connected ? SnapshotRunText::tr("Not complete. No picture could be made within %1 s (--timeout).")
+      connected ? SnapshotRunText::tr("Incomplete: no picture could be made within %1 s (--timeout).")
                       .arg(options_.timeout_s)
                 : noConnection();
   if (connected) standing.sentence += whatOfTheLink();
@@ -341,19 +339,17 @@ void SnapshotRun::timeOut() {
     fail(kUnreachable, noConnection());
     return;
   }
-  // What has come is drawn, as far as that takes no longer than a moment.
+  // Draws what has arrived, if that only takes a moment.
   cut_off_.start(milliseconds(options_.timeout_s + start_.grace.draw_s - seconds()));
   if (chosen_) return;
   const bool no_list = wantsSubmaps(options_) && !session_.book().listReceived();
-  notes_ << (!no_list
-                 ? SnapshotRunText::tr("Not everything had arrived within %1 s (--timeout).")
-                           .arg(options_.timeout_s) +
-                       whatOfTheLink()
-                 : SnapshotRunText::tr(
-                       "The robot sent no submap list within %1 s (--timeout). Its whole map is drawn by "
-                       "--mode whole.")
-                           .arg(options_.timeout_s) +
-                       whatOfTheLink());
+  notes_ << (!no_list ? SnapshotRunText::tr("Not everything had arrived within %1 s (--timeout).")
+                                .arg(options_.timeout_s) +
+                            whatOfTheLink()
+                      : SnapshotRunText::tr("The robot sent no submap list within %1 s (--timeout). Pass "
+                                            "--mode whole to draw its whole map.")
+                                .arg(options_.timeout_s) +
+                            whatOfTheLink());
   paint(false);
 }
 

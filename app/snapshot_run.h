@@ -1,4 +1,4 @@
-// One snapshot from connecting to the picture. The same session and scene as the window's.
+// One snapshot, from connecting to the picture. Uses the same session and scene as the window.
 #pragma once
 
 #include <memory>
@@ -25,54 +25,54 @@ class ReplayRobot;
 
 namespace mapwright::app {
 
-/// What the picture is made of, and what is said of it.
+/// What the picture is made from, and what the report says about it.
 struct SnapshotChoice {
   session::SubmapCounts counts;
   QStringList problems;
   std::optional<QJsonObject> map;
-  bool refused = false;  // something was: not without (the right) secret
+  bool refused = false;  // the robot refused something because the secret is wrong or missing
 };
 
 class SnapshotRun : public QObject {
   Q_OBJECT
  public:
-  /// `start`: from then on --timeout counts.
+  /// --timeout counts from `start`.
   SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot,
               CommandStart start = {std::chrono::steady_clock::now(), {}});
   ~SnapshotRun() override;
 
   void start();
   QJsonObject report() const;               // docs/command-line.md, "mapwright snapshot"
-  QString error() const { return error_; }  // the sentence when nothing could be made
+  QString error() const { return error_; }  // a sentence if nothing could be drawn
   QStringList warnings() const;
-  /// What is said of a picture that shows something else than was expected; empty = it does not.
+  /// A sentence if the picture shows something else than requested; otherwise empty.
   QString shownInstead() const { return shown_instead_; }
   const SnapshotOptions& options() const { return options_; }
-  /// Of the picture, once it is finished.
+  /// Of the picture, once it is complete.
   const geometry::ViewTransform& view() const { return view_; }
-  /// A sentence when the picture or the report would replace a file that the map is read from.
+  /// A sentence if the picture or the report would replace a file that the map is read from.
   std::optional<QString> overItsSource() const;
 
-  /// How things stood a short while ago.
+  /// A recent state, for other threads.
   std::shared_ptr<const SnapshotBoard> standing() const { return board_; }
 
  Q_SIGNALS:
   void progressed(const QString& line);
-  void contentChosen();  // from now on the picture and its report are about what is held now
+  void contentChosen();  // from here on the picture and its report use what is loaded now
   void finished(int exit_code);
 
  private:
   static constexpr double kTopicsWithinS = 3;  // live layers, after connecting
 
-  void look();  // whatever may have changed: is it time for the next step?
+  void look();  // checks whether it is time for the next step; call it whenever something may have changed
   bool connected();
-  /// Of a bag: the world of its time has been taken over.
+  /// For a bag: the state at its time has been applied.
   bool recalled();
   bool topicsChoosable();
   void noteChosenTopics();
-  /// There is no map, and something to be seen all the same.
+  /// There is no map, but sensor data to show.
   bool drawsScansAlone() const;
-  /// The mode was not chosen by anybody, no list of submaps comes, and a whole map can be had.
+  /// The mode is automatic, no submap list arrives, and a whole map is available.
   bool wantsWholeInstead();
   void takeWholeInstead();
   void tellProgress();
@@ -82,35 +82,35 @@ class SnapshotRun : public QObject {
   void paint(bool settled);
   void write();
   QString noConnection() const;
-  /// A sentence about a link that is lost, after a blank; empty while it stands.
+  /// A sentence about a lost connection, after a blank; empty while connected.
   QString whatOfTheLink() const;
-  /// The waypoints that are to be drawn could not be had.
+  /// Waypoints should be drawn but could not be loaded.
   bool waypointsLost() const;
   bool isLocal() const;
   bool wantsTrack() const;  // of a whole bag
-  /// The same as look(), of a picture of a region.
+  /// The same as look(), for a picture of a region.
   void lookAtRegion();
-  /// How large the picture is, now that a cell's size is known; false: there is none, and it has failed.
+  /// Computes the picture size from the cell size; false: impossible, and the run has failed.
   bool sizeRegion();
   QString tooManyPixels() const;
   void takeRegion(SnapshotContent& content);
   std::optional<QJsonObject> regionJson() const;
   bool topicsIn() const;
-  bool lacksSubmaps() const;  // of a bag that lists none until then: none will come
+  bool lacksSubmaps() const;  // a bag that contains no submap list up to its time: none will arrive
   bool everythingIn() const;
-  /// Asks for the cloud of what is drawn, where that is wanted, once it is known what that is.
+  /// Requests the cloud of what is drawn, if that is wanted and the area is known.
   bool cloudIn();
   bool wantsCloud() const;
   bool somethingIn() const;
-  /// The link is lost, and it is about time to draw what has come.
+  /// The connection is lost, and it is time to draw what has arrived.
   bool goneForGood() const;
   void fail(int exit_code, const QString& sentence);
   void finish(int exit_code);
   double seconds() const;
-  /// How long a list of submaps is waited for where a whole map can be drawn instead.
+  /// How long to wait for a submap list if a whole map can be drawn instead.
   double listWithin() const;
 
-  const bool automatic_;  // nobody has said what is to be drawn
+  const bool automatic_;  // the user did not choose what to draw
   SnapshotOptions options_;
   std::shared_ptr<work::Workers> workers_ = std::make_shared<work::Workers>();
   session::Session session_;
@@ -118,7 +118,7 @@ class SnapshotRun : public QObject {
   LayerWish live_layers_;
   bool scans_alone_ = false;
   CloudWish cloud_;
-  replay::ReplayRobot* replayed_ = nullptr;  // null = a robot as it is
+  replay::ReplayRobot* replayed_ = nullptr;  // null = a live robot
   bool recalled_ = false;
   std::unique_ptr<regions::RegionFetch> fetch_;  // of a region
   std::unique_ptr<SnapshotChoice> chosen_;
@@ -129,9 +129,9 @@ class SnapshotRun : public QObject {
   geometry::ViewTransform view_;
   double connected_s_ = -1, first_paint_s_ = -1, complete_s_ = -1, noted_s_ = -1, note_took_s_ = 0;
   double whole_asked_s_ = 0;  // when the whole map was asked for, after connecting
-  double made_ = 0;           // the share of the picture that was made
+  double made_ = 0;           // which share of the picture has been drawn
   bool done_ = false, complete_ = false;
-  bool asks_where_ = false;  // whether the robot is in the map that is drawn
+  bool asks_where_ = false;  // checks whether the robot is in the map that is drawn
   QString error_;
   QString shown_instead_;
   QStringList notes_;

@@ -27,7 +27,7 @@ StopSignals::StopSignals() {
   const sigset_t signals = stopSignals();
   fd_ = ::signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC);
   if (fd_ < 0) {
-    // Without one they end the program as usual: the file then ends with the last chunk.
+    // Otherwise they end the program as usual: the file then ends with the last chunk.
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
     return;
   }

@@ -1,4 +1,4 @@
-// SIGINT and SIGTERM as an event of Qt: a command that is to end cleanly.
+// SIGINT and SIGTERM as a Qt event, for commands that should end cleanly.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace mapwright::app {
 
-/// Holds the signals back for the whole process: before any thread is started.
+/// Blocks the signals for the whole process; call it before any thread starts.
 void holdStopSignals();
 
 class StopSignals : public QObject {

@@ -1,4 +1,4 @@
-// Kinds of data that a robot sends, as they are typed.
+// Kinds of data that a robot sends, as typed on the command line.
 #pragma once
 
 #include <QStringList>
@@ -9,7 +9,7 @@
 namespace mapwright::app {
 
 QStringList streamWords();
-/// Of "pose,cloud", "all" or "none". The error is the word that names nothing.
+/// Parses "pose,cloud", "all" or "none". The error is the unknown word.
 tl::expected<map::Streams, QString> streamsFrom(const QString& typed);
 
 }  // namespace mapwright::app

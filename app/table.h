@@ -1,4 +1,4 @@
-// Rows for people on the standard output.
+// Prints tables on the standard output.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace mapwright::app {
 
-/// Columns as wide as their widest cell; names belong into the last one, for they may be of any width.
+/// Columns are as wide as their widest cell; put names into the last one, as they may have any width.
 void printTable(const std::vector<QStringList>& rows);
 
 }  // namespace mapwright::app

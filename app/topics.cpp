@@ -1,5 +1,5 @@
-// `mapwright topics list|echo|hz`: what a robot sends, by its own names (docs/command-line.md,
-// "mapwright topics").
+// `mapwright topics list|echo|hz`: a robot's topics under its own names (docs/command-line.md, "mapwright
+// topics").
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -43,16 +43,16 @@ struct TopicsWords {
   std::string robot;
   AccessWords access;
   std::vector<std::string> topics;
-  int count = 0;          // of echo: messages; 0: until it is stopped
+  int count = 0;          // for echo: messages; 0: until stopped
   double seconds = 10;    // of hz
-  double timeout_s = 30;  // for the connection, and of echo for each message
+  double timeout_s = 30;  // for the connection, and for each message of echo
   bool json = false;
 };
 
 using robot::OfferedTopic;
 
 using words::text;
-/// How often a topic came.
+/// The statistics of a topic.
 struct Tally {
   qint64 count = 0, bytes = 0;
   double first_s = 0, last_s = 0, shortest_s = 0, longest_s = 0, squares = 0;
@@ -63,7 +63,7 @@ struct Tally {
       first_s = last_s = at_s;
       return;
     }
-    bytes += qint64(size);  // of those in the span, whose first message is none in it
+    bytes += qint64(size);  // of those in the time span, without its first message
     shortest_s = count == 2 ? since_s : std::min(shortest_s, since_s);
     longest_s = std::max(longest_s, since_s);
     squares += since_s * since_s;
@@ -108,12 +108,10 @@ class TopicsRun {
               [](const OfferedTopic& a, const OfferedTopic& b) { return a.name < b.name; });
     print(*told);
     if (all) return kDone;
-    say(offers_
-            ? TopicsText::tr(
-                  "The robot does not tell which topics it has (its node rosapi does not run): these "
-                  "are the usual ones.")
-            : TopicsText::tr("The robot does not tell which topics it has: these are those that mapwright "
-                             "understands."));
+    say(offers_ ? TopicsText::tr("The robot does not list its topics (its node rosapi is not running): these "
+                                 "are the usual ones.")
+                : TopicsText::tr(
+                      "The robot does not list its topics: these are the ones that mapwright understands."));
     return kIncomplete;
   }
 
@@ -138,9 +136,9 @@ class TopicsRun {
     silence.start();
     const bool done = stopped_ || (words_.count > 0 && left == 0);
     if (!done) loop_.exec();
-    if (cut) say(TopicsText::tr("Messages of more than 1 MiB were cut."));
+    if (cut) say(TopicsText::tr("Messages longer than 1 MiB were truncated."));
     if (!stopped_ && (words_.count == 0 || left > 0))
-      say(TopicsText::tr("%1: nothing came within %2 s (--timeout).")
+      say(TopicsText::tr("%1: nothing arrived within %2 s (--timeout).")
               .arg(topics_.front(), QString::number(words_.timeout_s)));
     const bool ended_by_hand = stopped_ && words_.count == 0;
     return !cut && (ended_by_hand || (words_.count > 0 && left == 0)) ? kDone : kIncomplete;
@@ -190,7 +188,7 @@ class TopicsRun {
     printTable(table);
   }
 
-  /// JSON without line ends, as it came where it has none.
+  /// JSON without line breaks, unchanged if it has none.
   static QByteArray lineOf(const QByteArray& message) {
     if (!message.contains('\n')) return message;
     const QJsonDocument parsed = QJsonDocument::fromJson(message);
@@ -200,8 +198,8 @@ class TopicsRun {
   CommandResult<int> report(const std::map<QString, Tally>& tallies) const {
     QJsonArray rows;
     std::vector<QStringList> table{{TopicsText::tr("PER SECOND"), TopicsText::tr("MESSAGES"),
-                                    TopicsText::tr("LEAST (s)"), TopicsText::tr("MOST (s)"),
-                                    TopicsText::tr("DEVIATION (s)"), TopicsText::tr("BYTES/s"),
+                                    TopicsText::tr("MIN (s)"), TopicsText::tr("MAX (s)"),
+                                    TopicsText::tr("STD DEV (s)"), TopicsText::tr("BYTES/s"),
                                     TopicsText::tr("TOPIC")}};
     bool all = true;
     for (const QString& topic : topics_) {
@@ -234,8 +232,8 @@ class TopicsRun {
       if (tallies.at(topic).told()) continue;
       const QString sentence =
           tallies.at(topic).count == 0
-              ? TopicsText::tr("%1: nothing came within %2 s (--seconds).")
-              : TopicsText::tr("%1: one message came within %2 s (--seconds), which makes no rate.");
+              ? TopicsText::tr("%1: nothing arrived within %2 s (--seconds).")
+              : TopicsText::tr("%1: only one message arrived within %2 s (--seconds), too few for a rate.");
       say(sentence.arg(topic, QString::number(words_.seconds)));
     }
     return all ? kDone : kIncomplete;
@@ -253,11 +251,11 @@ class TopicsRun {
 
 CommandResult<int> carryOut(const TopicsWords& words, const std::string& what) {
   const QString address = text(words.robot);
-  if (address.isEmpty()) return wrong(TopicsText::tr("Which robot? Give --robot ADDRESS."));
+  if (address.isEmpty()) return wrong(TopicsText::tr("Which robot? Pass --robot ADDRESS."));
   if (!(words.timeout_s > 0 && words.timeout_s <= 86'400))
-    return wrong(TopicsText::tr("--timeout must be more than 0 and at most 86400 seconds."));
+    return wrong(TopicsText::tr("--timeout must be greater than 0 and at most 86400 seconds."));
   if (!(words.seconds > 0 && words.seconds <= 86'400))
-    return wrong(TopicsText::tr("--seconds must be more than 0 and at most 86400."));
+    return wrong(TopicsText::tr("--seconds must be greater than 0 and at most 86400."));
   if (words.count < 0) return wrong(TopicsText::tr("--count must be at least 1."));
   const auto access = RobotAccess::read(words.access, address);
   if (!access) return wrong(access.error());
@@ -267,10 +265,9 @@ CommandResult<int> carryOut(const TopicsWords& words, const std::string& what) {
     return wrong(TopicsText::tr("%1: %2").arg(
         address, sentences::whyAbsent(robot::Capability::Live, (*robot)->whyNot(robot::Capability::Live))));
   if (what != "list" && !robot::deliversOf(**robot))
-    return wrong(
-        TopicsText::tr("%1 sends nothing by itself. Of a recording mapwright bags frames tells the messages, "
-                       "and mapwright bags info what it holds.")
-            .arg(address));
+    return wrong(TopicsText::tr("%1 sends nothing by itself. For a recording, mapwright bags frames prints "
+                                "the messages and mapwright bags info shows what it contains.")
+                     .arg(address));
   TopicsRun run(words, std::move(*robot));
   return what == "list" ? run.list() : what == "echo" ? run.echo() : run.hz();
 }
@@ -291,33 +288,34 @@ void addTopics(Commands& commands) {
   const auto shared = std::make_shared<TopicsWords>();
   TopicsWords& words = *shared;
   CLI::App* const topics = commands.program().add_subcommand(
-      "topics", help(TopicsText::tr("What a robot sends, by its own names: list, echo, hz")));
+      "topics", help(TopicsText::tr("The topics of a robot, under its own names: list, echo, hz")));
   topics->require_subcommand(1);
   const auto add = [&](const char* name, const QString& what) {
     CLI::App* const command = topics->add_subcommand(name, help(what));
     addRobot(*command, words.robot, words.access,
-             TopicsText::tr("Robot address, or of list a recording (or MAPWRIGHT_ROBOT)"));
+             TopicsText::tr("Robot address, or a recording for list (or MAPWRIGHT_ROBOT)"));
     addJson(*command, words.json);
     commands.add(command, shared, [name](const TopicsWords& typed, int& argc, char** argv) {
       return runTopics(name, typed, argc, argv);
     });
     return command;
   };
-  addTimeout(*add("list", TopicsText::tr("Every topic with its type")), words.timeout_s,
+  addTimeout(*add("list", TopicsText::tr("List all topics with their types")), words.timeout_s,
              TopicsText::tr("Give up connecting after this many seconds"));
-  CLI::App* const echo =
-      add("echo", TopicsText::tr("The messages of a topic as they come, one JSON text a line, until Ctrl+C"));
-  echo->add_option("topic", words.topics, help(TopicsText::tr("As the robot calls it")))
+  CLI::App* const echo = add(
+      "echo",
+      TopicsText::tr("Print the messages of a topic as they arrive, one JSON text per line, until Ctrl+C"));
+  echo->add_option("topic", words.topics, help(TopicsText::tr("Topic, as the robot names it")))
       ->required()
       ->expected(1);
   echo->add_option("--count", words.count,
-                   help(TopicsText::tr("Stop after so many messages; without it, when interrupted")))
+                   help(TopicsText::tr("Stop after this many messages; by default when interrupted")))
       ->check(CLI::Range(1, 1'000'000'000));
   addTimeout(*echo, words.timeout_s,
-             TopicsText::tr("Give up after this many seconds without a connection, or without a message"));
-  CLI::App* const hz = add("hz", TopicsText::tr("How often topics come, and how evenly"));
-  hz->add_option("topics", words.topics, help(TopicsText::tr("As the robot calls them")))->required();
-  hz->add_option("--seconds", words.seconds, help(TopicsText::tr("How long to count")))
+             TopicsText::tr("Give up after this many seconds without a connection or a message"));
+  CLI::App* const hz = add("hz", TopicsText::tr("Measure the rates of topics and how regular they are"));
+  hz->add_option("topics", words.topics, help(TopicsText::tr("Topics, as the robot names them")))->required();
+  hz->add_option("--seconds", words.seconds, help(TopicsText::tr("For how many seconds to measure")))
       ->capture_default_str();
   addTimeout(*hz, words.timeout_s, TopicsText::tr("Give up connecting after this many seconds"));
 }

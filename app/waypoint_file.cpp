@@ -26,7 +26,7 @@ using words::text;
 
 constexpr const char* kStandardInput = "-";
 
-/// After the mark of UTF-8 and blanks.
+/// After a UTF-8 byte order mark and blanks.
 bool beginsLikeJson(std::string_view bytes) {
   constexpr std::string_view kMark = "\xef\xbb\xbf";
   if (bytes.starts_with(kMark)) bytes.remove_prefix(kMark.size());
@@ -45,12 +45,13 @@ std::optional<WaypointFileKind> kindCalled(const QString& word) {
 tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path, const std::string& format) {
   if (!format.empty()) {
     if (const auto kind = kindCalled(text(format))) return *kind;
-    return tl::make_unexpected(WaypointFileText::tr("--format %1: give csv or geojson.").arg(text(format)));
+    return tl::make_unexpected(
+        WaypointFileText::tr("--format %1: must be csv or geojson.").arg(text(format)));
   }
   if (isStandardOutput(text(path))) return WaypointFileKind::GeoJson;
   if (const auto kind = kindCalled(QFileInfo(text(path)).suffix().toLower())) return *kind;
   return tl::make_unexpected(
-      WaypointFileText::tr("%1: the name ends in .geojson or .csv; or give --format geojson or csv.")
+      WaypointFileText::tr("%1: the name must end in .geojson or .csv; or pass --format geojson or csv.")
           .arg(text(path)));
 }
 

@@ -28,9 +28,9 @@ CommandResult<map::MapKey> mapOf(MapReading& robot, const std::string& id) {
   };
   if (!id.empty() && !robot.local()) {
     if (named.kind == map::MapKind::Stored) return named;
-    return fail(
-        kUsage,
-        WaypointListText::tr("--map %1: give the id of a stored map (mapwright maps list).").arg(text(id)));
+    return fail(kUsage,
+                WaypointListText::tr("--map %1: pass the id of a stored map (see mapwright maps list).")
+                    .arg(text(id)));
   }
   const auto rows = robot.catalogue();
   if (!rows) return tl::make_unexpected(rows.error());
@@ -39,12 +39,12 @@ CommandResult<map::MapKey> mapOf(MapReading& robot, const std::string& id) {
   if (!entry && id.empty() && (*rows)->size() == 1) entry = &(*rows)->front();
   if (entry) return entry->key;
   if (!id.empty())
-    return fail(kUsage, WaypointListText::tr("There is no map %1 (mapwright maps list).").arg(text(id)));
+    return fail(kUsage, WaypointListText::tr("There is no map %1 (see mapwright maps list).").arg(text(id)));
   return (*rows)->empty()
-             ? fail(kRobotError, WaypointListText::tr("There is no map."))
+             ? fail(kRobotError, WaypointListText::tr("There are no maps."))
              : fail(kRobotError,
-                    WaypointListText::tr("None of its maps is the current one. Give --map ID (mapwright "
-                                         "maps list)."));
+                    WaypointListText::tr(
+                        "None of its maps is the current one. Pass --map ID (see mapwright maps list)."));
 }
 
 tl::expected<robot::StoredWaypoints, map::Failure> readAll(ListedWaypoints& list,
@@ -74,15 +74,14 @@ QString someIds(const std::vector<const map::Waypoint*>& points) {
 
 QString nameLeft(const exchange::TemporaryName& left) {
   const QString name = words::plainName(left.name), permanent = words::plainName(left.permanent);
-  return left.is_free
-             ? WaypointListText::tr(
-                   "\"%1\" looks like a temporary name: a swap of names broke off. Before that it was "
-                   "called \"%2\". Apply the plan again, or rename it.")
-                   .arg(name, permanent)
-             : WaypointListText::tr(
-                   "\"%1\" looks like a temporary name: a swap of names broke off. Another waypoint is "
-                   "called \"%2\" now. Apply the plan again, or rename it.")
-                   .arg(name, permanent);
+  return left.is_free ? WaypointListText::tr(
+                            "\"%1\" looks like a temporary name left by an interrupted swap of names. It was "
+                            "called \"%2\" before. Apply the plan again, or rename it.")
+                            .arg(name, permanent)
+                      : WaypointListText::tr(
+                            "\"%1\" looks like a temporary name left by an interrupted swap of names. "
+                            "Another waypoint is called \"%2\" now. Apply the plan again, or rename it.")
+                            .arg(name, permanent);
 }
 
 }  // namespace
@@ -96,7 +95,7 @@ std::vector<exchange::WaypointEdit> fitted(const ListedWaypoints& list,
 
 CommandFailure ListedWaypoints::failure(const map::Failure& failed) const {
   CommandFailure failure = robot->failure(failed);
-  // Of files nobody answers: they cannot be read, or not written.
+  // Files do not answer: they cannot be read or written.
   if (robot->local() && failed.kind != map::FailureKind::Conflict &&
       failed.kind != map::FailureKind::TimedOut)
     failure.exit_code = kUsage;
@@ -146,9 +145,10 @@ CommandResult<const map::Waypoint*> chosen(const ListedWaypoints& list, const st
   if (called.size() == 1) return called.front();
   if (called.empty())
     return tl::make_unexpected(list.robot->failure(
-        kRobotError, WaypointListText::tr("There is no waypoint %1 (mapwright waypoints list).").arg(shown)));
+        kRobotError,
+        WaypointListText::tr("There is no waypoint %1 (see mapwright waypoints list).").arg(shown)));
   return tl::make_unexpected(
-      list.robot->failure(kUsage, WaypointListText::tr("Several waypoints are called \"%1\". Give an id: %2.")
+      list.robot->failure(kUsage, WaypointListText::tr("Several waypoints are called \"%1\". Pass an id: %2.")
                                       .arg(shown, someIds(called))));
 }
 

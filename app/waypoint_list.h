@@ -1,4 +1,4 @@
-// The waypoints of one map of a robot, as a command reads them and names one of them.
+// The waypoints of one map of a robot, as read by a command, and looking one up.
 #pragma once
 
 #include <string>
@@ -14,27 +14,27 @@ struct ListedWaypoints {
   MapReading* robot = nullptr;  // not null
   map::MapKey map;
   robot::StoredWaypoints stored = {};
-  robot::WaypointStore* store = nullptr;  // null = they can only be read
+  robot::WaypointStore* store = nullptr;  // null = read-only
 
   std::string mapId() const { return map::toText(map); }
-  /// A request about them that failed.
+  /// A failed request about them.
   CommandFailure failure(const map::Failure& failed) const;
 };
 
-/// The edits as they are going to be kept there; what of them is not is noted.
+/// The edits as they will be stored; notes what cannot be.
 std::vector<exchange::WaypointEdit> fitted(const ListedWaypoints& list,
                                            std::vector<exchange::WaypointEdit> edits);
 
 enum class Use { Reading, Changing };
-/// Connects, and reads those of the map `map` ("" = the current one). For Changing a robot without a
+/// Connects and reads the waypoints of the map `map` ("" = the current one). With Changing, a robot without a
 /// WaypointStore is refused.
 CommandResult<ListedWaypoints> listWaypoints(MapsCommand& command, const WaypointsWords& words,
                                              const std::string& map, Use use);
 
-/// The one that is meant by `word`: its id, else its name where no other one has it.
+/// Finds a waypoint by its id, or by its name if only one has it.
 CommandResult<const map::Waypoint*> chosen(const ListedWaypoints& list, const std::string& word);
 
-/// The frame of every command: its time, its report, its one line on standard error.
+/// Common to every command: its time limit, its report, its one line on standard error.
 int runWaypointsCommand(const WaypointsWords& words, int& argc, char** argv,
                         const std::function<CommandResult<int>(MapsCommand&)>& work);
 

@@ -81,7 +81,7 @@ void printPreview(const ListedWaypoints& list, const exchange::MergedEdits& edit
     return;
   }
   std::vector<QStringList> table{{WaypointPreviewText::tr("CHANGE"), WaypointPreviewText::tr("ID"),
-                                  WaypointPreviewText::tr("NAME"), WaypointPreviewText::tr("FROM NOW ON")}};
+                                  WaypointPreviewText::tr("NAME"), WaypointPreviewText::tr("NEW VALUE")}};
   for (const exchange::WaypointStep& step : steps) {
     const std::string id = step.id();
     table.push_back({wordOf(step.kind), id.empty() ? QStringLiteral("-") : words::plainName(id),

@@ -23,9 +23,9 @@ class WaypointSendingText {
   Q_DECLARE_TR_FUNCTIONS(WaypointSending)
 };
 
-constexpr int kFarewellMs = 150;         // until a request that is given up says what became of it
-constexpr double kReconnectWithinS = 5;  // to see what became of the requests of a lost link
-constexpr int kLooksToSettle = 3;        // a submission that was overtaken begins again by itself, later
+constexpr int kFarewellMs = 150;         // how long to wait for the result of a request that was given up
+constexpr double kReconnectWithinS = 5;  // to find out the results after a lost connection
+constexpr int kLooksToSettle = 3;        // a submission that was overtaken restarts by itself, later
 
 class Sending {
  public:
@@ -57,7 +57,7 @@ class Sending {
  private:
   using Row = edit::WaypointSubmission::Row;
 
-  /// True when what is kept now has been read at the end.
+  /// True if the stored state was read at the end.
   bool send() {
     open_.save(at_failure_);
     const bool in_time = settle();
@@ -68,7 +68,7 @@ class Sending {
     if (submission.phase() != edit::SubmissionPhase::Stopped)
       return submission.phase() == edit::SubmissionPhase::Done;
     sent_.failure = submission.failure();
-    // It was taken back here, and not by whom it was asked for.
+    // It was cancelled here, not by the caller.
     if (!in_time && sent_.failure) sent_.failure = robot_.tooLate(*sent_.failure);
     return false;
   }
@@ -89,7 +89,7 @@ class Sending {
     sent_.failure = robot_.tooLate({});
   }
 
-  /// What would be refused for sure is not sent, and with it nothing where the first failure stops it.
+  /// Does not send what would certainly be refused; if the first failure stops everything, sends nothing.
   bool noteRefused() {
     const std::set<edit::Key> refused = open_.refused();
     for (SentStep& sent : sent_.steps) {
@@ -116,7 +116,7 @@ class Sending {
     }
     return told;
   }
-  /// A step of several requests is applied when all of them are.
+  /// A step with several requests is applied if all of them are.
   void noteRows(bool in_time) {
     std::map<SentStep*, exchange::SentOutcome> told;
     for (const Row& row : open_.submission().rows()) {
@@ -126,7 +126,7 @@ class Sending {
         for (const exchange::WaypointStep& step : exchange::stepsOf({{key, change.before, change.after}})) {
           SentStep* const sent = find(key, step.kind);
           if (!sent) continue;
-          // That it has got a temporary name is not what was wanted.
+          // A temporary name is not the intended result.
           const bool aside = step.kind == exchange::StepKind::Rename && sent->step.after &&
                              step.after->name != sent->step.after->name;
           if (aside && now.state == StepState::Applied) continue;
@@ -136,7 +136,7 @@ class Sending {
       }
     }
     for (auto& [sent, now] : told) {
-      // What failed is not asked for again.
+      // Failed requests are not repeated.
       const StepState before = sent->outcome.state;
       if (before != StepState::Failed && before != StepState::Unknown) sent->outcome = std::move(now);
     }
@@ -151,7 +151,7 @@ class Sending {
     return created;
   }
 
-  /// How they are kept now; after a lost link it may take a moment until they can be read again.
+  /// Reads the stored state; after a lost connection that may take a moment.
   bool look() {
     for (int attempt = 0; attempt < 2 && !robot_.time().over(); ++attempt) {
       auto stored = robot_.ask<robot::StoredWaypoints>([&](robot::OutcomeTo<robot::StoredWaypoints> reply) {
@@ -170,7 +170,7 @@ class Sending {
     return false;
   }
 
-  /// What is kept now tells of every step whether it has been made.
+  /// The stored state tells for every step whether it was made.
   void judge() {
     for (SentStep& sent : sent_.steps) {
       const auto kept = sent_.kept.find(sent.step.key);
@@ -188,7 +188,7 @@ class Sending {
       LeftName left{kept->second.id, before.name, kept->second.name, after.name, looked};
       const bool has_it = map::isTemporaryFor(left.name, before.name);
       const std::string had(left.name == before.name ? map::permanentName(before.name) : "");
-      // What was asked for, and may be done yet.
+      // It was requested, and may still be carried out.
       if (!has_it && sent.outcome.state == StepState::Unknown) {
         left.certain = false;
         left.name = askedAside(sent.step.key, before.name).value_or(left.name);
@@ -198,7 +198,7 @@ class Sending {
         sent_.left_names.push_back(std::move(left));
     }
   }
-  /// The temporary name that it was to have.
+  /// The temporary name that it should have got.
   std::optional<std::string> askedAside(const edit::Key& key, const std::string& name) const {
     for (const Row& row : open_.submission().rows()) {
       for (const robot::WaypointChange& change : row.request.changes) {
@@ -224,14 +224,14 @@ QString wordOf(StepState state) {
     case StepState::Failed:
       return WaypointSendingText::tr("failed");
     case StepState::Unknown:
-      return WaypointSendingText::tr("not known");
+      return WaypointSendingText::tr("unknown");
     case StepState::NotSent:
       break;
   }
   return WaypointSendingText::tr("not sent");
 }
 
-/// For scripts (docs/command-line.md).
+/// For scripts, never changes (docs/command-line.md).
 const char* stableWordOf(StepState state) {
   switch (state) {
     case StepState::Applied:
@@ -250,10 +250,10 @@ QString shownName(const exchange::WaypointStep& step) { return words::plainName(
 
 QString sentenceOf(const LeftName& left) {
   const QString sentence =
-      left.certain ? WaypointSendingText::tr(
-                         "\"%1\" has the temporary name \"%2\" now, until it can be called \"%3\".")
-                   : WaypointSendingText::tr(
-                         "\"%1\" may have the temporary name \"%2\" now, until it can be called \"%3\".");
+      left.certain
+          ? WaypointSendingText::tr("\"%1\" is temporarily called \"%2\", until the name \"%3\" is free.")
+          : WaypointSendingText::tr(
+                "\"%1\" may temporarily be called \"%2\", until the name \"%3\" is free.");
   return sentence.arg(words::plainName(left.before), words::plainName(left.name),
                       words::plainName(left.wanted));
 }
@@ -263,7 +263,7 @@ QString sentenceOf(const std::vector<LeftName>& left) {
   QStringList lines;
   for (const LeftName& one : left) lines << sentenceOf(one);
   return QLatin1Char(' ') + lines.join(QLatin1Char(' ')) + QLatin1Char(' ') +
-         WaypointSendingText::tr("Do the same again to finish it.");
+         WaypointSendingText::tr("Run the command again to finish it.");
 }
 
 }  // namespace
@@ -288,10 +288,11 @@ QString SentWaypoints::whatBecame() const {
                                                  .arg(lines.first(), QString::number(lines.size() - 1))
                                            : lines.first();
     return WaypointSendingText::tr(
-               "Others have changed the waypoints meanwhile, and that does not go together: %1. %2")
+               "The waypoints have been changed by someone else in the meantime, in a way that conflicts "
+               "with this: %1. %2")
         .arg(first, count(StepState::Applied) + count(StepState::Unknown) == 0
-                        ? WaypointSendingText::tr("Nothing has been sent.")
-                        : WaypointSendingText::tr("The rest has not been sent."));
+                        ? WaypointSendingText::tr("Nothing was sent.")
+                        : WaypointSendingText::tr("The rest was not sent."));
   }
   QStringList lines;
   for (const StepState state : {StepState::Unknown, StepState::Failed}) {
@@ -304,7 +305,7 @@ QString SentWaypoints::whatBecame() const {
   const QString first = lines.isEmpty() ? QString() : lines.first();
   if (steps.size() == 1) return first;
   return WaypointSendingText::tr(
-             "Of %1 changes %2 are applied, %3 failed, %4 are not known and %5 not sent. %6")
+             "Of %1 changes %2 are applied, %3 failed, %4 are unknown and %5 were not sent. %6")
       .arg(QString::number(steps.size()), QString::number(count(StepState::Applied)),
            QString::number(count(StepState::Failed)), QString::number(count(StepState::Unknown)),
            QString::number(count(StepState::NotSent)), first);

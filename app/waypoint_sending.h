@@ -1,4 +1,4 @@
-// Changes of waypoints on their way to where they are kept, until it is known what became of each.
+// Sends changes of waypoints and finds out the result of each.
 #pragma once
 
 #include <optional>
@@ -20,25 +20,25 @@ struct SentStep {
   exchange::SentOutcome outcome = {};
 };
 
-/// A swap of names that broke off has left a waypoint with a temporary name.
+/// A waypoint left with a temporary name by an interrupted swap of names.
 struct LeftName {
   std::string id, before, name, wanted;
-  bool certain = true;  // false: it may have it, nobody could look
+  bool certain = true;  // false: possibly; it could not be checked
 };
 
 struct SentWaypoints {
-  std::vector<SentStep> steps;  // what was so already is none of them
-  /// What others have changed meanwhile and does not go together: of that nothing was sent.
+  std::vector<SentStep> steps;  // without changes that were already in place
+  /// Changes by others that conflict with ours: nothing of these was sent.
   exchange::WaypointConflicts conflicts = {};
   std::optional<map::Failure> failure = {};  // why it was stopped
-  exchange::WaypointItems kept = {};         // under our keys, as far as is known
+  exchange::WaypointItems kept = {};         // under our keys, as far as known
   std::vector<LeftName> left_names = {};
 
   std::size_t count(StepState state) const;
   bool complete() const { return conflicts.empty() && count(StepState::Applied) == steps.size(); }
-  /// 0 all, 1 some (or not known), 3 none, because the robot is out of reach, 4 none.
+  /// 0 all, 1 some (or unknown), 3 none, because the robot is unreachable, 4 none.
   int exitCode() const;
-  /// What is to be said when it is not complete.
+  /// What to print if it is incomplete.
   QString sentence() const;
 
  private:
@@ -46,19 +46,18 @@ struct SentWaypoints {
 };
 
 using edit::AtFailure;
-/// Looks how they are kept now, merges, sends one request after the other, and looks what has become of them.
-/// With a conflict nothing is sent. The time of the command bounds it: what is under way then is given up.
+/// Reads the current waypoints, merges, sends one request after the other, and checks the result. Sends
+/// nothing if there is a conflict. When the command's time runs out, requests in progress are given up.
 CommandResult<SentWaypoints> sendWaypoints(const ListedWaypoints& list,
                                            std::vector<exchange::WaypointEdit> edits, AtFailure at_failure);
 
 /// {"applied","failed":[{"id","name","kind","sentence"}],"unknown":[…],"remaining","complete","conflicts",
 /// "temporary_names":[{"id","before","name","wanted","certain"}]}.
 QJsonObject sentJson(const SentWaypoints& sent, const std::string& map);
-/// The same for a report: the map, and of every change what became of it: `changes` are as in a plan, each
-/// with a "state" (applied, failed, unknown, not_sent) and, where it is not applied, the "sentence" that says
-/// why.
+/// For a report: the map, and the result of every change. `changes` are as in a plan, each with a "state"
+/// (applied, failed, unknown, not_sent) and, if it is not applied, the "sentence" that says why.
 QJsonObject sentReport(const SentWaypoints& sent, const std::string& map);
-/// A table for people.
+/// Prints a table.
 void printSent(const SentWaypoints& sent);
 
 }  // namespace mapwright::app

@@ -19,8 +19,8 @@ class WaypointWarningsText {
   Q_DECLARE_TR_FUNCTIONS(WaypointWarnings)
 };
 
-constexpr double kMapWithinS = 20;   // the command waits no longer for its picture
-constexpr double kModelWithinS = 2;  // for the robot's own shape
+constexpr double kMapWithinS = 20;   // the command waits at most this long for its picture
+constexpr double kModelWithinS = 2;  // for the robot's footprint
 
 struct Ground {
   placing::PlacedMap map;
@@ -106,8 +106,8 @@ DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::W
   }
   doubtful.looked = found.state != placing::GroundState::None;
   if (!doubtful.looked) {
-    doubtful.untold =
-        WaypointWarningsText::tr("The map under the waypoints cannot be looked at: walls are not told.");
+    doubtful.untold = WaypointWarningsText::tr(
+        "The map under the waypoints cannot be read, so they are not checked for walls.");
     if (!ground.why_not.isEmpty()) doubtful.untold += QLatin1Char(' ') + ground.why_not;
   } else {
     doubtful.untold = sentences::sentenceOf(found.state);

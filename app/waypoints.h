@@ -9,7 +9,7 @@
 
 namespace mapwright::app {
 
-/// The words as typed; empty = not given.
+/// The options as typed; empty = not given.
 struct WaypointsWords {
   std::string robot;
   AccessWords access;
@@ -17,18 +17,18 @@ struct WaypointsWords {
   std::string report;
   double timeout_s = 60;
   bool json = false;
-  bool dry_run = false;                         // print what would be done, send nothing
-  std::vector<std::string> which;               // get, rename, move, tag, delete: ids, or names of one each
-  std::string name;                             // create, rename: from now on
-  std::string at;                               // create, move: X,Y or X,Y,YAW in metres and degrees
-  std::string tags;                             // create, tag: a,b
-  std::string added_tags, removed_tags;         // tag
-  bool no_tags = false;                         // tag: all go
-  bool yes = false;                             // delete: they may go
-  std::string file, format, output;             // import, plan, apply; export: csv or geojson; export, plan
-  bool force = false;                           // also over a file that is read, or on another robot
-  bool warnings = false;                        // list: what is doubtful about each
-  std::string radius;                           // list, plan: metres to a wall; empty = as the robot tells
+  bool dry_run = false;                  // print the changes, send nothing
+  std::vector<std::string> which;        // get, rename, move, tag, delete: ids, or unique names
+  std::string name;                      // create, rename: from now on
+  std::string at;                        // create, move: X,Y or X,Y,YAW in metres and degrees
+  std::string tags;                      // create, tag: a,b
+  std::string added_tags, removed_tags;  // tag
+  bool no_tags = false;                  // tag: all go
+  bool yes = false;                      // delete: confirmed
+  std::string file, format, output;      // import, plan, apply; export: csv or geojson; export, plan
+  bool force = false;                    // also overwrite a source file, or apply to another robot
+  bool warnings = false;                 // list: with warnings about each
+  std::string radius;  // list, plan: distance to walls in metres; empty = the robot's footprint
   bool stop_at_failure = false, go_on = false;  // apply, import
 };
 

@@ -1,4 +1,4 @@
-// One waypoint changed, or some deleted.
+// Changes one waypoint, or deletes some.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -35,9 +35,10 @@ struct PlaceAt {
 CommandResult<PlaceAt> placeAt(const std::string& words) {
   const auto numbers = numbersFrom(words);
   if (!numbers || (numbers->size() != 2 && numbers->size() != 3))
-    return wrong(WaypointsChangeText::tr(
-                     "--at %1: give X,Y in metres, or X,Y,YAW with degrees, for example 1.5,-2,90.")
-                     .arg(text(words)));
+    return wrong(
+        WaypointsChangeText::tr(
+            "--at %1: give X,Y in metres, or X,Y,YAW with the yaw in degrees, for example 1.5,-2,90.")
+            .arg(text(words)));
   PlaceAt place{{(*numbers)[0], (*numbers)[1]}, {}};
   if (numbers->size() == 3)
     place.yaw_rad = geometry::normalizeAngle(geometry::radiansFromDegrees((*numbers)[2]));
@@ -47,13 +48,13 @@ CommandResult<PlaceAt> placeAt(const std::string& words) {
 CommandResult<std::vector<std::string>> tagsIn(const char* option, const std::string& words) {
   auto tags = exchange::tagsOf(words);
   if (tags) return std::move(*tags);
-  return wrong(WaypointsChangeText::tr("%1 %2: give tags like a,b (%3)")
+  return wrong(WaypointsChangeText::tr("%1 %2: give tags as a,b (%3)")
                    .arg(QLatin1String(option), text(words), tags.error()));
 }
 
 using Edits = CommandResult<std::vector<exchange::WaypointEdit>>;
 
-/// What becomes of the chosen one.
+/// The change of the selected waypoint.
 Edits editOf(const ListedWaypoints& list, const WaypointsWords& words,
              const std::function<void(map::Waypoint&)>& change) {
   const auto point = chosen(list, words.which.front());
@@ -81,7 +82,7 @@ void printChanged(const SentWaypoints& sent, const std::vector<exchange::Waypoin
   one ? printJson(rows.first().toObject()) : printJson(rows);
 }
 
-/// Everything that such a command does, but for what it changes.
+/// The common part of these commands, given the change.
 int change(const WaypointsWords& words, int& argc, char** argv,
            const std::function<std::optional<CommandFailure>()>& check,
            const std::function<Edits(const ListedWaypoints&)>& editsOf) {
@@ -172,7 +173,7 @@ int waypointsTag(const WaypointsWords& words, int& argc, char** argv) {
     const bool partly = !added->empty() || !removed->empty();
     if (int(!tags->empty()) + int(words.no_tags) + int(partly) != 1)
       return CommandFailure{
-          kUsage, WaypointsChangeText::tr("Which tags? Give --set a,b, or --clear, or --add and --remove.")};
+          kUsage, WaypointsChangeText::tr("Which tags? Pass --set a,b, or --clear, or --add and --remove.")};
     for (const std::string& tag : *added) {
       if (std::find(removed->begin(), removed->end(), tag) != removed->end())
         return CommandFailure{
@@ -195,9 +196,8 @@ int waypointsTag(const WaypointsWords& words, int& argc, char** argv) {
 int waypointsDelete(const WaypointsWords& words, int& argc, char** argv) {
   const auto check = [&]() -> std::optional<CommandFailure> {
     if (words.yes || words.dry_run) return std::nullopt;
-    return CommandFailure{kUsage,
-                          WaypointsChangeText::tr(
-                              "Waypoints that are deleted cannot be had back. Say --yes when they may go.")};
+    return CommandFailure{
+        kUsage, WaypointsChangeText::tr("Deleting waypoints cannot be undone. Pass --yes to delete them.")};
   };
   return change(words, argc, argv, check, [&](const ListedWaypoints& list) -> Edits {
     std::vector<exchange::WaypointEdit> edits;

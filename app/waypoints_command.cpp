@@ -1,4 +1,4 @@
-// Waypoints looked at and written into files.
+// Lists waypoints and writes them to files.
 #include <cstdio>
 
 #include <QCoreApplication>
@@ -53,7 +53,7 @@ int waypointsList(const WaypointsWords& words, int& argc, char** argv) {
     std::optional<DoubtfulWaypoints> doubtful;
     if (words.warnings) doubtful = doubtsOf(*list, list->stored.points, *radius_m);
     if (doubtful && !doubtful->untold.isEmpty()) list->robot->note(doubtful->untold);
-    // The list is there; what was asked for about it is not.
+    // The list is complete; the additional data is not.
     const int exit_code = doubtful && !doubtful->looked ? int(kIncomplete) : int(kDone);
     if (words.json) {
       QJsonArray rows = exchange::waypointsJson(list->stored.points, list->mapId());
@@ -66,7 +66,7 @@ int waypointsList(const WaypointsWords& words, int& argc, char** argv) {
       return exit_code;
     }
     if (list->stored.points.empty()) {
-      std::printf("%s\n", qUtf8Printable(WaypointsCommandText::tr("There is no waypoint.")));
+      std::printf("%s\n", qUtf8Printable(WaypointsCommandText::tr("There are no waypoints.")));
       return exit_code;
     }
     std::vector<QStringList> table{{WaypointsCommandText::tr("ID"), WaypointsCommandText::tr("X (m)"),

@@ -1,4 +1,4 @@
-// Waypoints changed as files ask for it: import, plan, apply.
+// Changes waypoints from files: import, plan, apply.
 #include <cstdio>
 
 #include <QCoreApplication>
@@ -31,7 +31,7 @@ CommandResult<int> notAll(const ListedWaypoints& list, const SentWaypoints& sent
   return tl::make_unexpected(list.robot->failure(sent.exitCode(), sent.sentence()));
 }
 
-/// Sends the changes, or only shows them, and says what came of it.
+/// Sends the changes, or only shows them, and reports the result.
 CommandResult<int> carryOut(MapsCommand& command, const ListedWaypoints& list,
                             const std::vector<exchange::WaypointEdit>& edits, const WaypointsWords& words) {
   const bool taken = isStandardOutput(text(words.report));  // nothing else is printed there
@@ -52,7 +52,7 @@ CommandResult<int> carryOut(MapsCommand& command, const ListedWaypoints& list,
   return notAll(list, *sent);
 }
 
-/// What the file asks for, of the waypoints as they are.
+/// The changes that the file requires to the present waypoints.
 CommandResult<std::vector<exchange::WaypointEdit>> wantedEdits(const ListedWaypoints& list,
                                                                const exchange::WantedList& wanted,
                                                                const WaypointsWords& words,
@@ -64,7 +64,7 @@ CommandResult<std::vector<exchange::WaypointEdit>> wantedEdits(const ListedWaypo
   return fitted(list, std::move(*edits));
 }
 
-/// What is doubtful about the list as the plan makes it; what cannot be told is said.
+/// Warnings about the list as the plan makes it; says what cannot be checked.
 DoubtsAhead doubtsAhead(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits,
                         std::optional<double> radius_m) {
   exchange::WaypointItems items = exchange::itemsOf(list.stored.points);
@@ -133,7 +133,7 @@ int waypointsPlan(const WaypointsWords& words, int& argc, char** argv) {
 int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
   return runWaypointsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
     const QString file = inputCalled(words.file);
-    // A plan holds its base, and what is to become of it.
+    // A plan contains its base and the changes.
     constexpr std::size_t kMost = 4 * exchange::kMaxWantedBytes;
     const auto bytes = bytesOf(words.file, kMost);
     if (!bytes)
@@ -148,7 +148,7 @@ int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
     const QString address = list->robot->session().robot().address();
     if (!words.force && (address != plan->robot || list->mapId() != plan->map))
       return wrong(WaypointsTransferText::tr(
-                       "%1 was made for the map %2 of %3. Give --force to apply it to the map %4 of %5.")
+                       "%1 was made for the map %2 of %3. Pass --force to apply it to the map %4 of %5.")
                        .arg(file, text(plan->map), plan->robot, text(list->mapId()), address));
     plan->edits = fitted(*list, std::move(plan->edits));
     return carryOut(command, *list, exchange::withoutCreated(*plan, exchange::itemsOf(list->stored.points)),

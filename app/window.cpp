@@ -60,7 +60,7 @@ int showWindow(const QString& address, const RobotAccess& known) {
         robot::SecondServer* const second = made ? robot::secondServerOf(**made) : nullptr;
         const QString beside = second ? trusted.of(second->hostBeside()) : QString();
         if (!beside.isEmpty()) second->trustBeside(beside);
-        // A recording is looked at by playing it.
+        // A recording is viewed by playing it.
         if (made && parsed && !parsed->path.isEmpty() && robot::recorded::isRecording(parsed->path))
           *made = std::make_unique<replay::ReplayRobot>(
               std::move(*made), robot::recorded::bagNameOf(parsed->path), window::followedReading());
@@ -80,7 +80,7 @@ int showWindow(const QString& address, const RobotAccess& known) {
   if (settings->status() != QSettings::NoError) {
     std::fprintf(
         stderr, "%s\n",
-        qUtf8Printable(WindowCommandText::tr("The window's layout cannot be kept: %1 cannot be written.")
+        qUtf8Printable(WindowCommandText::tr("The window layout cannot be saved: %1 is not writable.")
                            .arg(settings->fileName())));
   }
   return exit_code;

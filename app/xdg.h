@@ -4,8 +4,8 @@
 namespace mapwright::app {
 
 /// "All paths set in these environment variables must be absolute. If an implementation encounters a relative
-/// path it should consider the path invalid and ignore it": they are taken out of the environment, so that
-/// Qt, fontconfig and we agree. Before any thread is started.
+/// path it should consider the path invalid and ignore it": removes relative paths from the environment, so
+/// that Qt, fontconfig and we agree. Call it before any thread starts.
 void ignoreRelativeFolders();
 
 }  // namespace mapwright::app

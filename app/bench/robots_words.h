@@ -1,4 +1,4 @@
-// What robots say, for benchmarks of recording it, and where to put it.
+// Typical messages of robots for benchmarks of recording, and where to write them.
 #pragma once
 
 #include <cmath>
@@ -11,10 +11,10 @@
 
 namespace mapwright::bench {
 
-/// Not where the system keeps what is temporary: that may be memory.
+/// Not the folder for temporary files, which may be in memory.
 inline QString folderOnDisk() { return QStringLiteral("/var/tmp/mapwright-bench-XXXXXX"); }
 
-/// A scan of 720 rays, then five poses, again and again.
+/// A scan of 720 rays followed by five poses, over and over.
 inline const std::vector<std::string>& robotsWords() {
   static const std::vector<std::string> words = [] {
     std::mt19937 random(1);

@@ -75,7 +75,7 @@ std::size_t CellTexture::Level::bytes() const {
          before.capacity() * sizeof(std::uint32_t) + cells_bytes;
 }
 
-/// Fills `occupied` and `before`, and returns how many blocks there are to keep.
+/// Fills `occupied` and `before`, and returns how many blocks to store.
 std::size_t CellTexture::Level::markOccupied(const PaddedLevel& padded) {
   const std::size_t blocks = std::size_t(blocks_x) * std::size_t(blocks_y);
   const std::size_t row_bytes = std::size_t(kBlock) * std::size_t(bytesPerCell(padded.layout));

@@ -1,4 +1,4 @@
-// The levels of a texture: dense while they are made, sparse once they are kept. Private to CellTexture.
+// The levels of a texture: dense while they are built, sparse once they are stored. Private to CellTexture.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ inline constexpr int kBlock = DenseCells::kBlock;
 
 inline int bytesPerCell(CellLayout layout) { return layout == CellLayout::Folded ? 1 : 2; }
 
-/// A level while it is made: rows padded with zeros to whole blocks, an even number of them, so that
-/// reduceRows may read a neighbour for every cell.
+/// A level under construction: rows padded with zeros to whole blocks, an even number of them, so that
+/// reduceRows can read a neighbour of every cell.
 struct CellTexture::PaddedLevel {
   /// The padding is zero, the cells are not initialised.
   PaddedLevel(int width, int height, CellLayout layout);
@@ -31,37 +31,36 @@ struct CellTexture::PaddedLevel {
   std::unique_ptr<std::uint8_t[]> bytes;
 };
 
-/// One level as the blocks that hold an observed cell, in row-major order, and a bit for every block. The
-/// rank of a block's bit is its place among the kept ones: 1.5 bits a block in all, where a table of indices
-/// would cost as much as a sixteenth of all cells.
+/// One level, stored as the blocks that contain an observed cell, in row-major order, with a bit for every
+/// block. The rank of a block's bit is its index among the stored ones: this takes 1.5 bits per block, while
+/// a table of indices would cost up to a sixteenth of all cells.
 struct CellTexture::Level {
   int width = 0, height = 0;
   int blocks_x = 0, blocks_y = 0;
-  bool derived = false;                   // not kept: made from level 0 when asked for
-  std::vector<std::uint64_t> occupied;    // bit n of word n / 64: block n is kept
-  std::vector<std::uint32_t> before;      // per word of `occupied`: blocks kept before it
-  std::unique_ptr<std::uint8_t[]> cells;  // kept blocks, kBlock rows of kBlock cells each
+  bool derived = false;                   // not stored: computed from level 0 on demand
+  std::vector<std::uint64_t> occupied;    // bit n of word n / 64: block n is stored
+  std::vector<std::uint32_t> before;      // per word of `occupied`: number of stored blocks before it
+  std::unique_ptr<std::uint8_t[]> cells;  // stored blocks, kBlock rows of kBlock cells each
   std::size_t cells_bytes = 0;
 
   Level(int width, int height);
-  /// Keeps the observed blocks of `padded` and returns how many cells are observed.
+  /// Stores the observed blocks of `padded` and returns how many cells are observed.
   std::size_t keep(const PaddedLevel& padded);
-  /// Writes what keep() kept to the end of `out`; takes it from the front of `in`, false when that is too
-  /// short.
+  /// Appends the stored blocks to `out`; reads them from the front of `in`, false if that is too short.
   void pack(std::vector<std::uint8_t>& out) const;
   bool unpack(std::span<const std::uint8_t>& in, CellLayout layout);
 
   bool isOccupied(std::size_t block) const { return (occupied[block / 64] >> (block % 64) & 1) != 0; }
-  /// False outside, too.
+  /// False outside.
   bool isOccupied(int bx, int by) const {
     return bx < blocks_x && by < blocks_y &&
            isOccupied(std::size_t(by) * std::size_t(blocks_x) + std::size_t(bx));
   }
-  /// How many blocks are kept before `block`.
+  /// How many blocks are stored before `block`.
   std::size_t rank(std::size_t block) const;
   std::size_t bytes() const;
 
-  /// Calls visit(bx, cells) for every kept block of block row `by`; a kept block has `block_bytes` bytes.
+  /// Calls visit(bx, cells) for every stored block of block row `by`; a block has `block_bytes` bytes.
   template <typename Visit>
   void eachBlock(int by, std::size_t block_bytes, Visit visit) const {
     std::size_t block = std::size_t(by) * std::size_t(blocks_x);
@@ -76,7 +75,7 @@ struct CellTexture::Level {
 
  private:
   std::size_t markOccupied(const PaddedLevel& padded);
-  /// Fills `before`, and returns how many blocks are kept.
+  /// Fills `before` and returns how many blocks are stored.
   std::size_t rankBlocks();
 };
 
@@ -85,11 +84,11 @@ struct CellTexture::Body {
   CellLayout layout = CellLayout::Folded;
   std::vector<Level> levels;
 
-  /// Levels of the right sizes, with nothing in them yet.
+  /// Empty levels of the right sizes.
   Body(int width, int height, CellLayout layout);
   std::size_t bytes() const;
   std::vector<std::uint8_t> packed() const;
-  /// Of a texture of the same size; false when `in` is not what packed() wrote.
+  /// For a texture of the same size; false if `in` was not written by packed().
   bool unpack(std::span<const std::uint8_t> in);
 
   bool occupiedBlock(int level, int bx, int by) const;

@@ -15,15 +15,15 @@ namespace mapwright::cells {
 namespace {
 
 constexpr int kCoarsestEdge = 8;  // the last level is at most this wide and high
-// Levels 1 and 2 would add a third to the memory of level 0, and are made from it in about the time of a
-// copy.
+// Levels 1 and 2 would add a third to the memory of level 0, and can be computed from it as fast as copying
+// them.
 constexpr int kLastDerivedLevel = 2;
 static_assert((DenseCells::kBlock >> kLastDerivedLevel) >= 1,
               "a row of blocks gives whole rows of a derived level");
 
 static_assert(sizeof(CellPair) == 2, "pairs are read as bytes");
 
-/// Folds one row; false when a cell does not fold (the row is then unusable).
+/// Folds one row; false if a cell cannot be folded (the row is then invalid).
 bool foldRow(const std::uint8_t* pairs, std::uint8_t* out, std::size_t cells) {
   unsigned misfit = 0;
   for (std::size_t i = 0; i < cells; ++i) {

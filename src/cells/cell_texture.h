@@ -1,4 +1,4 @@
-// The cells of one submap slice in memory: small when kept, dense when composed.
+// The cells of one submap slice in memory: compact when stored, dense when composed.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@ struct CellPair {
   bool operator==(const CellPair&) const = default;
 };
 
-/// How the cells of a texture are stored. Every known Cartographer variant folds without loss into one signed
-/// byte; what does not (INTENSITY, foreign pairs) keeps its pairs.
+/// How the cells of a texture are stored. All known Cartographer variants fit into one signed byte without
+/// loss; others (INTENSITY, foreign pairs) keep their pairs.
 enum class CellLayout : std::uint8_t {
   Folded,  // int8 d: 0 = unknown; d > 0: value d, alpha 0; d < 0: value 0, alpha -d (never -128)
   Pairs,   // uint8 value, uint8 alpha
@@ -48,25 +48,24 @@ struct DenseCells {
   int blocks_x = 0, blocks_y = 0;
   std::vector<std::uint32_t> occupied_sum;
 
-  /// True when no observed cell lies in the cell rectangle [u0,u1] x [v0,v1] (inclusive, clamped to the
-  /// level). Decided by whole blocks in constant time: true is certain, false may be owed to a cell elsewhere
-  /// in a block it touches.
+  /// True if no observed cell lies in the cell rectangle [u0,u1] x [v0,v1] (inclusive, clamped to the level).
+  /// Works with whole blocks in constant time: true is certain, false may be due to another cell in a touched
+  /// block.
   bool emptyWithin(int u0, int v0, int u1, int v1) const;
   std::size_t bytes() const { return data.size() + occupied_sum.size() * sizeof(std::uint32_t); }
 };
 
 /// Immutable cells of one slice with reduced levels for previews. Level 0 is exact; level n has cells 2^n
-/// times as large (see cell_texture.cpp for how they are averaged; they serve previews only). Held as sparse
-/// blocks, so unknown ground costs next to nothing. Safe to share between threads. Where a TextureStore keeps
-/// them they may lie on disk while nobody looks at them; that changes nothing but the time it takes.
+/// times as large (cell_texture.cpp describes the averaging; they are only for previews). Stored as sparse
+/// blocks, so unknown areas cost almost nothing. Safe to share between threads. A TextureStore may move them
+/// to disk while they are unused; that only affects speed.
 class CellTexture {
  public:
   /// `pairs` has width*height elements, row-major, row 0 first. Precondition: sizes match, width, height >=
   /// 1, resolution_m finite and > 0.
   static std::shared_ptr<const CellTexture> fromPairs(int width, int height, double resolution_m,
                                                       std::span<const CellPair> pairs);
-  /// The same from cells that are folded already (CellLayout::Folded, one signed byte each, none of them
-  /// -128).
+  /// The same from folded cells (CellLayout::Folded, one signed byte each, none of them -128).
   static std::shared_ptr<const CellTexture> fromFolded(int width, int height, double resolution_m,
                                                        std::span<const std::uint8_t> cells);
   ~CellTexture();
@@ -79,11 +78,11 @@ class CellTexture {
   CellLayout layout() const;
   int levels() const;  // >= 1; the last level is at most 8 cells wide and high
   std::size_t observedCells() const;
-  std::size_t bytes() const;  // memory that the cells take while they are at hand
+  std::size_t bytes() const;  // memory used by the cells while they are loaded
 
-  /// A dense copy of `level` (0 .. levels()-1). Width of level n is ceil(width / 2^n). Nothing is observed in
-  /// the copy of a texture whose store has lost it (see TextureStore::Listener).
-  /// `storage`: memory of an earlier copy, to be used again; what is in it does not matter.
+  /// A dense copy of `level` (0 .. levels()-1). Width of level n is ceil(width / 2^n). If the store has lost
+  /// the texture (see TextureStore::Listener) nothing is observed in the copy. `storage`: memory of an
+  /// earlier copy to reuse; its content does not matter.
   DenseCells expand(int level, std::vector<std::uint8_t> storage = {}) const;
   /// The exact cell; (0,0) outside.
   CellPair at(int column, int row) const;
@@ -95,9 +94,9 @@ class CellTexture {
   struct Body;
   CellTexture();
   void keepLevels(PaddedLevel padded);
-  /// The levels, from the store where one keeps them; null when they are lost.
+  /// The levels, loaded from the store if there is one; null if they are lost.
   std::shared_ptr<const Body> body() const;
-  // Set over to a store before anybody else has the texture, and never touched after that.
+  // Handed to a store before anybody else has the texture, and not modified after that.
   mutable std::shared_ptr<const Body> body_;
   mutable std::shared_ptr<TextureStore> store_;
   mutable std::uint32_t place_ = 0;  // in the store

@@ -27,7 +27,7 @@ struct Shape {
 
 tl::unexpected<Fault> failure(Fault reason) { return tl::unexpected(std::move(reason)); }
 
-/// With as many bytes as are fine.
+/// With the expected numbers of bytes.
 Fault wrongCount(FaultCode code, std::size_t bytes, const Shape& shape) {
   return {code,
           {words::grouped(std::int64_t(bytes)), words::grouped(std::int64_t(shape.cells())),
@@ -64,7 +64,7 @@ tl::expected<Texture, Fault> fromSingleBytes(std::span<const std::uint8_t> cells
   return failure({fault::CellFormatUnknown, {words::grouped(cell_format)}});
 }
 
-/// Cells without a container around them.
+/// Cells without a container.
 tl::expected<Texture, Fault> fromPlain(std::span<const std::uint8_t> bytes, const Shape& shape,
                                        int cell_format) {
   if (bytes.size() == shape.cells()) {

@@ -19,7 +19,7 @@ namespace mapwright::cells {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 33;      // signature and IHDR
-constexpr std::size_t kAsideBytes = 1 << 20;  // for chunks that are no pixels: more than any map needs
+constexpr std::size_t kAsideBytes = 1 << 20;  // for chunks other than pixels: more than any map needs
 constexpr std::size_t kSmallestChunkLimit = 1 << 16;
 
 struct FreeContext {
@@ -68,7 +68,7 @@ void convertSingle(const std::uint8_t* row, const spng_ihdr& header, std::uint8_
   }
 }
 
-/// One row of several samples a pixel, each of 8 or 16 bits, to (value, alpha).
+/// One row of several samples per pixel, each of 8 or 16 bits, to (value, alpha).
 void convertPairs(const std::uint8_t* row, const spng_ihdr& header, std::size_t channels, std::uint8_t* out) {
   const std::size_t sample = header.bit_depth / 8;
   const bool colour = channels >= 3;
@@ -81,8 +81,8 @@ void convertPairs(const std::uint8_t* row, const spng_ihdr& header, std::size_t 
   }
 }
 
-/// The pixels of a picture of 8-bit samples that is not interlaced, unpacked in one go: in half the time.
-/// nullopt when anything about it is not plain; libspng then says what it is.
+/// The pixels of an 8-bit picture that is not interlaced, unpacked in one step: twice as fast. nullopt if
+/// anything is unusual; libspng then reports what.
 std::optional<packed::ByteBuffer> plainPicture(std::span<const std::uint8_t> bytes, const spng_ihdr& header,
                                                std::size_t unit) {
   if (header.bit_depth != 8 || header.interlace_method != SPNG_INTERLACE_NONE) return std::nullopt;
@@ -142,7 +142,7 @@ tl::expected<PngCells, PngFailure> decodePngCells(std::span<const std::uint8_t> 
     return tl::unexpected(PngFailure{fault::PngWithoutMemory, true});
   }
   // No chunk can be longer than the file; without this limit a compressed text could still be unpacked
-  // without end.
+  // endlessly.
   const std::size_t chunk_limit = std::max(bytes.size(), kSmallestChunkLimit);
   if (spng_set_image_limits(context.get(), std::uint32_t(width), std::uint32_t(height)) != 0 ||
       spng_set_chunk_limits(context.get(), chunk_limit, std::max(chunk_limit, kAsideBytes)) != 0 ||
@@ -179,7 +179,8 @@ tl::expected<PngCells, PngFailure> decodePngCells(std::span<const std::uint8_t> 
           ? std::move(*plain)
           : packed::ByteBuffer{std::make_unique_for_overwrite<std::uint8_t[]>(picture_bytes), picture_bytes};
   if (header.interlace_method != SPNG_INTERLACE_NONE && header.bit_depth < 8) {
-    std::memset(picture.data.get(), 0, picture.size);  // libspng adds the bits of each pass to what is there
+    std::memset(picture.data.get(), 0,
+                picture.size);  // libspng adds the bits of each pass to the present content
   }
   const int result =
       is_plain ? 0 : spng_decode_image(context.get(), picture.data.get(), picture.size, SPNG_FMT_RAW, 0);

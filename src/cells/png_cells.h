@@ -1,5 +1,5 @@
-// Cells out of a PNG. Pure function, any thread.
-// Source: docs/protocols/cartographer-submaps.md, "Containers and cell layouts".
+// Reads cells from a PNG. Pure function, any thread. Source: docs/protocols/cartographer-submaps.md,
+// "Containers and cell layouts".
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,20 @@
 
 namespace mapwright::cells {
 
-/// One byte a cell (gray level or palette index) or two (value, alpha), row-major.
+/// One byte per cell (gray level or palette index) or two (value, alpha), row-major.
 struct PngCells {
   packed::ByteBuffer cells;
 };
 
 struct PngFailure {
   Fault reason;
-  bool is_png = false;  // a PNG of another size or kind, and surely not raw cells that resemble one
+  bool is_png = false;  // a PNG of the wrong size or kind, and certainly not raw cells that look like one
 };
 
-/// Gray and palette pictures give one byte a cell: gray of fewer than 8 bits is scaled to 0..255, an index
-/// stays as it is. Gray with alpha gives (gray, alpha), colour gives (luminance, alpha or 255). Of 16-bit
-/// samples the high byte counts. The picture must be width x height, and this is checked before memory is
-/// taken for it. Precondition: 1 <= width * height <= kMaxCells.
+/// Gray and palette pictures give one byte per cell: gray with fewer than 8 bits is scaled to 0..255, an
+/// index stays as it is. Gray with alpha gives (gray, alpha), colour gives (luminance, alpha or 255). Of
+/// 16-bit samples the high byte is used. The picture must be width x height; this is checked before any
+/// memory is allocated. Precondition: 1 <= width * height <= kMaxCells.
 tl::expected<PngCells, PngFailure> decodePngCells(std::span<const std::uint8_t> bytes, int width, int height);
 
 }  // namespace mapwright::cells

@@ -6,8 +6,8 @@ namespace mapwright::cells {
 
 namespace {
 
-// Two neighbouring cells are read as one 16-bit lane: this keeps the loop free of shuffles, so that every
-// compiler turns it into SIMD. The byte order does not matter: both halves are treated alike.
+// Two neighbouring cells are read as one 16-bit lane: this avoids shuffles in the loop, so that every
+// compiler vectorises it. The byte order does not matter: both halves are treated alike.
 void reduceFolded(const std::uint8_t* upper, const std::uint8_t* lower, std::uint8_t* out,
                   std::size_t out_cells) {
   for (std::size_t i = 0; i < out_cells; ++i) {

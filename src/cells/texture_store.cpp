@@ -59,7 +59,7 @@ TextureStore::BodyPtr TextureStore::bodyOf(const CellTexture& texture) {
   if (entry.is_lost) return nullptr;
   const Range range = entry.on_disk;
   lock.unlock();
-  // The texture lives, so its place stays its own.
+  // The texture exists, so its place is reserved.
   std::vector<std::uint8_t> packed(range.size);
   auto body = std::make_shared<Body>(texture.width(), texture.height(), texture.layout());
   const bool whole = file_->read(packed, range.at) && body->unpack(packed);
@@ -116,7 +116,7 @@ void TextureStore::makeRoom(std::unique_lock<std::mutex>& lock) {
       if (listener_.no_room) listener_.no_room(why);
       return;
     }
-    at = recent_.end();  // others may have been here meanwhile
+    at = recent_.end();  // others may have changed it meanwhile
   }
 }
 

@@ -1,4 +1,4 @@
-// Where the cells of many textures lie: in memory as far as the budget goes, the others on disk.
+// Stores the cells of many textures: in memory up to the budget, the rest on disk.
 #pragma once
 
 #include <cstddef>
@@ -19,33 +19,34 @@ class ScratchFile;
 
 namespace mapwright::cells {
 
-/// Thread-safe. What was used longest ago is written to a file without a name, once, and read back when
-/// somebody looks at it: a disk gives a texture back many times faster than it can be decoded again. Whoever
-/// has hold of cells keeps them in memory until he lets go. Textures keep their store alive.
+/// Thread-safe. The least recently used textures are written once to an unnamed file and read back on demand:
+/// reading from disk is many times faster than decoding again. Cells stay in memory while anyone holds them.
+/// Textures keep their store alive.
 class TextureStore : public std::enable_shared_from_this<TextureStore> {
  public:
   struct Options {
     std::size_t budget_bytes = std::size_t(256) << 20;
-    std::string folder = {};  // for the file; empty = where the system keeps what is temporary
+    std::string folder = {};  // for the file; empty = the system's folder for temporary files
   };
   /// Called on any thread, never while the store is locked.
   struct Listener {
-    /// The cells of a texture of this owner cannot be read back. They are not drawn any more.
+    /// The cells of a texture of this owner cannot be read back. They are no longer drawn.
     std::function<void(std::uint64_t owner)> lost;
-    /// There is no room on the disk: what follows "cannot be written: ". Told once; the cells stay in memory.
+    /// The disk is full: the text that follows "cannot be written: ". Reported once; the cells stay in
+    /// memory.
     std::function<void(const std::string& why)> no_room;
   };
   static std::shared_ptr<TextureStore> make(Options options, Listener listener = {});
   ~TextureStore();
-  /// Nobody listens any more. What is being told is told to its end before this returns.
+  /// Stops notifications. Waits for one in progress before it returns.
   void silence();
 
-  /// Keeps the cells from now on. Precondition: nobody else has the texture yet, and no store keeps it.
+  /// Stores the cells from now on. Precondition: nobody else has the texture yet, and it is in no store.
   void keep(const CellTexture& texture, std::uint64_t owner = 0);
 
   std::size_t bytesInMemory() const;
   std::size_t bytesOnDisk() const;
-  /// How many textures have been lost.
+  /// Number of lost textures.
   std::size_t lost() const;
 
  private:
@@ -62,7 +63,7 @@ class TextureStore : public std::enable_shared_from_this<TextureStore> {
     Range on_disk;  // size 0: not yet
     std::uint64_t owner = 0;
     std::list<std::uint32_t>::iterator used;  // while `body` is set
-    std::uint32_t tenant = 0;                 // counts who had the place
+    std::uint32_t tenant = 0;                 // number of textures that have used this place
     bool leaving = false;                     // is being written
     bool is_lost = false;
   };
@@ -76,7 +77,7 @@ class TextureStore : public std::enable_shared_from_this<TextureStore> {
 
   const Options options_;
   mutable std::mutex mutex_;
-  std::mutex told_;  // held while the listener is called
+  std::mutex told_;  // locked while the listener is called
   Listener listener_;
   const std::unique_ptr<disk::ScratchFile> file_;
   std::vector<Entry> entries_;

@@ -7,7 +7,7 @@
 namespace mapwright::clouds {
 namespace {
 
-/// What a cell is where its size cannot be found out: that of the usual maps.
+/// The assumed cell size if it cannot be detected: that of most maps.
 constexpr double kUsualVoxelM = 0.05;
 
 Covered coveredBy(const CloudBook::Came& came) {
@@ -20,7 +20,7 @@ Covered coveredBy(const CloudBook::Came& came) {
   covered.radius_m = region.radius_m;
   const Box points = came.tree->bounds();
   if (!points.empty()) {
-    // Not in height: a floor that lies a little deeper now is no other floor.
+    // Not in height: a floor that is slightly lower now is still the same floor.
     covered.box.min.head<2>() = covered.box.min.head<2>().cwiseMax(points.min.head<2>());
     covered.box.max.head<2>() = covered.box.max.head<2>().cwiseMin(points.max.head<2>());
   }
@@ -69,7 +69,7 @@ CloudSet CloudBook::set() const {
     const CloudTree& tree = *held.came.tree;
     ShownCloud shown{held.came.tree, held.came.kind, 0, {}};
     for (const Held* newer = &held + 1; newer < held_.data() + held_.size(); ++newer) {
-      // One of the whole map is the oldest of its kind: it replaces all that were there.
+      // A cloud of the whole map is the oldest of its kind: it replaced all earlier ones.
       if (newer->came.kind == held.came.kind && newer->covered &&
           coverage(*newer->covered, tree.bounds()) != Way::Skip) {
         shown.hidden.push_back(*newer->covered);

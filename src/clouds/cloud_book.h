@@ -1,5 +1,5 @@
-// The clouds of one map that came region by region, and which of their points are shown: the newest for every
-// region. Pure; one thread, but what set() hands out may be read by any.
+// The clouds of one map, fetched region by region, and which of their points are shown: the newest for every
+// region. Pure; one thread, but the result of set() can be read from any.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,14 @@ enum class PointKind {
   Voxel,  // the middle of an occupied cell
 };
 
-/// Metres; both ends belong to it.
+/// Metres; both ends inclusive.
 struct HeightRange {
   double low_m = -std::numeric_limits<double>::infinity();
   double high_m = std::numeric_limits<double>::infinity();
   bool operator==(const HeightRange&) const = default;
 };
 
-/// Space that a newer cloud stands for: a box, and of it what lies in the sphere where there is one.
+/// The space replaced by a newer cloud: a box, or the part of it inside the sphere if there is one.
 struct Covered {
   Box box;
   Eigen::Vector3d centre_m{0, 0, 0};
@@ -43,10 +43,10 @@ struct ShownCloud {
   std::vector<Covered> hidden;  // what newer ones stand for
 };
 
-/// All that is shown, as of one moment.
+/// Everything that is shown, at one moment.
 struct CloudSet {
   std::vector<ShownCloud> clouds;  // oldest first
-  double spacing_m = 0;            // of the points in the plane, as a rule; 0 = not known
+  double spacing_m = 0;            // typical distance of points in the plane; 0 = unknown
   std::array<float, 2> usual_intensity{0, 1};
   bool has_intensity = false, has_rgb = false;
   Box bounds;
@@ -54,47 +54,47 @@ struct CloudSet {
 
 class CloudBook {
  public:
-  /// More than that many points are not held together: what comes on top is thinned, and the oldest goes.
+  /// The maximum number of points kept in total: further clouds are thinned, and the oldest are dropped.
   static constexpr std::uint64_t kMostPoints = 24'000'000;
   static constexpr std::size_t kMostClouds = 64;
 
-  /// What came in one answer.
+  /// The content of one answer.
   struct Came {
     PointKind kind = PointKind::Point;
-    std::optional<map::CloudRegion> region = {};  // as it was asked for; nullopt = the whole map
+    std::optional<map::CloudRegion> region = {};  // as requested; nullopt = the whole map
     std::shared_ptr<const CloudTree> tree = {};   // never null
     std::uint64_t points = 0;                     // in the answer
-    std::uint64_t left_out = 0;                   // those of it that are no numbers, or absurdly far
-    std::uint64_t one_of = 1;                     // of how many one is held
-    double voxel_m = 0;                           // of voxels, as found; 0 = not found
+    std::uint64_t left_out = 0;                   // points with invalid or absurdly large coordinates
+    std::uint64_t one_of = 1;                     // one in so many is kept
+    double voxel_m = 0;                           // of voxels, as detected; 0 = not detected
   };
-  /// Of how many points one is to be held when so many come.
+  /// One in how many points to keep if this many arrive.
   static std::uint64_t oneOf(std::uint64_t points);
 
-  /// The newest is right about its region: older points of its kind there are not shown any more. An answer
-  /// that covers less of the region than was asked for is right about as much of the plane as its points
-  /// reach; one without a point says that there is nothing.
+  /// The newest cloud replaces older points of its kind in its region. If the answer covers less than the
+  /// requested region, it only replaces the part of the plane that its points reach; an answer without points
+  /// means that the region is empty.
   void add(Came came);
   void clear();
   bool empty() const { return held_.empty(); }
-  /// The size of all voxels, as somebody says; nullopt = as found.
+  /// Sets the size of all voxels; nullopt = as detected.
   void setVoxel(std::optional<double> metres);
 
   CloudSet set() const;
 
-  /// What is to be said about it.
+  /// Figures to display.
   struct Totals {
     std::size_t clouds = 0;
-    std::uint64_t came = 0;       // in the answers of those that are held
+    std::uint64_t came = 0;       // received, of the clouds that are kept
     std::uint64_t held = 0;       // points in memory
-    std::uint64_t left_out = 0;   // no numbers, or absurdly far
-    std::uint64_t thinned = 0;    // for want of memory
-    std::uint64_t forgotten = 0;  // clouds that went for newer ones, for want of memory
+    std::uint64_t left_out = 0;   // invalid or absurdly far away
+    std::uint64_t thinned = 0;    // to save memory
+    std::uint64_t forgotten = 0;  // clouds dropped for newer ones, to save memory
     std::size_t bytes = 0;
-    std::optional<double> voxel_m = {};  // found, of the newest
+    std::optional<double> voxel_m = {};  // detected in the newest cloud
     bool voxels = false;                 // some are
     std::set<std::string> frames = {};
-    bool without_z = false;  // some came without heights
+    bool without_z = false;  // some have no heights
   };
   Totals totals() const;
 

@@ -12,7 +12,8 @@ struct Point {
   std::uint32_t index;
 };
 
-/// Where a cloud is cut is of no matter to what is shown; heights are told apart less often than places.
+/// Where a cloud is split does not affect the result; queries for heights are less frequent than for
+/// positions.
 constexpr float kWeightOfZ = 0.25F;
 
 class Builder {
@@ -44,7 +45,7 @@ class Builder {
         axis = each;
       }
     }
-    if (longest <= 0) return;  // all in one place: no cut tells them apart
+    if (longest <= 0) return;  // all in one place: no split is possible
     const std::uint32_t half = count / 2;
     const auto begin = points_.begin() + std::ptrdiff_t(first);
     std::nth_element(begin, begin + std::ptrdiff_t(half), begin + std::ptrdiff_t(count),
@@ -67,7 +68,7 @@ double medianSpacing(const std::vector<CloudNode>& nodes) {
   for (const CloudNode& node : nodes) {
     if (node.second != 0 || node.count < 4) continue;
     const double width = double(node.max[0]) - node.min[0], height = double(node.max[1]) - node.min[1];
-    // A wall from above is a line: its points lie along it.
+    // Seen from above a wall is a line: its points are along it.
     const double along = std::max(width, height) / node.count;
     spacings.push_back(std::max(along, std::sqrt(width * height / node.count)));
   }
@@ -108,7 +109,7 @@ std::shared_ptr<const CloudTree> CloudTree::make(const map::SpatialCloud& cloud,
   points.reserve(came / one_of + 1);
   for (std::size_t i = 0; i < came; i += one_of) {
     const Eigen::Vector3f& at = cloud.points[i];
-    if (!at.allFinite()) continue;  // they are promised to be finite: a tree of others would have no order
+    if (!at.allFinite()) continue;  // they should be finite: otherwise the tree would have no order
     points.push_back({{at.x(), at.y(), at.z()}, std::uint32_t(i)});
   }
   if (!points.empty()) {

@@ -1,5 +1,5 @@
-// A cloud of points put in order, so that any pixel, height range or region of it is found without looking at
-// all of it. Pure; once made it never changes and any thread may read it.
+// A cloud of points in a tree, so that any pixel, height range or region can be found without visiting all
+// points. Pure; immutable once built, so any thread may read it.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@
 
 namespace mapwright::clouds {
 
-/// Heights and intensities are added up as whole numbers of this many parts, so that a sum is the same in
-/// whatever order it is made: a picture has the same bytes, however it was cut into tiles.
+/// Heights and intensities are summed as integers in this fraction of a unit, so that the sum does not depend
+/// on the order: a picture has the same bytes however it is split into tiles.
 inline constexpr double kParts = 4096;
-/// Heights and intensities beyond count as this in sums (colours); where a point lies is not touched.
+/// Heights and intensities beyond this are clamped in sums (colours); positions are not changed.
 inline constexpr double kMostOfSum = 1e6;
 std::int64_t inParts(double value);
 
@@ -28,9 +28,9 @@ struct Box {
   bool empty() const { return min.x() > max.x(); }
 };
 
-/// Points that lie together. The first child is the next node, the second is `second`; 0 = a leaf.
+/// A group of nearby points. The first child is the next node, the second is `second`; 0 = a leaf.
 struct CloudNode {
-  std::array<float, 3> min{}, max{};  // beside the cloud's origin
+  std::array<float, 3> min{}, max{};  // relative to the cloud's origin
   std::uint32_t first = 0, count = 0;
   std::uint32_t second = 0;
   std::int64_t sum_z = 0, sum_intensity = 0;  // in parts, without the origin
@@ -42,9 +42,9 @@ class CloudTree {
  public:
   static constexpr std::uint32_t kLeafPoints = 48;
 
-  /// Takes the cloud as it is, each `one_of`-th point of it. Takes about a second for 5 million points and,
-  /// while it is made, 36 bytes a point beside the cloud. When `cancelled` (may be null) becomes true the
-  /// result is null.
+  /// Builds the tree from every `one_of`-th point of the cloud. Takes about a second for 5 million points
+  /// and, during construction, 36 bytes per point in addition to the cloud. Returns null when `cancelled`
+  /// (may be null) becomes true.
   static std::shared_ptr<const CloudTree> make(const map::SpatialCloud& cloud, std::uint64_t one_of = 1,
                                                const std::atomic<bool>* cancelled = nullptr);
 
@@ -55,19 +55,19 @@ class CloudTree {
   bool hasRgb() const { return !rgb_.empty(); }
   std::size_t size() const { return points_.size(); }
 
-  /// In the order of the leaves; beside origin().
+  /// In the order of the leaves; relative to origin().
   std::span<const Eigen::Vector3f> points() const { return points_; }
-  std::span<const float> intensity() const { return intensity_; }  // as many, or none
-  std::span<const std::uint32_t> rgb() const { return rgb_; }      // 0x00RRGGBB; as many, or none
-  /// The first is the root; none where there is no point.
+  std::span<const float> intensity() const { return intensity_; }  // as many as points, or none
+  std::span<const std::uint32_t> rgb() const { return rgb_; }      // 0x00RRGGBB; as many as points, or none
+  /// The first is the root; empty if there are no points.
   std::span<const CloudNode> nodes() const { return nodes_; }
   Eigen::Vector3d world(std::size_t at) const { return origin_m_ + points_[at].cast<double>(); }
   Box bounds() const;
   Box boundsOf(const CloudNode& node) const;
-  /// How far points lie from each other in the plane, as a rule, metres; 0 = not to be told (all in one
-  /// place).
+  /// Typical distance of points in the plane, metres; 0 = unknown (all in one place).
   double spacing() const { return spacing_m_; }
-  /// The greatest and least intensity but for the outermost hundredth on both sides; {0, 1} without any.
+  /// The smallest and largest intensity without the outermost hundredth on each side; {0, 1} if there are
+  /// none.
   std::array<float, 2> usualIntensity() const { return usual_intensity_; }
   std::size_t bytes() const;
 

@@ -1,5 +1,5 @@
-// What of a cloud lies in the region that was asked for: what came is placed by itself, and may be more, or
-// another part of the map. Pure: any thread.
+// Crops a cloud to the requested region: the answer has a position of its own and may cover more, or another
+// part of the map. Pure: any thread.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace mapwright::clouds {
 
 struct CroppedCloud {
-  std::shared_ptr<const map::SpatialCloud> cloud;  // the same one where nothing lies beyond
+  std::shared_ptr<const map::SpatialCloud> cloud;  // the same object if nothing lies outside
   std::uint64_t beyond = 0;                        // points that were left out
 };
 

@@ -10,7 +10,7 @@
 namespace mapwright::clouds {
 namespace {
 
-/// Voxels below this many pixels are drawn as points.
+/// Smaller voxels are drawn as points.
 constexpr double kLeastVoxelPx = 1.5;
 constexpr double kLeastOpacity = 0.35;
 
@@ -57,7 +57,7 @@ void addPoints(Sums& sums, const Raster& raster, const ShownCloud& cloud, const 
 class Painter {
  public:
   Painter(const CloudLook& look, double expected) : look_(look) {
-    // Twice as many as are to be expected are opaque.
+    // Twice the expected number is opaque.
     const auto full = std::size_t(std::clamp(std::ceil(2 * expected), 1.0, 4096.0));
     opacity_.resize(full + 1, 1.0);
     for (std::size_t n = 0; n < full; ++n) {

@@ -14,7 +14,7 @@ bool addVoxels(Sums& sums, const Raster& raster, const ShownCloud& cloud, const 
   const Projection pixels(raster, tree.origin());
   const Meant meant(tree, cloud.hidden, look.heights);
   const Channels channels(tree, look);
-  // The cells are those of the lattice that the points lie on: neighbours share an edge to the last bit.
+  // The cells are those of the lattice of the points: neighbours share an edge to the last bit.
   const double edge = cloud.voxel_m, anchor_x = double(points[0].x()), anchor_y = double(points[0].y());
   const auto cellX = [&](double x) { return std::round((x - anchor_x) / edge); };
   const auto cellY = [&](double y) { return std::round((y - anchor_y) / edge); };
@@ -35,7 +35,7 @@ bool addVoxels(Sums& sums, const Raster& raster, const ShownCloud& cloud, const 
     }
   };
   const double margin =
-      edge;  // a cell reaches half of it beyond its point, and the lattice may move it by as much
+      edge;  // a cell extends half of it beyond its point, and the lattice may shift it by as much
   walk(
       tree,
       [&](const CloudNode& node) {

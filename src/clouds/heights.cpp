@@ -9,7 +9,7 @@
 namespace mapwright::clouds {
 namespace {
 
-/// Calls `point(z)` for every point that is shown, or of so many one.
+/// Calls `point(z)` for every point that is shown, or one in so many.
 template <class Visit>
 void eachHeight(const CloudSet& set, std::uint64_t one_of, Visit visit) {
   const HeightRange all;

@@ -8,13 +8,13 @@
 
 namespace mapwright::clouds {
 
-/// Of the points that are shown, whatever their height.
+/// Of the points that are shown, at any height.
 struct Heights {
   double low_m = 0, high_m = 0;              // of all of them, to the point
-  double usual_low_m = 0, usual_high_m = 0;  // but for the outermost thousandth on both sides
+  double usual_low_m = 0, usual_high_m = 0;  // without the outermost thousandth on each side
   std::vector<std::uint64_t>
-      bins;                  // of equal size from usual_low_m to usual_high_m; those outside in the outermost
-  std::uint64_t points = 0;  // 0: then nothing else means anything
+      bins;  // of equal size from usual_low_m to usual_high_m; the outermost include everything outside
+  std::uint64_t points = 0;  // if 0, nothing else is valid
 };
 
 inline constexpr int kHeightBins = 128;

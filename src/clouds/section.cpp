@@ -8,7 +8,7 @@
 namespace mapwright::clouds {
 namespace {
 
-/// Where the points of a strip lie: along the line and beside it.
+/// The position of points in a strip: along the line and beside it.
 class Strip {
  public:
   explicit Strip(const Cut& cut)
@@ -31,7 +31,7 @@ class Strip {
     const double reach_along = std::abs(along_.x()) * half.x() + std::abs(along_.y()) * half.y();
     const double reach_beside = std::abs(along_.y()) * half.x() + std::abs(along_.x()) * half.y();
     const double l = along(centre), b = std::abs(beside(centre));
-    // A little more for what rounding does to the edges.
+    // Slightly more, for rounding at the edges.
     const double slack = 1e-9 * (1 + std::abs(l) + b);
     if (l + reach_along < -slack || l - reach_along > length_ + slack || b - reach_beside > half_ + slack) {
       return Way::Skip;
@@ -95,13 +95,13 @@ Section cutThrough(const CloudSet& set, const Cut& cut, const HeightRange& heigh
         const Eigen::Vector3d at = tree.world(i);
         if (first) {
           side.frame = tree.frame();
-          // Heights as y lie beside an origin, too: what is far up keeps its millimetres.
+          // Heights become y, relative to an origin, so that millimetres survive at large heights.
           side.origin_m = {0, std::round(at.z()), std::round(at.z())};
           first = false;
         }
         const auto z = float(at.z() - side.origin_m.z());
         side.points.emplace_back(float(strip.along(at.head<2>())), z, z);
-        // What has none among others that have some is dark, or of no intensity.
+        // Points without a value among others that have one are dark, or of no intensity.
         if (set.has_intensity)
           side.intensity.push_back(tree.hasIntensity() ? tree.intensity()[i] : set.usual_intensity[0]);
         if (set.has_rgb) side.rgb.push_back(tree.hasRgb() ? tree.rgb()[i] : 0x808080);

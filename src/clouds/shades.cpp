@@ -5,7 +5,7 @@
 namespace mapwright::clouds {
 namespace {
 
-// Viridis with its dark end lifted: what is low must not vanish on a dark map.
+// Viridis with a lighter dark end: low points must not vanish on a dark map.
 constexpr std::array<std::array<double, 3>, 6> kStops{
     {{76, 60, 160}, {58, 110, 190}, {32, 150, 150}, {70, 185, 90}, {190, 200, 40}, {250, 130, 30}}};
 

@@ -1,5 +1,5 @@
-// The colours of heights and intensities: from blue over green to red, told apart by people who see few
-// colours by their lightness.
+// The colours of heights and intensities: from blue over green to red, with increasing lightness so that
+// colour-blind people can tell them apart.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace mapwright::clouds {
 
-/// 0x00RRGGBB, the least first.
+/// 0x00RRGGBB, lowest first.
 using Shades = std::array<std::uint32_t, 256>;
 const Shades& shades();
 

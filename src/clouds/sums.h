@@ -1,4 +1,4 @@
-// What the points of each pixel come to. Private to this room.
+// Sums of the points in each pixel. Private to this room.
 #pragma once
 
 #include <array>
@@ -9,22 +9,22 @@
 
 namespace mapwright::clouds {
 
-/// From the ground to the pixels of a raster, in the one way that all of this room reckons in: monotone in
-/// every coordinate, so that what holds for the corners of a box holds for all in it.
+/// From the ground to raster pixels, the same way everywhere in this room: monotone in every coordinate, so
+/// that the corners of a box bound everything in it.
 class Projection {
  public:
   Projection(const Raster& raster, const Eigen::Vector3d& origin_m);
-  /// Of a point beside the origin: its pixel in the endless raster, before it is rounded down.
+  /// The unrounded pixel of a point relative to the origin, in the infinite raster.
   double column(double x, double y) const {
     return (cos_ * (base_.x() + x) - sin_ * (base_.y() + y)) * per_m_;
   }
   double row(double x, double y) const { return -(sin_ * (base_.x() + x) + cos_ * (base_.y() + y)) * per_m_; }
   struct Reach {
-    double column0, row0, column1, row1;  // pixels, both ends belong to it
+    double column0, row0, column1, row1;  // pixels, both ends inclusive
   };
-  /// The pixels that anything in a box may lie in.
+  /// The pixels that anything in a box may fall into.
   Reach reach(double min_x, double min_y, double max_x, double max_y) const;
-  /// The ground below the middle of a pixel of the endless raster, beside the origin.
+  /// The ground position of a pixel's centre in the infinite raster, relative to the origin.
   Eigen::Vector2d groundBelow(double column, double row) const;
 
  private:
@@ -37,17 +37,17 @@ class Sums {
  public:
   Sums(const Raster& raster, int margin_px, int channels);
 
-  /// Window with the margin, in the endless raster.
+  /// The window with its margin, in the infinite raster.
   double column0, row0;
   int width, height, margin, channels;
   std::vector<std::int64_t> count;
-  std::array<std::vector<std::int64_t>, 3> value;  // as many of them as there are channels
+  std::array<std::vector<std::int64_t>, 3> value;  // one per channel
 
   bool touches(const Projection::Reach& reach) const {
     return reach.column1 >= column0 && reach.row1 >= row0 && reach.column0 < column0 + width &&
            reach.row0 < row0 + height;
   }
-  /// The place of a pixel (whole numbers), which lies in the window or outside of it (npos).
+  /// The index of a pixel (whole numbers); npos outside the window.
   std::size_t at(double column, double row) const {
     const double x = column - column0, y = row - row0;
     if (!(x >= 0 && y >= 0 && x < width && y < height)) return npos;
@@ -58,11 +58,11 @@ class Sums {
     count[at] += points;
     for (int i = 0; i < channels; ++i) value[std::size_t(i)][at] += values[std::size_t(i)];
   }
-  /// Every pixel gets the sum of those whose points, as squares of that edge, cover it.
+  /// Gives every pixel the sum of all points that cover it as squares of that edge.
   void widen(int edge_px);
 };
 
-/// What is added up for a colour.
+/// The values that are summed for a colour.
 class Channels {
  public:
   Channels(const CloudTree& tree, const CloudLook& look);
@@ -79,7 +79,7 @@ class Channels {
   std::array<std::int64_t, 3> one_;
 };
 
-/// Voxels that are larger than a pixel. False: cancelled.
+/// For voxels larger than a pixel. False: cancelled.
 bool addVoxels(Sums& sums, const Raster& raster, const ShownCloud& cloud, const CloudLook& look,
                const std::atomic<bool>* cancelled);
 

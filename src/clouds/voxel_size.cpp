@@ -8,7 +8,7 @@ namespace mapwright::clouds {
 
 double voxelSize(const CloudTree& tree) {
   constexpr std::size_t kSample = 60'000;
-  constexpr double kLeastM = 1e-3;  // nearer points are one place with the noise of a float
+  constexpr double kLeastM = 1e-3;  // closer points are the same within float precision
   const auto points = tree.points();
   const std::size_t step = std::max<std::size_t>(1, points.size() / kSample);
   std::map<std::int64_t, std::size_t> gaps;  // tenths of millimetres
@@ -24,7 +24,7 @@ double voxelSize(const CloudTree& tree) {
       ++all;
     }
   }
-  // Neighbouring tenths are the same gap. The least that comes often is the edge: others are multiples of it.
+  // Neighbouring tenths are the same gap. The smallest frequent one is the edge: others are multiples of it.
   for (auto gap = gaps.begin(); gap != gaps.end(); ++gap) {
     std::size_t near = 0;
     double sum = 0;
@@ -34,7 +34,7 @@ double voxelSize(const CloudTree& tree) {
       sum += double(other->first) * double(other->second);
     }
     if (near * 5 >= all && near >= 2) {
-      // Rounded to what a map would be made with, where it is that but for the noise.
+      // Rounded to a plausible map resolution if that is within the noise.
       const double metres = sum / double(near) * 1e-4;
       const double round = std::round(metres * 200) / 200;
       return round > 0 && std::abs(round - metres) < 3e-4 ? round : metres;

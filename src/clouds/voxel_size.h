@@ -1,12 +1,12 @@
-// How large the cells of an occupancy cloud are, told by how far its points lie apart. Pure.
+// Detects the cell size of an occupancy cloud from the distances between its points. Pure.
 #pragma once
 
 #include "clouds/cloud_tree.h"
 
 namespace mapwright::clouds {
 
-/// The edge of its cells, metres; 0 = it does not look like cells of one size. Where cells of several sizes
-/// are mixed (an octree), it is that of the smallest that come often.
+/// The cell edge in metres; 0 = it does not look like cells of one size. With mixed sizes (an octree), the
+/// smallest frequent one.
 double voxelSize(const CloudTree& tree);
 
 }  // namespace mapwright::clouds

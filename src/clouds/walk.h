@@ -1,5 +1,4 @@
-// Which points of a tree are meant: by height, and without those that a newer cloud stands for. Private to
-// this room.
+// Selects the points of a tree: by height, and without those replaced by a newer cloud. Private to this room.
 #pragma once
 
 #include <array>
@@ -24,7 +23,7 @@ inline bool contains(const Covered& covered, const Eigen::Vector3d& at) {
          (at - covered.centre_m).squaredNorm() <= covered.radius_m * covered.radius_m;
 }
 
-/// How much of a box is covered, never too much: what is Into may be nothing.
+/// How much of a box is covered, never overestimated: Into may turn out to be nothing.
 inline Way coverage(const Covered& covered, const Box& box) {
   if ((box.max.array() < covered.box.min.array()).any() ||
       (box.min.array() > covered.box.max.array()).any()) {
@@ -38,7 +37,7 @@ inline Way coverage(const Covered& covered, const Box& box) {
   return Way::Whole;
 }
 
-/// The points that are shown of one cloud.
+/// Which points of a cloud are shown.
 class Meant {
  public:
   Meant(const CloudTree& tree, std::span<const Covered> hidden, const HeightRange& heights)
@@ -74,13 +73,13 @@ class Meant {
   const HeightRange& heights_;
 };
 
-/// Goes through a tree: `judge` says of each node which way, `whole` gets those that are taken whole, `one`
-/// the index of each point in leaves that are looked into.
+/// Walks the tree: `judge` decides about each node, `whole` gets nodes taken as a whole, `one` the index of
+/// each point in leaves that are inspected.
 template <class Judge, class Whole, class One>
 void walk(const CloudTree& tree, Judge judge, Whole whole, One one) {
   const auto nodes = tree.nodes();
   if (nodes.empty()) return;
-  std::array<std::uint32_t, 96> waiting;  // as deep as the tree, which halves what it holds at each step
+  std::array<std::uint32_t, 96> waiting;  // enough for the depth of the tree, which halves at each step
   std::size_t count = 0;
   waiting[count++] = 0;
   while (count > 0) {

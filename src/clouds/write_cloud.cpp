@@ -20,7 +20,7 @@ struct Row {
   std::uint32_t rgb;
 };
 
-/// A frame's name is a robot's text: of it goes into a header what cannot end the line.
+/// A frame's name comes from a robot: characters that could end the header line are removed.
 std::string headerWord(const std::string& text) {
   std::string word;
   for (const char c : text.substr(0, 100)) word += c > ' ' && c < 127 ? c : '_';
@@ -115,7 +115,7 @@ class Output {
     }
     if (fields_.intensity) {
       buffer_ += between;
-      // Nothing between two commas is what tables call unknown.
+      // In tables, unknown values are empty.
       if (format_ != CloudFormat::Csv || !std::isnan(row.intensity)) text(row.intensity);
     }
     if (fields_.rgb && format_ == CloudFormat::Csv) {

@@ -1,9 +1,8 @@
-// Clouds as files: PCD 0.7 (pointclouds.org/documentation/tutorials/pcd_file_format.html), PLY 1.0, CSV.
-// Pure: the bytes go to whoever takes them.
-//
-// Fields: x y z, intensity where any point has one (NaN where it has none), colour where any point has one.
-// Nothing is lost: where a cloud lies beside an origin that is not 0, x, y and z are doubles, else floats as
-// they came. Texts have as many digits as it takes to read the same number again.
+// Writes clouds to files: PCD 0.7 (pointclouds.org/documentation/tutorials/pcd_file_format.html), PLY 1.0,
+// CSV. Pure: the bytes go to a sink.
+// Fields: x y z, intensity if any point has one (NaN for the others), colour if any point has one. Lossless:
+// if the cloud's origin is not 0, x, y and z are doubles, otherwise floats as received. Numbers have as many
+// digits as needed to read the same value back.
 #pragma once
 
 #include <atomic>
@@ -22,17 +21,17 @@ enum class CloudFormat {
   PlyBinary,  // little endian
   Csv,        // with a row of names
 };
-/// By the end of a file's name, in any case: .pcd (binary), .ply, .csv; nullopt = none of them.
+/// By the extension of a file name, in any case: .pcd (binary), .ply, .csv; nullopt = something else.
 std::optional<CloudFormat> formatOf(std::string_view path);
 
-/// Takes bytes, a few thousand at a time; false: no more, it cannot be written.
+/// Takes bytes, a few thousand at a time; false: cannot write any more.
 using CloudSink = std::function<bool(std::string_view)>;
 
 struct CloudWritten {
   std::uint64_t points = 0;
   bool doubles = false, intensity = false, rgb = false;
 };
-/// nullopt: the sink would not take it, or it was cancelled.
+/// nullopt: the sink refused, or it was cancelled.
 std::optional<CloudWritten> writeCloud(const map::SpatialCloud& cloud, CloudFormat format,
                                        const CloudSink& sink, const std::atomic<bool>* cancelled = nullptr);
 /// The points of a set that are shown and within the heights.

@@ -13,15 +13,15 @@ inline constexpr FaultCode FileNotWritten{"disk", QT_TRANSLATE_NOOP("disk", "%1 
 /// because: why
 inline constexpr FaultCode OutputNotWritten{
     "disk", QT_TRANSLATE_NOOP("disk", "The standard output cannot be written")};
-inline constexpr FaultCode IsAFolder{"disk", QT_TRANSLATE_NOOP("disk", "it is a folder")};
-inline constexpr FaultCode IsADisk{"disk", QT_TRANSLATE_NOOP("disk", "it is a disk, not a file")};
+inline constexpr FaultCode IsAFolder{"disk", QT_TRANSLATE_NOOP("disk", "it is a directory")};
+inline constexpr FaultCode IsADisk{"disk", QT_TRANSLATE_NOOP("disk", "it is a block device, not a file")};
 inline constexpr FaultCode IsASocket{"disk", QT_TRANSLATE_NOOP("disk", "it is a socket, not a file")};
 inline constexpr FaultCode NotARegularFile{"disk", QT_TRANSLATE_NOOP("disk", "it is not a regular file")};
 /// folder, the system's words
 inline constexpr FaultCode NoFileInFolder{"disk",
-                                          QT_TRANSLATE_NOOP("disk", "no file can be made in %1 (%2)")};
-inline constexpr FaultCode NobodyReadsPipe{"disk", QT_TRANSLATE_NOOP("disk", "nobody reads from this pipe")};
+                                          QT_TRANSLATE_NOOP("disk", "no file can be created in %1 (%2)")};
+inline constexpr FaultCode NobodyReadsPipe{"disk", QT_TRANSLATE_NOOP("disk", "nothing reads from this pipe")};
 inline constexpr FaultCode ReaderTakesNothing{
-    "disk", QT_TRANSLATE_NOOP("disk", "whoever reads from it takes nothing")};
+    "disk", QT_TRANSLATE_NOOP("disk", "the program that reads from it is blocked")};
 
 }  // namespace mapwright::disk::fault

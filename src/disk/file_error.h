@@ -9,11 +9,11 @@ namespace mapwright::disk {
 
 struct FileError {
   std::string path;  // as it was given; "-" (or what means the same) = the standard output
-  Fault cause;       // without the file's name: goes behind "… cannot be read"
+  Fault cause;       // without the file's name: follows "… cannot be read"
   bool operator==(const FileError&) const = default;
 };
 
-/// What the system says of an errno.
+/// The system's text for an errno.
 FileError systemError(std::string path, int error);
 /// "/a.png cannot be written: …", "The standard output cannot be written: …".
 Fault notWritten(const FileError& error);

@@ -1,13 +1,13 @@
-// Keeps two programs from changing the same files of a folder at the same moment.
+// Prevents two programs from changing the same files of a folder at the same time.
 #pragma once
 
 #include <string>
 
 namespace mapwright::disk {
 
-/// Waits until no other program holds a lock of this folder, and holds it until destroyed. It leaves nothing
-/// on the disk and ends with the program, however that ends. A file system that knows no locks gives none.
-/// Any thread.
+/// Waits until no other program holds the lock of this folder, and holds it until destroyed. Leaves nothing
+/// on disk, and ends with the program even if that crashes. Does nothing on file systems without locks. Any
+/// thread.
 class FolderLock {
  public:
   explicit FolderLock(const std::string& folder);

@@ -10,7 +10,7 @@
 namespace mapwright::disk {
 
 int openToRead(const std::string& path) {
-  // Opening a pipe waits for whoever writes into it, unless told not to.
+  // Opening a pipe blocks until there is a writer, unless told not to.
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (fd < 0) return -1;
   struct stat about {};
@@ -30,7 +30,7 @@ tl::expected<std::string, FileError> readFile(const std::string& path, std::size
     return tl::make_unexpected(std::move(error));
   }
   constexpr std::size_t kPiece = std::size_t(1) << 20;
-  // Most files are small and are what they say: a byte more tells that the end is reached.
+  // Most files are small and have the stated size: one more byte detects the end.
   struct stat about {};
   std::size_t piece = ::fstat(fd, &about) == 0 ? std::size_t(about.st_size) + 1 : kPiece;
   std::string bytes;

@@ -1,5 +1,5 @@
-// Room on the disk that nobody sees and that is gone with the program. Any thread; ranges must not overlap in
-// time.
+// Temporary disk space that is invisible and disappears with the program. Any thread; concurrent ranges must
+// not overlap.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,19 @@
 
 namespace mapwright::disk {
 
-/// A file without a name, opened when it is first written to.
+/// An unnamed file, opened at the first write.
 class ScratchFile {
  public:
-  /// In `folder` (made when it is not there), else where the system keeps what is temporary. The folder of
-  /// what is temporary may lie in memory, which is what this is there to save.
+  /// In `folder` (created if missing), otherwise in the system's folder for temporary files. That one may be
+  /// in memory, which would defeat the purpose.
   explicit ScratchFile(std::string folder) : folder_(std::move(folder)) {}
   ~ScratchFile();
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
 
-  /// The error is what follows "cannot be written: "; empty when all went well.
+  /// The error is the text after "cannot be written: "; empty on success.
   std::string write(std::span<const std::uint8_t> bytes, std::uint64_t at);
-  /// False when so much is not there or cannot be read.
+  /// False if that much is not there or cannot be read.
   bool read(std::span<std::uint8_t> bytes, std::uint64_t at) const;
 
  private:

@@ -31,7 +31,7 @@ std::string folderOf(const std::string& path) {
   return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-/// Where the links lead, also when nothing is there yet; empty: they lead round in a circle.
+/// The target of links, even if it does not exist yet; empty: a circle.
 std::string followed(std::string path) {
   for (int links = 0; links < kMostLinks; ++links) {
     std::array<char, PATH_MAX> to;
@@ -47,7 +47,7 @@ std::string nameBeside(const std::string& target, unsigned number) {
   return folderOf(target) + "/.mapwright-" + std::to_string(number) + ".part";
 }
 
-/// What new files must not allow; nullopt: nobody tells. (To ask the system for it is to change it.)
+/// The umask; nullopt: unknown. (The system call to read it would change it.)
 std::optional<mode_t> umaskNow() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
@@ -61,7 +61,7 @@ std::string linkOf(int fd) { return "/proc/self/fd/" + std::to_string(fd); }
 
 bool isNowhereToKeep(int error) { return error == EINVAL || error == ENOSYS || error == ENOTSUP; }
 
-/// False when the disk says that it is not all there. Some file systems cannot tell.
+/// False if the disk reports that not everything was written. Some file systems cannot tell.
 bool synced(int fd) {
   int done = 0;
   do {
@@ -109,7 +109,7 @@ void WrittenFile::openAside() {
   struct stat before {};
   const bool replaces = ::stat(target_.c_str(), &before) == 0;
   if (replaces && !S_ISREG(before.st_mode)) return fail(EINVAL);  // it has become something else
-  // Moving a file into place asks for the folder's permission only.
+  // Moving a file into place only needs permission for the folder.
   if (replaces && ::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) return fail(errno);
   replaces_ = replaces;
   const mode_t mode = replaces ? before.st_mode & 0777 : 0666;
@@ -121,10 +121,10 @@ void WrittenFile::openAside() {
     return fail({fault::NoFileInFolder, {folderOf(target_), std::strerror(why)}});
   }
   if (!replaces) return;
-  // Whose it was it stays, where that may be given away.
+  // It keeps its owner, if that is permitted.
   if (before.st_uid != ::geteuid() || before.st_gid != ::getegid()) {
     if (::fchown(fd_, before.st_uid, before.st_gid) != 0 && ::fchown(fd_, uid_t(-1), before.st_gid) != 0) {
-      // Then it is its writer's, like a new one.
+      // Otherwise it belongs to the writer, like a new one.
     }
   }
   if (::fchmod(fd_, mode) != 0 && errno != EPERM) fail(errno);
@@ -133,7 +133,7 @@ void WrittenFile::openAside() {
 bool WrittenFile::openUnnamed(mode_t mode) {
   fd_ = ::open(folderOf(target_).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, mode);
   if (fd_ < 0) return false;
-  // By the link it gets its name. Older systems forget the umask for such files.
+  // The link gives it its name. Old kernels ignore the umask for such files.
   const auto umask = umaskNow();
   unnamed_ = umask && ::access(linkOf(fd_).c_str(), F_OK) == 0 && ::fchmod(fd_, mode & ~*umask) == 0;
   if (!unnamed_) ::close(std::exchange(fd_, -1));
@@ -154,7 +154,7 @@ bool WrittenFile::give(const std::string& name) {
 }
 
 bool WrittenFile::giveName() {
-  // A name can be given, but not taken from another file: what is there is replaced by moving.
+  // A link can create a name but not replace a file: an existing one is replaced by renaming.
   const bool at_once = !replaces_ && give(target_);
   bool given = at_once;
   std::random_device random;
@@ -169,7 +169,7 @@ bool WrittenFile::giveName() {
 }
 
 void WrittenFile::copyAside() {
-  // Some file systems have files without names that never get one.
+  // Some file systems support unnamed files but cannot name them.
   const int from = std::exchange(fd_, -1);
   aside_.clear();
   struct stat about {};
@@ -201,7 +201,7 @@ void WrittenFile::openThrough(bool pipe) {
   way_ = Way::Through;
   const auto until = std::chrono::steady_clock::now() + kReaderComesWithin;
   for (;;) {
-    // A pipe that nobody reads would hold up the program for good.
+    // A pipe without a reader would block the program forever.
     fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (fd_ >= 0) return;
     if (!pipe || errno != ENXIO) return fail(errno);
@@ -255,8 +255,8 @@ bool WrittenFile::finish() {
   flush();
   if (fd_ < 0) return good();
   if (good() && way_ == Way::Aside && !synced(fd_)) fail(errno);
-  if (unnamed_) return good();  // until it has its name it is this alone
-  // The last word of a network file system, or of a quota.
+  if (unnamed_) return good();  // unnamed until it gets its name
+  // The final error of a network file system, or of a quota.
   if (::close(std::exchange(fd_, -1)) != 0 && errno != EINTR) fail(errno);
   return good();
 }
@@ -268,8 +268,8 @@ std::optional<FileError> WrittenFile::place() {
     if (good() && !named && ::rename(aside_.c_str(), target_.c_str()) != 0) fail(errno);
     if (good()) {
       aside_.clear();
-      // So that the new name, too, outlives a power cut; a folder that cannot be told so keeps it all the
-      // same.
+      // So that the new name survives a power cut, too; if the folder does not support this, it is still
+      // there.
       const int folder = ::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
       if (folder >= 0) {
         synced(folder);

@@ -1,4 +1,4 @@
-// A file that is written whole or not at all.
+// A file that is written completely or not at all.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,15 @@
 
 namespace mapwright::disk {
 
-/// "-", or a path that leads to the same place: who writes there must print nothing else.
+/// "-", or a path to the same place: nothing else may be printed when writing there.
 bool isStandardOutput(const std::string& path);
 
-/// Written beside its place and moved there by place(), once all of it is on the disk; until then, and when
-/// anything fails, what was there before stays as it is. Where the file system can do that it has no name
-/// until then (O_TMPFILE), so that a program that is killed leaves nothing; elsewhere it is
-/// ".mapwright-….part" beside its place. A link is followed to what it names. A file that is
-/// replaced keeps its permissions; a new one gets those that the umask leaves. A character device or a named
-/// pipe is written into as the bytes come, and so is the standard output ("-"); block devices and sockets
-/// are refused. One thread. SIGPIPE and SIGXFSZ must be ignored, or they end the program before that is told.
+/// Written next to its destination and moved there by place(), once all of it is on disk; until then, and if
+/// anything fails, the old file stays. If the file system supports it, it has no name until then (O_TMPFILE),
+/// so that a killed program leaves nothing behind; otherwise it is called ".mapwright-….part". Links are
+/// followed. A replaced file keeps its permissions; a new one follows the umask. Character devices, named
+/// pipes and the standard output ("-") are written directly; block devices and sockets are refused. One
+/// thread. SIGPIPE and SIGXFSZ must be ignored, otherwise they end the program before the error is reported.
 class WrittenFile {
  public:
   explicit WrittenFile(std::string path);
@@ -34,20 +33,20 @@ class WrittenFile {
   void write(std::string_view text) { write(text.data(), text.size()); }
   /// Nothing has failed yet.
   bool good() const { return !problem_; }
-  /// All of it is on the disk, but not in its place yet. Where several files belong together, each is
-  /// finished before the first is placed.
+  /// All of it is on disk, but not in its place yet. If several files belong together, finish all before
+  /// placing the first.
   bool finish();
-  /// nullopt = it is in its place; else why not.
+  /// nullopt = it is in its place; otherwise why not.
   std::optional<FileError> place();
 
  private:
   enum class Way { Aside, Through };  // Through: a device, a pipe or the standard output
   void openAside();
-  /// False: this file system cannot do that.
+  /// False: not supported by this file system.
   bool openUnnamed(mode_t mode);
   void openNamed(mode_t mode);
   bool give(const std::string& name);
-  /// True: it is in its place. False: it is beside it, or that failed.
+  /// True: it is in its place. False: it is next to it, or that failed.
   bool giveName();
   void copyAside();
   void openThrough(bool pipe);
@@ -63,12 +62,12 @@ class WrittenFile {
   std::optional<FileError> problem_;
   Way way_ = Way::Aside;
   int fd_ = -1;
-  bool patient_ = false;  // whoever reads may take as long as it likes
+  bool patient_ = false;  // the reader may take as long as it likes
   bool finished_ = false, placed_ = false;
   std::vector<char> buffer_;
 };
 
-/// The whole of a file at once; nullopt = written, else why not.
+/// Writes a whole file at once; nullopt = written, otherwise why not.
 std::optional<FileError> writeFile(const std::string& path, std::string_view bytes);
 
 }  // namespace mapwright::disk

@@ -1,5 +1,5 @@
-// A document: items that can be changed, undone, compared with where they are kept, and merged with what
-// others make of them there. GUI thread.
+// A document: items that can be changed, undone, compared with the stored ones, and merged with changes that
+// others make there. GUI thread.
 #pragma once
 
 #include <algorithm>
@@ -20,22 +20,22 @@
 
 namespace mapwright::edit {
 
-/// One item as it was and as it is to be; nullopt = it is not there.
+/// An item before and after a change; nullopt = it does not exist.
 template <typename Item>
 struct Change {
   Key key;
   std::optional<Item> before = {}, after = {};
 };
 
-/// How an item stands towards where it is kept. Several may be so at once.
+/// How an item relates to the stored one. Several flags may be set.
 struct ItemState {
-  bool unsaved = false;            // mine is another one than theirs
-  bool sent = false;               // it has been sent, and nobody has confirmed it yet
-  bool changed_elsewhere = false;  // theirs has changed, too, and does not go together with mine
+  bool unsaved = false;            // mine differs from theirs
+  bool sent = false;               // sent, but not confirmed yet
+  bool changed_elsewhere = false;  // theirs has changed, too, and conflicts with mine
   bool operator==(const ItemState&) const = default;
 };
 
-/// Moves of a hand that belong together carry the same gesture and become one command; 0 = alone.
+/// Changes with the same gesture number (one drag) become one command; 0 = separate.
 using Gesture = std::uint64_t;
 
 template <typename Item>
@@ -43,10 +43,10 @@ class Document : public DocumentEvents {
  public:
   explicit Document(QObject* parent = nullptr) : DocumentEvents(parent) {}
 
-  /// Makes of an item what can be kept; whatever is changed here goes through it.
+  /// Turns an item into one that can be stored; applied to every change made here.
   void setFit(std::function<void(Item&)> fit) { fit_ = std::move(fit); }
 
-  /// Begins anew with what is kept; nothing can be undone.
+  /// Starts over with the stored items; nothing can be undone.
   void reset(Items<Item> stored) {
     stack_.clear();
     base_ = stored;
@@ -66,15 +66,15 @@ class Document : public DocumentEvents {
     const auto found = items_.find(key);
     return found == items_.end() ? nullptr : &found->second;
   }
-  /// As it is kept, as far as is known; null = it is not there.
+  /// As stored, as far as known; null = it does not exist there.
   const Item* findKept(const Key& key) const {
     const auto found = base_.find(key);
     return found == base_.end() ? nullptr : &found->second;
   }
   QUndoStack& undoStack() { return stack_; }
 
-  /// Makes the changes as one command. Those that change nothing are left out; a command that ends where it
-  /// began vanishes.
+  /// Makes the changes as one command. Those without effect are dropped, and so is a command that ends where
+  /// it began.
   void change(std::vector<Change<Item>> changes, const QString& text, Gesture gesture = 0) {
     for (Change<Item>& one : changes) {
       if (fit_ && one.after) fit_(*one.after);
@@ -90,18 +90,18 @@ class Document : public DocumentEvents {
   ItemState state(const Key& key) const {
     return {unsaved_.contains(key), sent_.contains(key), conflicts_.contains(key)};
   }
-  /// Keys of all items that are not as they are kept, those that I deleted among them.
+  /// Keys of all items that differ from the stored ones, including those that I deleted.
   const std::set<Key>& unsaved() const { return unsaved_; }
   std::size_t sent() const { return sent_.size(); }
   const std::map<Key, Conflict<Item>>& conflicts() const { return conflicts_; }
-  /// What is to be done where they are kept so that they are as here, in the order in which it was done here;
-  /// without what is in conflict.
+  /// The changes that make the stored items equal to these, in the order they were made here; without
+  /// conflicts.
   std::vector<Change<Item>> changes() const {
     std::vector<Change<Item>> changes = allChanges();
     std::erase_if(changes, [this](const auto& one) { return conflicts_.contains(one.key); });
     return changes;
   }
-  /// The same with what is in conflict: all that would be lost.
+  /// The same including conflicts: all that would be lost.
   std::vector<Change<Item>> allChanges() const {
     std::vector<std::pair<std::uint64_t, Key>> order;
     for (const Key& key : unsaved_) order.emplace_back(since_.at(key), key);
@@ -111,7 +111,7 @@ class Document : public DocumentEvents {
     return changes;
   }
 
-  /// What is kept is this now. Goes together with mine where that is possible; else there are conflicts.
+  /// The stored items as of now. Merges them with mine; what cannot be merged becomes a conflict.
   void take(const Items<Item>& stored) {
     const Items<Item> theirs = underOurKeys(stored);
     DocumentChange told;
@@ -122,14 +122,14 @@ class Document : public DocumentEvents {
     const std::map<Key, Conflict<Item>> conflicts_before = std::exchange(conflicts_, {});
     for (const Key& key : keys) {
       const std::optional<Item> of_them = valueOf(theirs, key);
-      // What I sent and what has arrived since is the same: it is confirmed.
+      // What I sent equals what has arrived since: it is confirmed.
       if (const auto sent = sent_.find(key); sent != sent_.end() && same(sent->second, of_them))
         put(base_, key, of_them);
       Merged<Item> merged = merge(valueOf(base_, key), mine(key), of_them);
       if (merged.conflict) {
         conflicts_.emplace(key, std::move(*merged.conflict));
         if (!conflicts_before.contains(key)) told.changed.push_back(key);
-        continue;  // nothing of theirs comes in before it is decided
+        continue;  // theirs is not applied before the conflict is decided
       }
       put(base_, key, of_them);
       note(told, key, set(key, std::move(merged.item)));
@@ -141,7 +141,7 @@ class Document : public DocumentEvents {
     tell(std::move(told));
   }
 
-  /// What was kept is gone as a whole: nobody took items out of it. All that is here is unsaved now.
+  /// The stored list disappeared as a whole; nobody removed single items. Everything here is unsaved now.
   void takeGone() {
     base_.clear();
     conflicts_.clear();
@@ -156,7 +156,7 @@ class Document : public DocumentEvents {
     tell(std::move(told));
   }
 
-  /// Ends a conflict. Taking theirs can be undone; then mine is there again, unsaved.
+  /// Ends a conflict. Taking theirs can be undone; then mine is back, unsaved.
   void decide(const Key& key, Side side, const QString& text) {
     const auto found = conflicts_.find(key);
     if (found == conflicts_.end()) return;
@@ -168,7 +168,7 @@ class Document : public DocumentEvents {
     tell({{}, {key}, {}});
   }
 
-  /// These are on their way to where they are kept.
+  /// These have been sent.
   void markSent(const std::vector<Change<Item>>& changes) {
     DocumentChange told;
     for (const Change<Item>& one : changes) {
@@ -177,7 +177,7 @@ class Document : public DocumentEvents {
     }
     tell(std::move(told));
   }
-  /// These are kept now.
+  /// These are stored now.
   void confirm(const std::vector<Change<Item>>& changes) {
     DocumentChange told;
     for (const Change<Item>& one : changes) {
@@ -188,22 +188,22 @@ class Document : public DocumentEvents {
     }
     tell(std::move(told));
   }
-  /// They are not under way any more; whether they have arrived is not known.
+  /// They are no longer in progress; whether they took effect is unknown.
   void endSending() {
     DocumentChange told;
     for (const auto& [key, item] : sent_) told.changed.push_back(key);
     in_doubt_.merge(std::exchange(sent_, {}));
     tell(std::move(told));
   }
-  /// Where they are kept, the item of `key` is called `id`.
+  /// In the store, the item of `key` is called `id`.
   void nameTheirs(const Key& key, const Key& id) {
     if (key == id) return;
     their_ids_[id] = key;
     our_ids_[key] = id;
   }
-  /// It was sent, and neither an answer nor a look has told yet whether it has arrived.
+  /// It was sent, but it is not known yet whether it took effect.
   bool inDoubt(const Key& key) const { return in_doubt_.contains(key); }
-  /// What it is called there, and the reverse.
+  /// Its name in the store, and the reverse.
   Key theirName(const Key& key) const {
     const auto known = our_ids_.find(key);
     return known == our_ids_.end() ? key : known->second;
@@ -213,14 +213,14 @@ class Document : public DocumentEvents {
     return known == their_ids_.end() ? id : known->second;
   }
 
-  /// What is kept now, as far as is known.
+  /// The stored items, as far as known.
   Items<Item> kept() const {
     Items<Item> kept = base_;
     for (const auto& [key, conflict] : conflicts_) put(kept, key, conflict.theirs);
     return kept;
   }
-  /// Changes that were made of an older state are made here, too, as one command. What does not go together
-  /// with what is kept now becomes a conflict; what has been changed here meanwhile stays as it is here.
+  /// Applies changes that were based on an older state, as one command. What conflicts with the stored items
+  /// becomes a conflict; what has been changed here since stays as it is.
   void rebase(const std::vector<Change<Item>>& older, const QString& text) {
     std::vector<Change<Item>> here;
     for (Change<Item> change : older) {
@@ -277,7 +277,7 @@ class Document : public DocumentEvents {
 
   enum class Became { Nothing, Added, Changed, Removed };
   Became set(const Key& key, std::optional<Item> item) {
-    // Thousands at once pass here: nothing is copied that need not be.
+    // Thousands pass through here at once: avoid copies.
     const auto before = items_.find(key);
     const bool was_there = before != items_.end(), is_there = item.has_value();
     const bool was_unsaved = unsaved_.contains(key);
@@ -310,8 +310,7 @@ class Document : public DocumentEvents {
   }
   void tell(DocumentChange told) { Q_EMIT changed(told); }
 
-  /// Of a changed item only the fields that the command changed are exchanged: what came from elsewhere since
-  /// stays.
+  /// Only the fields that the command changed are swapped: changes that came from elsewhere since stay.
   void exchange(const std::vector<Change<Item>>& changes, bool forth) {
     DocumentChange told;
     told.fields = 0;
@@ -320,7 +319,7 @@ class Document : public DocumentEvents {
             &into = forth ? change.after : change.before;
       std::optional<Item> now = mine(change.key);
       if (from && into) {
-        if (!now) continue;  // it is gone: there is nothing to change back
+        if (!now) continue;  // it no longer exists: there is nothing to revert
         const FieldMask fields = difference(*from, *into);
         told.fields |= fields;
         assign(*now, *into, fields);
@@ -328,7 +327,7 @@ class Document : public DocumentEvents {
         now = into;
       }
       note(told, change.key, set(change.key, std::move(now)));
-      // By hand it may have been brought together with theirs.
+      // The user may have made it equal to theirs.
       if (const auto conflict = conflicts_.find(change.key); conflict != conflicts_.end()) {
         Merged<Item> merged = merge(conflict->second.base, mine(change.key), conflict->second.theirs);
         if (merged.conflict) {
@@ -347,7 +346,8 @@ class Document : public DocumentEvents {
   Items<Item> underOurKeys(const Items<Item>& stored) {
     for (auto& [key, item] : in_doubt_) sent_.try_emplace(key, std::move(item));
     in_doubt_.clear();
-    // A created one whose answer was lost has got a name of its own there: it is told by what it is like.
+    // If the answer to a creation was lost, the new item has an unknown name there: recognize it by its
+    // content.
     for (const auto& [key, item] : sent_) {
       if (!item || base_.contains(key) || stored.contains(key)) continue;
       for (const auto& [id, theirs] : stored) {
@@ -370,11 +370,11 @@ class Document : public DocumentEvents {
   Items<Item> base_, items_;
   std::function<void(Item&)> fit_;
   std::set<Key> unsaved_;
-  std::unordered_map<Key, std::uint64_t> since_;  // since when each of unsaved_ is
+  std::unordered_map<Key, std::uint64_t> since_;  // since when each of unsaved_ has been unsaved
   std::uint64_t last_change_ = 0;
   std::map<Key, std::optional<Item>> sent_, in_doubt_;
   std::map<Key, Conflict<Item>> conflicts_;
-  // Ours by theirs, where they differ, and the reverse.
+  // Our names by theirs, if they differ, and the reverse.
   std::unordered_map<Key, Key> their_ids_, our_ids_;
   QUndoStack stack_;
 };

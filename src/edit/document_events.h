@@ -1,4 +1,4 @@
-// What a document tells, whatever its items are.
+// The signals of a document, independent of its items.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace mapwright::edit {
 
-/// Keys of items that came, that are other ones now or stand otherwise (saved, sent, …), and that went.
+/// Keys of items that were added, that changed or have another state (saved, sent, …), and that were removed.
 struct DocumentChange {
   std::vector<std::string> added, changed, removed;
-  bool everything = false;  // look at all of it anew; the lists are empty
-  /// Of `changed`: the fields that may be others now, one bit each as in Fields<Item>::all. How they stand
-  /// may be another thing in any case.
+  bool everything = false;  // check everything; the lists are empty
+  /// Which fields of `changed` may differ, one bit each as in Fields<Item>::all. Their state may differ in
+  /// any case.
   std::uint32_t fields = ~std::uint32_t(0);
 };
 
@@ -25,7 +25,7 @@ class DocumentEvents : public QObject {
   ~DocumentEvents() override;
 
  Q_SIGNALS:
-  /// The one signal: items, their states, or those of the whole.
+  /// The only signal: covers items, their states, and the state of the whole.
   void changed(const mapwright::edit::DocumentChange& change);
 };
 

@@ -1,5 +1,5 @@
-// A draft: what of a document is not saved yet, as a value and as bytes. Only items that were changed are in
-// it, each as it was and as it is, which is all that a three-way merge needs. Pure functions, any thread.
+// A draft: the unsaved changes of a document, as a value and as bytes. Contains only changed items, each
+// before and after, which is all that a three-way merge needs. Pure functions, any thread.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ namespace mapwright::edit {
 template <typename Item>
 struct ItemJson;
 
-/// Whose draft it is: of which list at which robot or file.
+/// Which list of which robot or file a draft belongs to.
 struct DraftIdentity {
   QString address, map, kind;  // kind: "waypoints"
   bool operator==(const DraftIdentity&) const = default;
@@ -33,14 +33,14 @@ struct Draft {
   std::vector<Change<Item>> changes;
 };
 
-/// The frame around the changes. `changes`: objects with key, before and after (absent = not there).
+/// The envelope around the changes. `changes`: objects with key, before and after (absent = does not exist).
 QByteArray draftBytes(const DraftIdentity& of, const QDateTime& made, const QJsonArray& changes);
 struct DraftFrame {
   DraftIdentity of;
   QDateTime made;
   QJsonArray changes;
 };
-/// nullopt = this is no draft, or one that a later version wrote.
+/// nullopt = not a draft, or written by a later version.
 std::optional<DraftFrame> draftFrame(const QByteArray& bytes);
 
 template <typename Item>

@@ -45,7 +45,7 @@ void DraftKeeper::begin() {
           writing_ = false;
           setTrouble(trouble.value_or(Fault()));
           Q_EMIT written();
-          // What cannot be written now may be later.
+          // What cannot be written now may work later.
           if (again_ || trouble) beginAfter(trouble ? kRetry : kWait);
         },
         Qt::QueuedConnection);

@@ -1,5 +1,5 @@
-// Writes the draft of one document as it changes. GUI-thread object; the disk is touched on a thread beyond
-// the crew: a slow one holds up nobody.
+// Writes the draft of one document as it changes. GUI-thread object; disk access happens on a thread of its
+// own, so that a slow disk blocks nobody.
 #pragma once
 
 #include <chrono>
@@ -21,29 +21,29 @@ Later byTheClock();
 class DraftKeeper : public QObject {
   Q_OBJECT
  public:
-  /// How long after a change the draft is written; so it is on disk within a second.
+  /// Delay between a change and writing the draft; so it is on disk within a second.
   static constexpr std::chrono::milliseconds kWait{400};
-  /// How long after a failure it is tried again.
+  /// Delay before a retry after a failure.
   static constexpr std::chrono::milliseconds kRetry{5'000};
 
   /// Makes the bytes of the draft, on another thread.
   using Job = std::function<QByteArray()>;
-  /// `content`: what is to be kept now; null = nothing is, the draft goes.
+  /// `content`: what to save now; null = nothing, the draft is removed.
   DraftKeeper(QString folder, const DraftIdentity& of, std::function<Job()> content, Later later,
               std::shared_ptr<work::Workers> workers, QObject* parent = nullptr);
-  /// Waits until what is being written is on disk.
+  /// Waits until the write in progress is on disk.
   ~DraftKeeper() override;
 
   /// Something has changed.
   void touch();
-  /// Writes (or removes) it now and waits for it; nullopt = it is on disk, else why not.
+  /// Writes (or removes) it now and waits; nullopt = done, otherwise why not.
   std::optional<Fault> flush();
-  /// Why the draft of what is there now is not on disk; None = nothing is wrong.
+  /// Why the current draft is not on disk; None = nothing is wrong.
   const Fault& trouble() const { return trouble_; }
 
  Q_SIGNALS:
   void troubleChanged();
-  void written();  // what was there when it began is on disk, or gone from there
+  void written();  // the state at the start of the write is on disk, or removed
 
  private:
   void beginAfter(std::chrono::milliseconds wait);
@@ -52,10 +52,10 @@ class DraftKeeper : public QObject {
 
   std::function<Job()> content_;
   Later later_;
-  DraftFile file_;  // of whoever writes: never two at a time
+  DraftFile file_;  // used by the writer: never two at a time
   Fault trouble_;
   bool waiting_ = false, writing_ = false, again_ = false;
-  work::Share share_;  // last: it waits for what is being written
+  work::Share share_;  // last member: waits for the write in progress
 };
 
 }  // namespace mapwright::edit

@@ -26,7 +26,7 @@ QString stemOf(const DraftIdentity& of) {
 
 std::unique_ptr<QLockFile> lockOf(const QString& path) {
   auto lock = std::make_unique<QLockFile>(path + QStringLiteral(".lock"));
-  lock->setStaleLockTime(0);  // held as long as its program lives, however long that is
+  lock->setStaleLockTime(0);  // held as long as the program runs
   return lock;
 }
 
@@ -67,7 +67,7 @@ LeftDrafts leftDrafts(const QString& folder, const DraftIdentity& of) {
       QDir(folder).entryList({stemOf(of) + QStringLiteral("-*.json")}, QDir::Files, QDir::Time);
   for (const QString& name : names) {
     LeftDraft draft{folder + QLatin1Char('/') + name, {}, lockOf(folder + QLatin1Char('/') + name)};
-    // In a folder that may only be read nothing can be locked: what is there may still be taken up.
+    // In a read-only folder nothing can be locked, but drafts there can still be restored.
     if (!draft.lock->tryLock() && draft.lock->error() == QLockFile::LockFailedError) continue;
     if (!QFile::exists(draft.path)) continue;
     auto bytes = disk::readFile(draft.path.toStdString(), kLongestDraft);

@@ -1,6 +1,6 @@
-// Drafts on disk: each program that edits a list has a file of its own for it, locked while it runs, so that
-// two windows on one list do not overwrite each other, and what a program that is gone has left is told from
-// what is still being worked on. Looks at the disk; any thread, one at a time.
+// Drafts on disk: each program that edits a list has its own file for it, locked while it runs, so that two
+// windows on one list do not overwrite each other, and abandoned drafts can be told from those in use.
+// Accesses the disk; any thread, one at a time.
 #pragma once
 
 #include <memory>
@@ -19,14 +19,14 @@ namespace mapwright::edit {
 /// A draft file that this program writes.
 class DraftFile {
  public:
-  /// Nothing is on disk before the first write(). `folder` is made then.
+  /// Nothing is on disk before the first write(), which also creates `folder`.
   DraftFile(QString folder, const DraftIdentity& of);
-  /// Lets go of the lock; the file stays.
+  /// Releases the lock; the file stays.
   ~DraftFile() = default;
 
-  /// Whole and durably, or not at all; nullopt = written, else why not.
+  /// Completely and durably, or not at all; nullopt = written, otherwise why not.
   std::optional<Fault> write(const QByteArray& bytes);
-  /// Nothing is left of it; nullopt = so it is, else why not.
+  /// nullopt = removed, otherwise why not.
   std::optional<Fault> remove();
   QString path() const { return path_; }
 
@@ -35,7 +35,7 @@ class DraftFile {
   std::unique_ptr<QLockFile> lock_;
 };
 
-/// A draft that was left behind. It is locked as long as this is held.
+/// An abandoned draft. Locked as long as this object exists.
 struct LeftDraft {
   QString path;
   QByteArray bytes;
@@ -47,11 +47,12 @@ struct LeftDrafts {
   std::vector<Fault> notes;       // what could not be read
 };
 
-/// The drafts of `of` that no running program works on.
+/// The drafts of `of` that no running program uses.
 LeftDrafts leftDrafts(const QString& folder, const DraftIdentity& of);
-/// It is taken up or not wanted; nullopt = it is gone, else why not.
+/// Removes a draft that was restored or discarded; nullopt = it is gone, otherwise why not.
 std::optional<Fault> removeDraft(LeftDraft draft);
-/// It cannot be understood: it is renamed, for people to look at, and not met again. What to tell people.
+/// Renames a draft that cannot be parsed, so that people can look at it and it is not found again. Returns
+/// the message for the user.
 Fault setAside(LeftDraft draft);
 
 }  // namespace mapwright::edit

@@ -10,16 +10,17 @@ using namespace mapwright::fault;  // what all rooms share
 // Files with waypoints.
 inline constexpr FaultCode WaypointListGone{
     "edit", QT_TRANSLATE_NOOP("edit",
-                              "The list of waypoints is gone from where it was kept. They are still here: "
+                              "The saved waypoint draft has disappeared. The waypoints are still open here: "
                               "saving writes them again.")};
 
 // Drafts.
 /// folder
 inline constexpr FaultCode DraftFolderNotMade{
-    "edit", QT_TRANSLATE_NOOP("edit", "No draft can be kept: the folder %1 cannot be made.")};
+    "edit", QT_TRANSLATE_NOOP("edit", "Drafts cannot be saved: the folder %1 cannot be created.")};
 /// folder
 inline constexpr FaultCode DraftFileNotMade{
-    "edit", QT_TRANSLATE_NOOP("edit", "No draft can be kept: no file can be made in %1. Is the disk full?")};
+    "edit",
+    QT_TRANSLATE_NOOP("edit", "Drafts cannot be saved: no file can be created in %1. Is the disk full?")};
 /// path
 inline constexpr FaultCode DraftNotRemoved{"edit",
                                            QT_TRANSLATE_NOOP("edit", "The draft %1 cannot be removed.")};
@@ -27,9 +28,9 @@ inline constexpr FaultCode DraftNotRemoved{"edit",
 inline constexpr FaultCode DraftNotRead{"edit", QT_TRANSLATE_NOOP("edit", "The draft %1 cannot be read")};
 /// path
 inline constexpr FaultCode DraftBroken{"edit",
-                                       QT_TRANSLATE_NOOP("edit", "The draft %1 cannot be understood.")};
+                                       QT_TRANSLATE_NOOP("edit", "The draft %1 is not in a known format.")};
 /// path, where it is kept
 inline constexpr FaultCode DraftSetAside{
-    "edit", QT_TRANSLATE_NOOP("edit", "The draft %1 cannot be understood. It is kept as %2.")};
+    "edit", QT_TRANSLATE_NOOP("edit", "The draft %1 is not in a known format. It was renamed to %2.")};
 
 }  // namespace mapwright::edit::fault

@@ -1,16 +1,14 @@
-// Three-way merge of items: what I made of a common base, and what they made of it. Pure functions, any
-// thread.
-//
-// Items are values with fields that are independent of each other (a name and a position): a change of one
-// and a change of another go together. Fields<Item> names them:
+// Three-way merge of items: the common base, my version and theirs. Pure functions, any thread.
+// Items are values with independent fields (such as a name and a position): changes to different fields can
+// be merged. Fields<Item> lists them:
 //
 //   template <> struct Fields<Thing> {
 //     static constexpr std::tuple all{&Thing::name, &Thing::position};
-//     /// What is no field, but belongs to the store that `theirs` came from.
+//     /// Copies what is not a field but belongs to the store that `theirs` came from.
 //     static void carry(Thing& into, const Thing& theirs);
-//     /// Whether two values of a field are the same although they are not equal. May be left out.
+//     /// Whether two different values of a field count as the same. Optional.
 //     static bool alike(const Distance& a, const Distance& b);
-//     /// The fields in which theirs is what I made of it on the way from base to mine. May be left out.
+//     /// The fields in which theirs is an intermediate step from base to mine. Optional.
 //     static FieldMask onTheWay(const Thing& base, const Thing& mine, const Thing& theirs);
 //   };
 #pragma once
@@ -80,16 +78,15 @@ enum class ConflictKind {
   BothAdded,     // the same key, differently
 };
 
-/// What cannot go together. nullopt = the item is not there.
+/// What is in conflict. nullopt = the item does not exist.
 template <typename Item>
 struct Conflict {
   ConflictKind kind = ConflictKind::BothChanged;
   std::optional<Item> base, mine, theirs;
-  FieldMask fields = 0;  // of BothChanged and BothAdded: those that collide
+  FieldMask fields = 0;  // of BothChanged and BothAdded: the conflicting fields
 };
 
-/// What becomes of one item. In a conflict `item` is mine, with their changes of the fields that do not
-/// collide.
+/// The merge of one item. In a conflict `item` is mine, with their changes to the other fields.
 template <typename Item>
 struct Merged {
   std::optional<Item> item;
@@ -124,7 +121,7 @@ Merged<Item> merge(const std::optional<Item>& base, const std::optional<Item>& m
   return merged;
 }
 
-/// Whose version of what collides is taken; what does not collide is merged in either case.
+/// Which version of conflicting fields to take; the others are merged in either case.
 enum class Side { Mine, Theirs };
 template <typename Item>
 std::optional<Item> decided(const Conflict<Item>& conflict, Side side) {

@@ -45,7 +45,7 @@ OpenWaypoints::OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const
         options_.later, options_.workers);
     connect(keeper_.get(), &DraftKeeper::troubleChanged, this, &OpenWaypoints::draftTroubleChanged);
     connect(keeper_.get(), &DraftKeeper::written, this, [this] {
-      // Only now is what was taken up of them kept elsewhere.
+      // Only now are the restored changes saved elsewhere.
       if (keeper_->trouble().any()) return;
       for (LeftDraft& draft : std::exchange(taken_up_, {})) removeDraft(std::move(draft));
     });
@@ -69,14 +69,14 @@ void OpenWaypoints::noteSubmission() {
   const bool overtaken = submission_.phase() == SubmissionPhase::Stopped && failure &&
                          failure->kind == map::FailureKind::Conflict;
   if (overtaken && ++conflicts_met_ <= kMostOvertaken) {
-    // Somebody was quicker, and nothing was applied: looked at again, it may well go together.
+    // Someone else was faster, and nothing was applied: check again, the changes may still be compatible.
     QMetaObject::invokeMethod(this, &OpenWaypoints::startSaving, Qt::QueuedConnection);
   } else if (!saving()) {
     conflicts_met_ = 0;
   }
   Q_EMIT changed();
   if (submission_.phase() == SubmissionPhase::Done && refused().empty()) Q_EMIT saved();
-  // Cancelled between two requests: what became of those before has not been looked at.
+  // Cancelled between two requests: the results of the earlier ones are still unknown.
   if (submission_.phase() == SubmissionPhase::Stopped && failure &&
       failure->kind == map::FailureKind::Cancelled && way_.look_after_failure && !looked_)
     read();
@@ -85,7 +85,7 @@ void OpenWaypoints::noteSubmission() {
 
 void OpenWaypoints::read() {
   if (!store_) return;
-  // What is read while changes are on their way may be of before or after.
+  // Data read while changes are in progress may be older or newer than them.
   if (saving() || reading_) {
     read_again_ = true;
     return;
@@ -210,7 +210,7 @@ WaypointSubmission::Listener OpenWaypoints::listener() {
     return areReviewed(requests) ? std::optional(std::move(requests)) : std::nullopt;
   };
   hears.needs = [](const robot::WaypointRequest& later, const robot::WaypointRequest& failed) {
-    // The same waypoint, or the name that it has not let go of.
+    // The same waypoint, or the name that it still has.
     return std::any_of(later.changes.begin(), later.changes.end(), [&](const robot::WaypointChange& one) {
       return std::any_of(failed.changes.begin(), failed.changes.end(),
                          [&](const robot::WaypointChange& other) {
@@ -278,7 +278,7 @@ void OpenWaypoints::offer(LeftDrafts left) {
       Q_EMIT remarked(setAside(std::move(file)));
       continue;
     }
-    // What has been saved all the same is not offered.
+    // Changes that were saved after all are not offered.
     std::erase_if(draft->changes, [&](const Change<map::Waypoint>& change) {
       const map::Waypoint* const now = document_.find(change.key);
       return same(now ? std::optional(*now) : std::nullopt, change.after);

@@ -1,5 +1,5 @@
-// The waypoints of one map, opened to be edited: read from where they are kept, merged when they change
-// there, kept as a draft while they are not saved, and saved. GUI-thread object.
+// The waypoints of one map, opened for editing: read from the store, merged when they change there, saved as
+// a draft while unsaved, and saved. GUI-thread object.
 #pragma once
 
 #include <functional>
@@ -24,17 +24,17 @@ namespace mapwright::edit {
 using WaypointSubmission = Submission<robot::StoredWaypoints, robot::WaypointRequest, robot::WaypointReceipt>;
 using WaypointDraft = Draft<map::Waypoint>;
 
-/// A request that saving would send, as the store takes it and as people read it.
+/// A request that saving would send, for the store and as text.
 struct PlannedRequest {
   robot::WaypointRequest request;
   robot::WaypointCall call;
 };
 
 struct EditOptions {
-  QString drafts_folder = {};  // empty = no drafts are kept
+  QString drafts_folder = {};  // empty = no drafts
   Later later = byTheClock();
   std::function<QDateTime()> now = [] { return QDateTime::currentDateTime(); };
-  std::shared_ptr<work::Workers> workers = {};  // null = a crew of its own
+  std::shared_ptr<work::Workers> workers = {};  // null = threads of its own
 };
 
 class OpenWaypoints : public QObject {
@@ -42,60 +42,60 @@ class OpenWaypoints : public QObject {
  public:
   enum class Phase { Reading, Ready, Failed };
 
-  /// Reads at once. `store` must outlive this, or robotGone() be called before it goes.
+  /// Starts reading at once. `store` must outlive this object, unless robotGone() is called first.
   OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const QString& address, EditOptions options,
                 QObject* parent = nullptr);
-  /// What is not saved stays as a draft.
+  /// Unsaved changes stay as a draft.
   ~OpenWaypoints() override;
 
   const map::MapKey& map() const { return map_; }
   Phase phase() const { return phase_; }
-  /// Why they could not be read the last time; nullopt when they could.
+  /// Why the last read failed; nullopt if it succeeded.
   const std::optional<map::Failure>& failure() const { return failure_; }
-  const std::vector<Fault>& notes() const { return notes_; }  // what is odd about them
-  /// Those that are kept with a quaternion of zero; one that has been turned here since has another yaw.
+  const std::vector<Fault>& notes() const { return notes_; }  // warnings about them
+  /// Those stored with a zero quaternion, unless they have been turned here since.
   std::set<Key> zeroTurns() const;
   const robot::KeptFields& keeps() const { return keeps_; }
   WaypointDocument& document() { return document_; }
   const WaypointDocument& document() const { return document_; }
   bool unsaved() const { return !document_.unsaved().empty(); }
-  /// Those of what is not saved that are not sent, for they would be refused: another one has their name.
+  /// Unsaved waypoints that are not sent because the robot would refuse them: another one has their name.
   std::set<Key> refused() const;
 
   void read();
-  /// Sends what is not saved and would not be refused. Ends in saved() when that was all, or in
-  /// submission().phase() Undecided or Stopped; then it is gone on with by save() again.
+  /// Sends all unsaved changes that would not be refused. Emits saved() if that was all; otherwise
+  /// submission().phase() is Undecided or Stopped, and save() continues.
   void save(AtFailure at_failure = AtFailure::Stop);
-  /// What save() would send of what was read last, in that order. Asks nobody.
+  /// What save() would send, based on the last read, in that order. Sends nothing.
   std::vector<PlannedRequest> planned() const;
-  /// As people read it; empty without a robot.
+  /// As text; empty without a robot.
   robot::WaypointCall callOf(const robot::WaypointRequest& request) const;
-  /// Sends these calls and no others, and looks at the end what has become of them, however it ends. When
-  /// they would not be the right ones any more (somebody else was there) nothing is sent: Undecided, without
-  /// a conflict; planned() says what it takes now.
+  /// Sends exactly these requests, and checks the result afterwards in any case. If they no longer fit
+  /// because someone else changed something, nothing is sent: Undecided, without a conflict; planned() then
+  /// gives the new requests.
   void send(const std::vector<PlannedRequest>& reviewed, AtFailure at_failure);
-  /// What became of all that has been sent has been read since.
+  /// The result of everything sent has been read since.
   bool looked() const { return looked_; }
   bool saving() const { return submission_.running(); }
-  /// Why saving stopped, as long as it stands in the way: a link that was lost does so until the list has
-  /// been read again.
+  /// Why saving stopped, while it prevents further saving: after a lost connection that lasts until the list
+  /// has been read again.
   std::optional<map::Failure> stoppedBy() const;
-  /// There is something to be saved, it is not under way, and no conflict waits to be decided.
+  /// There are unsaved changes, no save in progress, and no open conflict.
   bool maySave() const { return unsaved() && !saving() && document_.conflicts().empty(); }
   const WaypointSubmission& submission() const { return submission_; }
   void cancelSaving() { submission_.cancel(); }
-  /// No answer comes any more; nothing can be saved.
+  /// The robot is gone: no more answers, and nothing can be saved.
   void robotGone();
 
-  /// Drafts of programs that ended without saving, as they would change the document; the newest first.
+  /// Drafts of programs that ended without saving, as changes to the document; newest first.
   const std::vector<WaypointDraft>& offered() const { return offered_; }
-  /// Merges the first one into the document, as one command, and forgets it once it is kept again.
+  /// Merges the first one into the document as one command, and deletes it once its content is saved again.
   void takeUp(const QString& text);
   /// It is not wanted.
   void turnDown();
-  /// Everything as it is kept where it came from; the draft goes.
+  /// Reverts everything to the stored state and removes the draft.
   void discard();
-  /// The draft of what is there now is on disk when this returns; else why not.
+  /// Writes the current draft to disk before it returns; otherwise returns why not.
   std::optional<Fault> keepDraft();
   /// Why the draft is not on disk; None = nothing is wrong.
   Fault draftTrouble() const;
@@ -104,7 +104,7 @@ class OpenWaypoints : public QObject {
   void changed();  // phase, submission, offers; the document tells its own changes
   void saved();
   void draftTroubleChanged();
-  /// Something about drafts that people have to know.
+  /// A message about drafts for the user.
   void remarked(const mapwright::Fault& remark);
 
  private:
@@ -113,7 +113,7 @@ class OpenWaypoints : public QObject {
   void startSaving();
   WaypointSubmission::Store storeOf();
   WaypointSubmission::Listener listener();
-  /// What is to be sent, as the store takes it.
+  /// What to send, in the form that the store takes.
   std::vector<robot::WaypointChange> wireChanges() const;
   std::vector<Change<map::Waypoint>> ownChanges(const std::vector<robot::WaypointChange>& changes) const;
   void lookForDrafts();
@@ -131,17 +131,17 @@ class OpenWaypoints : public QObject {
   std::vector<Fault> notes_;
   bool has_read_ = false, reading_ = false, read_again_ = false;
   int conflicts_met_ = 0;                                     // in a row, while saving
-  bool looked_ = true, read_since_ = false;                   // read_since_: saving stopped
+  bool looked_ = true, read_since_ = false;                   // read_since_: read again since saving stopped
   std::set<std::string> zero_turns_;                          // their ids
   std::string revision_;                                      // of what was read last
-  std::optional<std::vector<robot::WaypointCall>> reviewed_;  // nullopt = all that it takes
+  std::optional<std::vector<robot::WaypointCall>> reviewed_;  // nullopt = everything that is needed
   WaypointSubmission::Way way_;
   WaypointDocument document_;
   WaypointSubmission submission_;
   std::vector<WaypointDraft> offered_;
   std::vector<LeftDraft> left_;  // the files of `offered_`
   std::unique_ptr<DraftKeeper> keeper_;
-  std::vector<LeftDraft> taken_up_;  // to be removed when the keeper has written
+  std::vector<LeftDraft> taken_up_;  // removed when the keeper has written
   work::Share looking_;              // for drafts
 };
 

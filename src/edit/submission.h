@@ -1,6 +1,5 @@
-// A submission: changes on their way to where they are kept, one request after the other. It looks before it
-// asks and after, may stop half-way, says of each request what came of it, and can be gone on with. GUI
-// thread.
+// A submission: sends changes to the store, one request after the other. It reads the store before and
+// afterwards, may stop half-way, reports the result of every request, and can be resumed. GUI thread.
 #pragma once
 
 #include <algorithm>
@@ -21,18 +20,18 @@ enum class SubmissionPhase {
   Looking,  // how it is kept now
   Sending,
   LookingAgain,  // what became of it
-  Done,          // all is applied, and what is kept now has been read
-  Undecided,     // what is kept now does not go together with what is to be sent: somebody has to decide
+  Done,          // everything is applied, and the result has been read
+  Undecided,     // the stored state conflicts with the changes: the user has to decide
   Stopped,       // half-way or before: see failure()
 };
 
-/// What becomes of the requests behind one that failed.
+/// What to do with the requests after one that failed.
 enum class AtFailure {
   Stop,  // nothing more is sent
-  GoOn,  // those that do not need it are, unless the link is what failed
+  GoOn,  // send those that do not depend on it, unless the connection failed
 };
 
-/// It says something about the way there, and nothing about what was asked for.
+/// The failure is about the connection, not about the request.
 inline bool isOfTheLink(const map::Failure& failure) {
   switch (failure.kind) {
     case map::FailureKind::Unreachable:
@@ -46,7 +45,7 @@ inline bool isOfTheLink(const map::Failure& failure) {
       return false;
   }
 }
-/// It says something about one request, and nothing about the next.
+/// The failure is about one request and says nothing about the next.
 inline bool concernsOneRequest(const map::Failure& failure) {
   return !isOfTheLink(failure) && failure.kind != map::FailureKind::Conflict;
 }
@@ -58,7 +57,7 @@ struct SubmittedRequest {
     Waiting,
     UnderWay,
     Done,
-    Failed,   // see `failure`, and what of it was applied there
+    Failed,   // see `failure`, and whether it was applied anyway
     NotSent,  // the submission stopped before
   };
   Request request;
@@ -74,26 +73,26 @@ class Submission : public SubmissionEvents {
     std::function<robot::Call(robot::OutcomeTo<Stored>)> read;
     std::function<robot::Call(const Request&, robot::OutcomeTo<Receipt>)> perform;
   };
-  /// What happens on the way, for the document.
+  /// Callbacks for the document.
   struct Listener {
-    /// What is to be asked for, now that this is kept; nullopt = somebody has to decide first.
+    /// The requests needed, given the stored state; nullopt = the user has to decide first.
     std::function<std::optional<std::vector<Request>>(const Stored&)> plan;
     std::function<void(const Request&)> sending;
     std::function<void(const Request&, const Receipt&)> done;
-    /// A request ended without being known to be applied.
+    /// A request ended, and it is not known to be applied.
     std::function<void(const Request&, const map::Failure&)> failed;
     std::function<void(const Stored&)> looked;  // afterwards
-    /// `later` makes no sense when `failed` has not been carried out. Empty = none needs another.
+    /// True if `later` cannot be sent because `failed` was not carried out. Empty = requests are independent.
     std::function<bool(const Request& later, const Request& failed)> needs = {};
   };
   struct Way {
     AtFailure at_failure = AtFailure::Stop;
-    bool look_after_failure = false;  // what became of it, before it is Stopped
+    bool look_after_failure = false;  // reads the result before it is Stopped
   };
 
   Submission(Store store, Listener listener, QObject* parent = nullptr)
       : SubmissionEvents(parent), store_(std::move(store)), listener_(std::move(listener)) {}
-  /// What is still under way goes on, and nobody hears of it.
+  /// Requests in progress continue, but their results are ignored.
   ~Submission() override { ++round_; }
 
   SubmissionPhase phase() const { return phase_; }
@@ -101,19 +100,19 @@ class Submission : public SubmissionEvents {
     return phase_ == SubmissionPhase::Looking || phase_ == SubmissionPhase::Sending ||
            phase_ == SubmissionPhase::LookingAgain;
   }
-  /// Why it Stopped.
+  /// Why it is Stopped.
   const std::optional<map::Failure>& failure() const { return failure_; }
-  /// In the order that they are sent in. Of what it went on from, those that were done stay.
+  /// In the order of sending. After a resume, requests that were done before stay in the list.
   const std::vector<Row>& rows() const { return rows_; }
   std::size_t done() const {
     std::size_t done = 0;
     for (const Row& row : rows_) done += row.state == Row::State::Done ? 1 : 0;
     return done;
   }
-  robot::Progress progress() const { return call_.progress(); }  // of the request under way
+  robot::Progress progress() const { return call_.progress(); }  // of the request in progress
 
-  /// Begins, or goes on after it stopped or was decided: looks how it is kept now, so that nothing whose
-  /// answer was lost is asked for twice, plans anew, and sends.
+  /// Starts, or resumes after it stopped or a conflict was decided: reads the stored state, so that nothing
+  /// whose answer was lost is sent twice, plans again, and sends.
   void start(Way way = {}) {
     if (running()) return;
     if (phase_ == SubmissionPhase::Done) rows_.clear();
@@ -125,7 +124,7 @@ class Submission : public SubmissionEvents {
       if (!stored) return stop(stored.error());
       if (cancelled_) return stop(cancelled());
       auto planned = listener_.plan(*stored);
-      // Only now is it known what has become of those that were not done.
+      // Only now is the result of unfinished requests known.
       std::erase_if(rows_, [](const Row& row) { return row.state != Row::State::Done; });
       if (!planned) return enter(SubmissionPhase::Undecided);
       if (planned->empty() && rows_.empty()) return enter(SubmissionPhase::Done);
@@ -134,10 +133,10 @@ class Submission : public SubmissionEvents {
       sendNext();
     }));
   }
-  /// Nothing more is sent; what is under way is ended early where that is possible. It is Stopped when that
+  /// Sends nothing more and cancels the request in progress if possible. The phase becomes Stopped when that
   /// has been answered.
   void cancel() {
-    // When all is sent there is nothing to be cancelled but a look that would not end.
+    // After everything was sent, only the final read can be cancelled.
     if (!running() || (phase_ == SubmissionPhase::LookingAgain && !met_)) return;
     cancelled_ = true;
     call_.cancel();
@@ -177,7 +176,7 @@ class Submission : public SubmissionEvents {
     const map::Failure failure = *row.failure;
     if (!met_) met_ = failure;
     if (way_.at_failure == AtFailure::GoOn && !cancelled_ && concernsOneRequest(failure)) {
-      // What needs one that is left out is left out, too.
+      // Requests that depend on a skipped one are skipped, too.
       std::vector<const Request*> lacking{&row.request};
       for (Row& later : rows_) {
         const bool needed = later.state == Row::State::Waiting && listener_.needs &&
@@ -195,7 +194,7 @@ class Submission : public SubmissionEvents {
     leaveOutTheRest();
     lookAgain();
   }
-  /// Answers that come when nobody waits for them any more are dropped.
+  /// Drops answers that arrive when nobody waits for them any more.
   template <typename T, typename Then>
   robot::OutcomeTo<T> inThisRound(Then then) {
     return [self = QPointer<Submission>(this), round = ++round_,
@@ -229,7 +228,7 @@ class Submission : public SubmissionEvents {
   void lookAgain() {
     enter(SubmissionPhase::LookingAgain);
     call_ = store_.read(inThisRound<Stored>([this](robot::Outcome<Stored> stored) {
-      // What the look itself says matters only where nothing worse has been met.
+      // A failed read matters only if no request failed before it.
       if (!stored) return stop(met_.value_or(stored.error()));
       listener_.looked(*stored);
       met_ ? stop(*met_) : enter(SubmissionPhase::Done);
@@ -240,7 +239,7 @@ class Submission : public SubmissionEvents {
   Listener listener_;
   SubmissionPhase phase_ = SubmissionPhase::Idle;
   std::vector<Row> rows_;
-  std::optional<map::Failure> failure_, met_;  // met_: the first one of a request, while it is under way
+  std::optional<map::Failure> failure_, met_;  // met_: the first failure of a request, while running
   Way way_;
   robot::Call call_;
   bool cancelled_ = false;

@@ -1,4 +1,4 @@
-// What a submission tells, whatever it sends.
+// The signals of a submission, independent of what it sends.
 #pragma once
 
 #include <QObject>
@@ -11,7 +11,7 @@ class SubmissionEvents : public QObject {
   using QObject::QObject;
 
  Q_SIGNALS:
-  void changed();  // its phase, or how a request stands
+  void changed();  // its phase, or the state of a request
 };
 
 }  // namespace mapwright::edit

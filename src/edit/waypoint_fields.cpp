@@ -63,7 +63,7 @@ std::set<Key> refusedNames(const Items<map::Waypoint>& kept,
   for (const Change<map::Waypoint>& one : changes) {
     one.after ? void(names[one.key] = one.after->name) : void(names.erase(one.key));
   }
-  // One that is refused keeps its name, which may be what another one waits for.
+  // A refused waypoint keeps its name, for which another one may be waiting.
   for (bool any = true; any;) {
     any = false;
     std::map<std::string, int> bearers;

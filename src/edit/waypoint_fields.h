@@ -1,4 +1,4 @@
-// Waypoints as items of a document and of a draft.
+// Waypoints as items of documents and drafts.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ struct Fields<map::Waypoint> {
   static bool alike(const std::optional<double>& a, const std::optional<double>& b) {
     return map::sameHeading(a, b);
   }
-  /// Names that are exchanged go by way of a temporary name.
+  /// Swapped names go through a temporary name.
   static FieldMask onTheWay(const map::Waypoint& base, const map::Waypoint& mine,
                             const map::Waypoint& theirs) {
     const bool renamed = base.name != mine.name;
@@ -42,16 +42,16 @@ inline constexpr FieldMask kName = 1, kPosition = 2, kYaw = 4, kTags = 8, kType 
 
 using WaypointDocument = Document<map::Waypoint>;
 
-/// As it is going to be kept: what is not kept is left out, a heading that there must be is 0.
+/// Makes it fit for the store: drops unsupported fields, and sets a missing heading to 0 if one is required.
 void fit(map::Waypoint& point, const robot::KeptFields& keeps);
-/// Which of the changes of what is `kept` would be refused for sure: they give a name that another one has.
+/// Which changes the store would certainly refuse because another waypoint has that name.
 std::set<Key> refusedNames(const Items<map::Waypoint>& kept,
                            const std::vector<Change<map::Waypoint>>& changes, const robot::KeptFields& keeps);
 
 template <>
 struct ItemJson<map::Waypoint> {
   static QJsonObject write(const map::Waypoint& point);
-  /// nullopt = it is none: something is missing, of the wrong kind or not finite.
+  /// nullopt = invalid: something is missing, has the wrong type or is not finite.
   static std::optional<map::Waypoint> read(const QJsonObject& object);
 };
 

@@ -1,5 +1,5 @@
-// A part of a bag as an MCAP file, laid out like a session that was recorded here (recorder/layout.h): played
-// alone it shows what the bag shows in that time, but for how it came to be.
+// A part of a bag as an MCAP file, laid out like a session recorded here (recorder/layout.h): played alone it
+// shows what the bag shows in that time, except how it came about.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace mapwright::excerpt {
 
-/// One thread. The file gets its name by finish(), and nothing is left without it.
+/// One thread. finish() gives the file its name; without it nothing is left.
 class BagMcap {
  public:
   static tl::expected<std::unique_ptr<BagMcap>, disk::FileError> create(const std::string& path,
@@ -30,12 +30,12 @@ class BagMcap {
   BagMcap(const BagMcap&) = delete;
   BagMcap& operator=(const BagMcap&) = delete;
 
-  /// In the order in which they are played. What lies before the span is kept as what had been said by then,
-  /// the last one of each topic; what lies after it is left out.
+  /// In playing order. Of messages before the span the last one of each topic is kept as its initial state;
+  /// messages after it are left out.
   std::optional<disk::FileError> take(const robot::BagMessage& message, std::string_view json);
   std::optional<disk::FileError> finish();
 
-  std::int64_t messages() const { return messages_; }  // of the span
+  std::int64_t messages() const { return messages_; }  // in the span
   std::int64_t saidBefore() const { return said_before_; }
 
  private:

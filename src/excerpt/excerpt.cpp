@@ -31,7 +31,7 @@ class Lines : public Writing {
       file_.write("\n");
       ++done_.messages;
     }
-    // What has failed stays so, and place() says why.
+    // After a failure everything fails, and place() gives the reason.
     return file_.good() ? std::nullopt : file_.place();
   }
   tl::expected<Written, disk::FileError> place() override {
@@ -81,7 +81,7 @@ class Track : public Writing {
   std::optional<disk::FileError> take(const replay::Chunk& chunk) override {
     done_.odd += oddIn(chunk);
     index_.add(replay::tickOf(chunk.from_s), replay::digestOf(chunk));
-    // A place that cannot be written to is no reason to read on.
+    // If the output cannot be written there is no point in reading on.
     return file_.good() ? std::nullopt : file_.place();
   }
   tl::expected<Written, disk::FileError> place() override {

@@ -1,4 +1,4 @@
-// A part of a bag as a file for other programs: its messages, or where the robot was. The same for the
+// Exports a part of a bag to a file for other programs: its messages, or the robot's path. Used by the
 // command line and the window.
 #pragma once
 
@@ -19,8 +19,8 @@
 namespace mapwright::excerpt {
 
 enum class Kind {
-  Mcap,      // like a session that was recorded here (recorder/layout.h)
-  Lines,     // every message as it was recorded, a JSON object a line
+  Mcap,      // like a session recorded here (recorder/layout.h)
+  Lines,     // every message as recorded, one JSON object per line
   TrackCsv,  // where the robot was (replay/track.h)
   TrackGeoJson,
   TrackTum,
@@ -28,47 +28,46 @@ enum class Kind {
 
 struct Order {
   Kind kind = Kind::Mcap;
-  std::string path;  // of the file; an MCAP file needs one, all else may go to the standard output ("-")
+  std::string path;  // of the file; an MCAP file needs one, others may go to the standard output ("-")
   TimeSpan span;
-  std::vector<std::string> topics;  // of these alone; none = all. Not of tracks
-  /// Of recordings, instead of `span`, to the nanosecond: both counted in.
+  std::vector<std::string> topics;  // only these; empty = all. Not used for tracks
+  /// For recordings, instead of `span`, exact to the nanosecond: both inclusive.
   std::optional<std::int64_t> first_ns, last_ns;
-  bool repair = false;  // of a recording that was interrupted: the file says so, and is whole
-  // What is written into an MCAP file about where it comes from.
+  bool repair = false;  // of an interrupted recording: the file says so, and is complete
+  // Where an MCAP file comes from, stored in it.
   std::string address, bag;
 };
 
 /// What was written.
 struct Written {
   std::int64_t messages = 0;     // of the span
-  std::int64_t said_before = 0;  // the last ones before it
+  std::int64_t said_before = 0;  // initial state from before the span
   std::int64_t attachments = 0;
   std::int64_t samples = 0, pieces = 0;  // of a track
-  std::int64_t odd = 0;                  // left out: they cannot be read, or have no stamp
-  std::vector<Fault> losses;             // of what is damaged in a file that was read, or cut off
+  std::int64_t odd = 0;                  // left out: unreadable or without time stamp
+  std::vector<Fault> losses;             // what is damaged or cut off in the input file
 };
 
-/// Whether it is wanted: one of the topics, or there are none.
+/// Whether it is one of the topics, or the list is empty.
 bool isOneOf(const std::vector<std::string>& topics, const std::string& topic);
 
-/// One thread at a time. Nothing has the name of the file before place(), and nothing is left without it.
+/// One thread at a time. The file gets its name in place(); without it nothing is left.
 class Writing {
  public:
   virtual ~Writing() = default;
-  /// Ranges in their order, those of readsFrom() and later.
+  /// Ranges in order, from readsFrom() on.
   virtual std::optional<disk::FileError> take(const replay::Chunk& chunk) = 0;
   virtual tl::expected<Written, disk::FileError> place() = 0;
 };
 
-/// Fails where the file cannot be begun. Its messages should be read with whole texts where
-/// wantsWholeTexts().
+/// Fails if the file cannot be created. Read its messages with complete texts if wantsWholeTexts().
 tl::expected<std::unique_ptr<Writing>, disk::FileError> begin(const Order& order);
-/// Where reading begins; nullopt: with the bag. What was said before a span is a part of what was so in it,
-/// and belongs into an MCAP file.
+/// Where to start reading; nullopt: at the start of the bag. The state before a span belongs into an MCAP
+/// file.
 std::optional<double> readsFrom(const Order& order);
 bool wantsWholeTexts(Kind kind);
 
-/// JSON as recorded, on one line: line breaks between values become blanks, and none stands within a text.
+/// Recorded JSON on one line: line breaks between values become blanks; JSON texts contain none.
 std::string jsonLine(std::string_view json);
 
 }  // namespace mapwright::excerpt

@@ -124,7 +124,7 @@ void ExcerptJob::end(Ended ended) {
   if (std::exchange(over_, true)) return;
   walk_.reset();
   writing_.reset();
-  // It may be the one that has just told.
+  // It may be the sender of this signal.
   if (reading_) {
     reading_->disconnect(this);
     replay::Reading* const reading = reading_.release();

@@ -1,4 +1,4 @@
-// A part of a bag on its way into a file, while the program does other things.
+// Writes a part of a bag to a file in the background.
 #pragma once
 
 #include <atomic>
@@ -17,31 +17,30 @@
 
 namespace mapwright::excerpt {
 
-/// What it ended in: `written`, or one of the others; none of them: it was cancelled. Without `written`
-/// nothing has been written.
+/// The result: `written`, or one of the others; none of them: cancelled. Without `written` there is no file.
 struct Ended {
   std::optional<Written> written;
-  std::optional<map::Failure> not_read;  // the bag, or the range below
+  std::optional<map::Failure> not_read;  // the bag or the range could not be read
   std::optional<Fault> not_written;
   std::optional<TimeSpan> range;  // that could not be had
 };
 
-/// The thread of the robot. Reads for itself: whoever replays the same bag meanwhile is not disturbed.
+/// Lives on the robot's thread. Reads on its own, so it does not disturb a replay of the same bag.
 class ExcerptJob : public QObject {
   Q_OBJECT
  public:
   struct Source {
     robot::BagLibrary* library = nullptr;  // outlives the job
     robot::BagKey key;
-    std::string recording;  // the file, where it is one on this computer: parts of it are what they are there
+    std::string recording;  // the file, for a recording on this computer: its parts are read from it directly
   };
-  /// Begins with start().
+  /// Does nothing before start().
   ExcerptJob(Source source, Order order, std::shared_ptr<work::Workers> workers, QObject* parent = nullptr);
-  /// Nothing is left of one that has not ended; waits for what is being written at the moment.
+  /// Cancels and removes the file if it has not finished; waits for the write in progress.
   ~ExcerptJob() override;
 
   void start();
-  /// ended() comes all the same, later.
+  /// Emits ended() later all the same.
   void cancel();
 
  Q_SIGNALS:
@@ -60,11 +59,11 @@ class ExcerptJob : public QObject {
   Order order_;
   std::unique_ptr<replay::Reading> reading_;
   std::optional<replay::RangeWalk> walk_;
-  std::shared_ptr<Writing> writing_;  // of the job under way, while there is one
-  int opened_ = 0;                    // how often it was tried
+  std::shared_ptr<Writing> writing_;  // of the running job
+  int opened_ = 0;                    // number of attempts
   bool busy_ = false, over_ = false;
   std::atomic<bool> cancelled_ = false;
-  work::Share share_;  // last: it waits for what runs
+  work::Share share_;  // last member: waits for running work
 };
 
 }  // namespace mapwright::excerpt

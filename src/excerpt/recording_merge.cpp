@@ -35,12 +35,12 @@ std::string digestOf(const void* bytes, std::size_t size) {
       .toStdString();
 }
 
-/// Of things that several files hold, each as often as the one that holds it most often. Files are taken one
+/// For things in several files, each as often as in the file that has it most often. Files are added one
 /// after the other.
 template <typename Thing>
 class Once {
  public:
-  /// Whether it is one more than an earlier file held.
+  /// Whether it is one more than in earlier files.
   bool isNew(std::size_t source, const Thing& thing) {
     std::map<std::size_t, int>& counts = counts_[thing];
     const int now = ++counts[source];
@@ -52,7 +52,7 @@ class Once {
   std::map<Thing, std::map<std::size_t, int>> counts_;
 };
 
-/// Channels as numbers: the same ones of two files have one, and so have those of what had been said before.
+/// Channels as numbers: equal ones in two files share a number, and so do those of the initial state.
 class ChannelNumbers {
  public:
   int of(const recording::ChannelPtr& channel) {
@@ -77,12 +77,12 @@ bool wasSaidBefore(const recording::Channel& channel) {
   return said != channel.metadata.end() && said->second == kBefore;
 }
 
-/// What a part says had been said before it begins is told once, where another part holds it or has said so.
+/// The initial state of a part is dropped if another part contains these messages or has already given them.
 class SaidBefore {
  public:
   explicit SaidBefore(ChannelNumbers& numbers) : numbers_(numbers) {}
 
-  /// To be called of all of them before messages are taken.
+  /// Call it for all of them before the first message.
   void expectThoseOf(recording::Source& source, const std::vector<std::string>& topics) {
     const recording::Summary summary = source.summary();
     recording::Query query;
@@ -94,14 +94,14 @@ class SaidBefore {
       if (of != summary.messages_of.end()) count += of->second;
     }
     if (query.topics.empty() || !summary.start_ns) return;
-    // They stand at the start, but in what was put together from others.
+    // They are at the start, except in merged recordings.
     query.last_ns = *summary.start_ns;
     if (expect(source, query) == count && summary.counted) return;
     query.last_ns = recording::Query().last_ns;
     expect(source, query);
   }
 
-  /// In the order of time. False: it is known by now.
+  /// In order of time. False: it is known already.
   bool take(std::size_t source, const recording::Message& message) {
     const int channel = numbers_.of(message.channel);
     if (!times_.contains({channel, message.publish_time_ns})) return true;
@@ -132,7 +132,7 @@ class SaidBefore {
 
   ChannelNumbers& numbers_;
   std::set<std::pair<int, std::int64_t>> times_;  // of those below
-  std::map<Key, std::optional<std::size_t>> by_;  // the file that told it first
+  std::map<Key, std::optional<std::size_t>> by_;  // the first file with it
 };
 
 class Merge {
@@ -141,7 +141,7 @@ class Merge {
       : sources_(sources), writer_(writer), before_(numbers_) {}
 
   std::optional<disk::FileError> describe() {
-    // The whole has an end only where all of them have.
+    // The result is only complete if all inputs are.
     const bool whole = std::none_of(sources_.begin(), sources_.end(), [](const SourcePtr& one) {
       return robot::recorded::isInterrupted(*one);
     });
@@ -189,12 +189,13 @@ class Merge {
     std::map<std::string, Last> last_of;  // by name
     for (const auto& [of, place] : places) {
       const auto attachment = sources_[of]->attachment(*place);
-      if (!attachment) continue;  // it is not sound, and of no use there either
+      if (!attachment) continue;  // it is damaged, and useless there
       const recording::Attachment& it = *attachment;
       std::string content = digestOf(it.bytes.data(), it.bytes.size());
       const bool is_new =
           once.isNew(of, {it.name, it.media_type, it.log_time_ns, it.create_time_ns, content});
-      // What another file holds later, and stands already, tells nothing; what one file repeats stays so.
+      // A later message of another file that equals the current one adds nothing; repetitions within one file
+      // stay.
       Last& last = last_of[it.name];
       const bool stands = last.content == content && !last.files.contains(of);
       if (!is_new || stands) {
@@ -227,11 +228,11 @@ class Merge {
     std::optional<recording::Message> message;
   };
 
-  /// All of one time, file after file. What two files hold of it is one message: parts may overlap.
+  /// All of one time, file after file. A message in two files is copied once: parts may overlap.
   std::optional<disk::FileError> copyAt(std::int64_t at_ns, std::vector<Head>& heads) {
     const auto isAt = [&](const Head& head) { return head.message && head.message->log_time_ns == at_ns; };
     const bool shared = std::count_if(heads.begin(), heads.end(), isAt) > 1;
-    // Of what a file counts for itself (the sequence) two parts say different things.
+    // Parts disagree about values that a file counts itself (the sequence).
     Once<std::tuple<int, bool, std::int64_t, std::string>> once;
     for (std::size_t of = 0; of < heads.size(); ++of) {
       for (Head& head = heads[of]; isAt(head); head.message = head.cursor->next()) {

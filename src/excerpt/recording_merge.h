@@ -1,4 +1,4 @@
-// Several recordings on this computer as one.
+// Merges several recordings on this computer into one.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace mapwright::excerpt {
 
-/// What lies in `order` of all of `paths`, by log time, in one MCAP file; of the same time what the first one
-/// says comes first. Channels that are the same become one; files and metadata of all are in it. What two
-/// files hold is in it once: messages with the same times and bytes on the same channel, files of one name
-/// whose content stands already, and what a part says had been said before it. So the parts of a recording,
-/// also overlapping ones, make that recording. What one file holds twice stays twice. One thread, until it is
-/// done. The error of one that cannot be opened names it.
+/// Writes everything selected by `order` from all of `paths`, by log time, to one MCAP file; messages of
+/// equal time come in the order of the files. Equal channels are merged; attachments and metadata of all
+/// files are kept. Duplicates between two files are dropped: messages with the same times and bytes on the
+/// same channel, attachments with the same name and content, and the initial state of a part. So merging the
+/// parts of a recording, even overlapping ones, restores the recording. Duplicates within one file stay.
+/// Blocks one thread. The error names a file that cannot be opened.
 tl::expected<Written, Fault> mergeRecordings(const std::vector<std::string>& paths, const Order& order);
 
 }  // namespace mapwright::excerpt

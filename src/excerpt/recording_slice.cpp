@@ -50,7 +50,7 @@ class Slice {
       if (topic == kStaticTransforms) {
         readInto(more, {.first_ns = 0, .last_ns = from_ns - 1, .topics = {topic}});
       } else if (topic.size() > kPatches.size() && topic.ends_with(kPatches)) {
-        // They change the grid that came before them, whether or not anybody asked for that.
+        // They change the grid before them, whether or not that was selected.
         const auto whole = std::find_if(before.begin(), before.end(), [&](const Message& other) {
           return topic.compare(0, topic.size() - kPatches.size(), other.channel->topic) == 0;
         });
@@ -86,10 +86,10 @@ class Slice {
     return {};
   }
 
-  /// With their own times, whatever the part: so that others can see that two parts hold the same one.
+  /// With their own times in every part, so that duplicates in two parts can be recognised.
   Done attach(std::int64_t to_ns) {
     if (ended_) return {};
-    // Of what was fetched only later the first one counts (recorder/layout.h).
+    // Of attachments fetched only later the first one counts (recorder/layout.h).
     std::map<std::string, const recording::AttachmentPlace*> first_of;
     for (const recording::AttachmentPlace& place : source_.attachments()) {
       const auto [first, is_new] = first_of.try_emplace(place.name, &place);
@@ -98,14 +98,14 @@ class Slice {
     for (const recording::AttachmentPlace& place : source_.attachments()) {
       if (place.log_time_ns > to_ns && first_of.at(place.name) != &place) continue;
       const auto attachment = source_.attachment(place);
-      if (!attachment) continue;  // it is not sound, and of no use there either
+      if (!attachment) continue;  // it is damaged, and useless there
       if (auto done = checked(writer_.attach(*attachment)); !done) return done;
       ++done_.attachments;
     }
     return {};
   }
 
-  /// What was interrupted was so after its last message, and no part that ends before.
+  /// The interruption comes after the last message, so it does not apply to parts that end earlier.
   Done markEnd(std::int64_t to_ns, bool repair) {
     const std::int64_t last_ns = source_.summary().end_ns.value_or(0);
     cut_short_ = robot::recorded::isInterrupted(source_) && to_ns >= last_ns;

@@ -9,7 +9,7 @@
 namespace mapwright::excerpt {
 namespace {
 
-/// Near `about`, which `s` is: from it on `holds` is true.
+/// Near `about`, the approximate limit: from there on `holds` is true.
 template <typename Holds>
 std::int64_t firstWhere(std::int64_t about, double s, Holds holds) {
   const auto apart = std::int64_t((std::nextafter(s, HUGE_VAL) - s) * 1e9) + 2;

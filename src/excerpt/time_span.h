@@ -1,4 +1,4 @@
-// From when until when, as it was asked for.
+// A time range, as the user gave it.
 #pragma once
 
 #include <cstdint>
@@ -6,15 +6,15 @@
 
 namespace mapwright::excerpt {
 
-/// Seconds since the epoch, both counted in; nullopt = not given.
+/// Seconds since the epoch, both inclusive; nullopt = not given.
 struct TimeSpan {
   std::optional<double> from_s, to_s;
   bool holds(double at_s) const { return !(from_s && at_s < *from_s) && !(to_s && at_s > *to_s); }
 };
 
-/// As MCAP has times: nanoseconds since 1970; what lies before or beyond becomes the first or the last.
+/// Times as in MCAP: nanoseconds since 1970, clamped to the valid range.
 std::int64_t nanosecondsOf(double s);
-/// The first and the last of those that holds() would take for `s`: several have the same seconds.
+/// The first and the last nanosecond that holds() maps to `s`: several have the same seconds.
 std::int64_t firstNanosecondsOf(double s);
 std::int64_t lastNanosecondsOf(double s);
 

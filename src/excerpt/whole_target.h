@@ -1,4 +1,4 @@
-// Where a recording goes that is there whole or not at all.
+// The destination of a recording that is written completely or not at all.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace mapwright::excerpt {
 
-/// Nobody reads it before it is whole: chunks are closed by their size alone.
+/// Nobody reads it before it is complete, so chunks are closed by size only.
 inline recording::WriterOptions wholeFileOptions(std::string profile = {}) {
   recording::WriterOptions options;
   options.profile = std::move(profile);
@@ -24,13 +24,13 @@ inline recording::WriterOptions wholeFileOptions(std::string profile = {}) {
 class WholeTarget : public recording::AppendTarget {
  public:
   explicit WholeTarget(const std::string& path) : file_(path) {}
-  /// What has failed once stays so.
+  /// After an error all further calls fail.
   std::optional<disk::FileError> append(std::span<const std::uint8_t> bytes) override {
     file_.write(bytes.data(), bytes.size());
     return file_.good() ? std::nullopt : file_.place();
   }
   std::optional<disk::FileError> settle() override { return file_.good() ? std::nullopt : file_.place(); }
-  /// Once the writer is closed: the file has its name.
+  /// After the writer is closed: gives the file its name.
   std::optional<disk::FileError> place() { return file_.place(); }
 
  private:

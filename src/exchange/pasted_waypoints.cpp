@@ -28,7 +28,7 @@ std::string lowered(std::string_view field) {
   return text;
 }
 
-/// The column of a list of waypoints that is meant; "" = none. "heading" is a turn of either unit.
+/// The column of a waypoint list for this header; "" = none. "heading" may have either unit.
 std::string columnCalled(std::string_view field) {
   static const std::map<std::string, std::string> kNames{{"id", "id"},
                                                          {"name", "name"},
@@ -78,7 +78,7 @@ char separatorOf(std::string_view text) {
   return ',';
 }
 
-/// Of a table without a header, told by what stands in its columns.
+/// For a table without a header, guessed from its columns.
 std::vector<std::string> guessedHeader(const std::vector<CsvRecord>& records, const TableShape& shape) {
   const std::size_t columns = records.front().fields.size();
   std::vector<std::string> header(columns);
@@ -92,7 +92,7 @@ std::vector<std::string> guessedHeader(const std::vector<CsvRecord>& records, co
   }
   std::size_t x = 0;
   while (x + 1 < columns && !(numbers[x] && any[x] && numbers[x + 1] && any[x + 1])) ++x;
-  if (x + 1 >= columns) x = columns;  // there is no place in it
+  if (x + 1 >= columns) x = columns;  // there is no position in it
   if (x >= 1) header[x - 1] = std::string("name");
   if (x >= 2) header[x - 2] = std::string("id");
   if (x < columns) {
@@ -112,7 +112,7 @@ TableShape shapeOf(std::string_view text) {
   TableShape shape;
   shape.separator = separatorOf(text);
   shape.header = false;
-  // The first rows tell.
+  // The first rows decide.
   std::size_t end = 0;
   for (int line = 0; line < 50 && end < text.size(); ++line)
     end = std::min(text.find('\n', end), text.size() - 1) + 1;
@@ -135,14 +135,14 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
   if (text.size() > kMaxWantedBytes)
     return tl::make_unexpected(PastedWaypointsText::tr("It is larger than 64 MiB."));
   if (!QUtf8StringView(text.data(), qsizetype(text.size())).isValidUtf8())
-    return tl::make_unexpected(PastedWaypointsText::tr("It is no UTF-8 text."));
+    return tl::make_unexpected(PastedWaypointsText::tr("It is not UTF-8 text."));
   auto records = csvRecords(text, shape.separator);
   if (!records) return tl::make_unexpected(records.error());
   if (records->empty()) return tl::make_unexpected(PastedWaypointsText::tr("It is empty."));
   std::size_t columns = 0;
   for (const CsvRecord& record : *records) columns = std::max(columns, record.fields.size());
   if (columns > kMostColumns)
-    return tl::make_unexpected(PastedWaypointsText::tr("It has too many columns for a list of waypoints."));
+    return tl::make_unexpected(PastedWaypointsText::tr("It has too many columns for a waypoint list."));
   for (CsvRecord& record : *records) record.fields.resize(columns);
   std::vector<std::string> header;
   if (shape.header) {
@@ -155,12 +155,12 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
   } else {
     header = guessedHeader(*records, shape);
     if (std::find(header.begin(), header.end(), "x") == header.end())
-      return tl::make_unexpected(PastedWaypointsText::tr(
-          "No two columns of numbers stand side by side: x and y in metres. Give a first row that names the "
-          "columns: name, x, y, heading, tags."));
+      return tl::make_unexpected(
+          PastedWaypointsText::tr("It needs two adjacent columns of numbers: x and y in metres. Or start "
+                                  "with a row that names the columns: name, x, y, heading, tags."));
     records->insert(records->begin(), CsvRecord{records->front().line, {}});
   }
-  // In the terms of a CSV: a point in numbers, turns in radians, and a column that it cannot do without.
+  // Converts to CSV conventions: decimal points, radians, and a required column.
   for (std::size_t i = 1; i < records->size(); ++i) {
     CsvRecord& record = (*records)[i];
     for (std::size_t column = 0; column < columns; ++column) {
@@ -172,7 +172,7 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
       const auto degrees = csvNumber(field);
       if (!degrees && !isBlank(field))
         return tl::make_unexpected(
-            PastedWaypointsText::tr("Line %1: the heading \"%2\" is no number such as 90.")
+            PastedWaypointsText::tr("Line %1: the heading \"%2\" is not a number such as 90.")
                 .arg(QString::number(record.line), QString::fromStdString(field.substr(0, 80))));
       field = degrees ? csvNumber(geometry::radiansFromDegrees(*degrees)) : std::string();
     }

@@ -13,7 +13,7 @@ class OutcomeWords {
   Q_DECLARE_TR_FUNCTIONS(SentOutcome)
 };
 
-/// What is kept is as the request was to make it.
+/// The stored state is what the request should produce.
 bool isSo(const robot::WaypointRequest& request, const edit::WaypointDocument& document) {
   return std::all_of(request.changes.begin(), request.changes.end(), [&](const robot::WaypointChange& one) {
     const edit::Key key = document.ourName(one.id);
@@ -50,11 +50,11 @@ SentOutcome answered(const SentRequest& sent) {
 SentOutcome judged(SentOutcome by_answer, bool is_so) {
   if (is_so) return {SentState::Applied};
   if (by_answer.state == SentState::Applied) {
-    // What was taken in part says which part.
+    // A partial result says which part was applied.
     const bool says_why = by_answer.failure && by_answer.failure->reason == map::FailureReason::Unfit;
     return {SentState::Failed, says_why ? std::move(by_answer.failure) : std::nullopt};
   }
-  // Whose answer has not come may be at work on it still: what is not so yet proves nothing.
+  // A request without an answer may still be carried out: not seeing its effect yet proves nothing.
   const bool may_come = !by_answer.failure || edit::isOfTheLink(*by_answer.failure);
   if (by_answer.state == SentState::Unknown && !may_come) {
     by_answer.state = SentState::Failed;
@@ -92,9 +92,8 @@ SentCounts countsOf(const std::vector<SentRequest>& sent, const edit::WaypointDo
 QString sentenceOf(const SentOutcome& outcome) {
   if (outcome.state == SentState::Applied || outcome.state == SentState::NotSent) return {};
   if (outcome.failure) return QString::fromStdString(sentences::sentenceOf(*outcome.failure));
-  if (outcome.state == SentState::Unknown)
-    return OutcomeWords::tr("Whether it has been changed is not known.");
-  return OutcomeWords::tr("It was taken, but afterwards it is not so.");
+  if (outcome.state == SentState::Unknown) return OutcomeWords::tr("Whether it was changed is unknown.");
+  return OutcomeWords::tr("The robot accepted the change, but it has no effect.");
 }
 
 }  // namespace mapwright::exchange

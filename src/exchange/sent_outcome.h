@@ -1,4 +1,4 @@
-// What has become of a change that was sent: by its answer, and by a look at what is kept afterwards. The
+// The result of a change that was sent: from its answer and from reading the stored state afterwards. The
 // same for the command line and the window. Pure functions.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace mapwright::exchange {
 enum class SentState {
   Applied,
   Failed,   // it has not been made
-  Unknown,  // it was asked for, and neither an answer nor a look tells
+  Unknown,  // it was sent, but neither an answer nor the stored state tells
   NotSent,
 };
 
@@ -26,9 +26,9 @@ struct SentOutcome {
 
 using SentRequest = edit::SubmittedRequest<robot::WaypointRequest>;
 
-/// By the answer alone; a request under way is Unknown.
+/// From the answer alone; a request in progress is Unknown.
 SentOutcome answered(const SentRequest& sent);
-/// By a look afterwards; `is_so`: what is kept now is as it was asked for.
+/// From reading afterwards; `is_so`: the stored state is as requested.
 SentOutcome judged(SentOutcome by_answer, bool is_so);
 /// Both. `looked`: what has been read since; null = nothing yet.
 SentOutcome outcomeOf(const SentRequest& sent, const edit::WaypointDocument* looked);

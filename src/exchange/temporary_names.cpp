@@ -16,7 +16,7 @@ std::vector<TemporaryName> temporaryNamesIn(const WaypointItems& items) {
   if (found.empty()) return found;
   std::set<std::string> names;
   for (const auto& [key, point] : items) names.insert(point.name);
-  // Of two that come from the same name only the first can have it.
+  // Of two with the same original name only the first can have it back.
   for (TemporaryName& one : found) one.is_free = names.insert(one.permanent).second;
   return found;
 }

@@ -53,16 +53,16 @@ class Reader {
       value = std::string(rest_.substr(0, end));
       rest_.remove_prefix(end);
       if (rest_.starts_with('"'))
-        return wrongAt(
-            line_, WaypointCsvText::tr("a quote stands in the middle of a field. Put the whole field into "
-                                       "quotes, and double those in it."));
+        return wrongAt(line_, WaypointCsvText::tr("there is a quote in the middle of a field. Quote the "
+                                                  "whole field and double the quotes inside it."));
       return value;
     }
     const int begun = line_;
     rest_.remove_prefix(1);
     for (;;) {
       const std::size_t end = rest_.find('"');
-      if (end == std::string_view::npos) return wrongAt(begun, WaypointCsvText::tr("a quote is not closed."));
+      if (end == std::string_view::npos)
+        return wrongAt(begun, WaypointCsvText::tr("a quote is missing at the end of a field."));
       line_ += int(std::count(rest_.begin(), rest_.begin() + std::ptrdiff_t(end), '\n'));
       value += rest_.substr(0, end);
       rest_.remove_prefix(end + 1);
@@ -71,10 +71,10 @@ class Reader {
       rest_.remove_prefix(1);
     }
     if (!rest_.empty() && rest_.find_first_of(std::string{separator_, '\r', '\n'}) != 0)
-      return wrongAt(line_, WaypointCsvText::tr("something follows a closing quote."));
+      return wrongAt(line_, WaypointCsvText::tr("there is text after a closing quote."));
     return value;
   }
-  /// True when a separator ended the field; false when the record is over.
+  /// True if a separator ended the field; false at the end of the record.
   bool goesOn() {
     if (rest_.starts_with(separator_)) {
       rest_.remove_prefix(1);
@@ -101,18 +101,18 @@ tl::expected<Columns, QString> columnsOf(const CsvRecord& header, QStringList& n
     std::transform(name.begin(), name.end(), name.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
     if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end()) {
-      notes << WaypointCsvText::tr("The column \"%1\" is none of a list of waypoints. It was left out.")
+      notes << WaypointCsvText::tr("The column \"%1\" is not one of a waypoint list. It was left out.")
                    .arg(shown(header.fields[i]));
     } else if (!columns.emplace(name, i).second) {
-      return wrongAt(header.line, WaypointCsvText::tr("the column \"%1\" is there twice.").arg(shown(name)));
+      return wrongAt(header.line, WaypointCsvText::tr("the column \"%1\" appears twice.").arg(shown(name)));
     }
   }
   if (!columns.contains("id") && !columns.contains("name"))
     return wrongAt(header.line,
-                   WaypointCsvText::tr("it names neither a column id nor a column name. The header is %1.")
+                   WaypointCsvText::tr("there is neither a column id nor a column name. The header is %1.")
                        .arg(QStringLiteral("id,name,x,y,yaw_rad,tags,frame,map")));
   if (columns.contains("x") != columns.contains("y"))
-    return wrongAt(header.line, WaypointCsvText::tr("of the columns x and y only one is there."));
+    return wrongAt(header.line, WaypointCsvText::tr("only one of the columns x and y is present."));
   return columns;
 }
 
@@ -126,15 +126,15 @@ tl::expected<WantedWaypoint, QString> wantedOf(const CsvRecord& record, const Co
   if (const auto* name = at("name"); name && !name->empty()) wanted.name = *name;
   if (const auto* type = at("type")) wanted.type = *type;
   if (const auto* frame = at("frame"); frame && !frame->empty() && *frame != "map")
-    return wrongAt(
-        record.line,
-        WaypointCsvText::tr("it is told in the frame \"%1\". Only \"map\" is known.").arg(shown(*frame)));
+    return wrongAt(record.line,
+                   WaypointCsvText::tr("the frame is \"%1\". Only \"map\" is supported.").arg(shown(*frame)));
   const std::string *const x = at("x"), *const y = at("y");
   if (x && y && !(trimmed(*x).empty() && trimmed(*y).empty())) {
     const auto x_m = csvNumber(*x), y_m = csvNumber(*y);
     if (!x_m || !y_m)
-      return wrongAt(record.line, WaypointCsvText::tr("x \"%1\" and y \"%2\" are no two numbers such as 1.5.")
-                                      .arg(shown(*x), shown(*y)));
+      return wrongAt(record.line,
+                     WaypointCsvText::tr("x \"%1\" and y \"%2\" are not two numbers such as 1.5.")
+                         .arg(shown(*x), shown(*y)));
     wanted.position_m = Eigen::Vector2d(*x_m, *y_m);
   }
   if (const auto* yaw = at("yaw_rad")) {
@@ -143,12 +143,13 @@ tl::expected<WantedWaypoint, QString> wantedOf(const CsvRecord& record, const Co
       *wanted.yaw_rad = csvNumber(*yaw);
       if (!*wanted.yaw_rad)
         return wrongAt(record.line,
-                       WaypointCsvText::tr("yaw_rad \"%1\" is no number such as 1.5.").arg(shown(*yaw)));
+                       WaypointCsvText::tr("yaw_rad \"%1\" is not a number such as 1.5.").arg(shown(*yaw)));
     }
   }
   if (const auto* tags = at("tags")) {
     auto read = tagsOf(*tags);
-    if (!read) return wrongAt(record.line, WaypointCsvText::tr("its tags are no list: %1").arg(read.error()));
+    if (!read)
+      return wrongAt(record.line, WaypointCsvText::tr("the tags are not a list: %1").arg(read.error()));
     wanted.tags = std::move(*read);
   }
   return wanted;
@@ -191,7 +192,7 @@ std::string csvLine(const std::vector<std::string>& fields, char separator) {
   std::string line;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const std::string& field = fields[i];
-    // A line of one empty field would be none.
+    // A line with a single empty field would look like an empty line.
     const bool bare = field.find_first_of(std::string{separator, '"', '\r', '\n'}) == std::string::npos &&
                       (!field.empty() || fields.size() > 1);
     if (i > 0) line += separator;
@@ -210,7 +211,7 @@ tl::expected<std::vector<std::string>, QString> tagsOf(std::string_view text) {
   if (text.empty()) return std::vector<std::string>();
   auto records = csvRecords(text);
   if (!records) return tl::make_unexpected(records.error());
-  if (records->size() != 1) return tl::make_unexpected(WaypointCsvText::tr("they are not one line."));
+  if (records->size() != 1) return tl::make_unexpected(WaypointCsvText::tr("the tags contain a line break."));
   return std::move(records->front().fields);
 }
 
@@ -236,7 +237,7 @@ std::string waypointsCsv(const std::vector<map::Waypoint>& points, const std::st
 
 WantedFile wantedFromCsv(std::string_view bytes) {
   if (!QUtf8StringView(bytes.data(), qsizetype(bytes.size())).isValidUtf8())
-    return tl::make_unexpected(WaypointCsvText::tr("It is no UTF-8 text."));
+    return tl::make_unexpected(WaypointCsvText::tr("It is not UTF-8 text."));
   const auto records = csvRecords(bytes);
   if (!records) return tl::make_unexpected(records.error());
   return wantedFromRecords(*records);
@@ -244,7 +245,7 @@ WantedFile wantedFromCsv(std::string_view bytes) {
 
 WantedFile wantedFromRecords(const std::vector<CsvRecord>& records) {
   if (records.empty())
-    return tl::make_unexpected(WaypointCsvText::tr("It is empty: not even a header is there."));
+    return tl::make_unexpected(WaypointCsvText::tr("It is empty: even the header is missing."));
   if (records.size() > kMaxWanted + 1)
     return tl::make_unexpected(WaypointCsvText::tr("It has more than %1 waypoints.").arg(kMaxWanted));
   WantedList list;
@@ -253,7 +254,7 @@ WantedFile wantedFromRecords(const std::vector<CsvRecord>& records) {
   for (std::size_t i = 1; i < records.size(); ++i) {
     const CsvRecord& record = records[i];
     if (record.fields.size() != records.front().fields.size())
-      return wrongAt(record.line, WaypointCsvText::tr("it has %1 fields where the header has %2.")
+      return wrongAt(record.line, WaypointCsvText::tr("it has %1 fields, but the header has %2.")
                                       .arg(QString::number(record.fields.size()),
                                            QString::number(records.front().fields.size())));
     auto wanted = wantedOf(record, *columns);

@@ -19,21 +19,21 @@ struct CsvRecord {
 /// Empty lines are left out. The error is a sentence. Between tabs a quote in the middle of a field is a
 /// letter: that is how spreadsheets copy.
 tl::expected<std::vector<CsvRecord>, QString> csvRecords(std::string_view text, char separator = ',');
-/// One line without its end.
+/// One line without line ending.
 std::string csvLine(const std::vector<std::string>& fields, char separator = ',');
-/// A finite number with a decimal point, whatever the locale; nullopt = it is none.
+/// A finite number with a decimal point in any locale; nullopt = invalid.
 std::optional<double> csvNumber(const std::string& field);
-/// With every digit that it takes to read it back.
+/// With enough digits to read the same value back.
 std::string csvNumber(double value);
 
-/// "a,b" as tags: they are a line of CSV themselves, so that they may hold commas. Empty = none.
+/// "a,b" as tags: a line of CSV itself, so that tags may contain commas. Empty = none.
 tl::expected<std::vector<std::string>, QString> tagsOf(std::string_view text);
 
-/// id,name,x,y,yaw_rad,tags,frame,map; also type where any has one. `map`: the id of theirs.
+/// id,name,x,y,yaw_rad,tags,frame,map; also type if any has one. `map`: the id of their map.
 std::string waypointsCsv(const std::vector<map::Waypoint>& points, const std::string& map);
-/// Columns by their names, in any order; id or name must be among them.
+/// Columns by name, in any order; id or name is required.
 WantedFile wantedFromCsv(std::string_view bytes);
-/// The same of what has been read already; the first record is the header.
+/// The same from parsed records; the first record is the header.
 WantedFile wantedFromRecords(const std::vector<CsvRecord>& records);
 
 }  // namespace mapwright::exchange

@@ -18,7 +18,7 @@ class WaypointJsonText {
 
 using words::text;
 
-/// Numbers are ids, too, as long as none of their digits is lost.
+/// Numbers are valid ids as long as no digit is lost.
 std::optional<std::string> idOf(const QJsonValue& value) {
   if (value.isUndefined() || value.isNull()) return std::string();
   if (value.isString()) return value.toString().toStdString();
@@ -62,37 +62,36 @@ QJsonArray waypointsJson(const std::vector<map::Waypoint>& points, const std::st
 tl::expected<WantedWaypoint, QString> wantedFromJson(const QJsonObject& row) {
   WantedWaypoint wanted;
   const auto id = idOf(row.value(QLatin1String("id")));
-  if (!id) return wrong(WaypointJsonText::tr("its id is no text."));
+  if (!id) return wrong(WaypointJsonText::tr("the id is not a text."));
   wanted.id = *id;
   for (const auto& [member, into] : {std::pair{"name", &wanted.name}, {"type", &wanted.type}}) {
     const QJsonValue value = row.value(QLatin1String(member));
     if (!isThere(value)) continue;
-    if (!value.isString())
-      return wrong(WaypointJsonText::tr("its %1 is no text.").arg(QLatin1String(member)));
+    if (!value.isString()) return wrong(WaypointJsonText::tr("%1 is not a text.").arg(QLatin1String(member)));
     *into = value.toString().toStdString();
   }
   const QJsonValue frame = row.value(QLatin1String("frame"));
   if (isThere(frame) && frame.toString() != QLatin1String("map"))
-    return wrong(WaypointJsonText::tr("it is told in the frame \"%1\". Only \"map\" is known.")
+    return wrong(WaypointJsonText::tr("the frame is \"%1\". Only \"map\" is supported.")
                      .arg(words::plainName(frame.toString().left(80))));
   const QJsonValue x = row.value(QLatin1String("x")), y = row.value(QLatin1String("y"));
   if (isThere(x) || isThere(y)) {
     wanted.position_m = placeOf(x, y);
-    if (!wanted.position_m) return wrong(WaypointJsonText::tr("its x and y are no two numbers."));
+    if (!wanted.position_m) return wrong(WaypointJsonText::tr("x and y are not two numbers."));
   }
   const QJsonValue yaw = row.value(QLatin1String("yaw_rad"));
   if (!yaw.isUndefined()) {
     if (!yaw.isNull() && !(yaw.isDouble() && std::isfinite(yaw.toDouble())))
-      return wrong(WaypointJsonText::tr("its yaw_rad is no number."));
+      return wrong(WaypointJsonText::tr("yaw_rad is not a number."));
     wanted.yaw_rad.emplace();
     if (!yaw.isNull()) *wanted.yaw_rad = yaw.toDouble();
   }
   const QJsonValue tags = row.value(QLatin1String("tags"));
   if (isThere(tags)) {
-    if (!tags.isArray()) return wrong(WaypointJsonText::tr("its tags are no list of texts."));
+    if (!tags.isArray()) return wrong(WaypointJsonText::tr("the tags are not a list of texts."));
     wanted.tags.emplace();
     for (const QJsonValue& tag : tags.toArray()) {
-      if (!tag.isString()) return wrong(WaypointJsonText::tr("its tags are no list of texts."));
+      if (!tag.isString()) return wrong(WaypointJsonText::tr("the tags are not a list of texts."));
       wanted.tags->push_back(tag.toString().toStdString());
     }
   }
@@ -102,7 +101,7 @@ tl::expected<WantedWaypoint, QString> wantedFromJson(const QJsonObject& row) {
 tl::expected<map::Waypoint, QString> waypointFromJson(const QJsonObject& row) {
   auto wanted = wantedFromJson(row);
   if (!wanted) return tl::make_unexpected(wanted.error());
-  if (!wanted->position_m) return wrong(WaypointJsonText::tr("its x and y are no two numbers."));
+  if (!wanted->position_m) return wrong(WaypointJsonText::tr("x and y are not two numbers."));
   map::Waypoint point;
   point.id = wanted->id;
   point.name = wanted->name.value_or("");
@@ -135,12 +134,12 @@ WantedFile wantedFromGeoJson(std::string_view bytes) {
       QJsonDocument::fromJson(QByteArray::fromRawData(bytes.data(), qsizetype(bytes.size())), &error);
   if (error.error != QJsonParseError::NoError)
     return wrong(
-        WaypointJsonText::tr("It is no JSON (%1, byte %2).").arg(error.errorString()).arg(error.offset));
+        WaypointJsonText::tr("It is not JSON (%1, byte %2).").arg(error.errorString()).arg(error.offset));
   const QJsonObject collection = document.object();
   const QJsonValue features = collection.value(QLatin1String("features"));
   if (collection.value(QLatin1String("type")).toString() != QLatin1String("FeatureCollection") ||
       !features.isArray())
-    return wrong(WaypointJsonText::tr("It is no GeoJSON FeatureCollection."));
+    return wrong(WaypointJsonText::tr("It is not a GeoJSON FeatureCollection."));
   WantedList list;
   int left_out = 0, row = 0;
   for (const QJsonValue& value : features.toArray()) {
@@ -163,14 +162,14 @@ WantedFile wantedFromGeoJson(std::string_view bytes) {
     if (!isThere(properties.value(QLatin1String("id"))))
       properties[QStringLiteral("id")] = feature.value(QLatin1String("id"));
     if (!placeOf(place.at(0), place.at(1)))
-      return inRow(WaypointJsonText::tr("its coordinates are no two numbers."));
+      return inRow(WaypointJsonText::tr("the coordinates are not two numbers."));
     auto wanted = wantedFromJson(properties);
     if (!wanted) return inRow(wanted.error());
     wanted->row = row;
     list.points.push_back(std::move(*wanted));
   }
   if (left_out > 0)
-    list.notes << sentences::counted(WaypointJsonText::tr("%1 features that are no points were left out.",
+    list.notes << sentences::counted(WaypointJsonText::tr("%1 features that are not points were left out.",
                                                           nullptr, sentences::formOf(left_out)),
                                      left_out);
   return list;

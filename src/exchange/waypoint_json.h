@@ -15,18 +15,17 @@
 
 namespace mapwright::exchange {
 
-/// {"id","name","x","y","yaw_rad","tags","frame","map"}; also "type" where it has one. `map`: the id of its.
+/// {"id","name","x","y","yaw_rad","tags","frame","map"}; also "type" if it has one. `map`: the id of its map.
 QJsonObject waypointJson(const map::Waypoint& point, const std::string& map);
 QJsonArray waypointsJson(const std::vector<map::Waypoint>& points, const std::string& map);
-/// The reverse. The error is a sentence without its place.
+/// The reverse. The error is a sentence without the location.
 tl::expected<WantedWaypoint, QString> wantedFromJson(const QJsonObject& row);
-/// With everything that it does not say empty, except for `position_m`, which must be there.
+/// Missing members become empty, except `position_m`, which is required.
 tl::expected<map::Waypoint, QString> waypointFromJson(const QJsonObject& row);
 
 /// A FeatureCollection of Points in metres of the map, not in degrees; properties as above.
 QByteArray waypointsGeoJson(const std::vector<map::Waypoint>& points, const std::string& map);
-/// Of a place it is the coordinates that count, not the properties x and y. What is no Point is left out,
-/// with a note.
+/// The coordinates count, not the properties x and y. Features other than Points are left out with a note.
 WantedFile wantedFromGeoJson(std::string_view bytes);
 
 }  // namespace mapwright::exchange

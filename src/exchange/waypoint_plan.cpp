@@ -41,7 +41,7 @@ tl::expected<std::vector<edit::Key>, QString> found(const WaypointItems& kept,
   const auto take = [&](std::size_t i, const edit::Key& key) -> std::optional<QString> {
     const auto [before, is_new] = taken.emplace(key, wanted[i].row);
     if (!is_new)
-      return WaypointPlanText::tr("Rows %1 and %2 are about the same waypoint %3. Leave one out.")
+      return WaypointPlanText::tr("Rows %1 and %2 are about the same waypoint %3. Remove one of them.")
           .arg(QString::number(before->second), QString::number(wanted[i].row), plainShort(key));
     keys[i] = key;
     return std::nullopt;
@@ -60,7 +60,7 @@ tl::expected<std::vector<edit::Key>, QString> found(const WaypointItems& kept,
     const auto [first, last] = by_name.equal_range(*wanted[i].name);
     if (first == last) continue;
     if (std::next(first) != last)
-      return wrong(WaypointPlanText::tr("Row %1: several waypoints are called \"%2\" (%3, %4). Give an id.")
+      return wrong(WaypointPlanText::tr("Row %1: several waypoints are called \"%2\" (%3, %4). Give the id.")
                        .arg(QString::number(wanted[i].row), plainShort(first->first),
                             plainShort(first->second), plainShort(std::next(first)->second)));
     if (const auto twice = take(i, first->second)) return wrong(*twice);
@@ -77,7 +77,7 @@ map::Waypoint withWanted(map::Waypoint point, const WantedWaypoint& wanted) {
   return point;
 }
 
-/// The change of a plan's row, on top of those before; of which waypoint.
+/// The change of a plan's row, on top of those before; returns its waypoint.
 tl::expected<edit::Key, QString> take(const QJsonObject& row, const WaypointItems& base,
                                       std::map<edit::Key, WaypointEdit>& edits) {
   const QString kind = row.value(QLatin1String("kind")).toString();
@@ -89,19 +89,19 @@ tl::expected<edit::Key, QString> take(const QJsonObject& row, const WaypointItem
     const edit::Key key = point->id.empty() ? freshKey() : point->id;
     const bool is_new =
         !base.contains(key) && edits.emplace(key, WaypointEdit{key, std::nullopt, *point}).second;
-    if (!is_new) return wrong(WaypointPlanText::tr("there is a waypoint %1 already.").arg(plainShort(key)));
+    if (!is_new) return wrong(WaypointPlanText::tr("a waypoint %1 already exists.").arg(plainShort(key)));
     return key;
   }
   const auto before = base.find(read->id);
   if (before == base.end())
-    return wrong(WaypointPlanText::tr("its base has no waypoint %1.").arg(plainShort(read->id)));
+    return wrong(WaypointPlanText::tr("the base of the plan has no waypoint %1.").arg(plainShort(read->id)));
   WaypointEdit& edit =
       edits.try_emplace(read->id, WaypointEdit{read->id, before->second, before->second}).first->second;
   if (kind == wordOf(StepKind::Delete)) {
     edit.after.reset();
     return read->id;
   }
-  if (!edit.after) return wrong(WaypointPlanText::tr("%1 is deleted already.").arg(plainShort(read->id)));
+  if (!edit.after) return wrong(WaypointPlanText::tr("%1 is already deleted.").arg(plainShort(read->id)));
   const QJsonValue to = row.value(QLatin1String("to"));
   if (kind == wordOf(StepKind::Move) && read->position_m) {
     edit.after->position_m = *read->position_m;
@@ -113,7 +113,7 @@ tl::expected<edit::Key, QString> take(const QJsonObject& row, const WaypointItem
   } else if (kind == wordOf(StepKind::Retype) && read->type) {
     edit.after->type = *read->type;
   } else {
-    return wrong(WaypointPlanText::tr("it does not say what becomes of %1.").arg(plainShort(read->id)));
+    return wrong(WaypointPlanText::tr("it does not say what to change about %1.").arg(plainShort(read->id)));
   }
   return read->id;
 }
@@ -126,19 +126,19 @@ QString whyNotKept(const std::optional<map::Waypoint>& before, const map::Waypoi
   if (!before || before->name != after.name) {
     if (text(after.name).trimmed().isEmpty()) return WaypointPlanText::tr("A waypoint must have a name.");
     if (!isOneLine(after.name))
-      return WaypointPlanText::tr("The name of a waypoint is one line of text, without control characters.");
+      return WaypointPlanText::tr("The name of a waypoint must be one line without control characters.");
   }
   if (!before || before->tags != after.tags) {
     for (const std::string& tag : after.tags) {
       if (text(tag).trimmed().isEmpty() || !isOneLine(tag))
-        return WaypointPlanText::tr("A tag is one line of text, without control characters, and not empty.");
+        return WaypointPlanText::tr("A tag must be one line without control characters, and not empty.");
     }
     if (std::set<std::string>(after.tags.begin(), after.tags.end()).size() != after.tags.size())
-      return WaypointPlanText::tr("A tag is given twice.");
+      return WaypointPlanText::tr("A tag appears twice.");
   }
   if (!before || before->position_m != after.position_m) {
     if (!(after.position_m.cwiseAbs().maxCoeff() <= kFarthestM))
-      return WaypointPlanText::tr("Its place is more than %1 m away from the origin.")
+      return WaypointPlanText::tr("Its position is more than %1 m from the origin.")
           .arg(kFarthestM, 0, 'f', 0);
   }
   return {};
@@ -157,12 +157,12 @@ FittedEdits fitted(std::vector<WaypointEdit> edits, const robot::KeptFields& kee
   FittedEdits fitted{std::move(edits), {}};
   if (typed > 0)
     fitted.notes << sentences::counted(
-        WaypointPlanText::tr("Types are not kept here: those of %1 waypoints are left out.", nullptr,
-                             sentences::formOf(typed)),
+        WaypointPlanText::tr("Waypoint types cannot be stored here: those of %1 waypoints are left out.",
+                             nullptr, sentences::formOf(typed)),
         typed);
   if (unturned > 0)
     fitted.notes << sentences::counted(
-        WaypointPlanText::tr("Every waypoint has a heading here: %1 waypoints without one get 0°.", nullptr,
+        WaypointPlanText::tr("Every waypoint needs a heading here: %1 waypoints without one get 0°.", nullptr,
                              sentences::formOf(unturned)),
         unturned);
   return fitted;
@@ -181,8 +181,7 @@ QString refusedText(const std::set<edit::Key>& refused, const std::vector<Waypoi
   names.removeDuplicates();
   if (names.size() > kNamed) names = names.mid(0, kNamed) << QStringLiteral("…");
   return sentences::counted(
-             WaypointPlanText::tr("%1 waypoints are not sent: the robot refuses a name that another one "
-                                  "has",
+             WaypointPlanText::tr("%1 waypoints are not sent: the robot does not allow duplicate names",
                                   nullptr, sentences::formOf(count)),
              count) +
          QStringLiteral(" (") + names.join(QStringLiteral(", ")) + QStringLiteral(").");
@@ -202,14 +201,14 @@ WaypointEdits editsFor(const WaypointItems& kept, const std::vector<WantedWaypoi
     if (const auto before = kept.find((*keys)[i]); before != kept.end()) {
       edit = {before->first, before->second, withWanted(before->second, row)};
     } else {
-      if (!row.position_m) return inRow(WaypointPlanText::tr("A new waypoint must have a place (x and y)."));
+      if (!row.position_m) return inRow(WaypointPlanText::tr("A new waypoint needs a position (x and y)."));
       map::Waypoint fresh;
       fresh.id = row.id;
       edit = {row.id.empty() ? freshKey() : row.id, std::nullopt, withWanted(fresh, row)};
     }
     if (!listed.insert(edit.key).second)
-      return inRow(
-          WaypointPlanText::tr("The waypoint %1 is there twice. Leave one out.").arg(plainShort(edit.key)));
+      return inRow(WaypointPlanText::tr("The waypoint %1 appears twice. Remove one of them.")
+                       .arg(plainShort(edit.key)));
     if (const QString why = whyNotKept(edit.before, *edit.after); !why.isEmpty()) return inRow(why);
     if (!edit::same(edit.before, edit.after)) edits.push_back(std::move(edit));
   }
@@ -257,13 +256,14 @@ tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes) {
           .object();
   if (error.error != QJsonParseError::NoError)
     return wrong(
-        WaypointPlanText::tr("It is no JSON (%1, byte %2).").arg(error.errorString()).arg(error.offset));
+        WaypointPlanText::tr("It is not JSON (%1, byte %2).").arg(error.errorString()).arg(error.offset));
   const QJsonValue base = json.value(QLatin1String("base")), changes = json.value(QLatin1String("changes"));
   if (json.value(QLatin1String("mapwright")).toString() != QLatin1String("waypoint-plan") ||
       !base.isArray() || !changes.isArray())
-    return wrong(WaypointPlanText::tr("It is no plan that mapwright waypoints plan -o wrote."));
+    return wrong(WaypointPlanText::tr("It is not a plan written by mapwright waypoints plan -o."));
   if (json.value(QLatin1String("version")).toInt() != kPlanVersion)
-    return wrong(WaypointPlanText::tr("It is a plan of another version of this program. Plan anew."));
+    return wrong(
+        WaypointPlanText::tr("The plan was made by another version of this program. Make a new plan."));
   WaypointPlan plan;
   plan.robot = json.value(QLatin1String("robot")).toString();
   plan.map = json.value(QLatin1String("map")).toString().toStdString();
@@ -272,7 +272,9 @@ tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes) {
     ++row;
     auto point = waypointFromJson(value.toObject());
     if (!point || point->id.empty() || !plan.base.emplace(point->id, *point).second)
-      return wrong(WaypointPlanText::tr("Waypoint %1 of its base cannot be read. Plan anew.").arg(row));
+      return wrong(
+          WaypointPlanText::tr("Waypoint %1 in the base of the plan cannot be read. Make a new plan.")
+              .arg(row));
   }
   row = 0;
   std::map<edit::Key, WaypointEdit> edits;
@@ -295,7 +297,7 @@ tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes) {
 
 std::vector<WaypointEdit> withoutCreated(const WaypointPlan& plan, const WaypointItems& now) {
   std::vector<WaypointEdit> edits;
-  std::set<edit::Key> taken;  // of one that is there no more than one is meant
+  std::set<edit::Key> taken;  // an existing one may only be meant once
   for (const WaypointEdit& edit : plan.edits) {
     const bool is_there = !edit.before && std::any_of(now.begin(), now.end(), [&](const auto& one) {
       return !plan.base.contains(one.first) && isAlike(*edit.after, one.second) &&

@@ -1,4 +1,4 @@
-// What it takes to make a list of waypoints another one, as a value and as a file. Pure functions.
+// The changes that turn one list of waypoints into another, as a value and as a file. Pure functions.
 #pragma once
 
 #include <set>
@@ -17,29 +17,29 @@
 
 namespace mapwright::exchange {
 
-/// What becomes of waypoints that a file does not list.
+/// What to do with waypoints that a file does not list.
 enum class Others {
-  Stay,  // and what it lists is found by its id, else by its name, else it is new
-  Go,    // and what it lists is found by its id alone, else it is new
+  Stay,  // Stay: entries are matched by id, otherwise by name, otherwise they are new
+  Go,    // Go: entries are matched by id only, otherwise they are new
 };
 /// The error is a sentence.
 using WaypointEdits = tl::expected<std::vector<WaypointEdit>, QString>;
 WaypointEdits editsFor(const WaypointItems& kept, const std::vector<WantedWaypoint>& wanted, Others others);
 
-/// Why a waypoint cannot be kept like that; empty when it can. What is as it was is not looked at.
+/// Why a waypoint cannot be stored like this; empty if it can. Unchanged fields are not checked.
 QString whyNotKept(const std::optional<map::Waypoint>& before, const map::Waypoint& after);
-/// The edits as they are going to be kept. `notes`: what of them is not, a sentence each.
+/// The edits as they will be stored. `notes`: what cannot be stored, a sentence each.
 struct FittedEdits {
   std::vector<WaypointEdit> edits;  // without those that change nothing
   QStringList notes;
 };
 FittedEdits fitted(std::vector<WaypointEdit> edits, const robot::KeptFields& keeps);
-/// "Dock, Gate: another waypoint has this name, …"; empty when none is refused.
+/// "Dock, Gate: another waypoint has this name, …"; empty if none is refused.
 QString refusedText(const std::set<edit::Key>& refused, const std::vector<WaypointEdit>& edits);
-/// Names a new waypoint until it is kept.
+/// A key for a new waypoint until it is stored.
 edit::Key freshKey();
 
-/// The edits brought together with how the list is now.
+/// The edits merged with the current list.
 struct MergedEdits {
   std::vector<WaypointEdit> edits;  // without what is so already
   WaypointConflicts conflicts;
@@ -53,12 +53,12 @@ struct WaypointPlan {
   std::vector<WaypointEdit> edits;
 };
 /// {"mapwright":"waypoint-plan","version":1,"robot","map","base":[…],"changes":[…],"calls":[…],"conflicts":[]}.
-/// `calls` is for people: an application plans anew.
+/// `calls` is for people: the requests are planned again when it is applied.
 QByteArray planBytes(const WaypointPlan& plan, const QJsonArray& calls);
-/// Only base and changes are looked at; a change that somebody has taken out is not made. The error is a
+/// Only base and changes are read; changes that were deleted from the file are not made. The error is a
 /// sentence.
 tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes);
-/// Without creating what is there already: new since the base, and alike.
+/// Without creating waypoints that exist already: new since the base, and equal.
 std::vector<WaypointEdit> withoutCreated(const WaypointPlan& plan, const WaypointItems& now);
 
 }  // namespace mapwright::exchange

@@ -22,7 +22,7 @@ using words::text;
 
 bool isNear(const map::Waypoint& wanted, const map::Waypoint& kept) {
   if (!map::samePlace(wanted.position_m, kept.position_m)) return false;
-  // To some robots everything is turned somehow.
+  // Some robots give everything a heading.
   if (!kept.yaw_rad) return !wanted.yaw_rad;
   return map::sameHeading(wanted.yaw_rad.value_or(0), *kept.yaw_rad);
 }
@@ -62,14 +62,14 @@ QStringList fieldWords(edit::FieldMask fields) {
 QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
   switch (conflict.kind) {
     case edit::ConflictKind::DeletedHere:
-      return WaypointStepsText::tr("it is to be deleted, and has been changed there");
+      return WaypointStepsText::tr("you delete it, but it was changed on the robot");
     case edit::ConflictKind::DeletedThere:
-      return WaypointStepsText::tr("it is to be changed, and has been deleted there");
+      return WaypointStepsText::tr("you change it, but it was deleted on the robot");
     case edit::ConflictKind::BothChanged:
     case edit::ConflictKind::BothAdded:
       break;
   }
-  return WaypointStepsText::tr("it has been changed there, too (%1)")
+  return WaypointStepsText::tr("it was changed on the robot, too (%1)")
       .arg(fieldWords(conflict.fields).join(QStringLiteral(", ")));
 }
 

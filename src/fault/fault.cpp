@@ -12,7 +12,7 @@ bool isWordChar(char c) {
   return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c & 0x80);
 }
 
-/// The end of the number that begins at `at`: digits, grouped or with a fraction, and an exponent.
+/// The end of the number that begins at `at`: digits, with grouping or a fraction, and an exponent.
 std::size_t endOfNumber(const std::string& text, std::size_t at) {
   const auto digitAt = [&](std::size_t i) { return i < text.size() && isDigit(text[i]); };
   while (digitAt(at) || (at < text.size() && (text[at] == '.' || text[at] == ',') && digitAt(at + 1))) ++at;

@@ -1,5 +1,5 @@
-// What was found to be wrong, or odd, as a value: a code with its arguments. Each room declares its codes,
-// with their English words, in its own faults.h; sentences::wordsOf makes sentences of them.
+// Something wrong or odd, as a value: a code with its arguments. Each room declares its codes with their
+// English texts in its own faults.h; sentences::wordsOf turns them into sentences.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-// As Qt defines them, for rooms that know no Qt: what lupdate finds.
+// As defined by Qt, for rooms that do not use Qt: lupdate finds these.
 #ifndef QT_TRANSLATE_NOOP
 #define QT_TRANSLATE_NOOP(scope, x) x
 #endif
@@ -19,19 +19,18 @@
 
 namespace mapwright {
 
-/// What can be wrong: its room and its words there. Two codes of a room never have the same words.
+/// A kind of fault: its room and its text. Two codes of a room never have the same text.
 struct FaultCode {
-  /// Where the words of its causes go, when its own words have no place for them (behind those of the
-  /// arguments).
+  /// How the causes are appended if the text has no placeholder for them (after those of the arguments).
   enum class Causes {
-    AfterColon,  // "It cannot be had: no answer", without a stop
-    Continued,   // the same, and others may follow: "slice 0: no data; slice 1: …"
+    AfterColon,  // "It cannot be loaded: no answer", without a full stop
+    Continued,   // the same, and more may follow: "slice 0: no data; slice 1: …"
     Capital,     // "Version 3: The robot does not answer."
-    Sentence,    // a sentence of their own, behind it
-    Alone,       // they are all there is to say
+    Sentence,    // a sentence of their own, after it
+    Alone,       // nothing but the causes
   };
 
-  const char* room = "";  // the context of the translation too
+  const char* room = "";  // also the translation context
   const char* text = "";  // English; %1 is the first argument
   Causes causes = Causes::AfterColon;
 
@@ -41,11 +40,11 @@ struct FaultCode {
   }
 };
 
-/// What follows from it.
+/// What happens because of it.
 enum class Consequence {
   None,
   ShownWithoutIt,
-  ShownWithoutItUntilTheNext,  // and asked for again at the next version
+  ShownWithoutItUntilTheNext,  // and requested again for the next version
   StaysWhereItWas,
   AskedAgain,
   AskedAgainAtTheNext,  // version
@@ -66,7 +65,7 @@ struct HttpStatus {
   bool operator==(const HttpStatus&) const = default;
 };
 
-/// Texts are untrusted plain text. Numbers that are to be grouped ("51,200") are texts.
+/// Texts are untrusted plain text. Numbers with digit grouping ("51,200") are passed as texts.
 using FaultArgument = std::variant<std::int64_t, double, std::string, HttpStatus>;
 
 struct Fault {
@@ -87,16 +86,16 @@ struct Fault {
   bool operator==(const Fault&) const = default;
 };
 
-/// What equal faults share when their numbers differ: names what is one row in a list of problems.
+/// The same for faults that differ only in numbers: they share a row in the list of problems.
 std::string patternOf(const Fault& fault);
-/// A text with every number replaced: what "Row 12 is 3.5 m off" and "Row 7 is 1,200 m off" share.
+/// A text with every number replaced: the same for "Row 12 is 3.5 m off" and "Row 7 is 1,200 m off".
 std::string withoutNumbers(const std::string& text);
 /// For logs: one line of untranslated words, with what lies behind it.
 std::string inEnglish(const Fault& fault);
 
 }  // namespace mapwright
 
-/// What every room can find.
+/// Faults that any room can have.
 namespace mapwright::fault {
 
 /// The words of somebody else: of a robot, the system, a library.

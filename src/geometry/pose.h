@@ -7,8 +7,8 @@
 
 namespace mapwright::geometry {
 
-/// A pose as it came over the wire: metres, and a quaternion that may be un-normalised, zero or NaN.
-/// Source: docs/protocols/cartographer-submaps.md, "Messages".
+/// A pose as received: metres, and a quaternion that may be un-normalised, zero or NaN. Source:
+/// docs/protocols/cartographer-submaps.md, "Messages".
 struct Pose3 {
   double x = 0, y = 0, z = 0;
   double qx = 0, qy = 0, qz = 0, qw = 1;
@@ -26,19 +26,18 @@ struct Pose2 {
   Pose2 inverse() const;
 };
 
-/// The transform that a wire pose means. Quaternions are normalised; nullopt when a number is not finite or
-/// the quaternion has no direction (length below 1e-6).
+/// The transform of a received pose. Quaternions are normalised; nullopt if a number is not finite or the
+/// quaternion has no direction (length below 1e-6).
 std::optional<Eigen::Isometry3d> toIsometry(const Pose3& pose);
 
-/// Where a 3D transform puts things on the plane z = 0: the yaw is that of the projected x axis.
-/// Source: docs/protocols/cartographer-submaps.md, "Geometry" (multiply the full transforms first, project
-/// last).
+/// Projects a 3D transform onto the plane z = 0: the yaw is that of the projected x axis. Source:
+/// docs/protocols/cartographer-submaps.md, "Geometry" (multiply the full transforms first, project last).
 Pose2 projectToPlane(const Eigen::Isometry3d& transform);
 
-/// A wire pose at (x, y) with the given yaw.
+/// A 3D pose at (x, y) with the given yaw.
 Pose3 poseFromYaw(double x_m, double y_m, double yaw_rad);
 
-/// The angle folded into (-pi, pi].
+/// The angle normalised to (-pi, pi].
 double normalizeAngle(double rad);
 
 constexpr double degreesFromRadians(double rad) { return rad * 57.295779513082320876798154814105; }

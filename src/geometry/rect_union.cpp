@@ -9,7 +9,7 @@ void RectUnion::set(std::size_t at, const WorldRect& rect) {
     std::size_t size = at + 1;
     for (std::size_t level = 0;; ++level) {
       if (level == levels_.size()) {
-        // What stood alone at the top becomes one of several.
+        // The former single top level gets siblings.
         levels_.emplace_back();
         WorldRect all;
         for (const WorldRect& part : levels_[level - 1]) all.extend(part);

@@ -1,4 +1,4 @@
-// The camera: how world metres (y up) become pixels (y down), for the window and for snapshots alike.
+// The camera: converts world metres (y up) to pixels (y down), for the window and for snapshots.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,21 +26,21 @@ struct ViewTransform {
   /// The world displacement of a pixel displacement.
   Eigen::Vector2d worldFromPixelVector(const Eigen::Vector2d& pixels) const;
 
-  /// The smallest axis-aligned world rectangle that holds everything on screen.
+  /// The smallest axis-aligned world rectangle that contains the whole view.
   WorldRect visibleWorld() const;
 
-  /// Zoomed by `factor` (> 1 magnifies) so that the world point under `pixel` stays there.
+  /// Zooms by `factor` (> 1 magnifies) around the world point under `pixel`.
   ViewTransform zoomedAt(const Eigen::Vector2d& pixel, double factor) const;
-  /// Turned by `by_rad` counter-clockwise about the world point under `pixel`.
+  /// Rotates by `by_rad` counter-clockwise around the world point under `pixel`.
   ViewTransform rotatedAt(const Eigen::Vector2d& pixel, double by_rad) const;
-  /// Moved so that the picture follows a drag by `pixels`.
+  /// Moves the view so that the picture follows a drag by `pixels`.
   ViewTransform pannedBy(const Eigen::Vector2d& pixels) const;
-  /// Same size and rotation, showing all of `world` with `margin_px` around it. An empty rectangle changes
+  /// Same size and rotation, showing all of `world` with a margin of `margin_px`. An empty rectangle changes
   /// nothing.
   ViewTransform fitted(const WorldRect& world, double margin_px) const;
 };
 
-/// Scales outside this range are clamped by the functions above: 0.1 mm to 100 km a pixel.
+/// The functions above clamp the scale to this range: 0.1 mm to 100 km per pixel.
 inline constexpr double kMinScaleMPerPx = 1e-4;
 inline constexpr double kMaxScaleMPerPx = 1e5;
 

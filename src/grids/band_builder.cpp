@@ -7,7 +7,7 @@ namespace mapwright::grids {
 
 namespace {
 
-// Even, and divisors of a band. The first strip is short, so that something shows at once.
+// Even, and divisors of a band. The first strip is short, so that something is visible soon.
 constexpr int kFirstStrip = 16, kStrip = 64;
 constexpr std::size_t kQueuedStrips = GridPyramid::kTileEdge / kStrip;
 

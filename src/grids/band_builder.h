@@ -1,4 +1,4 @@
-// From rows to a growing pyramid, on two threads. Private to the readers of pictures.
+// Builds a pyramid from rows, on two threads. Private to the picture readers.
 #pragma once
 
 #include <condition_variable>
@@ -14,8 +14,8 @@
 
 namespace mapwright::grids {
 
-/// The thread that has the rows writes them into bands; a thread of its own reduces and compresses. When that
-/// one falls behind by more than a band, the first waits.
+/// The caller's thread writes rows into bands; another thread reduces and compresses them. If that one falls
+/// behind by more than a band, the first waits.
 class BandBuilder final : public GridBuilder {
  public:
   BandBuilder(int width, int height, CellCode code, Reduction reduction, const GridReducer& reducer,
@@ -26,11 +26,11 @@ class BandBuilder final : public GridBuilder {
   void pushRow(std::span<const std::uint8_t> cells) override;
   void finish() override;
 
-  /// Where the next row goes (width bytes), so that it need not be copied; then rowWritten().
+  /// Where to write the next row (width bytes) without copying; then call rowWritten().
   std::uint8_t* nextRow();
   void rowWritten();
   int rowsPushed() const { return row_; }
-  /// Waits until everything pushed so far is in the pyramid.
+  /// Waits until all rows so far are in the pyramid.
   void drain();
   TileStore& store() { return pyramid_->store(); }
 
@@ -52,7 +52,7 @@ class BandBuilder final : public GridBuilder {
   std::condition_variable changed_;
   std::deque<Strip> strips_;
   bool busy_ = false, closed_ = false;
-  work::Share share_;  // last: the thread sees all of the above
+  work::Share share_;  // last member: its thread uses all of the above
 };
 
 }  // namespace mapwright::grids

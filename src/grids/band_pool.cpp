@@ -11,7 +11,7 @@ struct BandPool::Shelf {
   std::mutex mutex;
   std::vector<std::unique_ptr<std::uint8_t[]>> idle;
   std::atomic<std::size_t> buffers{0};
-  bool closed = false;  // nobody will take a buffer again
+  bool closed = false;  // buffers are no longer taken back
 };
 
 BandPool::BandPool(std::size_t buffer_bytes) : shelf_(std::make_shared<Shelf>()) {

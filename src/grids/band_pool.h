@@ -1,4 +1,4 @@
-// Buffers for bands of rows, used again and again. Any thread.
+// Reusable buffers for bands of rows. Any thread.
 #pragma once
 
 #include <cstddef>
@@ -7,14 +7,14 @@
 
 namespace mapwright::grids {
 
-/// A buffer comes back by itself when its last owner lets go of it, also after the pool is gone.
+/// A buffer returns to the pool when its last owner releases it, even if the pool is gone.
 class BandPool {
  public:
   explicit BandPool(std::size_t buffer_bytes);
   ~BandPool();
   /// Not initialised.
   std::shared_ptr<std::uint8_t[]> take();
-  std::size_t bytes() const;  // held in all, in use or not
+  std::size_t bytes() const;  // allocated in total, in use or not
 
  private:
   struct Shelf;

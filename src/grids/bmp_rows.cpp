@@ -69,7 +69,7 @@ class BmpRows final : public PictureRows {
 
 tl::unexpected<Fault> unreadable(Fault why) { return tl::unexpected(std::move(why)); }
 
-/// Only masks of whole bytes are worth reading; false for others.
+/// Only masks of whole bytes are supported; false for others.
 bool takeMasks(const std::uint8_t* masks, bool has_alpha, BmpHeader& header) {
   for (std::size_t channel = 0; channel < (has_alpha ? 4u : 3u); ++channel) {
     const std::uint32_t mask = dword(masks + 4 * channel);

@@ -34,7 +34,7 @@ ByteSource::~ByteSource() {
 }
 
 std::optional<ByteSource> ByteSource::open(const std::string& path) {
-  // Not blocking: a named pipe must not hold up the thread before it turns out to be no file.
+  // Non-blocking: a named pipe must not block the thread before it is detected.
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd < 0) return std::nullopt;
   struct stat about {};

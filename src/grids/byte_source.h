@@ -1,4 +1,4 @@
-// The bytes of a picture: in memory, or in a file that is read piece by piece.
+// The bytes of a picture: in memory, or in a file that is read in pieces.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@
 
 namespace mapwright::grids {
 
-/// A file is read and not mapped: one that shrinks meanwhile ends early instead of raising a signal. One
+/// Files are read rather than mapped: if one shrinks meanwhile it ends early instead of raising a signal. One
 /// thread.
 class ByteSource {
  public:
   explicit ByteSource(std::shared_ptr<const std::string> bytes);
-  /// nullopt when the file cannot be opened; errno says why.
+  /// nullopt if the file cannot be opened; errno says why.
   static std::optional<ByteSource> open(const std::string& path);
   ~ByteSource();
   ByteSource(ByteSource&& other) noexcept;
@@ -24,12 +24,12 @@ class ByteSource {
   ByteSource& operator=(const ByteSource&) = delete;
   ByteSource& operator=(ByteSource&&) = delete;
 
-  /// The same bytes for another reader: of the same file, even when another one has taken its name meanwhile.
-  /// nullopt when no more files can be opened.
+  /// The same bytes for a second reader: of the same file, even if another one has taken its name. nullopt if
+  /// no more files can be opened.
   std::optional<ByteSource> again() const;
 
   std::uint64_t size() const { return size_; }
-  /// False when the bytes are not all there.
+  /// False if not all bytes are there.
   bool readAt(std::uint64_t offset, std::uint8_t* out, std::size_t count) const;
   /// Up to `most` (at least 1) bytes from `offset` on, valid until the next call; empty at the end.
   std::span<const std::uint8_t> window(std::uint64_t offset, std::size_t most);

@@ -1,6 +1,6 @@
-// Small pictures in colours (costmaps). The rank of a colour, for reducing: what is more opaque wins, and of
-// equally opaque colours the darker one; so an obstacle is never lost to clear or light ground when zoomed
-// out. Rank 0 is for what cannot be seen at all. Gray pictures take the rank of the Gray code instead.
+// Small coloured pictures (costmaps). Rank of a colour for reduction: more opaque wins, and of equally opaque
+// colours the darker one; so an obstacle is never lost to transparent or light ground when zoomed out. Rank 0
+// is for invisible colours. Gray pictures use the rank of the Gray code.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -24,7 +24,7 @@ constexpr std::size_t kPaletteSize = 256;
 
 Argb argbOf(int a, int r, int g, int b) { return Argb(a) << 24 | Argb(r) << 16 | Argb(g) << 8 | Argb(b); }
 
-/// The colour of pixels, whatever their format.
+/// The colour of pixels in any format.
 class Colours {
  public:
   explicit Colours(const PixelFormat& format) : format_(format) {}
@@ -52,14 +52,14 @@ class Colours {
   int byteOf(int sample) const {
     return (std::min(sample, format_.sample_max) * 2 * 255 + format_.sample_max) / (2 * format_.sample_max);
   }
-  /// All colours that cannot be seen are one.
+  /// All invisible colours are one.
   static Argb visible(Argb colour) { return colour >> 24 == 0 ? 0 : colour; }
 
   const PixelFormat& format_;
 };
 
-/// The set for pictures of more colours: clear, half opaque (3 levels a channel) and opaque (6 levels a
-/// channel, and 12 grays between).
+/// The set for pictures with more colours: transparent, half opaque (3 levels per channel) and opaque (6
+/// levels per channel, and 12 grays between).
 std::vector<Argb> fixedSet() {
   std::vector<Argb> set{0};
   const auto cube = [&set](int alpha, int levels) {
@@ -115,8 +115,8 @@ std::array<std::uint8_t, kPaletteSize> rankOf(const std::vector<Argb>& palette) 
   return rank;
 }
 
-/// Reads all rows as indices into a palette that grows; beyond 256 colours what was read is mapped to the
-/// fixed set and so is the rest.
+/// Reads all rows as indices into a growing palette; beyond 256 colours everything is mapped to the fixed
+/// set.
 class Quantiser {
  public:
   explicit Quantiser(const PixelFormat& format) : format_(format), colours_(format) {}

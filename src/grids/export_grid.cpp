@@ -21,8 +21,7 @@ namespace {
 using Proceed = std::function<bool(double done)>;
 constexpr std::uint8_t kFreeShade = 254, kOccupiedShade = 0, kUnknownShade = 205;
 
-/// Calls take(row) for every row of level 0; a band of tiles is held at a time. Why it ended before all was
-/// there.
+/// Calls take(row) for every row of level 0; keeps one band of tiles at a time. Returns why it ended early.
 template <typename Take>
 std::optional<Fault> eachRow(const GridPyramid& grid, const Proceed& proceed, double from, double to,
                              Take take) {
@@ -53,7 +52,7 @@ std::optional<Fault> eachRow(const GridPyramid& grid, const Proceed& proceed, do
   return std::nullopt;
 }
 
-/// Whether map_saver's three shades can tell all cells.
+/// Whether map_saver's three gray levels can represent all cells.
 tl::expected<bool, Fault> isTrinary(const GridPyramid& grid, const Proceed& proceed) {
   const CellMeaning& meaning = meaningOf(grid.code());
   std::array<bool, 256> seen{};
@@ -70,7 +69,7 @@ tl::expected<bool, Fault> isTrinary(const GridPyramid& grid, const Proceed& proc
   return true;
 }
 
-/// What stands for every cell in a file for map_server.
+/// The byte for every cell in a file for map_server.
 std::array<std::uint8_t, 256> shadesOf(CellCode code, bool trinary) {
   const CellMeaning& meaning = meaningOf(code);
   std::array<std::uint8_t, 256> shades{};
@@ -88,12 +87,12 @@ std::optional<Fault> told(const std::optional<disk::FileError>& fault) {
   return fault ? std::optional(disk::notWritten(*fault)) : std::nullopt;
 }
 
-/// The shortest text that reads back to the same number, and as a number and not an integer.
+/// The shortest text that reads back as the same number, and not as an integer.
 std::string numberText(double number) {
   std::array<char, 64> text;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
   std::string written(text.data(), end);
-  // YAML 1.1 takes "1e-05" for a word: a point must come before the exponent.
+  // YAML 1.1 reads "1e-05" as a string: there must be a point before the exponent.
   const std::size_t exponent = written.find('e');
   if (written.find('.') == std::string::npos && written.find_first_of("ni") == std::string::npos) {
     written.insert(exponent == std::string::npos ? written.size() : exponent, ".0");
@@ -101,7 +100,7 @@ std::string numberText(double number) {
   return written;
 }
 
-/// A YAML scalar in double quotes: names may hold anything.
+/// A YAML scalar in double quotes: names may contain anything.
 std::string quoted(const std::string& text) {
   static constexpr const char* kHex = "0123456789abcdef";
   std::string out = "\"";
@@ -123,7 +122,7 @@ std::optional<Fault> writeGridPng(const GridPyramid& grid, const std::string& pa
   const bool as_is = isGray(grid.code());
   const tl::expected<bool, Fault> trinary = as_is ? false : isTrinary(grid, proceed);
   if (!trinary) return trinary.error();
-  // Grays that are all grays leave none to stand for what is not there.
+  // If every gray level is a value, none is left for missing pixels.
   const bool has_alpha = grid.code() == CellCode::ClearGray || (!as_is && !*trinary);
   disk::WrittenFile file(path);
   PngWriter png{file};
@@ -174,7 +173,7 @@ std::optional<Fault> writeMapServer(const GridPyramid& grid, const map::GridRefe
   });
   if (stopped) return stopped;
   yaml.write(mapYamlText(reference, std::filesystem::path(paths.pgm).filename().string(), !*trinary));
-  yaml.finish();  // both are whole before the first is in its place
+  yaml.finish();  // both are complete before the first is moved into place
   if (!yaml.good()) return told(yaml.place());
   if (auto problem = told(pgm.place())) return problem;
   return told(yaml.place());

@@ -11,14 +11,14 @@ namespace {
 
 constexpr UnknownGrays kMiddle = unknownGrays(CellCode::Gray);
 constexpr std::size_t kSaver = 205, kSaverFree = 254;
-constexpr std::uint64_t kNearly = 100;   // one pixel in so many may be another shade
-constexpr std::uint64_t kMuch = 64;      // one in so many at least is unknown ground
+constexpr std::uint64_t kNearly = 100;   // one pixel in so many may have another gray level
+constexpr std::uint64_t kMuch = 64;      // at least one in so many is unknown
 constexpr std::uint64_t kStandsOut = 4;  // times as often as others
 
 }  // namespace
 
 void GrayShades::add(const std::uint8_t* grays, std::size_t count) {
-  // Maps are made of runs, and a counter that is still being written to holds up the next one.
+  // Maps consist of runs, and incrementing the same counter repeatedly would stall.
   std::array<std::array<std::uint32_t, 256>, 4> parts{};
   while (count > 0) {
     const std::size_t some = std::min<std::size_t>(count, std::size_t(1) << 20);

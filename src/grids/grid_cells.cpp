@@ -18,8 +18,8 @@ CellMeaning grayMeaning(CellCode code) {
     meaning.known[at] = known;
     meaning.intensity[at] = known ? std::uint8_t(gray) : kTransparentGray;
     meaning.occupancy[at] = known ? std::int8_t(std::lround((255 - gray) * 100 / 255.0)) : std::int8_t(-1);
-    // Falling with the gray: unknown grays in the middle leave room for white to be 1. Without them the two
-    // lightest share it.
+    // Decreasing with the gray level: unknown grays in the middle leave room for white to be 1. Without them
+    // the two lightest share it.
     const bool room = unknown.to >= unknown.from && gray > unknown.to;
     meaning.rank[at] = known ? std::uint8_t(std::max(1, 255 - gray + (room ? 1 : 0))) : std::uint8_t(0);
   }
@@ -79,7 +79,7 @@ std::uint8_t cellFromPixel(const map::CellReading& reading, double shade_sum, in
   if (occupied < reading.free_thresh) return kFree;
   if (reading.mode == Mode::Trinary) return kUnknownOccupancy;
   const double ratio = (occupied - reading.free_thresh) / (reading.occupied_thresh - reading.free_thresh);
-  // Thresholds that coincide leave no range to interpolate in.
+  // Equal thresholds leave no range to interpolate in.
   if (!std::isfinite(ratio)) return kUnknownOccupancy;
   return std::uint8_t(std::clamp(std::lrint(ratio * 100.0), 0l, 100l));
 }

@@ -1,5 +1,5 @@
-// What the bytes of an occupancy grid mean. Pure values, any thread.
-// Source: ROS map_server / nav2 map_io (readings), nav_msgs/OccupancyGrid (cells).
+// The meaning of the bytes of an occupancy grid. Pure values, any thread. Source: ROS map_server / nav2
+// map_io (readings), nav_msgs/OccupancyGrid (cells).
 #pragma once
 
 #include <array>
@@ -9,31 +9,31 @@
 
 namespace mapwright::grids {
 
-/// How the one byte of a cell is coded.
+/// How the byte of a cell is coded.
 enum class CellCode : std::uint8_t {
   Gray,        // a gray level: 0 occupied .. 255 free; 112..143 and 205 = unknown
   Occupancy,   // nav_msgs/OccupancyGrid: 0..100 percent, as int8 (-1 = 255 = unknown; 101..127 count as 100,
                // other negative ones as unknown; a "raw" map may hold any of them)
-  ShadedGray,  // as Gray, but 205 is a gray like any other: pictures of many shades with unknown ground
-  ClearGray,   // only 128 = unknown: pictures of all shades with transparent pixels
-  FullGray,    // every byte is a gray: pictures of all shades
+  ShadedGray,  // like Gray, but 205 is an ordinary gray: pictures of many gray levels with unknown areas
+  ClearGray,   // only 128 = unknown: pictures of all gray levels with transparent pixels
+  FullGray,    // every byte is a gray level
 };
 inline constexpr int kCellCodes = 5;
 
 inline constexpr bool isGray(CellCode code) { return code != CellCode::Occupancy; }
 
-/// Gray pictures: the byte that stands for a transparent pixel. An opaque pixel of this very gray is unknown
-/// all the same, but in a FullGray picture.
+/// Gray pictures: the byte for a transparent pixel. Except in a FullGray picture, an opaque pixel of this
+/// gray is unknown as well.
 inline constexpr std::uint8_t kTransparentGray = 128;
 inline constexpr std::uint8_t kUnknownOccupancy = 255;
-/// What stands for cells that are not there.
+/// The byte for cells that do not exist.
 inline constexpr std::uint8_t unknownByte(CellCode code) {
   return isGray(code) ? kTransparentGray : kUnknownOccupancy;
 }
 
-/// The gray levels that a code takes for unknown: a band of them, and 205.
+/// The gray levels that a code treats as unknown: a range of them, and 205.
 struct UnknownGrays {
-  int from = 0, to = -1;  // inclusive; empty where `to` is less
+  int from = 0, to = -1;  // inclusive; empty if `to` is smaller
   bool saver = false;     // 205, map_saver's
 };
 inline constexpr UnknownGrays unknownGrays(CellCode code) {
@@ -58,14 +58,13 @@ struct CellMeaning {
 };
 const CellMeaning& meaningOf(CellCode code);
 
-/// The code that a reading gives: Picture -> a gray one (which, the picture itself says: gray_shades.h), the
-/// others -> Occupancy.
+/// The code of a reading: Picture -> a gray one (gray_shades.h decides which), the others -> Occupancy.
 CellCode codeOf(const map::CellReading& reading);
 
 /// The cell byte of one pixel. `shade_sum` is the sum of the colour channels (each 0..1), `channels` their
-/// number (1 or 3), `alpha` 0..1 (1 when the picture has none; `has_alpha` says so). Exactly as map_server:
-/// trinary averages alpha in with the colours when there is one, scale takes anything transparent as unknown,
-/// raw ignores alpha. Picture: alpha < 0.5 is kTransparentGray, else the gray (luminance of colours).
+/// number (1 or 3), `alpha` 0..1 (1 if the picture has none; see `has_alpha`). Exactly as map_server: trinary
+/// includes alpha in the average if there is one, scale treats anything transparent as unknown, raw ignores
+/// alpha. Picture: alpha < 0.5 is kTransparentGray, otherwise the gray (luminance of colours).
 std::uint8_t cellFromPixel(const map::CellReading& reading, double shade_sum, int channels, double alpha,
                            bool has_alpha);
 

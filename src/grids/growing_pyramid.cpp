@@ -138,7 +138,7 @@ void GrowingPyramid::finish() {
 std::optional<GridTile> GrowingPyramid::tile(int level, int tile_x, int tile_y) const {
   if (auto kept = store_.get(level, tile_x, tile_y)) return kept;
   if (auto live = liveTile(level, tile_x, tile_y)) return live;
-  // The band may have been kept between the two looks.
+  // The band may have been stored between the two checks.
   return store_.get(level, tile_x, tile_y);
 }
 
@@ -152,7 +152,7 @@ std::optional<GridTile> GrowingPyramid::liveTile(int level, int tile_x, int tile
     live = live_[std::size_t(level)];
   }
   if (live.cells == nullptr || live.tile_row != tile_y) return std::nullopt;
-  // Rows that are shown are never written again, so they are read without the lock.
+  // Visible rows are never written again, so they are read without the lock.
   auto cells = std::shared_ptr<std::uint8_t[]>(new std::uint8_t[TileStore::kTileCells]);
   const std::uint8_t* from = live.cells.get() + std::size_t(tile_x) * GridPyramid::kTileEdge;
   for (int row = 0; row < live.rows; ++row) {

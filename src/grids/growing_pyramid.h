@@ -1,4 +1,4 @@
-// A pyramid while its rows arrive, and afterwards. Private to GridBuilder.
+// A pyramid during and after reading. Private to GridBuilder.
 #pragma once
 
 #include <atomic>
@@ -15,8 +15,8 @@
 
 namespace mapwright::grids {
 
-/// Every level has at most one unfinished band of tiles: rows that came, as plain cells. When a band is full
-/// its tiles go to the store. One thread adds rows, any thread looks.
+/// Every level has at most one unfinished band of tiles, as plain cells. When a band is full its tiles go to
+/// the store. One thread adds rows, any thread reads.
 class GrowingPyramid final : public GridPyramid {
  public:
   using Band = std::shared_ptr<std::uint8_t[]>;
@@ -34,14 +34,14 @@ class GrowingPyramid final : public GridPyramid {
   int rowsReady() const override { return rows_ready_.load(std::memory_order_acquire); }
   std::size_t bytes() const override;
 
-  /// Bytes from row to row of a band of `level`: whole tiles.
+  /// Bytes per row of a band of `level`: whole tiles.
   std::size_t stride(int level) const;
-  /// Buffers for bands of level 0, the cells right of the picture unknown.
+  /// A buffer for a band of level 0; cells to the right of the picture are unknown.
   Band takeBand();
-  /// Rows `from` .. `to` (excluded; a multiple of 2 unless they end the picture) of level 0 are in `band`,
-  /// which holds the tile row of `from`. They are reduced, kept, and become visible.
+  /// Adds the rows `from` .. `to` (exclusive; a multiple of 2 unless they end the picture) of level 0 in
+  /// `band`, which contains the tile row of `from`: reduces and stores them and makes them visible.
   void addRows(const Band& band, int from, int to);
-  /// Rows that never came are unknown.
+  /// Missing rows become unknown.
   void finish();
   TileStore& store() { return store_; }
   const TileStore& store() const { return store_; }
@@ -50,7 +50,7 @@ class GrowingPyramid final : public GridPyramid {
   struct LiveBand {
     Band cells;  // null: nothing of it yet
     int tile_row = 0;
-    int rows = 0;  // of the band that are there
+    int rows = 0;  // of the band, filled so far
   };
   void advance(int level, const Band& band, int from, int to);
   Band bandAt(int level, int row);

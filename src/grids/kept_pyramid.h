@@ -1,4 +1,4 @@
-// A pyramid whose tiles lie in a file. Private to the readers of pictures. Any thread.
+// A pyramid whose tiles are in a file. Private to the picture readers. Any thread.
 #pragma once
 
 #include <atomic>
@@ -11,14 +11,14 @@
 
 namespace mapwright::grids {
 
-/// Files rot, are cut short, are written over. When a tile turns out damaged, the picture itself is read once
-/// more, into memory, by whoever asked for the tile; from then on that pyramid answers. What is shown is
-/// either right or not there, and then trouble() says so.
+/// Files can rot, be truncated or be overwritten. If a tile turns out to be damaged, the thread that asked
+/// for it reads the picture again, into memory; from then on that pyramid is used. What is shown is either
+/// right or missing, and then trouble() says so.
 class KeptPyramid final : public GridPyramid {
  public:
-  /// The same pyramid from the picture; null: it cannot be had any more.
+  /// The same pyramid from the picture; null: it can no longer be read.
   using Again = std::function<std::shared_ptr<const GridPyramid>()>;
-  /// `path`: of the file, which goes once it is damaged. `told` (may be empty) is called once, on the thread
+  /// `path`: the file, which is deleted if it is damaged. `told` (may be empty) is called once, on the thread
   /// that found the damage.
   KeptPyramid(std::shared_ptr<const GridPyramid> kept, std::string path, Again again,
               std::function<void(GridDamage)> told);

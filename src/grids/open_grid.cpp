@@ -1,4 +1,4 @@
-// Reading a picture into a pyramid.
+// Reads a picture into a pyramid.
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -26,7 +26,7 @@ std::unique_ptr<BandBuilder> builderOf(const PixelFormat& format, CellCode code,
                                        GridReducer(code, reduction), means);
 }
 
-/// What reads the picture once more, all of it and into memory. Null: its bytes cannot be had twice.
+/// Reads the whole picture again into memory. Null: its bytes are no longer available.
 KeptPyramid::Again readAgain(const ByteSource& bytes, const GridOptions& options, CellCode code) {
   auto again = bytes.again();
   if (!again) return [] { return nullptr; };
@@ -99,7 +99,7 @@ class PictureReading final : public GridReading {
     }
     if (cancelled.load(std::memory_order_relaxed)) return std::nullopt;
     const int came = builder_->rowsPushed();
-    if (rows_to_judge_ > 0) judge();  // it broke off before
+    if (rows_to_judge_ > 0) judge();  // it ended early
     if (other_code_) return std::nullopt;
     if (came == height) rows_->checkEnd();
     builder_->finish();
@@ -140,7 +140,7 @@ class PictureReading final : public GridReading {
   std::unique_ptr<PictureRows> rows_;
   RowCells cells_;
   CellCode code_;
-  int rows_to_judge_;  // what is left of them
+  int rows_to_judge_;  // rows still to judge
   GrayShades shades_;
   std::optional<CellCode> other_code_;
   std::unique_ptr<BandBuilder> builder_;
@@ -149,7 +149,7 @@ class PictureReading final : public GridReading {
   bool finished_ = false;
 };
 
-/// A picture that was read before.
+/// A picture found in the cache.
 class FinishedReading final : public GridReading {
  public:
   explicit FinishedReading(std::shared_ptr<const GridPyramid> pyramid) : pyramid_(std::move(pyramid)) {}

@@ -29,7 +29,7 @@ class Cursor {
     ++at_;
     return window_[place_++];
   }
-  /// The next number, past white space and comments; -1: there is none. Takes one byte behind it.
+  /// The next number, after white space and comments; -1: there is none. Consumes one byte after it.
   long number() {
     int byte = next();
     while (isSpace(byte) || byte == '#') {
@@ -43,7 +43,7 @@ class Cursor {
     for (; byte >= '0' && byte <= '9'; byte = next()) {
       if (value < 100'000'000'000) value = value * 10 + (byte - '0');
     }
-    // A comment may follow a number at once, and its line end is then the one white space.
+    // A comment may follow a number at once, and its line end is then the single white space.
     while (byte != -1 && byte == '#') {
       while (byte != -1 && byte != '\n' && byte != '\r') byte = next();
     }
@@ -82,7 +82,7 @@ class RawRows final : public PictureRows {
     if (done_ == format_.height) return nullptr;
     const auto window = bytes_.window(at_, row_.size());
     const std::uint8_t* row = window.data();
-    if (window.size() < row_.size()) {  // at the end of what is buffered, or of the file
+    if (window.size() < row_.size()) {  // at the end of the buffer, or of the file
       row = row_.data();
       if (!bytes_.readAt(at_, row_.data(), row_.size())) {
         problem_ = fault::DataEnds;

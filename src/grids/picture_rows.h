@@ -1,4 +1,4 @@
-// A picture file as a stream of rows, whatever its format.
+// A picture file as a stream of rows, in any format.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace mapwright::grids {
 
-/// What the bytes of a row mean. Indexed: one byte a pixel, looked up in `table`. Else `channels` samples a
-/// pixel (gray, gray+alpha, RGB, RGBA), of 1 byte or of 2 (the high one first).
+/// The meaning of the bytes of a row. Indexed: one byte per pixel, looked up in `table`. Otherwise `channels`
+/// samples per pixel (gray, gray+alpha, RGB, RGBA), of 1 byte or 2 (big-endian).
 struct PixelFormat {
   struct Colour {
     std::uint8_t r = 0, g = 0, b = 0, a = 255;
@@ -41,30 +41,29 @@ class PictureRows {
  public:
   virtual ~PictureRows() = default;
   virtual const PixelFormat& format() const = 0;
-  /// The next row from the top, format().rowBytes() bytes, valid until the next call. Null: there is no more,
-  /// because of problem() or because all came.
+  /// The next row from the top, format().rowBytes() bytes, valid until the next call. Null: the end, or see
+  /// problem().
   virtual const std::uint8_t* next() = 0;
-  /// The first row is next again. False: it cannot be had once more without opening the picture again.
+  /// Starts over with the first row. False: impossible without opening the picture again.
   virtual bool rewind() { return false; }
-  /// next() that has to read much before its first row gives up when `cancelled` becomes true.
+  /// If next() has to read much before its first row, it gives up when `cancelled` becomes true.
   virtual void stopWhen(const std::atomic<bool>&) {}
-  /// Called after the last row: what is wrong with the picture though all rows came.
+  /// Called after the last row: finds out what is wrong although all rows arrived.
   virtual void checkEnd() {}
-  /// Half a sentence after "it is 60 x 60 pixels, but ": why rows are missing or not to be trusted; empty =
-  /// nothing.
+  /// Half a sentence after "it is 60 x 60 pixels, but ": why rows are missing or unreliable; empty = nothing.
   const Fault& problem() const { return problem_; }
 
  protected:
   Fault problem_;
 };
 
-/// By signature; reads the header only.
+/// Detects the format by signature; reads only the header.
 tl::expected<std::unique_ptr<PictureRows>, Fault> openPicture(ByteSource bytes);
 
-/// nullopt = fine, else why not.
+/// nullopt = fine, otherwise why not.
 std::optional<Fault> whyNotThisSize(std::uint64_t width, std::uint64_t height);
 
-// The formats. Preconditions: the signature was recognised.
+// The formats. Precondition: the signature matches.
 tl::expected<std::unique_ptr<PictureRows>, Fault> openPng(ByteSource bytes);
 tl::expected<std::unique_ptr<PictureRows>, Fault> openPgm(ByteSource bytes);
 tl::expected<std::unique_ptr<PictureRows>, Fault> openBmp(ByteSource bytes);

@@ -14,7 +14,7 @@ PictureShades shadesFor(const map::CellReading& reading) {
     candidates[cell].push_back(std::uint8_t(gray));
   }
   for (std::size_t cell = 0; cell < candidates.size(); ++cell) {
-    // One from the middle is farthest from being read as anything else.
+    // One from the middle is least likely to be read as something else.
     if (!candidates[cell].empty()) shades.shade_of[cell] = candidates[cell][candidates[cell].size() / 2];
   }
   if (reading.mode == map::CellReading::Mode::Raw) {

@@ -43,7 +43,7 @@ int channelsOf(int colour_type) {
   return colour_type == kRgb ? 3 : colour_type == kGrayAlpha ? 2 : colour_type == kRgba ? 4 : 1;
 }
 
-/// The content of a chunk when its checksum is right.
+/// The content of a chunk if its checksum is right.
 std::optional<std::vector<std::uint8_t>> contentOf(const ByteSource& bytes, std::uint64_t offset,
                                                    std::uint32_t length) {
   std::vector<std::uint8_t> content(std::size_t(length) + 8);  // type, data, checksum
@@ -101,7 +101,7 @@ void takeTransparency(const std::vector<std::uint8_t>& trns, bool palette, int d
     return;
   }
   const std::size_t samples = format.gray ? 1 : 3;
-  if (format.has_alpha || trns.size() < 2 * samples) return;  // meaningless beside an alpha channel
+  if (format.has_alpha || trns.size() < 2 * samples) return;  // meaningless with an alpha channel
   format.has_alpha = true;
   if (format.indexed) {
     format.table[trns[1] & ((1u << depth) - 1)].a = 0;

@@ -13,9 +13,9 @@
 namespace mapwright::grids {
 
 struct PngHeader {
-  PixelFormat format;       // of rows once unpacked to whole bytes
+  PixelFormat format;       // of rows unpacked to whole bytes
   int bit_depth = 8;        // 1, 2, 4, 8, 16, as stored
-  int stored_channels = 1;  // samples a pixel, as stored
+  int stored_channels = 1;  // samples per pixel, as stored
   bool interlaced = false;
   std::uint64_t pixels_at = 0;  // offset of the first IDAT chunk
 
@@ -25,13 +25,13 @@ struct PngHeader {
 };
 
 struct PngChunk {
-  static constexpr std::uint64_t kAround = 12;  // bytes of length, type and checksum
+  static constexpr std::uint64_t kAround = 12;  // bytes for length, type and checksum
   std::uint32_t length = 0;
   std::array<char, 4> type{};
   bool is(const char* name) const { return std::string(type.data(), 4) == name; }
 };
 
-/// Length and type of the chunk at `offset`; nullopt when the file ends there.
+/// Length and type of the chunk at `offset`; nullopt at the end of the file.
 std::optional<PngChunk> pngChunkAt(const ByteSource& bytes, std::uint64_t offset);
 
 tl::expected<PngHeader, Fault> readPngHeader(const ByteSource& bytes);

@@ -60,7 +60,7 @@ class InterlacedRows final : public PictureRows {
         }
         const std::uint8_t* from = reader.next(stream_, problem_);
         if (from == nullptr) {
-          // Rows above the one that broke off are whole only in the last pass.
+          // Rows above the failure are only complete in the last pass.
           whole_rows_ = pass.step_x == 1 ? pass.top + row * pass.step_y : 0;
           return;
         }
@@ -95,7 +95,7 @@ class InterlacedRows final : public PictureRows {
 tl::expected<std::unique_ptr<PictureRows>, Fault> openInterlacedPng(const PngHeader& header,
                                                                     ByteSource bytes) {
   const PixelFormat& format = header.format;
-  // Room is taken for the whole picture, so it must be one that these bytes can hold.
+  // Space is reserved for the whole picture, so these bytes must be able to contain it.
   const std::uint64_t stored =
       std::uint64_t(header.storedRowBytes(format.width)) * std::uint64_t(format.height);
   if (stored / packed::kMaxDeflateRatio > bytes.size()) {

@@ -1,4 +1,4 @@
-// The rows of one pass of a PNG (of the whole picture, when it is not interlaced). One thread.
+// The rows of one pass of a PNG (or of the whole picture if it is not interlaced). One thread.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace mapwright::grids {
 
 class PngPass {
  public:
-  /// `width`: pixels of a row of this pass, at least 1.
+  /// `width`: pixels per row of this pass, at least 1.
   PngPass(const PngHeader& header, int width);
   /// The next row, unpacked to header.format's pixels; null: see `problem`.
   const std::uint8_t* next(PngStream& stream, Fault& problem);

@@ -87,7 +87,7 @@ bool PngStream::fill(std::size_t count) {
       return false;
     }
     if (state_->avail_in == 0 && state_->block_state != ISAL_BLOCK_INPUT_DONE && !nextInput()) {
-      // What is unpacked but still held back belongs to the rows that came.
+      // Data unpacked but still held back belongs to rows that have arrived.
       if (problem_.code != fault::DataEnds) return false;
       state_->next_in = nullptr;
     }
@@ -124,7 +124,7 @@ bool PngStream::checkEnd() {
     state_->avail_out = std::uint32_t(beyond.size());
     const int result = isal_inflate(state_.get());
     if (result == ISAL_INCORRECT_CHECKSUM) problem_ = fault::PixelChecksumWrong;
-    // More pixels than declared, or nonsense behind the last one: neither is anybody's map.
+    // More pixels than declared, or garbage after the last one: not a valid map.
     if (result < 0 || state_->avail_out < beyond.size()) break;
   }
   while (!problem_.any() && in_chunk_) {

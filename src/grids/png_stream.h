@@ -19,9 +19,9 @@ class PngStream {
   /// `at`: offset of the first IDAT chunk.
   PngStream(ByteSource bytes, std::uint64_t at);
   ~PngStream();
-  /// The next `count` bytes, valid until the next call; null when they are not to be had: see problem().
+  /// The next `count` bytes, valid until the next call; null if they are missing: see problem().
   const std::uint8_t* take(std::size_t count);
-  /// Looks at the checksums behind the last byte that is needed. False: see problem().
+  /// Checks the checksums after the last byte that is needed. False: see problem().
   bool checkEnd();
   /// "its data ends", "its checksum is wrong", .. ; empty = nothing is wrong.
   const Fault& problem() const { return problem_; }
@@ -34,13 +34,13 @@ class PngStream {
   bool fill(std::size_t count);
 
   ByteSource bytes_;
-  std::uint64_t at_;        // of the next input byte, or of the next chunk
-  std::uint32_t left_ = 0;  // input bytes of the chunk that were not handed out yet
+  std::uint64_t at_;        // of the next input byte or chunk
+  std::uint32_t left_ = 0;  // input bytes of the chunk not yet used
   bool in_chunk_ = false;
   std::uint32_t sum_ = 0;
   std::unique_ptr<inflate_state> state_;
   std::vector<std::uint8_t> window_;
-  std::size_t begin_ = 0, end_ = 0;  // unpacked and not taken yet
+  std::size_t begin_ = 0, end_ = 0;  // unpacked, not yet taken
   Fault problem_;
 };
 

@@ -1,4 +1,4 @@
-// Rows of 8-bit pixels as a PNG; one thread.
+// Writes rows of 8-bit pixels as a PNG; one thread.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 namespace mapwright::grids {
 
 enum class PngPixels { Gray, GrayAlpha, Rgb };
-/// Flat: areas of one value with sharp edges, which filters make larger, not smaller.
+/// Flat: areas of one value with sharp edges, which PNG filters make larger.
 enum class PngContent { Flat, Any };
 
 struct PngWriter {
   disk::WrittenFile& file;
   std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context{spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free};
-  int failure = 0;  // the last one, of spng
+  int failure = 0;  // the last error code of spng
 
   /// False: it cannot be written; the file may know why.
   bool begin(int width, int height, PngPixels pixels, PngContent content = PngContent::Flat);

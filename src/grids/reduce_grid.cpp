@@ -7,8 +7,8 @@ namespace mapwright::grids {
 
 namespace {
 
-// Grays in an order that a vectoriser can compute: the lowest wins. Black 0 up to white, unknown above,
-// backwards, so that of several the greatest byte wins: 205, then the band.
+// Grays in an order that a compiler can vectorise: the lowest wins. Black 0 up to white, unknown above in
+// reverse, so that of several the greatest byte wins: 205, then the range.
 template <CellCode code>
 constexpr std::uint8_t grayOrder(std::uint8_t gray) {
   constexpr UnknownGrays kUnknown = unknownGrays(code);
@@ -62,7 +62,7 @@ GridReducer::GridReducer(CellCode code, Reduction reduction) : code_(code) {
         isGray(code) ? std::uint32_t(byte) : std::uint32_t(std::uint8_t(meaning.occupancy[byte]));
     weight_[byte] = meaning.known[byte] ? 1u << 16 | value : 0;
     mean_[byte] = std::uint8_t(byte);
-    // A mean of known grays must not read as unknown: the nearest gray that does not, the darker of two.
+    // A mean of known grays must not mean unknown: use the nearest gray that does not, the darker of two.
     if (isGray(code) && !meaning.known[byte]) {
       const UnknownGrays unknown = unknownGrays(code);
       const bool darker = int(byte) * 2 <= unknown.from + unknown.to;
@@ -112,7 +112,7 @@ void GridReducer::reduceRow(const std::uint8_t* upper, const std::uint8_t* lower
                                                        : reduceGrays<CellCode::Gray>;
     reduce(upper, lower, pairs, out);
   } else if (kind_ == Kind::OccupancyWins) {
-    // As int8 the order is that of the ranks: unknown below 0, the rest upwards.
+    // As int8 the order equals that of the ranks: unknown below 0, the rest above.
     for (std::size_t u = 0; u < pairs; ++u) {
       out[u] = std::uint8_t(std::max(std::max(std::int8_t(upper[2 * u]), std::int8_t(upper[2 * u + 1])),
                                      std::max(std::int8_t(lower[2 * u]), std::int8_t(lower[2 * u + 1]))));

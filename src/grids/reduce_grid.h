@@ -1,4 +1,4 @@
-// Four cells of a grid to one of the next coarser level. Immutable once made, any thread.
+// Combines four cells of a grid into one of the next coarser level. Immutable, any thread.
 #pragma once
 
 #include <array>
@@ -13,16 +13,16 @@ namespace mapwright::grids {
 class GridReducer {
  public:
   GridReducer(CellCode code, Reduction reduction);
-  /// The highest of these ranks wins, whatever the code means by its bytes (palette indices).
+  /// The highest of these ranks wins, whatever the bytes mean (palette indices).
   explicit GridReducer(const std::array<std::uint8_t, 256>& rank);
 
-  /// Every byte has a place of its own: of several cells the one with the highest wins.
+  /// Every byte has a unique rank: of several cells the highest wins.
   const std::array<std::uint8_t, 256>& order() const { return key_; }
 
   /// Writes (cells + 1) / 2 cells to `out` from the rows `upper` and `lower` of `cells` cells. The last row
-  /// of an odd height comes as both; the last cell of an odd row counts twice likewise, so that an edge is
-  /// reduced from the cells that exist. OccupiedWins: the highest rank; of equal ranks the greater byte.
-  /// Average: the rounded mean of the known ones, never a byte that would mean unknown.
+  /// of an odd height is passed as both; the last cell of an odd row counts twice, so that edges only use
+  /// existing cells. OccupiedWins: the highest rank; of equal ranks the greater byte. Average: the rounded
+  /// mean of the known ones, never a byte that means unknown.
   void reduceRow(const std::uint8_t* upper, const std::uint8_t* lower, std::size_t cells,
                  std::uint8_t* out) const;
 
@@ -38,7 +38,7 @@ class GridReducer {
   CellCode code_ = CellCode::Gray;
   std::array<std::uint8_t, 256> key_{};      // orders the bytes by rank
   std::array<std::uint8_t, 256> cell_{};     // and back
-  std::array<std::uint32_t, 256> weight_{};  // Average: 0 unknown, else 1 << 16 | value
+  std::array<std::uint32_t, 256> weight_{};  // Average: 0 unknown, otherwise 1 << 16 | value
   std::array<std::uint8_t, 256> mean_{};     // Average: the byte for a value
   std::uint8_t unknown_ = 0;
 };

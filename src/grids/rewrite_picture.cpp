@@ -30,7 +30,7 @@ bool endsWith(const std::string& path, const char* ending) {
 
 enum class Format { Pgm, Png, Other };
 
-/// By its first bytes, as readers tell it.
+/// By its first bytes, like the readers.
 Format formatOf(ByteSource& bytes) {
   const auto first = bytes.window(0, 2);
   if (first.size() < 2) return Format::Other;
@@ -38,7 +38,7 @@ Format formatOf(ByteSource& bytes) {
   return first[0] == 0x89 && first[1] == 'P' ? Format::Png : Format::Other;
 }
 
-/// The rows of a grid, a band of tiles held at a time.
+/// The rows of a grid; keeps one band of tiles at a time.
 class CellRows {
  public:
   explicit CellRows(const GridPyramid& cells)
@@ -79,7 +79,7 @@ std::array<bool, 256> bytesIn(const GridPyramid& cells) {
   return seen;
 }
 
-/// From cells and the pixels of before to the pixels of a row.
+/// Converts cells and the old pixels to the new pixels of a row.
 class RowPixels {
  public:
   RowPixels(const PictureShades& shades, bool alpha, bool as_is)

@@ -77,7 +77,7 @@ void RowCells::convert(const std::uint8_t* row, std::uint8_t* out) {
 
 void RowCells::convertSamples(const std::uint8_t* row, std::uint8_t* out) {
   const std::size_t unit = format_.pixelBytes();
-  const std::uint8_t* last = nullptr;  // maps are made of runs: one look a run
+  const std::uint8_t* last = nullptr;  // maps consist of runs: one look-up per run
   for (int u = 0; u < format_.width; ++u, row += unit) {
     if (last != nullptr && std::memcmp(row, last, unit) == 0) {
       out[u] = out[u - 1];

@@ -1,4 +1,4 @@
-// From the pixels of a row to cells. One thread.
+// Converts the pixels of a row to cells. One thread.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace mapwright::grids {
 
-/// cellFromPixel for whole rows: by table wherever there are few enough different pixels.
+/// cellFromPixel for whole rows: uses a table where there are few enough different pixels.
 class RowCells {
  public:
   RowCells(const PixelFormat& format, const map::CellReading& reading);
@@ -24,7 +24,7 @@ class RowCells {
   PixelFormat format_;
   map::CellReading reading_;
   bool identity_ = false;
-  std::vector<std::uint8_t> table_;  // by byte, by 16-bit gray, or by gray << 8 | alpha; empty: none
+  std::vector<std::uint8_t> table_;  // by byte, by 16-bit gray, or by gray << 8 | alpha; empty: no table
 };
 
 }  // namespace mapwright::grids

@@ -1,4 +1,4 @@
-// Room for something big that is written once and read once. One thread.
+// Space for something big that is written once and read once. One thread.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,12 @@
 
 namespace mapwright::grids {
 
-/// Zeros at first. In memory when small; else in a temporary file without a name, whose room on the disk is
-/// taken beforehand so that a full disk is known at once.
+/// Initially zero. In memory if small; otherwise in an unnamed temporary file, whose disk space is reserved
+/// in advance so that a full disk is noticed at once.
 class ScratchBytes {
  public:
   static constexpr std::size_t kInMemory = std::size_t(64) << 20;
-  /// nullopt: there is no room.
+  /// nullopt: not enough space.
   static std::optional<ScratchBytes> take(std::size_t size);
   ~ScratchBytes();
   ScratchBytes(ScratchBytes&& other) noexcept;

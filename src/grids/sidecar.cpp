@@ -39,7 +39,7 @@ struct Header {
   std::uint32_t code = 0, reduction = 0;
   std::uint64_t data_bytes = 0, key_bytes = 0, index_entries = 0;
   std::uint32_t tail_sum = 0;  // of key and index
-  std::uint32_t sum = 0;       // of what is before
+  std::uint32_t sum = 0;       // of what is before it
 };
 
 std::uint32_t sumOf(const void* bytes, std::size_t size, std::uint32_t before = 0) {
@@ -71,7 +71,7 @@ bool writeAll(int fd, const void* from, std::size_t size, std::int64_t at) {
   return true;
 }
 
-/// 64 bits of FNV-1a; the file holds the whole key, so a clash is a miss and never a wrong map.
+/// 64-bit FNV-1a; the file contains the whole key, so a collision is a miss and never a wrong map.
 std::uint64_t hashOf(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const char letter : text) hash = (hash ^ std::uint8_t(letter)) * 0x100000001b3u;
@@ -110,7 +110,7 @@ class SidecarPyramid final : public GridPyramid {
   TileStore store_;
 };
 
-/// Null when anything about the file is not as it was written. Takes `fd`.
+/// Null if anything in the file is invalid. Takes `fd`.
 std::shared_ptr<const GridPyramid> restored(int fd, const SidecarKey& key,
                                             std::shared_ptr<TileCache> unpacked) {
   Header header;
@@ -177,7 +177,7 @@ std::shared_ptr<const GridPyramid> openSidecar(const SidecarKey& key, std::share
   const std::string path = key.path();
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd < 0) return nullptr;
-  ::utimensat(AT_FDCWD, path.c_str(), nullptr, 0);  // used now: the folder is kept by last use
+  ::utimensat(AT_FDCWD, path.c_str(), nullptr, 0);  // marks it as used: the folder is pruned by last use
   auto pyramid = restored(fd, key, std::move(unpacked));
   if (pyramid == nullptr) ::unlink(path.c_str());
   return pyramid;

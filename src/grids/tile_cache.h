@@ -1,4 +1,4 @@
-// The tiles that were unpacked last, of any number of pyramids. Any thread.
+// The recently unpacked tiles of any number of pyramids. Any thread.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace mapwright::grids {
 
-/// Least recently used go first. Split by key into shards with a lock each, so that threads that draw
-/// neighbouring tiles seldom meet.
+/// Evicts the least recently used. Split by key into shards with a lock each, so that threads drawing
+/// neighbouring tiles rarely block each other.
 class TileCache {
  public:
   using Cells = std::shared_ptr<const std::uint8_t>;
@@ -23,12 +23,12 @@ class TileCache {
 
   explicit TileCache(std::size_t budget_bytes = kUsualBytes);
 
-  /// A name for whose tiles they are.
+  /// An id for the owner of tiles.
   std::uint64_t newOwner() { return ++last_owner_; }
-  Cells find(std::uint64_t owner, std::uint64_t tile);  // null: not there
+  Cells find(std::uint64_t owner, std::uint64_t tile);  // null: not cached
   /// `cells`: kTileBytes.
   void insert(std::uint64_t owner, std::uint64_t tile, Cells cells);
-  /// All of the owner's go.
+  /// Removes all tiles of the owner.
   void forget(std::uint64_t owner);
 
   std::size_t bytes() const;

@@ -11,8 +11,8 @@ namespace mapwright::grids {
 
 namespace {
 
-// An index entry: what the tile is (2 bits), how long it is packed (17 bits), where its blob starts (45
-// bits). 0: not there. A blob is a checksum of 4 bytes and the packed cells.
+// An index entry: kind of tile (2 bits), packed length (17 bits), offset of its blob (45 bits). 0: missing. A
+// blob is a checksum of 4 bytes and the packed cells.
 enum class Kind : std::uint64_t { Absent, Uniform, Packed, Plain };
 constexpr int kOffsetBits = 45, kSizeBits = 17;
 constexpr std::size_t kChecksumBytes = 4;
@@ -209,7 +209,7 @@ bool TileStore::readBlob(std::uint64_t offset, std::size_t size, std::uint8_t* o
     std::memcpy(out, chunk.get() + offset % kChunk, size);
     return true;
   }
-  // Reading instead of mapping: a file that somebody cuts short is an error here and not a signal.
+  // Reading instead of mapping: a truncated file gives an error instead of a signal.
   std::int64_t at = data_offset_ + std::int64_t(offset);
   while (size > 0) {
     const ssize_t got = ::pread(fd_, out, size, at);

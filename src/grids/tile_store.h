@@ -1,4 +1,4 @@
-// The tiles of a pyramid, compressed: in memory, or in a file when there is one. Private to the pyramids.
+// The tiles of a pyramid, compressed: in memory, or in a file if there is one. Private to the pyramids.
 #pragma once
 
 #include <atomic>
@@ -18,19 +18,19 @@ namespace mapwright::grids {
 struct TileLevel {
   int width = 0, height = 0;  // cells
   int tiles_x = 0, tiles_y = 0;
-  std::size_t first = 0;  // place of its first tile among all
+  std::size_t first = 0;  // index of its first tile among all
 };
-/// All levels of a picture, down to the one that fits one tile.
+/// All levels of a picture, down to the one that fits into one tile.
 std::vector<TileLevel> tileLevels(int width, int height);
 
-/// One thread puts, any thread gets. A tile is 8 bytes of index; one of a single value is nothing more.
+/// One thread writes, any thread reads. A tile takes 8 bytes of index; a uniform tile takes nothing else.
 class TileStore {
  public:
   static constexpr int kEdge = GridPyramid::kTileEdge;
   static constexpr std::size_t kTileCells = std::size_t(kEdge) * kEdge;
   static constexpr std::size_t kChunk = std::size_t(1) << 20;  // tiles are packed into chunks of this size
 
-  /// `unpacked`: shared with other stores; null = one of its own.
+  /// `unpacked`: shared with other stores; null = a private one.
   TileStore(int width, int height, CellCode code, std::shared_ptr<TileCache> unpacked);
   ~TileStore();
   TileStore(const TileStore&) = delete;
@@ -42,23 +42,23 @@ class TileStore {
   /// `cells`: kTileCells bytes.
   void put(int level, int tile_x, int tile_y, const std::uint8_t* cells);
   void putUniform(int level, int tile_x, int tile_y, std::uint8_t value);
-  /// nullopt: not put yet, or no such place.
+  /// nullopt: not stored yet, or no such tile.
   std::optional<GridTile> get(int level, int tile_x, int tile_y) const;
   GridTile uniform(std::uint8_t value) const;
   std::size_t bytes() const;
 
-  /// Full chunks go to `fd` from `data_offset` on, and leave memory. The store owns `fd`. Call before put().
-  /// `salt` goes into the checksums with the place of each tile: what belongs elsewhere is damage.
+  /// Full chunks are written to `fd` from `data_offset` on and leave memory. The store owns `fd`. Call before
+  /// put(). `salt` and the position of each tile go into the checksums, so that misplaced tiles are detected.
   void spillTo(int fd, std::int64_t data_offset, std::uint32_t salt);
-  /// Writes the last chunk. False when the file could not take everything: the rest stays in memory.
+  /// Writes the last chunk. False if the file could not take everything: the rest stays in memory.
   bool flush();
   int fd() const { return fd_; }
   /// Bytes from the first chunk to the end of the last tile.
   std::uint64_t dataBytes() const;
 
-  /// The index as it is written into a file, and back. A store that is restored reads its tiles from `fd`.
+  /// The index for writing to a file, and the reverse. A restored store reads its tiles from `fd`.
   std::vector<std::uint64_t> index() const;
-  /// False when an entry points outside `data_bytes`, or is none.
+  /// False if an entry is invalid or points outside `data_bytes`.
   bool restore(const std::vector<std::uint64_t>& index, int fd, std::int64_t data_offset,
                std::uint64_t data_bytes, std::uint32_t salt);
 
@@ -80,7 +80,7 @@ class TileStore {
   mutable std::mutex chunks_mutex_;
   std::vector<Chunk> chunks_;  // null: in the file
   std::size_t resident_ = 0;   // chunks in memory
-  std::size_t used_ = 0;       // of the last chunk
+  std::size_t used_ = 0;       // bytes used in the last chunk
   int fd_ = -1;
   std::int64_t data_offset_ = 0;
   std::uint32_t salt_ = 0;

@@ -24,27 +24,27 @@ bool isOneLine(const QString& name) {
 QString whyNoMapName(const QString& name) {
   if (name.trimmed().isEmpty()) return ChangeMapText::tr("A map must have a name.");
   if (!isOneLine(name))
-    return ChangeMapText::tr("The name of a map is one line of text, without control characters.");
+    return ChangeMapText::tr("The name of a map must be one line without control characters.");
   return {};
 }
 
 QString whyNoFilename(const QString& name) {
   constexpr qsizetype kMostBytes = 4096;
   if (!name.trimmed().isEmpty() && isOneLine(name) && name.toUtf8().size() <= kMostBytes) return {};
-  return ChangeMapText::tr("The name of the file is one line of text, such as office.png.");
+  return ChangeMapText::tr("The name of the file must be one line, such as office.png.");
 }
 
 QString oddity(const robot::MapOrder& order, const map::CatalogueEntry& now) {
   const bool names = order.change == MapChange::Rename || order.change == MapChange::Save;
   if (names && now.name != order.name)
-    return ChangeMapText::tr("The robot took it, but says that the map is called \"%1\".")
+    return ChangeMapText::tr("The robot accepted the change, but says that the map is called \"%1\".")
         .arg(words::plainName(now.name));
   if (order.change == MapChange::Load && !now.is_current)
-    return ChangeMapText::tr("The robot took it, but says that it works with another map.");
+    return ChangeMapText::tr("The robot accepted the change, but still uses another map.");
   if (order.change == MapChange::Archive && !now.is_archived)
-    return ChangeMapText::tr("The robot took it, but does not say that the map is archived.");
+    return ChangeMapText::tr("The robot accepted the change, but does not list the map as archived.");
   if (order.change == MapChange::Unarchive && now.is_archived)
-    return ChangeMapText::tr("The robot took it, but still says that the map is archived.");
+    return ChangeMapText::tr("The robot accepted the change, but still lists the map as archived.");
   return {};
 }
 

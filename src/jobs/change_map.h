@@ -1,4 +1,4 @@
-// A change of a map that the robot keeps: what is checked before it is asked for, and afterwards. Pure.
+// Checks for changes of a stored map, before the request and afterwards. Pure.
 #pragma once
 
 #include <QString>
@@ -8,12 +8,13 @@
 
 namespace mapwright::jobs {
 
-/// Why this name of a map is not even sent; empty when it is.
+/// Why this map name is not sent at all; empty if it is valid.
 QString whyNoMapName(const QString& name);
-/// Likewise, of a file that a map dispatcher is to write.
+/// The same for the name of a file that a map dispatcher should write.
 QString whyNoFilename(const QString& name);
 
-/// The robot took `order`, but what it says of the map does not fit: a sentence; empty when it does.
+/// The robot accepted `order`, but what it reports about the map does not match: a sentence; empty if it
+/// does.
 QString oddity(const robot::MapOrder& order, const map::CatalogueEntry& now);
 
 }  // namespace mapwright::jobs

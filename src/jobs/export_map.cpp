@@ -24,7 +24,7 @@ namespace {
 using Proceed = std::function<bool(double)>;
 using Problem = std::optional<QString>;
 
-constexpr double kComposePart = 0.7;  // of the work, when submaps have to be composed first
+constexpr double kComposePart = 0.7;  // of the work, if submaps have to be composed first
 
 Problem told(const std::optional<Fault>& reason) {
   return reason ? std::optional(sentences::wordsOf(*reason)) : std::nullopt;
@@ -93,7 +93,7 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, con
   };
   Problem problem;
   map::GridReference reference;
-  // Written before the picture, and put in its place after it: both are there, or neither.
+  // Written before the picture and moved into place after it: both exist, or neither.
   std::optional<disk::WrittenFile> world_file;
   const auto writeWorldFile = [&] {
     if (!request.world_file) return true;

@@ -1,5 +1,5 @@
-// Writes a map, or the view of it, into files. The work runs on any thread; ExportJob runs it beside the
-// window.
+// Writes a map, or the current view of it, to files. The work runs on any thread; ExportJob runs it in the
+// background.
 #pragma once
 
 #include <atomic>
@@ -28,12 +28,12 @@ struct WholeMapExport {
   std::shared_ptr<const grids::GridPyramid> cells;  // complete
   map::GridReference reference;
 };
-/// Submaps, to be composed first.
+/// Submaps, composed first.
 struct SubmapsExport {
   std::vector<render::PlacedTexture> textures;  // ascending ids
   double resolution_m = 0.05;
 };
-/// The view as it is painted; `reference` places its pixels.
+/// The view as painted; `reference` gives the position of its pixels.
 struct ViewExport {
   QImage picture;
   map::GridReference reference;
@@ -43,33 +43,33 @@ using ExportSource = std::variant<WholeMapExport, SubmapsExport, ViewExport>;
 struct ExportRequest {
   ExportSource source;
   ExportFormat format = ExportFormat::MapPicture;  // of a ViewExport: ViewPicture
-  QString path;             // MapServer: of the .yaml or the .pgm; "-" only takes a PNG
-  bool world_file = false;  // beside it, as .pgw
+  QString path;                                    // MapServer: of the .yaml or the .pgm; "-" only for a PNG
+  bool world_file = false;                         // also writes a .pgw
 };
 
 /// What came of it.
 struct ExportResult {
   QString path;   // what was written
-  QString error;  // a sentence; empty = it is written
+  QString error;  // a sentence; empty = success
   bool cancelled = false;
 };
 
-/// Blocks. `proceed` gets the part that is done (0..1); false ends the work, and nothing half-written stays.
+/// Blocks. `proceed` gets the share done (0..1); false cancels, and no partial file remains.
 ExportResult exportMap(const ExportRequest& request, const std::function<bool(double done)>& proceed,
                        const grids::Means& means = {});
 /// "/maps/a.png" -> "/maps/a.pgw".
 QString worldFilePath(const QString& picture_path);
-/// What will be written.
+/// The files that will be written.
 QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file);
-/// The first of `files` that is one of `sources`, whatever links lead to it; empty = none. Into pipes,
-/// devices and the standard output bytes go, and nothing is replaced.
+/// The first of `files` that is one of `sources`, through any links; empty = none. Pipes, devices and the
+/// standard output are ignored, since nothing is replaced there.
 QString firstOwnSource(const QStringList& files, const std::vector<std::string>& sources);
-/// The extension that the format takes: "png", "yaml".
+/// The extension of the format: "png", "yaml".
 QString exportSuffix(ExportFormat format);
-/// A name that anybody may have given as the name of a file or a folder, without an ending.
+/// Turns any name into a valid name for a file or folder, without extension.
 QString fileNameFrom(const QString& name);
 
-/// One export on a thread beyond the crew. GUI-thread object; deleting it cancels and waits.
+/// One export on a thread of its own. GUI-thread object; deleting it cancels and waits.
 class ExportJob : public QObject {
   Q_OBJECT
  public:
@@ -87,7 +87,7 @@ class ExportJob : public QObject {
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
   bool running_ = false;
   grids::Means means_;
-  work::Share share_;  // last: it waits for what runs
+  work::Share share_;  // last member: waits for running work
 };
 
 }  // namespace mapwright::jobs

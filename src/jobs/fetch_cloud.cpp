@@ -39,7 +39,7 @@ class Cropping : public QObject {
   }
 
  private:
-  work::Share share_;  // last: it waits for what runs
+  work::Share share_;  // last member: waits for running work
 };
 
 }  // namespace
@@ -50,15 +50,15 @@ QStringList FetchedCloud::notes() const {
     if (count > 0) notes << sentences::counted(plural, qint64(count));
   };
   const auto form = [](std::uint64_t count) { return sentences::formOf(qint64(count)); };
-  add(FetchCloudText::tr("%1 points that the robot says it sent have not come: its answer is cut off.",
-                         nullptr, form(cloud->missing)),
+  add(FetchCloudText::tr("%1 points that the robot announced did not arrive: its answer is cut off.", nullptr,
+                         form(cloud->missing)),
       cloud->missing);
   for (const Fault& note : cloud->notes) notes << sentences::sentenceOf(note);
-  add(FetchCloudText::tr("%1 points that came lie beyond the region that was asked for. They are left out.",
-                         nullptr, form(beyond)),
+  add(FetchCloudText::tr("%1 points lie outside the requested region and were left out.", nullptr,
+                         form(beyond)),
       beyond);
-  add(FetchCloudText::tr("%1 more points are no numbers, or absurdly far away. They are left out.", nullptr,
-                         form(cloud->left_out)),
+  add(FetchCloudText::tr("%1 more points have invalid or absurdly large coordinates and were left out.",
+                         nullptr, form(cloud->left_out)),
       cloud->left_out);
   return notes;
 }

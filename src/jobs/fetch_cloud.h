@@ -1,5 +1,4 @@
-// Fetches a cloud of points from a map dispatcher: what lies outside of the region that was asked for is
-// cropped, and what is missing is told.
+// Fetches a cloud from a map dispatcher: crops points outside the requested region and reports missing ones.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +15,18 @@ namespace mapwright::jobs {
 
 struct FetchedCloud {
   std::shared_ptr<const map::SpatialCloud> cloud;  // never null
-  std::uint64_t beyond = 0;                        // points outside of the region, cropped
+  std::uint64_t beyond = 0;                        // points outside the region, cropped
 
-  /// The robot has answered with another region: nothing of what came lies in the one that was asked for.
+  /// The robot answered with another region: no point lies in the requested one.
   bool elsewhere() const { return beyond > 0 && cloud->points.empty(); }
-  /// Points that were announced did not come.
+  /// False if announced points did not arrive.
   bool complete() const { return cloud->missing == 0; }
-  /// What people should know of it, a sentence each.
+  /// Notes for the user, a sentence each.
   QStringList notes() const;
 };
 
-/// `region`: nullopt = the whole map. Called on the thread of the robot; the points are cropped on `workers`.
-/// Nothing comes when the dispatcher goes before.
+/// `region`: nullopt = the whole map. Call it on the robot's thread; points are cropped on `workers`. No
+/// result if the dispatcher is destroyed first.
 robot::Call fetchCloud(robot::MapDispatch& dispatch, robot::CloudKind kind,
                        const std::optional<map::CloudRegion>& region, std::shared_ptr<work::Workers> workers,
                        robot::OutcomeTo<FetchedCloud> reply);

@@ -1,4 +1,4 @@
-// A painted picture as a PNG file.
+// Writes a painted picture to a PNG file.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,8 @@
 
 namespace mapwright::jobs {
 
-/// Whole or not at all; what a path may be says disk::WrittenFile. nullopt = written, else why not.
+/// Completely or not at all; disk::WrittenFile describes which paths are possible. nullopt = written,
+/// otherwise why not.
 std::optional<Fault> writePicture(const QImage& picture, const QString& path);
 
 }  // namespace mapwright::jobs

@@ -3,7 +3,7 @@
 namespace mapwright::map {
 namespace {
 
-constexpr std::size_t kLongestName = 200;  // names are the robot's own
+constexpr std::size_t kLongestName = 200;  // names come from the robot
 
 std::string identityOf(const MapKey& key) {
   return key.kind == MapKind::File ? "file:" + key.id : toText(key);

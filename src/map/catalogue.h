@@ -1,5 +1,5 @@
-// The maps that a robot (or a folder) keeps, and one whole map as a picture.
-// Source: docs/protocols/autoxing.md, "Requests", docs/protocols/agibot-aimdk.md, ROS map_server (map.yaml).
+// The maps stored on a robot (or in a folder), and one whole map as a picture. Source:
+// docs/protocols/autoxing.md, "Requests", docs/protocols/agibot-aimdk.md, ROS map_server (map.yaml).
 #pragma once
 
 #include <compare>
@@ -24,24 +24,24 @@ enum class MapKind {
   File,     // a local file
 };
 
-/// Which map. `id` is text, whatever it looks like: 13-digit numbers keep every digit.
+/// Identifies a map. `id` is text even if it looks like a number: 13-digit ids keep every digit.
 struct MapKey {
   MapKind kind = MapKind::Stored;
   std::string id;
   auto operator<=>(const MapKey&) const = default;
 };
 
-/// As people type and read it: "12", "mapping:48", "live", "file" (the only one) or a file's name.
+/// As typed and displayed: "12", "mapping:48", "live", "file" (the only one) or a file name.
 std::string toText(const MapKey& key);
 /// The reverse; "12" is a stored map.
 MapKey mapKeyFromText(const std::string& text);
 
-/// The map as the subject of a problem, called by its name where it is known.
+/// The map as the subject of a problem, with its name if known.
 Subject subjectOf(const MapKey& key, const std::string& name = {});
-/// Its named places likewise.
+/// The same for its waypoints.
 Subject placesOf(const MapKey& key, const std::string& name = {});
 
-/// A row of the catalogue. Empty or nullopt where the robot did not say. Names are untrusted plain text.
+/// An entry of the catalogue. Empty or nullopt if the robot did not say. Names are untrusted plain text.
 struct CatalogueEntry {
   MapKey key;
   std::string name, uid;
@@ -49,14 +49,14 @@ struct CatalogueEntry {
   std::optional<int> map_version, overlays_version;
   std::string state;                   // of a mapping task: running, finished, cancelled, failed
   std::optional<int> index;            // the robot's own order
-  std::optional<GridReference> grid;   // where it is known without opening the map
-  std::optional<std::uint64_t> bytes;  // size of the picture, where known
+  std::optional<GridReference> grid;   // if known without opening the map
+  std::optional<std::uint64_t> bytes;  // size of the picture, if known
   bool has_thumbnail = false;
-  bool is_current = false;   // the robot works with it now
-  bool is_archived = false;  // put away: kept, and not to be worked with before it is taken out again
+  bool is_current = false;   // the robot uses it now
+  bool is_archived = false;  // archived: kept, but must be restored before it can be used
 };
 
-/// How the bytes of a picture become cells. Source: ROS map_server / nav2 map_io.
+/// How the bytes of a picture are converted to cells. Source: ROS map_server / nav2 map_io.
 struct CellReading {
   enum class Mode {
     Picture,  // gray levels as they are: 0 occupied .. 255 free, middle gray and transparent = unknown
@@ -70,20 +70,20 @@ struct CellReading {
   bool operator==(const CellReading&) const = default;
 };
 
-/// A whole map as it came: nothing in the picture is checked yet.
+/// A whole map as received: nothing in the picture is checked yet.
 struct WholeMap {
   MapKey key;
-  std::optional<MapKey> state_of;  // it is an earlier state of that map
+  std::optional<MapKey> state_of;  // an earlier state of that map
   std::string name;
-  GridReference grid;  // width and height as declared; the picture's own size wins
+  GridReference grid;  // width and height as declared; the picture's own size takes precedence
   CellReading reading;
-  std::shared_ptr<const std::string> bytes;    // the picture file (PNG, PGM, BMP); null when `path` is set
-  std::string path;                            // a local picture file
-  std::size_t body_bytes = 0;                  // of the answer that brought the picture; 0 = no robot sent it
-  bool from_cache = false;                     // that body did not travel: disk, or 304
-  std::string fingerprint;                     // names exactly this content, for side-car files; empty = none
-  std::optional<double> display_rotation_rad;  // a hint of the robot, never part of coordinates
-  std::vector<Problem> notes;                  // what is odd about it
+  std::shared_ptr<const std::string> bytes;  // the picture file (PNG, PGM, BMP); null if `path` is set
+  std::string path;                          // a local picture file
+  std::size_t body_bytes = 0;                // of the answer with the picture; 0 = not from a robot
+  bool from_cache = false;                   // nothing was transferred: disk cache, or 304
+  std::string fingerprint;  // identifies exactly this content, for side-car files; empty = none
+  std::optional<double> display_rotation_rad;              // a hint from the robot, never part of coordinates
+  std::vector<Problem> notes;                              // what is odd about it
   std::vector<std::vector<Eigen::Vector2d>> trajectories;  // of a mapping, world metres
   std::vector<OverlayFeature> overlays;
   struct Landmark {

@@ -1,4 +1,4 @@
-// Where a picture of cells lies in the world. Source: docs/protocols/autoxing.md, "Requests", "Topics that
+// The position of a grid of cells in the world. Source: docs/protocols/autoxing.md, "Requests", "Topics that
 // the map shows", ROS map_server (origin).
 #pragma once
 
@@ -13,7 +13,7 @@ namespace mapwright::map {
 /// A grid of `width` x `height` cells. `origin` is the world pose of the outer corner of the lower-left cell
 /// (last row, first column): x runs along the rows, y against them. Metres, radians counter-clockwise.
 struct GridReference {
-  int width = 0, height = 0;  // cells; 0 = not known before the picture is read
+  int width = 0, height = 0;  // cells; 0 = unknown until the picture is read
   double resolution_m = 0;    // metres per cell
   geometry::Pose2 origin;
   bool operator==(const GridReference&) const = default;
@@ -26,10 +26,10 @@ struct GridReference {
   geometry::WorldRect bounds() const;
 };
 
-/// nullopt when the reference can be used; else why not: "Its resolution is 0, which is no size of a
-/// cell." A width and height of 0 are fine. Refused: a resolution that is not finite, not positive, below 0.1
-/// mm or above 1 km; an origin that is not finite or farther than 10,000 km. A yaw that is not finite is not
-/// refused here: readers take it as 0 and say so (maps with "nan" as yaw exist).
+/// nullopt if the reference is valid; otherwise why not: "Its resolution is 0, which is not a valid cell
+/// size." A width and height of 0 are fine. Invalid: a resolution that is not finite, not positive, below 0.1
+/// mm or above 1 km; an origin that is not finite or farther than 10,000 km. A yaw that is not finite is
+/// allowed here: readers use 0 and report it (maps with "nan" as yaw exist).
 std::optional<Fault> whyUnusable(const GridReference& grid);
 
 }  // namespace mapwright::map

@@ -17,7 +17,7 @@ void extendTrail(std::deque<TrailPoint>& trail, const Eigen::Vector2d& point, do
   if (trail.size() > LiveState::kTrailPoints) trail.pop_front();
 }
 
-/// An alert that is still active keeps the time when it was first seen, also when a number in its text moves.
+/// An alert that is still active keeps its first time, even if a number in its text changes.
 std::vector<Alert> withTimes(const std::vector<Alert>& before, std::vector<Alert> now, double at_s) {
   const auto identity = [](const Alert& alert) {
     return safetyIdentity({SafetyKind::Alert, Severity::Error, alert.code, alert.text, 0, 1, {}});
@@ -34,7 +34,7 @@ std::vector<Alert> withTimes(const std::vector<Alert>& before, std::vector<Alert
   return now;
 }
 
-/// Whether the world of `after` is another one: uids tell, or names where there is no uid.
+/// Whether `after` is another map: by uid, or by name if there is no uid.
 bool otherMap(const MapInfo& before, const MapInfo& after) {
   if (!before.uid.empty() && !after.uid.empty()) return before.uid != after.uid;
   return !before.name.empty() && !after.name.empty() && before.name != after.name;

@@ -1,4 +1,4 @@
-// The live world of a robot, and the one reducer that builds it from topic messages, live or replayed
+// The live state of a robot, and the one reducer that builds it from topic messages, live or replayed
 // (docs/decisions/0012-one-reducer-makes-the-world.md).
 #pragma once
 
@@ -24,16 +24,14 @@ struct TrailPoint {
   bool operator==(const TrailPoint&) const = default;
 };
 
-/// What is known of the robot's world now. Value type, cheap to copy where it is large (shared, immutable
-/// parts); submap lists are handled by submap::SubmapBook.
-///
-/// Coordinates are those of a frame: it begins anew with another SLAM session (the uuid of the submap list)
-/// and with another map (the uid in MapInfo, or its name where there is no uid). What lies in the old frame
-/// is then forgotten: the pose and the trail, pictures, points, paths, targets, the places of landmarks,
-/// doors, boxes, other robots, constraints, and where positioning and barcodes said that the robot was. What
-/// is no place is kept: the robot's shape and those of others, SLAM's and the planner's state, alerts,
-/// battery, wheels, sensors. The picture of the whole map and MapInfo lie in the map: they outlive a new
-/// session that works in that map (positioning), and no other.
+/// Everything known about the robot's world at present. Value type, cheap to copy since its large parts are
+/// shared and immutable; submap::SubmapBook handles submap lists.
+/// Coordinates are those of a frame, which changes with the SLAM session (the uuid of the submap list) and
+/// with the map (the uid in MapInfo, or its name if there is no uid). Everything with coordinates in the old
+/// frame is then dropped: the pose and the trail, pictures, points, paths, targets, landmarks, doors, boxes,
+/// other robots, constraints, and the positions reported by localization and barcodes. The rest stays:
+/// footprints, SLAM and planner states, alerts, battery, wheels, sensors. The picture of the whole map and
+/// MapInfo belong to the map: they stay if a new session localizes in the same map.
 struct LiveState {
   int frame = 0;  // counts the frames
   std::string session_uuid;
@@ -60,21 +58,22 @@ struct LiveState {
   ConstraintsMessage constraints;
   std::optional<GlobalPositioning> global_positioning;
   std::optional<BarcodeMessage> barcode;
-  std::vector<SafetyCondition> safety;  // with times, and what ended a moment ago; read it by safetyOf()
+  std::vector<SafetyCondition>
+      safety;  // with times, including what ended a moment ago; read it with safetyOf()
 
   static constexpr double kTrailStepM = 0.05;
   static constexpr std::size_t kTrailPoints = 20'000;
 
-  /// All that can be seen: clouds and pictures by their content, wherever it lies; not how many frames there
-  /// were.
+  /// Compares everything visible: clouds and pictures by content, wherever they are stored; not the number of
+  /// frames.
   bool operator==(const LiveState& other) const;
 };
 
-/// Without all that lies in the frame of before; `map_stays`: the new one is of the same map.
+/// Without everything in the old frame; `map_stays`: the new frame belongs to the same map.
 LiveState inNewFrame(LiveState state, bool map_stays);
 
-/// The state after `message`, which came at `at_s` (seconds since the epoch; the bag's time when replayed).
-/// Messages that the state does not hold leave it as it is.
+/// The state after `message`, which arrived at `at_s` (seconds since the epoch; the bag's time in a replay).
+/// Messages that are not part of the state leave it unchanged.
 LiveState reduce(LiveState state, const TopicMessage& message, double at_s);
 
 }  // namespace mapwright::map

@@ -1,6 +1,6 @@
-// What a robot says about its world, as typed values: one struct per topic that the map or the status panel
-// shows. Source: docs/protocols/autoxing.md, "Topics that the map shows". World metres and radians; texts are
-// untrusted.
+// Messages of a robot about its world, as typed values: one struct per topic shown on the map or in the
+// status panel. Source: docs/protocols/autoxing.md, "Topics that the map shows". World metres and radians;
+// texts are untrusted.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ struct RobotModel {
 
 /// /slam/state.
 struct SlamStatus {
-  std::string state;  // inactive, slam, positioning, or whatever the robot says
+  std::string state;  // inactive, slam, positioning, or anything else that the robot reports
   std::optional<bool> reliable;
   std::optional<int> position_quality;  // 0 unknown, 1 lost, 3 poor, 8 good, 10 excellent
   std::optional<double> lidar_matching_score;
@@ -48,7 +48,7 @@ struct SlamStatus {
   bool operator==(const SlamStatus&) const = default;
 };
 
-/// Which raster layer a picture belongs to.
+/// The raster layer of a picture.
 enum class GridKind {
   WholeMap,     // /map, /map_v2
   CostmapLow,   // /maps/5cm/1hz, /map/costmap, /map/costmap_v2
@@ -58,23 +58,23 @@ enum class GridKind {
   EnvSymmetry,  // /env_symmetry_map
 };
 
-/// A picture topic, its picture already at hand (base64 decoded, or fetched from data_url).
+/// A picture topic with the picture itself (base64 decoded, or fetched from data_url).
 struct GridMessage {
   std::string topic;
   GridKind kind = GridKind::WholeMap;
   GridReference grid;
-  CellReading reading;  // what its bytes mean; anything but Picture: occupancy 0..100 and unknown
-  std::shared_ptr<const std::string> png;  // the picture file; PGM and BMP as well
-  std::string fingerprint;                 // names exactly this content; empty = none
-  std::size_t body_bytes = 0;  // of the answer that brought the picture; 0 = it came inside the message
-  bool from_cache = false;     // that body did not travel: disk, or 304
-  bool operator==(const GridMessage& other) const;  // the bytes count, wherever they lie
+  CellReading reading;  // the meaning of its bytes; anything but Picture: occupancy 0..100 and unknown
+  std::shared_ptr<const std::string> png;  // the picture file; also PGM and BMP
+  std::string fingerprint;                 // identifies exactly this content; empty = none
+  std::size_t body_bytes = 0;              // of the answer with the picture; 0 = it was inside the message
+  bool from_cache = false;                 // nothing was transferred: disk cache, or 304
+  bool operator==(const GridMessage& other) const;  // compares the bytes, wherever they are stored
 };
 
 struct CloudPoint {
   double x_m = 0, y_m = 0;
   float z_m = 0;
-  std::uint8_t intensity = 0;  // 0..255, 0 where the robot sends none
+  std::uint8_t intensity = 0;  // 0..255, 0 if the robot sends none
   bool operator==(const CloudPoint&) const = default;
 };
 
@@ -83,7 +83,7 @@ struct CloudPoint {
 struct PointCloudMessage {
   std::string topic;
   std::shared_ptr<const std::vector<CloudPoint>> points;
-  bool operator==(const PointCloudMessage& other) const;  // the points count, wherever they lie
+  bool operator==(const PointCloudMessage& other) const;  // compares the points, wherever they are stored
 };
 
 /// /path: the global path.
@@ -92,7 +92,7 @@ struct PathMessage {
   bool operator==(const PathMessage&) const = default;
 };
 
-/// /local_path. `rgba` 0xRRGGBBAA where the robot names a colour.
+/// /local_path. `rgba` 0xRRGGBBAA if the robot gives a colour.
 struct LocalPathMessage {
   double width_m = 0;
   std::optional<std::uint32_t> rgba;
@@ -115,7 +115,7 @@ struct PlanningState {
   bool operator==(const PlanningState&) const = default;
 };
 
-/// /map/info. Overlays as drawn; the raw text is kept for whoever edits them.
+/// /map/info. Overlays as drawn; the raw text is kept for editing.
 struct MapInfo {
   std::string name, uid;
   std::optional<int> map_version, overlays_version;
@@ -128,10 +128,10 @@ struct Alert {
   std::int64_t code = 0;
   AlertLevel level = AlertLevel::None;
   std::string text;
-  double since_s = 0;  // when it was first seen (seconds since the epoch); the reducer fills it
+  double since_s = 0;  // when it first arrived (seconds since the epoch); set by the reducer
   bool operator==(const Alert&) const = default;
 };
-/// /alerts: all that are active now.
+/// /alerts: all active alerts.
 struct AlertsMessage {
   std::vector<Alert> alerts;
   bool operator==(const AlertsMessage&) const = default;
@@ -202,10 +202,10 @@ struct GroundBox {
   double length_m = 0;  // along the pose's x axis
   double width_m = 0;
   bool in_robot_frame = false;
-  std::optional<std::uint32_t> rgba = {};  // 0xRRGGBBAA where the robot names a colour
+  std::optional<std::uint32_t> rgba = {};  // 0xRRGGBBAA if the robot gives a colour
   bool operator==(const GroundBox&) const = default;
 };
-/// What a robot draws for people without saying what it is (a marker of ROS), flat on the ground.
+/// Something that a robot draws without saying what it is (a ROS marker), flat on the ground.
 struct GroundDrawing {
   enum class Kind {
     Line,
@@ -216,9 +216,9 @@ struct GroundDrawing {
   };
   Kind kind = Kind::Line;
   Polyline points;
-  double size_m = 0;  // width of a line, edge of a point, height of a text; 0 = as small as can be seen
-  std::optional<std::uint32_t> rgba = {};  // 0xRRGGBBAA where the robot names a colour
-  std::vector<std::uint32_t> colors = {};  // as many as points, or none
+  double size_m = 0;  // width of a line, edge of a point, height of a text; 0 = as small as visible
+  std::optional<std::uint32_t> rgba = {};  // 0xRRGGBBAA if the robot gives a colour
+  std::vector<std::uint32_t> colors = {};  // one per point, or none
   std::string text = {};
   bool operator==(const GroundDrawing&) const = default;
 };
@@ -237,7 +237,7 @@ struct SeenObjectsMessage {  // /vision_detected_objects; markers of ROS
   bool operator==(const SeenObjectsMessage&) const = default;
 };
 
-/// /constraint_list: segments by what they are ("Inter residuals, different trajectories").
+/// /constraint_list: segments by kind ("Inter residuals, different trajectories").
 struct ConstraintsMessage {
   std::map<std::string, std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>> by_name;
   bool operator==(const ConstraintsMessage&) const = default;
@@ -273,7 +273,7 @@ using TopicMessage =
                  AutoDoorsMessage, PalletsMessage, RackMessage, SeenObjectsMessage, ConstraintsMessage,
                  GlobalPositioning, BarcodeMessage, UnreadableMessage>;
 
-/// The place of a message type in TopicMessage.
+/// The index of a message type in TopicMessage.
 template <typename T, std::size_t I = 0>
 constexpr int topicIndex() {
   if constexpr (std::is_same_v<std::variant_alternative_t<I, TopicMessage>, T>) {

@@ -1,7 +1,6 @@
-// Parts of large maps, as they were asked for by region. Source: docs/protocols/rep130-map-dispatcher.md.
-//
-// Metres; the frame is that of the map, whose name comes with each part. What came is placed by itself, never
-// by the region that was asked for: an answer may be larger, smaller, empty, padded or turned.
+// Parts of large maps, as fetched by region. Source: docs/protocols/rep130-map-dispatcher.md.
+// Metres, in the frame of the map, whose name comes with each part. A part is placed by its own data, never
+// by the requested region: an answer may be larger, smaller, empty, padded or rotated.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +22,7 @@ struct GridRegion {
   bool operator==(const GridRegion&) const = default;
 };
 
-/// A sphere where `radius_m` is more than 0, else a box along the axes. Never less than 0: that means nothing
+/// A sphere if `radius_m` is greater than 0, otherwise an axis-aligned box. Never negative: that is undefined
 /// (docs/protocols/rep130-map-dispatcher.md).
 struct CloudRegion {
   Eigen::Vector3d centre_m{0, 0, 0};
@@ -32,29 +31,30 @@ struct CloudRegion {
   bool operator==(const CloudRegion&) const = default;
 };
 
-/// Cells of a map. 0 x 0 is an answer, too: there is nothing in that region.
+/// Cells of a map. 0 x 0 is valid: the map is empty in this region.
 struct GridPart {
-  std::string frame;  // without a leading slash; empty = it did not say
+  std::string frame;  // without leading slash; empty = not given
   GridReference grid;
   std::shared_ptr<const std::vector<std::int8_t>>
       cells;                 // row 0 = bottom; -1 unknown, 0 free .. 100 occupied
   std::vector<Fault> notes;  // what is odd about it
 };
 
-/// Points of a map. Immutable once made.
+/// Points of a map. Immutable.
 struct SpatialCloud {
   std::string frame;
-  Eigen::Vector3d origin_m{0, 0, 0};    // added to each point: what is far from 0 keeps its millimetres
+  Eigen::Vector3d origin_m{0, 0,
+                           0};  // added to each point, so that points far from 0 keep millimetre precision
   std::vector<Eigen::Vector3f> points;  // finite
-  std::vector<float> intensity;         // as many as points, or none; finite
-  std::vector<std::uint32_t> rgb;       // 0x00RRGGBB; as many as points, or none
-  bool has_z = true;                    // false: it came without z, which is 0 then
-  std::uint64_t left_out = 0;           // points that are no numbers, or absurdly far
-  std::uint64_t missing = 0;            // points that it says it has, and that did not come
+  std::vector<float> intensity;         // one per point, or none; finite
+  std::vector<std::uint32_t> rgb;       // 0x00RRGGBB; one per point, or none
+  bool has_z = true;                    // false: no z was sent; it is 0 then
+  std::uint64_t left_out = 0;           // points with invalid or absurdly large coordinates
+  std::uint64_t missing = 0;            // points that were announced but did not arrive
   std::vector<Fault> notes;
 };
 
-/// What of a map in space is laid on the plane. Source: docs/protocols/rep130-map-dispatcher.md,
+/// A region of a 3D map that is projected onto the plane. Source: docs/protocols/rep130-map-dispatcher.md,
 /// "Projections".
 struct Projection {
   std::string frame;               // empty = that of the map

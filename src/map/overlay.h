@@ -17,8 +17,9 @@ struct OverlayFeature {
   OverlayShape shape = OverlayShape::Point;
   int type = 0;
   std::string id, name;
-  std::optional<double> yaw_rad;                    // points that have a heading
-  std::vector<std::vector<Eigen::Vector2d>> parts;  // point: one of one; line: one; polygon: its rings
+  std::optional<double> yaw_rad;  // points that have a heading
+  std::vector<std::vector<Eigen::Vector2d>>
+      parts;  // point: one with one element; line: one; polygon: its rings
   bool operator==(const OverlayFeature&) const = default;
 };
 

@@ -1,5 +1,5 @@
-// What went wrong, as a value: who it concerns, what kind of trouble, what was found. Logic looks at subject
-// and codes; what people read is made by the room `sentences`.
+// Something that went wrong, as a value: subject, kind, and what was found. Code uses subject and codes; the
+// room `sentences` makes the text.
 #pragma once
 
 #include <optional>
@@ -13,22 +13,22 @@ namespace mapwright::map {
 
 enum class Severity { Info, Warning, Error };
 
-/// What kind of trouble. One subject may have several at a time, and recovers from each by itself.
+/// The kind of problem. A subject may have several at a time, and recovers from each separately.
 enum class ProblemCode {
   Unspecified,
-  Unavailable,      // it cannot be had: no answer, an error, not there
+  Unavailable,      // it cannot be loaded: no answer, an error, not there
   Unreadable,       // it came, and cannot be read
-  Unplaced,         // it has no pose that can be used
-  ListedTwice,      // two rows of one list are about it
-  VersionWentBack,  // an older state than the one at hand is offered
+  Unplaced,         // it has no valid pose
+  ListedTwice,      // two rows of a list are about it
+  VersionWentBack,  // an older state than the loaded one is offered
   Odd,              // used, but something about it is strange
 };
 
-/// A problem as reported by whoever found it.
+/// A problem as reported by the code that found it.
 struct Problem {
   Severity severity = Severity::Error;
   Subject subject;
-  Fault reason = {};  // none: the request tells it
+  Fault reason = {};  // none: the failed request explains it
   ProblemCode code = ProblemCode::Unspecified;
   FailureKind failure = FailureKind::None;
   std::optional<Failure> request = {};  // that failed
@@ -38,10 +38,10 @@ struct Problem {
 /// The failure as a problem of its subject.
 Problem problemOf(const Failure& failure, Severity severity = Severity::Error);
 
-/// What problems that differ in numbers only share, beside their subject.
+/// The same for problems with the same subject that differ only in numbers.
 std::string patternOf(const Problem& problem);
 
-/// What is well again: one kind of trouble of a subject, or (nullopt) all that was wrong with it.
+/// Something works again: one kind of problem of a subject, or (nullopt) all of them.
 struct Recovery {
   Subject subject;
   std::optional<ProblemCode> code = {};

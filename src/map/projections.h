@@ -1,5 +1,5 @@
-// What of a map in space is laid on the plane, as lists: which make sense, and which are alike. Pure.
-// Source: docs/protocols/rep130-map-dispatcher.md, "Projections".
+// Lists of projections: which are valid, and which are equal. Pure. Source:
+// docs/protocols/rep130-map-dispatcher.md, "Projections".
 #pragma once
 
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace mapwright::map {
 
-/// Why a robot would not be told of a projection.
+/// Why a projection would not be sent to a robot.
 enum class ProjectionFlaw { None, NotFinite, TooFar, WithoutSize, HeightsCrossed };
 ProjectionFlaw flawOf(const Projection& projection);
 
-/// How many of `told` are not what was `wanted`, by more than grids of cells make of it; those that are
-/// missing or too many count as well.
+/// How many of `told` differ from `wanted` by more than rounding to grid cells; missing and extra ones count
+/// as well.
 int differing(const std::vector<Projection>& wanted, const std::vector<Projection>& told);
 
 }  // namespace mapwright::map

@@ -31,7 +31,7 @@ struct Comparer {
   bool operator()(const PlanningState& planning) const { return state.planning == planning; }
   bool operator()(const MapInfo& info) const { return state.map_info == info; }
   bool operator()(const AlertsMessage& alerts) const {
-    // Those of the state are in order of their times.
+    // Those of the state are sorted by time.
     return state.alerts.size() == alerts.alerts.size() &&
            std::is_permutation(state.alerts.begin(), state.alerts.end(), alerts.alerts.begin(),
                                [](const Alert& a, const Alert& b) {
@@ -60,7 +60,7 @@ struct Comparer {
     return state.global_positioning == positioning;
   }
   bool operator()(const BarcodeMessage& barcode) const { return state.barcode == barcode; }
-  // The state does not hold them.
+  // The state does not contain them.
   bool operator()(const SubmapList&) const { return false; }
   bool operator()(const UnreadableMessage&) const { return false; }
 };

@@ -1,12 +1,12 @@
-// What a robot that stands says again and again.
+// Repeated messages of a robot that stands still.
 #pragma once
 
 #include "map/live_state.h"
 
 namespace mapwright::map {
 
-/// All that `message` says is what `state` holds: nobody who looks at the state sees a difference. Alerts
-/// count without their times.
+/// `message` adds nothing to `state`: nobody who looks at the state sees a difference. Times of alerts do not
+/// count.
 bool repeats(const LiveState& state, const TopicMessage& message);
 
 }  // namespace mapwright::map

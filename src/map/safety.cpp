@@ -20,7 +20,7 @@ std::string lower(std::string text) {
 }
 
 std::optional<SafetyCondition> ofPosition(const SlamStatus& slam) {
-  // While it maps, or does nothing, it has no place on a map that could be lost.
+  // While it maps, or is inactive, it has no position that could be lost.
   const std::string state = lower(slam.state);
   if (state == "inactive" || state == "slam") return std::nullopt;
   const int quality = slam.position_quality.value_or(0);
@@ -37,7 +37,7 @@ std::optional<SafetyCondition> ofPosition(const SlamStatus& slam) {
   return condition;
 }
 
-/// What the state says, without times.
+/// The conditions of the state, without times.
 std::vector<SafetyCondition> conditionsOf(const LiveState& live) {
   std::vector<SafetyCondition> now;
   const auto add = [&](SafetyKind kind, Severity severity) {
@@ -69,7 +69,7 @@ bool held(const SafetyCondition& condition, double now_s) {
 
 std::string safetyIdentity(const SafetyCondition& condition) {
   std::string identity = std::to_string(int(condition.kind)) + '/' + std::to_string(condition.code) + '/';
-  // "82 degrees" is what was "81 degrees".
+  // "82 degrees" is the same alert as "81 degrees".
   std::copy_if(condition.text.begin(), condition.text.end(), std::back_inserter(identity),
                [](unsigned char c) { return !std::isdigit(c); });
   return identity;
@@ -77,8 +77,7 @@ std::string safetyIdentity(const SafetyCondition& condition) {
 
 std::vector<SafetyCondition> continuedSafety(std::vector<SafetyCondition> before, const LiveState& live,
                                              double at_s) {
-  // Several may look the same but for their numbers ("Motor 1 is hot", "Motor 2 is hot"): each carries on
-  // one.
+  // Several may differ only in their numbers ("Motor 1 is hot", "Motor 2 is hot"): each continues one.
   std::multimap<std::string, SafetyCondition*> known;
   for (SafetyCondition& condition : before) known.emplace(safetyIdentity(condition), &condition);
   std::vector<SafetyCondition> after;

@@ -1,6 +1,5 @@
-// What people near a robot, and whoever watches it, must know at once: a pressed emergency stop, a lost
-// position, an error that the robot reports. Told by its state alone, so that every place that shows it
-// shows the same.
+// Conditions that anyone near or watching a robot must know at once: a pressed emergency stop, lost
+// localization, a reported error. Derived from the state alone, so that every place shows the same.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +13,7 @@ namespace mapwright::map {
 
 struct LiveState;
 
-/// The order of their weight among equals in severity.
+/// In order of importance within the same severity.
 enum class SafetyKind {
   EmergencyStop,
   PositionLost,
@@ -30,30 +29,30 @@ struct SafetyCondition {
   Severity severity = Severity::Error;  // never Info
   std::int64_t code = 0;                // of an alert; 0 = none
   std::string text;                     // of an alert; untrusted
-  double since_s = 0;             // seconds since the epoch: when it began, pauses that are short left out
-  int times = 1;                  // how often it began since then
-  std::optional<double> ended_s;  // it is over, at least for now
+  double since_s = 0;                   // seconds since the epoch: when it began, ignoring short pauses
+  int times = 1;                        // how often it has begun since then
+  std::optional<double> ended_s;        // it has ended, at least for now
   bool operator==(const SafetyCondition&) const = default;
 };
 
-/// One that comes back within this time never went: it is on and off.
+/// If it comes back within this time it did not end: it is intermittent.
 constexpr double kSafetyPauseS = 10;
-/// One that is on and off stays on show this long after its last end: else it would only flicker.
+/// An intermittent condition stays visible this long after its last end, so that it does not flicker.
 constexpr double kSafetyHoldS = 5;
-/// From so many beginnings on it is on and off.
+/// From this many starts on it is intermittent.
 constexpr int kSafetyFlaps = 3;
 
-/// `before` carried on to what `live` says at `at_s`: beginnings, ends, and short pauses. For the reducer.
+/// Updates `before` with what `live` says at `at_s`: starts, ends, and short pauses. For the reducer.
 std::vector<SafetyCondition> continuedSafety(std::vector<SafetyCondition> before, const LiveState& live,
                                              double at_s);
 
-/// What holds at `now_s`, and what is on and off; the gravest first, then the oldest.
+/// What is active or intermittent at `now_s`; most severe first, then oldest.
 std::vector<SafetyCondition> safetyOf(const LiveState& live, double now_s);
 
-/// Until when safetyOf() stays what it is, if no message comes; nullopt = for ever.
+/// How long the result of safetyOf() stays valid if no message arrives; nullopt = forever.
 std::optional<double> safetyChangesAt(const LiveState& live, double now_s);
 
-/// The same condition, whatever its numbers and times are now.
+/// The same for the same condition, regardless of its numbers and times.
 std::string safetyIdentity(const SafetyCondition& condition);
 
 /// For the list of problems.

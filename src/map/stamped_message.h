@@ -1,4 +1,4 @@
-// A message of a robot with its times, as it goes through the port and into recordings.
+// A message of a robot with its times, as passed through the port and stored in recordings.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@ namespace mapwright::map {
 /// Seconds since the epoch.
 struct StampedMessage {
   TopicMessage message;
-  double received_s = 0;                  // when it arrived: here, or at the recorder
-  std::optional<double> recorded_s = {};  // when the robot says that it was true; nullopt = it did not say
-  std::string topic = {};                 // as the robot calls it, to be shown; empty = nothing to be shown
+  double received_s = 0;                  // when it arrived here, or at the recorder
+  std::optional<double> recorded_s = {};  // the robot's own time stamp; nullopt = none
+  std::string topic = {};                 // the robot's name for it, for display; empty = not displayed
 
-  /// The time that the world goes by. A robot's own clock may be wrong by years, but the differences between
-  /// its stamps count, and the time of arrival is always there: arrival it is.
+  /// The time used for the world. A robot's clock may be wrong by years, while the time of arrival is always
+  /// known, so that one is used.
   double at_s() const { return received_s; }
   bool operator==(const StampedMessage&) const = default;
 };

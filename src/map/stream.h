@@ -1,4 +1,4 @@
-// Kinds of data that a robot sends by itself, whatever its back-end calls them.
+// Kinds of data that a robot sends by itself, independent of the back-end.
 #pragma once
 
 #include <set>
@@ -8,7 +8,7 @@ namespace mapwright::map {
 enum class Stream {
   Pose,         // where the robot is
   Model,        // its outline
-  WholeMap,     // the map that the robot works with, as a picture
+  WholeMap,     // the map that the robot uses, as a picture
   Incremental,  // what it is adding to it
   EnvMatch,
   EnvSymmetry,

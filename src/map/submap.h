@@ -1,5 +1,5 @@
-// Cartographer submaps as plain values: who they are, where they lie, what a robot answers when asked for
-// one. Source: docs/protocols/cartographer-submaps.md, "Messages", "Versions, caching and fetching",
+// Cartographer submaps as plain values: their ids, their poses, and a robot's answer to a request for one.
+// Source: docs/protocols/cartographer-submaps.md, "Messages", "Versions, caching and fetching",
 // docs/protocols/autoxing.md, "Live topics".
 #pragma once
 
@@ -16,19 +16,19 @@
 
 namespace mapwright::map {
 
-/// A submap within one SLAM session. Painting order is ascending by this.
+/// A submap within one SLAM session. Submaps are painted in ascending order.
 struct SubmapId {
   std::int32_t trajectory = 0;
   std::int32_t index = 0;
   auto operator<=>(const SubmapId&) const = default;
 };
 
-/// "12-3": how a submap is named towards people.
+/// "12-3": the displayed name of a submap.
 std::string toText(SubmapId id);
-/// The submap as the subject of a problem, whatever its version.
+/// The submap as the subject of a problem, in any version.
 Subject subjectOf(SubmapId id);
 
-/// Identity of content. The pose is not part of it.
+/// Identifies the content. The pose is not part of it.
 struct SubmapKey {
   std::string uuid;
   SubmapId id;
@@ -36,7 +36,7 @@ struct SubmapKey {
   auto operator<=>(const SubmapKey&) const = default;
 };
 
-/// One row of a /submap_list. `pose` is as received and may be unusable (geometry::toIsometry says so).
+/// One row of a /submap_list. `pose` is as received and may be invalid (see geometry::toIsometry).
 struct SubmapEntry {
   SubmapId id;
   std::int32_t version = 0;
@@ -49,7 +49,7 @@ struct SubmapEntry {
 
 enum class SlamState { Invalid, Slam, Positioning };
 
-/// A whole /submap_list message. `rejected`: why rows could not be read at all.
+/// A whole /submap_list message. `rejected`: why rows could not be read.
 struct SubmapList {
   SlamState slam_state = SlamState::Invalid;
   std::string uuid;
@@ -58,7 +58,7 @@ struct SubmapList {
   bool operator==(const SubmapList&) const = default;
 };
 
-/// One slice of a submap as it came: nothing in it is checked yet.
+/// One slice of a submap as received: nothing in it is checked yet.
 struct RawSlice {
   std::int32_t cell_format = 0;  // 0 LOG_ODDS, 1 TSDF_DELTA, 2 INTENSITY
   std::string cells;             // any container, any layout
@@ -66,7 +66,7 @@ struct RawSlice {
   std::int32_t height = 0;       // rows
   double resolution_m = 0;       // metres per cell
   std::int32_t z_level = 0;
-  geometry::Pose3 slice_pose;  // identity when the robot sent none
+  geometry::Pose3 slice_pose;  // identity if the robot sent none
 };
 
 /// How a query for one submap ended.
@@ -75,16 +75,16 @@ struct SubmapAnswer {
     Ok,         // `slices` is what the robot has
     NotFound,   // 404 or NOT_FOUND: remembered for this key
     WrongUuid,  // UUID_MISMATCH: wait for the next list
-    Failed,     // anything else, an answer that cannot be read too: wait, then try again
+    Failed,     // anything else, including unreadable answers: wait, then try again
     Cancelled,  // nobody wants it any more
   };
   SubmapKey key;  // as it was asked
   Outcome outcome = Outcome::Failed;
   Fault reason;                  // none when Ok
-  std::int32_t version = 0;      // the answer's own version; 0 = the robot did not say
+  std::int32_t version = 0;      // as stated in the answer; 0 = not stated
   std::vector<RawSlice> slices;  // by slice id
   std::size_t bytes = 0;         // payload size
-  bool from_cache = false;       // no body travelled: disk, or 304
+  bool from_cache = false;       // nothing was transferred: disk cache, or 304
   FailureKind failure = FailureKind::None;
 };
 

@@ -19,7 +19,7 @@ std::string temporaryName(std::string_view name, int number) {
   return std::string(name) + std::string(kMark) + std::to_string(number);
 }
 
-// A swap that was broken off twice may have left "Dock ~1 ~1".
+// A swap that was interrupted twice may have left "Dock ~1 ~1".
 std::string_view permanentName(std::string_view temporary) {
   std::string_view name = withoutMark(temporary);
   for (auto rest = withoutMark(name); !rest.empty(); rest = withoutMark(rest)) name = rest;

@@ -1,6 +1,5 @@
-// Names of waypoints that are exchanged: one of them has a temporary name, "Dock ~1", until the one
-// that it is to have is free. Where that breaks off, the name stays on the robot, and is known by its look.
-// Pure.
+// Swapping names of waypoints: one of them gets a temporary name, "Dock ~1", until the wanted name is free.
+// If the swap is interrupted the name stays on the robot, and is recognized by its form. Pure.
 #pragma once
 
 #include <string>
@@ -8,11 +7,11 @@
 
 namespace mapwright::map {
 
-/// "Dock ~2"; counted from 1.
+/// "Dock ~2"; counts from 1.
 std::string temporaryName(std::string_view name, int number);
-/// "Dock" of "Dock ~2" and of "Dock ~1 ~2"; empty = it does not look like a temporary name.
+/// "Dock" for "Dock ~2" and "Dock ~1 ~2"; empty = not a temporary name.
 std::string_view permanentName(std::string_view temporary);
-/// Whether `name` is a temporary name of what is called `permanent`.
+/// Whether `name` is a temporary name for `permanent`.
 bool isTemporaryFor(std::string_view name, std::string_view permanent);
 
 }  // namespace mapwright::map

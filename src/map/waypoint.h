@@ -1,4 +1,4 @@
-// Named places that a robot can be sent to. Source: docs/protocols/agibot-aimdk.md, "Methods",
+// Named positions that a robot can be sent to. Source: docs/protocols/agibot-aimdk.md, "Methods",
 // docs/protocols/kabam-map-manager.md, "Topics".
 #pragma once
 
@@ -12,19 +12,19 @@
 
 namespace mapwright::map {
 
-/// A place in world metres. Names, types and tags are untrusted plain text; ids keep every digit.
+/// A position in world metres. Names, types and tags are untrusted plain text; ids keep every digit.
 struct Waypoint {
   std::string id, name, type;
   Eigen::Vector2d position_m{0, 0};
   std::optional<double> yaw_rad = {};
   std::vector<std::string> tags = {};
-  /// As it came from where it is kept, with what is not understood here. Only who reads and writes there
-  /// looks into it; empty = it has never been there.
+  /// The stored form, including what is not understood here. Only the store's reader and writer use it; empty
+  /// = not stored yet.
   std::string source = {};
   bool operator==(const Waypoint&) const = default;
 };
 
-/// The places of one map. `notes`: what is odd about them.
+/// The waypoints of one map. `notes`: warnings about them.
 struct WaypointList {
   std::vector<Waypoint> points;
   std::vector<Fault> notes;

@@ -37,7 +37,7 @@ Whereabouts whereabouts(const MapKey& key, const std::string& name, const LiveSt
   const auto& info = live.map_info;
   if (info && !info->uid.empty()) {
     if (shown && !shown->uid.empty()) return hereIf(shown->uid == info->uid);
-    // Another row has it.
+    // Another entry has it.
     const bool another = std::any_of(catalogue.begin(), catalogue.end(),
                                      [&](const CatalogueEntry& row) { return row.uid == info->uid; });
     if (another) return Whereabouts::Elsewhere;

@@ -1,5 +1,5 @@
-// All that a robot has said of its world, as one value; and the one reducer that makes it, whether the
-// messages come from a robot or out of a recording (docs/decisions/0012-one-reducer-makes-the-world.md).
+// Everything that a robot has reported about its world, as one value; and the one reducer that builds it from
+// messages, live or recorded (docs/decisions/0012-one-reducer-makes-the-world.md).
 #pragma once
 
 #include <optional>
@@ -10,20 +10,19 @@
 
 namespace mapwright::map {
 
-/// The state after a sequence of messages. It is a function of the messages and their stamps alone: no clock
-/// is asked, so the same recording gives equal worlds whenever and however often it is played. Two worlds are
-/// equal when all that can be seen in them is (LiveState says what that leaves out). Large parts are shared
-/// and immutable: copies are cheap, but for the list.
+/// The state after a sequence of messages. It depends only on the messages and their stamps, not on a clock,
+/// so the same recording always gives equal worlds. Two worlds are equal if everything visible in them is
+/// equal (LiveState says what that leaves out). Large parts are shared and immutable: copies are cheap,
+/// except for the list.
 struct World {
   LiveState live;
-  std::optional<SubmapList> submaps;  // the newest list; nullopt while none has come
+  std::optional<SubmapList> submaps;  // the newest list; nullopt before the first
   double at_s = 0;                    // of the newest message; 0 before the first
   bool operator==(const World&) const = default;
 };
 
-/// The world after `message`. Messages may bear earlier stamps than the ones before (clocks are set back,
-/// recordings are joined): what then would be younger than the world itself, the end of the trail, is taken
-/// back.
+/// The world after `message`. Stamps may go backwards (clocks are set back, recordings are merged): parts
+/// that would then be newer than the world itself, such as the end of the trail, are removed.
 World reduce(World world, const StampedMessage& message);
 
 }  // namespace mapwright::map

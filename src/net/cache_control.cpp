@@ -8,7 +8,7 @@ namespace mapwright::net {
 
 namespace {
 
-constexpr qint64 kLongestAge = qint64(1) << 31;  // RFC 9111: longer ages may be taken as this one
+constexpr qint64 kLongestAge = qint64(1) << 31;  // RFC 9111: longer ages may be treated as this one
 
 qint64 parseAge(QByteArray text) {
   text = text.trimmed();

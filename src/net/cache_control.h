@@ -1,4 +1,5 @@
-// What a Cache-Control header says to a private cache. Source: RFC 9111, section 5.2; RFC 8246 (immutable).
+// The meaning of a Cache-Control header for a private cache. Source: RFC 9111, section 5.2; RFC 8246
+// (immutable).
 #pragma once
 
 #include <optional>
@@ -11,7 +12,7 @@ struct CacheControl {
   bool no_store = false;
   bool no_cache = false;
   bool immutable = false;
-  std::optional<qint64> max_age_s;  // 0 when it cannot be read
+  std::optional<qint64> max_age_s;  // 0 if it cannot be parsed
 };
 
 CacheControl parseCacheControl(const QByteArray& header);

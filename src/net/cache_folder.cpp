@@ -28,10 +28,9 @@ namespace {
 
 constexpr char kMagic[] = "MWCACHE2";
 constexpr qsizetype kMagicBytes = 8;
-constexpr qsizetype kChecksumBytes = 4;   // CRC-32: tells what is torn, as fast as the bytes can be read
-constexpr int kStoresBetweenScans = 512;  // or as many as there are files, where there are more
-constexpr qint64 kUnfinishedMs =
-    3600 * 1000;  // a file that another process began to write this long ago is a left-over
+constexpr qsizetype kChecksumBytes = 4;        // CRC-32: detects torn files, as fast as the bytes can be read
+constexpr int kStoresBetweenScans = 512;       // or as many as there are files, if there are more
+constexpr qint64 kUnfinishedMs = 3600 * 1000;  // a temporary file of another process this old was abandoned
 constexpr qint64 kTouchEveryMs = 60 * 1000;
 constexpr QFileDevice::Permissions kPrivateFolder =
     QFileDevice::ReadOwner | QFileDevice::WriteOwner | QFileDevice::ExeOwner;
@@ -49,7 +48,8 @@ std::array<timespec, 2> timesOf(qint64 ms) {
   return {time, time};
 }
 
-/// The time of last use is the file's own, so that it outlives the program. It is not written at every use.
+/// The time of last use is the file's modification time, so that it survives restarts. It is not updated at
+/// every use.
 void touch(const std::string& path, qint64 now_ms) {
   struct stat about {};
   if (::lstat(path.c_str(), &about) != 0) return;
@@ -62,7 +62,7 @@ void touch(const std::string& path, qint64 now_ms) {
 
 int writeWhole(const std::string& path, const std::array<QByteArray, 3>& parts, qint64 now_ms) {
   std::string aside = path + ".XXXXXX";
-  const int file = ::mkostemp(aside.data(), O_CLOEXEC);  // for this user alone
+  const int file = ::mkostemp(aside.data(), O_CLOEXEC);  // readable only by this user
   if (file < 0) return errno;
   int failure = 0;
   for (const QByteArray& part : parts) {
@@ -97,7 +97,7 @@ QString CacheFolder::pathOf(const QByteArray& name) const {
 CacheFolder::Read CacheFolder::read(const QByteArray& name, const QByteArray& url, qint64 now_ms) const {
   const std::string path = QFile::encodeName(pathOf(name)).toStdString();
   if (::access(path.c_str(), F_OK) != 0) return {};
-  // Whatever lies there: a named pipe is no answer, and is not waited for.
+  // Whatever is there: a named pipe must not block.
   const auto read = disk::readFile(path, std::size_t(std::max<qint64>(budget_bytes_, 0)) + 1);
   const bool plausible =
       read && qint64(read->size()) <= budget_bytes_ && qint64(read->size()) >= kMagicBytes + kChecksumBytes;
@@ -144,7 +144,7 @@ Fault CacheFolder::keep(const QByteArray& name, const CacheRecord& record, qint6
   stream << record.url << record.content_type << record.etag << record.stored_ms << record.fresh_s
          << record.body;
   const QString path = pathOf(name);
-  // Now and then, for other processes write here too; seldom where there is much to read.
+  // Now and then, since other processes write here, too; rarely if there are many files.
   if (bytes_ < 0 || ++stores_since_scan_ >= std::max(kStoresBetweenScans, int(index_.size()))) scan();
   const std::array parts{QByteArray(kMagic, kMagicBytes), checksumOf(content), content};
   const auto tryIt = [&] { return write_(QFile::encodeName(path).toStdString(), parts, now_ms); };
@@ -189,14 +189,14 @@ void CacheFolder::scan() {
 }
 
 Fault CacheFolder::evict(const QByteArray& keep) {
-  scan();  // another process may have made room, or used some
+  scan();  // another process may have removed or added files
   std::vector<std::pair<qint64, QByteArray>> oldest_first;
   oldest_first.reserve(std::size_t(index_.size()));
   for (auto entry = index_.constBegin(); entry != index_.constEnd(); ++entry) {
     if (entry.key() != keep) oldest_first.emplace_back(entry->last_use_ms, entry.key());
   }
   std::sort(oldest_first.begin(), oldest_first.end());
-  const qint64 goal = budget_bytes_ - budget_bytes_ / 10;  // so that not every store has to make room
+  const qint64 goal = budget_bytes_ - budget_bytes_ / 10;  // so that not every store has to remove files
   Fault trouble;
   for (const auto& [last_use_ms, name] : oldest_first) {
     if (bytes_ <= goal) break;

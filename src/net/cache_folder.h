@@ -1,4 +1,4 @@
-// The files of the HTTP cache: one per answer, whole or not at all, the longest unused removed first.
+// The files of the HTTP cache: one per answer, complete or absent, least recently used removed first.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace mapwright::net {
 
-/// An answer as it is kept. Copies share the body.
+/// A stored answer. Copies share the body.
 struct CacheRecord {
   QByteArray url;  // without user, password and fragment
   QByteArray content_type;
@@ -26,21 +26,21 @@ struct CacheRecord {
 
 inline constexpr qint64 kForever = -1;
 
-/// How many bytes the file of `record` has.
+/// The file size of `record` in bytes.
 qint64 fileBytes(const CacheRecord& record);
 
-/// Writes a file whole or not at all, with `now_ms` (since the epoch) as its time, for this user alone. The
-/// result is an errno, 0 = it is in its place. Not QSaveFile: that waits for the disk at every file, and the
-/// checksum in it already tells a file that a power cut has torn.
+/// Writes a file completely or not at all, with `now_ms` (since the epoch) as its time, readable only by this
+/// user. Returns an errno, 0 = success. Not QSaveFile: that waits for the disk at every file, while the
+/// checksum inside already detects a file torn by a power cut.
 using WriteFile =
     std::function<int(const std::string& path, const std::array<QByteArray, 3>& parts, qint64 now_ms)>;
 int writeWhole(const std::string& path, const std::array<QByteArray, 3>& parts, qint64 now_ms);
 
-/// The folder and what is known of its files. Other processes may use it at the same time. read() and
-/// pathOf() on any thread, the others on one at a time. A Fault without a code says that all is well.
+/// The folder and an index of its files. Other processes may use it at the same time. read() and pathOf() may
+/// be called on any thread, the others on one at a time. A Fault without a code means success.
 class CacheFolder {
  public:
-  /// `budget_bytes` bounds the folder.
+  /// `budget_bytes` limits the folder's size.
   CacheFolder(QString folder, qint64 budget_bytes, WriteFile write);
 
   QString path() const { return folder_; }
@@ -48,12 +48,12 @@ class CacheFolder {
 
   struct Read {
     std::optional<CacheRecord> record;
-    bool broken = false;  // something lies there, and it is not what was kept for that address
+    bool broken = false;  // there is a file, but it is not the answer for that address
   };
-  /// What lies under `name` for the address `url`; `now_ms` becomes the time of its last use.
+  /// Reads the file `name` for the address `url` and sets its last use to `now_ms`.
   Read read(const QByteArray& name, const QByteArray& url, qint64 now_ms) const;
 
-  /// At most budgetBytes() long (fileBytes). Makes room.
+  /// At most budgetBytes() long (fileBytes). Removes others if needed.
   Fault keep(const QByteArray& name, const CacheRecord& record, qint64 now_ms);
   Fault remove(const QByteArray& name);
   /// Of all files.
@@ -67,14 +67,13 @@ class CacheFolder {
 
   struct Entry {
     qint64 bytes = 0;
-    qint64 last_use_ms = 0;  // since the epoch; the file's modification time carries it over restarts
+    qint64 last_use_ms = 0;  // since the epoch; stored as the file's modification time
   };
 
   const QString folder_;
   const qint64 budget_bytes_;
   const WriteFile write_;
-  // What the folder holds, read when it is first needed and again now and then, for other processes write
-  // there too.
+  // The folder's content, read on first use and again now and then, since other processes write there, too.
   QHash<QByteArray, Entry> index_;
   qint64 bytes_ = -1;  // -1 = not read yet
   int stores_since_scan_ = 0;

@@ -38,7 +38,7 @@ void CacheWriter::ask(const QByteArray& name, Errand errand) {
   const qint64 bytes = bytesOf(errand);
   {
     std::unique_lock lock(mutex_);
-    // A removal never waits: it takes no memory, and what it stands for is due.
+    // A removal never waits: it needs no memory, and it is important.
     done_.wait(lock, [&] {
       return bytes == 0 || waiting_bytes_ == 0 || waiting_bytes_ + bytes <= kMostWaitingBytes;
     });

@@ -1,5 +1,4 @@
-// What the HTTP cache is about to write, on its way to the disk: a card or a slow file system holds nobody
-// up.
+// Pending writes of the HTTP cache: a slow disk or SD card blocks nobody.
 #pragma once
 
 #include <condition_variable>
@@ -18,21 +17,20 @@
 
 namespace mapwright::net {
 
-/// Changes a CacheFolder on a thread of its own, which is made when there is something to do. What concerns
-/// one name happens in the order in which it was asked for; of what still waits for a name only the last
-/// counts. Owned by one thread.
+/// Changes a CacheFolder on a thread of its own, created on demand. Requests for one name are done in order;
+/// of those still waiting only the last counts. Owned by one thread.
 class CacheWriter {
  public:
-  /// Whoever asks to keep more than that at once waits, unless nothing else does.
+  /// A store beyond this much waiting data blocks, unless it is the only one.
   static constexpr qint64 kMostWaitingBytes = qint64(64) << 20;
 
-  /// What has been asked for and is not done.
+  /// A request that is not done yet.
   struct Errand {
-    std::optional<CacheRecord> record;  // nullopt = what lies there is removed
-    qint64 now_ms = 0;                  // since the epoch, when it was asked for
+    std::optional<CacheRecord> record;  // nullopt = remove the file
+    qint64 now_ms = 0;                  // since the epoch, when it was requested
   };
 
-  /// `folder` outlives it and is left alone by others, but for what may be done on any thread. `failed` is
+  /// `folder` must outlive it and must not be used otherwise, except for what any thread may do. `failed` is
   /// called on the writer's thread.
   CacheWriter(CacheFolder& folder, std::function<void(const Fault& why)> failed);
   /// Does what waits.
@@ -42,9 +40,9 @@ class CacheWriter {
 
   void keep(const QByteArray& name, CacheRecord record, qint64 now_ms);
   void remove(const QByteArray& name);
-  /// The last errand for `name` that is not done.
+  /// The last pending request for `name`.
   std::optional<Errand> waiting(const QByteArray& name) const;
-  /// Returns when all is done that was asked for; `failed` has been called by then.
+  /// Returns when all requests are done; `failed` has been called by then.
   void flush();
 
  private:

@@ -41,7 +41,7 @@ std::optional<CachedAnswer> HttpCache::find(const QUrl& url) {
   if (!record) {
     return std::nullopt;
   }
-  // An answer from the future tells that the clock was set back: its age is unknown.
+  // An answer from the future means that the clock was set back: its age is unknown.
   const qint64 age_ms = now_().toMSecsSinceEpoch() - record->stored_ms;
   const bool fresh = record->fresh_s == kForever || (age_ms >= 0 && age_ms < record->fresh_s * 1000);
   return CachedAnswer{record->body, record->content_type, record->etag, fresh};
@@ -123,14 +123,14 @@ void HttpCache::flush() {
 
 qint64 HttpCache::bytes() {
   flush();
-  return folder_.bytes();  // the writer rests until it is asked again, and only this thread asks
+  return folder_.bytes();  // the writer is idle until the next request, which only this thread can make
 }
 
 void HttpCache::noteFailure(const Fault& why) {
   qCInfo(lcCache, "%s", inEnglish(why).c_str());
   const std::lock_guard lock(mutex_);
   last_error_ = why;
-  if (untold_) return;  // it is under way
+  if (untold_) return;  // already in progress
   untold_ = why;
   QMetaObject::invokeMethod(
       &here_, [this] { tell(); }, Qt::QueuedConnection);

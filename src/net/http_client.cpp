@@ -26,7 +26,7 @@ class HttpClient::Impl {
  public:
   Impl(HttpClient* owner, Secret secret, HttpCache* cache)
       : owner_(owner), secret_(std::move(secret)), cache_(cache) {
-    // Unpacked bodies are bounded here, request by request.
+    // The size of unpacked bodies is limited here, request by request.
     network_.setAutoDeleteReplies(false);
   }
 
@@ -61,7 +61,7 @@ class HttpClient::Impl {
   void discard(const QUrl& url) {
     if (cache_ == nullptr) return;
     cache_->remove(url);
-    // A file that cannot be removed, or that another process writes again, is not believed either.
+    // A file that cannot be removed, or that another process writes again, is not trusted either.
     if (unusable_.size() < kMostUnusable) unusable_.insert(url.toEncoded());
   }
 
@@ -85,7 +85,7 @@ class HttpClient::Impl {
     return job.request.cacheable && job.request.method == HttpMethod::Get && cache_ != nullptr;
   }
 
-  /// The job, unless it is gone or finished already.
+  /// The job, unless it is gone or finished.
   HttpJob* active(RequestId id) {
     const auto found = jobs_.find(id);
     return found == jobs_.end() || found->second.answer ? nullptr : &found->second;
@@ -136,8 +136,8 @@ class HttpClient::Impl {
     job.handed_over = 0;
     const bool changes = job.request.method != HttpMethod::Get;
     if (changes) {
-      // Its parent sees to it that it goes with the client: what is put off until later at the end of a
-      // thread would never be done.
+      // Its parent makes sure that it is destroyed with the client: deferred deletion at the end of a thread
+      // would never happen.
       job.own_network = new QNetworkAccessManager(&network_);
       job.own_network->setAutoDeleteReplies(false);
     }
@@ -154,7 +154,7 @@ class HttpClient::Impl {
                      [this, id] { checkHeaders(id); });
     QObject::connect(job.network_reply, &QNetworkReply::readyRead, owner_, [this, id] { takeBytes(id); });
     QObject::connect(job.network_reply, &QNetworkReply::finished, owner_, [this, id] { conclude(id); });
-    // Both are told before anything is sent, so a secret never reaches a server that is not trusted.
+    // Both are emitted before anything is sent, so a secret never reaches an untrusted server.
     QObject::connect(job.network_reply, &QNetworkReply::sslErrors, owner_,
                      [this, id](const QList<QSslError>& errors) { judge(id, errors); });
     QObject::connect(job.network_reply, &QNetworkReply::encrypted, owner_, [this, id] { judge(id, {}); });
@@ -195,13 +195,13 @@ class HttpClient::Impl {
     if (job == nullptr) {
       return;
     }
-    // An answer may come before the whole request is out; what Qt tells after it has ended is no news.
+    // An answer may arrive before the whole request is sent; progress after its end is ignored.
     if (bytes == 0 && total == 0 && job->network_reply->isFinished()) {
       return;
     }
     job->heard_sent = true;
     job->silence->start();
-    // Of a body that cannot be rewound Qt does not know the length.
+    // Qt does not know the length of a body that cannot be rewound.
     if (const qint64 length = job->request.body.size(); job->request.progress && length > 0 && bytes > 0) {
       job->request.progress({true, bytes, length});
     }
@@ -218,7 +218,7 @@ class HttpClient::Impl {
     }
   }
 
-  /// False when the job came to its end.
+  /// False if the job has ended.
   bool takeBytes(RequestId id) {
     HttpJob* job = active(id);
     if (job == nullptr || job->network_reply == nullptr) {
@@ -249,7 +249,7 @@ class HttpClient::Impl {
     return true;
   }
 
-  /// False when who takes the parts wants no more.
+  /// False if the receiver wants no more.
   static bool keep(HttpJob& job, const QByteArray& part) {
     const int status = job.network_reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
     if (!job.request.take || status < 200 || status >= 300) {
@@ -269,8 +269,8 @@ class HttpClient::Impl {
     const QNetworkReply& reply = *job.network_reply;
     const int status = reply.attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
     const QNetworkReply::NetworkError error = reply.error();
-    // Below 200 are Qt's errors of the connection and of proxies; the others only repeat the HTTP status.
-    // A 307 or 308 means "send the same again", which Qt calls an error of the empty body; it is followed
+    // Below 200 are Qt's errors of the connection and of proxies; the others only repeat the HTTP status. A
+    // 307 or 308 means "send the same again", which Qt reports as an error of the empty body; it is followed
     // here.
     const bool cannot_rewind = error == QNetworkReply::ContentReSendError;
     const bool broken = cannot_rewind
@@ -280,7 +280,7 @@ class HttpClient::Impl {
       finish(id, status == 0 ? unreachable(job) : brokenOff(job));
       return;
     }
-    // Qt calls a body that cannot be unpacked so, and every status 4xx that it has no name for.
+    // Qt uses this for a body that cannot be unpacked, and for every unknown status 4xx.
     const bool spoiled = error == QNetworkReply::UnknownContentError && status < 400;
     if (error == QNetworkReply::ProtocolFailure || spoiled || isShort(job, status)) {
       finish(id, brokenOff(job));
@@ -312,7 +312,7 @@ class HttpClient::Impl {
     job.network_reply->disconnect(owner_);
     job.network_reply->deleteLater();
     job.url = target;
-    job.stored.reset();  // its ETag belongs to the address that was asked first
+    job.stored.reset();  // its ETag belongs to the original address
     send(id, job);
   }
 
@@ -335,7 +335,7 @@ class HttpClient::Impl {
     return answer;
   }
 
-  /// Takes the job off the network; its answer is told from the event loop.
+  /// Removes the job from the network; its answer is delivered from the event loop.
   void finish(RequestId id, HttpAnswer answer) {
     HttpJob& job = jobs_.at(id);
     if (job.answer) {
@@ -366,7 +366,7 @@ class HttpClient::Impl {
       job.upload = nullptr;
     }
     if (job.own_network != nullptr) {
-      job.own_network->deleteLater();  // with its reply; it may be the sender of what runs now
+      job.own_network->deleteLater();  // with its reply; it may be the sender of the current signal
       job.own_network = nullptr;
     }
   }
@@ -388,7 +388,7 @@ class HttpClient::Impl {
   QSet<QByteArray> unusable_;  // addresses whose last answer was discarded
   std::deque<RequestId> waiting_;
   int in_flight_ = 0;
-  int bounded_in_flight_ = 0;  // those among them that name how many at once
+  int bounded_in_flight_ = 0;  // the ones with a limit of their own
   RequestId last_id_ = 0;
 };
 

@@ -34,7 +34,7 @@ Fault whyUnreachable(QNetworkReply::NetworkError error, const QString& error_tex
     case QNetworkReply::HostNotFoundError:
       return faultOf(fault::HostUnknown, {plainText(url.host())});
     case QNetworkReply::RemoteHostClosedError:
-    case QNetworkReply::ContentReSendError:  // it was closed before an answer, and nothing is sent twice
+    case QNetworkReply::ContentReSendError:  // closed before an answer, and nothing is sent twice
       return fault::ConnectionClosed;
     case QNetworkReply::SslHandshakeFailedError:
       return faultOf(fault::ConnectionNotSecure, {hostAndPort(url), plainText(error_text)});
@@ -86,7 +86,7 @@ QNetworkRequest requestOf(const HttpJob& job, const Secret& secret, const QSslCo
   }
   if (job.request.from_byte > 0) {
     request.setRawHeader("Range", "bytes=" + QByteArray::number(job.request.from_byte) + "-");
-    // A weak one does not name bytes (RFC 9110, 13.1.5).
+    // A weak one does not identify bytes (RFC 9110, 13.1.5).
     const QByteArray& etag = job.request.if_etag;
     if (!etag.isEmpty() && !etag.startsWith("W/")) request.setRawHeader("If-Range", headerSafe(etag));
   }
@@ -98,8 +98,8 @@ QNetworkRequest requestOf(const HttpJob& job, const Secret& secret, const QSslCo
   if (length > 0) request.setRawHeader("Content-Type", headerSafe(job.request.content_type));
   request.setHeader(QNetworkRequest::ContentLengthHeader, length);
   request.setAttribute(QNetworkRequest::DoNotBufferUploadDataAttribute, true);
-  // A connection that was idle may be closed by the other side just as it is used again; what is sent
-  // over it then is lost, and nobody knows whether it was read.
+  // The server may close an idle connection just when it is used again; a request sent then is lost, and
+  // nobody knows whether it was received.
   if (changes) request.setRawHeader("Connection", "close");
   return request;
 }
@@ -146,8 +146,8 @@ bool maySent(const HttpJob& job, HttpAnswer::Kind kind) {
   if (job.redirects > 0 || job.heard_sent || job.upload->begun()) return true;
   if (job.network_reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).isValid()) return true;
   if (neverConnected(job.network_reply->error())) return false;
-  // A body is read when there is a connection to write it to, and not before. Without a body only the word
-  // of the other thread tells, and it may be under way.
+  // A body is read only once there is a connection. Without a body only a signal of the other thread tells,
+  // and that may be delayed.
   const bool has_body = job.request.method != HttpMethod::Get && !job.request.body.isEmpty();
   const bool long_ago = kind == HttpAnswer::Kind::TimedOut;
   return !has_body && !long_ago;

@@ -1,5 +1,4 @@
-// One request of an HttpClient on its way: what goes out for it, and what is answered. Who is asked when is
-// the client's business.
+// One request of an HttpClient in progress: what is sent and what is answered. The client decides when.
 #pragma once
 
 #include <functional>
@@ -24,11 +23,11 @@ namespace mapwright::net {
 struct HttpJob {
   HttpRequest request;
   HttpClient::Reply reply;
-  QUrl url;  // the one under way: after redirects not the one asked for
+  QUrl url;  // the current one: after redirects not the original one
   int redirects = 0;
   std::optional<CachedAnswer> stored;
-  std::optional<HttpAnswer> answer;              // set: only waits to be told
-  QNetworkAccessManager* own_network = nullptr;  // a connection that nothing was sent over before
+  std::optional<HttpAnswer> answer;              // set: the reply only has to be delivered
+  QNetworkAccessManager* own_network = nullptr;  // a fresh connection
   QNetworkReply* network_reply = nullptr;
   OneWayBody* upload = nullptr;  // of network_reply
   bool heard_sent = false;       // of this request
@@ -39,29 +38,29 @@ struct HttpJob {
   qint64 received() const { return body.size() + handed_over; }
 };
 
-inline constexpr qint64 kReadAhead = qint64(1) << 20;  // what Qt may hold back that was not counted yet
+inline constexpr qint64 kReadAhead = qint64(1) << 20;  // how much Qt may buffer that has not been counted yet
 
 QByteArray verbOf(HttpMethod method);
-/// The request as it goes out, of a job that is at `job.url`, without its body. `tls` is for https.
+/// The request for `job.url`, without its body. `tls` is for https.
 QNetworkRequest requestOf(const HttpJob& job, const Secret& secret, const QSslConfiguration& tls);
 bool isRedirect(int status);
-/// As the server announced it; 0 = it did not.
+/// As announced by the server; 0 = not given.
 qint64 declaredLength(const QNetworkReply& reply);
-/// A part of a body, with what its headers say of the whole.
+/// A part of a body, with what its headers say about the whole.
 HttpPart partOf(const HttpJob& job, int status, std::optional<qint64> of_bytes, const QByteArray& bytes);
-/// The connection ended before the body did.
+/// The connection ended before the end of the body.
 bool isShort(const HttpJob& job, int status);
-/// Whether anything of the request may have left this computer, where the job ends as `kind`.
+/// Whether any part of the request may have been sent, if the job ends as `kind`.
 bool maySent(const HttpJob& job, HttpAnswer::Kind kind);
 
 HttpAnswer failure(HttpAnswer::Kind kind, Fault reason);
-/// No status came: why, in the reply's own words.
+/// For a request without a status: why, in the words of the reply.
 HttpAnswer unreachable(const HttpJob& job);
 HttpAnswer tooLarge(const HttpJob& job);
 HttpAnswer brokenOff(const HttpJob& job);
-/// What the robot said with `status`. Takes the body.
+/// The robot's answer with `status`. Takes the body.
 HttpAnswer answerOf(HttpJob& job, int status);
-/// What lay on the disk.
+/// The answer from the disk.
 HttpAnswer storedAnswer(const HttpJob& job);
 /// What became of it, for the log.
 QString lineOf(const HttpJob& job, const HttpAnswer& answer);

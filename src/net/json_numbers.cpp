@@ -8,7 +8,7 @@
 namespace mapwright::net {
 namespace {
 
-constexpr std::size_t kExactDigits = 15;  // a double holds every whole number of so many digits
+constexpr std::size_t kExactDigits = 15;  // a double holds every integer of so many digits
 
 bool startsToken(char c) {
   return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == 'N' || c == 'n' || c == 'I' || c == 'i';
@@ -32,7 +32,7 @@ bool unreadable(std::string_view token) {
   double value = 0;
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value);
-  if (stop != end) return false;  // not a number at all: left for the parser to refuse
+  if (stop != end) return false;  // not a number at all: the parser will reject it
   const bool tiny =
       digits.find("e-") != std::string_view::npos || digits.find("E-") != std::string_view::npos;
   if (error != std::errc()) return !tiny;
@@ -46,7 +46,7 @@ bool isLongNumber(std::string_view token) {
          token.find_first_not_of("0123456789", first) == std::string_view::npos;
 }
 
-/// Hands every token outside of strings to `replace`, which appends what is to stand there.
+/// Passes every token outside of strings to `replace`, which appends the replacement.
 template <typename Replace>
 std::string rewriteTokens(std::string_view text, Replace replace) {
   std::string rewritten;

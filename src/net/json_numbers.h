@@ -1,4 +1,4 @@
-// Makes the numbers of nearly-JSON readable. Pure functions.
+// Turns the numbers of almost valid JSON into valid ones. Pure functions.
 #pragma once
 
 #include <string>
@@ -6,12 +6,11 @@
 
 namespace mapwright::net {
 
-/// The text with NaN, Infinity, -Infinity and numbers that no type holds replaced by null, outside of
-/// strings.
+/// The text with NaN, Infinity, -Infinity and numbers out of range replaced by null, outside of strings.
 std::string repairNumbers(std::string_view text);
 
-/// The text with every whole number of more than 15 digits made a string, so that no digit is lost on its way
-/// through a double.
+/// The text with every whole number of more than 15 digits turned into a string, so that no digit is lost in
+/// a double.
 std::string quoteLongNumbers(std::string_view text);
 
 }  // namespace mapwright::net

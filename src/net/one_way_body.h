@@ -9,11 +9,11 @@
 
 namespace mapwright::net {
 
-/// A body that can be read once, with no way back to its beginning.
+/// A body that can be read once and cannot be rewound.
 class OneWayBody : public QIODevice {
  public:
   explicit OneWayBody(QByteArray bytes) : bytes_(std::move(bytes)) { open(QIODevice::ReadOnly); }
-  /// Whether anybody has read from it: the other end of a connection may have all of it.
+  /// Whether any of it was read: the server may have received all of it.
   bool begun() const { return begun_; }
   bool isSequential() const override { return true; }
   bool seek(qint64) override { return false; }

@@ -13,7 +13,7 @@ namespace mapwright::net {
 
 namespace {
 
-constexpr qsizetype kMaxErrorBody = 64 * 1024;  // what an error says stands at its beginning
+constexpr qsizetype kMaxErrorBody = 64 * 1024;  // the message of an error is at its beginning
 
 int portOf(const QUrl& url) {
   const QString scheme = url.scheme();
@@ -27,7 +27,7 @@ const QString kElements = QStringLiteral(
     "head|header|hr|html|i|img|input|label|li|link|main|meta|nav|ol|p|pre|script|section|small|span|strong|"
     "style|sub|sup|svg|table|tbody|td|th|thead|title|tr|tt|u|ul)");
 
-/// Words of people and programs have angle brackets, too: "<class 'str'>", "<filename>".
+/// Ordinary texts contain angle brackets, too: "<class 'str'>", "<filename>".
 enum class Markup { None, Elements, Page };
 
 Markup markupIn(const QString& text, bool said_to_be_html) {

@@ -1,4 +1,4 @@
-// A secret together with the one origin that may see it.
+// A secret together with the only origin that may receive it.
 #pragma once
 
 #include <QByteArray>
@@ -6,14 +6,14 @@
 
 namespace mapwright::net {
 
-/// The value leaves this object only for an address of its own origin. ws and wss are http and https by other
-/// means: the handshake of a WebSocket goes to the same server.
+/// The value is only returned for an address of its own origin. ws and wss count as http and https: a
+/// WebSocket handshake goes to the same server.
 class Secret {
  public:
   Secret() = default;
-  /// `value` is made safe for a header; `origin` is any address on the server it belongs to.
+  /// `value` is made safe for a header; `origin` is any address on its server.
   Secret(const QUrl& origin, const QByteArray& value);
-  /// Empty for every other scheme, host or port, https -> http included.
+  /// Empty for any other scheme, host or port, including https -> http.
   QByteArray forUrl(const QUrl& url) const;
 
  private:

@@ -15,11 +15,11 @@ using Kind = CertificateFault::Reason;
 
 constexpr qsizetype kSha256Bytes = 32;
 constexpr qsizetype kLongestName = 40;
-constexpr qint64 kLongestFile = qint64(8) << 20;  // all authorities of a system are a fraction of it
+constexpr qint64 kLongestFile = qint64(8) << 20;  // all authorities of a system are much smaller
 
 QString day(const QDateTime& time) { return time.toUTC().date().toString(Qt::ISODate); }
 
-/// Names in certificates are anybody's words.
+/// Names in certificates are untrusted.
 QString shortName(const QString& name) {
   const QString plain = plainText(name);
   return plain.size() > kLongestName ? plain.left(kLongestName - 1) + QChar(u'\u2026') : plain;
@@ -40,7 +40,7 @@ QString issuerOf(const QSslCertificate& certificate) {
                     certificate.issuerInfo(QSslCertificate::Organization));
 }
 
-/// The first that it is issued for; empty: none.
+/// The first name that it is issued for; empty: none.
 QString nameOf(const QSslCertificate& certificate) {
   QStringList names = certificate.subjectAlternativeNames().values();
   if (names.isEmpty()) names = certificate.subjectInfo(QSslCertificate::CommonName);
@@ -150,7 +150,7 @@ std::optional<CertificateFault> faultOf(const Trust& trust, const QSslCertificat
   if (pinned && fault.sha256 != trust.pinned_sha256) add(Kind::Changed, {});
   for (const QSslError& error : errors) {
     const Kind kind = kindOf(error, leaf);
-    // Of the pinned certificate itself nothing counts any more, except that it was withdrawn.
+    // For the pinned certificate itself no error counts, except revocation.
     if (!pinned || kind == Kind::Revoked) add(kind, error);
   }
   if (fault.reasons.isEmpty()) return std::nullopt;

@@ -1,4 +1,4 @@
-// Which certificates an encrypted connection to one robot is made with, and why one is not accepted.
+// Which certificates to accept for encrypted connections to a robot, and why one is rejected.
 #pragma once
 
 #include <optional>
@@ -18,15 +18,15 @@
 
 namespace mapwright::net {
 
-/// Whom to believe. Holds for one origin.
+/// The trusted certificates for one origin.
 struct Trust {
-  QList<QSslCertificate> authorities;  // empty: those that this computer knows
-  /// SHA-256 of the robot's own certificate (32 bytes). When set, exactly this one is accepted, whatever else
-  /// would be held against it, and no other, whoever vouches for it.
+  QList<QSslCertificate> authorities;  // empty: those of the system
+  /// SHA-256 of the robot's own certificate (32 bytes). If set, only this certificate is accepted, regardless
+  /// of its other errors and of any authority.
   QByteArray pinned_sha256;
 };
 
-/// Why a certificate is not accepted.
+/// Why a certificate was rejected.
 struct CertificateFault {
   enum class Reason {
     SelfSigned,
@@ -40,24 +40,24 @@ struct CertificateFault {
   };
   QList<Reason> reasons;    // never empty
   QString host;             // "10.0.0.7:8443"
-  std::vector<Fault> whys;  // one of each of them, with its arguments: its day, a name
+  std::vector<Fault> whys;  // each with its arguments, such as a date or name
   QByteArray sha256, pinned_sha256;
   QString subject, issuer;  // untrusted plain text
   QDateTime from, until;
-  /// May the user decide to trust it all the same? Not when it was withdrawn or there is none.
+  /// Whether the user may trust it anyway. Not if it was revoked or there is none.
   bool trustable() const;
 };
 
-/// "AB:CD:…", as `openssl x509 -fingerprint -sha256` prints it.
+/// "AB:CD:…", as printed by `openssl x509 -fingerprint -sha256`.
 QString fingerprintText(const QByteArray& sha256);
-/// The reverse; blanks and colons do not matter. Empty when it is not 32 bytes.
+/// The reverse; ignores blanks and colons. Empty if it is not 32 bytes.
 QByteArray fingerprintFrom(const QString& text);
 /// CertificateUntrusted or CertificateChanged, with its fingerprints.
 Fault reasonOf(const CertificateFault& fault);
 
-/// What to connect with. A pinned certificate is judged by acceptable() alone: no authority is asked then.
+/// The TLS configuration. A pinned certificate is judged by acceptable() alone, without any authority.
 QSslConfiguration configurationFor(const Trust& trust);
-/// Judges `errors`, found with the certificate of `url`: nullopt = go on, and ignore exactly these.
+/// Judges `errors` of the certificate of `url`: nullopt = continue and ignore exactly these.
 std::optional<CertificateFault> faultOf(const Trust& trust, const QSslCertificate& leaf,
                                         const QList<QSslError>& errors, const QUrl& url);
 

@@ -20,14 +20,14 @@ namespace mapwright::net {
 
 namespace {
 
-constexpr int kFarewellMs = 1000;  // for the closing handshake of a link that was told to close
+constexpr int kFarewellMs = 1000;  // for the closing handshake when the link is closed
 
 quint32 seedOf(const WebSocketLinkOptions& options) {
   return options.jitter_seed != 0 ? options.jitter_seed : QRandomGenerator::global()->generate();
 }
 
-/// Qt tells the HTTP status of a refused handshake only inside its error text, and 400 in other words than
-/// the rest.
+/// Qt gives the HTTP status of a refused handshake only in its error text, and 400 in other words than the
+/// rest.
 int statusIn(const QString& error_text) {
   static const QRegularExpression kStatus(QStringLiteral("status code: (\\d{3})\\b"));
   const QRegularExpressionMatch match = kStatus.match(error_text);
@@ -39,7 +39,7 @@ int statusIn(const QString& error_text) {
   return bad_request ? 400 : 0;
 }
 
-/// Whether there was a connection, but what came over it was no handshake.
+/// Whether the server answered, but not with a WebSocket handshake.
 bool isForeignAnswer(QAbstractSocket::SocketError error, const QString& error_text) {
   if (error == QAbstractSocket::SslHandshakeFailedError) {
     return false;  // that of the encryption
@@ -186,7 +186,7 @@ class WebSocketLink::Impl {
       round_trip_ms_ = int(elapsed_ms);
       Q_EMIT owner_->changed();
     });
-    // A message may come in several frames; each of them leaves the transport when it is whole.
+    // A message may have several frames; each leaves the transport when it is complete.
     frames_bytes_ = 0;
     QObject::connect(socket_, &QWebSocket::textFrameReceived, owner_,
                      [this](const QString& text, bool last) { noteFrame(text.size(), last); });
@@ -210,8 +210,8 @@ class WebSocketLink::Impl {
     watchTransport();
   }
 
-  /// QWebSocket tells of whole frames only, and a large frame may take minutes over a slow link. What it
-  /// reads from is a child of it, and tells of every byte that arrives, decrypted.
+  /// QWebSocket only reports complete frames, and a large one may take minutes on a slow connection. The
+  /// socket that it reads from is its child, and reports every byte received, decrypted.
   void watchTransport() {
     QTcpSocket* const transport =
         socket_ == nullptr ? nullptr : socket_->findChild<QTcpSocket*>(QString(), Qt::FindDirectChildrenOnly);
@@ -221,7 +221,7 @@ class WebSocketLink::Impl {
     }
     QObject::connect(transport, &QIODevice::readyRead, owner_, [this] { hear(); });
     if (auto* encrypted = qobject_cast<QSslSocket*>(transport)) {
-      // Both are told before the handshake, and with it the secret, is sent.
+      // Both are emitted before the handshake, with the secret, is sent.
       QObject::connect(encrypted, &QSslSocket::sslErrors, owner_,
                        [this, encrypted](const QList<QSslError>& errors) { judge(*encrypted, errors); });
       QObject::connect(encrypted, &QSslSocket::encrypted, owner_,
@@ -275,7 +275,7 @@ class WebSocketLink::Impl {
     heard_at_ = options_.now();
     talks_ = !asked_at_;
     if (asked_at_) {
-      // How long it takes is forgotten again, within some pings.
+      // The slowest answer is forgotten over a few pings.
       slowest_ = std::max(heard_at_ - *asked_at_, slowest_ * 7 / 8);
       asked_at_.reset();
     }
@@ -290,7 +290,7 @@ class WebSocketLink::Impl {
     if (talks_ && !asked_at_ && silent >= options_.ask_after) {
       ping();
     }
-    // Of one that was asked this moment nothing is known yet.
+    // If a ping was sent just now its answer is not due yet.
     const auto bears = std::max(options_.quiet_after - options_.ask_after, 2 * slowest_);
     if (silent_since_ || !asked_at_ || silent < options_.quiet_after || now - *asked_at_ < bears) {
       return;
@@ -308,8 +308,8 @@ class WebSocketLink::Impl {
 
   void look() {
     const auto now = options_.now();
-    // Bytes are a sign of life; health, which forgets earlier losses, takes longer: a server that sends
-    // something and closes must not be asked ever so often.
+    // Received bytes show that the link works; healthy, which resets the backoff, takes longer: a server that
+    // sends something and then closes must not be contacted too often.
     if (now - opened_at_ >= options_.healthy_after) {
       backoff_.reset();
     }
@@ -350,7 +350,7 @@ class WebSocketLink::Impl {
 
   void loseConnection() {
     if (state_ != State::Open) {
-      // Qt may tell this before the error that explains it.
+      // Qt may emit this before the error that explains it.
       QMetaObject::invokeMethod(
           socket_,
           [this, lost = socket_] {
@@ -372,7 +372,7 @@ class WebSocketLink::Impl {
     }
   }
 
-  /// Asking again by itself would not help.
+  /// Automatic retries would not help.
   void refuse(Failure failure, const Fault& reason) {
     qCInfo(lcNet, "%s: %s; not tried again", name().constData(), inEnglish(reason).c_str());
     failure_ = failure;
@@ -421,7 +421,7 @@ class WebSocketLink::Impl {
     }
   }
 
-  /// As dropSocket, but an open link says good-bye first.
+  /// Like dropSocket, but closes an open link properly.
   void sayFarewell() {
     if (state_ == State::Open) {
       QWebSocket* leaving = socket_;
@@ -442,19 +442,19 @@ class WebSocketLink::Impl {
   Backoff backoff_;
   QTimer connect_limit_, look_, ping_, retry_;
   std::chrono::milliseconds opened_at_{0}, heard_at_{0};
-  std::optional<std::chrono::milliseconds> asked_at_;  // by a ping, and no byte has come since
+  std::optional<std::chrono::milliseconds> asked_at_;  // of the last ping, if nothing has arrived since
   std::chrono::milliseconds slowest_{0};               // of its answers, lately
-  bool talks_ = false;                                 // the last byte came without being asked for
+  bool talks_ = false;                                 // the last byte was not an answer to a ping
   std::optional<QDateTime> silent_since_;
   QPointer<QTcpSocket> transport_;  // goes with its socket
-  qint64 frames_bytes_ = 0;         // of a message whose last frame has not come; of text: characters
+  qint64 frames_bytes_ = 0;         // of an incomplete message; for text in characters
   QWebSocket* socket_ = nullptr;    // a child of the owner
   State state_ = State::Closed;
   Fault reason_;
   Failure failure_ = Failure::None;
   std::optional<CertificateFault> certificate_;
   qsizetype url_ = 0;
-  int refusals_ = 0;  // of this attempt, one for every URL tried
+  int refusals_ = 0;  // in this attempt, one for every URL tried
   int status_ = 0;
   int attempt_ = 0;
   std::optional<int> round_trip_ms_;

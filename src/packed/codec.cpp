@@ -12,8 +12,8 @@
 namespace mapwright::packed {
 namespace {
 
-// A block of Zstandard is four bytes at least and 128 KiB at most when unpacked; a byte of LZ4 says 255 at
-// most.
+// A block of Zstandard is at least four bytes, and at most 128 KiB unpacked; a byte of LZ4 stands for at most
+// 255.
 constexpr std::size_t kMostZstdRatio = 32768;
 constexpr std::size_t kMostLz4Ratio = 255;
 
@@ -23,7 +23,7 @@ Outcome failed(UnpackFailure why) { return tl::unexpected(why); }
 
 bool couldFill(std::size_t packed, std::size_t ratio, std::size_t size) { return size / ratio <= packed; }
 
-/// Without memory where there is none.
+/// Empty if there is not enough memory.
 ByteBuffer room(std::size_t size) {
   return {std::unique_ptr<std::uint8_t[]>(new (std::nothrow) std::uint8_t[std::max<std::size_t>(size, 1)]),
           size};
@@ -76,7 +76,7 @@ Outcome unpackBzip2(std::span<const std::uint8_t> packed, std::size_t size) {
   ByteBuffer out = room(size);
   if (!out.data) return failed(UnpackFailure::TooLong);
   auto given = static_cast<unsigned int>(size);
-  // bzip2 takes what it reads from as char*, and leaves it as it is.
+  // bzip2 takes its input as char*, but does not modify it.
   auto* const from = const_cast<char*>(reinterpret_cast<const char*>(packed.data()));
   const int result = BZ2_bzBuffToBuffDecompress(reinterpret_cast<char*>(out.data.get()), &given, from,
                                                 static_cast<unsigned int>(packed.size()), 0, 0);

@@ -43,7 +43,7 @@ Container sniffContainer(std::span<const std::uint8_t> bytes) {
 
 tl::expected<ByteBuffer, UnpackFailure> unpack(Container container, std::span<const std::uint8_t> packed,
                                                std::size_t limit) {
-  // Of 40 KB: one for each thread, not for each picture.
+  // 40 KB: one for each thread, not for each picture.
   static thread_local const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> decompressor(
       libdeflate_alloc_decompressor());
   if (decompressor == nullptr) {

@@ -1,5 +1,5 @@
-// Recognising and unpacking the containers that cells and messages travel in. Pure functions, any thread.
-// Source: docs/protocols/cartographer-submaps.md, "Containers and cell layouts".
+// Detects and unpacks the containers of cells and messages. Pure functions, any thread. Source:
+// docs/protocols/cartographer-submaps.md, "Containers and cell layouts".
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,10 @@ namespace mapwright::packed {
 
 enum class Container : std::uint8_t { Raw, Png, Gzip, Zlib };
 
-/// By signature only: the content may still turn out not to be one.
+/// By signature only: the content may still be something else.
 Container sniffContainer(std::span<const std::uint8_t> bytes);
 
-/// Bytes on the heap that were never filled with zeros first: unlike a vector's, untouched ones cost no
-/// memory.
+/// Uninitialised bytes on the heap: unlike in a vector, untouched ones use no memory.
 struct ByteBuffer {
   std::unique_ptr<std::uint8_t[]> data;
   std::size_t size = 0;
@@ -29,11 +28,11 @@ enum class UnpackFailure : std::uint8_t {
   TooLong,  // more bytes than the limit
 };
 
-/// DEFLATE expands a byte to at most 1,032.
+/// DEFLATE expands a byte to at most 1,032 bytes.
 inline constexpr std::size_t kMaxDeflateRatio = 1032;
 
-/// Unpacks a gzip stream (of one or several members) or a zlib stream to at most `limit` bytes; never takes
-/// more memory than that, nor more than `packed` could ever fill. What follows a complete stream is ignored.
+/// Unpacks a gzip stream (of one or several members) or a zlib stream to at most `limit` bytes; never
+/// allocates more than that, nor more than `packed` can contain. Bytes after a complete stream are ignored.
 /// Precondition: container is Gzip or Zlib.
 tl::expected<ByteBuffer, UnpackFailure> unpack(Container container, std::span<const std::uint8_t> packed,
                                                std::size_t limit);

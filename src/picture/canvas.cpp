@@ -111,7 +111,7 @@ std::shared_ptr<std::uint8_t[]> Canvas::copyOf(const TilePlace& place) const {
   return copy;
 }
 
-/// The tiles of the next level under those that changed, reduced where they did.
+/// The tiles of the next level below the changed ones, reduced where they changed.
 std::vector<Canvas::Changed> Canvas::reduced(const std::vector<Changed>& finer, Patch& patch) {
   struct Coarse {
     std::shared_ptr<std::uint8_t[]> cells;

@@ -1,4 +1,4 @@
-// Cells that are being changed, on top of a grid that is not; in the end a patch. One thread.
+// Edits cells on top of an unchanged grid; the result is a patch. One thread.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@
 
 namespace mapwright::picture {
 
-/// Costs what is touched: tiles are read when they are looked at, and copied when a cell of them changes.
+/// Costs depend on what is touched: tiles are read on demand and copied when a cell changes.
 class Canvas {
  public:
   static constexpr int kEdge = grids::GridPyramid::kTileEdge;
   static constexpr std::size_t kTileCells = std::size_t(kEdge) * kEdge;  // one byte each
 
-  /// `grid` must stay as it is, and outlive this, until take() has been called.
+  /// `grid` must not change, and must outlive this, until take() has been called.
   explicit Canvas(const EditedGrid& grid);
 
   CellRect all() const { return grid_.all(); }
@@ -28,23 +28,23 @@ class Canvas {
   /// is written to.
   const std::uint8_t* read(int tile_x, int tile_y);
   bool uniform(int tile_x, int tile_y);
-  /// Row `row` from column `from` to before `to`; what is outside of the picture is left out.
+  /// Columns `from` to `to` (exclusive) of row `row`; parts outside the picture are ignored.
   void paintRow(int row, int from, int to, const Ink& ink);
-  /// The same, each cell with a byte of its own.
+  /// The same, with a byte for each cell.
   void putRow(int row, int from, int to, const std::uint8_t* bytes);
-  /// `within`: cells of that tile, in its own coordinates, of which any may change. All of the tile are to be
-  /// written by whoever asks.
+  /// `within`: the cells of that tile, in its own coordinates, that may change. The caller may write to the
+  /// whole tile.
   std::uint8_t* write(int tile_x, int tile_y, const CellRect& within);
-  /// Bounds of what has been written.
+  /// Bounds of everything written.
   const CellRect& touched() const { return touched_; }
   bool empty() const { return touched_.empty(); }
 
-  /// What has been changed, all levels of it. The canvas is empty then, and its grid may change.
+  /// The changes at all levels. Afterwards the canvas is empty, and its grid may change.
   Patch take();
 
  private:
   struct Sheet {
-    grids::GridTile read;                   // as the grid has it; cells null: not looked at
+    grids::GridTile read;                   // the tile in the grid; cells null: not read yet
     std::shared_ptr<std::uint8_t[]> wrote;  // null: nothing yet
     CellRect dirty;                         // in cells of the tile
   };

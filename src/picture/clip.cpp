@@ -7,7 +7,7 @@ namespace mapwright::picture {
 
 namespace {
 
-/// The bytes of one code in the words of another, by their kind.
+/// Maps the bytes of one code to another, by kind.
 std::array<std::uint8_t, 256> translated(grids::CellCode from, grids::CellCode to) {
   const std::array<Kind, 256> kinds = kindsOf(from);
   std::array<std::uint8_t, 256> bytes{};

@@ -9,9 +9,9 @@ namespace mapwright::picture {
 
 namespace {
 
-// Hands may be anywhere, also far beside the map; whole numbers have to hold where they are.
+// The cursor may be far outside the map; integers must not overflow there.
 constexpr double kFarthest = 1e8;
-// What is exactly on the edge of a brush is inside, whatever rounding makes of it.
+// A cell exactly on the edge of the brush is inside, in spite of rounding.
 constexpr double kSlack = 1e-9;
 
 Eigen::Vector2d bounded(const Eigen::Vector2d& at) {

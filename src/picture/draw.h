@@ -18,26 +18,26 @@ struct Brush {
   Ink ink;
 };
 
-/// Where a brush stands that is held at `at`: the middle of a cell when it is an odd number of cells across,
-/// else the corner between four, so that one cell is one cell.
+/// The centre of a brush held at `at`: the centre of a cell if its width is odd, otherwise a corner of cells,
+/// so that a width of one covers one cell.
 Eigen::Vector2d brushCentre(const Eigen::Vector2d& at, int across);
 
-/// The cells whose centres are within half a brush of the way from `from` to `to`.
+/// Paints the cells whose centres are within half a brush width of the line from `from` to `to`.
 void drawLine(Canvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Brush& brush);
-/// All cells between the cells of two corners, these included.
+/// All cells between the cells of two corners, inclusive.
 CellRect rectangleOf(const Eigen::Vector2d& corner, const Eigen::Vector2d& opposite);
 void drawRectangle(Canvas& canvas, const CellRect& rect, const Ink& ink);
-/// The cells whose centres are inside; where it crosses itself, by the even-odd rule.
+/// Paints the cells whose centres are inside; self-intersections follow the even-odd rule.
 void drawPolygon(Canvas& canvas, std::span<const Eigen::Vector2d> corners, const Ink& ink);
 
-/// A stroke while it is drawn: every step is in the grid at once and costs what it touches.
+/// A stroke in progress: every step is applied to the grid at once and costs only what it touches.
 class Stroke {
  public:
-  /// `grid` must outlive this, and nobody else may change it meanwhile.
+  /// `grid` must outlive this, and must not be changed by others meanwhile.
   Stroke(EditedGrid& grid, Brush brush) : grid_(grid), brush_(std::move(brush)) {}
-  /// Goes on to there; the first step is a dot. What may have changed.
+  /// Continues the stroke; the first step is a dot. Returns what may have changed.
   CellRect to(const Eigen::Vector2d& at);
-  /// All of it as one change, which the grid has already.
+  /// The whole stroke as one change, which is already applied to the grid.
   Patch finish() { return std::move(patch_); }
   const Patch& soFar() const { return patch_; }
 

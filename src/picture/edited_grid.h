@@ -1,4 +1,4 @@
-// A whole map with changes over it: tiles that are copied when they are changed. Why:
+// A whole map with edits on top: tiles are copied on write. Why:
 // docs/decisions/0015-edits-are-documents-with-drafts.md.
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace mapwright::picture {
 
-/// Looks like any other pyramid, with its code, size and reduction: what is drawn, exported and compared is
-/// the edited map. One thread changes it, any thread looks; what has been handed out never changes.
+/// Acts like any other pyramid, with the same code, size and reduction: the edited map is what is drawn,
+/// exported and compared. One thread edits it, any thread reads; tiles handed out never change.
 class EditedGrid final : public grids::GridPyramid {
  public:
   /// `base`: complete, never null.
@@ -33,17 +33,17 @@ class EditedGrid final : public grids::GridPyramid {
 
   const std::shared_ptr<const grids::GridPyramid>& base() const { return base_; }
   CellRect all() const { return {0, 0, width(), height()}; }
-  /// As it is now, whatever becomes of this one: costs a pointer for each changed tile.
+  /// A copy of the present state: costs one pointer for each changed tile.
   std::shared_ptr<EditedGrid> snapshot() const;
 
-  /// The changed tile, or one without cells where it is as in the base.
+  /// The changed tile, or one without cells if it is as in the base.
   TileState own(const TilePlace& place) const;
-  /// Places of level 0 that own() has tiles of.
+  /// The positions on level 0 of which own() has tiles.
   std::vector<TilePlace> changedTiles() const;
-  /// A patch is made for the grid as it stands (Canvas), or is the next to be undone or redone.
+  /// The patch was made for the present grid (Canvas), or is the next one to undo or redo.
   void apply(const Patch& patch);
   void revert(const Patch& patch);
-  /// Another one after every change.
+  /// Changes with every edit.
   std::uint64_t revision() const { return revision_; }
 
  private:

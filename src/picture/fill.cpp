@@ -14,9 +14,9 @@ constexpr int kWords = Canvas::kEdge / 64;
 using Row = std::array<std::uint64_t, kWords>;  // bit 0 of word 0 is column 0
 
 struct Tile {
-  std::array<Row, Canvas::kEdge> open;  // of the kind that is filled
+  std::array<Row, Canvas::kEdge> open;  // of the kind to fill
   std::array<Row, Canvas::kEdge> filled;
-  std::array<Row, Canvas::kEdge> seeds;  // came over an edge and wait
+  std::array<Row, Canvas::kEdge> seeds;  // reached over an edge, and waiting
   bool waits = false;
 };
 
@@ -96,7 +96,7 @@ class Filling {
     }
   }
 
-  /// Lets the seeds flow as far as they come in their tile; false where they came to nothing new.
+  /// Spreads the seeds within their tile; false if they reached nothing new.
   static bool flow(Tile& tile) {
     bool any = false;
     for (bool more = true; more;) {

@@ -7,14 +7,13 @@
 
 namespace mapwright::picture {
 
-/// The most tiles that a fill may reach: 32,768 x 32,768 cells.
+/// The maximum number of tiles for a fill: 32,768 x 32,768 cells.
 inline constexpr std::size_t kMostFilledTiles = 16'384;
 
-/// Paints the cell and all of its kind (free, occupied, unknown) that are reached from it over edges of cells
-/// of that kind. False: it would reach more than kMostFilledTiles or was cancelled, and the canvas is as it
-/// was. Outside of the picture there is nothing to fill.
-///
-/// Tile by tile, each as rows of bits: a whole map costs little more than looking at it.
+/// Paints the cell and all of its kind (free, occupied, unknown) that are connected to it by edges. False: it
+/// would need more than kMostFilledTiles or was cancelled; the canvas is then unchanged. Does nothing outside
+/// the picture.
+/// Works tile by tile on rows of bits: filling a whole map costs little more than reading it.
 bool floodFill(Canvas& canvas, int column, int row, const Ink& ink,
                const std::atomic<bool>* cancelled = nullptr);
 

@@ -23,7 +23,7 @@ std::int64_t differing(const EditedGrid& one, const EditedGrid& other, const Til
   return mine && theirs ? differing(mine->cells.get(), theirs->cells.get()) : 0;
 }
 
-/// The least rectangle around the cells of a tile that differ; there is one.
+/// The smallest rectangle around the differing cells of a tile; there is one.
 CellRect differingRect(const std::uint8_t* one, const std::uint8_t* other) {
   CellRect rect;
   for (int v = 0; v < Canvas::kEdge; ++v) {
@@ -242,10 +242,10 @@ void Rebase::apply(Patch& patch) {
   std::map<TilePlace, TileChange> finest;
   bool touched = false;
   for (const auto& [place, change] : patch.tiles) {
-    if (place.level != 0) break;  // they are in order
+    if (place.level != 0) break;  // they are sorted
     finest[place] = {rebased(place, change.before), rebased(place, change.after)};
   }
-  // A coarser tile tells of what lies around it, too.
+  // A coarser tile also depends on its surroundings.
   for (const auto& [place, their] : theirs_) {
     for (TilePlace under = place; !touched && under.level < base_->levels();
          under = {under.level + 1, under.x / 2, under.y / 2})
@@ -269,7 +269,7 @@ Patch withCoarserLevels(const EditedGrid& grid, const Patch& patch, bool done) {
   }
   Patch made = canvas.take();
   for (auto& [place, change] : made.tiles) {
-    // The tile that was there already, so that what steps share stays shared.
+    // Reuses the existing tile, so that steps share memory.
     if (place.level == 0) change.after = done ? patch.tiles.at(place).before : patch.tiles.at(place).after;
     if (done) std::swap(change.before, change.after);
   }

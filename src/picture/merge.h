@@ -1,5 +1,5 @@
-// How two states of a picture differ, cell by cell, and what becomes of mine when theirs has changed too.
-// Pure functions; any thread.
+// Compares two states of a picture cell by cell, and merges my changes with theirs. Pure functions; any
+// thread.
 #pragma once
 
 #include <array>
@@ -14,18 +14,17 @@
 
 namespace mapwright::picture {
 
-/// How many cells of one grid are others in another one of the same base, by tile of level 0; tiles without
-/// any are left out.
+/// How many cells of two grids with the same base differ, by tile of level 0; equal tiles are left out.
 struct DifferenceCount {
-  /// Of some tiles, those without any included.
+  /// For some tiles, including equal ones.
   using Tiles = std::vector<std::pair<TilePlace, std::int64_t>>;
   std::map<TilePlace, std::int64_t> tiles;
   std::int64_t cells = 0;
-  /// What is counted of the tiles of a patch now, and what would be, were they looked at.
+  /// The stored counts for the tiles of a patch, and fresh ones.
   Tiles of(const Patch& touched) const;
   static Tiles counted(const EditedGrid& one, const EditedGrid& other, const Patch& touched);
   void set(const Tiles& counts);
-  /// Counts the tiles of a patch anew.
+  /// Counts the tiles of a patch again.
   void recount(const EditedGrid& one, const EditedGrid& other, const Patch& touched);
   static DifferenceCount between(const EditedGrid& one, const EditedGrid& other);
 
@@ -33,55 +32,55 @@ struct DifferenceCount {
   void set(const TilePlace& place, std::int64_t count);
 };
 
-/// What makes `other` of `grid`: a patch for it. Both have the same size and code (sameShape). Nothing when
+/// The patch that turns `grid` into `other`. Both have the same size and code (sameShape). Empty if
 /// cancelled.
 bool sameShape(const grids::GridPyramid& one, const grids::GridPyramid& other);
 Patch differenceTo(const EditedGrid& grid, const grids::GridPyramid& other,
                    const std::atomic<bool>* cancelled = nullptr);
 
-/// A piece of a row whose cells all become of one kind.
+/// A piece of a row whose cells all become the same kind.
 struct ChangedRun {
   CellRect cells;
   Kind becomes = Kind::Free;
 };
-/// What a patch changes of `grid`, which it has not been applied to yet: the first runs of each tile, no more
-/// than `most_runs`, and how many cells become of each kind, all counted.
+/// What a patch would change in `grid`, before it is applied: the first runs of each tile, at most
+/// `most_runs`, and the number of cells that become each kind, counting all.
 struct Changes {
   std::vector<ChangedRun> runs;
   std::array<std::int64_t, kKinds> become{};
 };
 Changes changesOf(const EditedGrid& grid, const Patch& patch, std::size_t most_runs);
 
-/// Some cells of a grid, whichever they are of each tile of level 0; row-major.
+/// A set of cells of a grid, by tile of level 0; row-major.
 struct CellSet {
   using OfTile = std::bitset<std::size_t(Canvas::kEdge) * Canvas::kEdge>;
   std::map<TilePlace, OfTile> tiles;
   void unite(const CellSet& other);
-  /// How many of them are others in the one than in the other, and the bounds of these.
+  /// How many of them differ between the two, and their bounds.
   std::pair<std::int64_t, CellRect> differing(const EditedGrid& one, const EditedGrid& other) const;
 };
-/// Makes these cells of `grid` as they are in `source`, of the same base.
+/// Makes these cells of `grid` equal to those of `source`, which has the same base.
 Patch copied(const EditedGrid& grid, const EditedGrid& source, const CellSet& cells);
 
-/// What becomes of `mine` when the picture that it was made of has become another: theirs where I have
-/// changed nothing, mine where they have not, and where both have, differently, mine until somebody decides.
+/// Merges `mine` with a changed base: theirs where I changed nothing, mine where they did not, and where both
+/// changed something different, mine until the user decides.
 struct Merge {
   Patch patch;             // for mine
   CellSet conflicts;       // that both have changed
-  std::int64_t taken = 0;  // cells that are theirs now
+  std::int64_t taken = 0;  // cells that now come from theirs
 };
 /// `theirs`: what they did to the base (differenceTo).
 Merge mergeCells(const EditedGrid& mine, const Patch& theirs, const EditedGrid& base);
 
-/// The same for steps of the past: their cells before and after become what they would be, had theirs been
-/// there from the beginning. So undoing takes back what was done here and nothing else. One thread at a time.
+/// The same for steps in the undo history: their cells before and after are updated as if theirs had been
+/// there from the start. So undo reverts exactly what was done here. One thread at a time.
 class Rebase {
  public:
-  /// As for mergeCells, which has made `merge` of the grid as it stands.
+  /// As for mergeCells, which made `merge` for the present grid.
   Rebase(const Patch& theirs, std::shared_ptr<const EditedGrid> base);
-  /// What has been merged already: steps share their tiles with the grid.
+  /// Registers what has been merged already: steps share tiles with the grid.
   void know(const Merge& merge);
-  /// Of a patch for a grid over the same base. Its coarser levels may have to be made anew afterwards.
+  /// For a patch of a grid with the same base. Its coarser levels may have to be rebuilt afterwards.
   void apply(Patch& patch);
 
  private:
@@ -94,7 +93,7 @@ class Rebase {
   std::map<std::pair<TilePlace, const std::uint8_t*>, Made> made_;
 };
 
-/// A patch that has lost its coarser levels, complete again. `done`: the grid has it, else it is to come.
+/// Restores the coarser levels of a patch. `done`: the patch is applied to the grid; otherwise it will be.
 Patch withCoarserLevels(const EditedGrid& grid, const Patch& patch, bool done);
 
 }  // namespace mapwright::picture

@@ -1,4 +1,4 @@
-// A change of an edited grid as the tiles that it touches, before and after. Value; any thread.
+// A change of an edited grid: the touched tiles, before and after. Value; any thread.
 #pragma once
 
 #include <compare>
@@ -18,8 +18,7 @@ struct TilePlace {
   auto operator<=>(const TilePlace&) const = default;
 };
 
-/// kTileEdge x kTileEdge bytes as in grids::GridTile, shared and never written to; null: as in the picture
-/// that the grid was made of.
+/// kTileEdge x kTileEdge bytes as in grids::GridTile, shared and immutable; null: as in the original picture.
 struct TileState {
   std::shared_ptr<const std::uint8_t> cells;
   bool uniform = false;
@@ -30,20 +29,20 @@ struct TileChange {
   TileState before, after;
 };
 
-/// Tiles of all levels, so that undoing and redoing exchange pointers and reckon nothing.
+/// Tiles of all levels, so that undo and redo only swap pointers.
 struct Patch {
   std::map<TilePlace, TileChange> tiles;
-  bool finest_only = false;  // coarser levels are to be made anew first (withCoarserLevels)
-  CellRect cells;            // of level 0: nothing outside is changed
+  bool finest_only = false;  // coarser levels have to be rebuilt first (withCoarserLevels)
+  CellRect cells;            // of level 0: nothing outside changes
 
   bool empty() const { return tiles.empty(); }
-  /// What both do together, `later` after this one.
+  /// Combines both, `later` after this one.
   void append(const Patch& later);
-  /// What it holds on to at most, in bytes: tiles may be shared with others.
+  /// Upper bound of the memory it holds in bytes: tiles may be shared.
   std::size_t bytes() const;
 };
 
-/// What several patches hold on to together, in bytes: what one leaves is what the next one finds.
+/// The memory that several patches hold together in bytes: a tile shared by two counts once.
 class PatchMemory {
  public:
   void add(const Patch& patch);

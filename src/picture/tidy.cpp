@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kBlock = 2'048;
 
-/// Cells of a rectangle, of which a part is to be judged: the rest says what lies around.
+/// A block of cells, of which a part is judged: the rest is context.
 struct Block {
   CellRect core, whole;
   cv::Mat kinds;  // Kind as bytes, of `whole`
@@ -39,18 +39,18 @@ cv::Mat kindsIn(Canvas& canvas, const CellRect& rect, const std::array<Kind, 256
   return mat;
 }
 
-/// Calls judge(block, wanted) for each block: it writes into `wanted` (of the size of the block, kNothing at
-/// first) which cells become which kind. What it says of cells in the core is then painted.
+/// Calls judge(block, wanted) for each block: it writes the new kinds of cells into `wanted` (as large as the
+/// block, initially kNothing). Those in the core are then painted.
 constexpr std::uint8_t kNothing = 255;
 template <typename Judge>
 Tidied eachBlock(Canvas& canvas, const CellRect& within, int margin, const std::atomic<bool>* cancelled,
                  Judge judge) {
-  // The crew of background threads shares the processors out; a second one would fight with it.
+  // The thread pool already uses the processors; a second one would compete with it.
   cv::setNumThreads(1);
   Tidied tidied;
   const CellRect inside = within.intersected(canvas.all());
   const std::array<Kind, 256> kinds = kindsOf(canvas.code());
-  // Judged before anything is painted: a block must not see what its neighbour has become.
+  // Judged before anything is painted: a block must not see changes in its neighbour.
   struct Found {
     int row, from, to;
     Kind kind;
@@ -87,17 +87,17 @@ Tidied eachBlock(Canvas& canvas, const CellRect& within, int margin, const std::
   return tidied;
 }
 
-/// Small ones are squares: the disc of three cells is a cross, which eats corners.
+/// Small ones are squares: the disc of three cells is a cross, which removes corners.
 cv::Mat disc(int across) {
   return cv::getStructuringElement(across > 3 ? cv::MORPH_ELLIPSE : cv::MORPH_RECT, {across, across});
 }
 
-/// A line of `cells` cells. A disc would not do: it finds its way around the ends of a thin wall.
+/// A line of `cells` cells. A disc would not work: it gets around the ends of a thin wall.
 constexpr int kDirections = 8;
 cv::Mat stroke(int cells, int direction) {
   const double angle = direction * CV_PI / kDirections;
   const double across = std::cos(angle), along = std::sin(angle);
-  // Of the turned ones as many cells along the longer side: what is that far apart is joined.
+  // Diagonal ones have as many cells along the longer side: gaps of that length are closed.
   const double unit = std::max(std::abs(across), std::abs(along));
   const int x = int(std::lround((cells - 1) * across / unit)),
             y = int(std::lround((cells - 1) * along / unit));
@@ -130,7 +130,7 @@ cv::Mat thereAndBack(const cv::Mat& inside, const cv::Mat& kernel, bool close) {
 Tidied removeSpecks(Canvas& canvas, const CellRect& within, int most_cells,
                     const std::atomic<bool>* cancelled) {
   const int most = std::clamp(most_cells, 1, kLargestSpeck);
-  // A piece that fits lies within this of any of its cells.
+  // A group that is small enough is within this distance of any of its cells.
   const int margin = most + 1;
   return eachBlock(canvas, within, margin, cancelled, [most](const Block& block, cv::Mat& wanted) {
     const cv::Mat occupied = block.kinds == std::uint8_t(Kind::Occupied);
@@ -151,7 +151,7 @@ Tidied removeSpecks(Canvas& canvas, const CellRect& within, int most_cells,
       for (int v = around.top; v < around.bottom; ++v) {
         for (int u = around.left; u < around.right; ++u) {
           if (labels.at<int>(v, u) == label) {
-            // Each piece is of one block: the one that has its first cell.
+            // Each group belongs to one block: the one with its first cell.
             if (!counted && core.contains(u, v)) ++pieces;
             counted = true;
           } else {
@@ -189,7 +189,7 @@ Tidied smoothFree(Canvas& canvas, const CellRect& within, int cells, const std::
   return eachBlock(canvas, within, 4 * across, cancelled, [across](const Block& block, cv::Mat& wanted) {
     const cv::Mat free = block.kinds == std::uint8_t(Kind::Free);
     const cv::Mat occupied = block.kinds == std::uint8_t(Kind::Occupied);
-    // Walls count as free ground here, and what lies at them stays: a disc does not reach into corners.
+    // Walls count as free here, and free cells next to them stay: a disc does not reach into corners.
     const cv::Mat solid = free | occupied;
     const cv::Mat smooth = thereAndBack(thereAndBack(solid, disc(across), false), disc(across), true);
     cv::Mat at_walls;

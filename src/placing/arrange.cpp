@@ -12,7 +12,7 @@
 namespace mapwright::placing {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a spacing: what numbers lose on their way
+constexpr double kRounding = 1e-9;  // of a spacing: rounding errors
 
 std::pair<double, double> rangeOf(const std::vector<Spot>& spots, int axis) {
   const auto [least, most] = std::minmax_element(

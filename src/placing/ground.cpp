@@ -7,17 +7,18 @@
 namespace mapwright::placing {
 namespace {
 
-constexpr std::size_t kHeldTiles = 64;  // a place each by level and tile, the latest stays
-constexpr int kMostCellsAcross = 4;     // of the level that a search begins at
-constexpr double kMostCellsFine = 300;  // of a search that can begin at level 0 only
-constexpr double kNearCells = 12;       // within these all cells cost less than unpacking a coarser level
+constexpr std::size_t kHeldTiles = 64;  // one slot for each level and tile; the latest stays
+constexpr int kMostCellsAcross = 4;     // of the level at which a search begins
+constexpr double kMostCellsFine = 300;  // of a search that can only begin at level 0
+constexpr double kNearCells =
+    12;  // within this distance checking all cells is cheaper than unpacking a coarser level
 
 /// The point of the square [column, column + side) x [row, row + side) that is nearest to `from`.
 Eigen::Vector2d nearestIn(const Eigen::Vector2d& from, double column, double row, double side) {
   return {std::clamp(from.x(), column, column + side), std::clamp(from.y(), row, row + side)};
 }
 
-/// Looking at a coarser level tells whether anything below is occupied: the fullest cell wins there.
+/// A coarser level shows whether anything below is occupied, as the fullest cell wins there.
 bool coarseTells(const grids::GridPyramid& cells, const std::array<bool, 256>& occupied) {
   if (cells.reduction() != grids::Reduction::OccupiedWins) return false;
   const auto& order = cells.order();
@@ -89,7 +90,7 @@ void Ground::look(Search& search, int level, int column, int row) {
     search.nearest = nearest;
     return;
   }
-  // That of the four which holds the place, or is next to it, first: it spares most of the others.
+  // Visits the quarter with the position, or next to it, first: this prunes most others.
   const double half = side / 2;
   const int first_x = search.from.x() >= column * side + half ? 1 : 0,
             first_y = search.from.y() >= row * side + half ? 1 : 0;
@@ -131,7 +132,7 @@ void Ground::lookNear(Search& search) {
 }
 
 void Ground::lookAround(Search& search) {
-  // As coarse as it takes for a handful of cells to cover the reach.
+  // The level at which a handful of cells covers the reach.
   int level = 0;
   if (coarse_tells_ && patience_ == Patience::Wait) {
     while (level + 1 < map_.cells->levels() && search.best * 2 / double(1 << level) > kMostCellsAcross)
@@ -145,7 +146,7 @@ void Ground::lookAround(Search& search) {
   };
   const auto [left, right] = range(search.from.x(), map_.cells->levelWidth(level));
   const auto [top, bottom] = range(search.from.y(), map_.cells->levelHeight(level));
-  // Ring by ring around the place: what is nearer than the next ring ends it.
+  // Ring by ring around the position: ends when something is nearer than the next ring.
   const int x = std::clamp(int(std::floor(std::clamp(search.from.x() / side, -1e9, 1e9))), left, right),
             y = std::clamp(int(std::floor(std::clamp(search.from.y() / side, -1e9, 1e9))), top, bottom);
   const int rings = std::max({x - left, right - x, y - top, bottom - y});

@@ -1,5 +1,5 @@
-// The map that waypoints lie on, asked for single places: what is there, and how far the next wall is. Pure;
-// what an answer costs does not depend on the size of the map.
+// The map under waypoints: what is at a position, and how far the next wall is. Pure; the cost of a query
+// does not depend on the size of the map.
 #pragma once
 
 #include <array>
@@ -13,40 +13,40 @@
 
 namespace mapwright::placing {
 
-/// A whole map where it lies. `cells` null: there is none.
+/// A whole map at its position. `cells` null: there is none.
 struct PlacedMap {
   std::shared_ptr<const grids::GridPyramid> cells;
   map::GridReference reference;  // with the size of `cells`
-  bool is_part = false;          // of a map that may go on where it ends
+  bool is_part = false;          // the map may continue beyond its edge
   bool operator==(const PlacedMap&) const = default;
 };
 
 enum class Cell : std::uint8_t { Outside, Unknown, Free, Occupied };
 
-/// A cell that counts as a wall: known, and this many percent or more.
+/// A cell counts as a wall if it is known and at least this many percent occupied.
 inline constexpr int kOccupiedPercent = 50;
 
 struct Wall {
-  double distance_m = 0;  // from the place to the edge of the nearest occupied cell; 0 within one
+  double distance_m = 0;  // from the position to the edge of the nearest occupied cell; 0 inside one
   Eigen::Vector2d at_m{0, 0};
 };
 
-/// Reads the cells of one map. Not to be shared between threads; the cells themselves may.
+/// Reads the cells of one map. Do not share it between threads; the cells may be shared.
 class Ground {
  public:
   enum class Patience {
-    AtHand,  // quick: for the thread that draws the window. What would take long is unknown.
-    Wait,    // exact: reads what has to be read
+    AtHand,  // fast, for the GUI thread. Anything slow to get counts as unknown.
+    Wait,    // exact: reads whatever is needed
   };
   Ground(PlacedMap map, Patience patience);
 
-  /// There are cells, and their place can be used.
+  /// There are cells, and their position is valid.
   bool there() const { return usable_; }
   const PlacedMap& map() const { return map_; }
   Cell at(const Eigen::Vector2d& world_m);
-  /// The nearest wall within `reach_m`; nullopt = none. AtHand looks no farther than kMostCellsAtHand cells.
+  /// The nearest wall within `reach_m`; nullopt = none. AtHand searches at most kMostCellsAtHand cells.
   std::optional<Wall> nearestWall(const Eigen::Vector2d& world_m, double reach_m);
-  /// Nobody has seen anything of it. Costs one tile.
+  /// No cell of it is known. Costs one tile.
   bool allUnknown();
 
   static constexpr int kMostCellsAtHand = 100;
@@ -54,7 +54,7 @@ class Ground {
  private:
   struct Held {
     int level = -1, x = 0, y = 0;
-    std::shared_ptr<const std::uint8_t> cells;  // null: it is not there
+    std::shared_ptr<const std::uint8_t> cells;  // null: not available
   };
   struct Search {
     Eigen::Vector2d from;  // in cells
@@ -62,7 +62,7 @@ class Ground {
     std::optional<Eigen::Vector2d> nearest;
   };
   std::uint8_t byteAt(int level, int column, int row);
-  const std::uint8_t* tileAt(int level, int x, int y);  // null: it is not there
+  const std::uint8_t* tileAt(int level, int x, int y);  // null: not available
   void lookNear(Search& search);
   void look(Search& search, int level, int column, int row);
   void lookAround(Search& search);

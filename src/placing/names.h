@@ -1,4 +1,4 @@
-// Names of waypoints: which are taken more than once, and which one is free. Pure.
+// Names of waypoints: duplicates, and the next free name. Pure.
 #pragma once
 
 #include <set>
@@ -8,15 +8,14 @@
 
 namespace mapwright::placing {
 
-/// The names of a list while it changes. A change costs as much as there are waypoints of those two names.
+/// The names of a changing list. A change costs as much as there are waypoints with those two names.
 class NameBook {
  public:
   void clear();
-  /// Adds, or calls otherwise. Empty names are none. What is added to `touched`: keys whose twice() may be
-  /// another one now.
+  /// Adds or renames. Empty names do not count. Adds to `touched` the keys whose twice() may have changed.
   void put(const std::string& key, const std::string& name, std::set<std::string>& touched);
   void remove(const std::string& key, std::set<std::string>& touched);
-  /// Another one bears its name.
+  /// Another one has the same name.
   bool twice(const std::string& key) const;
 
  private:
@@ -24,7 +23,7 @@ class NameBook {
   std::unordered_map<std::string, std::set<std::string>> keys_of_;
 };
 
-/// "Rack 3" -> "Rack 4", "Dock" -> "Dock 2": the next one that is not taken. It is taken then.
+/// "Rack 3" -> "Rack 4", "Dock" -> "Dock 2": the next free name, which is taken then.
 std::string nextName(const std::string& name, std::set<std::string>& taken);
 
 }  // namespace mapwright::placing

@@ -8,9 +8,9 @@
 namespace mapwright::placing {
 namespace {
 
-constexpr double kAlongAxis = 0.99;       // a wall's normal that lies with an axis, as a cosine
-constexpr int kMostSteps = 4;             // towards the distance from a wall that bends
-constexpr double kWallWithinCells = 0.3;  // so exact is it in the end
+constexpr double kAlongAxis = 0.99;       // cosine for a wall's normal parallel to an axis
+constexpr int kMostSteps = 4;             // iterations for the distance from a curved wall
+constexpr double kWallWithinCells = 0.3;  // final precision
 constexpr double kLongLineM = 1e5;
 
 struct AxisCatch {
@@ -20,7 +20,7 @@ struct AxisCatch {
   Eigen::Vector2d from_m;  // what it belongs to
 };
 
-/// The nearest line across `axis` (0: lines of one x).
+/// The nearest line perpendicular to `axis` (0: lines of constant x).
 std::optional<AxisCatch> lineNear(const Eigen::Vector2d& at_m, int axis, const SnapRules& rules,
                                   const SnapScene& scene) {
   std::optional<AxisCatch> best;
@@ -111,7 +111,7 @@ SnappedPlace snapped(const Eigen::Vector2d& free_m, const SnapRules& rules, cons
     place.at_m[axis] = line->value;
     place.guides.push_back(guideOf(*line, place.at_m, axis, scene));
   }
-  // The second line has moved the end of the first one's guide, and the wall's foot moves along with it.
+  // The second line has moved the end of the first guide, and the base point on the wall moves along.
   for (Guide& guide : place.guides) {
     if (guide.what == Caught::LineX || guide.what == Caught::LineY) guide.to_m = place.at_m;
     if (guide.what == Caught::Wall) {

@@ -1,5 +1,4 @@
-// Where something lets go that is moved by hand: what is near enough to be caught, and why. Pure; world
-// metres.
+// Snapping while dragging: what is close enough, and why. Pure; world metres.
 #pragma once
 
 #include <functional>
@@ -11,14 +10,14 @@
 
 namespace mapwright::placing {
 
-/// What there is to be caught.
+/// What to snap to.
 struct SnapRules {
-  bool waypoints = true;  // their places, and lines through them along both axes
+  bool waypoints = true;  // their positions, and lines through them along both axes
   bool grid = false;      // lines at multiples of `grid_m`
-  bool walls = false;     // places at `wall_m` from the nearest wall
+  bool walls = false;     // positions at `wall_m` from the nearest wall
   bool headings = true;   // multiples of kHeadingStep
   double grid_m = 0.5;    // above 0
-  double wall_m = 0.5;    // above 0, from the place to the wall
+  double wall_m = 0.5;    // positive, from the position to the wall
   bool operator==(const SnapRules&) const = default;
 };
 
@@ -28,10 +27,10 @@ enum class Caught {
   LineY,
   GridX,  // its x is on a line of the grid
   GridY,
-  Wall,  // it has the distance from a wall that was asked for
+  Wall,  // it has the given distance from a wall
 };
 
-/// Why: from what was caught to where it holds it.
+/// Why it snapped: a line from the reference to the snapped position.
 struct Guide {
   Caught what = Caught::Point;
   Eigen::Vector2d from_m{0, 0}, to_m{0, 0};
@@ -42,27 +41,26 @@ struct SnappedPlace {
   std::vector<Guide> guides;  // empty: nothing was caught
 };
 
-/// Other waypoints in a rectangle, one call each.
+/// Calls back for each waypoint in a rectangle.
 using Neighbours = std::function<void(const geometry::WorldRect& area,
                                       const std::function<void(const Eigen::Vector2d& at_m)>& found)>;
 
 struct SnapScene {
-  geometry::WorldRect seen;  // lines are caught from what is in here
-  double reach_m = 0;        // that of the hand
+  geometry::WorldRect seen;  // lines snap to what is in here
+  double reach_m = 0;        // the snapping distance
   Neighbours others;         // may be empty
   Ground* ground = nullptr;  // null: there are no walls
 };
 
-/// The place that `free_m` is caught at. A point is caught before a distance to a wall, that before lines;
-/// along a wall that runs with an axis, lines across it are caught as well. Of several alike the nearest one
-/// is.
+/// Where `free_m` snaps to. Points take precedence over wall distances, and those over lines; along a wall
+/// parallel to an axis, lines across it work as well. Among equals the nearest wins.
 SnappedPlace snapped(const Eigen::Vector2d& free_m, const SnapRules& rules, const SnapScene& scene);
 
-/// To the lines of a grid, however far they are.
+/// To the lines of a grid, at any distance.
 Eigen::Vector2d onGrid(const Eigen::Vector2d& at_m, double step_m);
 
 inline constexpr double kHeadingStepDeg = 15;
-/// The heading that is caught: the nearest multiple of 15 degrees within `reach_rad`, else itself.
+/// The nearest multiple of 15 degrees within `reach_rad`, otherwise the heading itself.
 double snappedHeading(double yaw_rad, double reach_rad);
 
 }  // namespace mapwright::placing

@@ -29,7 +29,7 @@ Warnings warningsAt(Ground& ground, const Eigen::Vector2d& place_m, double radiu
   return warnings;
 }
 
-/// The bits of both numbers by turns: what is next to each other in this order lies together.
+/// Interleaves the bits of both numbers: neighbours in this order are close together.
 std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
   const auto spread = [](std::uint64_t bits) {
     bits = (bits | bits << 16) & 0x0000ffff0000ffff;
@@ -41,7 +41,8 @@ std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
   return spread(x) | spread(y) << 1;
 }
 
-/// Tile by tile, those of a coarser level together: each is unpacked once, however the places are mixed.
+/// Tile by tile, those of a coarser level together: each is unpacked once, in whatever order the positions
+/// come.
 std::vector<std::size_t> inOrder(const std::vector<Eigen::Vector2d>& places_m,
                                  const map::GridReference& reference) {
   const auto tileOf = [&](const Eigen::Vector2d& place_m) -> std::uint64_t {

@@ -5,7 +5,7 @@
 namespace mapwright::recorder {
 namespace {
 
-constexpr std::size_t kOverhead = 256;  // what an entry takes besides its bytes
+constexpr std::size_t kOverhead = 256;  // memory of an entry besides its bytes
 
 }  // namespace
 
@@ -16,7 +16,7 @@ bool EntryQueue::put(Entry entry, std::string_view bytes) {
     if (closed_) return false;
     if (entry.kind == Entry::Kind::Message && !entry.before) entry.sequence = ++sequences_[entry.name];
     if (entry.kind == Entry::Kind::Message && entry.before) said_before_.insert(entry.name);
-    // One that is larger than all is taken when it is alone.
+    // One that exceeds the limit is accepted if it is alone.
     if (held_bytes_ > 0 && held_bytes_ + size > most_bytes_) {
       ++lost_.entries;
       lost_.bytes += bytes.size();

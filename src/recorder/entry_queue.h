@@ -1,4 +1,4 @@
-// What is to be written, between those who deliver it and the one who writes it.
+// The queue between producers and the writer of a recording.
 #pragma once
 
 #include <chrono>
@@ -15,35 +15,34 @@
 
 namespace mapwright::recorder {
 
-/// A message, an attachment, metadata, or what messages of a type are made of.
+/// A message, an attachment, metadata, or a message definition.
 struct Entry {
   enum class Kind : std::uint8_t { Message, File, Words, Definition };
   Kind kind = Kind::Message;
-  std::string name;              // topic; of an attachment, of metadata or of a type
-  std::string encoding, schema;  // of a message; of an attachment `encoding` is its media type
-  bool before = false;           // said before the recording began
+  std::string name;              // topic; or name of an attachment, metadata or type
+  std::string encoding, schema;  // of a message; for an attachment `encoding` is its media type
+  bool before = false;           // sent before the recording began
   std::int64_t log_ns = 0, publish_ns = 0;
-  std::uint32_t sequence = 0;  // made by the queue
+  std::uint32_t sequence = 0;  // set by the queue
   std::string bytes;
   recording::Words words;
 };
 
-/// Thread-safe. Bounded: who puts never waits for the disk; what finds no room is lost and counted.
+/// Thread-safe. Bounded: producers never wait for the disk; entries without space are lost and counted.
 class EntryQueue {
  public:
   explicit EntryQueue(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
-  /// `bytes` become those of the entry. False: there is no room, or it is closed.
+  /// `bytes` become those of the entry. False: full or closed.
   bool put(Entry entry, std::string_view bytes);
-  /// All that is there, in the order in which it was put; waits for something as long as `at_most`. Empty:
-  /// nothing came, or it is closed.
+  /// All entries, in order; waits up to `at_most` for the first. Empty: nothing came, or it is closed.
   std::vector<Entry> take(std::chrono::milliseconds at_most);
   /// Nothing more is taken in.
   void close();
-  /// It is closed and nothing is in it.
+  /// Closed and empty.
   bool over() const;
 
-  /// Whether a message of this topic has been put, lost ones included.
+  /// Whether a message of this topic has arrived, including lost ones.
   bool heard(const std::string& topic) const;
 
   struct Losses {
@@ -57,7 +56,7 @@ class EntryQueue {
   std::condition_variable came_;
   std::vector<Entry> entries_;
   std::size_t held_bytes_ = 0;
-  int being_put_ = 0;  // room was made for them, they are being copied
+  int being_put_ = 0;  // space is reserved, they are being copied
   bool closed_ = false;
   Losses lost_;
   std::unordered_map<std::string, std::uint32_t> sequences_;  // by topic

@@ -105,7 +105,7 @@ void Fetches::wantMap(const map::MapKey& key) {
 
 void Fetches::takeMaps(const std::vector<map::CatalogueEntry>& entries) {
   for (const map::CatalogueEntry& entry : entries) {
-    // What is live comes by its topic.
+    // Live maps come by topic.
     if (entry.is_current && entry.key.kind != map::MapKind::Live) wanted_.try_emplace(entry.key);
   }
   for (auto& [key, wanted] : wanted_) {
@@ -133,7 +133,7 @@ void Fetches::askMap(const map::MapKey& key) {
           self->keepMap(*map);
           self->askPlaces(key, map->overlays);
         } else if (map.error().kind != map::FailureKind::Cancelled) {
-          self->wanted_[key].asked = false;  // another try with the next change
+          self->wanted_[key].asked = false;  // tries again at the next change
           Q_EMIT self->notHad(map.error());
         }
       });

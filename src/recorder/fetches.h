@@ -1,5 +1,5 @@
-// What a recording asks the robot for by itself: listed submaps, the map that it works with, its places.
-// GUI-thread object, like the robot.
+// The data that a recording requests by itself: listed submaps, the current map, its waypoints. GUI-thread
+// object, like the robot.
 #pragma once
 
 #include <cstdint>
@@ -23,20 +23,20 @@ namespace mapwright::recorder {
 class Fetches : public QObject {
   Q_OBJECT
  public:
-  /// Gets what is to be an attachment; the bodies of submaps come by the tap of the robot.
+  /// Receives attachments; the bodies of submaps come through the robot's tap.
   using Keep = std::function<void(std::string name, std::string media_type, std::string_view bytes)>;
   Fetches(robot::Robot& robot, SubmapWishes::Which submaps, Keep keep, std::function<std::int64_t()> now_ns);
   ~Fetches() override;
 
-  /// A map that somebody has opened belongs to the recording like the one that the robot works with, and
-  /// again whenever it changes. What is live comes by its topic.
+  /// Adds a map that the user has opened to the recording, like the robot's current one, again whenever it
+  /// changes. Live maps come by topic.
   void wantMap(const map::MapKey& key);
-  /// What the robot has listed before the recording began.
+  /// The submaps listed before the recording began.
   void takeList(const map::SubmapList& list);
   std::size_t submapsMissing() const { return wishes_.missing(); }
 
  Q_SIGNALS:
-  /// Something that was to be in the recording could not be had.
+  /// Something could not be loaded for the recording.
   void notHad(const mapwright::map::Failure& failure);
 
  private:
@@ -55,7 +55,7 @@ class Fetches : public QObject {
   QTimer look_;
   bool asking_ = false, again_ = false;
   struct Wanted {
-    std::optional<map::CatalogueEntry> had;  // as the robot's list told it when it was asked for
+    std::optional<map::CatalogueEntry> had;  // its catalogue entry at the time of the request
     bool asked = false, current = false;
     robot::Call map, places;
   };

@@ -99,14 +99,14 @@ std::optional<map::SubmapKey> submapFrom(std::string_view name);
 std::string mapName(const map::MapKey& key);
 std::string mapFactsName(const map::MapKey& key);
 std::string waypointsName(const map::MapKey& key);
-/// Of a "maps/KIND/ID"; nullopt for all other names, "….json" among them.
+/// Parses "maps/KIND/ID"; nullopt for all other names, including "….json".
 std::optional<map::MapKey> mapFrom(std::string_view name);
 
 /// "pictures/URL".
 std::string pictureName(std::string_view url);
 
-/// What stands in the JSON attachments. `current`: the robot works with it. `entry`: its row of the robot's
-/// list, as far as the robot told; messages name maps by the uid that stands there.
+/// The JSON attachments. `current`: the robot uses the map. `entry`: its catalogue entry, as far as the robot
+/// reported it; messages refer to maps by its uid.
 std::string mapFacts(const map::WholeMap& map, bool current, const map::CatalogueEntry& entry = {});
 std::string placesText(const map::MapKey& key, const map::WaypointList& places,
                        const std::vector<map::OverlayFeature>& overlays);

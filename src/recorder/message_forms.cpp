@@ -58,7 +58,7 @@ MessageForms::Formed MessageForms::formed(const Entry& message, std::string byte
   const auto frame = frameOf(message, bytes);
   auto encoded =
       encodeRos(*definition.ros, ros2 ? recording::RosWire::Cdr : recording::RosWire::Ros1, frame->root());
-  // One that is not what its definition says is written as it came.
+  // A message that does not match its definition is written as received.
   if (!encoded) return asJson(message, std::move(bytes));
   formed.encoding = ros2 ? "cdr" : "ros1";
   formed.bytes = std::move(*encoded);

@@ -1,5 +1,5 @@
-// In which form messages are written, so that others can read them: by the definition of their type, or as
-// JSON where nobody can tell that (layout.h). One thread.
+// The format of recorded messages, so that other programs can read them: by their type definition, or as JSON
+// if there is none (layout.h). One thread.
 #pragma once
 
 #include <map>
@@ -15,17 +15,15 @@ namespace mapwright::recorder {
 
 class MessageForms {
  public:
-  /// Whether it can be written: its type is defined, will not be, or does not matter.
+  /// Whether it can be written: its type is defined, never will be, or does not matter.
   bool ready(const Entry& message) const;
-  /// A definition (robot::Delivery::Kind::Definition): of a type `name`, as `encoding` writes it. Empty
-  /// bytes: it cannot be had. The first that can counts: messages that do not fit it are written as they
-  /// came.
+  /// A definition (robot::Delivery::Kind::Definition) of type `name` for `encoding`. Empty bytes: not
+  /// available. The first valid one counts: messages that do not match it are written as received.
   void define(const Entry& definition);
-  /// Nobody has waited any longer. A definition that comes later counts from then on.
+  /// Stop waiting for the definition. If it still comes it is used from then on.
   void giveUp(const std::string& type);
 
-  /// The message, whose content is `bytes`, in its form, and the encodings and schema of the channel that it
-  /// belongs to.
+  /// The message with content `bytes` in its final form, and the encodings and schema of its channel.
   struct Formed {
     std::string encoding, schema_name, schema_encoding, schema_data;
     std::string bytes;
@@ -34,8 +32,8 @@ class MessageForms {
 
  private:
   struct Definition {
-    std::string encoding, text;               // empty: none is to be had
-    std::optional<recording::RosSchema> ros;  // of ROS, where it can be read
+    std::string encoding, text;               // empty: not available
+    std::optional<recording::RosSchema> ros;  // for ROS types, if it can be parsed
   };
   static Formed asJson(const Entry& message, std::string bytes);
   std::map<std::string, Definition> definitions_;  // by type

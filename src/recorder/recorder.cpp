@@ -17,7 +17,7 @@ Q_LOGGING_CATEGORY(lcRecorder, "mapwright.recorder", QtWarningMsg)
 
 constexpr std::chrono::milliseconds kTick{200};
 constexpr int kTellEveryMs = 250;
-constexpr double kLatest_s = 9e9;  // that nanoseconds in 64 bits hold
+constexpr double kLatest_s = 9e9;  // limit for nanoseconds in 64 bits
 
 std::int64_t systemNs() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -27,7 +27,7 @@ std::int64_t systemNs() {
 
 std::optional<std::int64_t> nsOf(double seconds) {
   if (!(seconds > 0 && seconds < kLatest_s)) return std::nullopt;
-  return std::int64_t(std::llround(seconds * 1e6)) * 1'000;  // a double holds no more than microseconds
+  return std::int64_t(std::llround(seconds * 1e6)) * 1'000;  // a double only has microseconds
 }
 
 Entry entryOf(const robot::Delivery& delivery, std::int64_t started_ns) {
@@ -45,7 +45,7 @@ Entry entryOf(const robot::Delivery& delivery, std::int64_t started_ns) {
   }
   if (delivery.kind != robot::Delivery::Kind::Message) {
     entry.kind = Entry::Kind::File;
-    entry.publish_ns = 0;  // when it was made nobody says
+    entry.publish_ns = 0;  // its creation time is unknown
     entry.before = false;
     entry.name = delivery.kind == robot::Delivery::Kind::Submap ? submapName(delivery.submap)
                                                                 : pictureName(delivery.name);

@@ -1,5 +1,6 @@
-// Records what a robot delivers into a file (layout.h), until it is told to stop. GUI-thread object; the
-// robot's link puts into a bounded queue and never waits, a thread of the recorder's own packs and writes.
+// Records what a robot sends to a file (layout.h) until it is stopped. GUI-thread object; the robot's
+// connection puts data into a bounded queue and never waits, and a thread of the recorder packs and writes
+// it.
 #pragma once
 
 #include <atomic>
@@ -26,7 +27,7 @@
 
 namespace mapwright::recorder {
 
-/// All kinds of data that a robot may send.
+/// All kinds of data that a robot can send.
 map::Streams everyStream();
 
 class Recorder : public QObject {
@@ -36,31 +37,31 @@ class Recorder : public QObject {
     std::string kind;                       // of the robot: the scheme of its address, "axbot"
     std::string recorded_by = "mapwright";  // with its version
     SubmapWishes::Which submaps = SubmapWishes::Which::Listed;
-    std::size_t most_waiting_bytes = std::size_t(256) << 20;  // on their way to the disk
+    std::size_t most_waiting_bytes = std::size_t(256) << 20;  // waiting to be written
     recording::WriterOptions writer;
     std::function<std::int64_t()> now_ns;  // since 1970, on any thread; null = the system's clock
   };
-  /// Begins at once, with what the robot has said on this connection. `robot` outlives the recorder, or is
-  /// gone before: then nothing more comes. The error: not even the start could be written.
+  /// Starts at once, including messages already received on this connection. If `robot` is destroyed first,
+  /// no more data comes. The error: not even the start could be written.
   static tl::expected<std::unique_ptr<Recorder>, disk::FileError> start(
       robot::Robot& robot, std::unique_ptr<recording::AppendTarget> target, Options options);
   /// Finishes the file and waits for that.
   ~Recorder() override;
 
-  /// Nothing more is taken; finished() comes once the file is complete.
+  /// Accepts no more data; emits finished() when the file is complete.
   void stop();
   /// The same, and waits.
   void finish();
   bool stopped() const { return stopped_; }
 
   struct Progress {
-    Written written;     // what is lost on the way to the disk included
+    Written written;     // including losses on the way to the disk
     double seconds = 0;  // since the start
     bool finished = false;
-    std::optional<disk::FileError> end_fault;  // why the file has no end; it can be read all the same
+    std::optional<disk::FileError> end_fault;  // why the file has no end; it is still readable
   };
   Progress progress() const;
-  /// Whether any message of this topic has come.
+  /// Whether any message of this topic has arrived.
   bool heard(const std::string& topic) const { return queue_->heard(topic); }
   Fetches& fetches() { return *fetches_; }
 
@@ -73,7 +74,7 @@ class Recorder : public QObject {
   Recorder(robot::Robot& robot, std::unique_ptr<recording::McapWriter> writer, Options options);
   void begin();
   void tell();
-  /// Writes down when the link was lost, and when it was there again.
+  /// Records when the connection was lost and restored.
   void takeLink();
   void run();
   void publish();

@@ -71,7 +71,7 @@ class Encoder {
     return fine;
   }
 
-  /// Of the object whose members begin at `first`; as a rule they stand in the order of the schema.
+  /// Of the object whose members begin at `first`; they are usually in the order of the schema.
   std::optional<Field> memberOf(const RosType& type, std::string_view name, std::size_t first,
                                 std::size_t likely) const {
     const std::size_t count = members_.size() - first;
@@ -82,7 +82,7 @@ class Encoder {
     return std::nullopt;
   }
 
-  /// Both names of the parts of a time are in use.
+  /// Both names for the parts of a time are in use.
   static std::string_view otherName(const RosType& type, std::string_view name) {
     const bool time = type.name == "builtin_interfaces/Time" || type.name == "builtin_interfaces/Duration";
     return !time ? name : name == "sec" ? "secs" : name == "nanosec" ? "nsecs" : name;
@@ -154,7 +154,7 @@ class Encoder {
         return time<std::uint32_t>(value);
       case RosKind::Duration:
         return time<std::int32_t>(value);
-      case RosKind::WideText:  // nobody agrees on how wide its letters are
+      case RosKind::WideText:  // there is no agreement on its character width
         return false;
       case RosKind::Nested:
         return object(field.type, value);
@@ -186,7 +186,7 @@ class Encoder {
   bool text(const Field& value) {
     if (!value.isText()) return false;
     const std::string text = value.text();
-    put(std::uint32_t(text.size() + (cdr_ ? 1 : 0)));  // there its length counts the zero at its end
+    put(std::uint32_t(text.size() + (cdr_ ? 1 : 0)));  // there its length includes the terminating zero
     out_ += text;
     if (cdr_) out_ += '\0';
     return true;
@@ -219,7 +219,7 @@ class Encoder {
   const RosSchema& schema_;
   bool cdr_;
   std::string out_, name_;
-  std::vector<Member> members_;  // of the objects that are being written
+  std::vector<Member> members_;  // of the objects being written
 };
 
 }  // namespace

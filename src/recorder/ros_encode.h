@@ -1,5 +1,5 @@
-// Messages of ROS, as a rosbridge server sends them, serialised as ROS itself writes them: the mirror of
-// recording/ros_decode.h. Pure; any thread. Sources: as there.
+// Serialises ROS messages from a rosbridge server as ROS itself does: the reverse of recording/ros_decode.h.
+// Pure; any thread. Sources: as there.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@
 
 namespace mapwright::recorder {
 
-/// `message` as bytes: packed ("ros1"), or plain CDR, little-endian, behind its encapsulation ("cdr"). All of
-/// it is written or nothing: where a member is missing, is none of the schema, or does not fit its type, the
-/// error is its name. What JSON cannot say of a float (null) is NaN.
+/// `message` as bytes: packed ("ros1"), or plain CDR, little-endian, with its encapsulation header ("cdr").
+/// Writes all or nothing: if a member is missing, not in the schema, or of the wrong type, the error is its
+/// name. Floats that JSON cannot represent (null) become NaN.
 tl::expected<std::string, std::string> encodeRos(const recording::RosSchema& schema, recording::RosWire wire,
                                                  const net::rosbridge::Field& message);
 

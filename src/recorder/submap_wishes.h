@@ -1,4 +1,4 @@
-// Which submaps a recording asks the robot for. Pure; time is handed in.
+// Which submaps a recording requests. Pure; time is passed in.
 #pragma once
 
 #include <cstdint>
@@ -15,30 +15,30 @@ class SubmapWishes {
  public:
   enum class Which : std::uint8_t {
     None,
-    Listed,  // each that is listed, and one that changes again at most every kAgainNs
-    All,     // every version that is listed, as fast as the robot gives them
+    Listed,  // each listed one, and changed ones at most every kAgainNs
+    All,     // every listed version, as fast as the robot can deliver
   };
   static constexpr std::int64_t kAgainNs = 30'000'000'000;
   static constexpr std::int64_t kRetryNs = 2'000'000'000;
-  static constexpr int kTries = 5;  // of one version
+  static constexpr int kTries = 5;  // for each version
   static constexpr std::size_t kAtOnce = 4;
 
   explicit SubmapWishes(Which which) : which_(which) {}
 
   void take(const map::SubmapList& list, std::int64_t now_ns);
-  /// What is to be asked for now; it counts as asked for until it is answered.
+  /// What to request now; it counts as requested until it is answered.
   std::vector<map::SubmapKey> next();
   void answered(const map::SubmapKey& key, map::SubmapAnswer::Outcome outcome, std::int64_t now_ns);
-  /// Looks for what is due by time alone.
+  /// Checks what has become due.
   void look(std::int64_t now_ns);
-  /// How many listed ones were never had.
+  /// How many listed ones were never received.
   std::size_t missing() const;
 
  private:
   struct Row {
     std::int32_t listed = 0, had = 0;  // versions; had 0: none
     std::int64_t not_before_ns = 0;
-    int tries = 0;  // of the version `listed`
+    int tries = 0;  // for the version `listed`
     bool asked = false;
   };
   void judge(map::SubmapId id, const Row& row, std::int64_t now_ns);

@@ -64,7 +64,7 @@ void Tape::giveUp(std::optional<std::int64_t> now_ns) {
   std::vector<std::string> over;
   for (auto& [type, held] : undefined_) {
     if (now_ns && !held.since_ns) held.since_ns = now_ns;
-    // A clock that was set back must not make anybody wait.
+    // A clock that was set back must not cause a wait.
     const bool waits = now_ns && *now_ns >= *held.since_ns && *now_ns - *held.since_ns < kDefinedWithinNs;
     if (!waits) over.push_back(type);
   }
@@ -116,7 +116,7 @@ void Tape::lose(std::size_t bytes) {
 void Tape::tick(std::int64_t now_ns) {
   giveUp(now_ns);
   fault_ = writer_->tick(now_ns);
-  // A clock that was set back must not make anybody wait.
+  // A clock that was set back must not cause a wait.
   const bool may_try = now_ns < tried_ns_ || now_ns - tried_ns_ >= kTryAgainNs;
   if (waiting_.empty() || !may_try) return;
   tried_ns_ = now_ns;
@@ -138,7 +138,7 @@ std::optional<disk::FileError> Tape::finish(std::int64_t now_ns, EntryQueue::Los
   end.words["messages"] = std::to_string(writer_->progress().messages);
   end.words["lost"] = std::to_string(lost_ + elsewhere.entries);
   end.words["lost_bytes"] = std::to_string(lost_bytes_ + elsewhere.bytes);
-  writer_->note(end);  // where that fails closing does, too
+  writer_->note(end);  // even if closing fails there
   fault_ = writer_->close();
   ended_ = true;
   return fault_;

@@ -18,7 +18,7 @@ class AppendFile final : public AppendTarget {
   AppendFile& operator=(const AppendFile&) = delete;
 
   std::optional<disk::FileError> append(std::span<const std::uint8_t> bytes) override {
-    // The end of a record that did not fit would stand before whatever follows.
+    // An incomplete record at the end would precede whatever follows.
     if (torn_ && ::ftruncate(fd_, off_t(size_)) != 0) return disk::systemError(path_, errno);
     torn_ = false;
     std::uint64_t at = size_;
@@ -57,7 +57,7 @@ tl::expected<std::unique_ptr<AppendTarget>, disk::FileError> appendFile(const st
       O_WRONLY | O_CREAT | O_CLOEXEC | O_NOCTTY | O_NONBLOCK | (existing == Existing::Refuse ? O_EXCL : 0);
   const int fd = ::open(path.c_str(), flags, 0666);
   if (fd < 0) return tl::unexpected(disk::systemError(path, errno));
-  // Two that write the same file would both lose; where files cannot be locked, nobody can tell.
+  // Two writers of one file would both lose data; where files cannot be locked, this is undetectable.
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(fd);
     return tl::unexpected(disk::systemError(path, ETXTBSY));

@@ -1,4 +1,4 @@
-// A file that is only ever added to. One thread. SIGXFSZ must be ignored, as for disk::WrittenFile.
+// A file that is only appended to. One thread. SIGXFSZ must be ignored, as for disk::WrittenFile.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@ namespace mapwright::recording {
 class AppendTarget {
  public:
   virtual ~AppendTarget() = default;
-  /// All of it is handed to the system, or nothing is there: what was there before is as it was.
+  /// Appends all of it, or nothing: after a failure the file is as before.
   virtual std::optional<disk::FileError> append(std::span<const std::uint8_t> bytes) = 0;
-  /// What was handed over survives the end of the machine too.
+  /// Everything appended so far survives a power loss.
   virtual std::optional<disk::FileError> settle() = 0;
 };
 
 enum class Existing : std::uint8_t { Refuse, Replace };
 
-/// A new file; what is no regular file is refused.
+/// Creates a file; anything but a regular file is refused.
 tl::expected<std::unique_ptr<AppendTarget>, disk::FileError> appendFile(const std::string& path,
                                                                         Existing existing);
 

@@ -55,7 +55,7 @@ std::optional<Channel> channelIn(const Record& record) {
   if (!id || !about) return std::nullopt;
   Channel channel;
   channel.id = *id;
-  channel.topic = record.header.text("topic");  // as it was recorded; remapped ones differ from the other's
+  channel.topic = record.header.text("topic");  // as recorded; remapped ones differ from the other's
   if (channel.topic.empty()) channel.topic = about->text("topic");
   channel.message_encoding = "ros1";
   channel.schema_name = about->text("type");

@@ -1,5 +1,5 @@
-// The records of ROS 1 bags, as they lie in a file. Pure functions, any thread.
-// Source: "ROS bag format 2.0": <header_len><header><data_len><data>, headers of <len>name=value.
+// The records of ROS 1 bags, as stored in a file. Pure functions, any thread. Source: "ROS bag format 2.0":
+// <header_len><header><data_len><data>, headers of <len>name=value.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ class Fields {
   static std::optional<Fields> in(std::span<const std::uint8_t> header);
 
   std::optional<std::span<const std::uint8_t>> find(std::string_view name) const;
-  /// Little-endian; nullopt where it is absent or of another size.
+  /// Little-endian; nullopt if it is missing or of another size.
   template <typename T>
   std::optional<T> number(std::string_view name) const {
     const auto value = find(name);
@@ -42,7 +42,7 @@ class Fields {
     return ByteReader(*value).number<T>();
   }
   std::optional<Op> op() const;
-  /// Nanoseconds of a ROS time: seconds and nanoseconds, 32 bits each.
+  /// A ROS time in nanoseconds: seconds and nanoseconds, 32 bits each.
   std::optional<std::int64_t> time(std::string_view name) const;
   std::string text(std::string_view name) const;  // empty where absent
   const std::vector<std::pair<std::string_view, std::span<const std::uint8_t>>>& all() const {
@@ -58,7 +58,7 @@ struct Record {
   Fields header;
   std::span<const std::uint8_t> data;
 };
-/// The next one; nullopt: it is not whole or no record.
+/// The next record; nullopt: incomplete or invalid.
 std::optional<Record> recordIn(ByteReader& in);
 
 /// What a Connection record describes.

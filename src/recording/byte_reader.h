@@ -1,4 +1,4 @@
-// Reading what stands little-endian, one behind the other, in bytes that nobody trusts.
+// Reads consecutive little-endian values from untrusted bytes.
 #pragma once
 
 #include <bit>
@@ -11,9 +11,9 @@
 namespace mapwright::recording {
 
 static_assert(std::endian::native == std::endian::little,
-              "little-endian");  // as recordings are, which are read as they lie
+              "little-endian");  // like recordings, which are read in place
 
-/// Looks into bytes of others. What is not there is zero or empty, and sound() is false from then on.
+/// A view into bytes. Anything beyond the end is zero or empty, and sound() is false from then on.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -39,7 +39,7 @@ class ByteReader {
     return taken;
   }
 
-  /// Behind its length as uint32.
+  /// Preceded by its length as uint32.
   std::span<const std::uint8_t> piece() { return take(number<std::uint32_t>()); }
   std::string_view text() { return textOf(piece()); }
 

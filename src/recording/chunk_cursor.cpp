@@ -82,7 +82,7 @@ std::optional<Message> ChunkCursor::next() {
     const Head head = heads_.top();
     heads_.pop();
     const UnpackedPtr unpacked = source_.unpacked(head.chunk);
-    // Unpacked anew, it may have become another one: the file was changed meanwhile.
+    // Unpacked again, it may be different: the file was changed meanwhile.
     if (head.entry >= unpacked->entries.size()) continue;
     const ChunkEntry& entry = unpacked->entries[head.entry];
     push(head.chunk, *unpacked, query_.backwards ? head.entry - 1 : head.entry + 1);

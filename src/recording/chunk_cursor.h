@@ -12,15 +12,15 @@
 
 namespace mapwright::recording {
 
-/// Opens a chunk when its turn may have come, and holds none: what is unpacked is in the source's bounded
-/// store, so chunks that all overlap cost time and not memory.
+/// Opens a chunk only when it may be needed, and keeps none: unpacked chunks are in the source's bounded
+/// store, so many overlapping chunks cost time but no memory.
 class ChunkCursor final : public Cursor {
  public:
   ChunkCursor(ChunkedSource& source, const Query& query);
   std::optional<Message> next() override;
 
  private:
-  /// The next message of a chunk. Order: log time, chunk in the file, place in the chunk.
+  /// The next message of a chunk. Order: log time, chunk in the file, position in the chunk.
   struct Head {
     std::int64_t log_ns = 0;
     std::uint32_t chunk = 0;
@@ -33,7 +33,7 @@ class ChunkCursor final : public Cursor {
   bool wants(std::uint32_t channel);
   bool mayHold(const ChunkPlace& place);
   void openThose();
-  /// Puts the first wanted message from `entry` on (in the direction of reading) among the heads.
+  /// Adds the first matching message from `entry` on (in reading direction) to the heads.
   void push(std::uint32_t chunk, const UnpackedChunk& unpacked, std::size_t entry);
 
   ChunkedSource& source_;

@@ -82,7 +82,7 @@ void ChunkedSource::dropAll() {
   forgetOrder();
 }
 
-/// What is known by the numbers of chunks, which are others now.
+/// Data by chunk number, since the numbers have changed.
 void ChunkedSource::forgetOrder() {
   latest_first_.clear();
   held_.clear();
@@ -119,9 +119,9 @@ UnpackedPtr ChunkedSource::unpacked(std::size_t chunk) {
     learn(chunks_[chunk], *made);
   } else {
     notes_.add(got.error().code, got.error().offset,
-               got.error().name);  // and is held as one that is empty
+               got.error().name);  // and is treated as empty
   }
-  if (again) notes_ = before;  // it was noted when it was unpacked first
+  if (again) notes_ = before;  // it was noted when it was first unpacked
   const std::size_t bytes = made->size + made->entries.capacity() * sizeof(ChunkEntry) + 64;
   held_.push_front({chunk, made, bytes});
   held_at_[chunk] = held_.begin();
@@ -134,14 +134,14 @@ UnpackedPtr ChunkedSource::unpacked(std::size_t chunk) {
   return made;
 }
 
-/// Messages of channels that nothing describes say nothing to anybody.
+/// Messages of undescribed channels are useless.
 void ChunkedSource::dropUnknown(UnpackedChunk& chunk, std::uint64_t offset) {
   const std::size_t gone = std::erase_if(
       chunk.entries, [&](const ChunkEntry& entry) { return !channels_.contains(entry.channel); });
   if (gone != 0) notes_.add(NoteCode::UnknownChannel, offset, {}, gone);
 }
 
-/// What a chunk says of itself may be wrong: from now on it is what it is.
+/// The stated facts of a chunk may be wrong: replaces them by the real ones.
 void ChunkedSource::learn(ChunkPlace& place, const UnpackedChunk& unpacked) {
   const auto& entries = unpacked.entries;
   if (!entries.empty()) {
@@ -172,7 +172,7 @@ void ChunkedSource::lookInto(std::size_t chunk) {
     learn(chunks_[chunk], *found->second->unpacked);
   } else {
     const UnpackedPtr done = unpacked(chunk);
-    if (done->entries.empty()) {  // nothing in it can be read
+    if (done->entries.empty()) {  // nothing in it is readable
       chunks_[chunk].shares.clear();
       chunks_[chunk].channels_known = true;
     }
@@ -225,7 +225,7 @@ const std::vector<std::uint32_t>& ChunkedSource::latestFirst() {
 std::optional<ChunkedSource::Best> ChunkedSource::latest(std::uint32_t channel, std::int64_t at_ns,
                                                          bool trust_index) {
   std::optional<Best> best;
-  const std::vector<std::uint32_t> order = latestFirst();  // what is learned below may sort it anew
+  const std::vector<std::uint32_t> order = latestFirst();  // what is learned below may sort it again
   for (const std::uint32_t i : order) {
     const ChunkPlace& place = chunks_[i];
     if (place.first_ns > place.last_ns || place.first_ns > at_ns) continue;
@@ -290,7 +290,7 @@ std::vector<Packing> ChunkedSource::packing() const {
 
 std::vector<Message> ChunkedSource::lastBefore(std::int64_t at_ns, const std::vector<std::string>& topics) {
   const ChannelChoice choice(topics);
-  // Of channels that share a topic the one that messages() would give last.
+  // Of channels that share a topic, the one that messages() would give last.
   std::map<std::string, std::pair<std::tuple<std::int64_t, std::size_t, const std::uint8_t*>, Message>>
       of_topic;
   for (const auto& [id, channel] : std::map(channels_)) {

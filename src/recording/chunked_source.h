@@ -1,5 +1,5 @@
-// What MCAP and bags have in common: messages in chunks that say their times. Merges chunks that overlap in
-// time, keeps those that were unpacked last, finds the last message before a time. Formats derive from it.
+// Common to MCAP and bags: messages in chunks with known time ranges. Merges overlapping chunks, keeps
+// recently unpacked ones, finds the last message before a time. Formats derive from it.
 #pragma once
 
 #include <cstdint>
@@ -17,21 +17,21 @@
 
 namespace mapwright::recording {
 
-/// What a chunk holds of one channel.
+/// What a chunk contains of one channel.
 struct ChannelShare {
   std::uint32_t channel = 0;
-  std::uint64_t index_offset = 0;  // of the record that lists its messages, in the file; 0: none known
-  std::uint64_t count = 0;         // messages; 0: not known
+  std::uint64_t index_offset = 0;  // offset in the file of the record that lists its messages; 0: unknown
+  std::uint64_t count = 0;         // messages; 0: unknown
 };
 
-/// Where a chunk lies, and what is known of it without unpacking.
+/// Where a chunk is, and what is known of it without unpacking.
 struct ChunkPlace {
   std::uint64_t offset = 0;                // of its record in the file, or of the first of the bare records
-  std::uint64_t length = 0;                // bytes in the file; 0: its record says it
-  bool bare = false;                       // records that lie in the file as they are, outside of any chunk
+  std::uint64_t length = 0;                // bytes in the file; 0: stated in its record
+  bool bare = false;                       // records outside of any chunk
   std::int64_t first_ns = 0, last_ns = 0;  // log times; first_ns > last_ns: no messages
   bool channels_known = false;
-  bool looked_into = false;          // what is wrong with it has been noted
+  bool looked_into = false;          // its problems have been noted
   std::vector<ChannelShare> shares;  // by channel
 
   const ChannelShare* shareOf(std::uint32_t channel) const;
@@ -67,15 +67,14 @@ class ChunkedSource : public Source {
   ChunkedSource(std::unique_ptr<Bytes> bytes, const Limits& limits)
       : bytes_(std::move(bytes)), limits_(limits) {}
 
-  /// What follows is the format's.
-  /// The bytes of the chunk, its messages in any order; channels that it describes are added with
-  /// addChannel().
+  /// To be implemented by the format. Returns the bytes of the chunk and its messages in any order; channels
+  /// described in it are added with addChannel().
   virtual tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) = 0;
-  /// A message of a chunk; its channel is set by the caller. The entry is one that unpack() gave.
+  /// A message of a chunk; the caller sets its channel. The entry comes from unpack().
   virtual Message read(const UnpackedChunk& chunk, const ChunkEntry& entry) const = 0;
-  /// That one chunk, by its head; nullopt: it cannot be read.
+  /// Of one chunk, from its header; nullopt: it cannot be read.
   virtual std::optional<Packing> packingOf(const ChunkPlace& place) const = 0;
-  /// The latest log time at or before `at_ns` by the index alone. An unreadable index is `unknown`.
+  /// The latest log time at or before `at_ns`, from the index alone. An unreadable index is `unknown`.
   struct Latest {
     bool unknown = true;
     std::optional<std::int64_t> log_ns;
@@ -84,25 +83,25 @@ class ChunkedSource : public Source {
 
   void addChannel(Channel channel, std::uint64_t offset);
   bool knowsChannel(std::uint32_t id) const { return channels_.contains(id); }
-  /// Behind all others in the file, or sortChunks() follows.
+  /// Must come after all others in the file, otherwise call sortChunks().
   void addChunk(ChunkPlace place);
   ChunkPlace* lastChunk() { return chunks_.empty() ? nullptr : &chunks_.back(); }
   std::vector<ChunkPlace>& chunks() { return chunks_; }
   void sortChunks();
-  /// Unpacks it to learn its times, channels and counts.
+  /// Unpacks it to get its times, channels and counts.
   void lookInto(std::size_t chunk);
-  /// Unpacks those chunks that may describe the channels that are not known yet.
+  /// Unpacks the chunks that may describe unknown channels.
   void findChannels();
-  /// Counts and times by what is known of the chunks.
+  /// Computes counts and times from what is known of the chunks.
   void countChunks();
   void dropAll();
-  /// Bytes of the file; nullopt: not there, or there is no memory for them.
+  /// Bytes of the file; nullopt: missing, or not enough memory.
   std::optional<UnpackedChunk> raw(std::uint64_t at, std::uint64_t count) const;
 
   std::unique_ptr<Bytes> bytes_;
   Limits limits_;
   Notes notes_;
-  Summary about_;  // all but what is counted here
+  Summary about_;  // everything except the counts
   std::vector<AttachmentPlace> attachments_;
   std::vector<Metadata> metadata_;
 
@@ -121,7 +120,7 @@ class ChunkedSource : public Source {
   const std::vector<std::uint32_t>& latestFirst();
   Message messageAt(const UnpackedChunk& chunk, const ChunkEntry& entry) const;
 
-  std::vector<ChunkPlace> chunks_;  // as they lie in the file
+  std::vector<ChunkPlace> chunks_;  // in file order
   std::map<std::uint32_t, ChannelPtr> channels_;
   std::vector<std::uint32_t> latest_first_;  // chunks by last_ns; empty: not sorted yet
 

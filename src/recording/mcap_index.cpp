@@ -1,4 +1,4 @@
-// Opening MCAP by its summary section.
+// Opens MCAP by its summary section.
 #include <algorithm>
 #include <array>
 
@@ -119,7 +119,7 @@ bool McapReader::takeChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::u
     place.first_ns = mcap::timeOf(index.start);
     place.last_ns = mcap::timeOf(index.end);
     place.channels_known = !index.index_offsets.empty();
-    // A chunk without messages says 0 and 0, and so may one without indexes.
+    // A chunk without messages, or without indexes, may state 0 and 0.
     if (place.first_ns > place.last_ns || !mcap::isTime(index.end) ||
         (!place.channels_known && index.start == 0 && index.end == 0)) {
       place.channels_known = false;
@@ -141,7 +141,7 @@ bool McapReader::takeChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::u
   return true;
 }
 
-/// Attachments, metadata and whatever else does not lie in the chunks of the index.
+/// Attachments, metadata and anything else outside the indexed chunks.
 void McapReader::lookBetween(std::uint64_t data_end) {
   const std::size_t indexed = chunks().size();
   for (const auto& [from, to] : gaps_) {

@@ -114,7 +114,7 @@ void McapReader::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
     const auto op = Op(in.number<std::uint8_t>());
     const auto content = in.take(in.number<std::uint64_t>());
     if (!in.sound()) {
-      notes_.add(NoteCode::ChunkCorrupt, place.offset);  // what stands before it is sound
+      notes_.add(NoteCode::ChunkCorrupt, place.offset);  // everything before that is intact
       return;
     }
     if (op == Op::Message) {

@@ -1,9 +1,8 @@
 // Reads MCAP, version 0. Source: MCAP format specification.
-//
-// A file with an index is opened by it alone; whatever lies between the chunks that it names is looked
-// through, so messages outside of chunks are found too. A file without one, or with one that is damaged, is
-// looked through from start to end: chunks are unpacked only where their message indexes do not tell what is
-// in them. Where bytes are no records, reading goes on with the next chunk that is whole.
+// A file with an index is opened by the index; everything between its chunks is scanned, so messages outside
+// of chunks are found, too. A file without an index, or with a damaged one, is scanned from start to end:
+// chunks are unpacked only if their message indexes do not tell what they contain. After invalid bytes,
+// reading continues with the next intact chunk.
 #pragma once
 
 #include <cstdint>
@@ -45,18 +44,18 @@ class McapReader final : public ChunkedSource {
 
   // mcap_index.cpp
   std::optional<mcap::Footer> findFooter(std::uint64_t size) const;
-  /// False: there is none to be used, which is noted.
+  /// False: there is no usable index, which is noted.
   bool openByIndex(const mcap::Footer& footer, std::uint64_t footer_at);
   bool sumFits(const mcap::Footer& footer, std::uint64_t footer_at) const;
   bool takeChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::uint64_t data_end);
   void lookBetween(std::uint64_t data_end);
 
   // mcap_scan.cpp
-  /// Takes in all records in [from, to); answers where the first one begins that is not whole, or `to`.
+  /// Reads all records in [from, to); returns the position of the first incomplete one, or `to`.
   std::uint64_t scan(std::uint64_t from, std::uint64_t to);
   enum class Step : std::uint8_t { Taken, NoRecord, CutOff, DataEnds };
-  /// A record of a kind that nobody here knows may be passed over: another one follows where it ends. Source:
-  /// MCAP format specification, "Records" (opcodes 0x10 to 0x7F are of later versions, from 0x80 on private).
+  /// An unknown record may be skipped if another one follows it. Source: MCAP format specification, "Records"
+  /// (opcodes 0x10 to 0x7F are for later versions, 0x80 and above are private).
   static bool leadsOn(Window& window, const RecordHead& head, std::uint64_t to);
   Step take(Window& window, const RecordHead& head, std::uint64_t to);
   Step takeChunk(Window& window, const RecordHead& head, std::uint64_t to);
@@ -65,7 +64,7 @@ class McapReader final : public ChunkedSource {
   Step takeAttachment(Window& window, const RecordHead& head);
   Step takeSmall(const RecordHead& head);
   std::uint64_t nextChunk(Window& window, std::uint64_t from, std::uint64_t to) const;
-  /// The chunk before is complete: what its indexes have not told is looked up in it.
+  /// The previous chunk is complete: looks up in it what its indexes do not tell.
   void settleChunk(bool doubtful);
   void scanAll();
 
@@ -74,9 +73,9 @@ class McapReader final : public ChunkedSource {
   void listRecords(UnpackedChunk& chunk, const ChunkPlace& place);
 
   std::map<std::uint16_t, mcap::Schema> schemas_;
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> gaps_;  // between the chunks of the index
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> gaps_;  // between the indexed chunks
   std::uint64_t scanned_to_ = 0;                               // of a file without an end
-  bool indexes_follow_ = false;  // the records before were a chunk and its message indexes
+  bool indexes_follow_ = false;  // the preceding records were a chunk and its message indexes
 };
 
 }  // namespace mapwright::recording

@@ -91,7 +91,7 @@ std::optional<ChunkHead> chunkHeadIn(std::span<const std::uint8_t> content, std:
   head.compression = ByteReader::textOf(in.take(named));
   head.records_size = in.number<std::uint64_t>();
   head.records_at = 40 + std::uint64_t(named);
-  // Fields that later versions may add would stand behind the records.
+  // Fields added by later versions would come after the records.
   if (!in.sound() || head.records_at > length || head.records_size > length - head.records_at)
     return std::nullopt;
   return head;

@@ -1,5 +1,5 @@
-// The records of MCAP, as they lie in a file. Pure functions, any thread.
-// Source: MCAP format specification, version 0, "Records" and "Serialization".
+// The records of MCAP, as stored in a file. Pure functions, any thread. Source: MCAP format specification,
+// version 0, "Records" and "Serialization".
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ enum class Op : std::uint8_t {
 
 inline constexpr std::size_t kRecordHead = 9;      // opcode, length
 inline constexpr std::size_t kMessageHead = 22;    // of a message, before its data
-inline constexpr std::size_t kFooterContent = 20;  // of the one record whose length never changes
+inline constexpr std::size_t kFooterContent = 20;  // of the only record with a fixed length
 inline constexpr std::size_t kFooterRecord = kRecordHead + kFooterContent;
 
 struct Footer {
@@ -57,7 +57,7 @@ struct ChannelRecord {
   Channel channel;  // without its schema
 };
 
-/// A chunk before its records.
+/// The fields of a chunk before its records.
 struct ChunkHead {
   std::uint64_t start = 0, end = 0, unpacked_size = 0;
   std::uint32_t crc = 0;
@@ -89,15 +89,14 @@ struct AttachmentIndex {
   AttachmentPlace place;
 };
 
-/// The content of a record; nullopt: it does not hold what it says. Fields behind those known are passed
-/// over.
+/// Parses the content of a record; nullopt: it is invalid. Unknown fields at the end are skipped.
 std::optional<Footer> footerIn(std::span<const std::uint8_t> content);
 std::optional<std::pair<std::string, std::string>> headerIn(
     std::span<const std::uint8_t> content);  // profile, library
 std::optional<Schema> schemaIn(std::span<const std::uint8_t> content);
 std::optional<ChannelRecord> channelIn(std::span<const std::uint8_t> content);
-/// Of a record of `length` bytes of content, by its first kMostChunkHead of them or all that there are.
-/// nullopt also where its lengths contradict each other: what looks like a chunk by chance never is one.
+/// For a record with `length` bytes of content, from its first kMostChunkHead bytes or all there are. Also
+/// nullopt if its lengths are inconsistent, so that random bytes are not mistaken for a chunk.
 std::optional<ChunkHead> chunkHeadIn(std::span<const std::uint8_t> content, std::uint64_t length);
 std::optional<ChunkIndex> chunkIndexIn(std::span<const std::uint8_t> content);
 std::optional<Statistics> statisticsIn(std::span<const std::uint8_t> content);
@@ -110,11 +109,11 @@ class RecordWriter {
   RecordWriter& u16(std::uint16_t value);
   RecordWriter& u32(std::uint32_t value);
   RecordWriter& u64(std::uint64_t value);
-  RecordWriter& text(std::string_view text);  // longer than 4 GiB: cut there
+  RecordWriter& text(std::string_view text);  // truncated to 4 GiB
   RecordWriter& words(const Words& words);
   RecordWriter& raw(std::span<const std::uint8_t> bytes);
 
-  /// What is written until end() is the content of the record.
+  /// Everything written until end() is the content of the record.
   void begin(Op op);
   void end();
 
@@ -136,7 +135,7 @@ void write(RecordWriter& out, const Statistics& statistics);
 void write(RecordWriter& out, const AttachmentIndex& index);
 void write(RecordWriter& out, const Metadata& metadata);
 
-/// Until the year 2261: whoever counts seconds has room for that, too.
+/// The year 2261: leaves room for arithmetic with seconds.
 inline constexpr std::uint64_t kLastTime = 9'200'000'000'000'000'000;
 inline bool isTime(std::uint64_t stamp) { return stamp <= kLastTime; }
 inline std::int64_t timeOf(std::uint64_t stamp) { return std::int64_t(std::min(stamp, kLastTime)); }

@@ -1,4 +1,4 @@
-// Looking through MCAP record by record.
+// Scans MCAP record by record.
 #include <algorithm>
 #include <cstring>
 #include <tuple>
@@ -28,7 +28,7 @@ void McapReader::scanAll() {
   scanned_to_ = mcap::kMagic.size();
   schemas_.clear();
   refresh();
-  // Whoever cut the index off left no word of it.
+  // If the index was cut off, nothing says so.
   if (about_.finished && notes_.all().empty()) notes_.add(NoteCode::IndexUnusable, scanned_to_);
 }
 
@@ -86,12 +86,12 @@ std::uint64_t McapReader::scan(std::uint64_t from, std::uint64_t to) {
 
 bool McapReader::leadsOn(Window& window, const RecordHead& head, std::uint64_t to) {
   if (std::uint8_t(head.op) == 0) return false;
-  if (head.length > to - head.content()) return true;  // take() tells whether it was cut
+  if (head.length > to - head.content()) return true;  // take() detects whether it was cut off
   ByteReader in(window.look(head.end(), mcap::kRecordHead, to));
   const auto op = in.number<std::uint8_t>();
   const auto length = in.number<std::uint64_t>();
   if (!in.sound()) return true;                  // the file ends here
-  if (Op(op) == Op::MessageIndex) return false;  // it was a chunk, and that is damage
+  if (Op(op) == Op::MessageIndex) return false;  // it was a chunk, so this is damage
   return isKnownOp(op) || (op != 0 && length <= to - head.end() - mcap::kRecordHead);
 }
 
@@ -100,8 +100,8 @@ McapReader::Step McapReader::take(Window& window, const RecordHead& head, std::u
   if (head.op != Op::MessageIndex) settleChunk(false);
   if (head.op == Op::Chunk) return takeChunk(window, head, to);
   if (!whole) {
-    // A length beyond the end is either of the last record, which was cut, or no length. An attachment or a
-    // message may be of any size, but not of more than anybody can read.
+    // A length beyond the end belongs to the last, truncated record, or is invalid. An attachment or a
+    // message may be large, but not larger than the reading limit.
     const bool may_be_long =
         head.op == Op::Attachment || head.op == Op::Message || head.op == Op::MessageIndex;
     const bool likely =
@@ -125,7 +125,7 @@ McapReader::Step McapReader::take(Window& window, const RecordHead& head, std::u
     case Op::Footer:
       return head.length == mcap::kFooterContent ? Step::DataEnds : Step::NoRecord;
     default:
-      return Step::Taken;  // of a summary, or of somebody's own
+      return Step::Taken;  // part of a summary, or private
   }
 }
 
@@ -138,7 +138,7 @@ McapReader::Step McapReader::takeChunk(Window& window, const RecordHead& head, s
     return all ? Step::NoRecord : Step::CutOff;
   }
   if (head.length > to - head.content()) {
-    // Cut, when both of its lengths say so; else one of them lies.
+    // Truncated, if both of its lengths agree; otherwise one of them is wrong.
     return chunk->records_at + chunk->records_size == head.length ? Step::CutOff : Step::NoRecord;
   }
   ChunkPlace place;
@@ -146,7 +146,7 @@ McapReader::Step McapReader::takeChunk(Window& window, const RecordHead& head, s
   place.length = head.end() - head.at;
   place.first_ns = mcap::timeOf(chunk->start);
   place.last_ns = mcap::timeOf(chunk->end);
-  if (!mcap::isTime(chunk->end)) {  // it is looked into
+  if (!mcap::isTime(chunk->end)) {  // it will be unpacked
     place.first_ns = 1;
     place.last_ns = 0;
   }
@@ -184,7 +184,7 @@ void McapReader::settleChunk(bool doubtful) {
     chunk.channels_known = true;
     return;
   }
-  // It may have no indexes, or not all of them; what it holds is what counts.
+  // It may lack some or all indexes; its content counts.
   chunk.first_ns = 1;
   chunk.last_ns = 0;
   lookInto(std::size_t(&chunk - chunks().data()));
@@ -230,7 +230,7 @@ McapReader::Step McapReader::takeMessage(Window& window, const RecordHead& head)
 }
 
 McapReader::Step McapReader::takeAttachment(Window& window, const RecordHead& head) {
-  // Names are short; one that does not fit into the window is not read.
+  // Names are short; one that does not fit into the window is ignored.
   ByteReader in(window.look(
       head.content(), std::size_t(std::min<std::uint64_t>(head.length, Window::kMostInView)), head.end()));
   AttachmentPlace place;

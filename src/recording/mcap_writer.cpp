@@ -99,7 +99,7 @@ void McapWriter::describe(ChannelId channel) {
 }
 
 bool McapWriter::mayTry(std::int64_t now_ns) const {
-  // A clock that was set back must not make anybody wait.
+  // A clock that was set back must not cause a wait.
   return !fault_ || now_ns < failed_ns_ || now_ns - failed_ns_ >= kPatienceNs;
 }
 
@@ -160,7 +160,7 @@ void McapWriter::pack() {
   packed::ByteBuffer packed;
   if (options_.compression == WriterOptions::Compression::Zstd)
     packed = packed::packZstd(records, options_.level);
-  // What cannot be made smaller, or not for want of memory, is written as it is.
+  // Data that does not get smaller, or if there is not enough memory, is written uncompressed.
   const bool smaller = packed.data && packed.size < records.size();
   const std::span<const std::uint8_t> stored = smaller ? packed.bytes() : records;
 
@@ -215,7 +215,7 @@ std::optional<disk::FileError> McapWriter::writeDue() {
   chunk_indexes_.push_back(std::move(due_->index));
   ++progress_.chunks;
   due_.reset();
-  return fault;  // it is in the file, but did not settle
+  return fault;  // it is in the file, but was not flushed to disk
 }
 
 std::optional<disk::FileError> McapWriter::attach(const Attachment& attachment) {
@@ -299,7 +299,7 @@ mcap::RecordWriter McapWriter::summary(std::uint64_t at) const {
 std::optional<disk::FileError> McapWriter::close() {
   if (closed_) return std::nullopt;
   if (std::optional<disk::FileError> fault = closeChunk()) return fault;
-  // Channels on which nothing came.
+  // Channels without messages.
   for (std::size_t i = 0; i < channels_.size(); ++i) describe(ChannelId(i + 1));
   mcap::RecordWriter end = open_.records;
   std::uint32_t crc = packed::crc32(crc_, end.bytes());

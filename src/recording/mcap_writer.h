@@ -1,7 +1,6 @@
-// Writes recordings as MCAP, version 0: Zstandard chunks with CRC and index, so that a crash of the program
-// loses at most the open chunk. Source: MCAP format specification.
-//
-// One thread. Nothing is ever written over; every chunk is handed to the system as soon as it is closed.
+// Writes recordings as MCAP, version 0: Zstandard chunks with CRC and index, so that a crash loses at most
+// the open chunk. Source: MCAP format specification.
+// One thread. Nothing is ever overwritten; every chunk is written as soon as it is closed.
 #pragma once
 
 #include <cstdint>
@@ -28,47 +27,46 @@ struct WriterOptions {
   std::string library = "mapwright";
   Compression compression = Compression::Zstd;
   int level = 1;                                   // of zstd
-  std::size_t chunk_bytes = std::size_t(1) << 20;  // a chunk is closed once it holds as much, unpacked
-  std::int64_t chunk_ns = 1'000'000'000;           // and when its first message is so old
-  bool survive_power_loss = false;                 // wait for the disk after every chunk
+  std::size_t chunk_bytes = std::size_t(1) << 20;  // a chunk is closed at this unpacked size
+  std::int64_t chunk_ns = 1'000'000'000;           // and when its first message is this old
+  bool survive_power_loss = false;                 // waits for the disk after every chunk
 };
 
 struct Stamp {
-  std::int64_t log_time_ns = 0;      // MCAP knows no time before its epoch: a negative one is written as 0
+  std::int64_t log_time_ns = 0;      // MCAP has no times before its epoch: a negative one is written as 0
   std::int64_t publish_time_ns = 0;  // likewise
   std::uint32_t sequence = 0;
 };
 
 using ChannelId = std::uint16_t;
 
-/// Each call that fails says why, and leaves the file sound as it is. While the disk takes nothing the chunk
-/// that is due is kept and tried again once a second (of the clock of log times); messages go into the open
-/// chunk until it is full as well, and are refused from then on. Once the disk takes something again,
-/// recording goes on.
+/// A failing call returns the reason and leaves the file intact. While the disk accepts nothing, the pending
+/// chunk is kept and retried once a second (by the clock of log times); messages go to the open chunk until
+/// that is full, and are refused afterwards. Recording continues as soon as the disk accepts data again.
 class McapWriter {
  public:
   static tl::expected<std::unique_ptr<McapWriter>, disk::FileError> create(
       std::unique_ptr<AppendTarget> target, WriterOptions options);
-  /// close() is called, if nobody has: what it says is lost.
+  /// Calls close() if nobody has, ignoring errors.
   ~McapWriter();
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
-  /// The same channel (`id` aside) has the same number again. nullopt: there are 65,535 already, or 65,535
-  /// schemas, or its texts are beyond 32 MiB.
+  /// The same channel (except `id`) gets the same number again. nullopt: there are already 65,535 channels or
+  /// schemas, or its texts exceed 32 MiB.
   std::optional<ChannelId> addChannel(const Channel& channel);
-  /// nullopt: all is well. Else why not: progress() tells whether the message was refused (lost) or waits in
-  /// memory. One beyond kMostMessageBytes, or of a channel that was not added, is refused.
+  /// nullopt: all is well. Otherwise the reason: progress() tells whether the message was refused (lost) or
+  /// waits in memory. Messages beyond kMostMessageBytes or of an unknown channel are refused.
   std::optional<disk::FileError> write(ChannelId channel, const Stamp& stamp,
                                        std::span<const std::uint8_t> bytes);
   std::optional<disk::FileError> attach(const Attachment& attachment);
   std::optional<disk::FileError> note(const Metadata& metadata);
-  /// Closes the open chunk when it is old enough by the same clock as log times. To be called now and then,
-  /// or the last messages before a silence stay in memory.
+  /// Closes the open chunk if it is old enough, by the clock of log times. Call it regularly, otherwise the
+  /// last messages before a pause stay in memory.
   std::optional<disk::FileError> tick(std::int64_t now_ns);
   /// Closes the open chunk.
   std::optional<disk::FileError> flush();
-  /// Writes the index and the end. Nothing can be written afterwards. One that failed may be called again.
+  /// Writes the index and the end. Nothing can be written afterwards. May be repeated after a failure.
   std::optional<disk::FileError> close();
 
   struct Progress {
@@ -76,7 +74,7 @@ class McapWriter {
     std::uint64_t messages = 0;  // taken
     std::uint64_t lost = 0;      // refused
     std::uint64_t chunks = 0;
-    std::uint64_t in_chunks = 0;  // messages taken that are in the file
+    std::uint64_t in_chunks = 0;  // accepted messages that are in the file
   };
   Progress progress() const { return progress_; }
 
@@ -89,10 +87,10 @@ class McapWriter {
     std::uint64_t start = 0, end = 0, messages = 0;
     std::map<ChannelId, std::vector<std::pair<std::uint64_t, std::uint64_t>>> index;  // log time, offset
   };
-  /// A chunk on its way to the disk.
+  /// A chunk waiting to be written.
   struct Due {
     std::vector<std::uint8_t> bytes;  // with its message indexes
-    mcap::ChunkIndex index;           // offsets from the chunk's own start
+    mcap::ChunkIndex index;           // offsets relative to the start of the chunk
     std::uint64_t messages = 0;
     std::map<ChannelId, std::uint64_t> messages_of;
   };
@@ -111,7 +109,7 @@ class McapWriter {
   WriterOptions options_;
   std::vector<mcap::Schema> schemas_;                       // by id, from 1
   std::vector<mcap::ChannelRecord> channels_;               // by id, from 1
-  std::vector<bool> described_schema_, described_channel_;  // stand in the file or the open chunk
+  std::vector<bool> described_schema_, described_channel_;  // written to the file or the open chunk
   OpenChunk open_;
   std::optional<Due> due_;
   std::optional<disk::FileError> fault_;  // why `due_` is not written
@@ -121,7 +119,7 @@ class McapWriter {
   std::vector<std::tuple<std::uint64_t, std::uint64_t, std::string>> metadata_;  // offset, length, name
   mcap::Statistics statistics_;
   std::map<ChannelId, std::uint64_t> messages_of_;
-  std::uint32_t crc_ = 0;  // of all that is in the file
+  std::uint32_t crc_ = 0;  // of everything in the file
   Progress progress_;
   bool data_ended_ = false, closed_ = false;
 };

@@ -1,4 +1,4 @@
-// What is wrong with a recording, as values; sentences are made of them elsewhere.
+// Problems of a recording, as values; the texts are made elsewhere.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,25 @@
 
 namespace mapwright::recording {
 
-/// What was found in a file that can be read all the same.
+/// Something found in a file that is still readable.
 enum class NoteCode : std::uint8_t {
-  NotFinished,        // its end is missing: whoever wrote it was interrupted, or still writes
-  NoIndex,            // finished, and without an index: it was looked through
-  IndexUnusable,      // its index is damaged: it was looked through
+  NotFinished,        // its end is missing: the writer was interrupted, or is still writing
+  NoIndex,            // complete but without an index: it was scanned
+  IndexUnusable,      // its index is damaged: it was scanned
   CutOff,             // ends within the record at `offset`
   BytesSkipped,       // `count` bytes that are no records
-  ChunkCorrupt,       // chunks that cannot be unpacked, or whose records end within
-  ChunkChecksum,      // chunks that are not what was written: skipped
-  ChunkTooLarge,      // chunks that would take more memory than is allowed (Limits::most_chunk_bytes)
-  ChunkCompression,   // chunks in a compression that nobody here knows: `name`
-  ChunkTimes,         // chunks with messages outside of the times that they say of themselves
-  IndexLies,          // places where the index says a message is and none is
+  ChunkCorrupt,       // chunks that cannot be unpacked, or that end in the middle of a record
+  ChunkChecksum,      // chunks with a wrong checksum: skipped
+  ChunkTooLarge,      // chunks larger than allowed (Limits::most_chunk_bytes)
+  ChunkCompression,   // chunks with an unknown compression: `name`
+  ChunkTimes,         // chunks with messages outside of their stated times
+  IndexLies,          // index entries that point to no message
   RecordTooLarge,     // schemas, channels, metadata beyond Limits::most_record_bytes: skipped
   RecordCorrupt,      // such records that say nothing sound
-  UnknownChannel,     // messages of a channel that nothing describes
-  ChannelChanged,     // channels described a second time and otherwise; the first stands
-  TimeUnusable,       // messages whose log time is none: beyond the year 2261
-  AttachmentCorrupt,  // its checksum does not fit, or it is cut off: `name`
+  UnknownChannel,     // messages of an undescribed channel
+  ChannelChanged,     // channels described again differently; the first description is used
+  TimeUnusable,       // messages with an invalid log time: after the year 2261
+  AttachmentCorrupt,  // wrong checksum, or cut off: `name`
   Unreadable,         // the disk could not read it
 };
 
@@ -36,12 +36,12 @@ enum class NoteCode : std::uint8_t {
 struct Note {
   NoteCode code = NoteCode::NotFinished;
   std::uint64_t offset = 0;  // bytes from the start of the file
-  std::uint64_t count = 1;   // of what the code names
+  std::uint64_t count = 1;   // number of occurrences
   std::string name;          // untrusted
   bool operator==(const Note&) const = default;
 };
 
-/// One note for each code and name, however often it is found: a broken file makes no long list.
+/// One note for each code and name, however often it occurs: keeps the list short for broken files.
 class Notes {
  public:
   void add(NoteCode code, std::uint64_t offset, std::string_view name = {}, std::uint64_t count = 1);
@@ -56,8 +56,8 @@ class Notes {
 struct Failure {
   enum class Code : std::uint8_t {
     File,       // `file` says it
-    NotOne,     // neither MCAP nor a bag, or shorter than its first mark
-    Version,    // MCAP of another major version, a bag before 2.0
+    NotOne,     // neither MCAP nor a bag, or too short to tell
+    Version,    // another major version of MCAP, or a bag before 2.0
     Encrypted,  // a bag whose chunks are encrypted
   };
   Code code = Code::File;

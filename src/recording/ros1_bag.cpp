@@ -22,7 +22,7 @@ bool looksLikeBag(std::span<const std::uint8_t> start) {
 }
 
 bag::Fields Ros1Bag::Head::fields() const {
-  // Looked at when the head was made.
+  // Checked when the head was made.
   return *bag::Fields::in(std::span(reinterpret_cast<const std::uint8_t*>(header.data()), header.size()));
 }
 
@@ -37,7 +37,7 @@ Opened Ros1Bag::open(std::unique_ptr<Bytes> bytes, const Limits& limits) {
   return reader;
 }
 
-/// The header of the bag. One that is cut or damaged leaves a bag without an index.
+/// The header of the bag. If it is truncated or damaged the bag has no index.
 std::optional<Failure> Ros1Bag::readStart() {
   start_ = bag::kMagic.size();
   const std::uint64_t size = bytes_->size();
@@ -50,7 +50,7 @@ std::optional<Failure> Ros1Bag::readStart() {
   index_at_ = fields.number<std::uint64_t>("index_pos").value_or(0);
   connections_ = fields.number<std::uint32_t>("conn_count").value_or(0);
   chunk_count_ = fields.number<std::uint32_t>("chunk_count").value_or(0);
-  // Blanks fill it up to 4096 bytes: a length beyond that is none, and the first chunk is looked for.
+  // Padding fills it up to 4096 bytes: a larger length is invalid, and the first chunk is searched.
   constexpr std::uint64_t kMostPadding = 4096;
   start_ = head->data_size <= kMostPadding ? head->end() : head->data_at;
   return std::nullopt;
@@ -145,7 +145,7 @@ void Ros1Bag::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
     const std::uint64_t at = chunk.size - in.left();
     const std::optional<bag::Record> record = bag::recordIn(in);
     if (!record) {
-      notes_.add(NoteCode::ChunkCorrupt, place.offset);  // what stands before it is sound
+      notes_.add(NoteCode::ChunkCorrupt, place.offset);  // everything before that is intact
       return;
     }
     if (record->header.op() == bag::Op::Message) {
@@ -177,7 +177,7 @@ Message Ros1Bag::read(const UnpackedChunk& chunk, const ChunkEntry& entry) const
 
 ChunkedSource::Latest Ros1Bag::latestByIndex(const ChunkPlace& place, const ChannelShare& share,
                                              std::int64_t at_ns) {
-  // The indexes stand behind the chunk, one of each channel; which comes first nobody says.
+  // The indexes follow the chunk, one for each channel, in any order.
   const std::uint64_t size = bytes_->size();
   Window window(*bytes_);
   bool cut = false;

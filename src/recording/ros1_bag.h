@@ -1,9 +1,7 @@
-// Reads ROS 1 bags, version 2.0, with chunks that are plain, bzip2 or LZ4. Source: "ROS bag format 2.0".
-//
-// A reader of our own, not Debian's librosbag-storage: that one throws on a bag without an index (those that
-// `rosbag record` left behind as .bag.active, and every one that was cut) where all that is sound is wanted
-// here, takes the lengths that the file says without a look at how much is there, and brings a loader of
-// plug-ins, GnuPG and five libraries of Boost with it.
+// Reads ROS 1 bags, version 2.0, with uncompressed, bzip2 or LZ4 chunks. Source: "ROS bag format 2.0".
+// Our own reader, not Debian's librosbag-storage: that one throws on a bag without an index (.bag.active
+// files of `rosbag record`, and every truncated bag), while we want everything intact; it trusts the lengths
+// in the file, and depends on a plug-in loader, GnuPG and five Boost libraries.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +20,7 @@ class Ros1Bag final : public ChunkedSource {
  public:
   static Opened open(std::unique_ptr<Bytes> bytes, const Limits& limits = {});
 
-  /// There are none in bags.
+  /// Bags have no attachments.
   std::optional<Attachment> attachment(const AttachmentPlace&) override { return std::nullopt; }
   bool refresh() override;
   std::string format() const override { return "ROS bag 2.0"; }
@@ -34,7 +32,7 @@ class Ros1Bag final : public ChunkedSource {
   Latest latestByIndex(const ChunkPlace& place, const ChannelShare& share, std::int64_t at_ns) override;
 
  private:
-  /// A record of the file, whose data is not read yet.
+  /// A record of the file, without its data.
   struct Head {
     bag::Op op = bag::Op::Message;
     std::uint64_t at = 0, data_at = 0, data_size = 0;
@@ -59,7 +57,7 @@ class Ros1Bag final : public ChunkedSource {
   void settleChunk(bool doubtful);
   void listRecords(UnpackedChunk& chunk, const ChunkPlace& place);
 
-  std::uint64_t start_ = 0;     // behind the header of the bag
+  std::uint64_t start_ = 0;     // after the header of the bag
   std::uint64_t index_at_ = 0;  // 0: there is none
   std::uint32_t connections_ = 0, chunk_count_ = 0;
   std::uint64_t scanned_to_ = 0;

@@ -1,4 +1,4 @@
-// Opening bags: by their index, or record by record.
+// Opens bags: by their index, or record by record.
 #include <algorithm>
 #include <cstring>
 #include <utility>
@@ -47,7 +47,7 @@ bool Ros1Bag::openByIndex() {
     notes_.add(NoteCode::IndexUnusable, index_at_);
     return false;
   };
-  if (index_at_ == 0) return false;  // whether it is finished, the scan will tell
+  if (index_at_ == 0) return false;  // the scan finds out whether it is finished
   if (index_at_ < start_ || index_at_ > size) return unusable();
   Window window(*bytes_);
   std::vector<ChunkPlace> places;
@@ -136,13 +136,13 @@ Ros1Bag::Step Ros1Bag::take(const Head& head) {
       ChunkPlace place;
       place.offset = head.at;
       place.length = head.end() - head.at;
-      place.first_ns = 1;  // its indexes tell, or what is in it
+      place.first_ns = 1;  // known from its indexes, or its content
       addChunk(std::move(place));
       indexes_follow_ = true;
       return Step::Taken;
     }
     case bag::Op::ChunkInfo:
-      about_.finished = true;  // the last thing that is written
+      about_.finished = true;  // this is written last
       return Step::Taken;
     case bag::Op::BagHeader:
       return Step::Taken;
@@ -178,7 +178,7 @@ Ros1Bag::Step Ros1Bag::takeIndex(const Head& head) {
     at->index_offset = chunk->offset;
     return Step::Taken;
   }
-  if (head.data_size > limits_.most_record_bytes) return Step::Taken;  // it will be looked into
+  if (head.data_size > limits_.most_record_bytes) return Step::Taken;  // it will be unpacked
   const std::optional<UnpackedChunk> rows = raw(head.data_at, head.data_size);
   if (!rows) return Step::CutOff;
   chunk->shares.insert(at, {*channel, chunk->offset, *count});
@@ -208,7 +208,7 @@ void Ros1Bag::settleChunk(bool doubtful) {
   lookInto(std::size_t(&chunk - chunks().data()));
 }
 
-/// Messages outside of chunks: nobody writes them, and the format does not forbid them.
+/// Messages outside of chunks: nobody writes them, but the format allows it.
 Ros1Bag::Step Ros1Bag::takeMessage(const Head& head) {
   const bag::Fields fields = head.fields();
   const auto channel = fields.number<std::uint32_t>("conn");
@@ -241,13 +241,13 @@ Ros1Bag::Step Ros1Bag::takeMessage(const Head& head) {
   return Step::Taken;
 }
 
-/// A header of three fields, "compression", "op" and "size", in whatever order.
+/// A header of three fields, "compression", "op" and "size", in any order.
 std::uint64_t Ros1Bag::nextChunk(Window& window, std::uint64_t from, std::uint64_t to) const {
   constexpr std::size_t kStart = 256;
   while (from < to) {
     const auto view = window.rest(from, kStart, to);
     if (view.empty()) return to;
-    // The length of such a header is below 256: its second byte and those after it are zero.
+    // The length of such a header is below 256, so its second and later bytes are zero.
     const std::string_view text = ByteReader::textOf(view);
     const std::size_t zeros = text.find(std::string_view("\0\0\0", 3));
     if (zeros == std::string_view::npos) {

@@ -7,7 +7,7 @@
 namespace mapwright::recording {
 namespace {
 
-constexpr qsizetype kMost = qsizetype(512) << 20;  // names may be many times as long as what they name
+constexpr qsizetype kMost = qsizetype(512) << 20;  // names may be many times as long as their values
 
 /// RFC 8746, section 2.1: little-endian ones.
 std::uint64_t tagOf(RosKind kind) {
@@ -61,7 +61,7 @@ class CborVisitor final : public RosVisitor {
     writer_.endMap();
   }
   void numbers(const RosNumbers& numbers) override {
-    if (numbers.kind == RosKind::Flag) {  // a byte string would be numbers
+    if (numbers.kind == RosKind::Flag) {  // a byte string would mean numbers
       writer_.startArray(numbers.count());
       for (const std::uint8_t set : numbers.bytes) writer_.append(set != 0);
       writer_.endArray();

@@ -1,6 +1,5 @@
-// Messages of ROS as rosbridge would send them in a binary frame: then whoever reads frames reads recordings,
-// and needs to know of neither ROS 1 nor CDR. Sources: rosbridge v2, "cbor"; RFC 8949; RFC 8746 (arrays of
-// numbers).
+// ROS messages in the form of rosbridge's binary frames, so that the code for frames also reads recordings
+// without knowing ROS 1 or CDR. Sources: rosbridge v2, "cbor"; RFC 8949; RFC 8746 (arrays of numbers).
 #pragma once
 
 #include <cstddef>
@@ -13,11 +12,10 @@
 
 namespace mapwright::recording {
 
-/// The message as one CBOR map, its members in the order of the schema. Arrays of numbers are byte strings
-/// with the tag of their type and byte order (uint8[] and flags without), copied as they lie; times of ROS 1
-/// are {secs, nsecs}, those of ROS 2 {sec, nanosec}. Lone numbers are whole, or floats of 64 bits (NaN too).
-/// Memory: as much as the message and the names of its members, each time that they occur; over 512 MiB is
-/// TooMany. Pure; any thread.
+/// The message as one CBOR map, with members in the order of the schema. Arrays of numbers are byte strings
+/// tagged with type and byte order (uint8[] and bool[] without), copied unchanged; times are {secs, nsecs} in
+/// ROS 1 and {sec, nanosec} in ROS 2. Single numbers are integers or 64-bit floats (including NaN). Memory:
+/// the message plus the names of all its members; over 512 MiB is TooMany. Pure; any thread.
 tl::expected<QByteArray, RosDecodeFault> rosToCbor(const RosSchema& schema, RosWire wire,
                                                    std::span<const std::uint8_t> bytes);
 

@@ -55,7 +55,7 @@ class Decoder {
       value(field);
       if (fault_) return;
     }
-    if (cdr_ && type.fields.empty() && left() > 0) take(1);  // not all write a byte in their place
+    if (cdr_ && type.fields.empty() && left() > 0) take(1);  // not every writer adds a byte for them
     if (!fault_) visitor_.endObject();
   }
 
@@ -64,7 +64,7 @@ class Decoder {
     const std::size_t count = field.many == RosField::Many::Fixed ? field.count : number<std::uint32_t>();
     if (fault_) return;
     if (const std::size_t size = sizeOf(field.kind); size != 0) {
-      // An array without items is not aligned: it has no first one.
+      // An empty array is not aligned: it has no first item.
       if (count > 0) align(size);
       if (count > left() / size) return fail(Code::CutOff);
       visitor_.numbers({field.kind, swap_, take(count * size)});
@@ -116,7 +116,7 @@ class Decoder {
         const auto raw = take(number<std::uint32_t>());
         std::string_view text(reinterpret_cast<const char*>(raw.data()), raw.size());
         if (cdr_ && text.ends_with('\0'))
-          text.remove_suffix(1);  // there its length counts the zero at its end
+          text.remove_suffix(1);  // there its length includes the terminating zero
         return give([&] { visitor_.text(text); });
       }
       case RosKind::Time: {
@@ -129,7 +129,7 @@ class Decoder {
         const auto nanoseconds = number<std::int32_t>();
         return give([&] { visitor_.time(seconds, nanoseconds); });
       }
-      case RosKind::WideText:  // nobody agrees on how wide its letters are
+      case RosKind::WideText:  // there is no agreement on its character width
         return fail(Code::NotSupported);
       case RosKind::Nested:
         return object(field.type);

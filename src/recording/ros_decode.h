@@ -1,9 +1,8 @@
-// Messages of ROS as they lie in recordings: serialised as by ROS 1 ("ros1"), or as CDR by ROS 2 ("cdr").
-// Sources: ROS wiki, "roscpp: Overview: Messages" (serialisation: little-endian, packed, arrays and texts
-// behind a uint32); OMG DDS-XTypes 1.3, 7.4 (encapsulation, plain CDR with alignment; of XCDR2, alignment to
-// 4 at most); rosidl (a message without members is one byte).
-//
-// Pure; any thread. Bytes are untrusted: no count is believed that the bytes left could not hold, nothing is
+// Deserialises ROS messages in recordings: ROS 1 format ("ros1"), or CDR of ROS 2 ("cdr"). Sources: ROS wiki,
+// "roscpp: Overview: Messages" (serialisation: little-endian, packed, arrays and texts after a uint32); OMG
+// DDS-XTypes 1.3, 7.4 (encapsulation, plain CDR with alignment; for XCDR2, alignment to at most 4); rosidl (a
+// message without members is one byte).
+// Pure; any thread. Bytes are untrusted: counts that exceed the remaining bytes are rejected, and nothing is
 // copied.
 #pragma once
 
@@ -17,7 +16,7 @@
 
 namespace mapwright::recording {
 
-/// Numbers side by side, as they lie in the message: not aligned in memory.
+/// Consecutive numbers, as stored in the message: unaligned.
 struct RosNumbers {
   RosKind kind = RosKind::Uint8;  // one of a fixed size
   bool big_endian = false;
@@ -25,11 +24,12 @@ struct RosNumbers {
   std::size_t count() const { return bytes.size() / sizeOf(kind); }
 };
 
-/// Takes a message member by member. Views are into the message. Texts are as they came, maybe no UTF-8.
+/// Receives a message member by member, as views into it. Texts are as received, maybe invalid UTF-8.
 class RosVisitor {
  public:
   virtual ~RosVisitor() = default;
-  virtual void beginObject(const RosType& type) = 0;  // then member() and a value, for each of its fields
+  virtual void beginObject(
+      const RosType& type) = 0;  // followed by member() and a value, for each of its fields
   virtual void endObject() = 0;
   virtual void member(std::string_view name) = 0;
   virtual void beginList(std::size_t count) = 0;  // of objects, texts or times
@@ -39,17 +39,17 @@ class RosVisitor {
   virtual void natural(std::uint64_t value) = 0;
   virtual void real(double value) = 0;
   virtual void text(std::string_view value) = 0;
-  virtual void time(std::int64_t seconds, std::int64_t nanoseconds) = 0;  // of ROS 1, durations too
-  /// Asked before every value; false: enough, the message is too large for whoever takes it.
+  virtual void time(std::int64_t seconds, std::int64_t nanoseconds) = 0;  // of ROS 1, including durations
+  /// Called before every value; false: stop, the message is too large for the receiver.
   virtual bool takesMore() const { return true; }
-  virtual void numbers(const RosNumbers& numbers) = 0;  // an array of numbers or flags
+  virtual void numbers(const RosNumbers& numbers) = 0;  // an array of numbers or bools
 };
 
 struct RosDecodeFault {
   enum class Code : std::uint8_t {
-    NotThisEncoding,  // neither "ros1" nor "cdr", or an encapsulation that is not plain CDR
+    NotThisEncoding,  // neither "ros1" nor "cdr", or an encapsulation other than plain CDR
     CutOff,           // the bytes end within `field`
-    TooMany,          // more members than any message has, or than the visitor takes
+    TooMany,          // more members than any real message, or than the visitor accepts
     NotSupported,     // a wide text
   };
   Code code = Code::CutOff;
@@ -57,11 +57,11 @@ struct RosDecodeFault {
 };
 
 enum class RosWire : std::uint8_t { Ros1, Cdr };
-/// Of a channel's message encoding; nullopt: another one.
+/// From a channel's message encoding; nullopt: another one.
 std::optional<RosWire> rosWire(std::string_view message_encoding);
 
-/// nullopt: all of it was visited. Else it was visited up to there; lists and objects may be left open. Bytes
-/// behind the message are passed over. `schema` is one that parseRosSchema() made.
+/// nullopt: all of it was visited. Otherwise the part before the fault was; lists and objects may be left
+/// open. Bytes after the message are ignored. `schema` comes from parseRosSchema().
 std::optional<RosDecodeFault> decodeRos(const RosSchema& schema, RosWire wire,
                                         std::span<const std::uint8_t> bytes, RosVisitor& visitor);
 

@@ -57,7 +57,7 @@ bool isName(std::string_view text) {
   });
 }
 
-/// "nav_msgs/msg/Path" is "nav_msgs/Path"; what was in roslib before it moved is where everybody has it now.
+/// "nav_msgs/msg/Path" is "nav_msgs/Path"; former types of roslib get their present package.
 std::string plainName(std::string_view name) {
   if (name == "roslib/Header") return "std_msgs/Header";
   const std::size_t first = name.find('/');
@@ -66,7 +66,7 @@ std::string plainName(std::string_view name) {
   return std::string(name.substr(0, first)) + std::string(name.substr(last));
 }
 
-/// A field whose type is not looked up yet.
+/// A field whose type is not resolved yet.
 struct Draft {
   RosField field;
   std::string type;  // of Nested, as written
@@ -77,7 +77,7 @@ struct Section {
   std::vector<Draft> drafts;
 };
 
-/// "float32[3]", "Pose[]", "string<=10[<=5]"; nullopt: none of these.
+/// "float32[3]", "Pose[]", "string<=10[<=5]"; nullopt: invalid.
 std::optional<Draft> typeIn(std::string_view text, RosDialect dialect) {
   Draft draft;
   const std::size_t bracket = text.find('[');
@@ -134,8 +134,7 @@ tl::expected<std::vector<Section>, Fault> sectionsIn(std::string_view name, std:
     const std::size_t end = text.find('\n');
     std::string_view line = text.substr(0, end);
     text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
-    line =
-        trimmed(line.substr(0, line.find('#')));  // a '#' in a constant's text: what is behind it is not read
+    line = trimmed(line.substr(0, line.find('#')));  // a '#' in a constant's text: the rest is ignored
     if (line.empty()) continue;
     if (line.find_first_not_of('=') == std::string_view::npos) {
       named = false;
@@ -159,7 +158,7 @@ tl::expected<std::vector<Section>, Fault> sectionsIn(std::string_view name, std:
   return sections;
 }
 
-/// What everybody means and not every recorder writes down.
+/// Well-known types that some recorders do not include.
 std::optional<RosType> wellKnown(std::string_view name) {
   const auto pair = [&](RosKind first) {
     RosType type{std::string(name), {}};
@@ -189,7 +188,7 @@ class Linker {
  private:
   enum class State : std::uint8_t { Open, Done };
 
-  /// Puts a section, and all that it holds, into the schema.
+  /// Adds a section, with everything it contains, to the schema.
   std::optional<Fault> take(std::size_t section, std::size_t depth) {
     const Section& taken = sections_[section];
     if (depth > kDeepest) return Fault{Fault::Code::TooLong, 0, taken.name};
@@ -213,7 +212,7 @@ class Linker {
     std::string name = plainName(draft.type);
     if (name.find('/') == std::string::npos) {
       const std::string beside = inside.substr(0, inside.find('/') + 1) + name;
-      // "Header" is what it is to everybody, unless the package has one of its own.
+      // "Header" means the standard one, unless the package has its own.
       name = name == "Header" && !places_.contains(beside) ? "std_msgs/Header" : beside;
     }
     const auto found = places_.find(name);

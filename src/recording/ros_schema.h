@@ -1,9 +1,8 @@
-// What a message of ROS is made of, from its definition as it stands in recordings: the text of the .msg
-// file, then those of all types in it, each behind a line of '=' and "MSG: package/Type". Sources: ROS wiki,
-// "msg"; ROS 2, "About ROS 2 interfaces" (bounds, defaults, wide strings); MCAP, "Well-known schema
+// The structure of a ROS message, parsed from its definition as stored in recordings: the text of the .msg
+// file, followed by those of all types in it, each after a line of '=' and "MSG: package/Type". Sources: ROS
+// wiki, "msg"; ROS 2, "About ROS 2 interfaces" (bounds, defaults, wide strings); MCAP, "Well-known schema
 // encodings" ("ros1msg", "ros2msg").
-//
-// Pure; any thread. Definitions are untrusted: they are bounded, and none that holds itself is accepted.
+// Pure; any thread. Definitions are untrusted: they are bounded, and recursive ones are rejected.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +34,7 @@ enum class RosKind : std::uint8_t {
   Duration,  // of ROS 1: signed
   Nested,    // RosField::type
 };
-/// Bytes of one; 0 for what has no fixed size by itself.
+/// Size in bytes; 0 if it has no fixed size.
 std::size_t sizeOf(RosKind kind);
 
 struct RosField {
@@ -58,7 +57,7 @@ struct RosSchema {
 
 struct RosSchemaFault {
   enum class Code : std::uint8_t {
-    TooLong,      // over 1 MiB, or more types, fields or depth than any message has
+    TooLong,      // over 1 MiB, or more types, fields or nesting than any real message
     NotAField,    // the line is neither a field nor a constant
     UnknownType,  // `word` is defined nowhere
     HoldsItself,  // the type `word`
@@ -69,7 +68,7 @@ struct RosSchemaFault {
 };
 
 enum class RosDialect : std::uint8_t { Ros1, Ros2 };
-/// Of a schema's encoding in MCAP; nullopt: another one.
+/// From a schema's encoding in MCAP; nullopt: another one.
 std::optional<RosDialect> rosDialect(std::string_view schema_encoding);
 
 /// `name`: of the message, "nav_msgs/Path" or "nav_msgs/msg/Path".

@@ -9,7 +9,7 @@
 namespace mapwright::recording {
 namespace {
 
-constexpr double kMostS = 9.2e9;  // that nanoseconds in 63 bits can hold
+constexpr double kMostS = 9.2e9;  // the maximum for nanoseconds in 63 bits
 constexpr int kDigits = 9;        // of nanoseconds
 
 }  // namespace

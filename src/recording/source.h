@@ -1,7 +1,6 @@
-// A recording that is read, whichever format it has. Nothing in the file is trusted: lengths are checked
-// before memory is taken, what is not sound is skipped and noted (Summary::notes), nothing throws.
-//
-// One thread at a time for a source and its cursors; messages may go anywhere.
+// A recording opened for reading, in any format. Nothing in the file is trusted: lengths are checked before
+// memory is allocated, invalid parts are skipped and noted (Summary::notes), nothing throws.
+// A source and its cursors are used by one thread at a time; messages may be passed to any.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +18,15 @@
 
 namespace mapwright::recording {
 
-/// How much memory a file may make us take.
+/// How much memory a file may use.
 struct Limits {
   std::uint64_t most_chunk_bytes = std::uint64_t(256) << 20;  // of one chunk, unpacked and packed
   std::uint64_t most_record_bytes = std::uint64_t(64)
                                     << 20;          // of a schema, a channel, metadata; the index: 16 times
-  std::size_t held_bytes = std::size_t(256) << 20;  // unpacked chunks that are kept for their next use
+  std::size_t held_bytes = std::size_t(256) << 20;  // unpacked chunks kept for reuse
 };
 
-/// The messages from first_ns to last_ns, both included, on these topics (none = all).
+/// The messages from first_ns to last_ns, both inclusive, on these topics (none = all).
 struct Query {
   std::int64_t first_ns = std::numeric_limits<std::int64_t>::min();
   std::int64_t last_ns = std::numeric_limits<std::int64_t>::max();
@@ -35,13 +34,13 @@ struct Query {
   bool backwards = false;
 };
 
-/// The chunks that are packed alike.
+/// The chunks with the same compression.
 struct Packing {
   std::string compression;  // "zstd", "lz4", "bz2"; empty: none
   std::uint64_t chunks = 0, packed_bytes = 0, unpacked_bytes = 0;
 };
 
-/// Messages one after the other. Must not outlive its source.
+/// Iterates over messages. Must not outlive its source.
 class Cursor {
  public:
   virtual ~Cursor() = default;
@@ -56,30 +55,30 @@ class Source {
   virtual Summary summary() const = 0;
   virtual std::vector<ChannelPtr> channels() const = 0;  // by id
 
-  /// In the order of their log times; those of the same time as they stand in the file (backwards: exactly
-  /// the other way round). It is about what refresh() has found until now.
+  /// In the order of log times; messages of the same time in file order (backwards: exactly reversed). Covers
+  /// what refresh() has found so far.
   virtual std::unique_ptr<Cursor> messages(const Query& query) = 0;
-  /// Of each of the topics (none = all) the last message at or before `at_ns`: the one that messages() would
-  /// give last. Found by the index; only the chunks that hold one of them are unpacked.
+  /// For each of the topics (none = all) the last message at or before `at_ns`: the one that messages() would
+  /// give last. Uses the index; only chunks with one of these messages are unpacked.
   virtual std::vector<Message> lastBefore(std::int64_t at_ns, const std::vector<std::string>& topics) = 0;
 
   /// "MCAP", "ROS bag 2.0".
   virtual std::string format() const = 0;
-  /// By the heads of the chunks, each of which is read. Messages outside of chunks are not in it.
+  /// From the headers of the chunks, all of which are read. Does not include messages outside of chunks.
   virtual std::vector<Packing> packing() const = 0;
 
   virtual const std::vector<AttachmentPlace>& attachments() const = 0;
-  /// nullopt: it is not sound, which is noted.
+  /// nullopt: it is damaged, which is noted.
   virtual std::optional<Attachment> attachment(const AttachmentPlace& place) = 0;
   virtual const std::vector<Metadata>& metadata() const = 0;
 
-  /// Looks for what was written since; true: there is more. A file that is finished does not change.
+  /// Checks for data written since; true: there is more. A complete file does not change.
   virtual bool refresh() = 0;
 };
 
 using Opened = tl::expected<std::unique_ptr<Source>, Failure>;
 
-/// Whatever it is, by its first bytes.
+/// Detects the format from the first bytes.
 Opened openRecording(const std::string& path, const Limits& limits = {});
 Opened openRecording(std::unique_ptr<Bytes> bytes, const Limits& limits = {});
 

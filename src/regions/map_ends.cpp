@@ -6,18 +6,18 @@
 namespace mapwright::regions {
 namespace {
 
-// Of a cell. A question ends so much before the map does: rounding must not make it reach beyond.
+// In cells. A request ends this much before the map, so that rounding does not extend it beyond.
 constexpr double kInside = 0.02;
-// And begins so much before the cell it asks about: what truncates must not make it empty.
+// And begins this much before the tested cell, so that truncation does not make it empty.
 constexpr double kOverlap = 0.5;
-constexpr double kSpotCells = 4;  // a question is so wide
+constexpr double kSpotCells = 4;  // the width of a request
 constexpr int kMostCells = 1 << 24;
 
 bool isAlongX(Side side) { return side == Side::Left || side == Side::Right; }
 constexpr double kAboutCells = 0.75, kLackCells = 1.5;  // less is rounding
 double outwards(Side side) { return side == Side::Right || side == Side::Top ? 1 : -1; }
 
-/// `place` lies farther out than `end`, by more than `slack`.
+/// `place` is farther out than `end`, by more than `slack`.
 bool isBeyond(double place, double end, Side side, double slack) {
   return (place - end) * outwards(side) > slack;
 }
@@ -46,7 +46,7 @@ void MapEnds::forget() {
 geometry::WorldRect MapEnds::within(const geometry::WorldRect& rect, double cell_m) const {
   geometry::WorldRect part = rect;
   for (const Side side : kSides) {
-    // What was seen goes before what was told.
+    // Observations take precedence over reported sizes.
     const End& found = found_[at(side)];
     std::optional<double> end = found.end;
     if (!end && told_ &&
@@ -90,7 +90,7 @@ void MapEnds::search(Side side, const geometry::WorldRect& place, const geometry
 }
 
 int MapEnds::Search::asking() const {
-  // Anything at all, everything, then by halves.
+  // First anything at all, then everything, then bisection.
   if (not_there == most + 1) return there == 0 ? 1 : most;
   return there + (not_there - there) / 2;
 }

@@ -1,4 +1,4 @@
-// Where a map ends, for dispatchers that answer a region partly beyond their map with nothing
+// Finds the edges of a map, for dispatchers whose answer is empty if a region extends beyond their map
 // (docs/protocols/rep130-map-dispatcher.md, "Regions"). Pure value.
 #pragma once
 
@@ -9,31 +9,31 @@
 
 namespace mapwright::regions {
 
-/// A map is a rectangle along the axes. Where a robot does not tell how large it is, each end is found by
-/// small questions, by halves, from a place that is known to be on it.
+/// A map is an axis-aligned rectangle. If the robot does not report its size, each edge is found by bisection
+/// with small requests, from a place that is known to be on the map.
 class MapEnds {
  public:
-  /// What the robot says; nullopt: nothing, or the map is turned.
+  /// The reported extent; nullopt: none, or the map is rotated.
   void tell(std::optional<geometry::WorldRect> extent) { told_ = extent; }
   /// What was found is old.
   void forget();
 
-  /// `rect` without what is known to be beyond the map; may be empty.
+  /// `rect` without the parts known to be beyond the map; may be empty.
   geometry::WorldRect within(const geometry::WorldRect& rect, double cell_m) const;
-  /// A side of `rect` to which nobody knows whether the map reaches. `place`: a rectangle that is on it.
+  /// A side of `rect` of which it is unknown whether the map reaches it. `place`: a rectangle on the map.
   std::optional<Side> openSide(const geometry::WorldRect& rect, const geometry::WorldRect& place,
                                double cell_m) const;
 
-  /// The map goes on where `answer`, for all of `rect`, ends.
+  /// The map continues where `answer`, for all of `rect`, ends.
   bool goesOnBeyond(const geometry::WorldRect& answer, const geometry::WorldRect& rect, double cell_m) const;
 
-  /// Searches from `place` as far as `rect` goes.
+  /// Searches from `place` up to the edge of `rect`.
   void search(Side side, const geometry::WorldRect& place, const geometry::WorldRect& rect, double cell_m);
   void stop() { search_.reset(); }
   bool searching() const { return search_.has_value(); }
-  /// What to ask for. While searching.
+  /// The next request. While searching.
   geometry::WorldRect asking() const;
-  /// `known`: where cells came; empty = nowhere.
+  /// `known`: where cells arrived; empty = nowhere.
   void answered(const geometry::WorldRect& known);
 
  private:
@@ -42,12 +42,12 @@ class MapEnds {
     geometry::WorldRect place;
     double cell_m;
     int most;            // cells from the place to the far edge
-    int there = 0;       // so many are on the map
-    int not_there;       // so many are not; most + 1: that is not known
+    int there = 0;       // this many are on the map
+    int not_there;       // this many are not; most + 1: unknown
     int asking() const;  // whether so many are
   };
   struct End {
-    std::optional<double> reach;  // the map goes as far as this at least
+    std::optional<double> reach;  // the map reaches at least this far
     std::optional<double> end;
   };
 

@@ -12,17 +12,18 @@ namespace {
 
 using Kind = RegionRequest::Kind;
 
-constexpr double kMostCovered = 4096;    // regions that one answer may speak for
-constexpr std::size_t kMostRows = 8192;  // regions that anything is known of
+constexpr double kMostCovered = 4096;    // regions that one answer may cover
+constexpr std::size_t kMostRows = 8192;  // regions with any information
 
 RegionTrouble misplaced(Misfit misfit) { return {RegionTrouble::Kind::Misplaced, {}, misfit}; }
 
-/// A reference that tells at least how large its cells are and where they lie.
+/// A reference with at least the size and position of its cells.
 bool tellsCells(const map::GridReference& grid) {
   return !map::whyUnusable(grid) && std::isfinite(grid.origin.yaw_rad);
 }
 
-/// Where squares of whole tiles begin. Squares lie along the axes: of a turned grid it does not matter.
+/// The origin of the squares, aligned with whole tiles. Squares are axis-aligned: for a rotated grid it does
+/// not matter.
 Eigen::Vector2d anchorOf(const map::GridReference& grid) {
   return grid.origin.yaw_rad == 0 ? RegionSheet(grid).zero() : Eigen::Vector2d(0, 0);
 }
@@ -77,7 +78,7 @@ void MapRegions::place(const RegionRequest& request, const map::GridPart& part, 
   const bool elsewhere = liesElsewhere(grid, request.rect);
   plan_.gave(grid.width, grid.height);
   plan_.setCells(grid.resolution_m, anchorOf(grid));
-  // Where the map has become smaller, nothing of the old one must stay.
+  // If the map has become smaller, nothing of the old one must stay.
   if (request.isOfSquare() && !elsewhere) forgetOld(request, change);
   cells_.put(part);
   for (const Fault& note : part.notes) {
@@ -99,7 +100,7 @@ void MapRegions::place(const RegionRequest& request, const map::GridPart& part, 
 void MapRegions::noteAim(const RegionRequest& request, const map::GridReference& grid, bool elsewhere) {
   const bool aimed = !request.aim.isZero();
   if (reading_ == Reading::Suspected && aimed) {
-    // The next answer tells: where that lies beside, too, places are asked for as they are.
+    // The next answer decides: if that is displaced as well, requests are not adjusted.
     reading_ = elsewhere ? Reading::Given : Reading::Corner;
     if (elsewhere) plan_.aim({0, 0});
   } else if (reading_ == Reading::NotKnown && elsewhere) {
@@ -120,7 +121,7 @@ void MapRegions::forgetOld(const RegionRequest& request, Change& change) {
   if (!plan_.isOfThisCut(request.id)) return;
   const RegionRow& row = plan_.row(request.key);
   const bool some_is_new = row.came_in == request.round && !row.came.empty();
-  // What a margin overlaps of the square beside it belongs there.
+  // The part of a margin that overlaps the next square belongs there.
   const geometry::WorldRect own = common(plan_.lattice().rectOf(request.key), request.rect);
   for (const geometry::WorldRect& rect :
        some_is_new ? without(own, row.came) : std::vector<geometry::WorldRect>{own}) {

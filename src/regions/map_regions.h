@@ -1,5 +1,5 @@
-// A map by the regions in view: what is asked for, what came, what is kept. Pure state; time and answers are
-// handed in.
+// A map loaded by the visible regions: what to request, what arrived, what to keep. Pure state; time and
+// answers are passed in.
 #pragma once
 
 #include <optional>
@@ -11,32 +11,32 @@
 
 namespace mapwright::regions {
 
-/// One region as it is to be drawn and told of.
+/// One region for drawing and tooltips.
 struct RegionView {
   RegionKey key;
   geometry::WorldRect rect;
   RegionState state = RegionState::NotAsked;
   bool refreshing = false;
-  RegionTrouble trouble = {};  // of the last try
+  RegionTrouble trouble = {};  // of the last attempt
 };
 
-/// How the regions in view stand.
+/// The states of the visible regions.
 struct RegionCounts {
-  int in_view = 0, answered = 0, nothing = 0, fetching = 0, failed = 0;  // nothing: of those answered
-  int smaller = 0;  // answered with less than was asked for, though there is map beyond: something is missing
+  int in_view = 0, answered = 0, nothing = 0, fetching = 0, failed = 0;  // nothing: of the answered ones
+  int smaller = 0;  // answered with less than requested, although the map continues: something is missing
   bool operator==(const RegionCounts&) const = default;
 };
 
 class MapRegions {
  public:
   struct Options {
-    std::size_t budget_bytes = std::size_t(128) << 20;  // of cells; what is in view is held all the same
+    std::size_t budget_bytes = std::size_t(128) << 20;  // for cells; visible ones are kept in any case
     PlanOptions plan = {};
   };
   explicit MapRegions(Options options);
 
   void setView(std::optional<geometry::WorldRect> rect, const Eigen::Vector2d& centre_m);
-  /// How large the map is, as the robot tells.
+  /// The size of the map as reported by the robot.
   void setExtent(const std::optional<map::GridReference>& extent);
   void refresh() { plan_.refresh(); }
   void retryNow() { plan_.retryNow(); }
@@ -44,10 +44,10 @@ class MapRegions {
   std::vector<std::uint64_t> unwanted() { return plan_.unwanted(); }
   std::optional<Millis> nextDue(Millis now) const { return plan_.nextDue(now); }
 
-  /// What of the screen an answer changes: cells in `cells` are others (empty = none are).
+  /// What an answer changes on screen: the cells in `cells` (empty = none).
   struct Change {
     geometry::WorldRect cells;
-    bool sheets = false;  // there are others than before, or in another order
+    bool sheets = false;  // sheets were added, removed or reordered
   };
   Change answered(std::uint64_t id, robot::Outcome<map::GridPart> outcome, Millis now);
 
@@ -56,38 +56,39 @@ class MapRegions {
   const std::string& frame() const { return cells_.frame(); }
   std::size_t bytes() const { return cells_.bytes(); }
   RegionCounts counts() const;
-  /// Nearest to the middle first.
+  /// Nearest to the centre first.
   std::vector<RegionView> inView() const;
-  /// All that has an answer and touches `rect`, in view or not.
+  /// All answered regions that touch `rect`, visible or not.
   std::vector<RegionView> answeredIn(const geometry::WorldRect& rect) const;
-  /// The region at a point, while regions are in view; nullopt where none is cut.
+  /// The region at a point, while regions are shown; nullopt if there is none.
   std::optional<RegionView> at(const Eigen::Vector2d& world_m) const;
-  /// What a map of `rect` would be in cells; nullopt while it is not known how large they are.
+  /// How many cells a map of `rect` would have; nullopt while the cell size is unknown.
   std::optional<double> cellsOf(const geometry::WorldRect& rect) const;
-  /// The robot takes what it is asked for as a corner of the region, not as its middle, and is asked
-  /// accordingly.
+  /// The robot takes the requested position as a corner of the region instead of its centre, and requests are
+  /// adjusted to that.
   bool asksForCorners() const { return reading_ == Reading::Corner; }
-  /// Cells of its answers that were neither -1 nor 0 to 100, as the adapter has counted them.
+  /// Cells of its answers outside the range -1 to 100, as counted by the adapter.
   std::int64_t oddCells() const { return odd_cells_; }
-  /// Some cell came that lies in `rect`.
+  /// At least one received cell is in `rect`.
   bool holdsAnyOf(const geometry::WorldRect& rect) const;
-  /// Where the known part of the map ends; empty = nothing is known of it.
+  /// The bounds of the known part of the map; empty = nothing is known.
   const geometry::WorldRect& reach() const { return cells_.reach(); }
 
  private:
   RegionView viewOf(const RegionKey& key) const;
   void place(const RegionRequest& request, const map::GridPart& part, Millis now, Change& change);
-  /// The cells of what was asked for, but those that came since all was asked for anew.
+  /// Drops the cells of the requested area, except those received since everything was requested again.
   void forgetOld(const RegionRequest& request, Change& change);
   void noteCovered(const RegionRequest& request, const map::GridReference& grid);
   void keepToBudget(Change& change);
-  /// Learns how the robot reads places, where answers lie elsewhere in a way that can be met.
+  /// Learns how the robot interprets positions, if its answers are displaced in a way that can be
+  /// compensated.
   void noteAim(const RegionRequest& request, const map::GridReference& grid, bool elsewhere);
 
   Options options_;
   RegionPlan plan_;
   RegionCells cells_;
-  enum class Reading { NotKnown, Suspected, Corner, Given };  // Given: no corner, or nothing helps
+  enum class Reading { NotKnown, Suspected, Corner, Given };  // Given: not corners, or nothing helps
   Reading reading_ = Reading::NotKnown;
   std::int64_t odd_cells_ = 0;
 };

@@ -6,7 +6,7 @@
 namespace mapwright::regions {
 namespace {
 
-constexpr double kRoundingCells = 2;  // what cells at the rim, or a margin, make of a rectangle
+constexpr double kRoundingCells = 2;  // the effect of edge cells or a margin on a rectangle
 
 bool overlap(const geometry::WorldRect& a, const geometry::WorldRect& b, double touch) {
   return a.min_x < b.max_x - touch && b.min_x < a.max_x - touch && a.min_y < b.max_y - touch &&
@@ -16,7 +16,7 @@ bool overlap(const geometry::WorldRect& a, const geometry::WorldRect& b, double 
 }  // namespace
 
 bool liesElsewhere(const map::GridReference& answer, const geometry::WorldRect& asked) {
-  // In the axes of the grid: of a turned one, what lies around the region is a right answer, too.
+  // In the grid's axes: for a rotated grid, the surroundings of the region are a correct answer, too.
   const geometry::Pose2 to_grid = answer.origin.inverse();
   geometry::WorldRect around;
   for (const double x : {asked.min_x, asked.max_x}) {

@@ -1,4 +1,4 @@
-// Where an answer lies, next to what was asked for. Pure functions.
+// Where an answer is, relative to the request. Pure functions.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@
 
 namespace mapwright::regions {
 
-/// Of another place: it does not overlap `asked` at all, or is as large, but lies beside it in part. One that
-/// is cut, padded or larger is of this place.
+/// True if it is elsewhere: it does not overlap `asked` at all, or has the same size but is displaced.
+/// Clipped, padded or larger answers are not elsewhere.
 bool liesElsewhere(const map::GridReference& answer, const geometry::WorldRect& asked);
 
-/// For an answer that lies elsewhere by half of its lengths, as of a dispatcher that takes the middle of what
-/// it is asked for as a corner: the lengths to ask for beside it. nullopt: it lies elsewhere in another way.
+/// For an answer displaced by half its size, as from a dispatcher that takes the requested centre as a
+/// corner: the offset to add to requests. nullopt: it is displaced in another way.
 std::optional<Eigen::Vector2d> aimAgainst(const map::GridReference& answer, const geometry::WorldRect& asked);
 
-/// What both have; empty for an answer that is turned.
+/// The overlap; empty for a rotated answer.
 geometry::WorldRect commonGround(const map::GridReference& answer, const geometry::WorldRect& asked);
 
 /// `rect` without `others`, in pieces that do not overlap.

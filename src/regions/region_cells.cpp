@@ -25,7 +25,7 @@ bool RegionCells::put(const map::GridPart& part) {
   auto found = std::find_if(sheets_.begin(), sheets_.end(),
                             [&](const auto& sheet) { return sheet->holds(part.grid); });
   auto sheet = found == sheets_.end() ? std::make_shared<RegionSheet>(part.grid) : *found;
-  // Its own sheet is written over; the others must not be seen there any more.
+  // Its own sheet is overwritten; the others must not show anything there any more.
   if (found != sheets_.end()) sheets_.erase(found);
   for (const auto& other : sheets_) other->forgetUnder(part.grid);
   std::erase_if(sheets_, [](const auto& other) { return other->empty(); });

@@ -1,5 +1,5 @@
-// All cells that came, each where it belongs: pieces on the same lattice of cells in one sheet, others in
-// sheets of their own. Where pieces overlap, the newest is seen.
+// All received cells at their positions: pieces on the same cell lattice share a sheet, others get sheets of
+// their own. Where pieces overlap, the newest is visible.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace mapwright::regions {
 
-/// Why a piece could not be placed.
+/// Why a piece cannot be placed.
 enum class Misfit {
   None,
   Unusable,    // its reference says nothing: map::whyUnusable
@@ -23,25 +23,25 @@ enum class Misfit {
 
 class RegionCells {
  public:
-  /// One answer may have so many cells; of more nothing is taken.
+  /// The maximum number of cells in an answer; larger ones are ignored.
   static constexpr std::int64_t kMostOfPiece = std::int64_t(64) << 20;
-  /// A map whose cells lie on more lattices than this loses the sheet that was written to longest ago.
+  /// If the cells of a map are on more lattices than this, the least recently written sheet is dropped.
   static constexpr std::size_t kMostSheets = 4;
 
   /// What is wrong with a piece that has cells; None: it can be placed.
   Misfit misfitOf(const map::GridPart& part) const;
-  /// Places it. False: it cannot be (misfitOf), and nothing has changed.
+  /// Places it. False: impossible (see misfitOf), and nothing has changed.
   bool put(const map::GridPart& part);
-  /// Forgets what lies in `rect`. True when there was anything.
+  /// Drops everything in `rect`. True if there was anything.
   bool forget(const geometry::WorldRect& rect);
   void clear();
 
-  /// The one that was written to last comes last.
+  /// The one written last is at the end.
   const std::vector<std::shared_ptr<RegionSheet>>& sheets() const { return sheets_; }
-  /// The frame of all pieces; empty while none has named one.
+  /// The frame of all pieces; empty until one names it.
   const std::string& frame() const { return frame_; }
   std::size_t bytes() const;
-  /// Of all that has been placed, the outermost bounds; empty = nothing.
+  /// The bounds of everything placed; empty = nothing.
   const geometry::WorldRect& reach() const { return reach_; }
 
  private:

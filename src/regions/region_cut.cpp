@@ -1,5 +1,5 @@
-// One rectangle of what came, as a grid: nothing is copied or reduced before somebody looks at it, so that
-// cutting out holds nobody up.
+// One rectangle of the received cells, as a grid: nothing is copied or reduced before it is used, so cutting
+// out is instant.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -52,8 +52,8 @@ std::int64_t tilesIn(const RegionSheet& sheet, const CellBox& box) {
   return count;
 }
 
-/// The cells of `box`, taken from a sheet as it is now. Of one that is turned, those whose middles lie
-/// outside `rect` are unknown, where they do not belong to it.
+/// The cells of `box`, from a sheet in its present state. In a rotated one, cells whose centres are outside
+/// `rect` are unknown if they do not belong to it.
 class CutGrid final : public grids::GridPyramid {
  public:
   CutGrid(const RegionSheet& sheet, const CellBox& box, const geometry::WorldRect& rect, CutEdge edge)
@@ -110,13 +110,13 @@ class CutGrid final : public grids::GridPyramid {
       if (const auto found = made_.find({level, x, y}); found != made_.end()) return found->second;
     }
     Cells cells = level == 0 ? taken(x, y) : reduced(level, x, y);
-    // Finer ones are quickly taken again.
+    // Level 0 is quickly recomputed.
     if (level == 0) return cells;
     const std::lock_guard lock(mutex_);
     return made_.emplace(std::tuple(level, x, y), std::move(cells)).first->second;
   }
 
-  /// A tile of level 0 lies on up to four of the sheet.
+  /// A tile of level 0 overlaps up to four of the sheet.
   Cells taken(int x, int y) const {
     const auto cells = unknown();
     const int first_x = box_.left / grids::GridPyramid::kTileEdge,

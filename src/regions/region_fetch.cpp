@@ -71,7 +71,7 @@ std::string pgmOf(const grids::GridPyramid& cells) {
 RegionFetch::RegionFetch(robot::MapDispatch& dispatch, const geometry::WorldRect& rect, Options options,
                          QObject* parent)
     : QObject(parent), rect_(rect), tries_(options.tries), map_(dispatch, mapOptions(options, rect)) {
-  // The requests are sent from within look(): whether that was the last word is known afterwards.
+  // The requests are sent from within look(): whether it was the last is only known afterwards.
   connect(&map_, &RegionMap::changed, this, &RegionFetch::note, Qt::QueuedConnection);
   without_offer_.setSingleShot(true);
   without_offer_.setInterval(int(options.offer_within.count()));
@@ -100,7 +100,7 @@ void RegionFetch::note() {
   if (over_) return;
   Q_EMIT progressed();
   const RegionPlan& plan = map_.regions().plan();
-  // One that restarts is back after a moment.
+  // A restarting dispatcher is back after a moment.
   const bool waits = !map_.offered() && plan.underWay() == 0;
   if (!waits) without_offer_.stop();
   if (map_.gone() || tooLarge() || (!waits && plan.settled(tries_))) return end();

@@ -6,9 +6,9 @@
 namespace mapwright::regions {
 namespace {
 
-// Of a square: what reaches into the next one by less is rounding.
+// Of a square: smaller overlaps with the next one are rounding.
 constexpr double kTouch = 1e-6;
-constexpr double kFarthest = 1e15;  // squares: whole numbers as doubles, and in 64 bits
+constexpr double kFarthest = 1e15;  // squares: exact as doubles, and in 64 bits
 
 double clamped(double square) { return std::clamp(square, -kFarthest, kFarthest); }
 
@@ -28,7 +28,7 @@ RegionLattice::Range RegionLattice::rangeOf(const geometry::WorldRect& rect) con
   };
   Range range{first(rect.min_x, anchor_m.x()), first(rect.min_y, anchor_m.y()),
               last(rect.max_x, anchor_m.x()), last(rect.max_y, anchor_m.y())};
-  // One without width lies in a square all the same.
+  // Even one without width is in a square.
   range.x1 = std::max(range.x1, range.x0);
   range.y1 = std::max(range.y1, range.y0);
   return range;

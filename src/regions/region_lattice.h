@@ -1,4 +1,4 @@
-// A plane cut into squares, for asking for one after the other. Pure values, any thread.
+// Divides the plane into squares that are requested one after the other. Pure values, any thread.
 #pragma once
 
 #include <compare>
@@ -19,22 +19,22 @@ struct RegionKey {
 /// Squares along the axes of the map's frame. Metres.
 struct RegionLattice {
   Eigen::Vector2d anchor_m{0, 0};  // the lower left corner of square (0, 0)
-  double edge_m = 51.2;            // finite, more than 0
+  double edge_m = 51.2;            // finite, greater than 0
   bool operator==(const RegionLattice&) const = default;
 
   geometry::WorldRect rectOf(const RegionKey& key) const;
-  /// The squares that share more than an edge with `rect`, which is finite: how many, and each of them.
+  /// The squares that overlap `rect` (finite) by more than an edge: their number, and each of them.
   double countIn(const geometry::WorldRect& rect) const;
   void eachIn(const geometry::WorldRect& rect, const std::function<void(const RegionKey&)>& each) const;
 
  private:
   struct Range {
-    double x0, y0, x1, y1;  // whole numbers, inclusive
+    double x0, y0, x1, y1;  // integers, inclusive
   };
   Range rangeOf(const geometry::WorldRect& rect) const;
 };
 
-/// What a dispatcher is asked for.
+/// The request for a rectangle.
 map::GridRegion askedFor(const geometry::WorldRect& rect);
 
 bool isFinite(const geometry::WorldRect& rect);

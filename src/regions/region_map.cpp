@@ -77,7 +77,7 @@ void RegionMap::look() {
   }
   if (offered()) {
     for (const RegionRequest& request : regions_.take(monotonic_())) {
-      // The robot may answer when this is gone.
+      // The robot may answer after this is destroyed.
       calls_[request.id] =
           dispatch_->grid(questionOf(request),
                           [self = QPointer(this), id = request.id](robot::Outcome<map::GridPart> outcome) {

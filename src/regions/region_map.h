@@ -1,4 +1,4 @@
-// A robot's map by the regions in view: asks its dispatcher for what MapRegions wants.
+// Loads a robot's map by the visible regions: sends the requests that MapRegions needs.
 #pragma once
 
 #include <functional>
@@ -14,43 +14,43 @@
 
 namespace mapwright::regions {
 
-/// Lives on the thread of the dispatcher, which may go before it: nothing more comes then, and what came
-/// stays.
+/// Lives on the thread of the dispatcher, which may be destroyed first: then nothing more arrives, and the
+/// received cells stay.
 class RegionMap : public QObject {
   Q_OBJECT
  public:
   struct Options {
     MapRegions::Options regions = {};
-    std::function<Millis()> monotonic = {};  // null = the usual clock
+    std::function<Millis()> monotonic = {};  // null = the default clock
   };
   RegionMap(robot::MapDispatch& dispatch, Options options, QObject* parent = nullptr);
   /// Requests under way are cancelled.
   ~RegionMap() override;
 
   const MapRegions& regions() const { return regions_; }
-  /// A region can be asked for: the robot offers it.
+  /// The robot can send its map by region.
   bool offered() const { return dispatch_ && dispatch_->offered(robot::DispatchService::GridRegion); }
 
-  /// The dispatcher is gone: what was under way never ends.
+  /// The dispatcher is gone: pending requests never finish.
   bool gone() const { return !dispatch_; }
 
-  /// What is looked at (of a turned view: what it lies in); nullopt = nothing, and nothing is asked for.
+  /// The visible area (for a rotated view its bounds); nullopt = nothing, and nothing is requested.
   void setView(std::optional<geometry::WorldRect> rect, const Eigen::Vector2d& centre_m);
-  /// Everything in view is asked for once more; until it is there the old is shown.
+  /// Requests everything visible again; the old cells are shown until then.
   void refresh();
-  /// What failed is asked for at once.
+  /// Retries failed requests at once.
   void retryNow();
-  /// From now on nothing changes any more, whatever is still answered: for whoever draws the present state.
+  /// Freezes the state, whatever is still answered, so that it can be drawn.
   void standStill();
-  /// What the robot offers has changed: a dispatcher that is back may have another map.
+  /// The robot's capabilities have changed: a dispatcher that is back may have another map.
   void takeOffers();
-  /// Sends what is due; by itself whenever something may have changed.
+  /// Sends what is due; called automatically whenever something may have changed.
   void look();
 
  Q_SIGNALS:
   void changed();  // how regions stand
   void cellsChanged(const mapwright::geometry::WorldRect& where);
-  void sheetsChanged();  // others, or in another order; comes before cellsChanged()
+  void sheetsChanged();  // other sheets, or another order; emitted before cellsChanged()
 
  private:
   void takeExtent();

@@ -8,9 +8,9 @@ namespace {
 
 using Kind = RegionRequest::Kind;
 
-constexpr double kFiner = 0.75, kCoarser = 1.5;  // cells that are so much smaller or larger: cut anew
+constexpr double kFiner = 0.75, kCoarser = 1.5;  // relative cell size that causes a new layout
 constexpr int kMostDoublings = 10;
-constexpr int kLookCells = 16;  // edge of a region that is looked into; the smaller, the nearer to a rim
+constexpr int kLookCells = 16;  // edge of a test region; the smaller, the closer to an edge of the map
 constexpr int kLooksAcross = 4;
 
 geometry::WorldRect around(const Eigen::Vector2d& centre, double edge_m) {
@@ -77,13 +77,13 @@ void RegionPlan::gave(int width, int height) {
 
 bool RegionPlan::halve(const geometry::WorldRect& asked) {
   const double cells = asked.width() * asked.height() / (*resolution_m_ * *resolution_m_);
-  // What it has given before is not too much.
+  // A size that it has delivered before is not too much.
   if (cells <= double(most_given_) || edge_cells_ / 2 < kLeastCells) return false;
   edge_cells_ /= 2;
   const RegionLattice old = lattice();
   const std::map<RegionKey, RegionRow> before = std::move(rows_);
   cut(edge_cells_ * *resolution_m_, old.anchor_m);
-  // The cells that came stay, and are known to be on the map.
+  // The received cells stay, and are known to be on the map.
   for (const auto& [key, of_old] : before) {
     const RegionRow& whole = of_old;
     if (!whole.may_hold) continue;
@@ -202,7 +202,7 @@ std::optional<RegionRequest> RegionPlan::lookForAnything() const {
   if (!empty || !squares_.rect() || squares_.keys().empty()) return std::nullopt;
   const geometry::WorldRect& view = *squares_.rect();
   const int number = hasMoved() ? 0 : looks_;
-  // First the middle; where nothing is known of the map at all, more places.
+  // First the centre; if nothing at all is known of the map, more places.
   const bool anything_known = std::any_of(rows_.begin(), rows_.end(), [this](const auto& each) {
     return each.second.may_hold && each.second.came_in == round_;
   });
@@ -227,7 +227,7 @@ std::vector<RegionRequest> RegionPlan::wanted() const {
     if (probe_.request == 0) wanted.push_back({.rect = firstRect()});
     return wanted;
   }
-  // What is missing before what gets newer.
+  // Missing regions come before updates.
   for (const bool missing : {true, false}) {
     for (const RegionKey& key : squares_.keys()) {
       const RegionRow& known = row(key);
@@ -308,7 +308,7 @@ bool RegionPlan::isOfThisCut(std::uint64_t id) const {
   return found != under_way_.end() && found->second.cut == cuts_;
 }
 
-/// nullptr: the lattice that it was asked for is gone.
+/// nullptr: the lattice of the request no longer exists.
 RegionRow* RegionPlan::rowOf(const RegionRequest& request) {
   if (!request.isOfSquare()) return &probe_;
   const auto found = rows_.find(request.key);
@@ -327,7 +327,7 @@ void RegionPlan::answered(std::uint64_t id, bool nothing, const geometry::WorldR
   row->trouble = {};
   switch (request.kind) {
     case Kind::First:
-      // It does not tell how large its cells are, so regions are as large as they usually would be.
+      // It does not report its cell size, so regions have the usual size.
       if (!squares_.isCut())
         cut(options_.region_cells * options_.assumed_resolution_m, Eigen::Vector2d::Zero());
       return;
@@ -337,7 +337,7 @@ void RegionPlan::answered(std::uint64_t id, bool nothing, const geometry::WorldR
       row->whole_is_nothing = nothing;
       row->known = known;
       row->part = {};
-      // What came with other answers of this round stays.
+      // Cells from other answers of this round stay.
       row->may_hold = !nothing || (row->came_in == request.round && row->may_hold);
       return;
     case Kind::Part:
@@ -371,7 +371,7 @@ void RegionPlan::failed(std::uint64_t id, RegionTrouble trouble, Millis now) {
   ++row->failures;
   const int doublings = std::clamp(row->failures - 1, 0, kMostDoublings);
   row->retry_at = now + std::min(options_.cooldown * (1 << doublings), options_.cooldown_limit);
-  // Once is chance.
+  // A single failure may be chance.
   if (refused && row->failures > 1 && resolution_m_ && request.kind == Kind::Square) halve(request.rect);
 }
 

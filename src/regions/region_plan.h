@@ -1,5 +1,5 @@
-// Which regions of the view to ask for next. Pure state with the time handed in.
-// Source: docs/protocols/rep130-map-dispatcher.md, "Regions".
+// Which visible regions to request next. Pure state; time is passed in. Source:
+// docs/protocols/rep130-map-dispatcher.md, "Regions".
 #pragma once
 
 #include <chrono>
@@ -20,15 +20,15 @@ using Millis = std::chrono::milliseconds;
 
 struct PlanOptions {
   int most_under_way = 2;
-  // Regions of so many cells; with more in view nothing is asked for. Where a dispatcher gives less at once
-  // there are more of smaller ones, up to kMostPieces for each.
+  // In regions of normal size; if more are visible nothing is requested. If a dispatcher sends less at once
+  // there are more, smaller ones, up to kMostPieces for each.
   int most_in_view = 32;
   int region_cells = RegionSheet::kStep;
-  Millis cooldown{2'000};  // after a failure, doubling up to
+  Millis cooldown{2'000};  // after a failure, doubled up to
   Millis cooldown_limit{60'000};
-  double probe_m = 5;                  // edge of the first region, before the size of a cell is known
-  double assumed_resolution_m = 0.05;  // of a robot that does not tell it
-  /// Only what lies in it is wanted: a dispatcher may answer what is partly beyond its map with nothing.
+  double probe_m = 5;                  // edge of the first region, before the cell size is known
+  double assumed_resolution_m = 0.05;  // for a robot that does not report it
+  /// Only this area is wanted: a dispatcher may answer with nothing if a region extends beyond its map.
   std::optional<geometry::WorldRect> only = {};
 };
 
@@ -37,10 +37,10 @@ enum class RegionState {
   Fetching,  // for the first time
   Held,
   Nothing,  // was answered: there is nothing
-  Failed,   // will be tried again while it is in view
+  Failed,   // is retried while visible
 };
 
-/// What was wrong with an answer, or with getting one.
+/// What was wrong with an answer, or why there was none.
 struct RegionTrouble {
   enum class Kind {
     None,
@@ -55,23 +55,23 @@ struct RegionTrouble {
 
 struct RegionRow {
   bool answered = false;
-  bool whole_is_nothing = false;  // asked for as a whole it was answered with nothing
+  bool whole_is_nothing = false;  // requested as a whole, it was answered with nothing
   std::uint64_t asked_for = 0;    // the round of its answer
-  std::uint64_t request = 0;      // under way; 0 = none is
+  std::uint64_t request = 0;      // in progress; 0 = none
   int failures = 0;               // in a row
   Millis retry_at{0};
-  RegionTrouble trouble;                  // of the last try; none = it went well
-  std::uint64_t seen = 0;                 // when it was in view last, counted in views
-  bool may_hold = false;                  // cells of it may have come
-  std::uint64_t came_in = 0;              // the round that `came` is of
-  std::vector<geometry::WorldRect> came;  // where cells came; not of a turned map
-  // Cells of all of this came in answer to what was asked for. Empty = of none did, or the map is turned.
+  RegionTrouble trouble;                  // of the last attempt; none = success
+  std::uint64_t seen = 0;                 // when it was last visible, counted in views
+  bool may_hold = false;                  // cells of it may have arrived
+  std::uint64_t came_in = 0;              // the round of `came`
+  std::vector<geometry::WorldRect> came;  // where cells arrived; not for a rotated map
+  // All of this area arrived in answer to a request. Empty = nothing did, or the map is rotated.
   geometry::WorldRect known = {};
-  geometry::WorldRect part = {};  // which part of it was asked for by itself
+  geometry::WorldRect part = {};  // the part of it that was requested separately
 
   RegionState state() const;
   bool nothing() const { return answered && whole_is_nothing && !may_hold; }
-  /// It is asked for once more; what came before is shown until then.
+  /// It was requested again; the old cells are shown until then.
   bool refreshing() const { return answered && request != 0; }
 };
 
@@ -79,110 +79,110 @@ struct RegionRequest {
   enum class Kind {
     First,   // how large are the cells?
     Square,  // all of a region
-    Part,    // of a region that as a whole was answered with nothing
-    End,     // does the map go as far as this?
-    Look,    // nothing came of all that is in view: is there anything?
+    Part,    // of a region that was answered with nothing as a whole
+    End,     // does the map reach this far?
+    Look,    // nothing arrived for everything visible: is there anything?
   };
   Kind kind = Kind::First;
   std::uint64_t id = 0;       // never 0
   std::uint64_t round = 0;    // counts refresh()
   RegionKey key = {};         // not of First
-  Eigen::Vector2d aim{0, 0};  // so many of its lengths beside it is asked for
-  /// What is asked for: rounding must not lose the cells at the rim.
+  Eigen::Vector2d aim{0, 0};  // the request is shifted by this many of its lengths
+  /// The requested area, with a margin so that rounding does not lose cells at the edge.
   geometry::WorldRect rect = {};
 
   bool isOfSquare() const { return kind != Kind::First; }
 };
 
-/// What the dispatcher is asked for.
+/// The request sent to the dispatcher.
 map::GridRegion questionOf(const RegionRequest& request);
 
-/// Each region of a lattice is asked for once while it is in view, nearest to the middle first, a few at a
-/// time; what failed waits and is asked for again; after refresh() all in view once more. What has left the
-/// view is to be cancelled. What is too much for one answer (the robot refuses it, leaves some of it out, or
-/// says nothing of it though it is on the map) is asked for in regions of half the edge.
+/// Requests each region of a lattice once while it is visible, nearest to the centre first, a few at a time;
+/// failed ones wait and are retried; refresh() requests all visible ones again. Requests for regions that are
+/// no longer visible are cancelled. If a region is too much for one answer (the robot refuses it, sends less,
+/// or nothing although it is on the map) regions are halved in edge length.
 class RegionPlan {
  public:
-  /// Regions are not made smaller than this, cells along their edge.
+  /// The minimum edge of a region in cells.
   static constexpr int kLeastCells = 64;
 
   explicit RegionPlan(PlanOptions options = {});
 
-  /// What is looked at: along the axes of the map, finite; nullopt = nothing.
+  /// The visible area: axis-aligned, finite; nullopt = nothing.
   void setView(std::optional<geometry::WorldRect> rect, const Eigen::Vector2d& centre_m);
-  /// How large the map is, as the robot tells; nullopt: it does not, or the map is turned.
+  /// The size of the map as reported; nullopt: not reported, or the map is rotated.
   void setExtent(std::optional<geometry::WorldRect> extent) { ends_.tell(extent); }
-  /// How large the cells are that come, and where their lattice begins. The first word counts, and one that
-  /// is very different, a few times: regions are cut anew then, and all is asked for again. True when they
-  /// were.
+  /// The cell size and the origin of the cell lattice. The first call counts; later ones only if very
+  /// different, and only a few times: then regions are laid out anew and everything is requested again. True
+  /// if so.
   bool setCells(double resolution_m, const Eigen::Vector2d& anchor_m);
-  /// All that has been answered is old from now on; failures need not wait any longer.
+  /// Marks all answers as old; failures need not wait any longer.
   void refresh();
-  /// What failed need not wait any longer.
+  /// Failed regions are retried at once.
   void retryNow();
-  /// Everything is asked for so many of its own lengths beside where it lies, from now on.
+  /// Shifts all requests by this many of their own lengths from now on.
   void aim(const Eigen::Vector2d& aim) { aim_ = aim; }
 
-  /// What to send now; it counts as under way until it has ended.
+  /// The requests to send now; they count as in progress until they end.
   std::vector<RegionRequest> take(Millis now);
-  /// Requests under way that nobody wants any more: each is told once.
+  /// Requests in progress that are no longer needed: each is returned once.
   std::vector<std::uint64_t> unwanted();
-  /// When take() may have something new without any other event.
+  /// When take() may return something new without any other event.
   std::optional<Millis> nextDue(Millis now) const;
-  /// Everything in view is there, as far as it is to be had: what failed has been tried so often.
+  /// Everything visible is loaded as far as possible: failed ones were tried this often.
   bool settled(int tries) const;
 
   const RegionRequest* find(std::uint64_t id) const;  // under way
-  /// Squares have not been cut anew since it was asked for.
+  /// The lattice has not changed since it was requested.
   bool isOfThisCut(std::uint64_t id) const;
-  /// An answer came with so many cells, for whatever. Before answered().
+  /// An answer arrived with this many cells. Call before answered().
   void gave(int width, int height);
-  /// How a request ended: it brought something for its region (`known`: where; empty = that is not known), or
-  /// that there is nothing; it went wrong, or it was cancelled.
+  /// A request ended: cells for its region (`known`: where; empty = unknown), or nothing there; or it failed,
+  /// or was cancelled.
   void answered(std::uint64_t id, bool nothing, const geometry::WorldRect& known = {});
   void failed(std::uint64_t id, RegionTrouble trouble, Millis now);
   void cancelled(std::uint64_t id);
-  /// Cells came for this region, with its own answer or that for another; all of it, or a part: `where`,
-  /// empty if the map is turned. `round`: of that request.
+  /// Cells arrived for this region, with its own answer or another one: all or a part of it: `where`, empty
+  /// if the map is rotated. `round`: of that request.
   void came(const RegionKey& key, const geometry::WorldRect& where, bool all, std::uint64_t round);
-  /// The cells of this region are not held any more.
+  /// The cells of this region were dropped.
   void forget(const RegionKey& key);
 
   const RegionLattice& lattice() const { return squares_.lattice(); }
   std::optional<double> resolution() const { return resolution_m_; }
   const std::map<RegionKey, RegionRow>& rows() const { return rows_; }
-  const RegionRow& row(const RegionKey& key) const;  // one of nothing where none is
-  /// What is looked at; while more regions would be in view than are asked for, none.
+  const RegionRow& row(const RegionKey& key) const;  // an empty one if there is none
+  /// The visible squares; none if there are too many to request.
   const SquaresInView& inView() const { return squares_; }
   bool tooFar() const { return squares_.tooMany(); }
   int underWay() const { return int(under_way_.size()); }
-  /// Why the first region could not be had, while nothing is known of the map.
+  /// Why the first region could not be loaded, while nothing is known of the map.
   const RegionTrouble& probeTrouble() const { return probe_.trouble; }
-  /// What came of it ends before it does, though the map goes on: the answer was smaller than it should be.
+  /// Its cells end before its edge although the map continues: the answer was too small.
   bool leftOut(const RegionKey& key) const;
 
  private:
-  static constexpr int kMostCuts = 4;  // after refresh(); a map may be gridded anew, but not all the time
+  static constexpr int kMostCuts = 4;  // after refresh(); the lattice may change, but not all the time
   static constexpr int kMostPieces = 64, kMostLooks = 64;
 
   double mostInView() const;
   void cut(double edge_m, const Eigen::Vector2d& anchor_m);
   RegionRow* rowOf(const RegionRequest& request);
-  /// All that may be asked for now or later, in order.
+  /// Everything to request now or later, in order.
   std::vector<RegionRequest> wanted() const;
   geometry::WorldRect firstRect() const;
-  /// What of a region is wanted, and that with a margin, as far as it lies on the map.
+  /// The wanted part of a region with a margin, as far as it is on the map.
   geometry::WorldRect squareOf(const RegionKey& key) const;
   geometry::WorldRect questionFor(const RegionKey& key) const;
   geometry::WorldRect partOf(const RegionKey& key) const;
   bool isCurrent(const RegionRow& row) const;
-  /// It is to be asked for in part, as all of it was answered with nothing.
+  /// To be requested in parts, as the whole was answered with nothing.
   bool asksInPart(const RegionKey& key) const;
-  /// A place in a region, or right beside it, that is on the map.
+  /// A place in a region, or next to it, that is on the map.
   std::optional<geometry::WorldRect> groundAt(const RegionKey& key) const;
   std::optional<RegionRequest> lookForAnything() const;
-  bool hasMoved() const;  // the view, since anything was looked for
-  /// Searches for an end of the map, or halves the regions, where answers give reason to.
+  bool hasMoved() const;  // the view, since the last search
+  /// Starts to search for an edge of the map, or halves the regions, if answers suggest it.
   void learn();
   bool halve(const geometry::WorldRect& asked);
 
@@ -196,13 +196,13 @@ class RegionPlan {
   RegionRow probe_;
   Eigen::Vector2d aim_{0, 0};
   MapEnds ends_;
-  RegionKey end_of_ = {};                       // where an end is searched for
-  std::optional<Eigen::Vector2d> looked_from_;  // the middle of the view while anything was looked for
-  int looks_ = 0, looks_left_ = kMostLooks;     // so many places since
+  RegionKey end_of_ = {};                       // whose edge is searched
+  std::optional<Eigen::Vector2d> looked_from_;  // the centre of the view during the last search
+  int looks_ = 0, looks_left_ = kMostLooks;     // number of places searched since then
   struct UnderWay {
     RegionRequest request;
     std::uint64_t cut = 0;  // of which lattice
-    bool told = false;      // that it is unwanted
+    bool told = false;      // reported as unwanted
   };
   std::map<std::uint64_t, UnderWay> under_way_;
   std::uint64_t last_id_ = 0, round_ = 1, views_ = 0, cuts_ = 0;

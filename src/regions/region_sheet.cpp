@@ -10,7 +10,7 @@ namespace {
 constexpr int kHalf = 195 * RegionSheet::kStep;  // 2 * kHalf is the most of a grid, in whole steps
 static_assert(2 * kHalf <= grids::kMaxGridEdge && RegionSheet::kStep % grids::GridPyramid::kTileEdge == 0);
 constexpr double kReachM = 4e6;  // of half a sheet
-// On the same lattice: what differs by less, in cells, is rounding. Resolutions come as float or double.
+// On the same lattice: smaller differences, in cells, are rounding. Resolutions come as float or double.
 constexpr double kOffLattice = 0.05;
 constexpr double kOtherResolution = 1e-6, kOtherTurn = 1e-6;
 

@@ -1,4 +1,4 @@
-// Cells that came in pieces, on one lattice of cells: a pyramid that holds tiles only where something came.
+// Cells received in pieces on one lattice: a pyramid that only has tiles where something arrived.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,21 @@
 
 namespace mapwright::regions {
 
-/// The byte of a cell that has not been fetched. Robots that send it as a cell mean "unknown": it comes in as
+/// The byte of a cell that has not been fetched. Robots that send it mean "unknown": it is stored as
 /// grids::kUnknownOccupancy.
 inline constexpr std::uint8_t kNotFetched = 0x80;
 inline constexpr std::size_t kSheetTileBytes =
     std::size_t(grids::GridPyramid::kTileEdge) * grids::GridPyramid::kTileEdge;
 
-/// As large as a grid may be, around the first piece: what lies farther away needs another sheet. Looks like
-/// any other pyramid of occupancy. One thread changes it, any thread looks; tiles that have been handed out
-/// never change.
+/// As large as a grid may be, around the first piece: anything farther away needs another sheet. Acts like
+/// any other occupancy pyramid. One thread changes it, any thread reads; tiles handed out never change.
 class RegionSheet final : public grids::GridPyramid {
  public:
-  /// Sheets begin and end at whole multiples of so many cells, counted from the lattice's own zero, so that
-  /// squares of that many cells are whole tiles.
+  /// Sheets start and end at multiples of this many cells, counted from the lattice's origin, so that squares
+  /// of this size are whole tiles.
   static constexpr int kStep = 1024;
 
-  /// `piece`: one that is usable (map::whyUnusable) and has cells; its turn is finite.
+  /// `piece` must be valid (map::whyUnusable), with cells and a finite rotation.
   explicit RegionSheet(const map::GridReference& piece);
 
   int width() const override { return reference_.width; }
@@ -41,22 +40,23 @@ class RegionSheet final : public grids::GridPyramid {
   int rowsReady() const override { return reference_.height; }
   std::size_t bytes() const override;
 
-  /// Where the sheet lies; whether anything can be drawn of it says map::whyUnusable.
+  /// The position of the sheet; map::whyUnusable tells whether it can be drawn.
   const map::GridReference& reference() const { return reference_; }
-  /// The zero of the lattice of cells nearest to that of the world, in the world.
+  /// The origin of the cell lattice nearest to the world origin, in world coordinates.
   const Eigen::Vector2d& zero() const { return zero_; }
-  /// `piece` is on this lattice of cells and within the sheet.
+  /// `piece` is on this lattice and within the sheet.
   bool holds(const map::GridReference& piece) const;
-  /// Writes all cells of `piece`, which it holds; row 0 is the lowest. As many cells as it says.
+  /// Writes all cells of `piece`, for which holds() must be true; row 0 is the lowest. As many cells as it
+  /// says.
   void put(const map::GridReference& piece, const std::vector<std::int8_t>& cells);
-  /// Forgets the cells whose middle lies in `rect`, or under `piece`. True when there were any.
+  /// Drops the cells whose centre is in `rect`, or under `piece`. True if there were any.
   bool forget(const geometry::WorldRect& rect);
   bool forgetUnder(const map::GridReference& piece);
-  /// There is a cell whose middle lies in `rect`.
+  /// There is a cell whose centre is in `rect`.
   bool holdsAnyOf(const geometry::WorldRect& rect) const;
   /// Nothing is left.
   bool empty() const;
-  /// Bounds in the world of all tiles that hold something.
+  /// World bounds of all tiles with content.
   geometry::WorldRect bounds() const;
 
  private:
@@ -73,15 +73,15 @@ class RegionSheet final : public grids::GridPyramid {
   };
   using Cells = std::shared_ptr<const std::uint8_t>;
   using Tiles = std::unordered_map<Place, Cells, PlaceHash>;
-  /// Where the lower left cell of `piece` lies: column, row from below.
+  /// The position of the lower left cell of `piece`: column, row from below.
   Eigen::Vector2d cornerOf(const map::GridReference& piece) const;
   std::optional<CellBox> boxAround(const geometry::WorldRect& rect) const;
-  /// Forgets cells of `box` for which `inside` says so, given the middle of each in the world.
+  /// Drops the cells of `box` for which `inside`, given the world position of the centre, is true.
   template <typename Inside>
   bool forgetWhere(const CellBox& box, Inside inside);
   std::shared_ptr<std::uint8_t> copyOf(const Place& place) const;
-  /// Takes over tiles of level 0 (null: nothing is left of it); those of coarser levels are made when they
-  /// are looked at, by who looks.
+  /// Takes over tiles of level 0 (null: nothing left); those of coarser levels are created on demand by the
+  /// reader.
   void take(std::vector<std::pair<Place, Cells>> changed);
   Cells made(const Place& place) const;
   Cells reduced(const Place& place) const;
@@ -91,8 +91,8 @@ class RegionSheet final : public grids::GridPyramid {
   Eigen::Vector2d zero_{0, 0};
   int levels_ = 1;
   mutable std::mutex mutex_;
-  // Written under the lock: places by the one thread that changes, tiles of coarser levels that are null for
-  // not made yet by those that look, too.
+  // Written under the lock: entries by the changing thread, and missing tiles of coarser levels also by
+  // readers.
   mutable Tiles tiles_;
   std::uint64_t changes_ = 0;
 };

@@ -1,4 +1,4 @@
-// Squares and rectangles beside each other.
+// Relations of adjacent squares and rectangles.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ inline double endOf(const geometry::WorldRect& rect, Side side) {
   return rect.max_y;
 }
 
-/// `known`, which lies in `square`, goes as far as that does.
+/// `known`, which is in `square`, reaches its edge on that side.
 inline bool reaches(const geometry::WorldRect& known, const geometry::WorldRect& square, Side side,
                     double slack) {
   const bool upwards = side == Side::Right || side == Side::Top;

@@ -1,4 +1,4 @@
-// The squares of a lattice that are looked at. Pure value.
+// The visible squares of a lattice. Pure value.
 #pragma once
 
 #include <optional>
@@ -11,21 +11,20 @@ namespace mapwright::regions {
 
 class SquaresInView {
  public:
-  /// Along the axes of the map, finite; nullopt = nothing is looked at. More than `most` squares are too
-  /// many.
+  /// Axis-aligned, finite; nullopt = nothing visible. More than `most` squares are too many.
   void look(std::optional<geometry::WorldRect> rect, const Eigen::Vector2d& centre_m, double most);
   void cut(const RegionLattice& lattice, double most);
 
-  /// A lattice has been cut.
+  /// There is a lattice.
   bool isCut() const { return lattice_.has_value(); }
   const RegionLattice& lattice() const { return lattice_ ? *lattice_ : kUsual; }
   const std::optional<geometry::WorldRect>& rect() const { return rect_; }
   const Eigen::Vector2d& centre() const { return centre_m_; }
-  /// Nearest to the middle first; empty while tooMany().
+  /// Nearest to the centre first; empty while tooMany().
   const std::vector<RegionKey>& keys() const { return keys_; }
   bool contains(const RegionKey& key) const { return set_.contains(key); }
   bool tooMany() const { return too_many_; }
-  /// The one in view at a place.
+  /// The visible square at a position.
   std::optional<RegionKey> at(const Eigen::Vector2d& place) const;
 
  private:

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kHeldBytes = std::size_t(16) << 20;
 constexpr double kFinestStep =
     8;                     // cells between samples up to which a block fits into the fixed-point range
-constexpr int kPart = 16;  // samples; parts of a block this large are tested for empty ground
+constexpr int kPart = 16;  // samples; parts of a block this large are tested for being empty
 constexpr double kUnit = double(1 << kCoordinateBits);
 constexpr double kRounding =
     double(1 << (kCoordinateBits - kWeightBits - 1));  // of a coordinate to its weight
@@ -29,7 +29,7 @@ void (*kernelFunction(Kernel kernel))(const BlockPass&, SampleBlock&) {
   return paintAvx2;
 }
 
-// The taps that samples around (u, v) within the reaches can have, as a rectangle of cells.
+// The taps of samples around (u, v) within the given reach, as a rectangle of cells.
 struct TapRange {
   double u0, v0, u1, v1;
 };
@@ -114,7 +114,7 @@ void BlockPainter::paintTexture(const PixelSquare& square, int samples, const Pl
   }
 }
 
-// Far fewer samples than cells, as in a preview from far away: one tap a sample, in doubles.
+// Far fewer samples than cells, as in a preview from far away: one tap per sample, in doubles.
 void BlockPainter::paintCoarse(const Sampling& s, const TapCells& tap_cells, const Placement& p) {
   const cells::DenseCells& cells = tap_cells.level;
   for (int j = 0; j < s.samples; ++j) {
@@ -163,7 +163,7 @@ void BlockPainter::paintFine(const Sampling& s, const TapCells& tap_cells, const
 
   for (int row = 0; row < s.samples; row += kPart) {
     const int rows = std::min(kPart, s.samples - row);
-    // Neighbouring parts of a row that hold something are painted in one go.
+    // Adjacent parts of a row with content are painted together.
     int run_start = -1;
     bool run_inside = true;
     const auto flush = [&](int end) {
@@ -177,7 +177,7 @@ void BlockPainter::paintFine(const Sampling& s, const TapCells& tap_cells, const
       run_inside = true;
     };
     for (int column = 0; column < s.samples; column += kPart) {
-      // Whole vectors: up to 7 samples past the wanted ones are painted too.
+      // Whole vectors: up to 7 extra samples are painted.
       const int columns = std::min(kPart, (s.samples - column + 7) / 8 * 8);
       const TapRange taps = s.tapsOf(column, row, columns, rows);
       const bool touches = taps.u1 >= 0 && taps.u0 < cells.width && taps.v1 >= 0 && taps.v0 < cells.height &&

@@ -1,4 +1,4 @@
-// Paints placed textures over one square block of samples. Private to this room.
+// Paints placed textures into one square block of samples. Private to this room.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,14 @@
 
 namespace mapwright::render {
 
-/// Samples a square of pixels `samples` x `samples` times. Holds the dense levels that it meets until they
-/// exceed a bound, so that neighbouring blocks do not ask the cache again. One per composition, one thread.
+/// Samples a square of pixels `samples` x `samples` times. Keeps the dense levels it uses up to a limit, so
+/// that neighbouring blocks do not ask the cache again. One per composition, one thread.
 class BlockPainter {
  public:
   BlockPainter(DenseCache& cache, Kernel kernel, std::size_t placements);
 
-  /// Fills the first `samples` rows and columns of block(). False when nothing but empty ground lies there:
-  /// then the block is not written. `samples` <= kBlockEdge; candidates are indexes into `placements`, in
-  /// painting order.
+  /// Fills the first `samples` rows and columns of block(). False if the area is empty: then the block is not
+  /// written. `samples` <= kBlockEdge; candidates are indexes into `placements`, in painting order.
   bool paint(const PixelSquare& square, int samples, std::span<const Placement> placements,
              std::span<const std::uint32_t> candidates);
   const SampleBlock& block() const { return *block_; }

@@ -1,4 +1,4 @@
-// Where the pixels of a view lie on the cells of a grid. Private to sampling.
+// Maps the pixels of a view to the cells of a grid. Private to sampling.
 #pragma once
 
 #include <cmath>
@@ -8,9 +8,9 @@
 
 namespace mapwright::render {
 
-inline constexpr double kTouch = 1e-6;  // of a cell: less than this is not touched
+inline constexpr double kTouch = 1e-6;  // of a cell: smaller overlaps do not count
 
-/// From pixels of the window to cells of a level, as an affine map.
+/// From window pixels to cells of a level, as an affine map.
 struct CellsOfPixels {
   Eigen::Vector2d origin, per_column, per_row;
   double cells_per_pixel;  // of the level
@@ -21,7 +21,7 @@ struct CellsOfPixels {
       return Eigen::Vector2d(reference.cellFromWorld(grid.worldFromPixel(column, row)) * shrink);
     };
     origin = cell(0, 0);
-    // Over the whole window: differences of neighbours would lose digits far from the origin.
+    // Over the whole window: differences of neighbours would lose precision far from the origin.
     per_column = (cell(grid.width_px, 0) - origin) / grid.width_px;
     per_row = (cell(0, grid.height_px) - origin) / grid.height_px;
     cells_per_pixel = grid.scale_m_per_px / reference.resolution_m * shrink;
@@ -29,9 +29,9 @@ struct CellsOfPixels {
   Eigen::Vector2d at(double column, double row) const { return origin + per_column * column + per_row * row; }
 };
 
-/// The square that a pixel covers on level 0, whichever way it is turned: the same for all pixels of a view
-/// but for its centre. What is asked about are boxes of cells: their centre relative to the pixel's, and half
-/// their edges.
+/// The square that a pixel covers on level 0, at any rotation: the same for all pixels of a view except its
+/// centre. Queries are about boxes of cells, given by their centre relative to the pixel's and half their
+/// edges.
 class PixelOnCells {
  public:
   explicit PixelOnCells(const CellsOfPixels& to_cell)
@@ -41,10 +41,10 @@ class PixelOnCells {
         reach_(half_ * slant_) {}
 
   double half() const { return half_; }
-  /// Half of its extent along the axes of the cells.
+  /// Half its extent along the axes of the cells.
   double reach() const { return reach_; }
   const Eigen::Vector2d& along() const { return along_; }
-  /// The square and the box share more than an edge.
+  /// The square and the box overlap by more than an edge.
   bool touches(double x, double y, double half_x, double half_y) const {
     if (std::abs(x) >= half_x + reach_ - kTouch || std::abs(y) >= half_y + reach_ - kTouch) return false;
     const double across = std::abs(x * along_.x() + y * along_.y());

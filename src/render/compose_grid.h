@@ -1,4 +1,4 @@
-// Composing all submaps into one grid of cells, strip by strip, for export and comparison.
+// Composes all submaps into one grid of cells, strip by strip, for export and comparison.
 #pragma once
 
 #include <atomic>
@@ -21,9 +21,9 @@ struct ComposedGrid {
   map::GridReference reference;                     // unturned
 };
 
-/// Composes `textures` (ascending ids) exactly at `resolution_m`, over all that they touch. Memory: one
-/// strip of 256 rows and the compressed grid. `proceed` gets the part that is done (0..1) and ends the work
-/// by returning false. Any thread; one core and what `means` gives.
+/// Composes `textures` (ascending ids) exactly at `resolution_m`, over their whole area. Memory: one strip of
+/// 256 rows and the compressed grid. `proceed` gets the share done (0..1) and cancels by returning false. Any
+/// thread; one core plus those of `means`.
 tl::expected<ComposedGrid, Fault> composeGrid(std::span<const PlacedTexture> textures, double resolution_m,
                                               DenseCache& cache,
                                               const std::function<bool(double done)>& proceed = {},

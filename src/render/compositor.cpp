@@ -10,8 +10,8 @@
 namespace mapwright::render {
 namespace {
 
-constexpr int kNodeEdge = 32;      // pixels; nodes are aligned to the endless raster, so cuts do not matter
-constexpr int kDeepestSplit = 40;  // halvings of a pixel, for cells absurdly smaller than it
+constexpr int kNodeEdge = 32;  // pixels; nodes are aligned with the infinite raster, so cuts do not matter
+constexpr int kDeepestSplit = 40;  // halvings of a pixel, for absurdly small cells
 constexpr double kRoundingOfRatio = 1e-6;
 
 struct PixelMean {
@@ -19,8 +19,8 @@ struct PixelMean {
   std::int32_t flags = 0;
 };
 
-// Composes one window node by node: a node is cut in four until one block of samples covers it. How densely a
-// node is sampled depends only on the node and the textures under it.
+// Composes one window node by node: a node is split into four until one block of samples covers it. Its
+// sampling density depends only on the node and the textures under it.
 class WindowComposer {
  public:
   WindowComposer(const PixelGrid& grid, std::span<const Placement> placements, Quality quality,
@@ -65,7 +65,7 @@ class WindowComposer {
     return *candidates_[depth];
   }
 
-  // The candidates of `from` that can touch the square, and the finest of their resolutions.
+  // The candidates of `from` that may touch the square, and their finest resolution.
   double narrow(const PixelSquare& square, const std::vector<std::uint32_t>& from,
                 std::vector<std::uint32_t>& to) {
     to.clear();
@@ -146,7 +146,7 @@ class WindowComposer {
     return sum;
   }
 
-  // Reduces the block to the node's pixels, k x k samples each, as far as they lie in the window.
+  // Reduces the block to the node's pixels, k x k samples each, inside the window.
   void storeNode(int x, int y, int edge, int k) {
     const SampleBlock& block = painter_.block();
     const int i0 = std::max(0, -x), i1 = std::min(edge, grid_.width_px - x);

@@ -1,5 +1,5 @@
-// The composition of overlapping, rotated submap textures, exactly: pure functions, any thread.
-// Source: docs/protocols/cartographer-submaps.md, "Geometry", "Composition".
+// The exact composition of overlapping, rotated submap textures: pure functions, any thread. Source:
+// docs/protocols/cartographer-submaps.md, "Geometry", "Composition".
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@
 
 namespace mapwright::render {
 
-/// What a pixel of a composition is made of (bits of Composition::flags).
+/// Properties of a composed pixel (bits of Composition::flags).
 enum PixelFlag : std::uint8_t {
   kObserved = 1,
   kIncremental = 2,  // the topmost observed texture is_incremental
@@ -24,7 +24,7 @@ enum PixelFlag : std::uint8_t {
   kNearby = 8,       // ... is_nearby
 };
 
-/// A texture where it lies. `flags`: the PixelFlag bits (without kObserved) its pixels get.
+/// A texture with its pose. `flags`: the PixelFlag bits (without kObserved) for its pixels.
 struct PlacedTexture {
   map::SubmapId id;
   std::shared_ptr<const cells::CellTexture> texture;
@@ -32,18 +32,16 @@ struct PlacedTexture {
   std::uint8_t flags = 0;
 };
 
-/// The world rectangle that a placed texture can touch, one cell of bilinear fade included.
+/// The world rectangle that a placed texture can affect, including one cell of bilinear fade.
 geometry::WorldRect boundsOf(const PlacedTexture& placed);
 
-/// A raster of square pixels anywhere on the plane, and the window of it that is wanted. Column direction is
-/// (cos, -sin) of rotation and row direction is "down": as geometry::ViewTransform with the same
-/// rotation_rad.
-///
-/// origin_m is the world point of the corner where column 0 meets row 0 of the whole, endless raster; the
+/// A raster of square pixels anywhere on the plane, and a window of it. Column direction is (cos, -sin) of
+/// rotation and row direction is "down": as geometry::ViewTransform with the same rotation_rad.
+/// origin_m is the world point of the corner where column 0 meets row 0 of the whole, infinite raster; the
 /// window's first pixel is (first_column, first_row). Windows of one raster (same origin, scale, rotation)
-/// give the same bytes for the same pixels wherever they are cut, provided each is given all textures that
-/// touch its bounds() grown by 32 pixels; when all textures have one resolution, those that touch its
-/// bounds() suffice.
+/// give the same bytes for the same pixels wherever they are cut, provided each gets all textures that touch
+/// its bounds() grown by 32 pixels; if all textures have one resolution, those that touch its bounds()
+/// suffice.
 struct PixelGrid {
   Eigen::Vector2d origin_m{0, 0};
   double scale_m_per_px = 0.05;
@@ -64,20 +62,20 @@ struct Composition {
 
 enum class Quality {
   Exact,    // the composition at native resolution, reduced by area average
-  Preview,  // composed from reduced levels, one sample a pixel: quick, walls pale
+  Preview,  // composed from reduced levels, one sample per pixel: fast, but walls are pale
 };
 
-/// Which inner loop runs. All give the same bytes.
+/// Which inner loop to use. All give the same bytes.
 enum class Kernel { Best, Portable, Avx2 };
 bool kernelAvailable(Kernel kernel);
 
-/// Composes `textures`, which must be in ascending (trajectory, index) order (they are painted in the order
-/// given). Per texture, the sampling is bilinear, or nearest where a cell covers more than 4x4 pixels. A
-/// pixel larger than the finest cell under it is the area average of k*k samples no coarser than that cell.
-/// flags of a reduced pixel are the union of its samples' flags. `cancelled` (may be null) is polled; when it
-/// becomes true the result is empty (width 0). Runs on any thread, one core. A grid without pixels, or whose
-/// scale, origin or rotation is not finite and positive, gives an empty result; a texture without cells, or
-/// placed where no number can say, draws nothing.
+/// Composes `textures`, which must be in ascending (trajectory, index) order (they are painted in this
+/// order). Sampling is bilinear per texture, or nearest if a cell covers more than 4x4 pixels. A pixel larger
+/// than the finest cell under it is the area average of k*k samples no coarser than that cell; its flags are
+/// the union of its samples' flags. `cancelled` (may be null) is polled; when it becomes true the result is
+/// empty (width 0). Runs on any thread, one core. A grid without pixels, or with a scale, origin or rotation
+/// that is not finite and positive, gives an empty result; a texture without cells, or with an invalid pose,
+/// draws nothing.
 Composition compose(const PixelGrid& grid, std::span<const PlacedTexture> textures, Quality quality,
                     DenseCache& cache, Kernel kernel = Kernel::Best,
                     const std::atomic<bool>* cancelled = nullptr);

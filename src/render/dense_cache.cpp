@@ -17,7 +17,7 @@ TapCells tapCellsOf(cells::DenseCells dense, std::vector<std::uint8_t>* given_up
   const std::size_t count = dense.data.size();
   const bool pairs = dense.layout == cells::CellLayout::Pairs;
   cells.tap_bytes = pairs ? count : 2 * count;
-  // Written from end to end: clearing it first would take as long as filling it.
+  // Fully written below: clearing it first would take as long as filling it.
   auto taps = std::make_unique_for_overwrite<std::uint8_t[]>(cells.tap_bytes);
   std::uint8_t* const __restrict out = taps.get();
   if (pairs) {
@@ -35,8 +35,8 @@ TapCells tapCellsOf(cells::DenseCells dense, std::vector<std::uint8_t>* given_up
   return cells;
 }
 
-// The texture is held weakly: the cache must not keep evicted submaps alive, and a new texture may come to
-// lie at the address of a dead one, so a hit counts only when the owners agree.
+// The texture is held weakly: the cache must not keep evicted submaps alive, and a new texture may get the
+// address of a destroyed one, so a hit only counts if the owners agree.
 struct DenseCache::Entry {
   Key key;
   std::weak_ptr<const cells::CellTexture> owner;
@@ -68,8 +68,8 @@ std::shared_ptr<const TapCells> DenseCache::get(const std::shared_ptr<const cell
       index_.erase(found);
     }
   }
-  // Outside the lock: expanding is the long part. Two threads may do it at the same time; the later one is
-  // not kept.
+  // Outside the lock: expanding takes longest. If two threads do it at the same time, the later result is
+  // discarded.
   std::vector<std::uint8_t> spare;
   auto cells = std::make_shared<const TapCells>(tapCellsOf(texture->expand(level, takeSpare()), &spare));
   const std::lock_guard lock(mutex_);

@@ -1,4 +1,4 @@
-// Dense copies of texture levels, kept while they are in use and as long as the budget allows.
+// Dense copies of texture levels, kept while in use and as long as the budget allows.
 #pragma once
 
 #include <atomic>
@@ -14,12 +14,11 @@
 
 namespace mapwright::render {
 
-/// A level laid out for the inner loops. `level` has its size, stride and empty blocks; its own data is given
-/// up.
-///
-/// Folded: two bytes a cell, the cell and the one in the row below it, so that one 32-bit load at a cell
-/// brings all four bilinear taps (top left, bottom left, top right, bottom right). Pairs: value and alpha as
-/// in cells::DenseCells. Cell (column u, row v) starts at taps[((v + kBorder) * stride + (u + kBorder)) *
+/// A level prepared for the inner loops. `level` has its size, stride and empty blocks; its own data has been
+/// released.
+/// Folded: two bytes per cell, the cell and the one below it, so that one 32-bit load at a cell gets all four
+/// bilinear taps (top left, bottom left, top right, bottom right). Pairs: value and alpha as in
+/// cells::DenseCells. Cell (column u, row v) starts at taps[((v + kBorder) * stride + (u + kBorder)) *
 /// kBytesPerCell].
 struct TapCells {
   static constexpr int kBytesPerCell = 2;
@@ -28,7 +27,7 @@ struct TapCells {
   std::size_t tap_bytes = 0;
   std::size_t bytes() const { return tap_bytes + level.bytes(); }
 };
-/// `given_up`: gets the memory of `dense`, which is not needed any more.
+/// `given_up` receives the memory of `dense`, which is no longer needed.
 TapCells tapCellsOf(cells::DenseCells dense, std::vector<std::uint8_t>* given_up = nullptr);
 
 /// Thread-safe least-recently-used cache with a budget in bytes. Entries in use stay alive through their
@@ -40,7 +39,7 @@ class DenseCache {
   DenseCache(const DenseCache&) = delete;
   DenseCache& operator=(const DenseCache&) = delete;
 
-  /// The level laid out for sampling, from the cache or expanded now. Preconditions: texture set, level
+  /// The level prepared for sampling, from the cache or expanded now. Preconditions: texture set, level
   /// within its levels.
   std::shared_ptr<const TapCells> get(const std::shared_ptr<const cells::CellTexture>& texture, int level);
   std::size_t bytes() const;
@@ -56,8 +55,8 @@ class DenseCache {
   struct KeyHash {
     std::size_t operator()(const Key& key) const noexcept;
   };
-  /// Memory to expand into: what is as large as a texture costs more to be had from the system than to be
-  /// filled. As many as expand at the same time.
+  /// Memory for an expansion: allocating a block as large as a texture costs more than filling it. There are
+  /// as many as parallel expansions.
   std::vector<std::uint8_t> takeSpare();
 
   std::size_t budget_;

@@ -9,9 +9,9 @@ using namespace mapwright::fault;  // what all rooms share
 
 // Making and writing pictures.
 inline constexpr FaultCode ResolutionNotAboveZero{
-    "render", QT_TRANSLATE_NOOP("render", "The resolution must be more than 0.")};
-inline constexpr FaultCode NoSubmapToExport{"render",
-                                            QT_TRANSLATE_NOOP("render", "There is no submap to export yet.")};
+    "render", QT_TRANSLATE_NOOP("render", "The resolution must be greater than 0.")};
+inline constexpr FaultCode NoSubmapToExport{
+    "render", QT_TRANSLATE_NOOP("render", "There are no submaps to export yet.")};
 inline constexpr FaultCode ComposedTooLarge{
     "render",
     QT_TRANSLATE_NOOP("render",

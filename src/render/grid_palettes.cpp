@@ -63,7 +63,7 @@ GridPalette costmapPalette(std::uint8_t background) {
   return palette;
 }
 
-// Warmer and denser with the cost; the two that mean "no" are colours of their own.
+// Warmer and denser with the cost; the two forbidden values have colours of their own.
 GridPalette occupancyCostPalette() {
   constexpr std::uint32_t kLethal = 0xe08b1016, kInscribed = 0xd0d14fa0;
   constexpr std::uint32_t kDear = 0xa8e0483c, kCheap = 0x40f4d06c;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kStandInsOutOfView = 32;
 
-/// The colour of a mean that has none of its own: between those of the known bytes on both sides.
+/// The colour of a mean without one of its own: between those of the known bytes on both sides.
 std::uint32_t between(const GridPalette& palette, std::size_t byte) {
   std::size_t below = byte, above = byte;
   while (below > 0 && palette[below] >> 24 == 0) --below;
@@ -21,7 +21,7 @@ std::uint32_t between(const GridPalette& palette, std::size_t byte) {
   return color;
 }
 
-/// RGB32 where nothing shines through: that is drawn several times faster.
+/// RGB32 if everything is opaque: that is drawn several times faster.
 QImage paint(const Composition& pixels, const GridPalette& palette) {
   QImage image(pixels.width_px, pixels.height_px, QImage::Format_ARGB32_Premultiplied);
   std::uint32_t all = 0xff000000, any = 0;

@@ -10,7 +10,7 @@
 
 namespace mapwright::render {
 
-/// The colour of every cell byte: 0xAARRGGBB, premultiplied. What is outside the grid is transparent.
+/// The colour of every cell byte: 0xAARRGGBB, premultiplied. Outside the grid it is transparent.
 using GridPalette = std::array<std::uint32_t, 256>;
 
 /// With previews a tile is first made from a level of detail, and exactly once every tile in view has
@@ -21,12 +21,12 @@ class GridRenderer : public RasterTiles {
  public:
   explicit GridRenderer(Options options, QObject* parent = nullptr);
 
-  /// Shows `placed`; with `compared` the difference between the two (bytes are then Difference codes).
+  /// Shows `placed`; with `compared` their difference (bytes are then Difference codes).
   void setGrid(std::optional<PlacedGrid> placed, std::optional<PlacedGrid> compared = {});
   const std::optional<PlacedGrid>& grid() const { return placed_; }
   /// More rows of the shown grid have been read.
   void rowsArrived();
-  /// Cells of the shown grid, or of the compared one, have become others within these bounds.
+  /// Cells of the shown or the compared grid have changed within these bounds.
   void cellsChanged(const geometry::WorldRect& where);
   void setPalette(const GridPalette& palette);
   using RasterTiles::settled;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kFractionShift = kCoordinateBits - kWeightBits;
 
-// Four taps of one sample. Not by the gather instruction: with the microcode against its data sampling flaw
+// Four taps of one sample. Not with the gather instruction: with the microcode against its data sampling flaw
 // it costs several times as much as plain loads, and it is never much faster (measured in bench_compositor).
 inline std::uint32_t loadTaps(const std::uint8_t* at) {
   std::uint32_t taps;

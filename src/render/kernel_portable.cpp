@@ -9,8 +9,8 @@ constexpr std::int32_t kOne = 1 << kWeightBits;
 constexpr int kFractionShift = kCoordinateBits - kWeightBits;
 constexpr int kChunk = 64;
 
-// Weighted sums of one row, so that the arithmetic after the scattered loads is a plain loop for the
-// vectoriser.
+// Weighted sums of one row, so that the arithmetic after the scattered loads is a plain loop that can be
+// vectorised.
 struct RowSums {
   alignas(32) std::int32_t value[kChunk];
   alignas(32) std::int32_t alpha[kChunk];

@@ -5,14 +5,14 @@
 
 namespace mapwright::render {
 
-/// How intensities become colours.
+/// How intensities are mapped to colours.
 enum class ColorMode { Normal, Incremental, Active };
 
 /// Plain RGB (0xffRRGGBB) of the palette.
 struct MapColors {
   std::uint32_t unknown = 0xff778899, free = 0xffffffff, occupied = 0xff15181c;
   std::uint32_t incremental_free = 0xff8fb8f0, incremental_occupied = 0xffe04b4b;
-  /// What was not observed is transparent instead of `unknown`: something lies below the submaps.
+  /// Unobserved pixels are transparent instead of `unknown`, because another layer is below the submaps.
   bool clear_unknown = false;
   bool operator==(const MapColors&) const = default;
 };

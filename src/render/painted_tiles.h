@@ -1,4 +1,4 @@
-// Keeps the tiles of a layer up to date whose pictures somebody else paints: clouds from above, sections.
+// Keeps the tiles of a layer up to date that is painted by a callback: clouds from above, sections.
 #pragma once
 
 #include <atomic>
@@ -11,8 +11,8 @@
 
 namespace mapwright::render {
 
-/// Paints the window of a raster: ARGB32_Premultiplied or RGB32 of its size, null where there is nothing. A
-/// pure function that any thread may call; polls the flag, after which its result does not matter.
+/// Paints the window of a raster: ARGB32_Premultiplied or RGB32 of its size, null if it is empty. A pure
+/// function, called on any thread; polls the flag, after which its result is ignored.
 using TilePainter = std::function<QImage(const PixelGrid&, const std::atomic<bool>& cancelled)>;
 
 /// Without previews there are no stand-ins.
@@ -21,7 +21,7 @@ class PaintedTiles : public RasterTiles {
  public:
   explicit PaintedTiles(Options options, QObject* parent = nullptr);
 
-  /// From now on this is painted; null = nothing is.
+  /// Paints with this from now on; null = nothing.
   void setPainter(TilePainter painter);
 
  protected:

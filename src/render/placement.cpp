@@ -9,7 +9,7 @@ namespace {
 constexpr double kFadeCells =
     1.0;  // bilinear reach beyond the outermost cell edges is half a cell; the rest is margin
 
-// The level whose cells are nearest to the size of a pixel.
+// The level whose cells are closest to the size of a pixel.
 int previewLevel(const cells::CellTexture& texture, double scale_m_per_px) {
   const double octaves = std::round(std::log2(scale_m_per_px / texture.resolutionM()));
   return int(std::clamp(octaves, 0.0, double(texture.levels() - 1)));
@@ -40,8 +40,8 @@ void setAffine(const PixelGrid& grid, Placement& p) {
   p.u_per_row = row.x(), p.v_per_row = row.y();
 }
 
-// The rotation is rigid, so the inverse of the 2x2 part is its transpose over the square of the scale in
-// cells.
+// The rotation is rigid, so the inverse of the 2x2 part is its transpose divided by the square of the scale
+// in cells.
 void setRows(const PixelGrid& grid, Placement& p) {
   const double cells_per_px = grid.scale_m_per_px / p.resolution_m;
   const double squared = cells_per_px * cells_per_px;

@@ -1,5 +1,5 @@
-// Where a texture lies in the pixels of a grid. Private to this room.
-// Source: docs/protocols/cartographer-submaps.md, "Geometry".
+// The position of a texture in the pixels of a grid. Private to this room. Source:
+// docs/protocols/cartographer-submaps.md, "Geometry".
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,20 @@
 
 namespace mapwright::render {
 
-/// A square of the endless pixel raster: corner and edge in pixels. Edges below 1 are parts of a pixel.
+/// A square of the infinite pixel raster: corner and edge in pixels. Edges below 1 are parts of a pixel.
 struct PixelSquare {
   double column = 0, row = 0;
   double edge = 0;
 };
 
-/// Continuous cell coordinates of the centre of a square and how far the square reaches from there along
-/// either axis.
+/// Continuous cell coordinates of the centre of a square and its extent from there along each axis.
 struct Footprint {
   double u = 0, v = 0;
   double reach_u = 0, reach_v = 0;
 };
 
 /// A texture seen from the pixels: cell coordinates (level 0, continuous, centre of the first cell at 0.5)
-/// are affine in the absolute pixel coordinates (column, row) of the endless raster.
+/// are affine in the absolute pixel coordinates (column, row) of the infinite raster.
 struct Placement {
   const PlacedTexture* placed = nullptr;
   double u = 0, u_per_column = 0, u_per_row = 0;
@@ -33,16 +32,16 @@ struct Placement {
   double resolution_m = 0;
   bool nearest = false;
   int level = 0;  // that is sampled
-  // The rows of pixels that it can touch, absolute, bilinear fade included.
+  // The rows of pixels that it can affect, absolute, including bilinear fade.
   double first_row = 0, last_row = 0;
 
   Footprint footprintOf(const PixelSquare& square) const;
-  /// Whether any sample of the square can be other than (0, 0). Says yes too often rather than too seldom.
+  /// Whether any sample of the square may differ from (0, 0). May be true unnecessarily, never false wrongly.
   bool touches(const PixelSquare& square) const;
 };
 
-/// The placements of all textures that can be drawn, in the order given. Textures without cells or with
-/// numbers that are not finite are left out.
+/// The placements of all drawable textures, in the given order. Textures without cells or with non-finite
+/// numbers are left out.
 std::vector<Placement> placeTextures(const PixelGrid& grid, std::span<const PlacedTexture> textures,
                                      Quality quality);
 

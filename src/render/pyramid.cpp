@@ -6,8 +6,8 @@
 namespace mapwright::render {
 namespace {
 
-// No robot maps more finely; below this, composing takes over from halving so that a freak texture cannot ask
-// for endless levels.
+// No robot maps more finely; below this, tiles are composed instead of halved, so that a freak texture cannot
+// demand endless levels.
 constexpr double kFinestLevelM = 1e-3;
 constexpr std::size_t kNodeBytes = 160;
 
@@ -102,7 +102,7 @@ Pyramid::State Pyramid::halve(const PyramidKey& key) {
     }
   }
   if (!complete) return State::Pending;
-  Node& node = nodes_.at(key);  // asking for the parts may have moved it
+  Node& node = nodes_.at(key);  // requesting the parts may have moved it
   if (std::all_of(parts.begin(), parts.end(), [](const auto& part) { return !part; }))
     return setCurrent(node, nullptr);
   if (!workers_.hasRoom()) return State::Pending;
@@ -192,7 +192,7 @@ void Pyramid::trim(std::size_t budget_bytes) {
   while (bytes_ > budget_bytes && at != recent_.begin()) {
     --at;
     const auto found = nodes_.find(*at);
-    // Rounds only grow towards the front of the list.
+    // Rounds increase towards the front of the list.
     if (found->second.round == round_) return;
     if (found->second.ticket != 0) continue;
     bytes_ -= bytesOf(found->second.tile);

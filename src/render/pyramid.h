@@ -1,5 +1,5 @@
-// The world-aligned pyramid of exact tiles: what is known, what is being made, what has to be made again.
-// Private to this room; lives in the GUI thread. Why: docs/decisions/0007-the-view-is-drawn-in-tiles.md.
+// The world-aligned pyramid of exact tiles: which are known, in progress or outdated. Private to this room;
+// lives in the GUI thread. Why: docs/decisions/0007-the-view-is-drawn-in-tiles.md.
 #pragma once
 
 #include <cstdint>
@@ -15,39 +15,37 @@
 
 namespace mapwright::render {
 
-/// Tiles are made on demand, from the bottom up: composed directly where a pixel is at most kDirectCells
-/// cells of the finest texture there, else halved from the four tiles below. A change of content outdates
-/// only the tiles it touches.
+/// Tiles are made on demand, from the bottom up: composed directly if a pixel is at most kDirectCells cells
+/// of the finest texture there, otherwise halved from the four tiles below. A change only outdates the tiles
+/// it touches.
 class Pyramid {
  public:
   static constexpr double kDirectCells = 4;
 
   Pyramid(const TextureIndex& index, TileWorkers& workers, DenseCache& dense);
 
-  /// The pixels of level 0 are this wide. Set once, from the first texture; everything is dropped when it
-  /// changes.
+  /// The pixel width of level 0. Set once, from the first texture; a change drops everything.
   void setBase(double base_m_per_px);
   double base() const { return base_m_per_px_; }
 
-  /// Fills `patch` with current tiles. True when all are there; else as many of the missing ones as there is
-  /// room for are being made, and the caller asks again when work has finished.
+  /// Fills `patch` with current tiles. True if all are there; otherwise starts as many of the missing ones as
+  /// possible, and the caller asks again when work has finished.
   bool request(PyramidPatch& patch);
   /// How many tiles of the patch are not current.
   int missing(const PyramidPatch& patch) const;
 
-  /// Outdates what lies under the rectangles; work on it that is under way is cancelled.
+  /// Outdates everything under the rectangles and cancels work on it.
   void invalidate(const std::vector<geometry::WorldRect>& rects);
   void clear();
 
-  /// Takes the outcome of work that request() started. nullopt: not one of ours; else whether it is still of
-  /// use.
+  /// Takes the result of work started by request(). nullopt: not from there; otherwise whether it is still
+  /// useful.
   std::optional<bool> take(const TileWorkers::Outcome& outcome);
 
   std::size_t bytes() const { return bytes_; }
-  /// Starts a round: tiles asked for from now on are safe from trim().
+  /// Starts a round: tiles requested from now on are safe from trim().
   void beginRound() { ++round_; }
-  /// Forgets the tiles that were not asked for in this round, least recently used first, until bytes() <=
-  /// budget.
+  /// Drops tiles that were not requested in this round, least recently used first, until bytes() <= budget.
   void trim(std::size_t budget_bytes);
 
  private:
@@ -57,7 +55,7 @@ class Pyramid {
   struct Node {
     PyramidTilePtr tile;
     bool current = false;
-    TileWorkers::Ticket ticket = 0;  // of the work under way, 0 = none
+    TileWorkers::Ticket ticket = 0;  // of the work in progress, 0 = none
     std::optional<bool> direct;      // composed, not halved; unknown until asked
     std::uint64_t round = 0;         // last asked for
     std::list<PyramidKey>::iterator used;

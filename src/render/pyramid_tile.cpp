@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint16_t kUnobserved = 128 << 8;
 constexpr int kMostTilesAcross = 16;  // a view tile needs at most 8 at the levels that are used
 
-// The patch as one raster, so that sampling needs no look-up of tiles.
+// The patch as one raster, so that sampling needs no tile look-ups.
 struct PatchRaster {
   int width = 0, height = 0;
   std::vector<std::uint16_t> intensity;

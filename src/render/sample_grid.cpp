@@ -82,7 +82,7 @@ struct Footprint {
   int u0, u1, v0, v1;  // cells touched, inclusive
 };
 
-/// What a footprint comes to, for a quick look.
+/// The value of a footprint, for a preview.
 class Reducer {
  public:
   Reducer(const TileWindow& window, const GridPyramid& cells)
@@ -91,7 +91,7 @@ class Reducer {
         order_(cells.order()),
         average_(cells.reduction() == grids::Reduction::Average) {}
 
-  /// Writes the byte; false where nothing has been read.
+  /// Writes the byte; false if nothing has been read.
   bool operator()(const Footprint& print, const Eigen::Vector2d& centre, double half,
                   std::uint8_t& out) const {
     return average_ ? average(print, centre, half, out) : highest(print, out);
@@ -139,7 +139,7 @@ class Reducer {
       return true;
     }
     out = std::uint8_t(std::clamp(std::lround(sum / known), 0L, 255L));
-    // An average of gray levels on both sides of the unknown band is known all the same.
+    // An average of gray levels on both sides of the unknown range is still known.
     if (!meaning_.known[out]) out = nearestKnown(out);
     return true;
   }
@@ -168,7 +168,7 @@ Composition emptyRaster(const PixelGrid& grid) {
   return pixels;
 }
 
-/// Where what is asked for is no larger than a cell.
+/// For pixels no larger than a cell.
 void sampleNearest(const PixelGrid& grid, const CellsOfPixels& to_cell, TileReach& reach, Composition& pixels,
                    const std::atomic<bool>* cancelled) {
   std::size_t at = 0;
@@ -186,7 +186,7 @@ void sampleNearest(const PixelGrid& grid, const CellsOfPixels& to_cell, TileReac
   }
 }
 
-/// Block by block: the tiles under a block are used again and again while they are at hand.
+/// Block by block, so that the tiles under a block stay in the cache.
 template <typename Sample>
 void sampleBlocks(const PixelGrid& grid, const CellsOfPixels& to_cell, const std::atomic<bool>* cancelled,
                   Sample sample) {
@@ -226,8 +226,8 @@ void sampleTouched(const PixelGrid& grid, const CellsOfPixels& to_cell, const Gr
   });
 }
 
-/// From a level of detail: what a pixel touches is rounded up to at most half a pixel, and a turned one
-/// counts as the upright square around it. False: the window is too large for that.
+/// From a coarser level: the touched area is rounded up by at most half a pixel, and a rotated pixel counts
+/// as its bounding square. False: the window is too large for that.
 bool sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Composition& pixels,
                  const std::atomic<bool>* cancelled) {
   const GridPyramid& cells = *placed.cells;
@@ -241,7 +241,7 @@ bool sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Com
                           touched.max_x + margin, touched.max_y + margin);
   if (window.empty()) return !window.tooLarge();
   const Reducer reduce(window, cells);
-  // Half of the footprint's extent along each cell axis: the pixel's own bounding box when turned.
+  // Half the footprint's extent along each cell axis: the pixel's bounding box if rotated.
   const double half = to_cell.cells_per_pixel / 2;
   const double turn = (std::abs(to_cell.per_column.x()) + std::abs(to_cell.per_row.x())) /
                       std::max(to_cell.cells_per_pixel, 1e-300);
@@ -279,8 +279,8 @@ double cellsPerPixel(const PixelGrid& grid, const PlacedGrid& placed) {
   return grid.scale_m_per_px / placed.reference.resolution_m;
 }
 
-/// The level for a quick look. One finer than would do: then a pixel is at least two cells wide, and what it
-/// touches is told well.
+/// The level for a preview. One finer than necessary: then a pixel is at least two cells wide, and its area
+/// is well approximated.
 int quickLevel(const PixelGrid& grid, const PlacedGrid& placed) {
   const double zoom = cellsPerPixel(grid, placed);
   return std::clamp(int(std::floor(std::log2(zoom) + 1e-9)) - 1, 0, placed.cells->levels() - 1);
@@ -308,7 +308,7 @@ Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const st
   if (!drawable(grid, placed)) return pixels;
   const bool exactly = quickIsExact(grid, placed), larger = cellsPerPixel(grid, placed) > kNoLarger;
   const bool average = placed.cells->reduction() == grids::Reduction::Average;
-  // Upright pixels of few cells touch what the quick look takes them to.
+  // Upright pixels of few cells touch exactly what the preview assumes.
   const bool by_level = larger && (sampling == Sampling::Quick ? !exactly || !average : exactly && !average);
   if (!by_level || !sampleLevel(grid, placed, quickLevel(grid, placed), pixels, cancelled)) {
     const CellsOfPixels to_cell(grid, placed.reference, 0);
@@ -330,7 +330,7 @@ bool knownIn(const Composition& pixels, std::size_t at, const grids::CellMeaning
 
 int occupancyIn(const Composition& pixels, std::size_t at, const grids::CellMeaning& meaning) {
   const std::uint8_t byte = pixels.intensity[at];
-  // Only grays read as unknown what is a mean of known ones.
+  // Only for grays may a mean of known cells mean unknown.
   return (pixels.flags[at] & kKnownMean) != 0 ? int(std::lround((255 - byte) * 100 / 255.0))
                                               : int(meaning.occupancy[byte]);
 }

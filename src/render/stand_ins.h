@@ -1,5 +1,4 @@
-// Pictures of earlier views that stand in, warped, until the present one is ready. Private to this room; GUI
-// thread.
+// Pictures of earlier views, warped, shown until the present one is ready. Private to this room; GUI thread.
 #pragma once
 
 #include <memory>
@@ -14,22 +13,22 @@ namespace mapwright::render {
 /// The pixels of a tile and the image painted from them.
 struct Picture {
   PixelGrid grid;
-  std::shared_ptr<const Composition> pixels;  // null: can only be shown in the colours it has
+  std::shared_ptr<const Composition> pixels;  // null: cannot be recoloured
   QImage image;
 };
 
-/// Layers of pictures, the newest on top. Bounded: when views follow each other faster than tiles are made,
-/// the layers are painted together into one picture of the viewport.
+/// Layers of pictures, the newest on top. Bounded: if views change faster than tiles are made, the layers are
+/// merged into one picture of the viewport.
 class StandIns {
  public:
   static constexpr std::size_t kMostLayers = 4;
 
   bool empty() const { return layers_.empty(); }
   void clear() { layers_.clear(); }
-  /// `view` is the one that the pictures were shown in.
+  /// `view` is the one in which the pictures were shown.
   void push(std::vector<Picture> pictures, const geometry::ViewTransform& view, std::uint32_t background);
   void repaint(const ColorTable& colors);
-  /// What of them is in view, bottom to top.
+  /// The visible parts, bottom to top.
   void draw(const geometry::ViewTransform& view, std::vector<DrawnTile>& out) const;
   std::size_t bytes() const;
 

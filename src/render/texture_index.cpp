@@ -15,7 +15,7 @@ std::int64_t cellCoordinate(double metres, double cell_m) {
   return std::int64_t(std::clamp(std::floor(metres / cell_m), -kFarthestCell, kFarthestCell));
 }
 
-/// What a cell covers along one axis. The outermost hold everything beyond, too.
+/// The extent of a cell along one axis. The outermost also contain everything beyond.
 std::pair<double, double> reachOf(std::int64_t coordinate, int height, double cell_m) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const std::int64_t last = std::int64_t(kFarthestCell) >> (TextureIndex::kFanBits * height);
@@ -32,7 +32,7 @@ bool sameTexture(const PlacedTexture& a, const PlacedTexture& b) {
   return a.texture == b.texture && a.world_from_texture == b.world_from_texture && a.flags == b.flags;
 }
 
-// Numbers with room to reckon in: sums and differences of them stay finite.
+// Numbers with room for arithmetic: sums and differences stay finite.
 bool sane(double metres) { return std::abs(metres) < 1e300; }
 
 bool drawable(const PlacedTexture& placed, const geometry::WorldRect& bounds) {
@@ -155,7 +155,7 @@ geometry::WorldRect TextureIndex::bounds() const {
 template <typename Enter, typename Visit>
 bool TextureIndex::walk(const Cell& cell, const geometry::WorldRect& rect, Enter& enter, Visit& visit) const {
   const Node& node = cells_.find(cell)->second;
-  // Where the centres lie of what is filed below. It reaches at most half a leaf beyond.
+  // The range of the centres filed below. It extends at most half a leaf beyond.
   const double leaf_m = std::ldexp(1.0, cell.size_class);
   const double cell_m = std::ldexp(leaf_m, kFanBits * cell.height);
   const auto [min_x, max_x] = reachOf(cell.x, cell.height, cell_m);

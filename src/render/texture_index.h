@@ -1,4 +1,4 @@
-// Which textures lie where. Private to this room; one thread.
+// A spatial index of textures. Private to this room; one thread.
 #pragma once
 
 #include <array>
@@ -13,31 +13,31 @@
 
 namespace mapwright::render {
 
-/// Textures by id and by place. A loose grid for every size class (powers of two of the larger side): a
-/// texture is filed in the one cell that holds its centre. Over each grid stands a tree of coarser and
-/// coarser cells, kFan x kFan to one, that know which of their parts hold something and how fine it is: a
-/// question about a large rectangle is answered from few of them, however many textures lie in it.
+/// Textures by id and by position. A loose grid for every size class (powers of two of the larger side): a
+/// texture is filed in the cell that contains its centre. Each grid has a tree of coarser and coarser cells,
+/// kFan x kFan to one, with the contents and finest resolution of their parts: a query for a large rectangle
+/// only visits a few of them, however many textures it contains.
 class TextureIndex {
  public:
   static constexpr int kFanBits = 3, kFan = 1 << kFanBits;
   struct Change {
     geometry::WorldRect before, after;  // empty when absent
   };
-  /// Adds or replaces. A texture without cells or with a pose that is not finite counts as absent. nullopt
-  /// when nothing changed.
+  /// Adds or replaces. A texture without cells or with a non-finite pose counts as absent. nullopt if nothing
+  /// changed.
   std::optional<Change> upsert(PlacedTexture placed);
-  /// The bounds it had; nullopt when it was not there.
+  /// Returns its bounds; nullopt if it was not there.
   std::optional<geometry::WorldRect> remove(map::SubmapId id);
   void clear();
 
   std::size_t size() const { return entries_.size(); }
   geometry::WorldRect bounds() const;
-  /// What touches the rectangle, in painting order.
+  /// All textures that touch the rectangle, in painting order.
   std::vector<PlacedTexture> within(const geometry::WorldRect& rect) const;
   bool anyWithin(const geometry::WorldRect& rect) const;
-  /// The smallest metres per cell among what touches the rectangle; nullopt when nothing does.
+  /// The smallest metres per cell of the textures that touch the rectangle; nullopt if there is none.
   std::optional<double> finestWithin(const geometry::WorldRect& rect) const;
-  /// The smallest metres per cell of all; nullopt when empty.
+  /// The smallest metres per cell of all; nullopt if empty.
   std::optional<double> finest() const;
 
  private:
@@ -45,8 +45,8 @@ class TextureIndex {
     PlacedTexture placed;
     geometry::WorldRect bounds;
   };
-  static constexpr int kDepth = 9;  // of the trees: from metres to beyond any map
-  /// A cell of a size class; cells of a height above 0 stand for kFan x kFan of the height below.
+  static constexpr int kDepth = 9;  // of the trees: from metres to larger than any map
+  /// A cell of a size class; cells with a height above 0 stand for kFan x kFan of the height below.
   struct Cell {
     int size_class;
     int height;
@@ -55,7 +55,7 @@ class TextureIndex {
   };
   struct Node {
     std::vector<const Entry*> entries;                        // at height 0
-    std::uint64_t parts = 0;                                  // that hold something, above it; a bit each
+    std::uint64_t parts = 0;                                  // which parts are not empty, one bit each
     std::vector<std::pair<double, std::size_t>> resolutions;  // of all below, finest first, with their counts
   };
   struct CellHash {
@@ -63,11 +63,11 @@ class TextureIndex {
   };
   static Cell cellOf(const geometry::WorldRect& bounds);
   static Cell parentOf(const Cell& cell);
-  static int partOf(const Cell& cell);  // its place in its parent
+  static int partOf(const Cell& cell);  // its index in its parent
   void file(const Entry& entry);
   void unfile(const Entry& entry);
-  /// Walks down the tree from `cell`. bool enter(const Node&, bool inside): whether to look at what is below;
-  /// `inside` = all of it touches the rectangle. bool visit(const Entry&): false ends the walk, and so the
+  /// Walks down the tree from `cell`. bool enter(const Node&, bool inside): whether to visit the parts;
+  /// `inside` = all of it touches the rectangle. bool visit(const Entry&): false ends the walk, and the
   /// result is false.
   template <typename Enter, typename Visit>
   bool walk(const Cell& cell, const geometry::WorldRect& rect, Enter& enter, Visit& visit) const;

@@ -1,4 +1,4 @@
-// The tiles of a pyramid for somebody who walks over its cells. Private to sampling; one thread.
+// Access to the tiles of a pyramid while walking over its cells. Private to sampling; one thread.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace mapwright::render {
 
-/// Keeps the tiles that were used last, so that neighbouring pixels need not ask the pyramid again; bounded,
-/// however much a pixel covers. Rows that have not been read yet are not there.
+/// Keeps the most recently used tiles, so that neighbouring pixels need not ask the pyramid again; bounded,
+/// whatever the size of a pixel. Rows that have not been read are missing.
 class TileReach {
  public:
   static constexpr int kEdge = grids::GridPyramid::kTileEdge;
@@ -19,10 +19,10 @@ class TileReach {
   explicit TileReach(const grids::GridPyramid& cells)
       : cells_(cells), complete_(cells.complete()), rows_(cells.rowsReady()) {}
 
-  /// What was complete when this was made has all its levels.
+  /// If it was complete at construction, all its levels are available.
   bool complete() const { return complete_; }
   int width() const { return cells_.width(); }
-  /// Rows of level 0 that are there.
+  /// How many rows of level 0 are available.
   int rows() const { return rows_; }
 
   struct Tile {

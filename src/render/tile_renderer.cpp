@@ -11,7 +11,7 @@ class TileRenderer::Impl {
  public:
   Impl(TileRenderer& owner, const Options& options) : work(options, [this] { changed(); }), owner_(owner) {}
 
-  // Proceeds and tells the world once per turn of the event loop, however much happened in it.
+  // Continues, and emits the signal once per turn of the event loop.
   void changed() {
     if (announced_) return;
     announced_ = true;
@@ -100,7 +100,7 @@ std::vector<DrawnTile> TileRenderer::drawnTiles() {
     const QPointF offset = work.tiles().offsetOf(place);
     QImage image = work.imageOf(place);
     if (image.isNull()) {
-      // Nothing is there, and that has to hide what stood in for it.
+      // It is empty, and has to hide its stand-in.
       if (!over_stand_ins) continue;
       if (work.colors().clear_unknown) {
         drawn.push_back({{}, QTransform::fromTranslate(offset.x(), offset.y()), false});

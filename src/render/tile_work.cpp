@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kDirectViewCells =
     2;                          // up to so many native cells a pixel, view tiles are composed directly
-constexpr int kFewMissing = 8;  // pyramid tiles; a tile that lacks no more is soon exact and needs no preview
+constexpr int kFewMissing = 8;  // pyramid tiles; with no more missing it is soon exact and needs no preview
 constexpr double kFinestNativeM = 1e-3;  // a freak texture does not make the whole view slow
 constexpr std::size_t kSubmapStandIns = 64;
 
@@ -107,7 +107,7 @@ void TileWork::startPreviews() {
     if (!workers_.hasRoom()) return;
     ViewTile& tile = tiles_.at(place);
     if (tile.current() || tile.preview_work != 0) continue;
-    // Old content stays until the new is there, unless that takes long.
+    // Old content stays until the new is ready, unless that takes long.
     const bool soon_exact = tile.known && pyramid_.missing(patchFor(tiles_.gridOf(place), pyramidLevel(),
                                                                     pyramid_.base())) <= kFewMissing;
     if (!soon_exact) startComposing(place, tile, Quality::Preview);
@@ -124,7 +124,7 @@ void TileWork::startExact() {
   }
 }
 
-// False when the pyramid cannot serve such a place at all.
+// False if the pyramid cannot provide such a tile at all.
 bool TileWork::startFromPyramid(const TilePlace& place, ViewTile& tile) {
   const PixelGrid grid = tiles_.gridOf(place);
   PyramidPatch patch = patchFor(grid, pyramidLevel(), pyramid_.base());
@@ -139,7 +139,7 @@ bool TileWork::startFromPyramid(const TilePlace& place, ViewTile& tile) {
 
 void TileWork::startComposing(const TilePlace& place, ViewTile& tile, Quality quality) {
   const PixelGrid grid = tiles_.gridOf(place);
-  // Reduced levels reach a little further than the cells themselves.
+  // Reduced levels extend slightly beyond the cells themselves.
   const double margin_m = quality == Quality::Preview ? 2 * grid.scale_m_per_px : 0;
   const bool exact = quality == Quality::Exact;
   (exact ? tile.exact_work : tile.preview_work) =

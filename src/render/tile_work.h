@@ -1,5 +1,5 @@
-// Decides which piece of tile work is done next and takes in what was done. Private to this room; GUI thread.
-// Why: docs/decisions/0007-the-view-is-drawn-in-tiles.md.
+// Decides which tile to work on next and stores the results. Private to this room; GUI thread. Why:
+// docs/decisions/0007-the-view-is-drawn-in-tiles.md.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,8 @@
 
 namespace mapwright::render {
 
-/// The tiles of a view over an index of textures, kept up to date by workers. Does nothing by itself:
-/// proceed() starts what there is room for, and `changed` is called when the picture or the outlook has
-/// changed.
+/// The tiles of a view over an index of textures, kept up to date by workers. Passive: proceed() starts as
+/// much work as possible, and `changed` is called when the picture or the progress has changed.
 class TileWork {
  public:
   TileWork(const TileRenderer::Options& options, std::function<void()> changed);
@@ -32,13 +31,13 @@ class TileWork {
   void setView(const geometry::ViewTransform& view);
   void setColors(const MapColors& colors, ColorMode mode);
   const MapColors& colors() const { return colors_; }
-  /// The content under the rectangles has changed in the index.
+  /// The index has changed under the rectangles.
   void contentChanged(const std::vector<geometry::WorldRect>& rects);
   void contentCleared();
 
   /// Starts the most urgent work.
   void proceed();
-  /// The image of a tile in the present colours; null when nothing is there.
+  /// The image of a tile in the present colours; null if it is empty.
   QImage imageOf(const TilePlace& place);
   bool settled() const;
   TileCounts counts() const;
@@ -77,7 +76,7 @@ class TileWork {
   std::uint64_t generation_ = 0;  // counts changes of the content
   std::unordered_map<TileWorkers::Ticket, ViewWork> under_way_;
   std::uint64_t composed_ = 0, dropped_stale_ = 0;
-  TileWorkers workers_;  // after all that running work refers to: it waits for that when destroyed
+  TileWorkers workers_;  // last of what running work refers to: its destructor waits for that work
   Pyramid pyramid_;
 };
 

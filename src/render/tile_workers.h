@@ -1,4 +1,4 @@
-// The crew as tile work sees it, from the GUI thread. Private to this room.
+// The thread pool as used for tile work, from the GUI thread. Private to this room.
 #pragma once
 
 #include <atomic>
@@ -18,21 +18,20 @@
 
 namespace mapwright::render {
 
-/// What a piece of work made: a tile of the view (null pixels: nothing observed) with its image, or one of
-/// the pyramid.
+/// The result of a piece of work: a tile of the view (null pixels: nothing observed) with its image, or one
+/// of the pyramid.
 struct TileResult {
   std::shared_ptr<const Composition> pixels;
   QImage image;
   PyramidTilePtr tile;
 };
 
-/// Runs pure functions on the crew and hands their results to the thread it lives in, several at a time. No
-/// queue to speak of: it takes one piece of work more than there are threads, so what is started is what
-/// matters now.
+/// Runs pure functions on the thread pool and passes their results to its own thread, several at a time.
+/// Takes only one piece of work more than there are threads, so that what is started is what matters now.
 class TileWorkers : public QObject {
  public:
   using Ticket = std::uint64_t;  // never 0
-  /// Polls `cancelled`; after that its result does not matter.
+  /// Polls `cancelled`; after that its result is ignored.
   using Work = std::function<TileResult(const std::atomic<bool>& cancelled)>;
   struct Outcome {
     Ticket ticket = 0;
@@ -40,14 +39,14 @@ class TileWorkers : public QObject {
     TileResult result;
   };
 
-  /// `receive` is called in this object's thread with at least one outcome.
+  /// `receive` is called in this object's thread with at least one result.
   TileWorkers(std::shared_ptr<work::Workers> workers, std::function<void(std::vector<Outcome>)> receive);
   ~TileWorkers() override;  // cancels everything and waits
 
   bool hasRoom() const;
   Ticket start(work::Urgency urgency, Work work);  // precondition: hasRoom()
-  /// The outcome still arrives, marked as cancelled. It takes no room any more: it may stand in the queue
-  /// behind what others wait for, and then does nothing.
+  /// The result still arrives, marked as cancelled. It no longer counts against the limit: it may wait in the
+  /// queue behind other work, and then does nothing.
   void cancel(Ticket ticket);
 
  private:
@@ -60,7 +59,7 @@ class TileWorkers : public QObject {
   Ticket last_ticket_ = 0;
   std::mutex mutex_;
   std::vector<Outcome> finished_;  // guarded by mutex_
-  work::Share share_;              // last: its jobs see all of the above
+  work::Share share_;              // last member: its jobs use all of the above
 };
 
 }  // namespace mapwright::render

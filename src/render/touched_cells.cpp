@@ -21,7 +21,7 @@ HighestTouched::HighestTouched(const GridPyramid& cells, TileReach& reach, const
     widths_.push_back(cells.levelWidth(level));
     heights_.push_back(level == 0 ? reach.rows() : cells.levelHeight(level));
   }
-  // Two to four cells a pixel: some of them then lie in it as a whole. The levels of a map that is still
+  // Two to four cells per pixel: some of them are then completely inside. The levels of a map that is still
   // being read lag behind.
   const double zoom = 2 * square.half();
   start_ =
@@ -102,7 +102,7 @@ MeanTouched::MeanTouched(const GridPyramid& cells, TileReach& reach, const Pixel
   std::sort(corners.begin(), corners.end(),
             [](const auto& one, const auto& other) { return one.y() < other.y(); });
   if (corners[1].y() - corners[0].y() < kAligned) {
-    // Not turned: the sides are upright, and which corner came first is chance.
+    // Not rotated: the sides are upright, and which corner comes first is arbitrary.
     for (const std::size_t first : {std::size_t(0), std::size_t(2)}) {
       if (corners[first].x() > corners[first + 1].x()) std::swap(corners[first], corners[first + 1]);
     }
@@ -115,7 +115,7 @@ MeanTouched::MeanTouched(const GridPyramid& cells, TileReach& reach, const Pixel
 
 double MeanTouched::Side::leftOf(double u) const {
   if (most <= u) return 0;
-  // The integral of how far a point is into the column.
+  // The integral of how far a point is inside the column.
   const auto into = [](double x) { return x <= 0 ? 0.0 : x < 1 ? x * x / 2 : x - 0.5; };
   double area = 0;
   for (int n = 0; n < count; ++n) {
@@ -127,7 +127,7 @@ double MeanTouched::Side::leftOf(double u) const {
   return area;
 }
 
-/// From the uppermost corner to the lowest one by way of `bend`, as much of it as is between the heights.
+/// The side from the uppermost corner to the lowest one via `bend`, between the two heights.
 MeanTouched::Side MeanTouched::sideBetween(const Eigen::Vector2d& bend, double top, double bottom) const {
   Side side;
   const auto add = [&](const Eigen::Vector2d& one, const Eigen::Vector2d& other) {
@@ -202,7 +202,7 @@ void MeanTouched::addRow(const Eigen::Vector2d& centre, int v, double top, doubl
   partly(whole_to, end);
 }
 
-/// Empty ground, which is most of a map: the tiles around the pixel have one value.
+/// Empty ground, which is most of a map: all tiles around the pixel are uniform.
 bool MeanTouched::oneValueAround(const Eigen::Vector2d& centre, std::uint8_t& out) {
   const double reach = square_.reach();
   const int x0 = cellAt(centre.x() - reach, reach_.width()) >> TileReach::kEdgeBits;
@@ -242,7 +242,7 @@ bool MeanTouched::operator()(const Eigen::Vector2d& centre, std::uint8_t& out, b
     out = std::uint8_t(std::clamp(std::lround(sums.value / sums.known), 0L, 255L));
     return true;
   }
-  // The shade of the unknown ground under the middle, where that is unknown: pictures keep theirs.
+  // The gray of the unknown cell at the centre: pictures keep it.
   const std::uint8_t* const middle =
       reach_.at(0, cellAt(centre.x(), reach_.width()), cellAt(centre.y(), reach_.rows()));
   out = middle && !meaning_.known[*middle] ? *middle : unknown_;

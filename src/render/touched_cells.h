@@ -1,7 +1,5 @@
-// What the cells come to that a pixel touches, exactly. Private to sampling; one thread.
-//
-// A cell is touched when it and the square of the pixel, turned as the pixel is turned, share more than an
-// edge.
+// Combines the cells touched by a pixel, exactly. Private to sampling; one thread.
+// A cell is touched if it overlaps the rotated square of the pixel by more than an edge.
 #pragma once
 
 #include <array>
@@ -13,15 +11,13 @@
 
 namespace mapwright::render {
 
-/// The touched cell of the highest rank (of equal ones the one with the greatest byte).
-///
-/// A cell of a coarser level is the highest of the cells in it. So where one lies in the pixel as a whole it
-/// stands for all of them, and where only a part of it does, its cells matter only when it is higher than
-/// what has been found already.
+/// The touched cell with the highest rank (of equal ones the greatest byte).
+/// A cell of a coarser level is the highest of the cells in it. So if it lies completely inside the pixel it
+/// stands for all of them, and if only partly, its cells only matter if it is higher than the best so far.
 class HighestTouched {
  public:
   HighestTouched(const grids::GridPyramid& cells, TileReach& reach, const PixelOnCells& square);
-  /// `centre`: of the pixel, in cells. False where nothing has been read.
+  /// `centre`: of the pixel, in cells. False if nothing has been read there.
   bool operator()(const Eigen::Vector2d& centre, std::uint8_t& out);
 
  private:
@@ -33,15 +29,15 @@ class HighestTouched {
   const std::array<std::uint8_t, 256>& order_;
   TileReach& reach_;
   const PixelOnCells& square_;
-  int start_;                          // the level that is looked at first
+  int start_;                          // the level to look at first
   std::vector<int> widths_, heights_;  // of the levels
   std::vector<Box> partly_;
   int best_ = -1;
   std::uint8_t best_byte_ = 0;
 };
 
-/// The mean of the touched cells that are known, each by the area of it that is in the pixel. Unknown where
-/// less than half of the ground is known.
+/// The mean of the touched known cells, weighted by their area inside the pixel. Unknown if less than half
+/// the area is known.
 class MeanTouched {
  public:
   MeanTouched(const grids::GridPyramid& cells, TileReach& reach, const PixelOnCells& square);
@@ -57,7 +53,7 @@ class MeanTouched {
     std::array<Piece, 2> pieces;
     int count = 0;
     double least = 0, most = 0;
-    /// How much of the column [u, u + 1] is left of the side.
+    /// How much of the column [u, u + 1] is to the left of the side.
     double leftOf(double u) const;
   };
   struct Sums {

@@ -11,7 +11,7 @@ constexpr double kFarthestPlace = kFarthestPixel / kTileEdge;
 constexpr std::size_t kTileBytes = 256;
 
 bool usable(const geometry::ViewTransform& view) {
-  // Orders of magnitude beyond what geometry::ViewTransform allows itself, and still safe to reckon with.
+  // Orders of magnitude beyond the limits of geometry::ViewTransform, and still safe for arithmetic.
   constexpr double kFinest = 1e-9, kCoarsest = 1e9, kFarthestM = 1e15;
   return view.width_px > 0 && view.height_px > 0 && view.scale_m_per_px >= kFinest &&
          view.scale_m_per_px <= kCoarsest && std::isfinite(view.rotation_rad) &&

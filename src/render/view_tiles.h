@@ -1,4 +1,4 @@
-// The tiles in the grid of the present view. Private to this room; GUI thread.
+// The tiles aligned with the present view. Private to this room; GUI thread.
 #pragma once
 
 #include <cstdint>
@@ -13,60 +13,59 @@
 
 namespace mapwright::render {
 
-/// Tile (x, y) covers kTileEdge x kTileEdge pixels of the view's endless raster.
+/// Tile (x, y) covers kTileEdge x kTileEdge pixels of the view's infinite raster.
 struct TilePlace {
   std::int64_t x = 0, y = 0;
   bool operator==(const TilePlace&) const = default;
 };
 
 struct ViewTile {
-  Picture picture;            // pixels null: nothing yet, or nothing is there
-  bool known = false;         // has something to show, if only that nothing is there
-  bool exact = false;         // what it shows is no preview
-  std::uint64_t shown = 0;    // generation of the content that it shows
-  std::uint64_t touched = 0;  // latest generation that changed something under it
-  std::uint64_t colors = 0;   // revision of the colours of picture.image
-  TileWorkers::Ticket exact_work = 0, preview_work = 0;  // under way, 0 = none
+  Picture picture;                                       // pixels null: nothing yet, or the tile is empty
+  bool known = false;                                    // has something to show, even if that is empty
+  bool exact = false;                                    // what it shows is not a preview
+  std::uint64_t shown = 0;                               // generation of the displayed content
+  std::uint64_t touched = 0;                             // latest generation that changed something under it
+  std::uint64_t colors = 0;                              // revision of the colours of picture.image
+  TileWorkers::Ticket exact_work = 0, preview_work = 0;  // in progress, 0 = none
   std::uint64_t last_visible = 0;
   bool current() const { return known && shown >= touched; }
   bool settled() const { return current() && exact; }
-  /// A hole is filled before what is there gets newer or better.
+  /// Filling holes comes before updating or refining.
   work::Urgency urgency() const { return known ? work::Urgency::Wanted : work::Urgency::InView; }
 };
 
-/// Tiles by place. Their raster is anchored at the world origin so that panning keeps them; a snapshot's at
-/// the corner of its first pixel so that pixels are exactly where they were asked for.
+/// Tiles by position. Their raster is anchored at the world origin so that panning keeps them; that of a
+/// snapshot at the corner of its first pixel so that pixels are exactly where requested.
 class ViewTiles {
  public:
   explicit ViewTiles(bool snapshot) : snapshot_(snapshot) {}
 
-  /// True when the raster changed: all tiles are then forgotten (take what is needed before, with
-  /// pictures()).
+  /// True if the raster changed: all tiles are then dropped (save what is needed with pictures() first).
   bool rasterChanges(const geometry::ViewTransform& view) const;
   void setView(const geometry::ViewTransform& view);
   const geometry::ViewTransform& view() const { return view_; }
 
-  /// In view, nearest to the centre first.
+  /// Visible, nearest to the centre first.
   const std::vector<TilePlace>& visible() const { return visible_; }
   ViewTile& at(const TilePlace& place);  // created when new
   ViewTile* find(const TilePlace& place);
   const ViewTile* find(const TilePlace& place) const;
   PixelGrid gridOf(const TilePlace& place) const;
-  /// Viewport pixel of the tile's first pixel: whole numbers.
+  /// Viewport pixel of the tile's first pixel: integers.
   QPointF offsetOf(const TilePlace& place) const;
-  /// The tile and the pixel in it that show a world point; nullopt when no tile could.
+  /// The tile and its pixel for a world point; nullopt if there is none.
   struct Pixel {
     TilePlace place;
     int column = 0, row = 0;
   };
   std::optional<Pixel> pixelAt(const Eigen::Vector2d& world_m) const;
 
-  /// Marks what lies under the rectangles as changed in `generation` and gives `outdated` each tile.
+  /// Marks everything under the rectangles as changed in `generation` and passes each tile to `outdated`.
   template <typename Outdated>
   void touch(const std::vector<geometry::WorldRect>& rects, std::uint64_t generation, Outdated outdated);
   void setPicture(ViewTile& tile, std::shared_ptr<const Composition> pixels, QImage image,
                   std::uint64_t colors);
-  /// Pictures of the tiles that have one, those in view and at most `others` more.
+  /// Pictures of the tiles that have one: the visible ones and at most `others` more.
   std::vector<Picture> pictures(std::size_t others) const;
   template <typename Visit>
   void forEach(Visit visit) {
@@ -75,7 +74,7 @@ class ViewTiles {
 
   void clear();
   std::size_t bytes() const { return bytes_; }
-  /// Forgets tiles out of view, those longest out of view first, until bytes() <= budget.
+  /// Drops invisible tiles, longest invisible first, until bytes() <= budget.
   void trim(std::size_t budget_bytes);
 
  private:
@@ -92,7 +91,7 @@ class ViewTiles {
   bool snapshot_;
   geometry::ViewTransform view_{.width_px = 0, .height_px = 0};
   PixelGrid raster_;
-  double offset_x_ = 0, offset_y_ = 0;  // viewport pixel of raster pixel (0, 0), whole numbers
+  double offset_x_ = 0, offset_y_ = 0;  // viewport pixel of raster pixel (0, 0), integers
   std::unordered_map<TilePlace, ViewTile, PlaceHash> tiles_;
   std::vector<TilePlace> visible_;
   std::uint64_t views_ = 0;

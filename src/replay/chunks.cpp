@@ -13,7 +13,7 @@ namespace {
 constexpr double kFirstS = 0, kLastS = 4'102'444'800;  // until the year 2100
 constexpr Tick kLongest = Tick(256 * kTicksPerS);
 constexpr Tick kMostCells = 4096;
-/// What is placed by later messages, or came late, changes so long before the end of what there is.
+/// Data placed by later messages, or late data, may change the last seconds.
 constexpr double kUnsettledS = 2;
 constexpr int kBelievedTries = 3;
 
@@ -35,7 +35,7 @@ Tick tickOf(double s) {
 }
 
 Chunks::Chunks(const robot::BagInfo& info, ChunksOptions options) : options_(options) {
-  // Where the clock was set back, the last message may have an earlier stamp than the first.
+  // If the clock was set back, the last message may have an earlier stamp than the first.
   start_s_ = std::clamp(std::floor(std::min(info.start_s, info.end_s)), kFirstS, kLastS);
   end_s_ = std::clamp(std::max(info.start_s, info.end_s), kFirstS, kLastS);
   if (info.messages == 0 && start_s_ == end_s_) return;
@@ -120,7 +120,7 @@ std::vector<Tick> Chunks::wantedCells() const {
   for (const Tick stale : stale_) {
     if (cells_.contains(stale) && named.insert(stale).second) wanted.push_back(stale);
   }
-  // The next one before all that lies behind: playing must not stop.
+  // The next one comes before everything behind: playback must not stop.
   if (next != cells_.end() && ahead(next->second)) add(next->second, true);
   if (options_.look_back) {
     for (auto before = std::make_reverse_iterator(at); before != cells_.rend(); ++before)
@@ -161,7 +161,7 @@ std::vector<Tick> Chunks::toCancel() const {
     under_way.push_back(from);
     if (std::find(wanted.begin(), wanted.end(), from) == wanted.end()) cancel.push_back(from);
   }
-  // What is wanted first of all waits for nobody.
+  // The most wanted range is requested in any case.
   const bool waits = !wanted.empty() && !cells_.at(wanted.front()).under_way &&
                      cells_.at(wanted.front()).tries == 0 && cancel.empty() &&
                      int(under_way.size()) >= options_.at_once;
@@ -184,7 +184,7 @@ std::vector<Tick> Chunks::toDrop() const {
       const bool later = secondsOf(from) > *wanted_s_;
       away_s = later ? secondsOf(from) - *wanted_s_ : *wanted_s_ - secondsOf(cell.until);
       const bool next = here && cell.from == here->until;
-      // Only what lies in the window, or next, is worth its memory; what is next goes last.
+      // Only ranges in the window, or the next one, are worth their memory; the next one is dropped last.
       if (next) {
         away_s = 0;
       } else if (away_s > (later ? options_.ahead_s : options_.behind_s)) {
@@ -250,8 +250,8 @@ void Chunks::failed(Tick from, const map::Failure& failure, Millis now) {
     split(from);
     return;
   }
-  // Some refuse times that are not the bag's own: then there is nothing. One that may only be busy has to say
-  // so again and again.
+  // Some robots refuse times outside of the bag: then there is nothing. One that may only be busy has to
+  // refuse repeatedly.
   const bool believed = !map::mayPass(failure) || cell.tries + 1 >= kBelievedTries;
   if (cell.beyond && failure.kind == map::FailureKind::RejectedByRobot && believed) {
     read(from, 0, 0);

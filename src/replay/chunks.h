@@ -1,5 +1,5 @@
-// The time axis of a bag in ranges: which are read, which are held, which to ask for next. Pure; time is
-// handed in. The answers themselves are held by whoever asks (replay::Reading).
+// The time axis of a bag, divided into ranges: which are read, kept, or requested next. Pure; time is passed
+// in. The caller (replay::Reading) holds the data.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +14,12 @@
 
 namespace mapwright::replay {
 
-/// Parts of 1/64 s since the epoch: ranges begin and end at whole ones, which a double, and six digits after
-/// the point, hold exactly.
+/// Units of 1/64 s since the epoch: the limits of ranges, which a double, and six decimals, represent
+/// exactly.
 using Tick = std::int64_t;
 constexpr double kTicksPerS = 64;
 constexpr double secondsOf(Tick tick) { return double(tick) / kTicksPerS; }
-/// The last one that is not beyond `s`; out of all bounds the outermost.
+/// The last one not after `s`; clamped.
 Tick tickOf(double s);
 
 using Millis = std::int64_t;
@@ -27,8 +27,8 @@ using Millis = std::int64_t;
 enum class CellState {
   Unread,
   UnderWay,
-  Read,    // what of it matters for later is known (PrefixIndex); its messages may be held or not
-  Failed,  // a gap; will be asked for again
+  Read,    // its effect on later times is known (PrefixIndex); its messages may be in memory or not
+  Failed,  // a gap; will be requested again
 };
 
 /// One range.
@@ -37,77 +37,76 @@ struct Cell {
   CellState state = CellState::Unread;
   bool held = false;       // its messages are in memory
   bool under_way = false;  // asked for (again)
-  bool beyond = false;     // lies before the start or after the end that the robot told
+  bool beyond = false;     // before the start or after the end stated by the robot
   std::size_t bytes = 0, messages = 0;
-  int tries = 0;        // that failed, one after the other
+  int tries = 0;        // failed attempts in a row
   Millis retry_at = 0;  // not before
   map::Failure failure = {};
 };
 
 struct ChunksOptions {
   double messages_per_cell = 800;
-  double ahead_s = 120, behind_s = 60;              // what is read ahead, and kept behind
-  std::size_t ahead_bytes = std::size_t(24) << 20;  // of that at most; the next cell always
-  std::size_t held_bytes = std::size_t(96) << 20;   // all that is held
-  std::size_t comfortable_bytes = std::size_t(12)
-                                  << 20;  // a longer answer makes the ranges still unread shorter
+  double ahead_s = 120, behind_s = 60;                    // how much to read ahead, and to keep behind
+  std::size_t ahead_bytes = std::size_t(24) << 20;        // its maximum; the next range is always read
+  std::size_t held_bytes = std::size_t(96) << 20;         // the maximum in memory
+  std::size_t comfortable_bytes = std::size_t(12) << 20;  // a longer answer makes the unread ranges shorter
   int at_once = 2;
   Millis first_retry_ms = 500, last_retry_ms = 30'000;
-  bool look_back = true;  // read what lies before the wanted time: its world is made of that
-  bool whole = false;     // read what lies after the wanted time as well
+  bool look_back = true;  // read everything before the wanted time, which its state depends on
+  bool whole = false;     // also read everything after the wanted time
 };
 
 class Chunks {
  public:
-  /// The axis that `info` tells, and what lies before and after: whole seconds are told, clocks are set back,
-  /// and a bag may go on after its end. A bag without messages and times has no ranges at all.
+  /// The axis according to `info`, and what lies before and after: only whole seconds are stated, clocks are
+  /// set back, and a bag may continue after its end. A bag without messages and times has no ranges at all.
   explicit Chunks(const robot::BagInfo& info, ChunksOptions options = {});
 
-  const std::map<Tick, Cell>& cells() const { return cells_; }  // by `from`; side by side, without overlaps
+  const std::map<Tick, Cell>& cells() const { return cells_; }  // by `from`; adjacent, without overlaps
   const Cell* find(Tick from) const;
-  /// Where `at_s` lies; outside of all the nearest. nullptr: there are none.
+  /// The range of `at_s`; outside of all the nearest. nullptr: there are none.
   const Cell* cellAt(double at_s) const;
-  /// First and last second that the robot told.
+  /// First and last second as stated by the robot.
   double start_s() const { return start_s_; }
   double end_s() const { return end_s_; }
 
-  /// Where the world is wanted. The last wish wins.
+  /// The time whose state is wanted. The last call counts.
   void want(double at_s) { wanted_s_ = at_s; }
   std::optional<double> wanted() const { return wanted_s_; }
-  /// Ranges whose messages are needed besides (a picture that came long ago).
+  /// Ranges whose messages are also needed (for example for an old picture).
   void need(std::vector<Tick> cells) { needed_ = std::move(cells); }
   void setWhole(bool whole) { options_.whole = whole; }
-  /// Ranges that have been read and are not held: once more each, when nothing else is to do.
+  /// Reads these ranges again if they are not in memory: once each, with the lowest priority.
   void readAgain(const std::vector<Tick>& cells) { again_.insert(cells.begin(), cells.end()); }
 
-  /// The bag has grown: ranges are made where there were none, and those at its end that may hold more by now
-  /// are read again, while what was read of them stays. Which these are, those that are made anew among them.
+  /// The bag has grown: adds ranges, and reads those at its old end again in case they contain more now,
+  /// keeping their present data. Returns them, including the new ones.
   std::vector<Tick> lengthen(const robot::BagInfo& info);
-  /// What was read of it may not be all.
+  /// It may have grown since it was read.
   bool isStale(Tick from) const { return stale_.contains(from); }
 
-  /// Which to ask for now, the most wanted first; never more than may be under way.
+  /// Which ranges to request now, most urgent first; never more than allowed at once.
   std::vector<Tick> next(Millis now) const;
-  /// Which that are under way nobody wants any more, or stand in the way of the wanted time.
+  /// Which requests to cancel: they are no longer needed, or delay the wanted time.
   std::vector<Tick> toCancel() const;
-  /// Which of those held may go, so that what is held stays within its bounds.
+  /// Which ranges to drop from memory to stay within the limits.
   std::vector<Tick> toDrop() const;
-  /// When next() will say more without anything happening; nullopt = never.
+  /// When next() will return something new without any other event; nullopt = never.
   std::optional<Millis> wakesAt(Millis now) const;
 
   void begun(Tick from);
   void cancelled(Tick from);
   void read(Tick from, std::size_t bytes, std::size_t messages);
   void dropped(Tick from);
-  /// An answer that is too long makes two ranges of one. One beyond the told times that the robot refuses is
-  /// taken for empty.
+  /// An answer that is too long splits the range into two. A range beyond the stated times that the robot
+  /// refuses counts as empty.
   void failed(Tick from, const map::Failure& failure, Millis now);
-  /// Failed ranges are asked for again at once.
+  /// Requests failed ranges again at once.
   void retryNow();
 
-  /// All that lies at or before `at_s` is read.
+  /// Everything up to `at_s` has been read.
   bool readUntil(double at_s) const;
-  /// The first range at or before `at_s` that failed.
+  /// The first failed range up to `at_s`.
   const Cell* gapUntil(double at_s) const;
   bool wholeRead() const;
   std::size_t messagesRead() const;

@@ -12,7 +12,7 @@ using map::TopicMessage;
 
 constexpr std::size_t kSmallBytes = 2048;
 
-/// How much of a message lies outside of it.
+/// The memory of a message outside of the struct itself.
 struct Weight {
   template <typename Item>
   static std::size_t of(const std::vector<Item>& items) {
@@ -54,7 +54,7 @@ struct Weight {
   }
 };
 
-/// What of SLAM's state people must know of; its scores move all the time.
+/// The parts of SLAM's state that people must know of; its scores change all the time.
 auto alarming(const map::SlamStatus& slam) {
   return std::tie(slam.state, slam.reliable, slam.position_quality, slam.wheel_slipping);
 }
@@ -146,7 +146,7 @@ Digest digestOf(const Chunk& chunk) {
     const auto kept = kept_last.find(message.index());
     if (!countsLater(message, kept == kept_last.end() ? nullptr : &digest.history[kept->second].message))
       continue;
-    // A new session may have made the map unknown: the same one said again is news then.
+    // A new session may have made the map unknown: then the same message is news again.
     if (std::holds_alternative<map::SubmapList>(message)) kept_last.erase(map::topicIndex<map::MapInfo>());
     kept_last[message.index()] = digest.history.size();
     digest.history.push_back({stamp_s, place, lightened(message)});

@@ -1,9 +1,8 @@
-// What of a range of a bag matters for all later times, in a fraction of its size. Pure.
-//
-// Most topics only tell how something is now: their last message is all that counts. What is made of more
-// than the last message is kept message by message, but for those that change nothing: where the robot was
-// (the trail), when alerts and states that people must know of began and ended, outlines that add up, and
-// where the frame begins anew. tests/replay holds that a world made of this equals one made of everything.
+// The part of a range of a bag that affects all later times, in a fraction of its size. Pure.
+// Most topics only tell the present state of something: only their last message counts. What depends on more
+// than the last message is kept message by message, unless it changes nothing: the robot's trail, starts and
+// ends of alerts and conditions, accumulated outlines, and changes of the frame. tests/replay checks that a
+// world made from this equals one made from everything.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +18,7 @@
 
 namespace mapwright::replay {
 
-/// What a message replaces: its kind, and among these the picture's layer or the cloud's topic.
+/// What a message replaces: its type, and the picture's layer or the cloud's topic.
 using Slot = std::pair<std::size_t, std::string>;
 Slot slotOf(const map::TopicMessage& message);
 
@@ -30,18 +29,18 @@ struct TopicSpan {
   bool operator==(const TopicSpan&) const = default;
 };
 
-/// So long without any message is worth to be told.
+/// A pause of at least this length is worth showing.
 inline constexpr double kSilenceS = 5;
 
 struct Digest {
-  /// The last message of a slot. `place` is that in Chunk::order.
+  /// The last message of a slot. `place` is its index in Chunk::order.
   struct Last {
     double stamp_s = 0;
     std::uint32_t place = 0;
-    std::shared_ptr<const map::TopicMessage> message;  // null: it is large, and found in the chunk
-    std::string picture_url = {};                      // of a picture that it only names
+    std::shared_ptr<const map::TopicMessage> message;  // null: it is large; get it from the chunk
+    std::string picture_url = {};                      // for a picture given only by its address
   };
-  /// A message that counts besides being the last one. Lists of submaps and of overlays are left out of it.
+  /// A message that counts besides the last one. Lists of submaps and of overlays are removed from it.
   struct Kept {
     double stamp_s = 0;
     std::uint32_t place = 0;
@@ -52,7 +51,7 @@ struct Digest {
     std::uint32_t place = 0;
     geometry::Pose2 pose;
   };
-  /// When the planner said something else than before.
+  /// When the state of the planner changed.
   struct Move {
     double stamp_s = 0;
     std::string state;
@@ -64,10 +63,10 @@ struct Digest {
   std::vector<Pose> poses;
   std::vector<Move> moves;
   std::map<std::string, TopicSpan> topics;  // unknown ones, too
-  double last_known_s = 0;                  // the stamp of the last message that says something of the world
+  double last_known_s = 0;                  // the stamp of the last message that affects the world
   std::size_t messages = 0, known = 0;
-  double first_s = 0, last_s = 0;                   // of the messages, where there are any
-  std::vector<std::pair<double, double>> silences;  // within it: from one message to the next one
+  double first_s = 0, last_s = 0;                   // of the messages, if there are any
+  std::vector<std::pair<double, double>> silences;  // inside the range: from one message to the next
 };
 
 Digest digestOf(const Chunk& chunk);
@@ -77,12 +76,12 @@ inline map::TrailPoint placeOf(const Digest::Pose& pose) {
   return {{pose.pose.x_m, pose.pose.y_m}, pose.stamp_s};
 }
 
-/// Whether it is small enough to be kept for good.
+/// Whether it is small enough to be kept permanently.
 bool isSmall(const map::TopicMessage& message);
-/// Without what does not matter to what comes after it: the entries of a list, the overlays of a map.
+/// Without the parts that do not affect later messages: the entries of a list, the overlays of a map.
 map::TopicMessage lightened(const map::TopicMessage& message);
-/// One that must not be left out, whatever comes after it, unless it says the same as `before`, the last kept
-/// one of its slot (null = there is none).
+/// A message that must be kept whatever follows, unless it equals `before`, the last kept one of its slot
+/// (null = none).
 bool countsLater(const map::TopicMessage& message, const map::TopicMessage* before);
 
 }  // namespace mapwright::replay

@@ -16,13 +16,13 @@ constexpr int kPoor = 3;  // SlamStatus::position_quality
 
 struct Telling {
   std::vector<Event> events = {};
-  std::map<std::pair<std::int64_t, std::string>, int> alerts = {};  // that hold
+  std::map<std::pair<std::int64_t, std::string>, int> alerts = {};  // active ones
   std::optional<std::string> move = {};
   std::optional<map::MapInfo> info = {};
   std::string uuid = {};
   bool low = false, stopped = false;
   std::optional<Digest::Pose> pose = {};
-  bool placed_anew = false;  // a new frame: the next pose is no jump
+  bool placed_anew = false;  // a new frame: the next pose is not a jump
   double at_s = 0;
 
   Event& add(EventKind kind, std::int64_t code = 0, std::string text = {}) {

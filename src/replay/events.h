@@ -1,4 +1,4 @@
-// What happened in a bag, for marks on a time line. Pure.
+// The events of a bag, for marks on a timeline. Pure.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@ namespace mapwright::replay {
 enum class EventKind {
   AlertBegan,      // code, text
   AlertEnded,      // code, text
-  MoveState,       // text: the planner's state from now on
+  MoveState,       // text: the new state of the planner
   PositionJump,    // metres
   MapChanged,      // text: its name
   SessionChanged,  // text: its uuid; SLAM began anew
-  QualityLow,      // the position is lost or poor from now on; code: the quality
+  QualityLow,      // localization is lost or poor from now on; code: the quality
   QualityGood,     // and no more
   EmergencyStopOn,
   EmergencyStopOff,
@@ -33,16 +33,16 @@ struct Event {
   bool operator==(const Event&) const = default;
 };
 
-/// Kinds that people want to see together, or not.
+/// Kinds that are shown or hidden together.
 enum class EventGroup { Alerts, Planner, Position, Maps, Stops };
 inline constexpr EventGroup kEventGroups[] = {EventGroup::Alerts, EventGroup::Planner, EventGroup::Position,
                                               EventGroup::Maps, EventGroup::Stops};
 EventGroup groupOf(EventKind kind);
-/// For settings and options, the same for ever: "alerts".
+/// For settings and options, never changes: "alerts".
 std::string wordOf(EventGroup group);
 
-/// In the order of time. Of ranges that are missing nothing is told: what began or ended there shows where
-/// the next one begins. What a bag begins with is an event, but for a move state and the first map.
+/// In order of time. Missing ranges give no events: changes inside them appear at the start of the next
+/// range. The initial state of a bag counts as events, except a move state and the first map.
 std::vector<Event> eventsOf(const std::map<Tick, Digest>& digests);
 
 }  // namespace mapwright::replay

@@ -43,7 +43,7 @@ void Player::settle(Millis now) {
 
 void Player::play(Millis now) {
   settle(now);
-  // At the end it begins anew.
+  // At the end it starts over.
   if (!loop_ && speed_ > 0 && from_s_ >= end_s_) from_s_ = start_s_;
   if (!loop_ && speed_ < 0 && from_s_ <= start_s_) from_s_ = end_s_;
   if (loop_ && (from_s_ < loop_->from_s || from_s_ > loop_->until_s)) from_s_ = loop_->from_s;

@@ -1,5 +1,5 @@
-// The time that is looked at while a bag is played: a function of what was asked for and of a clock that is
-// handed in. Pure. It knows no messages: what is there at its time, replay::Reading tells.
+// The displayed time during playback: a function of the controls and of a clock that is passed in. Pure. It
+// knows nothing about messages: replay::Reading has the data.
 #pragma once
 
 #include <cstdint>
@@ -17,37 +17,37 @@ class Player {
     bool operator==(const Loop&) const = default;
   };
 
-  /// Stands at the start. Seconds since the epoch.
+  /// Paused at the start. Seconds since the epoch.
   Player(double start_s, double end_s);
 
   double start_s() const { return start_s_; }
   double end_s() const { return end_s_; }
-  /// The bag turned out to be longer than it told.
+  /// The bag is longer than stated.
   void extend(double end_s);
 
-  /// Where it is; never outside of the bag. It stops by itself at either end, unless it loops.
+  /// The current time; always inside the bag. It stops at either end, unless it loops.
   double at(Millis now) const;
-  /// It would go on if nothing were missing.
+  /// It would continue if nothing were missing.
   bool playing(Millis now) const;
   void play(Millis now);
   void pause(Millis now);
-  /// Of time: 1 is as recorded. Its size is brought within kSlowest..kFastest; below 0 it plays backwards.
+  /// 1 is real time. The magnitude is clamped to kSlowest..kFastest; negative plays backwards.
   void setSpeed(double speed, Millis now);
   double speed() const { return speed_; }
   void seek(double at_s, Millis now);
-  /// By so much; it stands still then.
+  /// Moves by this much and pauses.
   void step(double by_s, Millis now);
-  /// While something is missing its clock stands still.
+  /// While data is missing its clock stands still.
   void setWaiting(bool waiting, Millis now);
   bool waiting() const { return waiting_; }
-  /// Plays this again and again; nullopt ends it. A range without length is none.
+  /// Plays this range repeatedly; nullopt ends it. An empty range does nothing.
   void setLoop(std::optional<Loop> loop, Millis now);
   const std::optional<Loop>& loop() const { return loop_; }
-  /// Plays until then and stands still there; nullopt = to the end.
+  /// Plays until then and pauses; nullopt = to the end.
   void playUntil(std::optional<double> until_s, Millis now);
 
  private:
-  void settle(Millis now);  // from here on the present position is where it began
+  void settle(Millis now);  // continues from the present position
   double unbounded(Millis now) const;
   double last() const;
 

@@ -52,7 +52,7 @@ void PrefixIndex::add(Tick from, Digest digest) {
   folds_.erase(folds_.lower_bound(from), folds_.end());
 }
 
-/// Much is said again and again as it was: one copy does for ranges side by side.
+/// Much is repeated unchanged: adjacent ranges share one copy.
 void PrefixIndex::share(const Slot& slot, Digest::Last& last, const Ranges& ranges, Tick from) const {
   if (!last.message) return;
   const auto after = std::lower_bound(ranges.begin(), ranges.end(), from);
@@ -100,7 +100,7 @@ void PrefixIndex::foldUntil(Tick from) const {
     world = *besides;
     world.live.robot_pose = last.pose;
     world.at_s = last.at_s;
-    // What the next pose is compared with is the last point alone.
+    // The next pose is only compared with the last point.
     for (auto fold = folds_.rbegin(); fold != folds_.rend() && world.live.trail.empty(); ++fold) {
       if (!fold->second.trail.empty()) world.live.trail.push_back(fold->second.trail.back());
       if (fold->second.trail_begins) break;
@@ -113,7 +113,7 @@ void PrefixIndex::foldUntil(Tick from) const {
     auto& trail = world.live.trail;
     const std::size_t known = std::min(before, trail.size());
     Fold& fold = folds_[digest->first];
-    // A trail that has grown as long as it may has forgotten its first points, that of before among them.
+    // A trail of maximum length has dropped its first points, including the earlier ones.
     fold.trail_begins = world.live.frame != frame || trail.size() >= map::LiveState::kTrailPoints;
     fold.trail.assign(trail.begin() + std::ptrdiff_t(fold.trail_begins ? 0 : known), trail.end());
     if (trail.size() > 1) trail.erase(trail.begin(), std::prev(trail.end()));

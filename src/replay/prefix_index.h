@@ -1,4 +1,4 @@
-// What is known of a bag up to some time: the digests of the ranges that were read. Pure.
+// What is known of a bag up to a time: the digests of the ranges read so far. Pure.
 #pragma once
 
 #include <map>
@@ -15,22 +15,22 @@ namespace mapwright::replay {
 
 class PrefixIndex {
  public:
-  /// Of the range that begins at `from`; one that was read again replaces what it was.
+  /// For the range that begins at `from`; replaces an earlier one.
   void add(Tick from, Digest digest);
-  /// Nothing is known of it any more.
+  /// Removes a range.
   void forget(Tick from);
   void clear();
   const std::map<Tick, Digest>& digests() const { return digests_; }
 
-  /// What is made of more than last messages (see replay/digest.h), after all ranges before `from`. Of the
-  /// rest of the world nothing in it is right. What each range comes to is kept, so that asking again costs a
-  /// copy. All ranges before `from` must be there, or come without asking in between.
+  /// The state that depends on more than the last messages (see replay/digest.h), after all ranges before
+  /// `from`. Nothing else in the result is valid. The result for each range is kept, so that repeating costs
+  /// a copy. All ranges before `from` must be there, or be added before the next call.
   map::World historyBefore(Tick from) const;
 
-  /// Every topic of the ranges before `from`; the last stamps.
+  /// Every topic in the ranges before `from` with its last stamp.
   void addTopicsBefore(Tick from, std::map<std::string, double>& last_s) const;
 
-  /// The last message of a slot before `from`: `find(slot, range, last)` for each slot that was ever heard of
+  /// The last message of a slot before `from`: calls `find(slot, range, last)` for each slot that occurs
   /// there.
   template <typename Find>
   void forLastBefore(Tick from, Find find) const {
@@ -47,20 +47,19 @@ class PrefixIndex {
   void unfile(Tick from, const Digest& digest);
   void foldUntil(Tick from) const;
 
-  /// What the ranges until the end of one come to. A trail is long, and each range adds to it: only what it
-  /// added is kept.
+  /// The state after a range. A trail is long, and each range adds to it: only the addition is stored.
   struct Fold {
-    std::shared_ptr<const map::World> besides;  // all but pose and trail; shared while it stays the same
+    std::shared_ptr<const map::World> besides;  // everything except pose and trail; shared while unchanged
     std::optional<geometry::Pose2> pose;
     double at_s = 0;
     std::vector<map::TrailPoint> trail;  // what came to it
-    bool trail_begins = false;           // nothing of before is left of it
+    bool trail_begins = false;           // the earlier trail was cleared
   };
 
   std::map<Tick, Digest> digests_;
   std::map<std::string, Ranges> topics_;  // where each was heard
   std::map<Slot, Ranges> slots_;
-  mutable std::map<Tick, Fold> folds_;  // of the first ranges, without a gap between them
+  mutable std::map<Tick, Fold> folds_;  // for the first ranges, without a gap
 };
 
 /// Applies the messages of `digest` that count besides the last ones, up to `at_s`.

@@ -28,7 +28,7 @@ bool framesBetween(const PrefixIndex& index, double from_s, double until_s) {
 
 std::optional<geometry::Pose2> poseBetween(const PrefixIndex& index, double at_s) {
   const Digest::Pose *before = nullptr, *after = nullptr;
-  // Only the ranges around `at_s` matter: the last with a pose before it, and the first with one after.
+  // Only the ranges around `at_s` matter: the last with a pose before it, and the first with one after it.
   auto next = index.digests().upper_bound(tickOf(at_s));
   const auto first_after = [&](const Digest& digest) {
     return std::partition_point(digest.poses.begin(), digest.poses.end(),

@@ -37,7 +37,7 @@ void RangeWalk::wantNext(const Cell* cell) {
 const Cell* RangeWalk::waitsFor() const { return next_s_ ? reading_.chunks().cellAt(*next_s_) : nullptr; }
 
 ChunkPtr RangeWalk::next() {
-  // It may have been made of several meanwhile, or several of it.
+  // Ranges may have been merged or split meanwhile.
   const Cell* const cell = waitsFor();
   ChunkPtr chunk = cell ? reading_.chunkAt(cell->from) : nullptr;
   if (!chunk) return nullptr;

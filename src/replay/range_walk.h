@@ -1,5 +1,5 @@
-// The ranges of a bag one after the other, each as soon as it has been read: for whoever wants to see all of
-// a stretch of it once. Asks for nothing else.
+// Iterates over the ranges of a bag in order, each as soon as it has been read: for a single pass over a part
+// of it. Requests nothing else.
 #pragma once
 
 #include <optional>
@@ -8,22 +8,22 @@
 
 namespace mapwright::replay {
 
-/// Asking for it again would not help.
+/// Another request would not help.
 bool isFinal(const Cell& cell);
 
 class RangeWalk {
  public:
-  /// Those that hold something of `from_s` to `to_s`; without them all, whatever the told times are.
-  /// `reading` is opened, reads for nobody else (and does not look back), and outlives this.
+  /// The ranges that overlap `from_s` to `to_s`; without limits all of them, whatever times are stated.
+  /// `reading` is open, used by nobody else (and does not look back), and outlives this.
   RangeWalk(Reading& reading, std::optional<double> from_s, std::optional<double> to_s);
 
-  /// All have been told.
+  /// All ranges were returned.
   bool over() const { return !next_s_; }
-  /// The next one, once it has been read: until then null. Reading::changed() tells when to ask again.
+  /// The next one; null until it has been read. Reading::changed() tells when to ask again.
   ChunkPtr next();
-  /// The one that is waited for, as it is now: its failure, where it has one. nullptr: over.
+  /// The range it is waiting for, with its failure if there is one. nullptr: over.
   const Cell* waitsFor() const;
-  /// How much of the stretch has been told, 0..1.
+  /// The share of the part returned so far, 0..1.
   double share() const;
 
  private:

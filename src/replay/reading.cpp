@@ -54,7 +54,7 @@ void Reading::lookAgain() {
   looking_ = library_.info(key_, [this, alive = alive_](const robot::Outcome<robot::BagInfo>& outcome) {
     if (!*alive) return;
     looks_ = false;
-    // What cannot be looked at now may be there the next time; reading says what is wrong.
+    // What cannot be checked now may be available the next time; reading reports errors.
     if (outcome && !(*outcome == *info_)) lengthen(*outcome);
   });
 }
@@ -62,7 +62,7 @@ void Reading::lookAgain() {
 void Reading::lengthen(const robot::BagInfo& info) {
   info_ = info;
   for (const Tick from : chunks_->lengthen(info)) {
-    // What is under way may be from before.
+    // Requests in progress may be outdated.
     if (auto asked = asked_.extract(from)) {
       asked.mapped().call.cancel();
       if (chunks_->find(from)) chunks_->cancelled(from);
@@ -120,7 +120,7 @@ ChunkPtr Reading::chunkAt(Tick from) const {
 void Reading::proceed() {
   for (const Tick from : chunks_->toCancel()) {
     chunks_->cancelled(from);
-    // Its reply comes all the same; nobody listens to it any more.
+    // Its reply still comes, but is ignored.
     if (auto asked = asked_.extract(from)) asked.mapped().call.cancel();
   }
   for (const Tick from : chunks_->toDrop()) {
@@ -138,7 +138,7 @@ void Reading::ask(Tick from) {
   Asked& asked = asked_[from];
   asked.number = number;
   robot::BagRange range{secondsOf(cell.from), secondsOf(cell.until)};
-  // Until all that lies before has been read, this is what can be shown of it.
+  // Until everything before has been read, this is the best available.
   const Cell* const here = chunks_->wanted() ? chunks_->cellAt(*chunks_->wanted()) : nullptr;
   const auto known = chunks_->cells().find(from);
   range.back_fill = here && from >= here->from && known != chunks_->cells().begin() &&
@@ -185,8 +185,7 @@ void Reading::make(Tick from, std::uint64_t number, const robot::BagChunkPtr& an
 }
 
 void Reading::hold(Tick from, Made made) {
-  // What a range makes of the world does not change when it is read again, but for the end of a file that
-  // grows.
+  // Reading a range again does not change its digest, except at the end of a growing file.
   const bool again = index_.digests().contains(from), grown = again && chunks_->isStale(from);
   chunks_->read(from, made.chunk->bytes(), made.digest.messages);
   if (!again || grown) index_.add(from, std::move(made.digest));
@@ -201,7 +200,7 @@ void Reading::miss(Tick from, const map::Failure& failure) {
   chunks_->failed(from, failure, now());
   const Cell* after = chunks_->find(from);
   if (after && after->state == CellState::Read && !held_.contains(from)) {
-    // The robot knows of nothing there.
+    // The robot has no data there.
     hold(from, made(nothingIn(cell)));
   }
   proceed();
@@ -218,7 +217,7 @@ Moment Reading::moment() {
   const std::optional<double> at_s = chunks_ ? chunks_->wanted() : std::nullopt;
   const Cell* here = at_s ? chunks_->cellAt(*at_s) : nullptr;
   if (!here) {
-    // In a bag without anything nothing is missing.
+    // In an empty bag nothing is missing.
     if (chunks_ && chunks_->cells().empty()) moment.knowledge = Knowledge::Exact;
     return moment;
   }
@@ -231,7 +230,7 @@ Moment Reading::moment() {
                       [this](Tick other, std::uint32_t place) { return contentAt(other, place); });
   moment.topics = topicsAt(index_, from, *chunk, *at_s, complete);
   moment.knowledge = complete && moment.at.missing.empty() ? Knowledge::Exact : Knowledge::LookingBack;
-  // What is in the world must stay held, or it would have to be asked for at every step.
+  // What the world uses must stay in memory, otherwise it would be requested at every step.
   std::vector<Tick> needed = moment.at.missing;
   for (const auto& [slot, source] : moment.at.sources) {
     const auto digest = index_.digests().find(source.first);

@@ -1,5 +1,5 @@
-// A bag while it is read: asks for its ranges, holds what is near, and tells the world of any time. One
-// thread, that of the robot it comes from.
+// A bag being read: requests ranges, keeps those nearby in memory, and gives the world at any time. One
+// thread, that of its robot.
 #pragma once
 
 #include <functional>
@@ -20,10 +20,10 @@
 
 namespace mapwright::replay {
 
-/// How far the world of a time is known.
+/// How much of the state at a time is known.
 enum class Knowledge {
   Buffering,    // its range is not here yet
-  LookingBack,  // what is near, and what the robot added; what came before is still being read
+  LookingBack,  // the nearby data, with the robot's back-fill; earlier data is still being read
   Exact,
 };
 
@@ -38,52 +38,52 @@ class Reading : public QObject {
  public:
   struct Options {
     ChunksOptions chunks;
-    /// Milliseconds that only go forward: retries wait by it. None = the system's.
+    /// A monotonic clock in milliseconds, for retries. None = the system's.
     std::function<Millis()> now = {};
-    /// A file may be written while it is read: it is looked at again so often; 0 = never.
+    /// How often to check a file that may still be written; 0 = never.
     int look_again_ms = 0;
-    /// The texts of messages are wanted uncut, for whatever they cost.
+    /// Messages need their complete texts, at any cost.
     bool whole_texts = false;
   };
-  /// `library` outlives it. Begins with open().
+  /// `library` outlives it. Does nothing before open().
   Reading(robot::BagLibrary& library, robot::BagKey key, Options options, QObject* parent = nullptr);
   ~Reading() override;
 
-  /// Asks for the bag's times; ends in opened() or failed().
+  /// Requests the bag's times; ends in opened() or failed().
   void open();
   const robot::BagKey& key() const { return key_; }
   const std::optional<robot::BagInfo>& info() const { return info_; }
-  /// Once opened.
+  /// After opened().
   const Chunks& chunks() const { return *chunks_; }
   const PrefixIndex& index() const { return index_; }
 
-  /// Where the world is wanted from now on; changed() tells when more of it is known.
+  /// The time whose state is wanted from now on; changed() tells when more of it is known.
   void want(double at_s);
-  /// Read what lies after the wanted time as well, when nothing else is to do.
+  /// Also read everything after the wanted time, with low priority.
   void setWhole(bool whole);
-  /// Ranges that were read: chunkRead() tells their messages once more, when nothing else is to do. Those
-  /// that are held are in chunkAt().
+  /// Reads these ranges again with low priority: chunkRead() delivers their messages. Those in memory are in
+  /// chunkAt().
   void readAgain(const std::vector<Tick>& ranges);
   void retryNow();
-  /// All that was read is not what its messages are read as any more.
+  /// Everything has to be read again because the messages are interpreted differently now.
   void readAnew();
-  /// Whether a file holds more by now: its axis is longer then, and what lies at its old end is read again. A
-  /// bag of a robot is not asked.
+  /// Checks whether a file has grown: extends its axis and reads its old end again. Does nothing for a
+  /// robot's bag.
   void lookAgain();
 
-  /// The world of the wanted time, as far as it is known now. May ask for what is missing in it. In a gap (a
-  /// range that failed) nothing happens: there it is what was before, and never Exact.
+  /// The state at the wanted time, as far as it is known. May request missing data. In a gap (a failed range)
+  /// the state stays as before and is never Exact.
   Moment moment();
-  /// The chunk of a range; null while it is not held.
+  /// The chunk of a range; null if it is not in memory.
   ChunkPtr chunkAt(Tick from) const;
 
  Q_SIGNALS:
   void opened();
   void failed(const mapwright::map::Failure& failure);  // to be opened
-  void changed();                                       // a range was read, failed or let go
-  /// All that lies in a range. It may be let go right after.
+  void changed();                                       // a range was read, failed or was dropped
+  /// The content of a range. It may be dropped right afterwards.
   void chunkRead(const mapwright::replay::ChunkPtr& chunk);
-  /// A range that had been read before turned out to hold more.
+  /// A range that was read before turned out to contain more.
   void replaced(mapwright::replay::Tick from);
 
  private:
@@ -112,16 +112,16 @@ class Reading : public QObject {
   PrefixIndex index_;
   std::map<Tick, ChunkPtr> held_;
   struct Asked {
-    std::uint64_t number = 0;  // tells it from one for the same range that was cancelled before
+    std::uint64_t number = 0;  // distinguishes it from an earlier, cancelled request for the same range
     robot::Call call;
   };
   std::map<Tick, Asked> asked_;
   std::uint64_t last_number_ = 0;
   robot::Call opening_, looking_;
-  bool looks_ = false;  // looking_ is under way
+  bool looks_ = false;  // looking_ is in progress
   QTimer wake_, look_again_;
   QThreadPool making_;
-  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // replies outlive this object
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // replies may outlive this object
 };
 
 }  // namespace mapwright::replay

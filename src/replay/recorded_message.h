@@ -1,11 +1,11 @@
-// Which messages of a range somebody recorded.
+// Which messages of a range were recorded.
 #pragma once
 
 #include "robot/bag_library.h"
 
 namespace mapwright::replay {
 
-/// Else it was made of others, at a time of no message: it says something of the world, and is in no list.
+/// The others were derived at a time without a message: they affect the world but are not listed.
 inline bool isRecorded(const robot::BagMessage& message) { return message.size > 0; }
 
 }  // namespace mapwright::replay

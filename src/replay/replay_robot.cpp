@@ -35,7 +35,7 @@ robot::RawMessage rawOf(const Chunk& chunk, const robot::BagMessage& message) {
 
 }  // namespace
 
-/// Everything that was recorded is told; what nobody asked for is left out by who listens.
+/// Sends everything recorded; listeners drop what they did not ask for.
 class ReplayRobot::Topics : public robot::LiveTopics {
  public:
   Topics(robot::LiveTopics& origin, ReplayRobot& replay) : origin_(origin), replay_(replay) {}
@@ -43,13 +43,12 @@ class ReplayRobot::Topics : public robot::LiveTopics {
   QStringList topicsOf(map::Stream stream) const override { return origin_.topicsOf(stream); }
   void setWanted(const map::Streams& streams, const QStringList& topics) override {
     wanted_ = {streams, topics};
-    // Who wants the same anew says it in two breaths, none of it and all of it again: what is wanted after
-    // both is compared.
+    // A renewed subscription comes as two calls, without and then with it: compare after both.
     if (std::exchange(compares_, true)) return;
     QMetaObject::invokeMethod(
         &replay_, [this] { compareWants(); }, Qt::QueuedConnection);
   }
-  /// Of what nobody wanted so far the last messages are behind.
+  /// For newly wanted data, send the last messages before now.
   void compareWants() {
     compares_ = false;
     const Wants before = std::exchange(seen_, wanted_);
@@ -78,8 +77,7 @@ class ReplayRobot::Topics : public robot::LiveTopics {
   bool compares_ = false;  // soon
 };
 
-/// The maps of where the bag comes from. Which one the robot worked with then the bag tells, not what it
-/// works with now.
+/// The maps of the bag's robot. The current one is that stated in the bag, not the robot's present one.
 class ReplayRobot::Maps : public robot::MapCatalogue {
  public:
   explicit Maps(ReplayRobot& replay) : replay_(replay) {}
@@ -160,7 +158,7 @@ void ReplayRobot::choose(const robot::TopicChoices& choices) {
   if (!of || of->chosen() == choices) return;
   of->choose(choices);
   if (!reading_) return;
-  // What is on screen stays until the time is known again.
+  // The screen stays unchanged until the time is known again.
   setKnowledge(Knowledge::Buffering);
   if (reading_) reading_->readAnew();
 }
@@ -182,7 +180,7 @@ robot::Absence ReplayRobot::whyNot(robot::Capability capability) const {
   using robot::Capability;
   const bool changes = capability == Capability::WaypointEditing ||
                        capability == Capability::Administration || capability == Capability::PictureEditing;
-  // There is no robot: what is there is the bag, which is told.
+  // There is no robot: the data comes from the bag.
   return changes ? robot::Absence{robot::Absence::Reason::LocalFiles, {name_}} : origin_->whyNot(capability);
 }
 
@@ -237,7 +235,7 @@ void ReplayRobot::open(robot::BagKey key) {
   connect(reading_.get(), &Reading::failed, this, &ReplayRobot::refuse);
   connect(reading_.get(), &Reading::changed, this, [this] {
     if (!at_s_ || knowledge_ == Knowledge::Exact) return;
-    // While it looks back, the world of each range on the way would cost more than it tells.
+    // While looking back, computing the world of each range on the way would cost more than it shows.
     if (knowledge_ == Knowledge::Buffering || reading_->chunks().readUntil(*at_s_)) {
       jump();
     } else if (!look_again_.isActive()) {
@@ -378,7 +376,7 @@ void ReplayRobot::fetchPicture(const map::GridMessage& grid, const std::string& 
         map::GridMessage whole = grid;
         whole.png = *outcome;
         whole.body_bytes = whole.png->size();
-        // It belongs to the present, however old it is: an earlier stamp would take the trail back.
+        // It belongs to the present, however old it is: an earlier stamp would cut the trail.
         Q_EMIT topicReceived({std::move(whole), at_s_.value_or(0), std::nullopt, grid.topic});
       });
 }

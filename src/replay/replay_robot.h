@@ -1,9 +1,8 @@
-// A bag as a robot: what its topics say is what was recorded. No layer knows the difference. Submaps, whole
-// maps and waypoints are those of the robot that the bag came from, as long as it has them.
-//
-// The thread of the robot it came from. While it plays on, messages come by topicReceived() in their order,
-// with the stamps of the recording; a jump comes by jumped(), and who keeps a world sets it anew
-// (session::Session::reset). The sum of both is the world of the time at any moment.
+// A bag as a robot: its topics send the recorded messages, and no layer knows the difference. Submaps, whole
+// maps and waypoints come from the robot of the bag, as long as it has them.
+// Lives on the thread of that robot. During playback messages arrive by topicReceived() in order, with their
+// recorded stamps; a jump emits jumped(), and a listener replaces its world (session::Session::reset). The
+// sum of both is the world at the present time.
 #pragma once
 
 #include <memory>
@@ -20,18 +19,18 @@ namespace mapwright::replay {
 class ReplayRobot : public robot::Robot, public robot::OffersTopics {
   Q_OBJECT
  public:
-  /// `name`: a bag of `origin`, or else a recording. `origin` is not connected to: it is only asked for what
-  /// the bag refers to.
+  /// `name`: a bag of `origin`, or a recording. `origin` is not connected: it only provides what the bag
+  /// refers to.
   ReplayRobot(std::unique_ptr<robot::Robot> origin, std::string name, Reading::Options options = {},
               QObject* parent = nullptr);
-  /// This one, without looking for its kind.
+  /// This bag, of a known kind.
   ReplayRobot(std::unique_ptr<robot::Robot> origin, robot::BagKey key, Reading::Options options = {},
               QObject* parent = nullptr);
   ~ReplayRobot() override;
-  /// What it is called; untrusted.
+  /// Its name; untrusted.
   const std::string& bag() const { return name_; }
 
-  // Of the robot. It is online once the bag is opened; a bag that cannot be is a refusal.
+  // That of the robot. It is online once the bag is open; if it cannot be opened the state is Refused.
   QString address() const override { return origin_->address(); }
   bool isLocal() const override { return origin_->isLocal(); }
   void connectToRobot() override;
@@ -40,7 +39,7 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
   robot::ConnectionState connection() const override { return state_; }
   robot::RobotIdentity identity() const override { return origin_->identity(); }
   robot::SubmapSource* submapSource() override { return origin_->submapSource(); }
-  /// Its current map is the one that the messages name (uid, else name), as far as they name one.
+  /// Its current map is the one that the messages name (by uid, otherwise by name), if any.
   robot::MapCatalogue* mapCatalogue() override;
   robot::WholeMapSource* wholeMapSource() override { return origin_->wholeMapSource(); }
   robot::WaypointSource* waypointSource() override { return origin_->waypointSource(); }
@@ -48,29 +47,29 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
   robot::BagLibrary* bagLibrary() override { return origin_->bagLibrary(); }
   std::optional<std::vector<robot::OfferedTopic>> offered() const override;
   QStringList choicesFor(map::Stream stream) const override;
-  /// The bag is read anew.
+  /// Reads the bag again.
   void choose(const robot::TopicChoices& choices) override;
   robot::TopicChoices chosen() const override;
-  /// What is changed would be changed on a robot that is elsewhere by now.
+  /// Changes would apply to a robot that has moved on since.
   robot::Absence whyNot(robot::Capability capability) const override;
 
   /// Of the bag, once online; null before.
   Reading* reading() { return reading_.get(); }
-  /// Where it is; nullopt before the first move.
+  /// The current time; nullopt before the first move.
   std::optional<double> at() const { return at_s_; }
-  /// How much of the world of that time is known.
+  /// How much of the state at that time is known.
   Knowledge knowledge() const { return knowledge_; }
-  /// What was said last of which topic.
+  /// The stamp of the last message of each topic.
   const std::map<std::string, double>& topics() const { return topics_; }
-  /// Pictures that the bag only names, on their way; they come by topicReceived().
+  /// Pictures being fetched that the bag contains only by address; they arrive by topicReceived().
   std::size_t picturesUnderWay() const { return pictures_.size(); }
-  /// Goes there. Forwards within what is held the messages on the way are told one by one; everything else is
-  /// a jump. What is missing comes later, and is told likewise.
+  /// Goes there. Forward moves within memory deliver the messages on the way one by one; anything else is a
+  /// jump. Missing data arrives later in the same ways.
   void goTo(double at_s);
 
  Q_SIGNALS:
-  /// The world from now on. It is looked back for what is missing in it unless it is Exact: then it comes
-  /// again.
+  /// The world from now on. Unless it is Exact, earlier data is still being read and the signal will be
+  /// repeated.
   void jumped(const mapwright::map::World& world, mapwright::replay::Knowledge knowledge);
   void knowledgeChanged();
 
@@ -78,7 +77,7 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
   class Topics;
   class Maps;
   void lookAgain();
-  /// While somebody watches: what the range at hand said last of each topic.
+  /// While raw messages are wanted: the last one of each topic in the present range.
   void tellLastRaw();
   void find();
   void open(robot::BagKey key);
@@ -92,12 +91,12 @@ class ReplayRobot : public robot::Robot, public robot::OffersTopics {
 
   std::unique_ptr<robot::Robot> origin_;
   std::string name_;
-  std::optional<robot::BagKey> key_;  // where it is known from the start
+  std::optional<robot::BagKey> key_;  // if known from the start
   Reading::Options options_;
   std::unique_ptr<Topics> live_;
   std::unique_ptr<Maps> maps_;
   std::optional<map::MapInfo> map_info_;  // as it was said last
-  bool watching_ = false;                 // messages as they were recorded are told, too
+  bool watching_ = false;                 // raw messages are wanted, too
   std::unique_ptr<Reading> reading_;
   robot::ConnectionState state_;
   robot::Call finding_;

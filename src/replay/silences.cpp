@@ -6,7 +6,7 @@
 namespace mapwright::replay {
 namespace {
 
-// A bag of few messages is silent between all of them.
+// A bag of few messages has pauses between all of them.
 constexpr double kTimesUsual = 10;
 
 }  // namespace
@@ -23,7 +23,7 @@ std::vector<Silence> silencesIn(const Chunks& chunks, const std::map<Tick, Diges
       std::max(kSilenceS, messages > 0 ? kTimesUsual * read_s / double(messages) : kSilenceS);
   std::vector<Silence> silences;
   double since_s = chunks.start_s();  // the last message
-  bool known = true;                  // what lies between it and here has been read
+  bool known = true;                  // everything in between has been read
   const auto endAt = [&](double at_s) {
     if (known && at_s - since_s >= least_s) silences.push_back({since_s, at_s});
   };

@@ -1,4 +1,4 @@
-// Where nothing was recorded in a bag, as far as it has been read. Pure.
+// Pauses in a bag, as far as it has been read. Pure.
 #pragma once
 
 #include <map>
@@ -9,15 +9,14 @@
 
 namespace mapwright::replay {
 
-/// From one message to the next one; at the ends of a bag, and beside what has not been read, from or to
-/// there.
+/// From one message to the next; at the ends of a bag, and next to unread parts, from or to there.
 struct Silence {
   double from_s = 0, until_s = 0;
   bool operator==(const Silence&) const = default;
 };
 
-/// By time, those of at least kSilenceS within the times that the bag told, and of much more than is usual in
-/// it. Of ranges that have not been read nothing is said.
+/// By time, those of at least kSilenceS within the bag's stated times that are much longer than usual in it.
+/// Unread ranges count as unknown.
 std::vector<Silence> silencesIn(const Chunks& chunks, const std::map<Tick, Digest>& digests);
 
 }  // namespace mapwright::replay

@@ -12,7 +12,7 @@
 namespace mapwright::replay {
 namespace {
 
-/// Goes through the samples and what tells where a piece ends.
+/// Walks through the samples and the limits of pieces.
 class Collecting {
  public:
   std::vector<TrackPoint> points;
@@ -77,7 +77,7 @@ void addSpeeds(std::vector<TrackPoint>& points) {
   }
 }
 
-/// As programs read it, whatever the language of this computer.
+/// In a locale-independent format for programs.
 void append(std::string& text, double value, int decimals) {
   char digits[400];  // of the largest double
   const auto written =

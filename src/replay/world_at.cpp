@@ -15,7 +15,7 @@ namespace {
 
 constexpr Tick kBackFilled = std::numeric_limits<Tick>::min();
 
-/// A message that is the last of its slot, or begins a frame.
+/// The last message of a slot, or one that begins a frame.
 struct Found {
   double stamp_s = 0;
   Tick chunk = 0;
@@ -42,7 +42,7 @@ struct Search {
   std::vector<Found> frames = {};
   std::deque<map::TopicMessage> light = {};  // of `frames`
 
-  /// Found from the newest to the oldest: the first one stays.
+  /// From newest to oldest: the first one found stays.
   void lookIntoChunk() {
     for (std::size_t place = chunk.countUntil(at_s); place-- > 0;) {
       const robot::BagMessage& each = chunk.at(place);
@@ -54,7 +54,7 @@ struct Search {
     }
   }
 
-  /// Lists are long, and come often.
+  /// Lists are long and frequent.
   void addFrame(Found found) {
     found.message = &light.emplace_back(lightened(*found.message));
     frames.push_back(found);
@@ -77,7 +77,7 @@ struct Search {
     }
   }
 
-  /// What the robot added is older than the chunk, and may be newer than what is known.
+  /// Data added by the robot is older than the chunk, and may be newer than what is known.
   void takeBackFilled() {
     for (const std::uint32_t which : chunk.back_filled) {
       const robot::BagMessage& each = chunk.source->messages[which];
@@ -96,10 +96,10 @@ struct Search {
                                                              : std::nullopt;
   }
 
-  /// What is known of the ranges before, with what the robot added; not all of them have been read.
+  /// The known earlier ranges, with the robot's back-fill; some have not been read.
   map::World knownHistory() const {
     const auto end = index.digests().lower_bound(from);
-    // It is asked for often while more comes: of the poses, those that a trail may be made of.
+    // Called often while data arrives: only uses poses that can be part of a trail.
     auto trail_from = end;
     for (std::size_t poses = 0;
          trail_from != index.digests().begin() && poses <= map::LiveState::kTrailPoints;)
@@ -140,7 +140,7 @@ struct Search {
         map::reduceInto(world, message, each.message.received_s);
       }
     }
-    // Each word about it ends what is long over, also one that brings no news.
+    // Each message about it removes expired ones, even if it brings no news.
     std::optional<double> told_s;
     for (const std::size_t kind :
          {std::size_t(map::topicIndex<map::AlertsMessage>()), std::size_t(map::topicIndex<map::WheelState>()),
@@ -158,7 +158,7 @@ struct Search {
       all.push_back(found);
       if (found.chunk != kBackFilled) result.sources[slot] = {found.chunk, found.place};
     }
-    // Frames first among equals: the full message follows its lightened self.
+    // Frames come first among equals: the full message follows its reduced version.
     std::stable_sort(all.begin(), all.end(),
                      [](const Found& a, const Found& b) { return orderOf(a) < orderOf(b); });
     map::World world;
@@ -168,7 +168,7 @@ struct Search {
     }
     for (const auto& [slot, found] : last) {
       const auto* grid = found.message ? std::get_if<map::GridMessage>(found.message) : nullptr;
-      // One of a map of before is not in the world any more.
+      // One of a previous map is no longer in the world.
       if (grid && found.picture_url && !found.picture_url->empty() && world.live.grids.contains(grid->kind))
         result.pictures[grid->kind] = *found.picture_url;
     }

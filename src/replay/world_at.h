@@ -1,8 +1,7 @@
-// The world of a bag at a time, whichever way one came there. Pure.
-//
-// World(T) is what playing from the bag's start to T makes: map::reduce over every message with a stamp of at
-// most T, in the order of replay/chunk.h. It is computed of the prefix index, the chunk that T lies in and
-// the last message of each slot, and equals that fold (tests/replay).
+// The world of a bag at a time, independent of how that time was reached. Pure.
+// World(T) is the result of playing from the bag's start to T: map::reduce over every message with a stamp of
+// at most T, in the order of replay/chunk.h. It is computed from the prefix index, the chunk that contains T
+// and the last message of each slot, and equals that fold (tests/replay).
 #pragma once
 
 #include <functional>
@@ -16,21 +15,22 @@
 
 namespace mapwright::replay {
 
-/// The message at `place` of the chunk at `from`; nullptr where that chunk is not held.
+/// The message at `place` of the chunk at `from`; nullptr if that chunk is not in memory.
 using ContentOf = std::function<const map::TopicMessage*(Tick from, std::uint32_t place)>;
 
 struct WorldAt {
   map::World world;
-  /// Where large messages lie (pictures, clouds, lists) that are missing in it: their chunks are not held.
+  /// The ranges of missing large messages (pictures, clouds, lists): their chunks are not in memory.
   std::vector<Tick> missing;
-  /// Pictures in it that the bag only names: where they lie on the robot. The world has their places alone.
+  /// Addresses on the robot of pictures that are not in the bag. The world only has their places.
   std::map<map::GridKind, std::string> pictures;
-  /// The chunk and the place of the last message of each slot.
+  /// The chunk and index of the last message of each slot.
   std::map<Slot, std::pair<Tick, std::uint32_t>> sources;
 };
 
-/// `chunk` is that of `from`, in which `at_s` lies. `complete`: the index has every range before it; then the
-/// result is exact when nothing is missing. Else it is what is known so far, with what the robot back-filled.
+/// `chunk` is the one at `from`, which contains `at_s`. `complete`: the index has every range before it; then
+/// the result is exact if nothing is missing. Otherwise it is what is known so far, including the robot's
+/// back-fill.
 WorldAt worldAt(const PrefixIndex& index, Tick from, const Chunk& chunk, double at_s, bool complete,
                 const ContentOf& content);
 

@@ -22,7 +22,7 @@ QString networkPrefix(const QString& text) {
   return like.match(text).captured(1);
 }
 
-/// An address without what stands before the @, wherever in a password there may be another one.
+/// An address without the part before the @, even if the password contains another one.
 QString withoutUser(const QString& typed) {
   static const QRegularExpression scheme(QStringLiteral("^[a-z][a-z0-9]*://"),
                                          QRegularExpression::CaseInsensitiveOption);
@@ -32,8 +32,8 @@ QString withoutUser(const QString& typed) {
 /// Never with a password in it.
 QString leaveOutUser(const QString& shown) {
   return AddressText::tr(
-             "%1: leave the user name and password out of the address. Give the secret in its own "
-             "field, by --secret-file or by MAPWRIGHT_SECRET.")
+             "%1: leave the user name and password out of the address. Put the secret into its own field, "
+             "--secret-file or MAPWRIGHT_SECRET.")
       .arg(shown);
 }
 
@@ -43,7 +43,7 @@ ParsedAddress Addresses::parse(const QString& typed) const {
   const QString text = typed.trimmed();
   const QStringList known = examples();
   if (text.isEmpty() || schemes_.empty()) {
-    return error(AddressText::tr("Give a robot address, for example %1.").arg(known.value(0)));
+    return error(AddressText::tr("Enter a robot address, for example %1.").arg(known.value(0)));
   }
   const auto parsed = [&](const AddressScheme& scheme, const QString& rest) {
     if (scheme.on_network && rest.contains(QLatin1Char('@'))) {
@@ -58,7 +58,7 @@ ParsedAddress Addresses::parse(const QString& typed) const {
       return parsed(scheme, text.mid(scheme.prefix.size()));
   }
   if (const QString prefix = networkPrefix(text); !prefix.isEmpty()) {
-    return error(AddressText::tr("Addresses that begin with %1 are not supported by this version. Write %2.")
+    return error(AddressText::tr("Addresses that begin with %1 are not supported by this version. Use %2.")
                      .arg(prefix, known.join(QStringLiteral(", "))));
   }
   for (const AddressScheme& scheme : schemes_) {
@@ -89,15 +89,14 @@ tl::expected<QUrl, QString> webAddress(const QString& typed, const QString& exam
     return error(leaveOutUser(withoutUser(typed)));
   }
   if (!url.isValid() || url.host().isEmpty()) {
-    return error(AddressText::tr("\"%1\" is not an address. Write for example %2.").arg(typed, example));
+    return error(AddressText::tr("\"%1\" is not an address. For example: %2.").arg(typed, example));
   }
   if (scheme != QLatin1String("http") && scheme != QLatin1String("https")) {
     return error(
-        AddressText::tr("\"%1\" does not begin with a scheme that is known here. Write for example %2.")
-            .arg(typed, example));
+        AddressText::tr("\"%1\" does not begin with a known scheme. For example: %2.").arg(typed, example));
   }
   if (url.port() == -1) url.setPort(port);
-  if (url.port() == 0) return error(AddressText::tr("Port 0 is not an address of a robot."));
+  if (url.port() == 0) return error(AddressText::tr("Port 0 is not valid in a robot address."));
   QString path = url.path();
   while (path.endsWith(QLatin1Char('/'))) path.chop(1);
   url.setPath(path);

@@ -1,5 +1,5 @@
-// Robot addresses as people type them (docs/command-line.md, "Addresses"). What the addresses of one kind of
-// robot look like is told by its adapter; which kinds there are, by the composition root.
+// Robot addresses as typed (docs/command-line.md, "Addresses"). The adapter of each kind of robot defines
+// their form; the composition root lists the kinds.
 #pragma once
 
 #include <functional>
@@ -17,52 +17,52 @@ namespace mapwright::robot {
 /// A parsed address.
 struct Address {
   QString scheme;     // the prefix of its AddressScheme
-  QString text;       // normalised, as it may be typed again; never with a secret
-  QUrl url;           // HTTP(S) base of a robot on a network, port filled in; empty for all others
-  QString path;       // absolute, of files on this computer; empty for all others
-  QUrlQuery options;  // what follows the ?, as its scheme understands it
+  QString text;       // normalised, can be typed again; never contains a secret
+  QUrl url;           // HTTP(S) base of a robot on a network, with port; otherwise empty
+  QString path;       // absolute, for files on this computer; otherwise empty
+  QUrlQuery options;  // the part after the ?, as defined by its scheme
 };
 
 /// The error is a sentence.
 using ParsedAddress = tl::expected<Address, QString>;
 
 struct AddressScheme {
-  QString prefix;  // "axbot+": what begins so is its address, whatever the case of the letters
+  QString prefix;  // "axbot+": identifies its addresses, case-insensitive
   QString like;    // "axbot+http://HOST:8090", for sentences
-  /// `rest` is what follows the prefix, or all that was typed where there is none.
+  /// `rest` is the part after the prefix, or everything if there is none.
   std::function<ParsedAddress(const QString& rest)> parse;
-  /// Whether something without any prefix can only be an address of its; null: never.
+  /// Whether text without a prefix can only be one of its addresses; null: never.
   std::function<bool(const QString& typed)> claims = {};
-  bool on_network = true;  // of a server: an @ in it tells of a user name, and nothing else
+  bool on_network = true;  // of a server: an @ in it means a user name
 };
 
 /// The addresses that this program understands. A value.
 class Addresses {
  public:
   Addresses() = default;
-  /// What no scheme claims is an address of the first.
+  /// Text that no scheme claims is an address of the first.
   explicit Addresses(std::vector<AddressScheme> schemes) : schemes_(std::move(schemes)) {}
-  /// An address with a user or password in it is refused, by a sentence that names it without them: secrets
-  /// never go there. Schemes that nobody registered are refused with a sentence that names those that are.
+  /// An address with a user or password is refused, with a sentence that does not repeat them: secrets never
+  /// belong there. Unknown schemes are refused with a sentence that names the known ones.
   ParsedAddress parse(const QString& typed) const;
-  /// Whether it begins like an address, of a kind that is registered or of one that is not: no name of a map.
+  /// Whether it begins like an address, of a known or unknown kind, and so is not the name of a map.
   bool isAddress(const QString& typed) const;
-  /// What an address of each kind looks like, the one that needs no prefix first.
+  /// An example address for each kind, the one that needs no prefix first.
   QStringList examples() const;
 
  private:
   std::vector<AddressScheme> schemes_;
 };
 
-/// An http or https address of a host with a port (`port` where none is given), without a password, a path
-/// that ends in / or another scheme. `example`: of a whole address, for the sentence.
+/// An http or https address of a host with a port (by default `port`). No password, path or other scheme.
+/// `example`: a complete address for the error.
 tl::expected<QUrl, QString> webAddress(const QString& rest, const QString& example, int port);
 
-/// "192.0.2.7:8090": which server on the network it is; empty for what is on none.
+/// "192.0.2.7:8090": its server on the network; empty for local ones.
 QString hostOf(const Address& address);
 
-/// The files that a map is read from at `address`: the one that it names, or `id` in the folder that it
-/// names, and the map's picture (each where there is one). None of a robot.
+/// The files that a map at `address` is read from: the file itself, or `id` in the folder, and the map's
+/// picture (if they exist). None for a robot.
 std::vector<std::string> localFiles(const Address& address, const std::string& id,
                                     const std::string& picture);
 

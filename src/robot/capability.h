@@ -1,4 +1,4 @@
-// What robots can be asked for, and why one cannot. Values; the sentences are made by the room `sentences`.
+// What robots can be asked for, and why one cannot. Values; the room `sentences` makes the texts.
 #pragma once
 
 #include <string>
@@ -23,12 +23,12 @@ enum class Capability {
 /// Why a robot lacks a capability.
 struct Absence {
   enum class Reason {
-    NotOfThisKind,  // robots of this kind have nothing of the sort
-    ReadOnly,       // the maker opens no interface for changing anything; arguments[0] is the maker
-    NotYetHere,     // robots of this kind have it, this version of the program does not ask for it yet
-    FirmwareLacks,  // this one was asked, and does not know it; arguments[0] is what it answered
+    NotOfThisKind,  // robots of this kind never have it
+    ReadOnly,       // the maker's interface is read-only; arguments[0] is the maker
+    NotYetHere,     // robots of this kind have it, but this version of the program does not support it
+    FirmwareLacks,  // this one answered that it does not support it; arguments[0] is its answer
     LocalFiles,     // there is no robot
-    NoService,      // others of the kind run a service for it; arguments[0] is what this one lacks
+    NoService,      // others of the kind run a service for it; arguments[0] is what is missing here
   };
   Reason reason = Reason::NotOfThisKind;
   std::vector<std::string> arguments = {};

@@ -1,4 +1,4 @@
-// The port: what a robot's link delivers, raw, for whoever keeps it (src/recorder/layout.h says how).
+// The port: raw data as delivered by a robot's connection, for recording (see src/recorder/layout.h).
 #pragma once
 
 #include <functional>
@@ -10,42 +10,41 @@
 
 namespace mapwright::robot {
 
-/// One thing as it came, losslessly. All views are valid during the call only. Texts are untrusted.
+/// One piece of data as received, losslessly. All views are valid during the call only. Texts are untrusted.
 struct Delivery {
   enum class Kind {
-    Message,  // of a topic, or an answer that is as good as one
-    Submap,   // the body of an answer about `submap`, whose version is the one that the answer says
-    Picture,  // what a message only names: `name` is the address as the message has it
-    /// What messages of the type `name` (Delivery::schema) are made of, as `encoding` writes it: "ros1msg",
-    /// "ros2msg", "protobuf". No bytes: nobody can tell. Of each type that was named, before or after its
-    /// first message.
+    Message,  // of a topic, or an equivalent answer
+    Submap,   // the body of an answer about `submap`, with the version stated in the answer
+    Picture,  // given only by address in a message: `name` is that address
+    /// The definition of the message type `name` (Delivery::schema) in the format `encoding`: "ros1msg",
+    /// "ros2msg", "protobuf". No bytes: not available. Sent for each type, before or after its first message.
     Definition,
   };
   Kind kind = Kind::Message;
-  std::string_view name;  // of a message: its topic; empty where a frame names none
-  /// Of a message: "json", "cbor", "protobuf", or "axbot" (a binary frame that cannot be unpacked); else the
-  /// media type, empty: unknown.
+  std::string_view name;  // of a message: its topic; empty if the frame has none
+  /// Of a message: "json", "cbor", "protobuf", or "axbot" (a binary frame that cannot be unpacked); otherwise
+  /// the media type, empty: unknown.
   std::string_view encoding;
-  std::string_view schema;  // the type of a message as the robot calls it; empty: it does not say
+  std::string_view schema;  // the robot's name for the message type; empty: not stated
   map::SubmapKey submap;
   std::string_view bytes;
   double received_s = 0;         // seconds since the epoch
   std::optional<double> said_s;  // the robot's own stamp, likewise
-  bool before = false;           // it came before the tap was set
+  bool before = false;           // it arrived before the tap was set
 };
 
 /// Called for one delivery after the other, on threads of the adapter; within setDeliveryTap() on the
 /// caller's.
 using DeliveryTap = std::function<void(const Delivery&)>;
 
-/// What a robot whose link can be tapped is besides; ask deliversOf().
+/// Interface of a robot whose connection can be tapped; get it with deliversOf().
 class Delivers {
  public:
   virtual ~Delivers() = default;
-  /// From now on all that is delivered goes to `tap` as well, nothing left out; an empty one ends it. First
-  /// and at once it gets the last message of every topic, and the last picture that was named, of this
-  /// connection, as far as they are still held. Once this has returned the tap of before is not called any
-  /// more. Not to be called from within a tap.
+  /// From now on everything delivered also goes to `tap`; an empty one ends it. It first gets the last
+  /// message of every topic, and the last picture given by address, of this connection, as far as they are
+  /// still in memory. After this returns the previous tap is no longer called. Not to be called from within a
+  /// tap.
   virtual void setDeliveryTap(DeliveryTap tap) = 0;
 };
 

@@ -10,7 +10,7 @@ using namespace mapwright::fault;  // what all rooms share
 // Whole maps.
 /// robot::Capability, robot::Absence::Reason, then its arguments
 inline constexpr FaultCode CapabilityLacking{"robot",
-                                             QT_TRANSLATE_NOOP("robot", "The robot cannot do that.")};
+                                             QT_TRANSLATE_NOOP("robot", "The robot does not support that.")};
 
 // The robot itself.
 /// its words

@@ -1,4 +1,4 @@
-// The port: the maps that a robot keeps, changed. Source: docs/protocols/autoxing.md, "Requests",
+// The port: changes of the maps stored on a robot. Source: docs/protocols/autoxing.md, "Requests",
 // docs/protocols/kabam-map-manager.md, "Services".
 #pragma once
 
@@ -12,47 +12,47 @@ namespace mapwright::robot {
 
 enum class MapChange {
   Rename,
-  Load,  // the robot works with it from then on
+  Load,  // the robot uses it from then on
   Archive,
   Unarchive,
   Delete,
   StartMapping,
   StopMapping,
-  Save,  // what has been mapped, under a name
+  Save,  // stores the result of mapping under a name
 };
 
-/// One change, as it is asked for.
+/// A requested change.
 struct MapOrder {
   MapChange change = MapChange::Rename;
-  map::MapKey key = {};    // of StartMapping, StopMapping and Save: none
-  std::string name = {};   // Rename, Save: what it is called from now on
-  std::string place = {};  // Load: the name of the waypoint where the robot stands; empty = not said
+  map::MapKey key = {};    // none for StartMapping, StopMapping and Save
+  std::string name = {};   // Rename, Save: the new name
+  std::string place = {};  // Load: the name of the waypoint where the robot stands; empty = not given
 };
 
-/// Why a change cannot be asked for.
+/// Why a change cannot be requested.
 enum class Obstacle {
-  NotOffered,  // robots of this kind have nothing of the sort, or this one has not
+  NotOffered,  // robots of this kind do not offer it, or this one does not
   NotOfThisMap,
   WhileMapping,
   NotMapping,
   IsArchived,
   IsNotArchived,
   IsLoaded,
-  NotKnownYet,  // what the robot does now has not been told
+  NotKnownYet,  // the present state of the robot is unknown
 };
 
-/// Capability: the stored maps called otherwise, put away, or another one worked with. Nothing is sent twice:
-/// where the failure's applied is Maybe, whoever asked looks into the catalogue before asking again.
+/// Capability: rename, archive or switch stored maps. Nothing is sent twice: if the failure's applied is
+/// Maybe, check the catalogue before you request it again.
 class MapAdministration {
  public:
   virtual ~MapAdministration() = default;
-  /// nullopt: it may be asked for now. `map`: which one, as the catalogue tells it; null for changes of none.
-  /// May be another one after Robot::mapsChanged() or capabilitiesChanged().
+  /// nullopt: it can be requested now. `map`: its catalogue entry; null for changes without a map. May change
+  /// after Robot::mapsChanged() or capabilitiesChanged().
   virtual std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const = 0;
-  /// Load wants to be told where the robot stands.
+  /// Load needs to know where the robot stands.
   virtual bool loadAsksForPlace() const { return false; }
-  /// The answer is the map as the robot tells it afterwards, its name as well; of Delete as it was, of
-  /// StartMapping and StopMapping the one that the robot works with (without an id where there is none).
+  /// The answer is the map as the robot reports it afterwards, including its name; for Delete the former
+  /// entry, for StartMapping and StopMapping the robot's current map (without an id if there is none).
   virtual Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) = 0;
 };
 

@@ -1,4 +1,4 @@
-// The port: which topics a robot has, whatever they bring, and from which of them a kind of data is taken.
+// The port: which topics a robot has, and which of them provides a kind of data.
 #pragma once
 
 #include <map>
@@ -9,50 +9,50 @@
 
 namespace mapwright::robot {
 
-/// A topic as the robot tells of it. Untrusted plain text.
+/// A topic as listed by the robot. Untrusted plain text.
 struct OfferedTopic {
   QString name;
-  QString type;  // in the robot's own words; empty: it does not say
+  QString type;  // the robot's name for its type; empty: not stated
   bool operator==(const OfferedTopic&) const = default;
 };
 
-/// From which topic a kind of data is taken, instead of from where it comes usually.
+/// Which topic to use for a kind of data, instead of the usual one.
 using TopicChoices = std::map<map::Stream, QString>;
 
-/// How messages have arrived on this connection.
+/// Statistics of messages on this connection.
 struct Reception {
   qint64 came = 0;
-  qint64 dropped = 0;  // made way for newer ones before they were shown
-  qint64 late = 0;     // of sensors: more than a second later than they came at best
+  qint64 dropped = 0;  // replaced by newer ones before they were shown
+  qint64 late = 0;     // for sensors: more than a second later than at best
   struct TransformAge {
     QString parent, child;
     double age_s = 0;  // by the robot's own clock
     bool operator==(const TransformAge&) const = default;
   };
-  std::vector<TransformAge> transforms;  // those that change, the oldest first
+  std::vector<TransformAge> transforms;  // the changing ones, oldest first
   bool operator==(const Reception&) const = default;
 };
 
-/// What a robot is besides whose topics are its own affair (ROS); ask topicsOfferedBy(). On the thread of the
-/// robot; Robot::capabilitiesChanged() tells that there are others.
+/// Interface of a robot with freely named topics (ROS); get it with topicsOfferedBy(). On the thread of the
+/// robot; Robot::capabilitiesChanged() reports new topics.
 class OffersTopics {
  public:
   virtual ~OffersTopics() = default;
-  /// All that there are, by name; nullopt: the robot does not tell (yet).
+  /// All topics by name; nullopt: the robot does not list them (yet).
   virtual std::optional<std::vector<OfferedTopic>> offered() const = 0;
-  /// Those that `stream` can be taken from, whatever they are called; empty where there is no choice.
+  /// The topics that can be used for `stream`; empty if there is no choice.
   virtual QStringList choicesFor(map::Stream stream) const = 0;
-  /// These and no others, from now on; what is not named is taken from where it comes usually. Kept over
-  /// reconnects. One that is not there (yet) is waited for.
+  /// Uses exactly these from now on; streams without an entry use their usual topic. Kept across reconnects.
+  /// If a topic does not exist (yet) it is waited for.
   virtual void choose(const TopicChoices& choices) = 0;
   virtual TopicChoices chosen() const = 0;
-  /// Of topics that are wanted by name no message is left out to spare the network.
+  /// No message of explicitly requested topics is dropped to save bandwidth.
   virtual void setEveryMessage(bool /*on*/) {}
-  /// nullopt: nothing comes over a network.
+  /// nullopt: there is no network connection.
   virtual std::optional<Reception> reception() const { return std::nullopt; }
 };
 
-/// Null: its topics are those of its maker.
+/// Null: its topics are fixed by its maker.
 inline OffersTopics* topicsOfferedBy(Robot& robot) { return dynamic_cast<OffersTopics*>(&robot); }
 
 }  // namespace mapwright::robot

@@ -1,4 +1,4 @@
-// The port: pictures of maps that can be changed. Source: docs/protocols/kabam-map-manager.md, "Pictures".
+// The port: editable pictures of maps. Source: docs/protocols/kabam-map-manager.md, "Pictures".
 #pragma once
 
 #include <cstdint>
@@ -14,43 +14,42 @@
 
 namespace mapwright::robot {
 
-/// Why the picture of one map cannot be changed.
+/// Why the picture of a map cannot be changed.
 enum class PictureObstacle {
-  NotStored,         // it is what the robot sends now, or the like: nothing that is kept
-  FormatNotWritten,  // its picture is of a kind that can only be read
+  NotStored,         // it is not a stored map but, for example, the live one
+  FormatNotWritten,  // the format of its picture is read-only
 };
 
-/// A picture as it is to be. Its place, size and resolution stay.
+/// The new picture. Position, size and resolution stay the same.
 struct PictureChange {
   map::MapKey map;
-  std::shared_ptr<const grids::GridPyramid>
-      cells;             // complete; of the size and code that the picture came with
-  std::string revision;  // WholeMap::fingerprint of what it was made of
+  std::shared_ptr<const grids::GridPyramid> cells;  // complete; of the picture's size and code
+  std::string revision;                             // WholeMap::fingerprint of the version it is based on
 };
 
 struct PictureReceipt {
-  std::string revision;  // WholeMap::fingerprint of what is kept now
+  std::string revision;  // WholeMap::fingerprint of the stored version
 };
 
-/// Capability: the picture of a map, written anew. Called on the thread that made the robot; what it hands
-/// out comes there, too. See robot/call.h for how a request ends.
+/// Capability: replace the picture of a map. Call it on the thread that made the robot; results arrive there,
+/// too. See robot/call.h for how a request ends.
 class PictureStore : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
-  /// nullopt: it can be changed. `map`: as it came. Asks nobody.
+  /// nullopt: it can be changed. `map`: as received. Sends nothing.
   virtual std::optional<PictureObstacle> obstacle(const map::WholeMap& map) const = 0;
-  /// Unknown ground can be written into the picture of this map. Asks nobody.
+  /// Unknown cells can be written to the picture of this map. Sends nothing.
   virtual bool holdsUnknown(const map::WholeMap& map) const = 0;
-  /// A cell with this byte, of the code that the map has, can be written. Asks nobody.
+  /// Cells with this byte, in the code of the map, can be written. Sends nothing.
   virtual bool holdsCell(const map::WholeMap& /*map*/, std::uint8_t /*cell*/) const { return true; }
-  /// Writes it whole or not at all, reads it back and compares. FailureKind::Conflict: what is kept is no
-  /// longer of that revision; nothing is written then.
+  /// Writes it completely or not at all, reads it back and compares. FailureKind::Conflict: the stored
+  /// version is another one, and nothing was written.
   virtual Call write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) = 0;
 
  Q_SIGNALS:
-  /// What is kept of that map may be another picture: ask for the map again. Stores whose maps tell that by
-  /// Robot::mapsChanged() need not say it.
+  /// The stored picture of that map may have changed: request the map again. Not needed if
+  /// Robot::mapsChanged() already reports it.
   void changed(const mapwright::map::MapKey& map);
 };
 

@@ -1,15 +1,12 @@
-// The port: what mapwright can ask of any robot. Adapters live in src/robot/<backend>/.
-//
-// A robot is a set of capabilities (docs/decisions/0003-one-port-for-all-robots.md), each an object of its
-// own that the robot owns. A capability that a robot lacks is a null pointer; whyNot() says why, for a
-// tooltip. Capabilities may come and go while connected: whoever keeps a pointer asks again after
-// capabilitiesChanged(). All members are called on the thread that made the robot (the GUI thread, or the
-// command line's main thread), all signals and callbacks arrive there; adapters do their network work on
-// threads of their own.
-//
-// Every question answers with a Call and ends exactly once, later: in a value, or in a map::Failure that says
-// of which kind it is and, of a request that changes something, whether it was applied (robot/call.h).
-// tests/robot/contract holds what every adapter must hold.
+// The port: everything mapwright can ask of any robot. Adapters are in src/robot/<backend>/.
+// A robot is a set of capabilities (docs/decisions/0003-one-port-for-all-robots.md), each an object owned by
+// the robot. A missing capability is a null pointer; whyNot() gives the reason, for a tooltip. Capabilities
+// may appear and disappear while connected: get the pointers again after capabilitiesChanged(). All members
+// are called on the thread that made the robot (the GUI thread, or the command line's main thread), all
+// signals and callbacks arrive there; adapters do their network work on their own threads.
+// Every request returns a Call and ends exactly once, later: with a value, or with a map::Failure that gives
+// its kind and, for a change, whether it was applied (robot/call.h). tests/robot/contract checks what every
+// adapter must fulfil.
 #pragma once
 
 #include <functional>
@@ -40,35 +37,35 @@ enum class ConnectionPhase {
   Offline,      // not asked to connect, or told to stop
   Connecting,   // first attempt under way
   Online,       // live messages can arrive
-  Interrupted,  // was online or failed to get there; will try again by itself
-  Refused,      // will not try again by itself (bad secret, not such a robot)
+  Interrupted,  // was online or failed to connect; retries automatically
+  Refused,      // does not retry automatically (bad secret, not such a robot)
 };
 
-/// A certificate that is not accepted, for people to decide on. Names in it are untrusted plain text.
+/// A rejected certificate, for the user to decide. Names in it are untrusted plain text.
 struct UntrustedCertificate {
   QString host;            // "10.0.0.7:8443"
-  std::vector<Fault> why;  // "it is self-signed", "it has expired on 2024-05-01"
+  std::vector<Fault> why;  // "it is self-signed", "it expired on 2024-05-01"
   QString sha256;          // "AB:CD:…"
-  QString pinned_sha256;   // of the one that was trusted so far; empty = none
+  QString pinned_sha256;   // of the one trusted so far; empty = none
   QString subject, issuer;
   QDateTime from, until;
-  bool trustable = false;  // it may be trusted all the same
+  bool trustable = false;  // the user may trust it anyway
   bool operator==(const UntrustedCertificate&) const = default;
 };
 
-/// The state of the link, to be visible at all times.
+/// The state of the connection, always visible to the user.
 struct ConnectionState {
   ConnectionPhase phase = ConnectionPhase::Offline;
-  Fault reason;                      // why it is not online; None when online
-  int attempt = 0;                   // tries since it was last online
-  std::optional<int> retry_in_ms;    // while Interrupted: how long until the next try (as of now)
+  Fault reason;                      // why it is not online; None if online
+  int attempt = 0;                   // attempts since it was last online
+  std::optional<int> retry_in_ms;    // while Interrupted: time until the next attempt (as of now)
   std::optional<int> round_trip_ms;  // last measured ping
-  map::FailureKind failure = map::FailureKind::None;     // what kind of reason it is; None when online
+  map::FailureKind failure = map::FailureKind::None;     // the kind of reason; None if online
   std::optional<UntrustedCertificate> certificate = {};  // of FailureKind::Certificate
   bool operator==(const ConnectionState&) const = default;
 };
 
-/// What a robot says of itself; empty where it said nothing. Untrusted plain text.
+/// What a robot says about itself; empty if it says nothing. Untrusted plain text.
 struct RobotIdentity {
   QString model, serial, name, version;
   bool operator==(const RobotIdentity&) const = default;
@@ -79,29 +76,29 @@ class SubmapSource {
  public:
   using Reply = std::function<void(map::SubmapAnswer)>;
   virtual ~SubmapSource() = default;
-  /// Asks for one submap. `reply` is called exactly once, later, never from within fetch(); never after the
-  /// robot is gone. Cancelled, it comes with Outcome::Cancelled.
+  /// Requests one submap. `reply` is called exactly once, later, never from within fetch(); never after the
+  /// robot is gone. If cancelled, with Outcome::Cancelled.
   virtual Call fetch(const map::SubmapKey& key, Reply reply) = 0;
   /// The same as cancelling all calls, or those of one key.
   virtual void cancelAll() = 0;
   virtual void cancel(const map::SubmapKey& key) = 0;
-  /// The answer for `key`, which said that it was of `answered_version`, cannot be decoded: it is kept
-  /// nowhere, and the next fetch of the key asks the robot itself.
+  /// The answer for `key`, with `answered_version`, cannot be decoded: it is not cached, and the next fetch
+  /// of the key asks the robot itself.
   virtual void discard(const map::SubmapKey& /*key*/, std::int32_t /*answered_version*/) {}
 };
 
-/// Capability: which maps the robot keeps. Asking changes nothing on the robot.
+/// Capability: the maps stored on the robot. Requests change nothing on the robot.
 class MapCatalogue {
  public:
   virtual ~MapCatalogue() = default;
-  /// All maps and mapping results, the current one marked. A part that failed (say, the mappings) is a
-  /// problemFound(); the answer holds the rest.
+  /// All maps and mapping results, with the current one marked. If a part fails (such as the mappings)
+  /// problemFound() is emitted, and the answer contains the rest.
   virtual Call list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) = 0;
-  /// More about one: the grid, dates, versions.
+  /// More about one map: grid, dates, versions.
   virtual Call describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) = 0;
-  /// A small picture of it (PNG).
+  /// A thumbnail (PNG).
   virtual Call thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) = 0;
-  /// That picture cannot be decoded: it is kept nowhere.
+  /// That picture cannot be decoded: do not cache it.
   virtual void discardThumbnail(const map::MapKey& /*key*/) {}
 };
 
@@ -109,39 +106,39 @@ class MapCatalogue {
 class WholeMapSource {
  public:
   virtual ~WholeMapSource() = default;
-  /// A stored map, a mapping result or the file, whole. MapKind::Live comes as a topic (map::GridMessage).
+  /// A stored map, a mapping result or the file, complete. MapKind::Live comes as a topic (map::GridMessage).
   virtual Call fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) = 0;
-  /// The picture of this fingerprint, of a map or of a topic, cannot be read to its end: it is kept nowhere,
-  /// and the robot itself is asked the next time.
+  /// The picture with this fingerprint, of a map or a topic, is damaged: do not cache it, and ask the robot
+  /// itself the next time.
   virtual void discardPicture(const std::string& /*fingerprint*/) {}
 };
 
-/// Capability: the present SLAM map as one picture, at a resolution of the asker's choice (metres per cell).
+/// Capability: the present SLAM map as one picture, at any resolution (metres per cell).
 class OverviewSource {
  public:
   virtual ~OverviewSource() = default;
   virtual Call fetchOverview(double resolution_m, OutcomeTo<map::WholeMap> reply) = 0;
 };
 
-/// Capability: the named places of a map (read only).
+/// Capability: the waypoints of a map (read-only).
 class WaypointSource {
  public:
   virtual ~WaypointSource() = default;
   virtual Call waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) = 0;
 };
 
-/// One message as it came, for the raw-message inspector.
+/// One message as received, for the raw-message inspector.
 struct RawMessage {
   QString topic;
   QDateTime received;
   qint64 bytes = 0;  // on the wire
   bool binary = false;
-  QByteArray
-      text;  // JSON as sent; binary ones as readable JSON where known, else a hex dump; cut at kMaxRawText
+  QByteArray text;  // JSON as sent; binary messages as readable JSON if known, otherwise as a hex dump;
+                    // truncated at kMaxRawText
 };
 inline constexpr qsizetype kMaxRawText = qsizetype(1) << 20;
 
-/// A frame as it came over the wire, before anything reads it, drops it or lets a newer one replace it.
+/// A frame as received, before it is parsed, dropped or replaced by a newer one.
 struct RawFrame {
   std::string_view bytes;  // valid during the call only
   bool binary = false;
@@ -150,34 +147,34 @@ struct RawFrame {
 /// Called on a thread of the adapter, for one frame after the other.
 using FrameTap = std::function<void(const RawFrame&)>;
 
-/// Capability: what the robot sends by itself. Messages come by Robot::topicReceived, each with its stamps.
-///
-/// Layers and panels ask for kinds of data (map::Stream); which topics bring them is the adapter's business,
-/// with the names of older firmware where the newer stay silent. Names of topics are the robot's own: they
-/// are shown and compared, and mean nothing to whoever asks.
+/// Capability: data that the robot sends by itself. Messages arrive by Robot::topicReceived with their
+/// stamps.
+/// Layers and panels request kinds of data (map::Stream); the adapter chooses the topics, including the names
+/// used by older firmware if the newer ones stay silent. Topic names are the robot's own: callers only show
+/// and compare them.
 class LiveTopics {
  public:
   virtual ~LiveTopics() = default;
-  /// Topics that this adapter understands, for completion.
+  /// Topics that this adapter can parse, for completion.
   virtual QStringList known() const = 0;
-  /// Every topic that `stream` may come by, the usual one first; none = it is not sent.
+  /// All topics that can carry `stream`, the usual one first; none = it is not available.
   virtual QStringList topicsOf(map::Stream stream) const = 0;
-  /// Enables exactly these streams and topics (any names, known or not), besides the basics. Kept over
-  /// reconnects.
+  /// Subscribes to exactly these streams and topics (any names, known or not), besides the basics. Kept
+  /// across reconnects.
   virtual void setWanted(const map::Streams& streams, const QStringList& topics) = 0;
-  /// What a robot is asked for besides: a command that shows none of it does without.
+  /// What else to subscribe to: commands that show none of it can do without.
   struct Basics {
-    bool submaps = true;  // the list of them
-    bool pose = true;     // where it is, and its outline
-    bool state = true;    // what its localisation does
+    bool submaps = true;  // the submap list
+    bool pose = true;     // the pose and the footprint
+    bool state = true;    // the state of localization
     bool operator==(const Basics&) const = default;
   };
-  /// To be told before connecting; without a word everything is asked for.
+  /// Call it before connecting; by default all basics are subscribed.
   virtual void setBasics(const Basics&) {}
   /// While on, every message (also of unknown topics) is reported by Robot::rawReceived.
   virtual void setWatching(bool on) = 0;
-  /// From now on every frame goes to `tap` first, none left out; an empty one ends it. Once this has returned
-  /// the tap of before is not called any more. Not to be called from within a tap.
+  /// From now on every frame goes to `tap` first; an empty one ends it. After this returns the previous tap
+  /// is no longer called. Not to be called from within a tap.
   virtual void setTap(FrameTap tap) = 0;
 };
 
@@ -192,13 +189,13 @@ class Robot : public QObject {
  public:
   using QObject::QObject;
 
-  virtual QString address() const = 0;  // as the user may type it again; never holds a secret
-  /// It is files on this computer: what is wrong with it is wrong with them, and nobody refuses anything.
+  virtual QString address() const = 0;  // can be typed again by the user; never contains a secret
+  /// It consists of local files: problems are about these, and there is nobody to refuse anything.
   virtual bool isLocal() const { return false; }
   virtual void connectToRobot() = 0;  // also "retry now" while interrupted
   virtual void disconnectFromRobot() = 0;
-  /// From now on exactly the certificate with this SHA-256 ("AB:CD:…") is accepted, and no other; connects.
-  /// Robots without certificates ignore it.
+  /// From now on only the certificate with this SHA-256 ("AB:CD:…") is accepted; connects. Robots without
+  /// certificates ignore it.
   virtual void trustCertificate(const QString& sha256);
   virtual ConnectionState connection() const = 0;
   virtual RobotIdentity identity() const = 0;
@@ -216,20 +213,20 @@ class Robot : public QObject {
   virtual BagLibrary* bagLibrary() { return nullptr; }
   virtual MapDispatch* mapDispatch() { return nullptr; }
 
-  /// Why a capability is absent. Of one that is there it says nothing of use.
+  /// Why a capability is missing. Meaningless for one that exists.
   virtual Absence whyNot(Capability) const { return {}; }
 
  Q_SIGNALS:
   void connectionChanged();
   void identityChanged();
-  /// A capability has come or gone, or is absent for another reason.
+  /// A capability has appeared or disappeared, or is missing for another reason.
   void capabilitiesChanged();
   void topicReceived(const mapwright::map::StampedMessage& message);
   void problemFound(const mapwright::map::Problem& problem);
-  /// What problemFound() told of is well again.
+  /// A problem reported by problemFound() is resolved.
   void recovered(const mapwright::map::Recovery& recovery);
   void rawReceived(const mapwright::robot::RawMessage& message);
-  /// The list of maps, the current one, or a local file's content may have changed: ask again.
+  /// The list of maps, the current one, or the content of a local file may have changed: request them again.
   void mapsChanged();
 };
 

@@ -1,5 +1,5 @@
-// A robot whose data come from two servers: what stands in the way of the second one. The first one is
-// Robot::connection().
+// A robot whose data comes from two servers: problems of the second one. Robot::connection() is about the
+// first one.
 #pragma once
 
 #include <optional>
@@ -14,11 +14,10 @@ class SecondServer {
   virtual ~SecondServer() = default;
   /// "10.0.0.7:9090"; empty = there is none.
   virtual QString hostBeside() const = 0;
-  /// Its certificate, where that is not accepted; nullopt = that is not what is wrong. Another one is told by
-  /// Robot::connectionChanged().
+  /// Its certificate, if that was rejected; nullopt = that is not the problem. Robot::connectionChanged()
+  /// reports changes.
   virtual std::optional<UntrustedCertificate> certificateBeside() const = 0;
-  /// From now on exactly the certificate with this SHA-256 ("AB:CD:…") is accepted there, and no other;
-  /// connects where that is wanted.
+  /// From now on only the certificate with this SHA-256 ("AB:CD:…") is accepted there; connects if wanted.
   virtual void trustBeside(const QString& sha256) = 0;
 };
 

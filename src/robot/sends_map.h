@@ -1,4 +1,4 @@
-// Whether a robot sends the map that it works with by itself, and how.
+// Whether and how a robot sends its current map by itself.
 #pragma once
 
 #include "robot/map_dispatch.h"
@@ -6,14 +6,13 @@
 
 namespace mapwright::robot {
 
-/// One that does not is shown by one of the maps that it keeps.
+/// If not, one of its stored maps is shown.
 inline bool sendsItsMap(Robot& robot) {
   LiveTopics* const live = robot.liveTopics();
   return live && !live->topicsOf(map::Stream::WholeMap).isEmpty();
 }
 
-/// It may be too large to be moved: its regions are asked for where somebody looks, and all of it is not
-/// moved unasked.
+/// It may be too large to be sent whole: visible regions are requested, and all of it only on demand.
 inline bool givesByRegion(Robot& robot) {
   const MapDispatch* const dispatch = robot.mapDispatch();
   return dispatch && dispatch->offered(DispatchService::GridRegion);

@@ -1,4 +1,4 @@
-// A robot whose link notices that it has gone silent, long before it is given up.
+// A robot whose connection detects silence long before it is given up.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,13 @@ namespace mapwright::robot {
 class MeasuresSilence {
  public:
   virtual ~MeasuresSilence() = default;
-  /// When the robot was heard last, once that is longer ago than is usual with it, be it Online, and while
-  /// the link is lost; invalid: nothing is amiss, or it has never been heard. Another one is told by
-  /// Robot::connectionChanged(), before the loss itself.
+  /// When the robot was last heard, if that is unusually long ago, even while Online, or while the connection
+  /// is lost; invalid: all is well, or it was never heard. Robot::connectionChanged() reports changes, before
+  /// the loss itself.
   virtual QDateTime silentSince() const = 0;
 };
 
-/// nullopt as above, or nobody measures it.
+/// nullopt as above, or if silence is not measured.
 inline std::optional<QDateTime> silentSince(const Robot& robot) {
   const auto* const measured = dynamic_cast<const MeasuresSilence*>(&robot);
   const QDateTime since = measured ? measured->silentSince() : QDateTime();

@@ -1,7 +1,6 @@
-// The port: waypoints that can be changed. Source: docs/protocols/kabam-map-manager.md, "Services".
-//
-// Made for robots with a service for every single change (create, rename, move, delete) as well as for lists
-// that are written as a whole: plan() says how many requests a set of changes takes.
+// The port: editable waypoints. Source: docs/protocols/kabam-map-manager.md, "Services".
+// Supports robots with a service for each change (create, rename, move, delete) as well as lists that are
+// written as a whole: plan() returns the requests for a set of changes.
 #pragma once
 
 #include <map>
@@ -18,71 +17,69 @@
 
 namespace mapwright::robot {
 
-/// The waypoints of one map as they are kept now.
+/// The stored waypoints of one map.
 struct StoredWaypoints {
-  std::vector<map::Waypoint> points;  // their ids are not empty and all different
-  std::string revision;               // another one whenever the list is; opaque
+  std::vector<map::Waypoint> points;  // with unique ids that are not empty
+  std::string revision;               // changes with the list; opaque
   std::vector<Fault> notes;           // what is odd about them
   bool there = true;                  // false: there is no list, not even an empty one
-  /// Ids of those that are kept with a quaternion of zero, which is no heading: their yaw is 0 here.
+  /// Ids of those stored with a zero quaternion, which is no heading: their yaw is 0 here.
   std::set<std::string> zero_turns = {};
 };
 
-/// What of a waypoint is kept; the rest is lost there, or refused.
+/// What a store can keep of a waypoint; the rest is lost or refused.
 struct KeptFields {
   bool type = true;
-  bool no_heading = true;  // false: one without a heading would come back with a heading of 0
-  bool name_twice = true;  // false: a name that another one has is refused
+  bool no_heading = true;  // false: a missing heading would come back as 0
+  bool name_twice = true;  // false: duplicate names are refused
 };
 
-/// One waypoint as it was and as it is to be; nullopt = it is not there.
+/// A waypoint before and after a change; nullopt = it does not exist.
 struct WaypointChange {
   std::string id;
   std::optional<map::Waypoint> before = {}, after = {};
 };
 
-/// One request: what it changes, in one go, of the list of that revision.
+/// One request: the changes that it makes, to the list of that revision.
 struct WaypointRequest {
   std::vector<WaypointChange> changes;
   std::string revision;
 };
 
-/// A request as people read it before it is sent: the robot's name of the service, and a JSON object.
+/// A request as shown to the user before it is sent: the robot's name of the service, and a JSON object.
 struct WaypointCall {
-  std::string service, arguments;  // empty: nothing is called, the list is written
+  std::string service, arguments;  // empty: no call, the list is written
 };
 
-/// What a request that was carried out tells.
+/// The result of a successful request.
 struct WaypointReceipt {
-  /// The ids of created ones, where they are not those that were asked for: theirs by ours.
+  /// The ids of created waypoints, if they differ from the requested ones: theirs by ours.
   std::map<std::string, std::string> ids;
 };
 
-/// Capability: the waypoints of a map, to be read and changed. Called on the thread that made the robot; what
-/// it hands out comes there, too. See robot/call.h for how a request ends.
+/// Capability: the waypoints of a map, readable and editable. Call it on the thread that made the robot;
+/// results arrive there, too. See robot/call.h for how a request ends.
 class WaypointStore : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
-  /// The same of all of its lists.
+  /// The same for all of its lists.
   virtual KeptFields keeps() const { return {}; }
   /// A map without a list has an empty one.
   virtual Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) = 0;
-  /// The requests that make `changes` of the list as it is `now`, in the order that they are to be sent in.
-  /// Asks nobody.
+  /// The requests that make `changes` to the list `now`, in order. Sends nothing.
   virtual std::vector<WaypointRequest> plan(const StoredWaypoints& now,
                                             const std::vector<WaypointChange>& changes) const = 0;
-  /// What performing it would ask of the robot. Asks nobody.
+  /// The call that performing it would make. Sends nothing.
   virtual WaypointCall callOf(const map::MapKey& /*map*/, const WaypointRequest& /*request*/) const {
     return {};
   }
-  /// Carries one out. FailureKind::Conflict: what it is to change has been changed by somebody else; then
-  /// nothing is applied.
+  /// Performs one. FailureKind::Conflict: someone else has changed its target, and nothing is applied.
   virtual Call perform(const map::MapKey& map, const WaypointRequest& request,
                        OutcomeTo<WaypointReceipt> reply) = 0;
 
  Q_SIGNALS:
-  void changed();  // some list may be another one now: read again
+  void changed();  // some list may have changed: read it again
 };
 
 }  // namespace mapwright::robot

@@ -26,25 +26,26 @@ QString nothing(Capability capability) {
     case Capability::Submaps:
       return AbsenceText::tr("There are no submaps here, only whole maps.");
     case Capability::Catalogue:
-      return AbsenceText::tr("This robot does not tell which maps it keeps.");
+      return AbsenceText::tr("This robot does not list its maps.");
     case Capability::WholeMaps:
-      return AbsenceText::tr("This robot gives no whole map.");
+      return AbsenceText::tr("This robot provides no whole map.");
     case Capability::Overview:
-      return AbsenceText::tr("This robot offers no overview of its map.");
+      return AbsenceText::tr("This robot provides no overview of its map.");
     case Capability::Waypoints:
-      return AbsenceText::tr("This robot lists no waypoints.");
+      return AbsenceText::tr("This robot provides no waypoints.");
     case Capability::WaypointEditing:
-      return AbsenceText::tr("This robot tells its waypoints, but takes no changes of them.");
+      return AbsenceText::tr("The waypoints of this robot are read-only.");
     case Capability::Live:
-      return AbsenceText::tr("Nothing live comes from here.");
+      return AbsenceText::tr("There is no live data here.");
     case Capability::Administration:
       return AbsenceText::tr("The maps of this robot cannot be changed from here.");
     case Capability::PictureEditing:
-      return AbsenceText::tr("This robot takes no changed pictures of its maps.");
+      return AbsenceText::tr("The pictures of this robot's maps are read-only.");
     case Capability::Bags:
-      return AbsenceText::tr("This robot keeps no bags that could be replayed.");
+      return AbsenceText::tr("This robot has no bags that can be replayed.");
     case Capability::Dispatch:
-      return AbsenceText::tr("This robot gives no parts of its map: no regions, no clouds, no projections.");
+      return AbsenceText::tr(
+          "This robot does not send parts of its map: no regions, no clouds, no projections.");
   }
   return {};
 }
@@ -58,27 +59,28 @@ QString whyAbsent(Capability capability, const Absence& absence) {
     case Absence::Reason::ReadOnly:
       return AbsenceText::tr("Read only: %1's interface offers no editing.").arg(argument(absence));
     case Absence::Reason::NotYetHere:
-      return nothing(capability) + QLatin1Char(' ') + AbsenceText::tr("Not yet in this version.");
+      return nothing(capability) + QLatin1Char(' ') + AbsenceText::tr("Not supported in this version yet.");
     case Absence::Reason::FirmwareLacks:
       return nothing(capability) + QLatin1Char(' ') +
-             AbsenceText::tr("Its firmware does not know the question (%1).").arg(argument(absence));
+             AbsenceText::tr("Its firmware does not support this request (%1).").arg(argument(absence));
     case Absence::Reason::NoService:
       if (capability == Capability::Live)
         return AbsenceText::tr(
-                   "Its interface does not tell where it is. If a rosbridge server runs on it, add %1 to its "
+                   "Its interface does not report its pose. If a rosbridge server runs on it, add %1 to its "
                    "address.")
             .arg(argument(absence));
       return nothing(capability) + QLatin1Char(' ') +
-             AbsenceText::tr("It runs no %1, or none that is reached from here.").arg(argument(absence));
+             AbsenceText::tr("%1 is not running on it, or cannot be reached from here.")
+                 .arg(argument(absence));
     case Absence::Reason::LocalFiles:
-      // What stands in the place of a robot is told by its name: replay::ReplayRobot.
+      // A replay is described by its name: replay::ReplayRobot.
       if (!absence.arguments.empty())
         return AbsenceText::tr("This is a replay of %1: nothing can be changed.")
             .arg(words::plainName(absence.arguments.front()));
       if (capability == Capability::Live)
-        return AbsenceText::tr("A local map: there is no robot, so nothing moves on it.");
+        return AbsenceText::tr("This is a local map: there is no robot, so nothing moves on it.");
       if (capability == Capability::Administration)
-        return AbsenceText::tr("Local maps are called like their files, and no robot works with them.");
+        return AbsenceText::tr("Local maps are named after their files, and no robot uses them.");
       break;
   }
   return nothing(capability);
@@ -88,7 +90,7 @@ QString limitsOf(robot::Robot& robot) {
   QStringList limits;
   const auto add = [&](Capability capability) {
     const Absence absence = robot.whyNot(capability);
-    // Of files nobody expects it.
+    // Nobody expects this of files.
     if (capability == Capability::Administration && absence.reason == Absence::Reason::LocalFiles) return;
     const bool telling = absence.reason == Absence::Reason::ReadOnly ||
                          absence.reason == Absence::Reason::NotYetHere ||

@@ -1,4 +1,4 @@
-// What people read where a robot lacks something.
+// Texts for missing capabilities of a robot.
 #pragma once
 
 #include <QString>
@@ -11,11 +11,11 @@ namespace mapwright::sentences {
 /// "There are no submaps here, only whole maps." Plain text.
 QString whyAbsent(robot::Capability capability, const robot::Absence& absence);
 
-/// What is to be said of a robot as soon as it is connected: that it can only be looked at, or moves nothing;
-/// empty when there is nothing to say.
+/// A notice to show right after connecting: that the robot is read-only, or has no live data; empty if there
+/// is nothing to say.
 QString limitsOf(robot::Robot& robot);
 
-/// That a robot lacks it, as a value; wordsOf(it) is whyAbsent().
+/// The missing capability as a fault; wordsOf(it) is whyAbsent().
 Fault lackOf(robot::Capability capability, const robot::Absence& absence);
 
 }  // namespace mapwright::sentences

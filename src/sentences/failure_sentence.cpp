@@ -22,7 +22,7 @@ class FailureText {
   Q_DECLARE_TR_FUNCTIONS(Failure)
 };
 
-/// What is wrong, in the words of a finder or of somebody else.
+/// What is wrong, as described by the finder or the robot.
 std::string toldBy(const Failure& failure) {
   return failure.cause.any() ? wordsOf(failure.cause).toStdString() : failure.detail;
 }
@@ -30,39 +30,39 @@ std::string toldBy(const Failure& failure) {
 QString changeFailed(const Failure& failure) {
   switch (failure.applied) {
     case Applied::No:
-      return FailureText::tr("It has not been changed");
+      return FailureText::tr("It was not changed");
     case Applied::Maybe:
-      return FailureText::tr("Whether it has been changed is not known");
+      return FailureText::tr("Whether it was changed is unknown");
     case Applied::Yes:
       break;
   }
-  return FailureText::tr("It has been changed, but the robot's answer is lost");
+  return FailureText::tr("It was changed, but the robot's answer was lost");
 }
 
 QString pictureFailed(const Failure& failure) {
   const bool small = failure.asked_for == AskedFor::SmallPicture;
   if (failure.reason == FailureReason::Empty)
-    return small ? FailureText::tr("Its small picture is empty") : FailureText::tr("Its picture is empty");
-  return small ? FailureText::tr("Its small picture cannot be had")
-               : FailureText::tr("Its picture cannot be had");
+    return small ? FailureText::tr("Its thumbnail is empty") : FailureText::tr("Its picture is empty");
+  return small ? FailureText::tr("Its thumbnail cannot be loaded")
+               : FailureText::tr("Its picture cannot be loaded");
 }
 
-/// What has not come about, without its reason.
+/// What did not work, without the reason.
 QString opening(const Failure& failure) {
   if (failure.asked_for == AskedFor::Change) return changeFailed(failure);
   if (failure.asked_for != AskedFor::All) return pictureFailed(failure);
   const bool read = map::isUnreadable(failure);
   switch (failure.subject.kind) {
     case SubjectKind::Catalogue:
-      return read ? FailureText::tr("The list cannot be read") : FailureText::tr("The list cannot be had");
+      return read ? FailureText::tr("The list cannot be read") : FailureText::tr("The list cannot be loaded");
     case SubjectKind::Places:
       return read ? FailureText::tr("Its points cannot be read")
-                  : FailureText::tr("Its points cannot be had");
+                  : FailureText::tr("Its points cannot be loaded");
     case SubjectKind::Overview:
       return read ? FailureText::tr("The overview of the map cannot be read")
-                  : FailureText::tr("The overview of the map cannot be had");
+                  : FailureText::tr("The overview of the map cannot be loaded");
     default:
-      return read ? FailureText::tr("It cannot be read") : FailureText::tr("It cannot be had");
+      return read ? FailureText::tr("It cannot be read") : FailureText::tr("It cannot be loaded");
   }
 }
 
@@ -73,8 +73,8 @@ QString robotSaid(const Failure& failure) {
   const QString code = text(failure.robot_code);
   const int status = code.size() == 3 ? code.toInt() : 0;
   const QString answer = status >= 300    ? FailureText::tr("the robot answered %1").arg(statusWords(status))
-                         : code.isEmpty() ? FailureText::tr("the robot refuses")
-                                          : FailureText::tr("the robot refuses (code %1)").arg(code);
+                         : code.isEmpty() ? FailureText::tr("the robot refused")
+                                          : FailureText::tr("the robot refused (code %1)").arg(code);
   const std::string why = toldBy(failure);
   if (why.empty()) return answer;
   return QStringLiteral("%1: %2").arg(answer, text(words::withoutStop(why)));
@@ -93,30 +93,30 @@ QString reasonOf(const Failure& failure) {
   }
 }
 
-/// What can be said where nobody has said anything.
+/// A generic reason if there is no other.
 QString kindOf(const Failure& failure) {
   switch (failure.kind) {
     case FailureKind::Unreachable:
-      return FailureText::tr("the connection is gone");
+      return FailureText::tr("the connection was lost");
     case FailureKind::TimedOut:
       return FailureText::tr("no answer came in time");
     case FailureKind::Conflict:
-      return FailureText::tr("somebody else has changed it meanwhile");
+      return FailureText::tr("someone else changed it in the meantime");
     default:
-      return FailureText::tr("it did not work");
+      return FailureText::tr("it failed");
   }
 }
 
 QString notThere(const Failure& failure) {
   return failure.subject.kind == SubjectKind::Map ? FailureText::tr("There is no such map.")
-                                                  : FailureText::tr("There is no such thing.");
+                                                  : FailureText::tr("There is no such object.");
 }
 
 QString notOffered(const Failure& failure) {
   if (failure.asked_for == AskedFor::SmallPicture)
-    return FailureText::tr("There are no small pictures of maps here.");
+    return FailureText::tr("There are no thumbnails of maps here.");
   if (failure.asked_for == AskedFor::Change) return FailureText::tr("It cannot be changed from here.");
-  return FailureText::tr("This robot offers nothing of the kind.");
+  return FailureText::tr("This robot does not offer this.");
 }
 
 QString textOf(const Failure& failure) {
@@ -128,7 +128,7 @@ QString textOf(const Failure& failure) {
     case FailureReason::NotOffered:
       return notOffered(failure);
     case FailureReason::NoSuchId:
-      return FailureText::tr("It cannot be asked for by this id. Ids look like %1.")
+      return FailureText::tr("This is not a valid id. Ids look like %1.")
           .arg(failure.arguments.empty() ? QString() : text(failure.arguments.front()));
     case FailureReason::Empty:
     case FailureReason::Told:
@@ -143,7 +143,7 @@ std::string sentenceOf(const map::Failure& failure) { return textOf(failure).toS
 
 std::string whyOf(const map::Failure& failure) {
   const bool told = failure.reason == FailureReason::Told || failure.reason == FailureReason::Empty;
-  // Who was overtaken has not been refused by anybody.
+  // A conflict is not a refusal.
   QString why = failure.kind == FailureKind::Conflict ? text(toldBy(failure))
                 : told                                ? reasonOf(failure)
                                                       : textOf(failure);

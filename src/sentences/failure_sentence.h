@@ -1,4 +1,4 @@
-// What people read about a request that failed.
+// Texts for failed requests.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace mapwright::sentences {
 
-/// "It cannot be had: the robot answered 404 (not found): No such map." Plain text, without its subject,
-/// which whoever shows it names beside.
+/// "It cannot be loaded: the robot answered 404 (not found): No such map." Plain text, without its subject,
+/// which the caller shows next to it.
 std::string sentenceOf(const map::Failure& failure);
 
-/// "The robot answered 404 (not found): No such map.": the reason alone, for whoever says by himself what has
-/// come about and what has not.
+/// "The robot answered 404 (not found): No such map.": only the reason, if the caller describes what happened
+/// itself.
 std::string whyOf(const map::Failure& failure);
 
 }  // namespace mapwright::sentences

@@ -23,7 +23,7 @@ QString textOf(const FaultArgument& argument) {
   return QString::fromStdString(std::get<std::string>(argument));
 }
 
-/// What the sentence counts, where it counts anything: a number, or one that is grouped.
+/// The number that the sentence counts, if any: plain or grouped.
 int countIn(const Fault& fault) {
   constexpr int kMany = 2;
   if (fault.arguments.empty()) return kMany;
@@ -105,29 +105,29 @@ QString consequenceOf(Consequence consequence) {
     case Consequence::ShownWithoutIt:
       return FaultSentenceText::tr("Shown without it.");
     case Consequence::ShownWithoutItUntilTheNext:
-      return FaultSentenceText::tr("Shown without it. It will be asked for again at the next version.");
+      return FaultSentenceText::tr("Shown without it. It will be requested again with the next version.");
     case Consequence::StaysWhereItWas:
       return FaultSentenceText::tr("It stays where it was.");
     case Consequence::AskedAgain:
-      return FaultSentenceText::tr("It will be asked for again.");
+      return FaultSentenceText::tr("It will be requested again.");
     case Consequence::AskedAgainAtTheNext:
-      return FaultSentenceText::tr("It will be asked for again at the next version.");
+      return FaultSentenceText::tr("It will be requested again with the next version.");
     case Consequence::PictureBeforeStays:
-      return FaultSentenceText::tr("The picture before stays.");
+      return FaultSentenceText::tr("The previous picture stays.");
     case Consequence::PictureBeforeItStays:
-      return FaultSentenceText::tr("The picture before it stays.");
+      return FaultSentenceText::tr("The previous picture stays.");
     case Consequence::AlertsBeforeStay:
-      return FaultSentenceText::tr("The alerts before stay.");
+      return FaultSentenceText::tr("The previous alerts stay.");
     case Consequence::TheyWereLeftOut:
       return FaultSentenceText::tr("They were left out.");
     case Consequence::ItsPointsWereLeftOut:
       return FaultSentenceText::tr("Its points were left out.");
     case Consequence::AskedAgainEachTime:
-      return FaultSentenceText::tr("It is asked for again each time.");
+      return FaultSentenceText::tr("It is requested again each time.");
     case Consequence::ReadAnewEachTime:
-      return FaultSentenceText::tr("They are read anew each time.");
+      return FaultSentenceText::tr("They are read again each time.");
     case Consequence::LeftAsItIs:
-      return FaultSentenceText::tr("It is left as it is.");
+      return FaultSentenceText::tr("It is left unchanged.");
     case Consequence::NothingWritten:
       return FaultSentenceText::tr("Nothing was written.");
   }
@@ -153,7 +153,7 @@ QString wordsOf(const std::vector<Fault>& faults) {
 QString sentenceOf(const Fault& fault) {
   const std::string words = wordsOf(fault).toStdString();
   std::string sentence = words::asSentence(words);
-  // A name at its beginning (of a file) stays as it is written.
+  // A name at its beginning (of a file) is not capitalised.
   const auto* const name =
       fault.arguments.empty() ? nullptr : std::get_if<std::string>(&fault.arguments.front());
   const bool begins = name && !name->empty() && words.starts_with(*name) && words.size() > name->size();

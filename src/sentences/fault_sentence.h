@@ -1,4 +1,4 @@
-// What people read about what was found.
+// Texts for faults.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,16 @@
 namespace mapwright::sentences {
 
 /// "Version 5 is broken: 3,200 bytes where 51,200 were expected. Shown without it." Plain text, without its
-/// subject. Most are whole sentences; causes of others ("its pose lies …") begin small and have no stop.
+/// subject. Most are complete sentences; causes ("its pose is …") begin in lower case without a full stop.
 QString wordsOf(const Fault& fault);
 
-/// Several in one, "; " between them.
+/// Several in one text, separated by "; ".
 QString wordsOf(const std::vector<Fault>& faults);
 
-/// The same as a sentence in any case: "Its pose lies …."; empty for none.
+/// Always a complete sentence: "Its pose is …."; empty for none.
 QString sentenceOf(const Fault& fault);
 
-/// What follows, as a sentence; empty for None.
+/// The consequence as a sentence; empty for None.
 QString consequenceOf(Consequence consequence);
 
 }  // namespace mapwright::sentences

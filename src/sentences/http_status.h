@@ -5,7 +5,7 @@
 
 namespace mapwright::sentences {
 
-/// "404 (not found)"; "299" when the number has no common name.
+/// "404 (not found)"; "299" if the number has no common name.
 QString statusWords(int status);
 
 }  // namespace mapwright::sentences

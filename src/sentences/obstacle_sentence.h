@@ -1,4 +1,4 @@
-// Why a map of a robot cannot be changed just now, for tooltips and errors.
+// Why a map of a robot cannot be changed at present, for tooltips and errors.
 #pragma once
 
 #include <QString>
@@ -7,7 +7,7 @@
 
 namespace mapwright::sentences {
 
-/// "It is archived: unarchive it first." Plain text.
+/// "It is archived: restore it from the archive first." Plain text.
 QString whyNotNow(robot::MapChange change, robot::Obstacle obstacle);
 
 }  // namespace mapwright::sentences

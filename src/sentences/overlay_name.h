@@ -1,4 +1,4 @@
-// What people call the features of an overlay. Source: docs/protocols/autoxing.md, "Overlays".
+// Names of the features of an overlay. Source: docs/protocols/autoxing.md, "Overlays".
 #pragma once
 
 #include <QString>
@@ -7,7 +7,7 @@
 
 namespace mapwright::sentences {
 
-/// "Charger", "Virtual wall", "Forbidden region"; "Point 77" for a number that nobody explained.
+/// "Charger", "Virtual wall", "Forbidden region"; "Point 77" for an unknown number.
 QString nameOf(map::OverlayShape shape, int type);
 
 }  // namespace mapwright::sentences

@@ -26,13 +26,13 @@ QString sentenceOf(const placing::Warning& warning) {
       return PlacingText::tr("It is %1 m from a wall: closer than the robot's radius of %2 m.")
           .arg(metres(warning.distance_m), metres(warning.radius_m));
     case WarningKind::OnUnknown:
-      return PlacingText::tr("It is on ground that the map knows nothing of.");
+      return PlacingText::tr("It is in an unknown part of the map.");
     case WarningKind::NameTwice:
       return PlacingText::tr("Another waypoint has the same name.");
     case WarningKind::ZeroTurn:
-      return PlacingText::tr("It is kept with an orientation of zero, which is no heading: turn it.");
+      return PlacingText::tr("Its orientation is a zero quaternion, so it has no heading: turn it.");
     case WarningKind::TemporaryName:
-      return PlacingText::tr("Its name looks temporary: a swap of names broke off.");
+      return PlacingText::tr("Its name looks temporary: a swap of names was interrupted.");
   }
   return {};
 }
@@ -46,9 +46,9 @@ QString sentencesOf(const placing::Warnings& warnings) {
 QString sentenceOf(placing::GroundState ground) {
   switch (ground) {
     case placing::GroundState::None:
-      return PlacingText::tr("There is no map below: walls are not looked at.");
+      return PlacingText::tr("There is no map below: walls are not checked.");
     case placing::GroundState::Unknown:
-      return PlacingText::tr("The map below is unknown everywhere: walls cannot be told.");
+      return PlacingText::tr("The map below is unknown everywhere: walls cannot be checked.");
     case placing::GroundState::Known:
       break;
   }

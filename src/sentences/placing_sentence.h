@@ -1,4 +1,4 @@
-// What is doubtful about a waypoint where it lies, as people read it.
+// Texts for warnings about waypoints.
 #pragma once
 
 #include <QString>
@@ -9,9 +9,9 @@ namespace mapwright::sentences {
 
 /// "It is in a wall."
 QString sentenceOf(const placing::Warning& warning);
-/// A line for each, the gravest first; empty = there are none.
+/// One line each, most severe first; empty = there are none.
 QString sentencesOf(const placing::Warnings& warnings);
-/// What cannot be told, because of the map below; empty where all can.
+/// What cannot be checked because of the map below; empty if everything can.
 QString sentenceOf(placing::GroundState ground);
 
 }  // namespace mapwright::sentences

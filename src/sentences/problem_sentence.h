@@ -1,4 +1,4 @@
-// Problems: made of failures, and read by people.
+// Texts for problems.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace mapwright::sentences {
 
-/// What is wrong, as plain text without its subject, which whoever shows it names beside (nameOf).
+/// What is wrong, as plain text without its subject, which the caller shows next to it (nameOf).
 QString sentenceOf(const map::Problem& problem);
-/// The same; empty when there is none.
+/// The same; empty if there is none.
 QString sentenceOf(const std::optional<map::Problem>& problem);
 
 }  // namespace mapwright::sentences

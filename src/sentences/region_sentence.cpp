@@ -17,13 +17,13 @@ QString misfitSentence(regions::Misfit misfit) {
     case Misfit::None:
       break;
     case Misfit::Unusable:
-      return RegionsText::tr("What came does not say where it lies, or how large its cells are.");
+      return RegionsText::tr("The answer does not say where it is, or how large its cells are.");
     case Misfit::FewerCells:
-      return RegionsText::tr("What came has fewer cells than it says.");
+      return RegionsText::tr("The answer has fewer cells than it should.");
     case Misfit::OtherFrame:
-      return RegionsText::tr("What came lies in another frame than the regions before it.");
+      return RegionsText::tr("The answer is in another frame than the regions before it.");
     case Misfit::TooLarge:
-      return RegionsText::tr("What came is far larger than what was asked for, and was not taken.");
+      return RegionsText::tr("The answer is far larger than the requested region, and was ignored.");
   }
   return {};
 }

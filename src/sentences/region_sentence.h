@@ -1,4 +1,4 @@
-// What people read of regions of a map that could not be had.
+// Texts for regions of a map that could not be loaded.
 #pragma once
 
 #include <QString>

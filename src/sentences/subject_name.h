@@ -1,4 +1,4 @@
-// How people call what a problem is about.
+// Names for the subjects of problems.
 #pragma once
 
 #include <QString>

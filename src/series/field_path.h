@@ -1,4 +1,4 @@
-// Names one number in the messages of a topic: "/tracked_pose.pos[0]", "/battery_state.percentage".
+// Identifies a number in the messages of a topic: "/tracked_pose.pos[0]", "/battery_state.percentage".
 #pragma once
 
 #include <compare>
@@ -15,12 +15,12 @@ struct FieldPath {
   using Step = std::variant<std::string, std::size_t>;  // a member of an object, an element of an array
   static constexpr std::size_t kLongest = 1000, kMostSteps = 32;
 
-  std::string topic;  // untrusted, as the robot calls it
+  std::string topic;  // untrusted, as the robot names it
   std::vector<Step> steps;
 
-  /// Topic, then ".member", "[3]" or, for members of odd names, ["odd.name"] (as in JSON, with \" and \\).
-  /// A topic that has a dot, a bracket, a blank or a quote in it stands in quotes itself. nullopt: it is
-  /// none; a topic alone is none either.
+  /// Topic, then ".member", "[3]" or, for members with unusual names, ["odd.name"] (as in JSON, with \" and
+  /// \\). A topic that contains a dot, bracket, blank or quote is itself quoted. nullopt: invalid, or only a
+  /// topic.
   static std::optional<FieldPath> parse(std::string_view text);
   /// parse() reads it back.
   std::string text() const;

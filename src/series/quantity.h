@@ -1,4 +1,4 @@
-// What is plotted of every kind of robot, whatever its topics are called. Pure.
+// Quantities that can be plotted for every kind of robot, independent of topic names. Pure.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@ enum class Quantity {
   X,                // metres
   Y,                // metres
   Yaw,              // degrees, -180..180
-  Speed,            // metres a second, made of the poses (series/speed.h)
+  Speed,            // metres per second, from the poses (series/speed.h)
   PositionQuality,  // 0 unknown, 1 lost, 3 poor, 8 good, 10 excellent
-  MatchingScore,    // of the lidar, as the robot tells it
+  MatchingScore,    // of the lidar, as reported by the robot
   Battery,          // percent
 };
 inline constexpr std::array kQuantities{Quantity::X,
@@ -25,12 +25,12 @@ inline constexpr std::array kQuantities{Quantity::X,
                                         Quantity::MatchingScore,
                                         Quantity::Battery};
 
-/// What this message says of it; nullopt = nothing. Of Speed no message says anything by itself.
+/// The value in this message; nullopt = none. For Speed no single message has a value.
 std::optional<double> valueOf(Quantity quantity, const map::TopicMessage& message);
 std::optional<double> valueOf(Quantity quantity, const geometry::Pose2& pose);
-/// It is made of poses.
+/// It is derived from poses.
 bool isOfPose(Quantity quantity);
-/// It stays as it is until the next message: drawn in steps.
+/// It keeps its value until the next message: drawn in steps.
 bool isStepped(Quantity quantity);
 
 }  // namespace mapwright::series

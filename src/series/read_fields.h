@@ -1,4 +1,4 @@
-// Numbers out of the JSON of messages. Pure.
+// Reads numbers from the JSON of messages. Pure.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace mapwright::series {
 
-/// Reads the wanted fields of messages: one parse of a message for all of them. One thread at a time.
+/// Reads the wanted fields of messages, parsing each message once. One thread at a time.
 class FieldReader {
  public:
   explicit FieldReader(std::vector<FieldPath> paths);
@@ -21,9 +21,9 @@ class FieldReader {
 
   const std::vector<FieldPath>& paths() const { return paths_; }
   bool wants(std::string_view topic) const;
-  /// By the place of the path: its value in this message. Booleans are 0 and 1, numbers may stand in strings;
-  /// null, and what is infinite or "nan", is NaN. nullopt: of another topic, not there, no number, or the
-  /// message is no JSON. Valid until the next call.
+  /// By index of the path: its value in this message. Booleans are 0 and 1, numbers may be strings; null,
+  /// infinite and "nan" are NaN. nullopt: of another topic, missing, not a number, or the message is not
+  /// JSON. Valid until the next call.
   const std::vector<std::optional<double>>& read(std::string_view topic, std::string_view json);
 
  private:
@@ -33,8 +33,8 @@ class FieldReader {
   std::unique_ptr<Parsing> parsing_;
 };
 
-/// The fields of a message that hold numbers or booleans, in its order: of long arrays the first few, no more
-/// than `most` in all, and none that lie too deep. Empty: it is no JSON object.
+/// The fields of a message with numbers or booleans, in order: the first few of long arrays, at most `most`
+/// in all, and not too deep. Empty: it is not a JSON object.
 std::vector<FieldPath> numericFields(const std::string& topic, std::string_view json, std::size_t most = 300);
 
 }  // namespace mapwright::series

@@ -1,11 +1,9 @@
-// Numbers over time, to be drawn and looked up: millions of them, in any order of ranges, with a picture of
-// any stretch that costs as much as it is wide. Pure; one thread at a time.
-//
-// Times are seconds since the epoch and finite. A value that is no number (NaN, infinite) breaks the line.
-// What is not covered has not been looked at: no line goes across it, and no value is known in it.
-//
-// Memory is bounded (Options::most_samples): of more, runs of samples give way to their least and greatest
-// ones, so that every spike stays.
+// Numbers over time, for drawing and look-up: millions of them, added in any order of ranges, where drawing
+// any part costs as much as the picture is wide. Pure; one thread at a time.
+// Times are finite seconds since the epoch. A value that is not finite (NaN, infinite) breaks the line.
+// Ranges that are not covered are unknown: no line crosses them, and they have no values.
+// Memory is bounded (Options::most_samples): beyond that, runs of samples are replaced by their least and
+// greatest ones, so that spikes stay visible.
 #pragma once
 
 #include <cstddef>
@@ -29,43 +27,42 @@ class Series {
   Series() : Series(Options{}) {}
   explicit Series(Options options) : options_(options) {}
 
-  /// What lies in from_s <= t < until_s is `samples` from now on, and covered; what lies outside of that is
-  /// left out of them. Those of equal times stay in their order.
+  /// Replaces the content of from_s <= t < until_s by `samples` and marks it as covered; samples outside are
+  /// dropped. Those of equal times keep their order.
   void insert(double from_s, double until_s, std::span<const Sample> samples);
-  /// One more, as it comes. Covers nothing. One with an earlier time than the last is put in its place.
+  /// Adds one sample as it arrives. Covers nothing. One that is earlier than the last is inserted in order.
   void append(double at_s, double value);
-  /// from_s <= t < until_s has been looked at: what is there is all that there is.
+  /// from_s <= t < until_s has been read: its content is complete.
   void cover(double from_s, double until_s);
-  /// All before goes, what was covered included.
+  /// Drops everything before, including coverage.
   void forgetBefore(double at_s);
   void clear();
 
   std::size_t size() const { return blocks_.size(); }
   bool empty() const { return blocks_.size() == 0; }
-  /// Of the first and the last sample. Not when empty.
+  /// Of the first and the last sample. Not if empty.
   double firstAt() const { return blocks_.all().front().at.front(); }
   double lastAt() const { return blocks_.all().back().at.back(); }
-  /// Samples had to give way: what at() and samples() tell are some of them.
+  /// Samples were dropped: at() and samples() return only some of them.
   bool thinned() const { return thinned_; }
-  /// About what it takes in memory.
+  /// Approximate memory use.
   std::size_t bytes() const;
 
-  /// No part of from_s <= t <= until_s is outside of what was covered, its end aside.
+  /// from_s <= t <= until_s is completely covered, except for its end.
   bool isCovered(double from_s, double until_s) const;
   const std::map<double, double>& covered() const { return covered_; }  // from -> until, disjoint
 
-  /// The last sample at or before `at_s`; nullopt where that is not known: before the first one, after a
-  /// range that is not covered, or where it is no number.
+  /// The last sample at or before `at_s`; nullopt if unknown: before the first one, after a range that is not
+  /// covered, or if it is not a number.
   std::optional<Sample> at(double at_s) const;
   /// from_s <= t < until_s, NaN included.
   std::vector<Sample> samples(double from_s, double until_s) const;
-  /// Least and greatest value in from_s <= t <= until_s; nullopt = no number there.
+  /// Least and greatest value in from_s <= t <= until_s; nullopt = there is no number.
   std::optional<std::pair<double, double>> extent(double from_s, double until_s) const;
 
-  /// The line of from_s..until_s for a picture of so many columns of pixels, and on to the next sample on
-  /// either side. In each column where more than a few samples lie: the first, the least, the greatest and
-  /// the last of them, so that the line between columns and what it covers within each are as if all were
-  /// drawn. O(columns * log(size)).
+  /// The line of from_s..until_s for a picture with this many pixel columns, extended to the next sample on
+  /// either side. For columns with more than a few samples: the first, least, greatest and last of them, so
+  /// that the picture is the same as if all were drawn. O(columns * log(size)).
   std::vector<Stroke> strokes(double from_s, double until_s, int columns) const;
 
  private:

@@ -45,7 +45,7 @@ void Summary::add(const Summary& later) {
     least = std::min(least, later.least);
     greatest = std::max(greatest, later.greatest);
   } else {
-    // Nothing but what is no number: it breaks the line on either side of where a number is.
+    // Only breaks: they break the line on both sides.
     broken_after = true;
     if (numbers == 0) broken_before = true;
   }
@@ -72,7 +72,7 @@ void Summary::add(double at_s, double value) {
 
 template <typename Before>
 Place Blocks::bound(Before before) const {
-  // The first block whose last sample is not before.
+  // The first block whose last sample is not earlier.
   const auto block = std::partition_point(blocks_.begin(), blocks_.end(),
                                           [&](const Block& each) { return before(each.at.back()); });
   if (block == blocks_.end()) return end();

@@ -1,5 +1,5 @@
-// How a Series keeps its samples: in the order of time, in blocks, with what each stretch comes to on several
-// levels, so that any stretch is summed up in logarithmic time.
+// Storage of a Series: blocks in order of time, with summaries on several levels, so that any range is
+// summarised in logarithmic time.
 #pragma once
 
 #include <cstddef>
@@ -14,28 +14,27 @@ struct Sample {
   bool operator==(const Sample&) const = default;
 };
 
-/// What a stretch of samples comes to. `least` and `greatest` are of its numbers; what is no number counts,
-/// too.
+/// Summary of a range of samples. `least` and `greatest` ignore values that are not numbers.
 struct Summary {
-  Sample first = {}, last = {};  // that are numbers; meaningless without `numbers`
+  Sample first = {}, last = {};  // of the numbers; invalid without `numbers`
   double least = std::numeric_limits<double>::infinity();
   double greatest = -std::numeric_limits<double>::infinity();
   std::size_t count = 0, numbers = 0;
-  bool broken_before = false;  // what is no number lies before the first that is one
+  bool broken_before = false;  // there is a break before the first number
   bool broken_after = false;   // and after the last one
   /// Followed by `later`.
   void add(const Summary& later);
   void add(double at_s, double value);
 };
 
-/// Never empty. Times never fall.
+/// Never empty. Times never decrease.
 struct Block {
   std::vector<double> at, value;
   std::vector<Summary> parts;  // of kPart samples each
   Summary whole;
 };
 
-/// A place between samples: that before sample `index` of a block. The end is {blocks, 0}.
+/// A position between samples: before sample `index` of a block. The end is {blocks, 0}.
 struct Place {
   std::size_t block = 0, index = 0;
   auto operator<=>(const Place&) const = default;
@@ -60,7 +59,7 @@ class Blocks {
   Summary sum(Place from, Place until) const;
 
   void append(double at_s, double value);
-  /// `samples`, sorted, instead of what lies between the two.
+  /// Replaces everything between the two by `samples`, which are sorted.
   void replace(Place from, Place until, std::span<const Sample> samples);
   void clear();
   std::size_t bytes() const;
@@ -73,7 +72,7 @@ class Blocks {
 
   std::vector<Block> blocks_;
   std::size_t size_ = 0;
-  std::vector<std::vector<Summary>> levels_;  // kFan blocks each, kFan of these each …; whole groups only
+  std::vector<std::vector<Summary>> levels_;  // kFan blocks each, kFan of these each …; only full groups
 };
 
 }  // namespace mapwright::series

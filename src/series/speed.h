@@ -1,4 +1,4 @@
-// How fast a robot is, out of where it was. Pure.
+// Computes a robot's speed from its poses. Pure.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,15 @@
 
 namespace mapwright::series {
 
-/// Poses come with noise of centimetres: the way over the last kSpeedOver_s is what counts. What lies longer
-/// ago than kSpeedReach_s says nothing any more: whoever learns of poses makes the speeds of so much later
-/// anew.
+/// Poses have centimetres of noise, so the speed is averaged over kSpeedOver_s. Older data than kSpeedReach_s
+/// has no effect: after new poses, recompute the speeds of that period.
 inline constexpr double kSpeedOver_s = 0.2, kSpeedReach_s = 2;
-/// Faster than any of these robots: it was placed anew, and did not drive.
+/// Faster than any of these robots: its pose was reset, it did not drive.
 inline constexpr double kFastest_m_s = 8;
 
-/// Metres a second at the samples of `x` and `y` (metres, of the same times) in from_s <= t < until_s; NaN
-/// where nothing is known: after a gap, and where the robot was placed anew. The result is the same whichever
-/// ranges the poses came in.
+/// Metres per second at the samples of `x` and `y` (metres, at the same times) in from_s <= t < until_s; NaN
+/// if unknown: after a gap, and where the pose was reset. The result does not depend on the ranges in which
+/// the poses were added.
 std::vector<Sample> speeds(const Series& x, const Series& y, double from_s, double until_s);
 
 }  // namespace mapwright::series

@@ -1,4 +1,4 @@
-// What the robot keeps, as rows with thumbnails: asked for when wanted, kept while asked again.
+// The robot's map catalogue as rows with thumbnails: requested on demand, kept while it is refreshed.
 #pragma once
 
 #include <functional>
@@ -22,28 +22,27 @@ class Catalogue : public QObject {
   explicit Catalogue(robot::MapCatalogue* source, QObject* parent = nullptr);
 
   bool offered() const { return source_ != nullptr; }
-  /// The robot can tell its maps from now on, or (null) no more: what was told goes.
+  /// The robot's catalogue, or null if it has none now: then the rows are cleared.
   void setSource(robot::MapCatalogue* source);
-  /// Asks again; while an answer is awaited this does nothing but remember to ask once more after it.
+  /// Requests it again; while an answer is pending it only remembers to request once more afterwards.
   void refresh();
   bool loading() const { return loading_; }
-  /// Whether anybody has ever asked.
+  /// Whether it was ever requested.
   bool asked() const { return asked_once_; }
-  /// Why the last question failed; nullopt when it did not. The rows of before stay.
+  /// Why the last request failed; nullopt if it did not. The previous rows stay.
   const std::optional<map::Failure>& failure() const { return failure_; }
   std::optional<QDateTime> asOf() const { return as_of_; }
-  /// Stored maps first, then archived ones, then mappings; each newest first, the robot's own order where it
-  /// has one.
+  /// Stored maps first, then archived ones, then mappings; each newest first, or in the robot's own order.
   const std::vector<map::CatalogueEntry>& entries() const { return entries_; }
   const map::CatalogueEntry* find(const map::MapKey& key) const;
   const map::CatalogueEntry* current() const;
-  /// The row that people call `text` (map::toText); nullptr when there is none.
+  /// The row for `text` (map::toText); nullptr if there is none.
   const map::CatalogueEntry* called(const std::string& text) const;
 
-  /// The thumbnail (PNG bytes), or empty: then it is asked for, and thumbnailArrived() tells. A failed one is
-  /// not asked for again until its row changes.
+  /// The thumbnail (PNG bytes), or empty: then it is requested, and thumbnailArrived() follows. A failed one
+  /// is not requested again until its row changes.
   QByteArray thumbnail(const map::MapKey& key);
-  /// It cannot be decoded: it is kept nowhere.
+  /// It cannot be decoded: do not cache it.
   void discardThumbnail(const map::MapKey& key);
 
  Q_SIGNALS:

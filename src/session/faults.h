@@ -9,7 +9,7 @@ using namespace mapwright::fault;  // what all rooms share
 
 // The place of a submap.
 /// because: why
-inline constexpr FaultCode CannotBePlaced{"session", QT_TRANSLATE_NOOP("session", "It cannot be placed")};
+inline constexpr FaultCode CannotBePlaced{"session", QT_TRANSLATE_NOOP("session", "Its position is unknown")};
 
 // The list of submaps.
 inline constexpr FaultCode OlderVersionListed{
@@ -24,8 +24,8 @@ inline constexpr FaultCode VersionNotHad{"session", QT_TRANSLATE_NOOP("session",
 /// why no file can be written
 inline constexpr FaultCode MemoryUsedUp{
     "session", QT_TRANSLATE_NOOP("session",
-                                 "It is used up, and a file for the others cannot be written: %1. They stay "
-                                 "in memory; make room on the disk.")};
+                                 "It is used up, and no file can be written for the other submaps: %1. They "
+                                 "stay in memory; free some disk space.")};
 
 // Whole maps.
 /// width and height as said, width and height of the picture
@@ -33,18 +33,19 @@ inline constexpr FaultCode SizesDiffer{
     "session",
     QT_TRANSLATE_NOOP(
         "session",
-        "It is said to have %1 x %2 cells, but its picture has %3 x %4. It is shown as the picture has it.")};
+        "Its metadata says %1 x %2 cells, but its picture has %3 x %4. The size of the picture is used.")};
 inline constexpr FaultCode TurnNoNumber{
-    "session", QT_TRANSLATE_NOOP("session", "The turn of its origin is not a number. It is shown unturned.")};
-inline constexpr FaultCode CacheCopyDamaged{
     "session", QT_TRANSLATE_NOOP(
-                   "session", "Its copy in the cache was damaged. The map was read again from its picture.")};
+                   "session", "The rotation of its origin is not a number. It is shown without rotation.")};
+inline constexpr FaultCode CacheCopyDamaged{
+    "session",
+    QT_TRANSLATE_NOOP("session", "The cached copy was damaged. The map was read again from its picture.")};
 /// its key
 inline constexpr FaultCode AnotherMapCame{
-    "session", QT_TRANSLATE_NOOP("session", "The robot answered with another map, %1. It is not shown.")};
+    "session", QT_TRANSLATE_NOOP("session", "The robot sent another map, %1. It is not shown.")};
 
 // Live messages.
 inline constexpr FaultCode CameWithoutPicture{"session",
-                                              QT_TRANSLATE_NOOP("session", "It came without a picture.")};
+                                              QT_TRANSLATE_NOOP("session", "It arrived without a picture.")};
 
 }  // namespace mapwright::session::fault

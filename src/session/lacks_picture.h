@@ -1,4 +1,4 @@
-// A map that a robot has and sends no picture of: what else is known of it can be had all the same.
+// A map whose picture the robot does not send: everything else known about it is still available.
 #pragma once
 
 #include "robot/sends_map.h"
@@ -6,13 +6,13 @@
 
 namespace mapwright::session {
 
-/// The slot asked for a stored map, and was told that there is no picture of it to be had.
+/// The slot requested a stored map, and its picture is not available.
 inline bool lacksPicture(const MapSlot& slot) {
   return slot.phase() == MapSlot::Phase::Failed && slot.failure() == map::FailureKind::Unsupported &&
          slot.key().kind == map::MapKind::Stored && !slot.cells();
 }
 
-/// Nothing was asked for: the map that the robot works with is seen by regions.
+/// Nothing was requested: the robot's current map is loaded by region.
 inline bool isByRegion(robot::Robot& robot, const MapSlot& slot) {
   return slot.phase() == MapSlot::Phase::Empty && !slot.cells() && robot::givesByRegion(robot);
 }

@@ -1,5 +1,5 @@
-// The small pictures that lie over the map (costmaps, incremental map, environment match): decoded off the
-// GUI thread, the newest of each kind.
+// The small pictures on top of the map (costmaps, incremental map, environment match): decoded off the GUI
+// thread, the newest of each kind.
 #pragma once
 
 #include <map>
@@ -33,9 +33,9 @@ class LayerGrids : public QObject {
   const LayerGrid* find(map::GridKind kind) const;
   void drop(map::GridKind kind);
   void clear();
-  /// Some picture is being decoded.
+  /// A picture is being decoded.
   bool busy() const;
-  /// What is shown stays as it is: what is being decoded is not taken any more.
+  /// Freezes what is shown: pictures being decoded are ignored.
   void standStill();
 
  Q_SIGNALS:
@@ -48,9 +48,9 @@ class LayerGrids : public QObject {
  private:
   struct Row {
     std::optional<LayerGrid> shown;
-    std::optional<map::GridMessage> next;  // came while one is being decoded
+    std::optional<map::GridMessage> next;  // arrived while another one is being decoded
     bool busy = false;
-    bool dropped = false;  // what is being decoded is not wanted any more
+    bool dropped = false;  // the one being decoded is no longer needed
     bool broken = false;   // the last one could not be shown
   };
   void start(map::GridKind kind, map::GridMessage message);

@@ -163,7 +163,7 @@ void MapSlot::start() {
             opened->reading->read(*cancelled, [&] { call([this, generation] { takeRows(generation); }); });
       }
       options.code = opened->reading->otherCode();
-      if (options.code) continue;  // what is said of it then has no more to be judged
+      if (options.code) continue;  // then nothing more has to be judged
       call([this, generation, error] { takeEnd(generation, error); });
       return;
     }
@@ -248,7 +248,7 @@ void MapSlot::takeEnd(quint64 generation, const std::optional<Fault>& error) {
 }
 
 void MapSlot::fail(map::Problem problem) {
-  // Whoever found it may call the map otherwise; what recovers later is this slot's map.
+  // The finder may use another name for the map; recoveries refer to this slot's map.
   problem.subject = subject();
   if (problem.code == map::ProblemCode::Unspecified) problem.code = map::ProblemCode::Unavailable;
   cancel();

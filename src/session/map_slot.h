@@ -1,4 +1,4 @@
-// One whole map on its way to the screen, or there: read off the GUI thread, seen while it grows.
+// One whole map, loading or on screen: read off the GUI thread, and visible while it loads.
 #pragma once
 
 #include <atomic>
@@ -15,63 +15,62 @@
 
 namespace mapwright::session {
 
-/// GUI-thread object; pictures are read on a thread beyond the crew
+/// GUI-thread object; pictures are read on a thread of their own
 /// (docs/decisions/0008-one-pool-of-threads-one-budget.md).
 class MapSlot : public QObject {
   Q_OBJECT
  public:
   enum class Phase { Empty, Fetching, Reading, Ready, Failed };
 
-  /// Pictures of fewer cells are read as quickly as a side-car is opened.
+  /// Smaller pictures are read as fast as a side-car is opened.
   static constexpr std::int64_t kLargeCells = 4'000'000;
 
-  /// `sidecar_folder`: where finished pyramids of large pictures are kept; empty = nowhere. Those of maps
-  /// that the robot sends are not: the next one replaces them, and would push out what is of use.
+  /// `sidecar_folder`: cache for finished pyramids of large pictures; empty = none. Live maps are not cached:
+  /// the next one replaces them, and they would displace useful ones.
   explicit MapSlot(QString sidecar_folder, grids::Means means = {}, QObject* parent = nullptr);
   ~MapSlot() override;
 
   /// The map is being fetched; what is shown stays.
   void expect(const map::MapKey& key, const QString& name);
-  /// Reads and shows `map`; a newer state of the map that is being read right now waits until that is done. A
-  /// map of the same key stays on screen until the new picture is whole; of another key, until its header is
-  /// read.
+  /// Reads and shows `map`; a newer version of the map that is being read waits until that is done. A map
+  /// with the same key stays on screen until the new picture is complete; one with another key, until its
+  /// header is read.
   void show(map::WholeMap map);
-  /// It cannot be had. What is shown stays when it is of the same key.
+  /// It cannot be loaded. A shown map with the same key stays.
   void fail(map::Problem problem);
   void clear();
-  /// What is on screen stays as it is: reading ends where it is, and what still comes is not taken.
+  /// Freezes what is shown: reading stops, and later data is ignored.
   void standStill();
-  /// How cells become coarser ones; the picture is read again.
+  /// How cells are reduced to coarser levels; reads the picture again.
   void setReduction(grids::Reduction reduction);
   grids::Reduction reduction() const { return reduction_; }
 
   Phase phase() const { return phase_; }
-  /// Read to the end (or until it broke), or there is nothing to read.
+  /// Read to the end (or until it failed), or there is nothing to read.
   bool settled() const { return phase_ != Phase::Fetching && phase_ != Phase::Reading; }
-  /// The picture broke off or could not be read to its end: what is shown is not all.
+  /// The picture is truncated or could not be read completely: part of it is missing.
   bool broken() const { return broken_ || (shown_cells_ && shown_cells_->trouble().any()); }
   double progress() const;  // 0..1 of the rows, while Reading
-  /// What was asked for last, and what is on screen (they differ while the one makes way for the other).
+  /// What was requested last, and what is on screen (they differ while one replaces the other).
   const map::MapKey& key() const { return key_; }
   QString name() const { return name_; }
-  /// Why it Failed, or what is odd about a Ready one; nullopt = nothing.
+  /// Why it is Failed, or a warning about a Ready one; nullopt = nothing.
   const std::optional<map::Problem>& remark() const { return remark_; }
-  map::FailureKind failure() const { return failure_; }  // of a Failed one
+  map::FailureKind failure() const { return failure_; }  // if it is Failed
 
   std::shared_ptr<const grids::GridPyramid> cells() const { return shown_cells_; }
-  /// Width and height are the picture's own. Meaningful while cells() is not null.
+  /// Width and height are the picture's own. Only valid if cells() is not null.
   const map::GridReference& reference() const { return shown_.grid; }
-  /// What came with the picture on screen (trajectories, landmarks, overlays); `bytes` is not kept.
+  /// The data that came with the picture on screen (trajectories, landmarks, overlays); `bytes` is not kept.
   const map::WholeMap& shown() const { return shown_; }
 
-  /// What is on screen as it came, to show it elsewhere too; nullopt while nothing is.
+  /// The map on screen as received, to show it elsewhere; nullopt if there is none.
   const std::optional<map::WholeMap>& source() const { return shown_source_; }
 
-  /// Named places of the shown map, when the robot has them. Those of a map that is still on its way wait for
-  /// it.
+  /// The waypoints of the shown map, if the robot has them. Those of a map that is still loading wait for it.
   const map::WaypointList& waypoints() const { return waypoints_; }
   void setWaypoints(map::WaypointList waypoints);
-  /// They have been asked for, and neither came nor failed yet.
+  /// They were requested, and have neither arrived nor failed yet.
   bool waypointsAwaited() const { return waypoints_awaited_; }
   void awaitWaypoints(bool awaited) { waypoints_awaited_ = awaited; }
 
@@ -80,7 +79,7 @@ class MapSlot : public QObject {
   void rowsArrived();  // more of cells()
   void problemFound(const mapwright::map::Problem& problem);
   void recovered(const mapwright::map::Recovery& recovery);
-  /// Its picture cannot be read to its end.
+  /// Its picture cannot be read completely.
   void unreadable(const std::string& fingerprint);
 
  private:
@@ -105,19 +104,19 @@ class MapSlot : public QObject {
   std::optional<map::Problem> remark_;
   map::FailureKind failure_ = map::FailureKind::None;
   std::optional<map::WholeMap> source_;  // to read it again
-  std::optional<map::WholeMap> next_;    // a newer state of the map that is being read
+  std::optional<map::WholeMap> next_;    // a newer version of the map that is being read
   map::WholeMap shown_;
   std::optional<map::WholeMap> shown_source_;  // with its bytes
   std::shared_ptr<const grids::GridPyramid> shown_cells_;
   map::WaypointList waypoints_;
-  std::optional<map::WaypointList> coming_waypoints_;  // of the map that is on its way
+  std::optional<map::WaypointList> coming_waypoints_;  // for the map that is loading
   std::shared_ptr<Opened> reading_;                    // opened, not on screen yet or still growing
   std::shared_ptr<std::atomic<bool>> cancelled_;
   quint64 generation_ = 0;
-  quint64 shown_generation_ = 0;  // of what is on screen
+  quint64 shown_generation_ = 0;  // of the map on screen
   std::shared_ptr<Ear> ear_;      // pyramids may outlive the slot
   bool broken_ = false, waypoints_awaited_ = false;
-  bool cache_told_ = false;  // that nothing can be kept on disk
+  bool cache_told_ = false;  // reported that nothing can be cached on disk
   grids::Means means_;
   work::Share share_;
 };

@@ -159,7 +159,7 @@ QString ProblemLog::toText(const QDateTime& now) const {
     text += QLatin1Char('\n');
   }
   if (forgotten_ > 0) {
-    text += sentences::counted(ProblemLogText::tr("%1 older problems are not kept.", nullptr,
+    text += sentences::counted(ProblemLogText::tr("%1 older problems are no longer listed.", nullptr,
                                                   sentences::formOf(qint64(forgotten_))),
                                qint64(forgotten_)) +
             QLatin1Char('\n');

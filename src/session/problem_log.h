@@ -1,4 +1,4 @@
-// The problems met in a session: counted, not repeated; bounded; never lost silently.
+// The problems of a session: counted instead of repeated; bounded; never lost silently.
 #pragma once
 
 #include <cstddef>
@@ -17,28 +17,28 @@
 
 namespace mapwright::session {
 
-/// One problem with how often and when it was met.
+/// One problem, with how often and when it occurred.
 struct LoggedProblem {
-  quint64 row = 0;       // names the row as long as the log lives
-  map::Problem problem;  // as it was met last: its numbers are the newest
+  quint64 row = 0;       // identifies the row as long as the log lives
+  map::Problem problem;  // the last occurrence: its numbers are the newest
   int count = 1;
   QDateTime first, last;              // met
-  std::optional<QDateTime> resolved;  // when the subject recovered; nullopt while it has not
-  QDateTime since;                    // the spell that lasts, or the last one, began
-  qint64 earlier_ms = 0;              // what the spells before it lasted
+  std::optional<QDateTime> resolved;  // when the subject recovered; nullopt if it has not
+  QDateTime since;                    // start of the present or last period
+  qint64 earlier_ms = 0;              // total length of earlier periods
 
-  /// How long it was there, all spells together: to its end, or to `now` while it lasts.
+  /// Total duration of all periods, up to `now` if it persists.
   qint64 lastedMs(const QDateTime& now) const;
 };
 
-/// Newest last. Problems of one subject, code and reason that differ in numbers only are one row with a
-/// count. At most kLimit rows; resolved ones go first, then the oldest, and they are counted in forgotten().
+/// Newest last. Problems with the same subject, code and text except numbers share a row with a count. At
+/// most kLimit rows; resolved ones are dropped first, then the oldest, and counted in forgotten().
 class ProblemLog {
  public:
   using Rows = std::deque<LoggedProblem>;
   static constexpr std::size_t kLimit = 2'000;
   void add(const map::Problem& problem, const QDateTime& now);
-  /// True when something was unresolved and is no more.
+  /// True if something was unresolved and is resolved now.
   bool resolve(const map::Recovery& recovery, const QDateTime& now);
   bool resolveAll(map::SubjectKind kind, const QDateTime& now);
   void clear();
@@ -59,10 +59,10 @@ class ProblemLog {
   void makeRoom();
 
   Rows rows_;                                      // ascending by `row`
-  std::map<Likeness, quint64> alike_;              // what is the same row again
-  std::map<Identity, std::vector<quint64>> open_;  // unresolved rows: recoveries are many, problems few
+  std::map<Likeness, quint64> alike_;              // finds the row of a repeated problem
+  std::map<Identity, std::vector<quint64>> open_;  // unresolved rows: recoveries are frequent, problems rare
   std::set<quint64> resolved_;                     // they go first
-  int unresolved_ = 0;                             // that are more than information
+  int unresolved_ = 0;                             // more severe than information
   quint64 last_row_ = 0;
   std::size_t forgotten_ = 0;
 };

@@ -31,7 +31,7 @@ void SafetyWatch::look() {
     if (same != known.end()) known.erase(same);
     if (fresh && !each.ended_s) Q_EMIT began(each);
   }
-  std::set<std::string> still;  // by the names of what they are about
+  std::set<std::string> still;  // by the names of their subjects
   for (const map::SafetyCondition& each : conditions_) still.insert(map::problemOf(each).subject.id);
   for (const auto& [identity, gone] : known) {
     if (!still.contains(map::problemOf(*gone).subject.id)) Q_EMIT ended(*gone);

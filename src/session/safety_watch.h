@@ -1,5 +1,5 @@
-// Looks after what is dangerous or wrong with a robot: tells when that changes, also when it only expires,
-// and puts beginnings and ends into the list of problems.
+// Watches the safety conditions of a robot: reports changes, including expiry, and logs their starts and ends
+// as problems.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ class SafetyWatch : public QObject {
  public:
   /// `now_s`: seconds since the epoch.
   SafetyWatch(const map::LiveState& live, std::function<double()> now_s, QObject* parent = nullptr);
-  /// What holds now, the gravest first.
+  /// Current conditions, most severe first.
   const std::vector<map::SafetyCondition>& conditions() const { return conditions_; }
   /// The live state may have changed.
   void look();
@@ -27,7 +27,7 @@ class SafetyWatch : public QObject {
   void changed();
   /// It began (again).
   void began(const mapwright::map::SafetyCondition& condition);
-  /// Nothing of this name holds any more.
+  /// No condition of this name is active any more.
   void ended(const mapwright::map::SafetyCondition& condition);
 
  private:

@@ -167,7 +167,7 @@ void Session::noteConnection() {
 
 void Session::takeTopic(const map::StampedMessage& stamped) {
   const map::TopicMessage& message = stamped.message;
-  // What is still on its way when nobody listens any more would stay for ever.
+  // Data still arriving after it is no longer wanted would stay forever.
   if (const auto* cloud = std::get_if<map::PointCloudMessage>(&message); cloud && !listensTo(cloud->topic)) {
     return;
   }
@@ -184,8 +184,8 @@ void Session::take(const map::StampedMessage& stamped) {
   const bool known = !heard_.insert(message.index()).second && map::repeats(live_, message);
   world_ = map::reduce(std::move(world_), stamped);
   if (live_.frame != frame) {
-    // What the robot says once and not again (landmarks, doors, the map) may have come before it told of the
-    // new frame: asked for anew it is sent again.
+    // Latched data (landmarks, doors, the map) may have arrived before the message about the new frame: a new
+    // subscription gets it again.
     if (robot::LiveTopics* const live = robot_->liveTopics()) live->setWanted({}, {});
     takeFrame();
   }

@@ -1,5 +1,5 @@
-// One connected robot as the window and the command line see it: the live state, the submaps, the whole maps,
-// the problems. A facade: the submaps are the business of session::Submaps. GUI-thread object.
+// One connected robot for the window and the command line: the live state, the submaps, the whole maps, the
+// problems. A facade: session::Submaps handles the submaps. GUI-thread object.
 #pragma once
 
 #include <chrono>
@@ -35,69 +35,69 @@ class Session : public QObject {
  public:
   struct Options {
     submap::SchedulerOptions scheduler;
-    std::shared_ptr<work::Workers> workers = {};  // null = a crew of its own
-    /// Finished pyramids of large maps are kept there (empty = nowhere), and what of the submaps does not go
-    /// into the memory, for as long as the program runs.
+    std::shared_ptr<work::Workers> workers = {};  // null = a thread pool of its own
+    /// For finished pyramids of large maps (empty = no cache), and for submaps that do not fit into memory
+    /// while the program runs.
     QString sidecar_folder = {};
-    work::Budgets budgets = work::budgetsFrom();  // of which it takes `textures` and `unpacked`
-    bool overview = true;  // ask for a picture of the whole SLAM map while submaps are still loading
-    /// What the robot is asked for without a wish of anybody. Without `submaps` none is listed or fetched.
+    work::Budgets budgets = work::budgetsFrom();  // it uses `textures` and `unpacked`
+    bool overview = true;  // request a picture of the whole SLAM map while submaps are still loading
+    /// What is subscribed in any case. Without `submaps` none are listed or fetched.
     robot::LiveTopics::Basics basics = {};
-    bool maps = true;         // the catalogue is asked for and the first whole map opened without being told
-    bool log_safety = false;  // what is wrong with the robot itself is a problem, too
-    /// The time of day: of arriving messages, and of problems.
+    bool maps = true;         // requests the catalogue and opens the first whole map automatically
+    bool log_safety = false;  // problems of the robot itself are logged, too
+    /// The time of day for arriving messages and for problems.
     std::function<QDateTime()> wall = [] { return QDateTime::currentDateTime(); };
-    /// How long a robot that can send its map may keep silent before its current stored one is shown.
+    /// How long to wait for a live map before the current stored one is shown.
     int live_map_within_ms = 5'000;
   };
-  /// Takes the robot over; connect with open(). `monotonic` is the clock of all waits.
+  /// Takes ownership of the robot; connect with open(). `monotonic` is the clock for all waits.
   Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* parent = nullptr,
           std::function<submap::Millis()> monotonic = {});
   ~Session() override;
 
   void open();
   void close();
-  /// From now on nothing changes any more, whatever the robot sends: for whoever draws the present state and
-  /// says what he has drawn. Cannot be undone.
+  /// Freezes the state, whatever the robot sends, so that it can be drawn and reported consistently. Cannot
+  /// be undone.
   void standStill();
-  void retryNow();  // reconnect if need be; ask again for everything that failed or was missing
+  void retryNow();  // reconnect if necessary; repeat all requests that failed or had no result
 
   robot::Robot& robot() { return *robot_; }
   const robot::Robot& robot() const { return *robot_; }
   robot::ConnectionState connection() const { return robot_->connection(); }
   const map::LiveState& live() const { return live_; }
-  /// All that the robot has said.
+  /// Everything received from the robot.
   const map::World& world() const { return world_; }
-  /// Shows this world from now on, as if its messages had come: what a recording was at some time, say. What
-  /// the robot says goes on from there. Not `whole`: what is missing in it may still be found, and the
-  /// submaps of before stay until then.
+  /// Replaces the world, as if its messages had arrived: for example the state of a recording at some time.
+  /// Later messages apply to it. Not `whole`: missing parts may still be found, and the previous submaps stay
+  /// until then.
   void reset(map::World world, bool whole = true);
   const submap::SubmapBook& book() const { return submaps_.book(); }
   const ProblemLog& problems() const { return problems_; }
   void clearProblems();
-  /// Something went wrong, or is well again, `at` some time (now, where it is not given).
+  /// Reports a problem or a recovery at `at` (default: now).
   void report(const map::Problem& problem, const QDateTime& at = {});
   void recover(const map::Recovery& recovery, const QDateTime& at = {});
-  /// What people near the robot must know at once.
+  /// Conditions that people near the robot must know at once.
   const SafetyWatch& safety() const { return safety_; }
-  /// When live messages stopped (link lost); nullopt while online or never online.
+  /// When live messages stopped (connection lost); nullopt while online or if never online.
   std::optional<QDateTime> staleSince() const { return stale_since_; }
 
   SubmapCounts counts() const;
-  /// Pictures of submaps that were held and could not be read back. They are fetched again, unless all stands
-  /// still.
+  /// Number of pictures of submaps that could not be read back. They are fetched again, unless everything is
+  /// frozen.
   int lostPictures() const { return submaps_.lost(); }
   SubmapStatus status(map::SubmapId id) const { return submaps_.status(id); }
-  /// Why Missing, Waiting, Corrupt or Unplaced; plain text.
+  /// Why it is Missing, Waiting, Corrupt or Unplaced; plain text.
   Fault reason(map::SubmapId id) const { return submaps_.reason(id); }
-  /// True when nothing more can be expected of the present list without waiting for another try of a failed
-  /// one: every listed submap is on screen, missing, corrupt, unplaced, or has failed at least `tries` times.
+  /// True if nothing more can be expected of the present list without another retry: every listed submap is
+  /// on screen, missing, corrupt, unplaced, or has failed at least `tries` times.
   bool settled(int tries) const { return submaps_.settled(tries); }
 
   int slice() const { return submaps_.slice(); }
   void setSlice(int slice) { submaps_.setSlice(slice); }
   void setVisible(const std::vector<map::SubmapId>& ids, bool visible) { submaps_.setVisible(ids, visible); }
-  /// What the user looks at, to fetch that first.
+  /// The visible area, which is fetched first.
   void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m) {
     submaps_.setView(visible_world, center_m);
   }
@@ -109,47 +109,48 @@ class Session : public QObject {
   const MapSlot& wholeMap() const { return whole_map_; }
   MapSlot& comparedMap() { return compared_map_; }
   const MapSlot& comparedMap() const { return compared_map_; }
-  /// A coarse picture of the SLAM map, until every submap is in.
+  /// A coarse picture of the SLAM map, until all submaps are loaded.
   const MapSlot& overview() const { return overview_; }
   const LayerGrids& layerGrids() const { return layer_grids_; }
-  /// The map whose named places belong to what `slot` shows: it itself; of what the robot sends, the stored
-  /// one that it works with. nullopt: that is not known, or it keeps none.
+  /// The map whose waypoints belong to what `slot` shows: the map itself; for the live map, the stored one
+  /// that the robot uses. nullopt: unknown, or there is none.
   std::optional<map::MapKey> placesOf(const MapSlot& slot) const;
-  /// Shows a map without loading it on the robot. MapKind::Live: what the robot sends, from now on.
+  /// Shows a map without loading it on the robot. MapKind::Live: whatever the robot sends, from now on.
   void openMap(const map::MapKey& key);
   /// The second map of a comparison; nullopt ends it.
   void compareWith(std::optional<map::MapKey> key);
-  /// The same with a map that is not of this robot: a file. Its key becomes one that the robot has not.
+  /// The same with a map that is not of this robot: a file. Its key is changed to one that the robot does not
+  /// have.
   void compareWith(map::WholeMap map);
-  /// Keeps the map on screen as it is now as the second of a comparison, however it changes later.
+  /// Keeps the present state of the map on screen as the second map of a comparison.
   void keepForComparing();
-  /// What `owner` (a layer list, a panel) wants of the robot: kinds of data, and topics by the robot's own
-  /// names. Replaces what it wanted before.
+  /// What `owner` (a layer list, a panel) needs from the robot: kinds of data, and topics by name. Replaces
+  /// its previous request.
   void want(const QString& owner, const map::Streams& streams, const QStringList& topics = {});
 
-  /// What its caches hold: textures and unpacked tiles. Of the others it knows nothing.
+  /// Memory of its caches: textures and unpacked tiles; it does not know the others.
   work::Budgets memory() const;
 
-  /// Bounds of everything drawn and visible; while nothing is held, of the poses. Empty without submaps.
+  /// Bounds of everything drawn and visible; if nothing is loaded, of the poses. Empty without submaps.
   geometry::WorldRect contentBounds() const { return submaps_.contentBounds(); }
 
  Q_SIGNALS:
   void connectionChanged();
   void identityChanged();
-  /// Something of live(); `what` is the TopicMessage alternative that came (map::topicIndex). What the robot
-  /// says again as it was is no change, but for the first message of its kind.
+  /// Part of live() has changed; `what` is the TopicMessage alternative (map::topicIndex). Repetitions are
+  /// not changes, except for the first message of its kind.
   void liveChanged(int what);
-  /// The same for every message, after liveChanged(): for whoever waits for more than its content.
+  /// Emitted for every message, after liveChanged(): for listeners that wait for more than its content.
   void liveHeard(int what);
   void listChanged();  // submaps were added or removed, or the session is new
-  /// The world's coordinates begin anew (see map::LiveState): much of live() is gone.
+  /// The coordinate frame has changed (see map::LiveState): much of live() was dropped.
   void frameChanged();
-  void sessionRestarted();  // new uuid: every picture is gone. Comes before listChanged()
+  void sessionRestarted();  // new uuid: all pictures were dropped. Emitted before listChanged()
   void submapsPlaced(
-      const std::vector<mapwright::map::SubmapId>& ids);  // picture, pose, flags or visibility: draw again
+      const std::vector<mapwright::map::SubmapId>& ids);  // picture, pose, flags or visibility: redraw
   void submapsRemoved(const std::vector<mapwright::map::SubmapId>& ids);
   void sliceChanged();  // every picture: draw again
-  void rowsChanged();   // some status or counter; coalesced to 10 times a second
+  void rowsChanged();   // some status or counter; at most 10 times a second
   void rowsTouched(const mapwright::session::TouchedRows& rows);  // whose; comes before rowsChanged()
   void problemsChanged();                                         // coalesced likewise
 
@@ -163,7 +164,7 @@ class Session : public QObject {
   void wireSubmaps();
   void wireSafety(bool log);
   void discardPicture(const std::string& fingerprint);
-  /// `repeated`: the picture is the one of before.
+  /// `repeated`: the picture is the same as before.
   void takeGrid(const map::GridMessage& message, bool repeated = false);
   bool listensTo(const std::string& topic) const;
   void takeFrame();
@@ -171,11 +172,11 @@ class Session : public QObject {
   void openInto(MapSlot& slot, const map::MapKey& key);
   void askForPlaces(MapSlot& slot, const map::MapKey& key, std::function<bool()> still_wanted);
   std::optional<map::MapKey> placesOfLiveMap() const;
-  void followLivePlaces();  // the places of the map that the robot sends
+  void followLivePlaces();  // the waypoints of the live map
   void readLivePlacesAgain();
   void readPictureAgain(const map::MapKey& key);
   void openFirstMap();
-  void retryMaps();  // those that could not be had
+  void retryMaps();  // those that failed
   void askForOverview();
   void sendWants();
   submap::Millis now() const { return monotonic_(); }
@@ -197,9 +198,9 @@ class Session : public QObject {
   bool overview_wanted_, submaps_wanted_, maps_by_itself_;
   bool still_ = false;
   std::set<std::size_t> heard_;                  // kinds of messages
-  bool live_wanted_ = true;                      // the whole map on screen is the one that the robot sends
+  bool live_wanted_ = true;                      // the whole map on screen is the live one
   bool map_chosen_ = false;                      // by the user
-  std::optional<map::WholeMap> compared_aside_;  // the robot is not asked for it
+  std::optional<map::WholeMap> compared_aside_;  // not requested from the robot
   struct Wish {
     map::Streams streams;
     QStringList topics;
@@ -207,10 +208,10 @@ class Session : public QObject {
   };
   std::map<QString, Wish> wants_;
   Wish wanted_;                   // all of them together
-  QSet<QString> retired_topics_;  // wanted once and no more: what still comes of them is not taken
-  QStringList wanted_topics_;     // every topic that may come of it
-  std::map<const MapSlot*, map::MapKey> live_places_;  // whose places were asked for last
-  std::optional<submap::Millis> listed_at_;  // when the catalogue came last; nullopt when it failed since
+  QSet<QString> retired_topics_;  // no longer wanted: messages still arriving are ignored
+  QStringList wanted_topics_;     // all topics that may carry it
+  std::map<const MapSlot*, map::MapKey> live_places_;  // whose waypoints were requested last
+  std::optional<submap::Millis> listed_at_;  // when the catalogue last arrived; nullopt if it failed since
   Catalogue catalogue_;
   MapSlot whole_map_, compared_map_, overview_;
   LayerGrids layer_grids_;

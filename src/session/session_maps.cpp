@@ -32,7 +32,7 @@ map::WholeMap liveMap(const map::GridMessage& message, const map::LiveState& liv
   return map;
 }
 
-/// The map that such a robot works with is seen by regions: the whole of it nobody moves unasked.
+/// The current map of such a robot is loaded by region: the whole is never fetched automatically.
 bool givenByRegion(robot::Robot& robot, const map::CatalogueEntry& entry) {
   return (entry.is_current || entry.key.kind == map::MapKind::Live) && robot::givesByRegion(robot);
 }
@@ -90,7 +90,7 @@ void Session::wireMaps() {
   connect(robot_.get(), &robot::Robot::capabilitiesChanged, this, [this, hearStores, followLiveMap] {
     catalogue_.setSource(robot_->mapCatalogue());
     hearStores();
-    sendWants();  // other topics may bring what is wanted
+    sendWants();  // other topics may carry the wanted data
     followLiveMap();
     followLivePlaces();
   });
@@ -120,7 +120,7 @@ void Session::wireMaps() {
   });
   no_live_map_timer_.setSingleShot(true);
   connect(&no_live_map_timer_, &QTimer::timeout, this, [this] {
-    // It sends no map of its own: the one that it works with is shown, until it does.
+    // It sends no live map: the current stored one is shown until it does.
     const map::CatalogueEntry* const current = catalogue_.current();
     if (map_chosen_ || !maps_by_itself_ || !current || live_.grids.contains(map::GridKind::WholeMap)) return;
     if (!(whole_map_.key() == current->key) && !givenByRegion(*robot_, *current))
@@ -151,7 +151,7 @@ void Session::openMap(const map::MapKey& key) {
 
 void Session::compareWith(std::optional<map::MapKey> key) {
   compared_aside_.reset();
-  // Another map must not stand in for the one that is to be compared.
+  // Another map must not replace the one to compare.
   if (!key || !(compared_map_.shown().key == *key)) compared_map_.clear();
   if (key) openInto(compared_map_, *key);
 }
@@ -381,7 +381,7 @@ void Session::sendWants() {
   for (const map::Stream stream : all.streams) names += live->topicsOf(stream);
   names.removeDuplicates();
   for (const QString& topic : std::as_const(wanted_topics_)) {
-    // Nobody listens to it any more: whether it is readable again will never be known.
+    // It is no longer subscribed: whether it is readable again is unknown.
     if (names.contains(topic)) continue;
     recover({map::Subject(map::SubjectKind::Topic, topic.toStdString())});
     retired_topics_.insert(topic);

@@ -1,4 +1,4 @@
-// The counters over all submaps, kept up to date one submap at a time. Pure state.
+// The counters of all submaps, updated one submap at a time. Pure state.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +11,24 @@
 
 namespace mapwright::session {
 
-/// What one submap adds to the counters.
+/// The contribution of one submap to the counters.
 struct SubmapStanding {
   SubmapStatus status = SubmapStatus::Queued;
   bool drawable = false;
   bool visible = true;
-  geometry::WorldRect bounds;  // where it is drawn, or the point of its pose; empty without a usable one
+  geometry::WorldRect bounds;  // where it is drawn, or the point of its pose; empty without a valid one
 };
 
-/// Costs nothing to ask, and one submap's worth to change.
+/// Reading is free, and a change costs as much as one submap.
 class SubmapTally {
  public:
   void set(map::SubmapId id, const SubmapStanding& standing);
   void remove(map::SubmapId id);
   void clear();
 
-  /// Of the submaps alone: nothing of fetches and bytes.
+  /// Only submaps: without fetches and bytes.
   const SubmapCounts& counts() const { return counts_; }
-  /// Around everything that is drawn and visible; while there is nothing, around the visible poses.
+  /// Bounds of everything drawn and visible; if there is nothing, of the visible poses.
   geometry::WorldRect contentBounds() const;
 
  private:

@@ -34,7 +34,7 @@ Submaps::Submaps(std::function<robot::SubmapSource*()> source, const Options& op
       monotonic_(std::move(monotonic)),
       scheduler_(options.scheduler),
       share_(work::orOwn(options.workers)) {
-  // Both are told from any thread.
+  // Both may be called on any thread.
   cells::TextureStore::Listener listener;
   listener.lost = [this](std::uint64_t owner) {
     QMetaObject::invokeMethod(
@@ -65,7 +65,7 @@ Submaps::~Submaps() {
 
 void Submaps::forgetList() {
   if (still_) return;
-  ++comparison_;  // what is being compared is not taken any more
+  ++comparison_;  // the comparison in progress is outdated
   comparing_ = false;
   next_list_.reset();
   if (book_.listReceived()) adopt(book_.clear(), false);
@@ -77,7 +77,7 @@ void Submaps::takeList(const map::SubmapList& list) {
     takeDifference(submap::compareLists(book_.listedBefore(), list));
     return;
   }
-  next_list_ = list;  // one that has not been looked at yet is out of date
+  next_list_ = list;  // an unprocessed one is outdated
   if (!comparing_) compareNext();
 }
 
@@ -136,7 +136,7 @@ void Submaps::adopt(const submap::BookChange& change, bool first) {
   if (change.new_session) Q_EMIT restarted();
   publish(change);
   if (change.set_changed) {
-    tellNow();  // whoever lists them knows them before anybody counts
+    tellNow();  // listeners learn about them before the counters change
     Q_EMIT listChanged();
   } else {
     tellSoon();
@@ -166,8 +166,8 @@ void Submaps::retryNow() {
 
 void Submaps::standStill() {
   still_ = true;
-  still_bytes_ = qint64(textures_->bytesInMemory());  // those that nobody takes any more come and go
-  ++generation_;                                      // what is being decoded is not taken any more
+  still_bytes_ = qint64(textures_->bytesInMemory());  // memory of textures that are no longer used changes
+  ++generation_;                                      // results of decoding in progress are outdated
   share_.drop();
   wake_timer_.stop();
 }

@@ -1,5 +1,5 @@
-// The submaps of one robot: listed, fetched, decoded, placed and counted. A service of the session;
-// GUI-thread object. Decoding, and comparing long lists, runs on the crew
+// The submaps of one robot: lists, fetches, decodes, places and counts them. Part of the session; GUI-thread
+// object. Decoding, and comparing long lists, uses the thread pool
 // (docs/decisions/0008-one-pool-of-threads-one-budget.md).
 #pragma once
 
@@ -27,35 +27,35 @@
 
 namespace mapwright::session {
 
-/// Nothing here but restarts, a new choice of slice and what the user does to many submaps at once costs more
-/// the more submaps there are: lists are taken by their differences, counters are kept.
+/// Only restarts, a new choice of slice and user actions on many submaps cost more with more submaps: lists
+/// are compared for differences, counters are updated.
 class Submaps : public QObject {
   Q_OBJECT
  public:
   struct Options {
     submap::SchedulerOptions scheduler;
-    std::shared_ptr<work::Workers> workers = {};  // null = a crew of its own
+    std::shared_ptr<work::Workers> workers = {};  // null = a thread pool of its own
     cells::TextureStore::Options textures = {};
   };
-  /// `source` gives what to ask for submaps, null while there is none.
+  /// `source` returns the source of submaps, null while there is none.
   Submaps(std::function<robot::SubmapSource*()> source, const Options& options,
           std::function<submap::Millis()> monotonic, QObject* parent = nullptr);
   ~Submaps() override;
 
-  /// A list came. What it changes shows at once, or, when it is long, as soon as it has been compared.
+  /// A list arrived. Its changes are visible at once or, if it is long, as soon as it has been compared.
   void takeList(const map::SubmapList& list);
-  /// There is none, as before the first one: what came of one goes.
+  /// There is none, as before the first one: drops everything from it.
   void forgetList();
-  /// Nothing new is asked for without a live link: the list may be of another session.
+  /// Requests nothing new while offline: the list may belong to another session.
   void setOnline(bool online);
   void retryNow();
-  /// From now on nothing changes any more. Cannot be undone.
+  /// Freezes everything. Cannot be undone.
   void standStill();
 
   const submap::SubmapBook& book() const { return book_; }
-  /// Without those of the traffic.
+  /// Without network traffic.
   SubmapCounts counts() const;
-  /// How many pictures were lost by the store, and could not be had again yet or at all.
+  /// How many pictures the store has lost that have not been reloaded.
   int lost() const { return int(lost_.size()); }
   std::size_t textureBytes() const { return textures_->bytesInMemory(); }
   SubmapStatus status(map::SubmapId id) const;
@@ -67,17 +67,17 @@ class Submaps : public QObject {
   void setSlice(int slice);
   void setVisible(const std::vector<map::SubmapId>& ids, bool visible);
   void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m);
-  /// touched() comes soon, though no row may look different.
+  /// Schedules touched(), even if no row looks different.
   void tellSoon();
 
  Q_SIGNALS:
-  void restarted();    // a new SLAM session: every picture is gone. Comes first
+  void restarted();    // a new SLAM session: all pictures were dropped. Emitted first
   void listChanged();  // submaps were added or removed, or the session is new
   void placed(const std::vector<mapwright::map::SubmapId>& ids);
   void removed(const std::vector<mapwright::map::SubmapId>& ids);
-  void listTaken(bool new_session);  // a list has come, and all that it changes is told
+  void listTaken(bool new_session);  // a list arrived, and all its changes have been signalled
   void sliceChanged();
-  /// At most 10 times a second, and when submaps come or go: then before listChanged().
+  /// At most 10 times a second, and when submaps are added or removed: then before listChanged().
   void touched(const mapwright::session::TouchedRows& rows);
   void problemFound(const mapwright::map::Problem& problem);
   void recovered(const mapwright::map::Recovery& recovery);
@@ -91,7 +91,7 @@ class Submaps : public QObject {
   };
   void compareNext();
   void takeDifference(const submap::ListDifference& difference);
-  /// `first`: it is of the first list of all.
+  /// `first`: from the very first list.
   void adopt(const submap::BookChange& change, bool first);
   void publish(const submap::BookChange& change);
   void pump();
@@ -101,9 +101,9 @@ class Submaps : public QObject {
   void take(Decoded decoded, submap::BookChange& change);
   /// It cannot be decoded.
   void discard(const map::SubmapKey& key, std::int32_t answered_version, bool from_cache);
-  /// The store lost the picture: it is fetched again.
+  /// The store lost the picture: fetches it again.
   void lose(map::SubmapId id);
-  /// Something about the submap is different: its row, its place in the line, the counters.
+  /// Something about the submap has changed: its row, its place in the queue, the counters.
   void note(map::SubmapId id);
   void noteAll();
   void tellNow();
@@ -116,13 +116,14 @@ class Submaps : public QObject {
   std::unordered_map<map::SubmapId, Fault> failure_reasons_;
   std::unordered_map<map::SubmapId, int> decoding_;
   std::set<map::SubmapId> lost_;
-  std::unordered_map<map::SubmapId, std::int32_t> asked_again_;  // the version, after it could not be decoded
-  std::size_t decodes_ = 0;                                      // under way
-  std::optional<map::SubmapList> next_list_;                     // waits to be compared
+  std::unordered_map<map::SubmapId, std::int32_t>
+      asked_again_;                           // the version requested again after it could not be decoded
+  std::size_t decodes_ = 0;                   // under way
+  std::optional<map::SubmapList> next_list_;  // waits to be compared
   bool comparing_ = false;
-  quint64 comparison_ = 0;  // what began with another number is out of date
+  quint64 comparison_ = 0;  // results with another number are outdated
   bool online_ = false, still_ = false;
-  qint64 still_bytes_ = 0;  // of textures, when it was told to stand still
+  qint64 still_bytes_ = 0;  // memory of textures when it was frozen
   int slice_ = 0;
   quint64 generation_ = 0;
   TouchedRows touched_;
@@ -130,7 +131,7 @@ class Submaps : public QObject {
   std::mutex decoded_mutex_;
   std::vector<Decoded> decoded_;  // guarded by decoded_mutex_
   std::shared_ptr<cells::TextureStore> textures_;
-  work::Share share_;  // after all that its jobs refer to
+  work::Share share_;  // after everything that its jobs use
 };
 
 }  // namespace mapwright::session

@@ -1,4 +1,4 @@
-// What a bag holds: the robot's own topics, as they were at their times (docs/protocols/autoxing.md, "Bags").
+// The content of a simulated bag: the robot's own topics at their times (docs/protocols/autoxing.md, "Bags").
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace mapwright::simulator {
 
-/// What is odd about a bag.
+/// What is unusual about a bag.
 enum class BagQuirk {
   None,
   ClockSetBack,  // by two minutes, in its middle: later messages have earlier stamps
   SameStamps,    // the clock only tells half seconds
-  Gap,           // nothing was recorded in the middle of it
-  EndsLate,      // it goes on for half a minute after the end that it tells
+  Gap,           // nothing was recorded in its middle
+  EndsLate,      // it continues for half a minute after its stated end
   OneMessage,
   Empty,
 };
@@ -25,30 +25,30 @@ enum class BagQuirk {
 /// Simulated seconds.
 struct BagSpan {
   double from_s = 0, until_s = 0;
-  bool every_scan = false;  // recorded to find out about positioning
+  bool every_scan = false;  // recorded to diagnose localization
   BagQuirk quirk = BagQuirk::None;
   bool operator==(const BagSpan&) const = default;
 };
 
-/// A pure function of the scene, the seed and the span: what is edited afterwards does not change the past.
+/// A pure function of scene, seed and time span: later edits do not change the past.
 class BagRecording {
  public:
-  /// `state` is only asked for its past; `map` is what the robot worked with.
+  /// `state` is only used for its past; `map` is the robot's map at that time.
   BagRecording(const RobotState& state, std::optional<StoredMap> map, std::uint32_t seed, BagSpan span);
 
   std::size_t messages() const { return ticks_.size(); }
-  /// Of the first and the last message, in whole seconds of the epoch as these robots tell it: the last
-  /// message may lie after endTime().
+  /// Of the first and the last message, in whole seconds of the epoch as these robots give it: the last
+  /// message may be after endTime().
   std::int64_t startTime() const;
   std::int64_t endTime() const;
   enum class End { Inclusive, Exclusive };
-  /// A JSON list of the messages in [from, until] (epoch seconds), as they were recorded. Before them what
-  /// was said last on each latched topic. Only these are made.
+  /// A JSON list of the messages in [from, until] (epoch seconds), preceded by the last one of each latched
+  /// topic. Only these are generated.
   std::string messagesJson(double from, double until, End end = End::Inclusive) const;
 
  private:
   struct Tick {
-    std::int64_t stamp_ms = 0;  // of the epoch, as the clock told it
+    std::int64_t stamp_ms = 0;  // of the epoch, by the robot's clock
     std::int64_t true_ms = 0;   // as it was
     std::size_t topic = 0;
   };
@@ -61,7 +61,7 @@ class BagRecording {
   void apply(BagQuirk quirk);
 
   std::vector<Tick> ticks_;    // as recorded
-  std::int64_t silent_s_ = 0;  // after the end that is told
+  std::int64_t silent_s_ = 0;  // after the stated end
 };
 
 }  // namespace mapwright::simulator

@@ -1,4 +1,4 @@
-// The files that the simulated robot records: bags all the time, recordings on demand.
+// The recordings of the simulated robot: bags continuously, recordings on demand.
 #pragma once
 
 #include <map>
@@ -28,10 +28,10 @@ struct Bag {
 std::string listedTime(double time_s);
 /// "6.8KB".
 std::string listedSize(std::size_t bytes);
-/// A ROS bag without any messages; half of it when the bag is damaged.
+/// A ROS bag without messages; half of it if the bag is damaged.
 std::string bagBytes(const Bag& bag);
 
-/// Safe from any thread. Every ten minutes of simulated time are one bag; the newest dozen stay.
+/// Safe from any thread. Every ten minutes of simulated time are one bag; the newest dozen are kept.
 class BagStore {
  public:
   /// `odd`: with the bags of BagOptions::odd.
@@ -39,12 +39,12 @@ class BagStore {
 
   std::vector<Bag> list(BagFolder folder) const;  // oldest first
   std::optional<Bag> find(BagFolder folder, std::string_view name) const;
-  /// Keeps what happened in the last seconds. A file of the same second and name is replaced.
+  /// Stores the last seconds. Replaces a file with the same second and name.
   Bag record(std::string_view suffix, double duration_s, bool every_scan);
 
   enum class Removal { Removed, Missing, Recording };
   Removal remove(BagFolder folder, std::string_view name);
-  /// The bag that is being recorded stays.
+  /// The bag being recorded stays.
   void removeAll(BagFolder folder);
 
  private:

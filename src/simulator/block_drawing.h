@@ -1,4 +1,4 @@
-// Drawing one part of a building: walls with gaps, furniture, and the way through it.
+// Draws one part of a building: walls with gaps, furniture, and the route through it.
 #pragma once
 
 #include <utility>
@@ -22,14 +22,14 @@ class BlockDrawing {
   /// A wall along x (or y) with the given gaps.
   void wallAlongX(double x0, double x1, double y, double thickness, std::vector<Gap> gaps = {});
   void wallAlongY(double x, double y0, double y1, double thickness, std::vector<Gap> gaps = {});
-  void post(double x, double y, double size);  // a column: does not give way
+  void post(double x, double y, double size);  // a column, which is not moved for the route
   void box(double x, double y, double width, double depth, double yaw_rad = 0);
   void disc(double x, double y, double radius);
   void chair(double x, double y, double yaw_rad);
   void table(double x, double y, double width, double depth, double yaw_rad);  // four legs
   void desk(double x, double y, double yaw_rad);  // legs, drawers and a chair in front
 
-  /// Takes away the furniture that stands closer to a point of `ways` than a robot needs.
+  /// Removes furniture that is too close to `way` for the robot.
   void clear(const std::vector<Eigen::Vector2d>& way);
 
   Dice dice;
@@ -41,7 +41,7 @@ struct Room {
   double x0 = 0, x1 = 0;  // along the corridor
   double door_y = 0;      // the wall with the door
   double depth = 0;       // from that wall
-  double inward = 1;      // +1: the room lies north of the door, -1: south
+  double inward = 1;      // +1: the room is north of the door, -1: south
   double corridor_y = 0;  // centre line of the corridor
   double door_x = 0;
   bool visited = false;  // the robot goes in
@@ -53,7 +53,7 @@ struct Room {
 std::vector<Room> drawRooms(BlockDrawing& drawing, double x0, double x1, double door_y, double depth,
                             double inward, double corridor_y);
 
-/// The points of a visit: from the corridor through the door, round a small loop and out again.
+/// The route of a visit: from the corridor through the door, around a small loop and out again.
 void appendVisit(std::vector<Eigen::Vector2d>& way, const Room& room);
 
 }  // namespace mapwright::simulator

@@ -1,6 +1,6 @@
-// The kinds of building part that scenes are put together from. Every block is 60 m x 40 m with its
-// lower-left corner at the origin, a main lane at y = 20 and lanes along its west and east ends, so that
-// blocks join in any order.
+// The parts of buildings that scenes are made of. Every block is 60 m x 40 m with its lower-left corner at
+// the origin, a main lane at y = 20 and lanes along its west and east ends, so that blocks can be joined in
+// any order.
 #pragma once
 
 #include <cstdint>
@@ -32,14 +32,14 @@ struct BlockRequest {
 struct Block {
   std::vector<Solid> solids;
   std::vector<Eigen::Vector2d> tour;   // past everything, from entry to exit
-  std::vector<Eigen::Vector2d> round;  // a closed round, for a robot at work
+  std::vector<Eigen::Vector2d> round;  // a closed loop for a working robot
 };
 
 Block drawBlock(const BlockRequest& request);
-/// A canteen that joins a block's main lane on the west: x -26..0, y 9..31 of that block. The tour starts in
+/// A canteen attached to the west of a block's main lane: x -26..0, y 9..31 of that block. The tour starts in
 /// the door.
 Block drawAnnex(std::uint64_t seed);
-/// A small building of its own, 40 m x 18 m with its lower-left corner at the origin.
+/// A small separate building, 40 m x 18 m with its lower-left corner at the origin.
 Block drawGatehouse(std::uint64_t seed);
 
 }  // namespace mapwright::simulator

@@ -1,6 +1,5 @@
-// Boost's sockets, for the sources that are compiled with them (CMakeLists.txt): nobody else includes this.
-// One kind of executor and one type of handler for each operation, as Boost makes it anew for every
-// combination.
+// Boost's sockets, only for the sources that are compiled with them (CMakeLists.txt). One executor type and
+// one handler type per operation, since Boost instantiates everything for each combination.
 #pragma once
 
 #include <functional>

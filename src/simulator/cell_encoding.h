@@ -1,5 +1,5 @@
-// The ways in which robots of different firmware pack a submap's cells
-// (docs/protocols/cartographer-submaps.md, "Containers and cell layouts").
+// How robots of different firmware pack a submap's cells (docs/protocols/cartographer-submaps.md, "Containers
+// and cell layouts").
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ constexpr int kPackings = 8;
 /// SubmapTexture.cell_format.
 enum class CellFormat : int { LogOdds = 0, TsdfDelta = 1, Intensity = 2 };
 
-/// `cells` as in ScanGrid, packed. Pairs say the same whatever the format is, except that Intensity cells are
-/// opaque.
+/// Packs `cells`, which are as in ScanGrid. Pairs are the same for all formats, except that Intensity cells
+/// are opaque.
 std::string packCells(const std::vector<std::uint8_t>& cells, int width, int height, Packing packing,
                       CellFormat format);
 

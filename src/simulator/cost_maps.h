@@ -1,4 +1,4 @@
-// Costs of driving: the floor plan's solids, grown by the robot's size.
+// Driving costs: the solids of the floor plan, inflated by the robot's size.
 #pragma once
 
 #include <vector>
@@ -10,17 +10,17 @@
 
 namespace mapwright::simulator {
 
-/// Where a grid lies: `origin_m` is the world of the lower-left cell's outer corner.
+/// The position of a grid: `origin_m` is the world position of the lower-left cell's outer corner.
 struct GridPlace {
   int width = 0, height = 0;  // cells
   double resolution_m = 0.05;
   Eigen::Vector2d origin_m{0, 0};
 };
 
-/// A square of `cells` around a place, on the lattice through the world's origin.
+/// A square of `cells` around a position, on the lattice through the world's origin.
 GridPlace squareAround(const Eigen::Vector2d& centre_m, int cells, double resolution_m);
 
-/// 0 free, 254 in a solid, 253 where the robot's middle must not go, falling beyond. Top row first.
+/// 0 free, 254 in a solid, 253 where the robot's centre must not go, decreasing beyond. Top row first.
 GrayPicture costsOf(const FloorPlan& plan, const std::vector<Solid>& extra, const GridPlace& place);
 
 }  // namespace mapwright::simulator

@@ -1,4 +1,4 @@
-// The way a robot drives: a polyline with rounded corners, measured along its length.
+// The robot's route: a polyline with rounded corners, parameterised by length.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace mapwright::simulator {
 
-/// Immutable. Metres in the world; headings follow the way and turn smoothly.
+/// Immutable. Metres in the world; headings follow the route and turn smoothly.
 class Drive {
  public:
   Drive() = default;
@@ -18,7 +18,7 @@ class Drive {
 
   double length_m() const { return along_.empty() ? 0 : along_.back(); }
   bool closed() const { return closed_; }
-  /// Where the robot is after `s` metres. Wraps on a closed way, stops at the ends of an open one.
+  /// The pose after `s` metres. Wraps on a closed route, stops at the ends of an open one.
   geometry::Pose2 at(double s) const;
 
  private:

@@ -1,4 +1,4 @@
-// Which request goes wrong, and how: decided by the seed, the request's key and its try.
+// Decides which requests fail, and how: depends on the seed, the request's key and the attempt.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Fault {
   FaultKind kind = FaultKind::None;
   int delay_ms = 0;
   int http_status = 500;
-  std::uint64_t dice = 0;  // for whatever else the fault leaves to chance
+  std::uint64_t dice = 0;  // for other random choices of the fault
 };
 
 enum class WriteFault { None, Error, Drop, LoseAnswer };
@@ -28,9 +28,9 @@ class FaultPlan {
 
   Faults faults() const;
   void setFaults(const Faults& faults);
-  /// The lot of the next try of `key`.
+  /// The result for the next attempt of `key`.
   Fault draw(const std::string& key);
-  /// What becomes of a request that changes something. `dice` decides the rest.
+  /// What happens to a changing request. `dice` decides the rest.
   WriteFault drawWrite(const std::string& key, std::uint64_t& dice);
 
  private:
@@ -42,9 +42,9 @@ class FaultPlan {
   std::map<std::string, std::uint32_t> tries_;
 };
 
-/// The protobuf `body` with a width and height that its cells do not fit.
+/// The protobuf `body` with a width and height that do not match its cells.
 std::string withWrongSize(const std::string& body);
-/// Bytes that are no protobuf message.
+/// Bytes that are not a protobuf message.
 std::string garbage(std::uint64_t seed);
 /// An answer whose StatusResponse reports an error.
 std::string statusAnswer(int code, const std::string& message);

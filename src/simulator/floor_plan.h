@@ -1,4 +1,4 @@
-// What stands in the building: solid shapes on the floor, in world metres.
+// The obstacles in the building: solid shapes on the floor, in world metres.
 #pragma once
 
 #include <cstdint>
@@ -8,21 +8,21 @@
 
 namespace mapwright::simulator {
 
-/// A box (centre, half extents, turned by yaw) or, when `round`, a disc of radius half.x().
+/// A box (centre, half extents, rotated by yaw) or, if `round`, a disc of radius half.x().
 struct Solid {
   Eigen::Vector2d centre{0, 0};
   Eigen::Vector2d half{0, 0};
   double yaw_rad = 0;
   bool round = false;
-  bool movable = false;  // furniture: gives way to the robot's route; walls do not
+  bool movable = false;  // furniture that is removed from the robot's route; walls are not
 
-  /// Radius of the circle around `centre` that holds the shape.
+  /// Radius of the circle around `centre` that contains the shape.
   double reach() const { return round ? half.x() : half.norm(); }
   /// Metres from `point` to the shape; 0 or less inside it.
   double distanceTo(const Eigen::Vector2d& point) const;
 };
 
-/// All solids of a scene, findable by place. Immutable, safe to read from any thread.
+/// All solids of a scene, with a spatial index. Immutable, safe to read from any thread.
 class FloorPlan {
  public:
   FloorPlan() = default;

@@ -1,4 +1,4 @@
-// One message of /ws/v2/topics as bytes.
+// Encodes one message of /ws/v2/topics.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ struct Frame {
 };
 
 Frame textFrame(std::string text);
-/// Topic length, topic, gzip flag, RosMessageWrapper (gzipped when large).
+/// Topic length, topic, gzip flag, RosMessageWrapper (gzipped if large).
 std::string binaryMessage(std::string_view topic, const ros_messages::RosMessageWrapper& wrapper);
 
 }  // namespace mapwright::simulator

@@ -1,4 +1,4 @@
-// A request and its answer, pure of sockets.
+// An HTTP request and its answer, independent of sockets.
 #pragma once
 
 #include <memory>
@@ -34,35 +34,35 @@ struct HttpAnswer {
 
 HttpAnswer jsonAnswer(int status, std::string body);
 HttpAnswer valueAnswer(int status, const Value& value);
-/// {"detail":"..."}: how the Autoxing robot reports an error.
+/// {"detail":"..."}: the error format of the Autoxing robot.
 HttpAnswer errorAnswer(int status, std::string_view sentence);
 HttpAnswer notFound();
 /// 204 without a body.
 HttpAnswer noContent();
-/// 405 with Allow when the method is none of `allowed`, such as "GET, POST". HEAD is taken for GET.
+/// 405 with Allow if the method is not in `allowed`, such as "GET, POST". HEAD counts as GET.
 std::optional<HttpAnswer> refusedMethod(const HttpQuestion& question, std::string_view allowed);
 
 /// The path of a target, without its query.
 std::string_view pathOf(std::string_view target);
 /// The value of `key` in the target's query; empty when absent.
 std::string_view queryValue(std::string_view target, std::string_view key);
-/// %XX as the bytes that they mean; nullopt for what is no such text.
+/// Decodes %XX; nullopt if it is invalid.
 std::optional<std::string> percentDecoded(std::string_view text);
-/// All but letters, digits and -._~ as %XX.
+/// Encodes everything but letters, digits and -._~ as %XX.
 std::string percentEncoded(std::string_view text);
-/// Weak comparison of an If-None-Match list with our opaque tag (with its quotes, if it has any), as HTTP
-/// asks for.
+/// Weak comparison of an If-None-Match list with our opaque tag (with its quotes, if it has any), as required
+/// by HTTP.
 bool matchesTag(std::string_view if_none_match, std::string_view tag);
 
-/// What answers on a port.
+/// Answers the requests on a port.
 class Answerer {
  public:
   virtual ~Answerer() = default;
   /// Safe from any thread.
   virtual HttpAnswer answer(const HttpQuestion& question) = 0;
-  /// Whether making the answer may take milliseconds: then a worker makes it.
+  /// Whether the answer may take milliseconds: then a worker makes it.
   virtual bool isSlow(std::string_view path) const = 0;
-  /// Whether a client with this Secret header may use the WebSocket here.
+  /// Whether a client with this Secret header may use the WebSocket.
   virtual bool opensTopics(std::string_view secret) const = 0;
 };
 

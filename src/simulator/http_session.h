@@ -1,4 +1,4 @@
-// HTTP connections: requests one after the other until one closes or becomes a WebSocket.
+// HTTP connections: handle requests until the connection closes or becomes a WebSocket.
 #pragma once
 
 #include "simulator/loop.h"

@@ -1,4 +1,4 @@
-// The small shapes that many of the Autoxing robot's messages share.
+// Small JSON shapes that many of the Autoxing robot's messages share.
 #pragma once
 
 #include <string>
@@ -23,8 +23,8 @@ std::vector<Eigen::Vector2d> cornersOf(const geometry::Pose2& pose, double lengt
 
 /// {"topic":"...",...}
 std::string messageJson(std::string_view topic, Value::Object members);
-/// The address that the robot knows itself by, and a path: these robots put it into their answers whatever
-/// address was connected to.
+/// A path on the host name that the robot uses for itself: these robots put it into their answers, whatever
+/// address the client used.
 Value ownUrl(std::string_view path);
 
 }  // namespace mapwright::simulator

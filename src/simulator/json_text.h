@@ -10,7 +10,7 @@ namespace mapwright::simulator {
 void appendJsonText(std::string& out, std::string_view text);
 /// Appends the shortest text that reads back as `number`; null when it is not finite.
 void appendJsonNumber(std::string& out, double number);
-/// Appends `number` with `digits` behind the point; null when it is not finite.
+/// Appends `number` with `digits` decimals; null if it is not finite.
 void appendJsonFixed(std::string& out, double number, int digits);
 
 }  // namespace mapwright::simulator

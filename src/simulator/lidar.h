@@ -1,4 +1,4 @@
-// What one turn of the lidar hits.
+// The points hit by one turn of the lidar.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,18 @@ struct LidarPoint {
   std::uint8_t intensity = 0;
 };
 
-/// Exactly `points` of them, in the order of their angle within each turn; none when nothing is within reach.
-/// A few hundred rays find the walls, further turns repeat them at other heights with other noise: cheap for
-/// any number. Pure.
+/// Exactly `points` of them, in the order of their angle within each turn; none if nothing is in range. A few
+/// hundred rays find the walls, further turns repeat them at other heights with other noise: cheap for any
+/// number. Pure.
 std::vector<LidarPoint> scanFrom(const FloorPlan& plan, const geometry::Pose2& pose, int points,
                                  std::uint64_t seed);
 
-/// Metres to the nearest solid on `rays` rays, counter-clockwise from the heading of `pose`; infinity where
-/// nothing is within reach. Pure.
+/// Metres to the nearest solid on `rays` rays, counter-clockwise from the heading of `pose`; infinity if
+/// nothing is in range. Pure.
 std::vector<double> rangesFrom(const FloorPlan& plan, const geometry::Pose2& pose, int rays,
                                std::uint64_t seed);
 
-/// How far the lidar reaches, metres.
+/// The range of the lidar, metres.
 constexpr double kLidarRangeM = 25;
 
 }  // namespace mapwright::simulator

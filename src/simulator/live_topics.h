@@ -1,6 +1,5 @@
-// What the robot tells about itself: where it goes, how it is. And about what is around it
-// (docs/protocols/autoxing.md, "Topics that the map shows"). Pure functions of the robot's state at the
-// moment.
+// The robot's messages about itself and its surroundings (docs/protocols/autoxing.md, "Topics that the map
+// shows"). Pure functions of the robot's present state.
 #pragma once
 
 #include <optional>
@@ -17,7 +16,7 @@ namespace mapwright::simulator {
 std::string_view nameOf(map::SlamState state);
 
 /// /tracked_pose, /slam/state, /path, /planning_state, /alerts, /battery_state, /wheel_state, ...; nullopt
-/// for other topics, and for those that need a map of a robot without one. `map` is the current one.
+/// for other topics, and for those that need a map if there is none. `map` is the current one.
 std::optional<std::string> ownTopic(std::string_view topic, const RobotState& state,
                                     const std::optional<StoredMap>& map);
 

@@ -1,4 +1,4 @@
-// The thread of a server, which does all that has to do with sockets, and its workers.
+// A server's thread, which handles all sockets, and its workers.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ namespace mapwright::simulator {
 /// A client that has come.
 struct Connection;
 
-/// Members may be called from any thread, but listen() only before start().
+/// Members may be called from any thread, except listen(), which must come before start().
 class Loop {
  public:
   explicit Loop(std::size_t workers);
@@ -22,20 +22,20 @@ class Loop {
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
-  /// Opens a port of 127.0.0.1, 0 = a free one, and hands over who comes. The port, or a sentence about whose
-  /// port could not be opened.
+  /// Opens a port of 127.0.0.1, 0 = a free one, and passes on new connections. Returns the port, or a
+  /// sentence if it could not be opened.
   tl::expected<std::uint16_t, std::string> listen(std::uint16_t port, const std::string& whose,
                                                   std::function<void(Connection&)> take);
   void start();
   bool isStarted() const;
-  /// What has not begun is never done; what a task keeps alive goes with the loop.
+  /// Tasks not started yet are dropped; what they keep alive is destroyed with the loop.
   void stop();
 
   void post(std::function<void()> task);
   /// Returns when it is done.
   void postAndWait(const std::function<void()>& task);
   void postAt(std::chrono::steady_clock::time_point time, std::function<void()> task);
-  /// For what takes milliseconds: on a worker.
+  /// For tasks of several milliseconds: runs on a worker.
   void work(std::function<void()> task);
 
  private:

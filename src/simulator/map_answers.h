@@ -10,18 +10,18 @@
 
 namespace mapwright::simulator {
 
-/// A map's PNG as the faults leave it.
+/// A map's PNG with the effects of the faults.
 std::string faultyPng(const std::string& png, const Faults& faults);
 
-/// 404 when there is none, 304 when the client has it.
+/// 404 if there is none, 304 if the client has it.
 HttpAnswer pictureAnswer(const MapPicturePtr& picture, const HttpQuestion& question, bool for_ever,
                          const Faults& faults);
-/// Bytes that a client may keep by their tag.
+/// Bytes that a client may cache by their tag.
 HttpAnswer bytesAnswer(std::shared_ptr<const std::string> bytes, const HttpQuestion& question);
-/// The binary map of a handed-in or drawn picture: what the robot would position itself by.
+/// The binary map for an uploaded or drawn picture, used for localization.
 std::shared_ptr<const std::string> pbstreamOf(const MapPicturePtr& picture);
 
-/// What every answer about a map begins with.
+/// The common members of all answers about a map.
 Value mapValue(const StoredMap& map);
 /// Adds grid_origin_x, grid_origin_y and grid_resolution; zeros without a picture.
 void addGrid(Value& value, const MapPicturePtr& picture);

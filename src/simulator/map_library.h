@@ -1,4 +1,4 @@
-// The maps that the simulated robot keeps, and which of them it works with.
+// The maps stored on the simulated robot, and its current one.
 #pragma once
 
 #include <cstdint>
@@ -17,42 +17,42 @@
 
 namespace mapwright::simulator {
 
-/// What a program may change of a map; what is absent stays.
+/// The changes that a client may make to a map; absent members stay.
 struct MapPatch {
   std::optional<std::string> name, overlays;
 };
 
-/// What has changed so far; each grows.
+/// Counters of changes; each only increases.
 struct MapEdits {
-  std::uint64_t info = 0;      // what /map/info tells of the current map
-  std::uint64_t pictures = 0;  // which map the robot works with, and its picture
+  std::uint64_t info = 0;      // the content of /map/info for the current map
+  std::uint64_t pictures = 0;  // the robot's current map, and its picture
   bool operator==(const MapEdits&) const = default;
 };
 
-/// Safe from any thread. A pure function of the scene, the seed and of what was changed since.
+/// Safe from any thread. A pure function of scene, seed and later changes.
 class MapLibrary {
  public:
   MapLibrary(const RobotState& state, std::uint32_t seed);
 
-  std::vector<StoredMap> maps() const;  // empty for a scene without any submaps
+  std::vector<StoredMap> maps() const;  // empty for a scene without submaps
   std::optional<StoredMap> find(int id) const;
   std::optional<StoredMap> current() const;
-  /// The current map as it was before anything was changed: what recordings were made with.
+  /// The current map before any change: recordings were made with it.
   const std::optional<StoredMap>& atFirst() const { return at_first_; }
 
-  /// Keeps a new map under the next id; a uid is made where it has none. nullopt when its uid is taken.
+  /// Stores a new map under the next id; creates a uid if it has none. nullopt if its uid is taken.
   std::optional<StoredMap> add(StoredMap map);
-  /// nullopt when there is no such map.
+  /// nullopt if there is no such map.
   std::optional<StoredMap> patch(int id, const MapPatch& patch);
-  /// The robot goes on working with the current map when that is taken away; its id is -1 then.
+  /// If the current map is removed the robot continues with it; its id is -1 then.
   bool remove(int id);
   void removeAll();
-  /// false when there is no such map.
+  /// false if there is no such map.
   bool setCurrent(int id);
   bool setCurrent(std::string_view uid);
-  /// Works with a map without keeping it.
+  /// Uses a map without storing it.
   void setCurrentFromData(StoredMap map);
-  /// The overlays of the current map; false when there is none.
+  /// The overlays of the current map; false if there is none.
   bool setCurrentOverlays(std::string overlays);
   /// The current map gets another picture and version.
   void change();
@@ -60,15 +60,15 @@ class MapLibrary {
 
   MapPictures& pictures() { return pictures_; }
   const Scene& scene() const { return state_.scene(); }
-  /// Null when there is nothing to see.
+  /// Null if it is empty.
   MapPicturePtr pictureOf(const StoredMap& map);
   MapPicturePtr thumbnailOf(const StoredMap& map);
-  /// The current map as /map shows it, 4 bits when the robot drew it. Null when there is none.
+  /// The current map as in /map, with 4 bits if the robot drew it. Null if there is none.
   MapPicturePtr livePicture();
 
-  /// Keeps a picture for /static-files/; returns its path without a leading slash. The last 32 stay.
+  /// Stores a picture for /static-files/; returns its path without a leading slash. The last 32 are kept.
   std::string publishStatic(std::string_view prefix, const MapPicturePtr& picture);
-  /// By the file's name: "map-<hash>.png". Null when it is not there (any more).
+  /// By file name: "map-<hash>.png". Null if it does not exist (any more).
   MapPicturePtr staticFile(std::string_view name) const;
 
  private:
@@ -83,7 +83,7 @@ class MapLibrary {
   MapPictures pictures_;
   mutable std::mutex mutex_;
   std::vector<StoredMap> maps_;       // ascending by id
-  std::optional<StoredMap> current_;  // as it is; of a kept one always the same as the kept
+  std::optional<StoredMap> current_;  // its present state; for a stored one always the same as the stored one
   std::optional<StoredMap> at_first_;
   int next_id_ = 1;
   int handed_in_ = 0;

@@ -1,4 +1,4 @@
-// What is drawn over a stored map (docs/protocols/autoxing.md, "Overlays").
+// The overlays of a stored map (docs/protocols/autoxing.md, "Overlays").
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 namespace mapwright::simulator {
 
 /// A GeoJSON FeatureCollection with every kind of feature: points with a yaw as number and as text, lines,
-/// regions, a ring that is left open, kinds that nobody knows. Placed along the drive of a trajectory.
+/// regions, an open ring, unknown kinds. Placed along a trajectory.
 std::string overlaysAlong(const Scene& scene, int trajectory);
 /// One without any features.
 std::string noOverlays();
-/// Whether a text can be a map's overlays: a JSON object with a list of features, or nothing at all.
+/// Whether a text is valid as a map's overlays: a JSON object with a list of features, or empty.
 bool isOverlays(std::string_view text);
 
 }  // namespace mapwright::simulator

@@ -1,4 +1,4 @@
-// The floor plan as occupancy grids, as a robot that has driven all of a trajectory would keep them.
+// The floor plan as occupancy grids, as mapped by a robot that has driven a whole trajectory.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct FloorCells {
   std::vector<FloorCell> cells;
 };
 
-/// An encoded picture and its place.
+/// An encoded picture and its position.
 struct MapPicture {
   std::shared_ptr<const std::string> png;
   int width = 0, height = 0;
@@ -39,35 +39,35 @@ using MapPicturePtr = std::shared_ptr<const MapPicture>;
 /// Which picture.
 struct PictureSpec {
   int trajectory = 0;
-  double resolution_m = 0.05;  // made coarser where the picture would get too large
+  double resolution_m = 0.05;  // coarser if the picture would be too large
   int bits = 8;                // 4: 0 occupied, 7 unknown, 15 free; 8: 0, 128, 255
-  int crates = 0;              // so many crates have come to stand along the way
+  int crates = 0;              // number of crates added along the route
   int scans = -1;              // >= 0: only what the first scans saw
-  double from_m = 0;           // where along the way the first scan was
-  int base = -1;               // >= 0: on top of all that this trajectory saw
+  double from_m = 0;           // position of the first scan along the route
+  int base = -1;               // >= 0: on top of everything seen on this trajectory
   auto operator<=>(const PictureSpec&) const = default;
 };
 
-/// What the scans of `spec.trajectory` saw. No cells when there is no such trajectory or no scan. Takes about
-/// a tenth of a second for an office at 5 cm.
+/// What the scans of `spec.trajectory` saw. No cells if there is no such trajectory or no scan. Takes about a
+/// tenth of a second for an office at 5 cm.
 FloorCells drawFloor(const Scene& scene, const PictureSpec& spec);
 
-/// At most 160 pixels wide and high; thin walls stay. `unknown` is the level of what nobody saw.
+/// At most 160 pixels wide and high; thin walls stay visible. `unknown` is the level of unobserved cells.
 GrayPicture thumbnailOf(const GrayPicture& picture, std::uint8_t unknown);
 
 GrayPicture grayOf(const FloorCells& cells, int bits);
 MapPicturePtr encode(const FloorCells& cells, const GrayPicture& picture, int bits);
 
-/// Makes each picture once and keeps the last ones. Safe from any thread.
+/// Makes each picture once and caches the last ones. Safe from any thread.
 class MapPictures {
  public:
   explicit MapPictures(const Scene& scene) : scene_(scene) {}
 
-  /// Null when there is nothing to see.
+  /// Null if it is empty.
   MapPicturePtr picture(const PictureSpec& spec);
   /// At most 160 pixels wide and high, 8 bits; thin walls stay.
   MapPicturePtr thumbnail(const PictureSpec& spec);
-  /// The newest cells asked for are kept, too. Null when there is nothing to see.
+  /// Also caches the last cells. Null if it is empty.
   std::shared_ptr<const FloorCells> cells(const PictureSpec& spec);
 
  private:

@@ -1,4 +1,4 @@
-// The topics that are pictures (docs/protocols/autoxing.md, "Topics that the map shows").
+// The picture topics (docs/protocols/autoxing.md, "Topics that the map shows").
 #pragma once
 
 #include <map>
@@ -20,7 +20,7 @@ class MapTopics {
   MapTopics(const RobotState& state, MapLibrary& library, const FaultPlan& faults, const Options& options)
       : state_(state), library_(library), faults_(faults), options_(options) {}
 
-  /// The current message; nullopt for other topics and where the robot has no such picture.
+  /// The current message; nullopt for other topics, and if the robot has no such picture.
   std::optional<Frame> messageOf(std::string_view topic);
 
  private:
@@ -39,7 +39,7 @@ class MapTopics {
     std::string of;  // what it was made from
     MapPicturePtr picture;
   };
-  std::map<std::string, Made, std::less<>> made_;  // by topic: what does not change is not made again
+  std::map<std::string, Made, std::less<>> made_;  // by topic: unchanged ones are reused
 };
 
 }  // namespace mapwright::simulator

@@ -1,4 +1,4 @@
-// A map that a client hands in: its fields, its picture, its name (docs/protocols/autoxing.md, "Requests").
+// A map uploaded by a client: its fields, picture and name (docs/protocols/autoxing.md, "Requests").
 #pragma once
 
 #include <optional>

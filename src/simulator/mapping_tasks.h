@@ -1,4 +1,4 @@
-// The mapping tasks of the simulated robot: those of the past, and the one that runs.
+// The mapping tasks of the simulated robot: past ones, and the running one.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct MappingTask {
   std::optional<PictureSpec> spec;  // what it made
 };
 
-/// What a mapping has seen so far; `new_only` leaves out the map that it continues.
+/// What a mapping has seen so far; `new_only` excludes the map that it continues.
 PictureSpec specOf(const MappingSpan& span, bool new_only);
 
 /// Safe from any thread. While a task runs, the robot's SLAM session is that mapping.
@@ -33,7 +33,7 @@ class MappingTasks {
   std::optional<MappingTask> find(int id) const;
   std::optional<MappingTask> running() const;
 
-  /// nullopt when one runs already.
+  /// nullopt if one is already running.
   std::optional<MappingTask> start(Mapping mapping);
   enum class End { Finished, FinishedNewOnly, Cancelled };
   /// nullopt when none runs.
@@ -41,7 +41,7 @@ class MappingTasks {
 
   enum class Removal { Removed, Missing, Running };
   Removal remove(int id);
-  /// Running, and nothing is removed, while one runs.
+  /// Running, with nothing removed, while one is running.
   Removal removeAll();
 
  private:

@@ -1,4 +1,4 @@
-// Randomness that is a pure function of its inputs: the same seed gives the same robot on every run.
+// Random numbers as pure functions: the same seed gives the same robot in every run.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ constexpr std::uint64_t hashOf(Values... values) {
 /// `h` as a number in [0, 1).
 constexpr double unitFrom(std::uint64_t h) { return static_cast<double>(h >> 11) * 0x1.0p-53; }
 
-/// A sequence of throws that starts from a seed.
+/// A random sequence with a seed.
 class Dice {
  public:
   explicit constexpr Dice(std::uint64_t seed) : state_(mix(seed)) {}

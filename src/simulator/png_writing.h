@@ -1,4 +1,4 @@
-// Pictures of gray levels as the bytes that a robot sends.
+// Encodes gray pictures as sent by robots.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +20,12 @@ std::string writePng(const GrayPicture& picture, int bits);
 /// A PNG of 3 * width * height bytes, red, green and blue, the top row first.
 std::string writeRgbPng(int width, int height, std::string_view pixels);
 
-/// The same PNG whose header (with a right checksum) declares another size.
+/// The same PNG with another size declared in its header (with a correct checksum).
 std::string withDeclaredSize(std::string png, std::uint32_t width, std::uint32_t height);
 
 std::string base64(std::string_view bytes);
 
-/// 64 hexadecimal digits that follow from the bytes: a name for them, no protection against anybody.
+/// 64 hexadecimal digits derived from the bytes: an identifier without any security.
 std::string contentHash(std::string_view bytes);
 
 }  // namespace mapwright::simulator

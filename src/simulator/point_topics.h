@@ -1,4 +1,4 @@
-// The lidar's topics in the three shapes that robots send: JSON points, packed fields, binary clouds
+// The lidar's topics in all three forms sent by robots: JSON points, packed fields, binary clouds
 // (docs/protocols/autoxing.md, "Live topics").
 #pragma once
 
@@ -17,11 +17,11 @@ namespace mapwright::simulator {
 
 struct Options;
 
-/// One scan of /scan_matched_points2 as JSON, as the robot sees it now.
+/// One scan of /scan_matched_points2 as JSON, at the present pose.
 std::string scanMessage(const RobotState& state, int points, std::uint32_t seed);
 
-/// Safe from any thread. Each scan is made once, however many listen. Above 5,000 points eight scans around
-/// the place of the first are prepared and sent in turn, so that a reader is measured and not the writer.
+/// Safe from any thread. Each scan is made once for all listeners. Above 5,000 points eight scans around the
+/// first position are prepared and sent in turn, so that the reader is measured and not the simulator.
 class PointTopics {
  public:
   PointTopics(const RobotState& state, const Options& options) : state_(state), options_(options) {}

@@ -1,4 +1,4 @@
-// What a client sends: the members of a JSON object, or the parts of a form.
+// The data of a request: the members of a JSON object, or the parts of a form.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace mapwright::simulator {
 
 class RequestFields {
  public:
-  /// nullopt when the body is neither a JSON object nor, if its content type says so, a form.
+  /// nullopt if the body is neither a JSON object nor, by its content type, a form.
   static std::optional<RequestFields> read(std::string_view content_type, std::string_view body);
 
   /// Present and not null.
@@ -23,7 +23,7 @@ class RequestFields {
   std::optional<double> number(std::string_view key) const;  // finite
   std::optional<std::int64_t> integer(std::string_view key) const;
   std::optional<bool> flag(std::string_view key) const;
-  std::optional<std::vector<double>> numbers(std::string_view key) const;  // a list of nothing else
+  std::optional<std::vector<double>> numbers(std::string_view key) const;  // only for a list of numbers
 
  private:
   static std::optional<RequestFields> readForm(std::string_view boundary, std::string_view body);

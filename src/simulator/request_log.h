@@ -1,4 +1,4 @@
-// What was asked of the simulator, and how much of it at the same time.
+// The requests to the simulator, and how many at the same time.
 #pragma once
 
 #include <chrono>
@@ -12,16 +12,16 @@
 
 namespace mapwright::simulator {
 
-/// Holds the newest million requests. Safe from any thread.
+/// Keeps the newest million requests. Safe from any thread.
 class RequestLog {
  public:
-  /// A request has come. The number names its line for finish().
+  /// A request has arrived. The number identifies its entry for finish().
   std::uint64_t begin(RequestRecord record, bool is_submap);
   /// Its last byte was written, or it was given up (status 0).
   void finish(std::uint64_t number, bool is_submap, int status, std::size_t bytes);
 
   std::vector<RequestRecord> records() const;
-  void clear();  // requests under way go on counting
+  void clear();  // requests in progress keep counting
 
  private:
   double seconds() const;
@@ -33,7 +33,7 @@ class RequestLog {
   int submaps_under_way_ = 0;
 };
 
-/// One line of the log: finished once, at the latest when it goes away.
+/// One entry of the log: finished once, at the latest by the destructor.
 class LoggedRequest {
  public:
   LoggedRequest(RequestLog& log, RequestRecord record, bool is_submap);

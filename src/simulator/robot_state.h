@@ -1,4 +1,4 @@
-// What the simulated robot knows at a moment: its clock, its SLAM session, its list of submaps, where it is.
+// The state of the simulated robot: its clock, SLAM session, submap list and pose.
 #pragma once
 
 #include <chrono>
@@ -22,39 +22,39 @@ struct ClockOptions {
   bool paused = false;
 };
 
-/// Changes whenever the list of submaps does.
+/// Changes with the list of submaps.
 struct ListStamp {
   std::uint64_t edits = 0;
   std::vector<int> scans;  // per trajectory
   bool operator==(const ListStamp&) const = default;
 };
 
-/// What a SLAM session is for.
+/// The purpose of a SLAM session.
 enum class Mapping {
-  Off,      // the robot finds its place in a finished map
+  Off,      // localization in a finished map
   New,      // a map from nothing
   Continue  // more of the finished map
 };
 
-/// The part of the live trajectory that the running mapping has driven.
+/// The part of the live trajectory driven during the running mapping.
 struct MappingSpan {
   Mapping mapping = Mapping::New;
   double from_m = 0;  // along the drive
   int scans = 0;
 };
 
-/// What people and programs have set, over what the robot would do by itself.
+/// Settings by clients that override the robot's own behaviour.
 struct Controls {
   std::optional<std::string> control_mode;  // auto, manual, remote
   std::optional<bool> emergency_stop;
 };
 
-/// Safe from any thread. Everything but the clock is a pure function of the scene, the seed and the edits.
+/// Safe from any thread. Everything except the clock is a pure function of scene, seed and edits.
 class RobotState {
  public:
   RobotState(Scene scene, std::uint32_t seed, ClockOptions clock);
 
-  /// This robot as a bag has it: at a simulated moment that stands still, without any edits.
+  /// This robot as recorded in a bag: frozen at a simulated time, without any edits.
   RobotState recordedAt(double time_s) const;
 
   const FloorPlan& plan() const { return scene_->plan; }
@@ -65,25 +65,24 @@ class RobotState {
   map::SubmapList list() const;
   ListStamp stamp() const;
   geometry::Pose2 robotPose() const { return poseAhead(0); }
-  /// Where the robot will be (or was, when negative) `metres` further on its way.
+  /// Where the robot will be (or was, if negative) `metres` further along its route.
   geometry::Pose2 poseAhead(double metres) const;
-  /// How the robot believes to stand in the world, seen from where it does: moved by setPose(), put right by
-  /// relocate().
+  /// The error of the robot's pose: set by setPose(), corrected by relocate().
   geometry::Pose2 misplacement() const;
-  /// Whether what the robot sees fits what it believes.
+  /// Whether the robot's scans match its pose.
   bool isPositioned() const;
   map::SlamState slamState() const;
   Controls controls() const;
-  /// The running mapping; nullopt when there is none.
+  /// The running mapping; nullopt if there is none.
   std::optional<MappingSpan> mapping() const;
-  /// Whether there is anything to drive through with a lidar.
+  /// Whether there is anything to map.
   bool canMap() const { return trajectoryOf(1) != nullptr; }
-  /// How many scans went into a trajectory so far; 0 when it is not there.
+  /// How many scans a trajectory has so far; 0 if it does not exist.
   int scansOf(int trajectory) const;
   /// How far the robot has driven, metres.
   double drivenMetres() const { return kSpeedMPerS * time(); }
 
-  /// The submap as it is now; nullopt when the robot has none of that name.
+  /// The present version of the submap; nullopt if there is none with that id.
   std::optional<SubmapSource> find(map::SubmapId id) const;
 
   void advance(double simulated_s);
@@ -91,10 +90,10 @@ class RobotState {
   void restartSlam();
   void remove(map::SubmapId id);
   void bump(map::SubmapId id);
-  /// The robot believes to be there from now on; with `adjust`, what is nearly right is put right.
+  /// Sets the robot's pose; with `adjust`, an almost correct one is corrected.
   void setPose(const geometry::Pose2& pose, bool adjust);
   void relocate();
-  /// Begins and ends mappings: each is a SLAM session of its own.
+  /// Starts and ends mappings: each is a SLAM session of its own.
   void setMapping(Mapping mapping);
   void setControlMode(std::string mode);
   void setEmergencyStop(bool pressed);
@@ -125,7 +124,7 @@ class RobotState {
   const std::uint32_t seed_;
   const ClockOptions clock_;
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
-  std::shared_ptr<const FixedPoses> fixed_poses_;  // of the trajectories that no restart changes
+  std::shared_ptr<const FixedPoses> fixed_poses_;  // of the trajectories that restarts do not change
   double advanced_s_ = 0;
   double session_began_s_ = 0;
   std::uint64_t session_ = 0;

@@ -11,16 +11,16 @@ using namespace mapwright::fault;  // what all rooms share
 inline constexpr FaultCode TurnIsZero{"submap",
                                       QT_TRANSLATE_NOOP("submap", "its orientation is a zero quaternion")};
 inline constexpr FaultCode PoseNotFinite{
-    "submap", QT_TRANSLATE_NOOP("submap", "its pose holds numbers that are not finite")};
+    "submap", QT_TRANSLATE_NOOP("submap", "its pose contains numbers that are not finite")};
 inline constexpr FaultCode PoseTooFar{
-    "submap", QT_TRANSLATE_NOOP("submap", "its pose lies more than 1,000 km from the map's origin")};
+    "submap", QT_TRANSLATE_NOOP("submap", "its pose is more than 1,000 km from the map's origin")};
 /// version; because: why
-inline constexpr FaultCode VersionCannotBePlaced{"submap",
-                                                 QT_TRANSLATE_NOOP("submap", "Version %1 cannot be placed")};
+inline constexpr FaultCode VersionCannotBePlaced{
+    "submap", QT_TRANSLATE_NOOP("submap", "The position of version %1 is unknown")};
 
 // The list of submaps.
 inline constexpr FaultCode ListedTwice{"submap",
-                                       QT_TRANSLATE_NOOP("submap", "It is listed twice. Counted once.")};
+                                       QT_TRANSLATE_NOOP("submap", "It is listed twice. It counts once.")};
 inline constexpr FaultCode ListedTwiceUnlike{
     "submap",
     QT_TRANSLATE_NOOP("submap",
@@ -29,13 +29,14 @@ inline constexpr FaultCode ListedTwiceUnlike{
 inline constexpr FaultCode VersionWentBack{
     "submap",
     QT_TRANSLATE_NOOP(
-        "submap", "Its version went back from %1 to %2. The newer picture stays unless the robot insists.")};
+        "submap",
+        "Its version went back from %1 to %2. The newer picture stays unless the robot repeats it.")};
 
 // The pictures of submaps.
 inline constexpr FaultCode SlicePoseUnusable{
     "submap",
     QT_TRANSLATE_NOOP("submap",
-                      "its slice pose is not usable (a number that is not finite, or a zero quaternion)")};
+                      "its slice pose is not valid (a number that is not finite, or a zero quaternion)")};
 /// slice; because: what is wrong with it
 inline constexpr FaultCode OneSlice{"submap", QT_TRANSLATE_NOOP("submap", "slice %1"),
                                     FaultCode::Causes::Continued};

@@ -1,5 +1,5 @@
-// Which submap to ask for next. Pure state with the time handed in; no clocks, no threads, no network.
-// Source: docs/protocols/cartographer-submaps.md, "Versions, caching and fetching".
+// Which submap to request next. Pure state; time is passed in; no clocks, no threads, no network. Source:
+// docs/protocols/cartographer-submaps.md, "Versions, caching and fetching".
 #pragma once
 
 #include <chrono>
@@ -24,56 +24,56 @@ using Millis = std::chrono::milliseconds;
 
 struct SchedulerOptions {
   int max_concurrent = 4;
-  Millis cooldown{3'000};         // after a failure, before that submap is tried again
-  Millis cooldown_limit{60'000};  // the wait doubles up to this
-  Millis min_interval{250};       // between two queries of one submap
+  Millis cooldown{3'000};         // delay after a failure before that submap is retried
+  Millis cooldown_limit{60'000};  // the delay doubles up to this
+  Millis min_interval{250};       // between two requests for one submap
   std::uint32_t jitter_seed = 1;
 };
 
-/// Where the wanted version of a submap stands.
+/// The state of the wanted version of a submap.
 enum class FetchState {
-  Idle,      // nothing to do: have it, or not wanted
-  Queued,    // will be asked for
-  Fetching,  // is being asked for
+  Idle,      // nothing to do: loaded, or not wanted
+  Queued,    // will be requested
+  Fetching,  // request in progress
   Missing,   // 404 for this version
-  Waiting,   // failed; waits for its next try
+  Waiting,   // failed; waits for a retry
 };
 
-/// Decides which keys go out. One fetch per key while it is wanted, at most max_concurrent at a time and one
-/// per submap; a 404 is remembered for its key; any other failure makes that submap wait (backoff with
-/// jitter). Keys of another uuid, superseded versions and unwanted submaps are never sent. What is in view
-/// goes first, then by distance. No call but clear ones (setUuid, retryNow) costs more with more submaps.
+/// Decides which keys to request. One fetch per key while it is wanted, at most max_concurrent at a time and
+/// one per submap; a 404 is remembered for its key; any other failure makes that submap wait (backoff with
+/// jitter). Keys of another uuid, superseded versions and unwanted submaps are never requested. Visible ones
+/// come first, then by distance. Only bulk calls (setUuid, retryNow) cost more with more submaps.
 class FetchScheduler {
  public:
   explicit FetchScheduler(SchedulerOptions options = {});
 
-  /// A new SLAM session: forgets everything of the old one. Answers still under way keep their slot until
+  /// A new SLAM session: drops everything of the old one. Requests in progress keep their slot until
   /// answered().
   void setUuid(const std::string& uuid);
-  /// A new list arrived: submaps that wait for one (UUID_MISMATCH) may be tried again. Returns them.
+  /// A new list arrived: submaps that wait for one (UUID_MISMATCH) may be retried. Returns them.
   std::vector<map::SubmapId> listArrived();
-  /// The robot lists `version` of `id`. Satisfied or remembered versions cause nothing.
+  /// The robot lists `version` of `id`. Does nothing for loaded or remembered versions.
   void want(map::SubmapId id, std::int32_t version);
   /// The submap left the list.
   void unwant(map::SubmapId id);
-  /// What was answered for this key is not at hand (of no use, or lost since): it is asked for once more, if
-  /// it is still the one that is wanted.
+  /// The answer for this key is not available (unusable, or lost since): requests it once more if it is still
+  /// wanted.
   void again(const map::SubmapKey& key);
-  /// Forgets waits and remembered 404s, so that everything not yet satisfied is tried at once. Returns those
-  /// that had failed or were missing.
+  /// Drops waits and remembered 404s, so that everything missing is tried at once. Returns those that had
+  /// failed or were missing.
   std::vector<map::SubmapId> retryNow();
 
-  /// Where a wanted submap lies, metres in the world, and whether anybody wants to see it. Without a word: at
-  /// the origin, visible.
+  /// The position of a wanted submap, metres in the world, and whether it is hidden. By default: at the
+  /// origin, visible.
   void place(map::SubmapId id, const Eigen::Vector2d& at, bool hidden);
-  /// What the user looks at.
+  /// The visible area.
   void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m);
 
-  /// Keys to send now; they count as under way until answered().
+  /// Keys to request now; they count as in progress until answered().
   std::vector<map::SubmapKey> take(Millis now);
-  /// When take() may have something new without any other event; nullopt = not before another event.
+  /// When take() may return something new without any other event; nullopt = only after another event.
   std::optional<Millis> nextDue(Millis now) const;
-  /// An answer for a key that take() gave. `answered_version` is the answer's own version (0 = unsaid).
+  /// The answer for a key from take(). `answered_version` is the answer's own version (0 = not stated).
   void answered(const map::SubmapKey& key, map::SubmapAnswer::Outcome outcome, std::int32_t answered_version,
                 Millis now);
 
@@ -82,20 +82,20 @@ class FetchScheduler {
   std::optional<Millis> retryAt(map::SubmapId id) const;  // while Waiting
   int underWay() const { return int(under_way_.size()); }
   int queued() const { return queued_; }
-  /// Nothing is to be had without waiting for another try of what failed at least `tries` times.
+  /// Nothing more can be loaded without retrying what failed at least `tries` times.
   bool settled(int tries) const;
 
  private:
   struct Wish {
     std::int32_t wanted = 0;
-    std::int32_t satisfied = -1;  // highest version that was answered
+    std::int32_t satisfied = -1;  // highest version received
     bool any_answer = false;
     std::vector<std::int32_t> not_found;  // versions that gave 404
     int failures = 0;
     bool waits_for_list = false;
     Millis not_before{0};
     bool fetching = false;
-    bool failed = false;  // last try failed and has not been repeated
+    bool failed = false;  // the last attempt failed and has not been repeated
     bool hidden = false;
     Eigen::Vector2d at{0, 0};
     // Where it is filed: see file().
@@ -116,13 +116,13 @@ class FetchScheduler {
   std::string uuid_;
   Wishes wishes_;
   std::vector<map::SubmapKey> under_way_;
-  NearestFirst line_;                                 // open, and may go out as far as is known
+  NearestFirst line_;                                 // open, and can be requested as far as known
   std::set<std::pair<Millis, map::SubmapId>> rests_;  // open, but not before that time
   std::unordered_set<map::SubmapId> troubled_;        // had a failure or a 404
   std::unordered_set<map::SubmapId> waits_for_list_;
   std::map<int, int> failing_;  // how many are Waiting, by their failures in a row
   int queued_ = 0;
-  Millis now_{0};  // the latest that anybody told
+  Millis now_{0};  // the latest time passed in
   std::minstd_rand random_;
 };
 

@@ -1,4 +1,4 @@
-// Which of many places to go to next. Pure state.
+// Chooses the nearest of many positions. Pure state.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,12 @@
 
 namespace mapwright::submap {
 
-/// Submaps that wait in a line: those in view first, then the others, each nearest to the middle of the view
-/// first, and the hidden ones last of all. Filed by place, so that neither a change nor another view costs a
-/// walk over all of them: a view is looked at only when somebody asks for the next one, and then square by
-/// square.
+/// A queue of submaps: visible ones first, then the others, each by distance from the centre of the view, and
+/// hidden ones last. Indexed by position, so that neither a change nor another view visits all of them: a
+/// view is only evaluated when the next one is taken, square by square.
 class NearestFirst {
  public:
-  /// Adds or moves. Places in metres, in the world.
+  /// Adds or moves. Positions in metres, in the world.
   void put(map::SubmapId id, const Eigen::Vector2d& at, bool hidden);
   void remove(map::SubmapId id);
   void clear();
@@ -51,8 +50,8 @@ class NearestFirst {
   std::vector<map::SubmapId> hidden_;
   geometry::WorldRect view_;
   Eigen::Vector2d center_{0, 0};
-  std::vector<map::SubmapId> plan_;  // the next ones, best last; some may be gone since
-  double plan_reach_ = 0;            // who comes in nearer than this belongs into the plan
+  std::vector<map::SubmapId> plan_;  // the next ones, best last; some may be gone
+  double plan_reach_ = 0;            // anything nearer than this belongs into the plan
 };
 
 }  // namespace mapwright::submap

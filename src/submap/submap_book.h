@@ -1,6 +1,6 @@
-// The submaps of the present SLAM session: what the robot lists, what is held, and where it lies.
-// Pure state on the GUI thread. Source: docs/protocols/cartographer-submaps.md, "Geometry", "Versions,
-// caching and fetching".
+// The submaps of the present SLAM session: the robot's list, the loaded pictures, and their positions. Pure
+// state on the GUI thread. Source: docs/protocols/cartographer-submaps.md, "Geometry", "Versions, caching and
+// fetching".
 #pragma once
 
 #include <cstdint>
@@ -25,48 +25,48 @@ struct Slice {
   std::shared_ptr<const cells::CellTexture> texture;
   geometry::Pose3 slice_pose;
   std::int32_t z_level = 0;
-  Fault corrupt;  // why it cannot be drawn; none when fine or simply absent
+  Fault corrupt;  // why it cannot be drawn; none if fine or absent
 };
 
-/// A submap decoded off the GUI thread, waiting to be committed.
+/// A submap decoded off the GUI thread, ready to be committed.
 struct DecodedSubmap {
   map::SubmapKey key;
-  std::int32_t version = 0;  // the answer's own, or the key's when the answer said none
+  std::int32_t version = 0;  // the answer's own, or the key's if it has none
   std::vector<Slice> slices;
   std::size_t bytes = 0;
 };
 
-/// Everything known of one listed submap.
+/// Everything known about one listed submap.
 struct SubmapRow {
-  map::SubmapEntry entry;  // the newest usable list entry
+  map::SubmapEntry entry;  // the newest valid list entry
   bool pose_usable = false;
-  FaultCode pose_problem;           // why not
-  bool stale_texture = false;       // texture kept while a lower version was listed (see SubmapBook::apply)
-  std::int32_t shown_version = -1;  // -1 = nothing held
+  FaultCode pose_problem;      // why not
+  bool stale_texture = false;  // a lower version was listed, and the texture is kept (see SubmapBook::apply)
+  std::int32_t shown_version = -1;  // -1 = nothing loaded
   std::vector<Slice> slices;
   std::size_t texture_bytes = 0;
-  bool visible = true;  // by the user's choice
+  bool visible = true;  // the user's choice
 
   bool active() const { return !entry.is_frozen; }
-  /// It has a place and a picture of this slice: what is counted as shown, wherever it is counted.
+  /// It has a position and a picture of this slice: the definition of "shown" for all counters.
   bool drawable(int slice) const;
-  /// Why slices are not drawn; empty when all that came are fine.
+  /// Why slices are not drawn; empty if all received ones are fine.
   std::vector<Fault> corruptSlices() const;
 };
 
 /// What a list or a commit changed.
 struct BookChange {
-  bool new_session = false;           // everything of before is gone
+  bool new_session = false;           // everything before was dropped
   bool set_changed = false;           // submaps were added or removed
-  std::vector<map::SubmapId> listed;  // new, or listed otherwise than before
-  std::vector<map::SubmapId> placed;  // pose, texture or flags changed: draw again
+  std::vector<map::SubmapId> listed;  // new, or changed in the list
+  std::vector<map::SubmapId> placed;  // pose, texture or flags changed: redraw
   std::vector<map::SubmapId> removed;
-  std::vector<map::SubmapId> restarted;  // version went back for good: forget what was fetched
+  std::vector<map::SubmapId> restarted;  // version went back permanently: drop what was fetched
   std::vector<map::Problem> problems;
-  std::vector<map::Recovery> recoveries;  // what was wrong before and is well now
+  std::vector<map::Recovery> recoveries;  // former problems that are resolved now
 };
 
-/// Where one slice lies.
+/// The pose of one slice.
 struct Placement {
   std::shared_ptr<const cells::CellTexture> texture;
   geometry::Pose2 world_from_texture;
@@ -76,23 +76,23 @@ class SubmapBook {
  public:
   using Rows = std::map<map::SubmapId, SubmapRow>;
 
-  /// Takes over what a list says otherwise than the one that was applied before it. A pose that is not usable
-  /// leaves the last good one; a version below the shown one keeps the newer picture until kBackwardLists
-  /// lists in a row insist on it. Costs what has changed.
+  /// Applies the differences to the previous list. An invalid pose keeps the last valid one; a version below
+  /// the shown one keeps the newer picture until kBackwardLists lists in a row repeat it. The cost depends on
+  /// the changes.
   BookChange apply(const ListDifference& list);
-  /// The same of a whole list.
+  /// The same with a whole list.
   BookChange apply(const map::SubmapList& list);
   static constexpr int kBackwardLists = 3;
   /// As before the first list.
   BookChange clear();
-  /// What the next list is to be compared with.
+  /// The base for comparing the next list.
   const ListedBefore& listedBefore() const { return listed_before_; }
 
-  /// Puts a decoded submap on screen. Ignored (empty change) when it is of another session, no longer listed
-  /// or older than what is shown.
+  /// Shows a decoded submap. Ignored (empty change) if it is of another session, no longer listed or older
+  /// than what is shown.
   BookChange commit(DecodedSubmap decoded);
 
-  /// The picture is not at hand any more; the place stays. Empty when there was none.
+  /// The picture is lost; the position stays. Empty if there was none.
   BookChange lose(map::SubmapId id);
 
   void setVisible(map::SubmapId id, bool visible);
@@ -105,17 +105,17 @@ class SubmapBook {
   std::size_t textureBytes() const { return texture_bytes_; }
   int frozenCount() const { return frozen_; }
 
-  /// Where slice `slice` of the submap is drawn; nullopt when it has no such slice, no texture or no usable
-  /// pose.
+  /// The pose at which slice `slice` of the submap is drawn; nullopt if it has no such slice, no texture or
+  /// no valid pose.
   std::optional<Placement> placement(map::SubmapId id, int slice) const;
-  /// World bounds of that slice, or a point at the submap's pose while nothing is held; empty without a
-  /// usable pose.
+  /// World bounds of that slice, or a point at the submap's pose while nothing is loaded; empty without a
+  /// valid pose.
   geometry::WorldRect bounds(map::SubmapId id, int slice) const;
   int maxSlices() const { return with_slices_.empty() ? 0 : int(with_slices_.rbegin()->first); }
 
  private:
   void take(const ListedEntry& listed, BookChange& change);
-  /// The version that the robot lists against the one on screen.
+  /// Compares the listed version with the one on screen.
   void weighVersion(map::SubmapId id, SubmapRow& row, BookChange& change);
   void forget(Rows::iterator at);
   void countSlices(std::size_t before, std::size_t now);
@@ -125,17 +125,17 @@ class SubmapBook {
   bool list_received_ = false;
   Rows rows_;
   ListedBefore listed_before_;
-  std::set<map::SubmapId> ahead_;  // on screen with a later version than is listed
+  std::set<map::SubmapId> ahead_;  // on screen with a later version than listed
   std::map<map::SubmapId, int> backward_lists_;
   std::set<map::SubmapId> listed_twice_;
   bool rows_rejected_ = false;
   std::size_t texture_bytes_ = 0;
   int frozen_ = 0;
-  std::map<std::size_t, int> with_slices_;  // how many have so many slices
+  std::map<std::size_t, int> with_slices_;  // how many have this many slices
 };
 
-/// Unpacks and checks the slices of an answer. Pure and slow (milliseconds): for worker threads.
-/// `corrupt` of a slice says what is wrong with it; the others are unharmed.
+/// Unpacks and checks the slices of an answer. Pure and slow (milliseconds): for worker threads. `corrupt`
+/// says what is wrong with a slice; the others are unaffected.
 DecodedSubmap decode(const map::SubmapAnswer& answer);
 
 }  // namespace mapwright::submap

@@ -1,4 +1,4 @@
-// Numbers as sentences show them.
+// Formats numbers for sentences.
 #pragma once
 
 #include <cstdint>

@@ -1,12 +1,12 @@
-// Names of others as names of files.
+// Makes file names from untrusted names.
 #pragma once
 
 #include "words/qt_plain.h"
 
 namespace mapwright::words {
 
-/// A name that every system takes, and that leads nowhere else: without control characters, separators and a
-/// dot in front. `otherwise`, where nothing is left of it.
+/// A name that is valid on every system and cannot lead to another folder: without control characters,
+/// separators and a leading dot. `otherwise`, if nothing is left.
 inline QString fileName(const QString& name, const QString& otherwise) {
   QString file = plainName(name);
   for (QChar& letter : file) {

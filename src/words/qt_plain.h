@@ -1,4 +1,4 @@
-// words/plain.h for those who speak Qt.
+// words/plain.h for QString.
 #pragma once
 
 #include <QByteArray>
@@ -15,7 +15,7 @@ inline QString plainLine(const QString& text) {
 inline QString plainText(const QString& text) {
   return QString::fromStdString(plainText(std::string_view(text.toStdString())));
 }
-/// A name: one line without blanks around it, single ones in it.
+/// A name: one line, trimmed, with single blanks.
 inline QString plainName(const QString& name) { return plainLine(name).simplified(); }
 inline QString plainName(const std::string& name) { return plainName(QString::fromStdString(name)); }
 inline QByteArray escapedJson(const QByteArray& json) {

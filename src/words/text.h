@@ -1,4 +1,4 @@
-// Texts of the core (UTF-8) as Qt's.
+// Converts texts of the core (UTF-8) to QString.
 #pragma once
 
 #include <string>

@@ -1,18 +1,18 @@
-// How much memory the program's caches may take together, and who gets which part of it.
+// How much memory the program's caches may use together, and its distribution.
 #pragma once
 
 #include <cstddef>
 
 namespace mapwright::work {
 
-/// One account for all caches in memory, bytes: what they may hold, or what they do. What is on screen is
-/// never given up, whatever it takes; these bound what is kept for later.
+/// The memory of all caches in bytes: their limits, or their present use. Visible data is never dropped; the
+/// limits concern data kept for later.
 struct Budgets {
   std::size_t textures = 0;    // submaps' cells, packed
-  std::size_t dense = 0;       // submaps' cells, laid out for the compositor
-  std::size_t tiles = 0;       // of submaps: the view's, and of coarser levels
-  std::size_t grid_tiles = 0;  // of all whole maps, costmaps and differences: the views'
-  std::size_t unpacked = 0;    // cells of whole maps that were looked at last
+  std::size_t dense = 0;       // submaps' cells, prepared for drawing
+  std::size_t tiles = 0;       // of submaps: of the view, and of coarser levels
+  std::size_t grid_tiles = 0;  // of the views of all whole maps, costmaps and differences
+  std::size_t unpacked = 0;    // recently used cells of whole maps
   std::size_t regions = 0;     // cells of maps by regions
 
   std::size_t all() const { return textures + dense + tiles + grid_tiles + unpacked + regions; }
@@ -26,7 +26,7 @@ struct Budgets {
 inline constexpr std::size_t kLeastBudget = std::size_t(128) << 20;
 inline constexpr std::size_t kUsualBudget = std::size_t(768) << 20;
 
-/// Shares `bytes` out (at least kLeastBudget).
+/// Distributes `bytes` (at least kLeastBudget).
 Budgets budgetsFrom(std::size_t bytes = kUsualBudget);
 
 }  // namespace mapwright::work

@@ -243,7 +243,7 @@ class CommandLineTest : public QObject {
     QTest::newRow("missing") << QStringLiteral("--error-rate 0.4 --error-status 404") << 1;
     QTest::newRow("none at all") << QStringLiteral("--error-rate 1 --error-status 404") << 1;
     QTest::newRow("corrupt") << QStringLiteral("--wrong-size-rate 0.4") << 1;
-    QTest::newRow("without a place") << QStringLiteral("--bad-entries") << 1;
+    QTest::newRow("without a position") << QStringLiteral("--bad-entries") << 1;
   }
   void submapsWithHolesAreNotComplete() {
     QFETCH(QString, fault);

@@ -212,7 +212,7 @@ class DispatchCommandsTest : public QObject {
     QFile report(file("odd.json"));
     QVERIFY(report.open(QIODevice::ReadOnly));
     const QByteArray told = report.readAll();
-    QCOMPARE(told.count("neither -1 nor 0 to 100"), 1);
+    QCOMPARE(told.count("outside the range of -1 to 100"), 1);
   }
 
   void aRobotThatGivesLittleAtOnceIsAskedInPieces_data() {
@@ -293,7 +293,7 @@ class DispatchCommandsTest : public QObject {
     QCOMPARE(there({text("projections"), text("set"), text("--none")}).exit_code, 0);
     const Ran unknown = there({text("projections"), text("list")});
     QCOMPARE(unknown.exit_code, 1);
-    QVERIFY2(unknown.error.contains("cannot be told"), unknown.error.constData());
+    QVERIFY2(unknown.error.contains("projections are unknown"), unknown.error.constData());
     QVERIFY(unknown.out.isEmpty());
   }
 
@@ -303,7 +303,8 @@ class DispatchCommandsTest : public QObject {
     QTest::addColumn<int>("exit_code");
     QTest::addColumn<QByteArray>("said");
     QTest::newRow("as it should be") << QByteArray() << QByteArray() << 0 << QByteArray();
-    QTest::newRow("larger") << QByteArray("pad") << QByteArray() << 0 << QByteArray("beyond the region");
+    QTest::newRow("larger") << QByteArray("pad") << QByteArray() << 0
+                            << QByteArray("outside the requested region");
     QTest::newRow("elsewhere") << QByteArray("elsewhere") << QByteArray() << 1
                                << QByteArray("another region");
     QTest::newRow("cut off") << QByteArray() << QByteArray("data") << 1 << QByteArray("cut off");

@@ -168,7 +168,7 @@ class KabamWaypointsTest : public QObject {
     robot_->otherOperator();
     const Outcome renamed = run({QStringLiteral("rename"), first, QStringLiteral("Mine")});
     QCOMPARE(renamed.code, 4);
-    QVERIFY2(renamed.err.contains(QStringLiteral("Nothing has been sent")), qPrintable(renamed.err));
+    QVERIFY2(renamed.err.contains(QStringLiteral("Nothing was sent")), qPrintable(renamed.err));
     QCOMPARE(timesCalled("rename_waypoint"), 0);
   }
 };

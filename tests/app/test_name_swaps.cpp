@@ -316,7 +316,7 @@ class NameSwapsTest : public QObject {
         QCOMPARE(sent.left_names.size(), std::size_t(1));
         QCOMPARE(sent.left_names.front().name, std::string("alfa ~1"));
         QVERIFY(!sent.left_names.front().certain);
-        QVERIFY2(sent.sentence().contains(QStringLiteral("\"alfa\" may have the temporary name \"alfa ~1\"")),
+        QVERIFY2(sent.sentence().contains(QStringLiteral("\"alfa\" may temporarily be called \"alfa ~1\"")),
                  qPrintable(sent.sentence()));
         store.mend();
         QVERIFY(apply(store, planOf(trial), app::AtFailure::Stop).complete());

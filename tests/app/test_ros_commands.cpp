@@ -108,7 +108,7 @@ class RosCommandsTest : public QObject {
                           QStringLiteral("--robot"), kabam()});
     QCOMPARE(bare.exit_code, 1);
     QCOMPARE(bare.error.count('\n'), 1);
-    QVERIFY2(bare.error.contains("only the map that it works with"), bare.error.constData());
+    QVERIFY2(bare.error.contains("only sends its current map"), bare.error.constData());
     const QJsonObject told = QJsonDocument::fromJson(bare.out).object();
     QCOMPARE(told[QLatin1String("id")].toString(), other);
     QVERIFY(!told[QLatin1String("name")].toString().isEmpty());
@@ -257,7 +257,7 @@ class RosCommandsTest : public QObject {
     QCOMPARE(json(applied)[QLatin1String("applied")].toInt(), 1);
     QCOMPARE(json(waypoints(QStringLiteral("get New --json")))[QLatin1String("x")].toDouble(), 3.0);
     const Ran twice = waypoints(QStringLiteral("create Last --at 1,2"));
-    QVERIFY2(twice.exit_code == 4 && twice.error.contains("has not been changed"), twice.error.constData());
+    QVERIFY2(twice.exit_code == 4 && twice.error.contains("was not changed"), twice.error.constData());
     QVERIFY(waypoints(QStringLiteral("delete New Last --yes")).exit_code == 0);
   }
 
@@ -279,7 +279,7 @@ class RosCommandsTest : public QObject {
     const QJsonObject change = json(planned)[QLatin1String("changes")].toArray().first().toObject();
     QVERIFY2(!change.contains(QLatin1String("type")), planned.out.constData());
     QCOMPARE(change[QLatin1String("yaw_rad")], QJsonValue(0.0));
-    for (const char* word : {"Types are not kept here", "Every waypoint has a heading here"})
+    for (const char* word : {"Waypoint types cannot be stored here", "Every waypoint needs a heading here"})
       QVERIFY2(planned.error.contains(word), planned.error.constData());
     const Ran imported = waypoints(QStringLiteral("import --json ") + csv);
     QVERIFY2(imported.exit_code == 0, (imported.out + imported.error).constData());
@@ -338,7 +338,8 @@ class RosCommandsTest : public QObject {
              QStringLiteral("--robot"), ros(), QStringLiteral("-o"), folder.filePath(QStringLiteral("a.png")),
              QStringLiteral("--report"), folder.filePath(QStringLiteral("r.json"))});
     QCOMPARE(ran.exit_code, 4);
-    QVERIFY2(ran.error.contains("It sends no map now. Topic /static_map: "), ran.error.constData());
+    QVERIFY2(ran.error.contains("It is sending no map at the moment. Topic /static_map: "),
+             ran.error.constData());
     QVERIFY(bytesOf(folder.filePath(QStringLiteral("r.json"))).size() < 10'000);
   }
 

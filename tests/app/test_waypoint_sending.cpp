@@ -116,7 +116,7 @@ class WaypointSendingTest : public QObject {
     QVERIFY(!json[QStringLiteral("complete")].toBool());
     const QJsonObject row = json[QStringLiteral("failed")].toArray().first().toObject();
     QCOMPARE(row[QStringLiteral("name")].toString(), QStringLiteral("Ada"));
-    QVERIFY(row[QStringLiteral("sentence")].toString().startsWith(QStringLiteral("It has not been changed")));
+    QVERIFY(row[QStringLiteral("sentence")].toString().startsWith(QStringLiteral("It was not changed")));
   }
 
   void whoseAnswerIsLostIsLookedAt() {
@@ -143,7 +143,7 @@ class WaypointSendingTest : public QObject {
     const auto sent = app::sendWaypoints(list, threeMoves(store), app::AtFailure::GoOn);
     QVERIFY(sent.has_value());
     QCOMPARE(states(*sent), QStringLiteral("UNN"));
-    QVERIFY2(sent->sentence().contains(QStringLiteral("Whether it has been changed is not known")),
+    QVERIFY2(sent->sentence().contains(QStringLiteral("Whether it was changed is unknown")),
              qPrintable(sent->sentence()));
   }
 
@@ -177,7 +177,7 @@ class WaypointSendingTest : public QObject {
     QVERIFY(sent.has_value());
     QCOMPARE(states(*sent), QStringLiteral("UNN"));
     QCOMPARE(sent->exitCode(), int(app::kIncomplete));
-    QVERIFY2(sent->sentence().contains(QStringLiteral("Ada: Whether it has been changed is not known")),
+    QVERIFY2(sent->sentence().contains(QStringLiteral("Ada: Whether it was changed is unknown")),
              qPrintable(sent->sentence()));
     const QJsonObject json = app::sentJson(*sent, "1");
     QCOMPARE(json[QStringLiteral("unknown")].toArray().size(), 1);
@@ -197,8 +197,7 @@ class WaypointSendingTest : public QObject {
     QCOMPARE(sent->conflicts.size(), std::size_t(1));
     QCOMPARE(sent->exitCode(), int(app::kRobotError));
     QVERIFY(store.asked.empty());
-    QVERIFY2(sent->sentence().contains(QStringLiteral("Nothing has been sent")),
-             qPrintable(sent->sentence()));
+    QVERIFY2(sent->sentence().contains(QStringLiteral("Nothing was sent")), qPrintable(sent->sentence()));
   }
 
   void whatDoesNotGoThroughInTimeIsGivenUp() {

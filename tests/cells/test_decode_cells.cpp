@@ -163,13 +163,12 @@ class TestDecodeCells : public QObject {
 
   void refusesImpossibleAnnouncements() {
     const Bytes one{7};
-    QCOMPARE(sentenceOf(one, 0, 5), QStringLiteral("the texture is announced with 0 x 5 cells"));
-    QCOMPARE(sentenceOf(one, 5, -1), QStringLiteral("the texture is announced with 5 x -1 cells"));
+    QCOMPARE(sentenceOf(one, 0, 5), QStringLiteral("the texture claims to have 0 x 5 cells"));
+    QCOMPARE(sentenceOf(one, 5, -1), QStringLiteral("the texture claims to have 5 x -1 cells"));
     const int huge = std::numeric_limits<int>::max();
     QCOMPARE(sentenceOf(one, huge, huge),
-             QStringLiteral(
-                 "the texture is announced with 2,147,483,647 x 2,147,483,647 cells; at most 67,108,864 "
-                 "are allowed"));
+             QStringLiteral("the texture claims to have 2,147,483,647 x 2,147,483,647 cells; at most "
+                            "67,108,864 are allowed"));
     QVERIFY(sentenceOf(one, 65536, 65536).contains(QStringLiteral("at most 67,108,864")));
     QVERIFY(sentenceOf(one, 8193, 8192).contains(QStringLiteral("at most 67,108,864")));
     QCOMPARE(sentenceOf(one, 8192, 8192),
@@ -196,8 +195,9 @@ class TestDecodeCells : public QObject {
   }
 
   void refusesUnknownFormatsOfOneByte() {
-    QCOMPARE(sentenceOf(Bytes(100, 5), 10, 10, 3),
-             QStringLiteral("cell format 3 is unknown: with one byte a cell only 0, 1 and 2 can be read"));
+    QCOMPARE(
+        sentenceOf(Bytes(100, 5), 10, 10, 3),
+        QStringLiteral("cell format 3 is unknown: with one byte per cell only 0, 1 and 2 are supported"));
     QVERIFY(sentenceOf(Bytes(100, 5), 10, 10, -7).startsWith(QStringLiteral("cell format -7 is unknown")));
     const auto picture = samples::noise(10, 10, Colour::Gray, 8, false);
     QVERIFY(sentenceOf(samples::png(picture), 10, 10, 1000).startsWith(QStringLiteral("cell format 1,000")));
@@ -207,7 +207,7 @@ class TestDecodeCells : public QObject {
 
   void refusesAPngOfAnotherSize() {
     const auto picture = samples::noise(10, 12, Colour::Gray, 8, false);
-    const auto expected = QStringLiteral("the PNG is %1 x %2 where %3 was announced");
+    const auto expected = QStringLiteral("the PNG is %1 x %2 but should be %3");
     QCOMPARE(sentenceOf(samples::png(picture), 20, 20),
              expected.arg(10).arg(12).arg(QStringLiteral("20 x 20")));
     QCOMPARE(sentenceOf(samples::png(picture), 12, 10),
@@ -219,7 +219,7 @@ class TestDecodeCells : public QObject {
                           QStringLiteral("10 x 12")));
     // Even when its file has as many bytes as raw cells would have.
     const Bytes file = samples::png(picture);
-    QVERIFY(sentenceOf(file, int(file.size()), 1).startsWith(QStringLiteral("the PNG is 10 x 12 where")));
+    QVERIFY(sentenceOf(file, int(file.size()), 1).startsWith(QStringLiteral("the PNG is 10 x 12 but")));
   }
 
   void refusesWhatIsCutOffOrDamaged_data() {

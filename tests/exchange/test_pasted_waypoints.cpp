@@ -87,7 +87,7 @@ class TestPastedWaypoints : public QObject {
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<QString>("says");
     QTest::newRow("empty") << QByteArray() << QStringLiteral("empty");
-    QTest::newRow("words") << QByteArray("Hello there") << QStringLiteral("No two columns");
+    QTest::newRow("words") << QByteArray("Hello there") << QStringLiteral("two adjacent columns");
     QTest::newRow("heading") << QByteArray("name\tx\ty\theading\na\t1\t2\tnorth\n")
                              << QStringLiteral("Line 2: the heading");
     QTest::newRow("no utf-8") << QByteArray("a\xff\t1\t2") << QStringLiteral("UTF-8");

@@ -21,8 +21,8 @@ Row failedRow(FailureKind kind, Applied applied) {
   return {{}, Row::State::Failed, failure};
 }
 
-const QString kUnchanged = QStringLiteral("It has not been changed");
-const QString kNotKnown = QStringLiteral("Whether it has been changed is not known");
+const QString kUnchanged = QStringLiteral("It was not changed");
+const QString kNotKnown = QStringLiteral("Whether it was changed is unknown");
 
 }  // namespace
 
@@ -65,7 +65,8 @@ class SentOutcomeTest : public QObject {
     QCOMPARE(taken.state, SentState::Applied);
     const SentOutcome gone = exchange::judged(taken, false);
     QCOMPARE(gone.state, SentState::Failed);
-    QCOMPARE(exchange::sentenceOf(gone), QStringLiteral("It was taken, but afterwards it is not so."));
+    QCOMPARE(exchange::sentenceOf(gone),
+             QStringLiteral("The robot accepted the change, but it has no effect."));
   }
 
   void whatIsUnderWayIsNotKnownYet() {

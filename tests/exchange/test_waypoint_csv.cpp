@@ -111,19 +111,19 @@ class WaypointCsvTest : public QObject {
       QTest::newRow(name) << QByteArray(text) << QString::fromLatin1(says);
     };
     row("empty", "", "empty");
-    row("no header", "1,2,3\n", "Line 1: it names neither");
-    row("column twice", "id,ID\n", "Line 1: the column \"id\" is there twice");
-    row("x alone", "id,x\n", "Line 1: of the columns x and y");
+    row("no header", "1,2,3\n", "Line 1: there is neither");
+    row("column twice", "id,ID\n", "Line 1: the column \"id\" appears twice");
+    row("x alone", "id,x\n", "Line 1: only one of the columns x and y");
     row("too few fields", "id,name\n1,a\n2\n", "Line 3: it has 1 fields");
     row("comma", "name,x,y\na,\"1,5\",2\n", "Line 2: x \"1,5\"");
     row("no number", "name,x,y\na,nan,2\n", "Line 2: x \"nan\"");
     row("half a place", "name,x,y\na,1,\n", "Line 2: x \"1\" and y \"\"");
     row("no turn", "name,yaw_rad\na,90 deg\n", "Line 2: yaw_rad");
-    row("open quote", "id,name\n1,\"a\n2,b\n", "Line 2: a quote is not closed");
-    row("quote inside", "id,name\n1,a\"b\"\n", "Line 2: a quote stands in the middle");
-    row("after a quote", "id,name\n1,\"a\"b\n", "Line 2: something follows");
-    row("other frame", "name,frame\na,odom\n", "Line 2: it is told in the frame \"odom\"");
-    row("tags", "name,tags\na,\"x,\"\"y\"\nb,\n", "Line 2: its tags");
+    row("open quote", "id,name\n1,\"a\n2,b\n", "Line 2: a quote is missing");
+    row("quote inside", "id,name\n1,a\"b\"\n", "Line 2: there is a quote in the middle");
+    row("after a quote", "id,name\n1,\"a\"b\n", "Line 2: there is text after");
+    row("other frame", "name,frame\na,odom\n", "Line 2: the frame is \"odom\"");
+    row("tags", "name,tags\na,\"x,\"\"y\"\nb,\n", "Line 2: the tags");
     row("no UTF-8", "name\n\xff\n", "UTF-8");
   }
   void whatIsNoListIsRefusedWithItsLine() {
@@ -141,14 +141,14 @@ class WaypointCsvTest : public QObject {
       QTest::newRow(name) << "{\"type\":\"FeatureCollection\",\"features\":[" + QByteArray(feature) + "]}"
                           << QString::fromLatin1(says);
     };
-    QTest::newRow("no JSON") << QByteArray("{") << QStringLiteral("no JSON");
-    QTest::newRow("no collection") << QByteArray("{\"type\":\"Feature\"}") << QStringLiteral("no GeoJSON");
-    row("no place", R"({"geometry":{"type":"Point","coordinates":["1",2]}})", "Feature 1: its coordinates");
+    QTest::newRow("no JSON") << QByteArray("{") << QStringLiteral("not JSON");
+    QTest::newRow("no collection") << QByteArray("{\"type\":\"Feature\"}") << QStringLiteral("not a GeoJSON");
+    row("no place", R"({"geometry":{"type":"Point","coordinates":["1",2]}})", "Feature 1: the coordinates");
     row("tags", R"({"geometry":{"type":"Point","coordinates":[1,2]},"properties":{"tags":"a"}})",
-        "Feature 1: its tags");
-    row("id", R"({"geometry":{"type":"Point","coordinates":[1,2]},"id":1.5})", "Feature 1: its id");
+        "Feature 1: the tags");
+    row("id", R"({"geometry":{"type":"Point","coordinates":[1,2]},"id":1.5})", "Feature 1: the id");
     row("turn", R"({"geometry":{"type":"Point","coordinates":[1,2]},"properties":{"yaw_rad":"N"}})",
-        "Feature 1: its yaw_rad");
+        "Feature 1: yaw_rad");
   }
   void whatIsNoGeoJsonIsRefusedWithItsFeature() {
     QFETCH(QByteArray, text);

@@ -69,10 +69,10 @@ class WaypointPlanTest : public QObject {
     QCOMPARE(fitted.edits.size(), std::size_t(1));  // the type alone was another one
     QCOMPARE(fitted.edits.front().after->type, std::string());
     QCOMPARE(fitted.edits.front().after->yaw_rad, std::optional(0.0));
-    QCOMPARE(
-        fitted.notes,
-        (QStringList{QStringLiteral("Types are not kept here: those of 2 waypoints are left out."),
-                     QStringLiteral("Every waypoint has a heading here: 1 waypoint without one gets 0°.")}));
+    QCOMPARE(fitted.notes,
+             (QStringList{
+                 QStringLiteral("Waypoint types cannot be stored here: those of 2 waypoints are left out."),
+                 QStringLiteral("Every waypoint needs a heading here: 1 waypoint without one gets 0°.")}));
     QVERIFY(exchange::fitted({{"k", std::nullopt, typed}}, {}).notes.isEmpty());
   }
 
@@ -116,7 +116,7 @@ class WaypointPlanTest : public QObject {
       return edits ? QString() : edits.error();
     };
     QVERIFY(refused(two(), {wanted("1", {}, {}), wanted("1", {}, {})}).contains(QStringLiteral("same")));
-    QVERIFY(refused(two(), {wanted("", "Shelf", {})}).contains(QStringLiteral("place")));
+    QVERIFY(refused(two(), {wanted("", "Shelf", {})}).contains(QStringLiteral("position")));
     QVERIFY(refused(two(), {wanted("9", {}, Eigen::Vector2d(0, 0))}).contains(QStringLiteral("name")));
     QVERIFY(refused(two(), {wanted("1", "a\nb", {})}).contains(QStringLiteral("one line")));
     QVERIFY(refused(two(), {wanted("1", {}, Eigen::Vector2d(1e9, 0))}).contains(QStringLiteral("origin")));

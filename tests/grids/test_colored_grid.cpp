@@ -166,7 +166,7 @@ class TestColoredGrid : public QObject {
     const auto large = decodeColors(test::shared(bytes), 1599);
     QVERIFY(!large);
     QCOMPARE(sentences::wordsOf(large.error()),
-             QStringLiteral("It is 40 x 40 pixels, and at most 1,599 are read."));
+             QStringLiteral("It is 40 x 40 pixels, but at most 1,599 can be read."));
     QVERIFY(decodeColors(test::shared(bytes), 1600));
     QVERIFY(!decodeColors(test::shared(bytes.substr(0, bytes.size() / 2)), 1600));
     QVERIFY(!decodeColors(test::shared("nonsense"), 1600));

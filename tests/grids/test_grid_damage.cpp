@@ -212,11 +212,11 @@ class TestGridDamage : public QObject {
     QTest::addColumn<int>("width");
     QTest::addColumn<int>("height");
     QTest::addColumn<QString>("words");
-    QTest::newRow("nothing") << 0 << 5 << QStringLiteral("nothing in it");
-    QTest::newRow("no rows") << 5 << 0 << QStringLiteral("nothing in it");
+    QTest::newRow("nothing") << 0 << 5 << QStringLiteral("it is empty");
+    QTest::newRow("no rows") << 5 << 0 << QStringLiteral("it is empty");
     QTest::newRow("wide") << 400'001 << 1 << QStringLiteral("400,000 along an edge");
     QTest::newRow("high") << 1 << 2'147'483'647 << QStringLiteral("2,147,483,647");
-    QTest::newRow("many") << 399'999 << 399'999 << QStringLiteral("34,359,738,368 in all");
+    QTest::newRow("many") << 399'999 << 399'999 << QStringLiteral("34,359,738,368 in total");
     QTest::newRow("negative") << -1 << -1 << QStringLiteral("4,294,967,295");
   }
   void emptyAndAbsurdSizesAreSentences() {
@@ -244,7 +244,7 @@ class TestGridDamage : public QObject {
     QVERIFY(rowsAsIn(*read.pyramid, samples) > 0);
     bytes = test::png(recipe, samples);
     bytes[20] = char(bytes[20] ^ 1);
-    QVERIFY2(says(readAll(bytes).opening, "header is damaged"), readAll(bytes).opening.c_str());
+    QVERIFY2(says(readAll(bytes).opening, "damaged header"), readAll(bytes).opening.c_str());
   }
 
   void aWrongPixelChecksumIsSaid() {
@@ -310,7 +310,7 @@ class TestGridDamage : public QObject {
 
   void garbageIsNoPicture() {
     QVERIFY2(says(readAll("").opening, "empty"), "");
-    QVERIFY(says(readAll("GIF89a, which is no map").opening, "neither PNG nor PGM nor BMP"));
+    QVERIFY(says(readAll("GIF89a, which is no map").opening, "PNG, PGM or BMP"));
     for (const char* header :
          {"P5", "P2 3", "P5 3 3", "P5 3 3 0 ", "P5 3 3 70000 ", "P5 -3 3 255 ", "P2 # no end", "BM",
           "BMxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx", "\x89PNG",

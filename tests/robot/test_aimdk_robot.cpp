@@ -205,10 +205,10 @@ class AimdkRobotTest : public QObject {
     QVERIFY(!robot_->mapAdministration());
     QCOMPARE(robot_->whyNot(Capability::Administration), (Absence{Absence::Reason::ReadOnly, {"Agibot"}}));
     QCOMPARE(robot_->whyNot(Capability::Live), (Absence{Absence::Reason::NoService, {"?tf=ws://HOST:9090"}}));
-    QCOMPARE(sentences::limitsOf(*robot_),
-             QStringLiteral(
-                 "Read only: Agibot's interface offers no editing. Its interface does not tell where it "
-                 "is. If a rosbridge server runs on it, add ?tf=ws://HOST:9090 to its address."));
+    QCOMPARE(
+        sentences::limitsOf(*robot_),
+        QStringLiteral("Read only: Agibot's interface offers no editing. Its interface does not report its "
+                       "pose. If a rosbridge server runs on it, add ?tf=ws://HOST:9090 to its address."));
     QVERIFY(!robot_->liveTopics() && !robot_->submapSource());
   }
 };

@@ -117,7 +117,7 @@ class RobotFailuresTest : public QObject {
     row("503", ScriptedServer::reply(503, {}, {}), FailureKind::Unreachable, FailureKind::RejectedByRobot,
         "503");
     row("hang up", ScriptedServer::kHangUp, FailureKind::Unreachable, FailureKind::Unreachable, "closed");
-    row("silence", {}, FailureKind::TimedOut, FailureKind::TimedOut, "no answer for 1 s");
+    row("silence", {}, FailureKind::TimedOut, FailureKind::TimedOut, "no answer within 1 s");
   }
   void whatAnswersIsTold() {
     QFETCH(int, kind);

@@ -229,7 +229,7 @@ class TestWaypointFile : public QObject {
     QCOMPARE(stored.error().kind, map::FailureKind::MalformedAnswer);
     const QString said = QString::fromStdString(sentences::sentenceOf(stored.error()));
     QVERIFY2(said.contains(QLatin1String("office.waypoints.geojson cannot be read: it ")), qPrintable(said));
-    QVERIFY2(said.endsWith(QLatin1String(". It is left as it is.")), qPrintable(said));
+    QVERIFY2(said.endsWith(QLatin1String(". It is left unchanged.")), qPrintable(said));
     const map::Waypoint point = named("P", 1, 1);
     const auto done = perform(*robot, {{{point.id, std::nullopt, point}}, {}});
     QVERIFY(!done);

@@ -191,7 +191,7 @@ class ProblemLogTest : public QObject {
     for (int i = 0; i < int(ProblemLog::kLimit) + 5; ++i) log.add(problem(i), noon_);
     QCOMPARE(log.rows().size(), ProblemLog::kLimit);
     QCOMPARE(log.forgotten(), std::size_t(5));
-    QVERIFY(log.toText(noon_).endsWith(QStringLiteral("5 older problems are not kept.\n")));
+    QVERIFY(log.toText(noon_).endsWith(QStringLiteral("5 older problems are no longer listed.\n")));
   }
 
   void whatIsResolvedIsForgottenFirst() {

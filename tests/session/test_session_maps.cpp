@@ -642,7 +642,7 @@ class SessionMapsTest : public QObject {
     robot_->answerList({FakeRobot::entry("8", true)});
     QCOMPARE(robot_->map_fetches.size(), std::size_t(1));
     robot_->map_fetches[0].second(
-        tl::make_unexpected(test::failed("no picture of it", map::FailureKind::Unsupported)));
+        tl::make_unexpected(test::failed("no picture for it", map::FailureKind::Unsupported)));
     QCOMPARE(session_->wholeMap().phase(), Phase::Failed);
     QCOMPARE(session_->problems().unresolved(), 1);
     robot_->sends_no_map = false;
@@ -659,7 +659,7 @@ class SessionMapsTest : public QObject {
     robot_->answerList({FakeRobot::entry("8", true)});
     session_->openMap({map::MapKind::Stored, "8"});
     robot_->map_fetches.back().second(
-        tl::make_unexpected(test::failed("no picture of it", map::FailureKind::Unsupported)));
+        tl::make_unexpected(test::failed("no picture for it", map::FailureKind::Unsupported)));
     robot_->map_fetches.clear();
     robot_->sends_no_map = false;
     Q_EMIT robot_->capabilitiesChanged();

@@ -218,7 +218,7 @@ void TestPlotWidget::aCurveOfNothingSaysSo() {
   shown.plot.setCurves({{Quantity::Speed, nothing, 0}});
   QCOMPARE(shown.plot.valueAtCursor(0), QStringLiteral("–"));  // nobody has looked yet
   nothing->cover(kStart_s, kStart_s + 60);
-  QCOMPARE(shown.plot.valueAtCursor(0), QStringLiteral("none so far"));
+  QCOMPARE(shown.plot.valueAtCursor(0), QStringLiteral("none yet"));
 }
 
 void TestPlotWidget::valuesFitOrStay() {

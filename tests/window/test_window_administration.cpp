@@ -117,7 +117,7 @@ class TestWindowAdministration : public QObject {
     QVERIFY(desk.toasts().isEmpty());  // nothing is said before the robot has
     desk.maps.answer(test::catalogued("2", "Loft"));
     QTRY_VERIFY(!desk.controller().dialog());
-    QCOMPARE(desk.toasts(), QStringList{QStringLiteral("It is called Loft now.")});
+    QCOMPARE(desk.toasts(), QStringList{QStringLiteral("It is now called Loft.")});
   }
 
   void whatFailsIsSaidWhereItWasTypedAndNothingIsLost() {
@@ -132,7 +132,7 @@ class TestWindowAdministration : public QObject {
                                                       .detail = "name exists",
                                                       .asked_for = map::AskedFor::Change}));
     QCOMPARE(desk.controller().dialog(), dialog);
-    QVERIFY2(dialog->errorShown().contains(QLatin1String("It has not been changed")),
+    QVERIFY2(dialog->errorShown().contains(QLatin1String("It was not changed")),
              qPrintable(dialog->errorShown()));
     QVERIFY(dialog->errorShown().contains(QLatin1String("name exists")));
     QCOMPARE(dialog->nameEdit()->text(), QStringLiteral("Ground floor"));
@@ -188,7 +188,7 @@ class TestWindowAdministration : public QObject {
     }
     ChangeDialog* const dialog = desk.ask("2", "Load");
     QVERIFY(dialog && dialog->places());
-    QVERIFY(dialog->textShown().contains(QLatin1String("instead of Ground floor")));
+    QVERIFY(dialog->textShown().contains(QLatin1String("from Ground floor to")));
     QTRY_COMPARE(dialog->places()->count(), 4);
     // Nobody has said where it stands.
     QCOMPARE(dialog->places()->currentText(), QStringLiteral("not stated"));
@@ -282,7 +282,7 @@ class TestWindowAdministration : public QObject {
     QVERIFY(load && !load->isEnabled());
     QVERIFY2(load->toolTip().contains(QLatin1String("stop mapping first")), qPrintable(load->toolTip()));
     QVERIFY(!Desk::entry(*menu, "Delete"));
-    QVERIFY(Desk::entry(*menu, "Archive") && !Desk::entry(*menu, "Take out"));
+    QVERIFY(Desk::entry(*menu, "Archive") && !Desk::entry(*menu, "Restore"));
   }
 
   void mappingIsStartedStoppedAndSaved() {
@@ -334,7 +334,7 @@ class TestWindowAdministration : public QObject {
     desk.maps.answer(tl::make_unexpected(map::Failure{.kind = map::FailureKind::Cancelled,
                                                       .applied = map::Applied::Maybe,
                                                       .asked_for = map::AskedFor::Change}));
-    QVERIFY(dialog->errorShown().contains(QLatin1String("not known")));
+    QVERIFY(dialog->errorShown().contains(QLatin1String("unknown")));
     dialog->reject();
     QTRY_VERIFY(!desk.controller().dialog());
   }

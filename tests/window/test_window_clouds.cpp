@@ -197,7 +197,7 @@ class TestWindowClouds : public QObject {
     QVERIFY((region.size_m - Eigen::Vector3d(seen.width(), seen.height(), 4)).norm() < 1e-6);
     QCOMPARE(region.radius_m, 0.0);
     QVERIFY(desk.dock().counts().contains(QStringLiteral("12,100 points are shown.")));
-    QVERIFY(desk.dock().outcome().contains(QStringLiteral("12,100 points have come.")));
+    QVERIFY(desk.dock().outcome().contains(QStringLiteral("12,100 points were received.")));
     QTRY_VERIFY(desk.window->mapScene()->picturesSettled());
     const QImage picture = desk.window->mapPicture();
     const QPoint inside = desk.px(5, 5), outside = desk.px(-2, 5);
@@ -223,7 +223,7 @@ class TestWindowClouds : public QObject {
     QVERIFY((box.centre_m.head<2>() - Eigen::Vector2d(4, 4)).norm() < 0.05);
     QVERIFY((box.size_m.head<2>() - Eigen::Vector2d(4, 2)).norm() < 0.05);
     desk.dispatch().answer(std::make_shared<const map::SpatialCloud>());
-    QCOMPARE(desk.dock().outcome(), QStringLiteral("The robot has no points there."));
+    QCOMPARE(desk.dock().outcome(), QStringLiteral("The robot has no points in this region."));
     desk.dock().shapeBox()->setCurrentIndex(1);
     Q_EMIT desk.dock().shapeBox()->activated(1);
     desk.dock().kindBox()->setCurrentIndex(1);
@@ -249,7 +249,7 @@ class TestWindowClouds : public QObject {
     desk.dispatch().answer(cloud);
     QTRY_VERIFY(desk.held().settled() && desk.held().sums().came == 2);
     QVERIFY(
-        desk.dock().outcome().contains(QStringLiteral("4 points that the robot says it sent have not come")));
+        desk.dock().outcome().contains(QStringLiteral("4 points that the robot announced did not arrive")));
     QVERIFY(desk.dock().outcome().contains(QStringLiteral("1 point that came lies beyond the region")));
     // Another region than the one that was asked for.
     region.centre_m = {50, 50, 0};

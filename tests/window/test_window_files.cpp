@@ -71,7 +71,7 @@ class TestWindowFiles : public QObject {
                   QUrl::fromLocalFile(touched(bench.folder, "notes.txt"))});
     QVERIFY(!window.session());
     window.openPath(bench.folder.filePath(QStringLiteral("gone.yaml")));
-    QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("is not there")));
+    QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("does not exist")));
     window.openPath(touched(bench.folder, "notes.txt"));
     QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("is no map")));
     QVERIFY(!window.session());
@@ -323,11 +323,9 @@ class TestWindowFiles : public QObject {
     QVERIFY(dialog->hiddenBox()->isVisible());
     QVERIFY(dialog->hiddenBox()->isChecked());
     QVERIFY(dialog->hiddenBox()->text().contains(QLatin1String("2 submaps")));
-    QCOMPARE(dialog->contentText(),
-             QStringLiteral("3 of 4 submaps are in it. Not there yet, or damaged: 1."));
+    QCOMPARE(dialog->contentText(), QStringLiteral("3 of 4 submaps are included. Missing or damaged: 1."));
     dialog->hiddenBox()->setChecked(false);
-    QCOMPARE(dialog->contentText(),
-             QStringLiteral("1 of 4 submaps are in it. Not there yet, or damaged: 1."));
+    QCOMPARE(dialog->contentText(), QStringLiteral("1 of 4 submaps are included. Missing or damaged: 1."));
     dialog->formatButton(ExportFormat::ViewPicture)->setChecked(true);
     QVERIFY(dialog->contentText().contains(QLatin1String("hidden")));
     QVERIFY(!dialog->hiddenBox()->isEnabled());
@@ -348,7 +346,7 @@ class TestWindowFiles : public QObject {
     bench.load();
     bench.action("export")->trigger();
     QVERIFY(!window.exportDialog()->hiddenBox()->isVisible());
-    QCOMPARE(window.exportDialog()->contentText(), QStringLiteral("3 of 3 submaps are in it."));
+    QCOMPARE(window.exportDialog()->contentText(), QStringLiteral("3 of 3 submaps are included."));
   }
 
   void exportsTheViewAndSaysWhatWentWrong() {

@@ -125,7 +125,7 @@ class TestWindowMaps : public QObject {
     QVERIFY(model.indexOf(stored("2"))
                 .data(Qt::ToolTipRole)
                 .toString()
-                .contains(QLatin1String("Nothing is loaded or changed on the robot")));
+                .contains(QLatin1String("This loads and changes nothing on the robot")));
     bench.robot->maps.opened.clear();
     window.maps()->list()->setCurrentIndex(model.indexOf(stored("2")));
     QTest::keyClick(window.maps()->list(), Qt::Key_Return);
@@ -159,7 +159,7 @@ class TestWindowMaps : public QObject {
     QVERIFY(window.maps()->retryButton()->isHidden());
     bench.robot->maps.entries.clear();
     QTest::mouseClick(window.maps()->refreshButton(), Qt::LeftButton);
-    QTRY_COMPARE(window.maps()->emptyShown(), QStringLiteral("The robot keeps no maps."));
+    QTRY_COMPARE(window.maps()->emptyShown(), QStringLiteral("The robot has no stored maps."));
   }
 
   void saysWhyThereIsNoCatalogue() {
@@ -167,7 +167,7 @@ class TestWindowMaps : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(window.maps()->emptyShown().contains(QLatin1String("Connect to a robot")));
     QVERIFY(!window.connectTo(kAddress));
-    QCOMPARE(window.maps()->emptyShown(), QStringLiteral("This robot does not tell which maps it keeps."));
+    QCOMPARE(window.maps()->emptyShown(), QStringLiteral("This robot does not list its maps."));
     QVERIFY(!window.maps()->refreshButton()->isEnabled());
   }
 
@@ -383,7 +383,7 @@ class TestWindowMaps : public QObject {
     window.comparison()->start(SecondMap(KeptState{}));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
     QCOMPARE(names().left, QStringLiteral("Map 1 (id 1)"));
-    QCOMPARE(names().right, QStringLiteral("Map 1 (as it was kept)"));
+    QCOMPARE(names().right, QStringLiteral("Map 1 (as it was saved)"));
     QCOMPARE(window.comparison()->bar()->firstShown(), QStringLiteral("Map 1 (id 1)"));
     window.comparison()->startWith(test::wholeMap({map::MapKind::File, {}}, "Map 1", 30, 30));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
@@ -428,7 +428,7 @@ class TestWindowMaps : public QObject {
     QTRY_VERIFY(ready(window));
     window.comparison()->start(SecondMap(KeptState{}));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
-    QCOMPARE(window.comparison()->bar()->second()->currentText(), QStringLiteral("Keep the present state"));
+    QCOMPARE(window.comparison()->bar()->second()->currentText(), QStringLiteral("Keep the current state"));
     bench.key(Qt::Key_Escape);
     QVERIFY(!window.comparison()->active());
   }

@@ -168,7 +168,7 @@ class TestWindowPicture : public QObject {
     desk.action("undo")->trigger();
     QCOMPARE(int(desk.cells().at(150, 100)), 0);
     QTRY_VERIFY(!desk.window->windowTitle().startsWith(QStringLiteral("• ")));
-    QCOMPARE(desk.dock().status(), QStringLiteral("Nothing is changed."));
+    QCOMPARE(desk.dock().status(), QStringLiteral("Nothing was changed."));
     desk.action("redo")->trigger();
     QCOMPARE(int(desk.cells().at(150, 100)), 100);
   }
@@ -403,7 +403,7 @@ class TestWindowPicture : public QObject {
     QCOMPARE(int(desk.cells().at(12, 12)), 100);  // mine, until it is decided
     // It is said once, and again to whoever saves.
     const auto told = [&desk] {
-      return desk.toasts().filter(QLatin1String("Choose which are right")).size();
+      return desk.toasts().filter(QLatin1String("Choose which ones to keep")).size();
     };
     QTRY_COMPARE(told(), 1);
     desk.writeCells([](int x, int y) { return char((x < 15 && y < 15) || x > 390 ? 205 : 254); });
@@ -412,7 +412,7 @@ class TestWindowPicture : public QObject {
     QCOMPARE(told(), 1);
     desk.action("save")->trigger();
     QVERIFY(!desk.control().saving());
-    QVERIFY(desk.toasts().last().contains(QLatin1String("Choose which are right")));
+    QVERIFY(desk.toasts().last().contains(QLatin1String("Choose which ones to keep")));
     QVERIFY(desk.dock().takeTheirsButton()->isVisible());
     desk.dock().takeTheirsButton()->click();
     QCOMPARE(int(desk.cells().at(12, 12)), 255);

@@ -255,7 +255,7 @@ class TestWindowPlacing : public QObject {
     Desk desk;
     desk.start();
     QVERIFY(!desk.action("waypointAtRobot")->isEnabled());
-    QVERIFY(desk.action("waypointAtRobot")->toolTip().contains(QLatin1String("not known")));
+    QVERIFY(desk.action("waypointAtRobot")->toolTip().contains(QLatin1String("unknown")));
     desk.robot->say(map::TrackedPose{{2, 1.25, 0.5}});
     QTRY_VERIFY(desk.action("waypointAtRobot")->isEnabled());
     desk.action("waypointAtRobot")->trigger();

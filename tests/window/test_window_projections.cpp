@@ -166,7 +166,7 @@ class TestWindowProjections : public QObject {
     QCOMPARE(desk.dock().model()->rowCount(), 2);
     QCOMPARE(desk.cell(1, ProjectionsModel::X), QStringLiteral("6"));
     QCOMPARE(desk.cell(1, ProjectionsModel::Frame), QStringLiteral("map"));
-    QCOMPARE(desk.dock().state(), QStringLiteral("The robot projects 2 maps."));
+    QCOMPARE(desk.dock().state(), QStringLiteral("The robot has 2 projections."));
     QVERIFY(!desk.dock().sendButton()->isEnabled());
     desk.dock().askButton()->click();
     QCOMPARE(desk.dispatch().asked, 2);
@@ -219,7 +219,7 @@ class TestWindowProjections : public QObject {
     const auto at = desk.dock().model()->index(0, ProjectionsModel::Width);
     QVERIFY(desk.dock().model()->setData(at, 8.0, Qt::EditRole));
     QCOMPARE(desk.wanted()[0].size_m.x(), 8.0);
-    QCOMPARE(desk.dock().state(), QStringLiteral("Edited here: it is not what the robot says."));
+    QCOMPARE(desk.dock().state(), QStringLiteral("Edited here, not set on the robot yet."));
     desk.dock().sendButton()->click();
     QCOMPARE(desk.dispatch().sent.size(), std::size_t(1));
     QCOMPARE(desk.dispatch().sent[0][0].size_m.x(), 8.0);
@@ -229,7 +229,7 @@ class TestWindowProjections : public QObject {
     smaller.size_m.x() = 6;
     desk.dispatch().answer(List{smaller});
     QCOMPARE(desk.cell(0, ProjectionsModel::Width), QStringLiteral("6"));
-    QVERIFY(desk.dock().outcome().contains(QStringLiteral("1 projection is not what it was sent")));
+    QVERIFY(desk.dock().outcome().contains(QStringLiteral("1 projection differs from what was sent")));
     QVERIFY(!desk.dock().sendButton()->isEnabled());
   }
 
@@ -315,7 +315,7 @@ class TestWindowProjections : public QObject {
     Desk desk;
     desk.open(true, false);
     desk.dispatch().answer(List{floorAt(1, 1)});
-    QVERIFY(desk.dock().state().contains(QStringLiteral("only be read")));
+    QVERIFY(desk.dock().state().contains(QStringLiteral("read-only")));
     QVERIFY(!desk.dock().addButton()->isEnabled());
     QVERIFY(!desk.dock().model()->setData(desk.dock().model()->index(0, 0), 3.0, Qt::EditRole));
   }
@@ -357,14 +357,16 @@ class TestWindowProjections : public QObject {
     Desk desk;
     desk.open(false);
     const ProjectionTool* const tool = desk.window->findChild<ProjectionTool*>();
-    QVERIFY2(tool->hint().contains(QStringLiteral("no robot here")), qPrintable(tool->hint()));
+    QVERIFY2(tool->hint().contains(QStringLiteral("cannot be set on this robot, and there are none")),
+             qPrintable(tool->hint()));
     Desk reader;
     reader.open(true, false);
     reader.robot->goOnline();
     const ProjectionTool* const its = reader.window->findChild<ProjectionTool*>();
     QTRY_COMPARE(reader.dispatch().asked, 1);
     reader.dispatch().answer(List{floorAt(1, 1)});
-    QVERIFY2(its->hint().contains(QStringLiteral("takes no projections: click")), qPrintable(its->hint()));
+    QVERIFY2(its->hint().contains(QStringLiteral("cannot be set on this robot: click")),
+             qPrintable(its->hint()));
     Desk writer;
     writer.open();
     writer.robot->goOnline();

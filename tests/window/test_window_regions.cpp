@@ -174,14 +174,14 @@ class TestWindowRegions : public QObject {
     const QString asked = controller()->question()->text();
     QVERIFY2(asked.contains(QStringLiteral("410 × 410 m")), qPrintable(asked));
     QVERIFY2(asked.contains(QStringLiteral("8,192 × 8,192 cells")), qPrintable(asked));
-    QVERIFY2(asked.contains(QStringLiteral("about 235 MB over the link")), qPrintable(asked));
-    QVERIFY2(!asked.contains(QStringLiteral("break off")), qPrintable(asked));
+    QVERIFY2(asked.contains(QStringLiteral("about 235 MB over the network")), qPrintable(asked));
+    QVERIFY2(!asked.contains(QStringLiteral("may fail")), qPrintable(asked));
     controller()->question()->button(QMessageBox::Cancel)->click();
     QTRY_VERIFY(!controller()->question());
     // What the robot does not tell is said to be unknown.
     robot_->dispatch.told_extent.reset();
     action("fetchWholeMap")->trigger();
-    QVERIFY2(controller()->question()->text().contains(QStringLiteral("the robot does not say")),
+    QVERIFY2(controller()->question()->text().contains(QStringLiteral("the robot does not report")),
              qPrintable(controller()->question()->text()));
   }
   void aWholeMapThatMayBreakTheLinkIsAskedAboutWithThat() {
@@ -189,7 +189,7 @@ class TestWindowRegions : public QObject {
     open();
     connectRobot();
     action("fetchWholeMap")->trigger();
-    QVERIFY2(controller()->question()->text().contains(QStringLiteral("break off")),
+    QVERIFY2(controller()->question()->text().contains(QStringLiteral("may fail")),
              qPrintable(controller()->question()->text()));
     QVERIFY(answerCalled("fetchWhole"));
   }
@@ -224,14 +224,14 @@ class TestWindowRegions : public QObject {
     action("fetchWholeMap")->trigger();
     answerCalled("fetchWhole")->click();
     QCOMPARE(robot_->dispatch.asked_whole, 1);
-    QVERIFY2(notice().contains(QStringLiteral("Nothing of it has come yet")), qPrintable(notice()));
+    QVERIFY2(notice().contains(QStringLiteral("Nothing has arrived yet")), qPrintable(notice()));
     const auto whole = robot_->dispatch.waiting.back();
     QVERIFY(!whole->region);
     whole->state->on_progress({12 * 1024 * 1024, {}});
     QVERIFY2(notice().contains(QStringLiteral("12.6 MB of about 235 MB so far")), qPrintable(notice()));
     offer()->click();
     QVERIFY(whole->cancelled);
-    QVERIFY2(!notice().contains(QStringLiteral("being fetched")), qPrintable(notice()));
+    QVERIFY2(!notice().contains(QStringLiteral("Fetching")), qPrintable(notice()));
   }
   void fittingShowsAllThatTheRobotSaysThereIs() {
     prepare_ = [](DispatchRobot& robot) { robot.dispatch.told_extent = extentOf(8192); };
@@ -308,7 +308,7 @@ class TestWindowRegions : public QObject {
     connectRobot();
     look(0.05);
     QTRY_VERIFY(controller()->map()->regions().counts().failed > 1);
-    QTRY_VERIFY(notice().contains(QStringLiteral("could be fetched")));
+    QTRY_VERIFY(notice().contains(QStringLiteral("be fetched")));
     QVERIFY2(notice().contains(QStringLiteral("<b>no</b>")), qPrintable(notice()));
     robot_->dispatch.answer = {};
     offer()->click();
@@ -368,7 +368,7 @@ class TestWindowRegions : public QObject {
     QTRY_VERIFY(!robot_->dispatch.waiting.empty());
     robot_->dispatch.answerOne();  // how large a cell is
     QTRY_VERIFY(!robot_->dispatch.waiting.empty());
-    QVERIFY2(tip().contains(QStringLiteral("is being fetched")), qPrintable(tip()));
+    QVERIFY2(tip().contains(QStringLiteral("being fetched")), qPrintable(tip()));
   }
   void aRectangleIsDrawnAndKept() {
     open();
@@ -515,7 +515,7 @@ class TestWindowRegions : public QObject {
     connectRobot();
     look(0.05);
     controller()->errand().keepRectangle({-10, -10, 10, 10});
-    QVERIFY(notice().contains(QStringLiteral("being fetched")));
+    QVERIFY(notice().contains(QStringLiteral("Fetching")));
     window_->leaveRobot();
     QVERIFY(!controller()->map());
     QVERIFY(!scene::RegionsOnMap::of(*window_->mapScene()).map());
@@ -572,7 +572,7 @@ class TestWindowRegions : public QObject {
     QCoreApplication::processEvents();
     QVERIFY(controller()->map()->regions().bytes() > 0);
     QVERIFY(window_->mapScene()->layerVisible(Layer::Regions));
-    QVERIFY2(notice().contains(QStringLiteral("gives no regions")), qPrintable(notice()));
+    QVERIFY2(notice().contains(QStringLiteral("no longer sends its map by region")), qPrintable(notice()));
     QVERIFY(!controller()->statusShown().isEmpty());
     const auto asked = robot_->dispatch.asked.size();
     robot_->dispatch.offers_regions = true;

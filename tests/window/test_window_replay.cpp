@@ -250,7 +250,8 @@ class TestWindowReplay : public QObject {
     desk.replay(kWhole);
     session::Session* const session = desk.window->session();
     const auto says = [&] {
-      return desk.window->overlay()->notice()->sentence().contains(QStringLiteral("has not told a map yet"));
+      return desk.window->overlay()->notice()->sentence().contains(
+          QStringLiteral("contains no map up to this time"));
     };
     QVERIFY(!session->world().submaps);
     QTRY_VERIFY(says());
@@ -534,7 +535,7 @@ class TestWindowReplay : public QObject {
     QTest::mouseClick(desk.timeline().listButton(), Qt::LeftButton);
     QTRY_VERIFY(list.isVisible() && list.table()->isVisible());
     QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
-    QTRY_VERIFY(list.summaryShown().contains(QStringLiteral("all of the bag")));
+    QTRY_VERIFY(list.summaryShown().contains(QStringLiteral("the whole bag")));
     const auto events = replay::eventsOf(desk.clock().reading()->index().digests());
     QTRY_COMPARE(list.model()->rowCount(), int(events.size()));
     QVERIFY(events.size() > 3);
@@ -583,7 +584,7 @@ class TestWindowReplay : public QObject {
     EventsDock& list = *desk.window->replay()->eventsDock();
     QTest::mouseClick(desk.timeline().listButton(), Qt::LeftButton);
     QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
-    QTRY_VERIFY(list.summaryShown().contains(QStringLiteral("all of the bag")));
+    QTRY_VERIFY(list.summaryShown().contains(QStringLiteral("the whole bag")));
     const int all = list.model()->rowCount();
     list.groupBox()->setCurrentIndex(list.groupBox()->findData(int(replay::EventGroup::Planner)));
     const int planner = list.model()->rowCount();
@@ -720,7 +721,7 @@ class TestWindowReplay : public QObject {
     dialog->fromEdit()->setText(QStringLiteral("+30:00"));
     dialog->toEdit()->setText(QStringLiteral("+20:00"));
     QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
-    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("before the beginning")));
+    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("before the start")));
     QVERIFY(dialog->filmEdit()->text().startsWith(
         QStringLiteral("mapwright bags film 'eight_hours.bag' --robot ")));
     dialog->fromEdit()->setText(QStringLiteral("+0"));
@@ -749,7 +750,7 @@ class TestWindowReplay : public QObject {
     const QPointer<RangeExportDialog> dialog = desk.window->replay()->rangeDialog();
     dialog->pathEdit()->setText(desk.folder.filePath(QStringLiteral("no/such/folder/a.mcap")));
     QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
-    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("no folder")));
+    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("does not exist")));
     dialog->pathEdit()->setText(desk.folder.path());
     QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
     QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("is a folder")));
@@ -939,7 +940,7 @@ class TestWindowReplay : public QObject {
     };
     desk.sim.dropWebSockets();
     QTRY_VERIFY(tell("the connection was lost"));
-    QTRY_VERIFY(tell("the recording goes on"));
+    QTRY_VERIFY(tell("recording continues"));
     QTRY_VERIFY(!recorder->shown().contains(QStringLiteral("no connection")));
     const auto hasMap = [&] {
       const auto source = recording::openRecording(path.toStdString());
@@ -950,7 +951,7 @@ class TestWindowReplay : public QObject {
     };
     QTRY_VERIFY(hasMap());
     recorder->stop();
-    QTRY_VERIFY(tell("which is not complete: the connection was lost, times: 1."));
+    QTRY_VERIFY(tell("but it is incomplete: the connection was lost, times: 1."));
     // And is played from there.
     QSignalSpy play(recorder, &RecordingController::playWanted);
     const auto buttons = desk.window->overlay()->toasts()->findChildren<QPushButton*>();

@@ -261,15 +261,15 @@ class TestWindowSafety : public QObject {
     window.openMap(stored("2"));
     QTRY_VERIFY(window.session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
     QTRY_VERIFY(notice.isVisible());
-    QCOMPARE(
-        notice.sentence(),
-        QStringLiteral("The robot is in Ground floor, not in this map. It and what it sees are hidden."));
+    QCOMPARE(notice.sentence(),
+             QStringLiteral(
+                 "The robot is in Ground floor, not in this map. The robot and its sensor data are hidden."));
     QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::None);
     QTest::mouseClick(notice.offerButton(), Qt::LeftButton);
     QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::All);
     // It says so as long as it is drawn wrongly.
     QCOMPARE(notice.sentence(),
-             QStringLiteral("The robot is in Ground floor, not in this map. It is drawn all the same."));
+             QStringLiteral("The robot is in Ground floor, not in this map. It is shown anyway."));
     QCOMPARE(notice.mark(), Mark::Warning);
     QTest::mouseClick(notice.offerButton(), Qt::LeftButton);
     QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::None);
@@ -301,7 +301,7 @@ class TestWindowSafety : public QObject {
     window.openMap(stored("2"));
     NoticeBar& notice = *window.overlay()->placeNotice();
     QTRY_VERIFY(notice.isVisible());
-    QVERIFY(notice.sentence().startsWith(QLatin1String("The robot does not say which map it is in.")));
+    QVERIFY(notice.sentence().startsWith(QLatin1String("The robot does not report which map it is in.")));
     QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::All);
     QVERIFY(notice.closeButton()->isVisible());
     QTest::mouseClick(notice.offerButton(), Qt::LeftButton);

@@ -465,7 +465,7 @@ class TestWindowWaypoints : public QObject {
     QTRY_VERIFY(!desk.window->isVisible());
     desk.start();
     QTRY_VERIFY(desk.notice()->isVisible());
-    QVERIFY2(desk.notice()->sentence().contains(QLatin1String("not saved: 1 change.")),
+    QVERIFY2(desk.notice()->sentence().contains(QLatin1String(": 1 change.")),
              qPrintable(desk.notice()->sentence()));
     QCOMPARE(desk.items().size(), std::size_t(2));
     desk.notice()->offerButton()->click();
@@ -584,7 +584,7 @@ class TestWindowWaypoints : public QObject {
     QVERIFY(!desk.window->overlay()->card()->isVisible());
     NoticeBar* const notice = desk.window->overlay()->notice();
     QTRY_VERIFY(notice->isVisible());
-    QVERIFY2(notice->sentence().contains(QLatin1String("only the map that it works with")),
+    QVERIFY2(notice->sentence().contains(QLatin1String("only sends its current map")),
              qPrintable(notice->sentence()));
   }
 
@@ -621,7 +621,7 @@ class TestWindowWaypoints : public QObject {
     QTRY_COMPARE(desk.dock().model()->rowCount(), 2);
     QVERIFY(!desk.editing().editable());
     QVERIFY(!desk.dock().addButton()->isEnabled());
-    QVERIFY(desk.dock().statusShown().contains(QLatin1String("takes no changes")));
+    QVERIFY(desk.dock().statusShown().contains(QLatin1String("read-only")));
     desk.take();
     desk.click(desk.px(2, 0.5));
     desk.drag(desk.px(1, 1), desk.px(1.5, 1));
@@ -716,7 +716,7 @@ class TestWindowWaypoints : public QObject {
     desk.notice()->offerButton()->click();
     QCOMPARE(desk.editing().find("a")->name, std::string("Dock"));
     QVERIFY(desk.control().unsaved());
-    QVERIFY(desk.notice()->sentence().contains(QStringLiteral("it is called \"Dock\"")));
+    QVERIFY(desk.notice()->sentence().contains(QStringLiteral("it will be called \"Dock\"")));
     desk.notice()->offerButton()->click();  // sends the rest
     QTRY_VERIFY(desk.store.find("Dock"));
     QTRY_VERIFY(desk.notice()->sentence().isEmpty());

@@ -69,7 +69,7 @@ class TestWindowWaypointsReview : public QObject {
     QCOMPARE(desk.cell(1, ReviewModel::WaypointColumn), QStringLiteral("Kitchen"));
     QCOMPARE(desk.cell(1, ReviewModel::ChangeColumn),
              QStringLiteral("position 3.000, 2.000 m → position 3.250, 2.000 m"));
-    QVERIFY(desk.review().statusShown().contains(QLatin1String("Nothing has been sent")));
+    QVERIFY(desk.review().statusShown().contains(QLatin1String("Nothing was sent")));
     QVERIFY(!desk.review().isModal());
   }
 
@@ -79,7 +79,7 @@ class TestWindowWaypointsReview : public QObject {
     desk.key(Qt::Key_S, Qt::ControlModifier);
     desk.store.unreadable = true;
     desk.send();
-    QTRY_VERIFY(desk.review().statusShown().endsWith(QLatin1String("Nothing has been sent.")));
+    QTRY_VERIFY(desk.review().statusShown().endsWith(QLatin1String("Nothing was sent.")));
     QCOMPARE(desk.review().model()->rowCount(), 3);
     QVERIFY(desk.store.asked.empty());
     QVERIFY(!desk.review().statusShown().startsWith(QLatin1String("Nothing")));  // it says why
@@ -102,7 +102,7 @@ class TestWindowWaypointsReview : public QObject {
     Q_EMIT desk.robot->capabilitiesChanged();
     desk.send();
     QTRY_VERIFY(!desk.control().unsaved());
-    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("as wanted")));
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("as intended")));
     // Of what is saved nothing is lost: it is as the robot says.
     desk.robot->waypoint_store = nullptr;
     Q_EMIT desk.robot->capabilitiesChanged();
@@ -124,7 +124,7 @@ class TestWindowWaypointsReview : public QObject {
     desk.open();
     desk.send();
     QTRY_VERIFY(!desk.control().unsaved());
-    QTRY_VERIFY2(desk.review().comparedShown().contains(QLatin1String("3 as wanted, 0 differ")),
+    QTRY_VERIFY2(desk.review().comparedShown().contains(QLatin1String("3 as intended, 0 differ")),
                  qPrintable(desk.review().comparedShown()));
     for (int row = 0; row < 3; ++row) QCOMPARE(desk.outcome(row), QStringLiteral("done"));
     QVERIFY(!desk.review().sendButton()->isEnabled());
@@ -151,16 +151,16 @@ class TestWindowWaypointsReview : public QObject {
     QTRY_COMPARE(desk.outcome(2), QStringLiteral("not sent"));
     QTRY_VERIFY(desk.review().sendButton()->isVisible());
     QCOMPARE(desk.outcome(0), QStringLiteral("done"));
-    QVERIFY2(desk.review().statusShown().contains(QLatin1String(
-                 "Of 3 calls 1 were carried out, 1 failed, 0 are not known and 1 were not sent.")),
+    QVERIFY2(desk.review().statusShown().contains(
+                 QLatin1String("Of 3 requests 1 succeeded, 1 failed, 0 are unknown and 1 were not sent.")),
              qPrintable(desk.review().statusShown()));
-    QVERIFY(desk.review().comparedShown().contains(QLatin1String("1 as wanted, 2 differ: Kitchen, Gate")));
+    QVERIFY(desk.review().comparedShown().contains(QLatin1String("1 as intended, 2 differ: Kitchen, Gate")));
     QVERIFY(desk.control().unsaved());
     QCOMPARE(desk.review().sendButton()->text(), QStringLiteral("&Send the rest"));
     desk.send();
     QTRY_VERIFY(!desk.control().unsaved());
     QCOMPARE(desk.store.asked.size(), std::size_t(4));  // none twice that was done
-    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("3 as wanted, 0 differ")));
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("3 as intended, 0 differ")));
   }
 
   void theRestIsShownAnewWhereItTakesOtherCallsNow() {
@@ -177,7 +177,7 @@ class TestWindowWaypointsReview : public QObject {
     QTRY_COMPARE(desk.editing().find("c")->name, std::string("Gate north"));
     desk.send();
     QTRY_COMPARE(desk.review().model()->rowCount(), 2);
-    QVERIFY2(desk.review().statusShown().contains(QLatin1String("the list has changed meanwhile")),
+    QVERIFY2(desk.review().statusShown().contains(QLatin1String("the list has changed in the meantime")),
              qPrintable(desk.review().statusShown()));
     QCOMPARE(desk.store.asked.size(), std::size_t(2));
     desk.send();
@@ -193,7 +193,7 @@ class TestWindowWaypointsReview : public QObject {
     desk.review().goOnBox()->setChecked(true);
     desk.send();
     QTRY_COMPARE(desk.store.asked.size(), std::size_t(3));
-    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("2 as wanted, 1 differ: Kitchen")));
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("2 as intended, 1 differ: Kitchen")));
     QCOMPARE(desk.outcome(2), QStringLiteral("done"));
     QCOMPARE(desk.editing().document()->unsaved(), (std::set<edit::Key>{"b"}));
   }
@@ -215,44 +215,44 @@ class TestWindowWaypointsReview : public QObject {
     desk.open();
     desk.review().goOnBox()->setChecked(true);  // a lost link stops it all the same
     desk.send();
-    QTRY_COMPARE(desk.outcome(1), QStringLiteral("not known. The connection is gone."));
+    QTRY_COMPARE(desk.outcome(1), QStringLiteral("unknown. The connection is gone."));
     QVERIFY(desk.review()
                 .model()
                 ->index(1, ReviewModel::OutcomeColumn)
                 .data(Qt::ToolTipRole)
                 .toString()
-                .contains(QLatin1String("Whether it has been changed is not known")));
-    QTRY_VERIFY(desk.review().statusShown().contains(QLatin1String("as soon as the link is back")));
+                .contains(QLatin1String("Whether it was changed is unknown")));
+    QTRY_VERIFY(desk.review().statusShown().contains(QLatin1String("as soon as the connection is back")));
     QCOMPARE(desk.outcome(2), QStringLiteral("not sent"));
     QVERIFY(desk.review().comparedShown().isEmpty());
     // Nowhere is what was carried out, or may have been, said to be as it was.
-    const QString unchanged = QStringLiteral("not been changed");
+    const QString unchanged = QStringLiteral("not changed");
     for (const QString& text :
          {desk.outcome(0), desk.outcome(1), desk.review().statusShown(), desk.dock().statusShown()})
       QVERIFY2(!text.contains(unchanged), qPrintable(text));
     QVERIFY2(desk.review().statusShown().startsWith(QLatin1String("The connection is gone.")),
              qPrintable(desk.review().statusShown()));
     QVERIFY2(desk.dock().statusShown().contains(
-                 QLatin1String("Not all is saved: 1 of 3 requests were carried out, of 1 it is not known. "
-                               "The connection is gone.")),
+                 QLatin1String("Not everything was saved: 1 of 3 requests succeeded, the result of 1 is "
+                               "unknown. The connection is gone.")),
              qPrintable(desk.dock().statusShown()));
     QVERIFY(desk.dock().statusIsBad());
     // Who tries again before the link is back has lost sight of none of them.
     desk.send();
     QTRY_COMPARE(desk.control().list()->submission().phase(), edit::SubmissionPhase::Stopped);
     QCOMPARE(desk.review().model()->rowCount(), 3);
-    QVERIFY2(desk.review().statusShown().contains(QLatin1String(
-                 "Of 3 calls 1 were carried out, 0 failed, 1 are not known and 1 were not sent.")),
+    QVERIFY2(desk.review().statusShown().contains(
+                 QLatin1String("Of 3 requests 1 succeeded, 0 failed, 1 are unknown and 1 were not sent.")),
              qPrintable(desk.review().statusShown()));
     if (!arrives) desk.store.put(waypoint("b", 3, 2, "Kitchen"));
     desk.store.unreadable = false;
     Q_EMIT desk.store.changed();
     // What is not to be seen there yet may come still.
-    QTRY_VERIFY2(desk.review().comparedShown().contains(arrives ? QLatin1String("2 as wanted, 1 differ")
-                                                                : QLatin1String("1 as wanted, 2 differ")),
+    QTRY_VERIFY2(desk.review().comparedShown().contains(arrives ? QLatin1String("2 as intended, 1 differ")
+                                                                : QLatin1String("1 as intended, 2 differ")),
                  qPrintable(desk.review().comparedShown()));
     QCOMPARE(desk.outcome(1), arrives ? QStringLiteral("done, answer lost")
-                                      : QStringLiteral("not known. The connection is gone."));
+                                      : QStringLiteral("unknown. The connection is gone."));
     // The link is back: what it did to the others is over.
     QVERIFY2(desk.review().statusShown().startsWith(QLatin1String("Of 3 calls")),
              qPrintable(desk.review().statusShown()));
@@ -263,7 +263,7 @@ class TestWindowWaypointsReview : public QObject {
     QTRY_VERIFY(!desk.control().unsaved());
     QCOMPARE(desk.store.asked.size(), std::size_t(arrives ? 3 : 4));
     QCOMPARE(desk.store.find("Kitchen")->position_m.x(), 3.25);
-    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("3 as wanted, 0 differ")));
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("3 as intended, 0 differ")));
   }
 
   void whatOthersChangedMeanwhileIsMergedAndOnlyWhatWasReviewedIsSent() {
@@ -273,7 +273,7 @@ class TestWindowWaypointsReview : public QObject {
     // Another operator renames one: what is to be sent of it is another call now.
     desk.store.put(waypoint("c", 2, 2, "Gate north"));
     desk.send();
-    QTRY_VERIFY2(desk.review().statusShown().contains(QLatin1String("the list has changed meanwhile")),
+    QTRY_VERIFY2(desk.review().statusShown().contains(QLatin1String("the list has changed in the meantime")),
                  qPrintable(desk.review().statusShown()));
     QVERIFY(desk.store.asked.empty());
     QCOMPARE(desk.cell(2, ReviewModel::WaypointColumn), QStringLiteral("Gate north"));
@@ -305,10 +305,10 @@ class TestWindowWaypointsReview : public QObject {
     desk.store.before_performing = [&] { desk.store.hold = desk.store.asked.size() == 2; };
     desk.open();
     desk.send();
-    QTRY_COMPARE(desk.outcome(1), QStringLiteral("under way…"));
+    QTRY_COMPARE(desk.outcome(1), QStringLiteral("in progress…"));
     QTest::mouseClick(desk.review().cancelButton(), Qt::LeftButton);
     QTRY_COMPARE(desk.outcome(2), QStringLiteral("not sent"));
-    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("1 as wanted, 2 differ")));
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("1 as intended, 2 differ")));
   }
 
   void leavingSavesThroughIt() {
@@ -363,7 +363,7 @@ class TestWindowWaypointsReview : public QObject {
     // Once more, and Space: what is under way is not cancelled by a button that the focus has hopped to.
     for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space})
       QTest::keyClick(desk.review().focusWidget() ? desk.review().focusWidget() : &desk.review(), key);
-    QCOMPARE(desk.outcome(0), QStringLiteral("under way…"));
+    QCOMPARE(desk.outcome(0), QStringLiteral("in progress…"));
     QTest::mouseClick(desk.review().cancelButton(), Qt::LeftButton);
     QTRY_VERIFY(desk.review().sendButton()->isVisible());
     // Nor is it closed.
@@ -384,8 +384,8 @@ class TestWindowWaypointsReview : public QObject {
     desk.editing().rename("b", QStringLiteral("Gate"));
     desk.open();
     QCOMPARE(desk.review().model()->rowCount(), 2);
-    QVERIFY2(desk.review().statusShown().contains(QLatin1String(
-                 "1 waypoint is not sent: the robot refuses a name that another one has (Gate).")),
+    QVERIFY2(desk.review().statusShown().contains(
+                 QLatin1String("1 waypoint is not sent: the robot does not allow duplicate names (Gate).")),
              qPrintable(desk.review().statusShown()));
     desk.send();
     QTRY_COMPARE(desk.store.asked.size(), std::size_t(2));

@@ -191,7 +191,7 @@ class TestWindowWaypointsTable : public QObject {
     desk.open();
     desk.putOnClipboard(QStringLiteral("just <b>words</b>"));
     desk.control().transfer()->paste();
-    QVERIFY(desk.asked().statusShown().contains(QLatin1String("No two columns of numbers")));
+    QVERIFY(desk.asked().statusShown().contains(QLatin1String("two adjacent columns of numbers")));
     QVERIFY(!desk.asked().applyButton()->isEnabled());
   }
 

@@ -96,12 +96,12 @@ class WordsTest : public QObject {
       QTest::newRow(name) << QString::fromUtf8(what) << QString::fromUtf8(reason)
                           << QString::fromUtf8(sentence);
     };
-    row("plain", "It cannot be had", "no answer", "It cannot be had: no answer.");
-    row("ended", "It cannot be had", "no answer.", "It cannot be had: no answer.");
-    row("ended twice", "It cannot be had", "no answer..", "It cannot be had: no answer.");
-    row("colon given", "It cannot be had: ", "no answer", "It cannot be had: no answer.");
-    row("no reason", "It cannot be had", "", "It cannot be had.");
-    row("only a stop", "It cannot be had:", " . ", "It cannot be had.");
+    row("plain", "It cannot be loaded", "no answer", "It cannot be loaded: no answer.");
+    row("ended", "It cannot be loaded", "no answer.", "It cannot be loaded: no answer.");
+    row("ended twice", "It cannot be loaded", "no answer..", "It cannot be loaded: no answer.");
+    row("colon given", "It cannot be loaded: ", "no answer", "It cannot be loaded: no answer.");
+    row("no reason", "It cannot be loaded", "", "It cannot be loaded.");
+    row("only a stop", "It cannot be loaded:", " . ", "It cannot be loaded.");
     row("a question", "It asks", "who?", "It asks: who?");
   }
   void aReasonFollowsItsColon() {

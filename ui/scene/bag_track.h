@@ -1,4 +1,4 @@
-// The way that the robot took through a whole bag, to lie on the map. Values, and where the scene keeps them.
+// The robot's path through a whole bag, for the map. Values, and their place in the scene.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ struct TrackSample {
   double at_s = 0;                   // since the start of the bag
   double speed_m_s = 0;
   int quality = 0;      // 0 unknown, 1 lost, 3 poor, 8 good, 10 excellent
-  bool begins = false;  // nothing is drawn from the sample before to this one
+  bool begins = false;  // there is no line from the previous sample to this one
   bool operator==(const TrackSample&) const = default;
 };
 /// By time.
@@ -25,12 +25,12 @@ using Track = std::vector<TrackSample>;
 class BagTrack : public QObject {
   Q_OBJECT
  public:
-  /// That of this scene; lives as long as it.
+  /// The one of this scene; lives as long as it.
   static BagTrack& of(const MapScene& scene);
-  /// The scene makes one for itself.
+  /// Made by the scene itself.
   explicit BagTrack(MapScene* scene);
 
-  /// null: none. It is let go with the session.
+  /// null: none. Dropped with the session.
   void show(std::shared_ptr<const Track> track);
   const std::shared_ptr<const Track>& track() const { return track_; }
 

@@ -22,7 +22,7 @@ void DispatchedCloudLayer::refresh() {
 }
 
 void DispatchedCloudLayer::takeView(const geometry::ViewTransform& device_view) {
-  // Points have a size in pixels of the window.
+  // Points have a size in window pixels.
   const double ratio = context_.view.scale_m_per_px / device_view.scale_m_per_px;
   if (std::exchange(ratio_, ratio) != ratio) refresh();
   tiles_.setView(device_view);

@@ -12,9 +12,9 @@ class DispatchedCloudLayer : public DeviceLayer {
  public:
   DispatchedCloudLayer(const LayerContext& context, const render::RasterTiles::Options& options);
 
-  /// Not owned; outlives this or is taken away before.
+  /// Not owned; must outlive this or be removed first.
   void setClouds(const MapClouds* clouds);
-  /// They, their style or the theme have become others.
+  /// The clouds, their style or the theme have changed.
   void refresh();
   render::PaintedTiles& tiles() { return tiles_; }
   const render::PaintedTiles& tiles() const { return tiles_; }

@@ -1,4 +1,4 @@
-// Waypoints as the map shows them while they can be edited.
+// Waypoints as the map shows them during editing.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace mapwright::scene {
 
-/// How it stands towards where it is kept: told by shape and colour. Disc, square, framed square, triangle,
-/// diamond, cross, and the frame of a triangle for what others made of one in conflict.
+/// The state of a waypoint, shown by shape and colour. Disc, square, framed square, triangle, diamond, cross,
+/// and the frame of a triangle for the other version of one in conflict.
 enum class WaypointMark { Saved, Unsaved, Sent, Conflict, New, Deleted, Theirs };
 
 struct DrawnWaypoint {
@@ -22,8 +22,8 @@ struct DrawnWaypoint {
   std::optional<double> yaw_rad;
   WaypointMark mark = WaypointMark::Saved;
   bool selected = false;
-  bool warned = false;  // something is doubtful about it: an exclamation mark beside it
-  std::optional<Eigen::Vector2d> from_m = {};  // a line leads here from there: where it is kept, or mine
+  bool warned = false;                         // it has a warning: an exclamation mark next to it
+  std::optional<Eigen::Vector2d> from_m = {};  // a line leads here from there: the stored position, or mine
 };
 
 /// The waypoints of one map.

@@ -1,4 +1,4 @@
-// Features of the map: doors, boxes, landmarks, overlays, named places.
+// Features of the map: doors, boxes, landmarks, overlays, waypoints.
 #include <algorithm>
 #include <cmath>
 
@@ -102,7 +102,7 @@ void DoorsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     if (polygon.size() < 3 || !inView(context_.view, polygon.boundingRect())) continue;
     const bool open = door.state == "open", closed = door.state == "closed";
     const QColor color = open ? context_.theme.good : closed ? context_.theme.bad : context_.theme.warn;
-    // Shape too: a closed door is filled, an open one is an outline, a moving one dashed.
+    // Also by shape: a closed door is filled, an open one is an outline, a moving one dashed.
     painter->setBrush(closed ? QBrush(translucent(color, 110)) : QBrush(translucent(color, 30)));
     painter->setPen(QPen(color, 2, open || closed ? Qt::SolidLine : Qt::DashLine));
     painter->drawPolygon(polygon);
@@ -125,7 +125,7 @@ void BoxesLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
       const auto robot = context_.robotPose();
       if (box.in_robot_frame && !robot) continue;
       const geometry::Pose2 pose = box.in_robot_frame ? *robot * box.pose : box.pose;
-      // The user's choice goes before the robot's.
+      // The user's choice takes precedence over the robot's.
       const QColor color = box.rgba && !style().color.isValid() ? opaque(colorFrom(*box.rgba)) : common;
       const double a = box.length_m / 2, b = box.width_m / 2;
       if (a > 0 && b > 0) {
@@ -194,7 +194,7 @@ void OverlaysLayer::paintRegion(QPainter& painter, const map::OverlayFeature& fe
   painter.setPen(QPen(color, 1.5));
   painter.setBrush(translucent(color, 34));
   painter.drawPath(path);
-  if (feature.type == 1) {  // forbidden: hatched too, never colour alone
+  if (feature.type == 1) {  // forbidden: hatched as well, not only coloured
     painter.setPen(Qt::NoPen);
     painter.setBrush(QBrush(translucent(color, 110), Qt::BDiagPattern));
     painter.drawPath(path);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kMinorSpacingPx = 30;
 constexpr int kMaxLines = 400;
 
-/// Vertical (axis 0) or horizontal (axis 1) world lines every `step` metres across what is visible, in
+/// Vertical (axis 0) or horizontal (axis 1) world lines every `step` metres across the visible area, in
 /// pixels.
 QList<QLineF> gridLines(const geometry::ViewTransform& view, double step, int axis) {
   const geometry::WorldRect world = view.visibleWorld();

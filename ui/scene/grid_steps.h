@@ -1,4 +1,4 @@
-// How far apart the lines of the metric grid are.
+// The spacing of the metric grid.
 #pragma once
 
 #include "geometry/view_transform.h"
@@ -8,7 +8,7 @@ namespace mapwright::scene {
 struct GridSteps {
   double minor_m, major_m;
 };
-/// 1, 2 or 5 times a power of ten, so that lines keep a distance on screen; major lines fall on round
+/// 1, 2 or 5 times a power of ten, so that lines keep their distance on screen; major lines are at round
 /// numbers.
 GridSteps gridSteps(const geometry::ViewTransform& view);
 

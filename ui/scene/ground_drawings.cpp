@@ -105,7 +105,7 @@ class Brush {
     QString text = words::plainName(drawing_.text);
     if (text.size() > kLongestText) text = text.left(kLongestText - 1) + QChar(0x2026);
     const QRectF mark(at(0) - QPointF(1, 1), QSizeF(2, 2));
-    // As any other name it stays readable, and gives way where there is no room.
+    // Readable like any other label, and dropped if there is no room.
     if (inView(context_, mark)) drawName(painter_, context_, mark, text, readable(own_, context_.theme));
   }
 

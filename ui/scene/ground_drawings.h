@@ -1,4 +1,4 @@
-// What a robot draws on the ground for people (map::GroundDrawing), as pixels.
+// Paints things that a robot draws on the ground (map::GroundDrawing).
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace mapwright::scene {
 /// 0xRRGGBBAA.
 QColor colorFrom(std::uint32_t rgba);
 
-/// `color`: of what the robot names none for.
+/// `color`: for those without a colour of their own.
 void drawGroundDrawings(QPainter& painter, const LayerContext& context,
                         const std::vector<map::GroundDrawing>& drawings, const QColor& color);
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kBandPx = 32;
 
-// A place that is no number lies in the first band: a robot may send one.
+// An invalid position goes into the first band: a robot may send one.
 int bandOf(double y) { return y > -1e6 ? int(std::floor(std::min(y, 1e6) / kBandPx)) : int(-1e6 / kBandPx); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Where the names on the map go: none covers another.
+// Places the labels on the map without overlaps.
 #pragma once
 
 #include <map>
@@ -13,9 +13,9 @@ namespace mapwright::scene {
 /// The labels of one frame, in viewport pixels. GUI thread.
 class LabelSpace {
  public:
-  /// A new frame begins.
+  /// Starts a new frame.
   void clear() { bands_.clear(); }
-  /// Takes the first of `spots` that touches no label of this frame; nullopt = there is room at none.
+  /// Takes the first of `spots` that overlaps no label of this frame; nullopt = there is no room.
   std::optional<QRectF> take(std::span<const QRectF> spots);
 
  private:

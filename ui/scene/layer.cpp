@@ -23,7 +23,8 @@ constexpr std::array kRows{
     Row{Layer::EnvSymmetry, "symmetry", QT_TRANSLATE_NOOP("scene", "Symmetry map"), false},
     Row{Layer::CostmapLow, "costmap", QT_TRANSLATE_NOOP("scene", "Costmap, coarse"), false},
     Row{Layer::CostmapHigh, "costmap-high", QT_TRANSLATE_NOOP("scene", "Costmap, fine"), false},
-    Row{Layer::DispatchedCloud, "dispatched-cloud", QT_TRANSLATE_NOOP("scene", "Cloud of the map"), true},
+    Row{Layer::DispatchedCloud, "dispatched-cloud", QT_TRANSLATE_NOOP("scene", "Point cloud of the map"),
+        true},
     Row{Layer::Grid, "grid", QT_TRANSLATE_NOOP("scene", "Grid"), true},
     Row{Layer::Overlays, "overlays", QT_TRANSLATE_NOOP("scene", "Overlays"), true},
     Row{Layer::Waypoints, "waypoints", QT_TRANSLATE_NOOP("scene", "Waypoints"), true},
@@ -106,7 +107,7 @@ map::Streams layerStreams(Layer layer) {
       return {Stream::NearbyRobots, Stream::NearbyFootprints};
     case Layer::Regions:
     case Layer::Submaps:
-    case Layer::DispatchedCloud:  // is asked for, region by region
+    case Layer::DispatchedCloud:  // is requested region by region
     case Layer::Grid:
     case Layer::Waypoints:
     case Layer::Outlines:
@@ -182,7 +183,7 @@ LayerTraits layerTraits(Layer layer) {
       traits.choice_title = QCoreApplication::translate("scene", "Colour");
       traits.choices = {QCoreApplication::translate("scene", "By time"),
                         QCoreApplication::translate("scene", "By speed"),
-                        QCoreApplication::translate("scene", "By position quality")};
+                        QCoreApplication::translate("scene", "By localization quality")};
       return traits;
     case Layer::Path:
       return line(3);

@@ -1,4 +1,4 @@
-// The layers of the map: which there are, what they are called, what they need, how they may be styled.
+// The layers of the map: their names, what data they need, and how they can be styled.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace mapwright::scene {
 /// Everything that can be shown, in the default order, bottom first.
 enum class Layer {
   WholeMap,
-  Regions,  // a map too large to be moved whole, as far as it has been fetched
+  Regions,  // a map too large to be sent whole, as far as it has been fetched
   Submaps,
   Incremental,
   EnvMatch,
@@ -48,20 +48,20 @@ enum class Layer {
 
 /// For the command line and settings: "whole", "submaps", "costmap", "cloud", …
 QString layerName(Layer layer);
-/// For people, short: "Whole map", "Costmap, coarse", …
+/// For display, short: "Whole map", "Costmap, coarse", …
 QString layerTitle(Layer layer);
 /// The default order, bottom first.
 std::vector<Layer> allLayers();
 bool shownByDefault(Layer layer);
-/// What a robot has to send for it; empty when it needs nothing beside what is always on.
+/// The data that it needs from a robot, besides what is always on.
 map::Streams layerStreams(Layer layer);
-/// True when it shows what the robot is, sees or plans: it means nothing on a map that the robot is not in.
-/// (The open map's own landmarks and trajectories stay.)
+/// True if it shows the robot's state, sensor data or plans: it is meaningless on a map that the robot is not
+/// in. (The open map's own landmarks and trajectories stay.)
 bool followsRobot(Layer layer);
-/// True when its place in the order is fixed (the scale bar is always on top).
+/// True if its position is fixed (the scale bar is always on top).
 bool orderFixed(Layer layer);
 
-/// How a layer is drawn. What styleTraits() does not offer has no effect.
+/// How a layer is drawn. Settings that styleTraits() does not offer have no effect.
 struct LayerStyle {
   QColor color;     // invalid = the theme's own
   double size = 0;  // px; 0 = the default
@@ -69,7 +69,7 @@ struct LayerStyle {
   bool operator==(const LayerStyle&) const = default;
 };
 
-/// What a settings row of the layer offers.
+/// The settings that a layer offers.
 struct LayerTraits {
   bool color = false;
   std::optional<std::pair<double, double>> size_px;  // least, most
@@ -90,7 +90,7 @@ enum class DispatchedCloudChoice { Height, Intensity, Rgb, OneColor };
 /// How two maps are compared on screen.
 enum class CompareMode { Off, Swipe, Difference };
 
-/// What the halves of a swipe show.
+/// The content of the halves of a swipe.
 enum class HalfContent { Nothing, Submaps, WholeMap, ComparedMap };
 struct Halves {
   HalfContent left = HalfContent::WholeMap, right = HalfContent::Nothing;

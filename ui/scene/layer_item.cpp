@@ -14,8 +14,7 @@ namespace mapwright::scene {
 QPointF toPoint(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
 
 QColor readable(const QColor& color, const MapTheme& theme) {
-  // Relative luminance and contrast as WCAG 2 has them; more than its bounds, as the halo takes some of thin
-  // letters.
+  // Relative luminance and contrast as in WCAG 2; above its limits, as the halo covers part of thin letters.
   constexpr float kLeastContrast = 10;
   constexpr int kSteps = 10;
   const auto linear = [](float part) {

@@ -1,4 +1,4 @@
-// What all layers of the map have in common.
+// The common base of all layers of the map.
 #pragma once
 
 #include <optional>
@@ -17,12 +17,12 @@
 
 namespace mapwright::scene {
 
-/// What every layer paints with. Owned by the scene, outlives its items.
+/// Everything that layers paint with. Owned by the scene, outlives its items.
 struct LayerContext {
   geometry::ViewTransform view;  // logical pixels
   MapTheme theme;
-  double covered_top_px = 0;               // under what floats over the map
-  std::optional<geometry::Pose2> between;  // where the robot is drawn instead, if it is drawn
+  double covered_top_px = 0;               // height of the strips on top of the map
+  std::optional<geometry::Pose2> between;  // where to draw the robot instead, if it is drawn
   const map::LiveState* live = nullptr;    // never null while items exist; of the session, or an empty one
   LabelSpace* labels = nullptr;            // never null while items exist; empty at the start of a frame
 
@@ -34,20 +34,19 @@ struct LayerContext {
 
 QPointF toPoint(const Eigen::Vector2d& v);
 
-/// The colour, nearer to that of the theme's text as far as its letters would not stand out against their
-/// halo.
+/// The colour, shifted towards the theme's text colour if letters would not stand out against their halo.
 QColor readable(const QColor& color, const MapTheme& theme);
 /// Text with a halo, readable on any map.
 void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
                const QColor& color, bool struck_through = false);
 
-/// A name beside what it names: right of it, else left, below or above, else not at all when other names
-/// leave no room. `mark` is the thing's picture in viewport pixels.
+/// A label next to its object: right, otherwise left, below or above, or not at all if there is no room.
+/// `mark` is the object's area in viewport pixels.
 void drawName(QPainter& painter, const LayerContext& context, const QRectF& mark, const QString& name,
               const QColor& color);
 
-/// The viewport polyline of world points, without what cannot be seen: points within two pixels of the one
-/// before, and stretches outside the viewport grown by `margin_px` (then there are several polylines).
+/// The viewport polyline of world points without invisible parts: points within two pixels of the previous
+/// one, and parts outside the viewport grown by `margin_px` (which gives several polylines).
 std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
                                     std::span<const Eigen::Vector2d> world, double margin_px);
 
@@ -56,7 +55,7 @@ class LayerItem : public QGraphicsItem {
  public:
   explicit LayerItem(const LayerContext& context);
   QRectF boundingRect() const override;
-  QPainterPath shape() const override;  // what it draws in, for clipping to a part
+  QPainterPath shape() const override;  // the area that it paints, for clipping
   void viewportResized() { prepareGeometryChange(); }
 
   const LayerStyle& style() const { return style_; }
@@ -87,7 +86,7 @@ class DeviceLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
-  /// Tells the camera in device pixels.
+  /// Passes on the camera in device pixels.
   void sendView();
 
  protected:

@@ -1,4 +1,4 @@
-// Which layers show what people may take from a topic of their choice.
+// Which layers offer a choice of topic.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace mapwright::scene {
 
-/// The kind of data that is chosen for the layer; nullopt: it comes from where it comes.
+/// The kind of data to choose for the layer; nullopt: no choice.
 std::optional<map::Stream> chosenStream(Layer layer);
 
 }  // namespace mapwright::scene

@@ -1,4 +1,4 @@
-// Many thin lines at once, quickly.
+// Draws many thin lines quickly.
 #pragma once
 
 #include <functional>
@@ -8,12 +8,12 @@
 
 namespace mapwright::scene {
 
-/// A transparent sheet of the viewport's size. Lines drawn straight onto a view go through the rasteriser one
-/// by one (0.2 ms and a round of thread hand-overs each, measured with Qt 6.4); on a sheet of its own a thin,
-/// opaque, aliased line is a plain loop, and the sheet is laid over the map in one go.
+/// A transparent sheet of the viewport's size. Lines drawn directly onto a view go through the rasteriser one
+/// by one (0.2 ms and a round of thread hand-overs each, measured with Qt 6.4); on a separate sheet a thin,
+/// opaque, aliased line is a plain loop, and the sheet is blended over the map in one step.
 class LineSheet {
  public:
-  /// Calls `draw` with a painter in the coordinates of `painter`, then lays the sheet over with `opacity`.
+  /// Calls `draw` with a painter in the coordinates of `painter`, then blends the sheet with `opacity`.
   void paint(QPainter& painter, const QSizeF& viewport, double opacity,
              const std::function<void(QPainter&)>& draw);
 

@@ -41,8 +41,8 @@ void CloudLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   painter->drawImage(target, image_, painted_);
 }
 
-// Points are written straight into an image: thirty thousand of them take a fraction of a millisecond there
-// and ten through the painter.
+// Points are written directly into an image: thirty thousand of them take a fraction of a millisecond there
+// and ten with the painter.
 void CloudLayer::splat() {
   key_ = keyNow();
   const geometry::ViewTransform& view = context_.view;
@@ -126,7 +126,7 @@ void ConstraintsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*,
       if (QRectF(line.p1(), line.p2()).normalized().adjusted(-1, -1, 1, 1).intersects(seen)) lines << line;
     }
     if (lines.isEmpty()) continue;
-    // Residuals are what is left wrong; constraints are only there.
+    // Residuals are remaining errors; other constraints are only there.
     const bool residual = name.find("esidual") != std::string::npos;
     const QColor color = colorOr(residual ? context_.theme.bad : context_.theme.constraint);
     sheet_.paint(*painter, viewport, 0.8, [&](QPainter& on_sheet) {

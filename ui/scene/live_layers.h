@@ -1,4 +1,4 @@
-// What a robot sees, plans and is told: the layers made from its live topics and from the open map.
+// Layers of the robot's sensor data, plans and tasks, from its live topics and the open map.
 #pragma once
 
 #include <functional>
@@ -40,7 +40,7 @@ class CloudLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
-  /// Points have come: repaints where they were and where they are.
+  /// Points have arrived: repaints their old and new areas.
   void pointsArrived();
 
  private:
@@ -57,7 +57,7 @@ class CloudLayer : public LayerItem {
 
   Key key_;
   QImage image_;
-  QRect painted_;  // device pixels of image_ that hold points
+  QRect painted_;  // area of image_ with points, in device pixels
   qreal ratio_ = 1;
 };
 
@@ -65,7 +65,7 @@ class CloudLayer : public LayerItem {
 class LinesLayer : public LayerItem {
  public:
   using Lines = std::function<void(const std::function<void(std::span<const Eigen::Vector2d>)>&)>;
-  /// `lines` calls back with every polyline. Default colour and width as given.
+  /// `lines` calls back with every polyline. With the given default colour and width.
   LinesLayer(const LayerContext& context, Lines lines, QColor MapTheme::*color, double width_px);
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
@@ -92,7 +92,7 @@ class LocalPathLayer : public LayerItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 };
 
-/// Where the robot is to go.
+/// The robot's goal.
 class TargetLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;
@@ -113,14 +113,14 @@ class DoorsLayer : public LayerItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 };
 
-/// Pallets, racks, seen objects, and what the robot draws besides.
+/// Pallets, racks, detected objects, and the robot's other drawings.
 class BoxesLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 };
 
-/// Landmarks that the robot sees, or those of an open mapping.
+/// Landmarks seen by the robot, or those of an open mapping.
 class LandmarksLayer : public LayerItem {
  public:
   using Source = std::function<const std::vector<map::Landmark>&()>;
@@ -131,7 +131,7 @@ class LandmarksLayer : public LayerItem {
   Source landmarks_;
 };
 
-/// Walls, regions and places, read only.
+/// Walls, regions and places, read-only.
 class OverlaysLayer : public LayerItem {
  public:
   OverlaysLayer(const LayerContext& context, const std::vector<map::OverlayFeature>& features);
@@ -143,7 +143,7 @@ class OverlaysLayer : public LayerItem {
   const std::vector<map::OverlayFeature>& features_;
 };
 
-/// Named places with their headings.
+/// Waypoints with their headings.
 class WaypointsLayer : public LayerItem {
  public:
   WaypointsLayer(const LayerContext& context, const std::vector<DrawnWaypoint>& points);
@@ -168,10 +168,10 @@ class SwipeLayer : public LayerItem {
   QString left_, right_;
 };
 
-/// The tick of a heading, from a place in viewport pixels.
+/// The tick of a heading, starting at a position in viewport pixels.
 void drawHeading(QPainter& painter, const LayerContext& context, const QPointF& at, double yaw_rad,
                  const QColor& color);
-/// A place: a dot with a tick along its heading, and its name when there is room.
+/// A waypoint: a dot with a tick along its heading, and its name if there is room.
 void drawPlace(QPainter& painter, const LayerContext& context, const Eigen::Vector2d& world_m,
                std::optional<double> yaw_rad, const QColor& color, const QString& name);
 

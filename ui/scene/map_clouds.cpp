@@ -123,7 +123,7 @@ class MapClouds::Impl {
   }
 
   render::TilePainter sectionPainter(const CloudSection::Inside& inside, double ratio) const {
-    // The cut has chosen the heights already.
+    // The cut has already selected the heights.
     return painterOf(inside.set, look(ratio, {}));
   }
 
@@ -136,7 +136,7 @@ class MapClouds::Impl {
   void write(const QString& path, std::function<void(tl::expected<std::uint64_t, QString>)> reply) {
     const auto format = clouds::formatOf(path.toStdString());
     const auto set = set_ ? set_ : std::make_shared<const clouds::CloudSet>();
-    // Shared with nobody but the job: writing goes on when the map is left.
+    // Shared only with the job: writing continues when the map is left.
     share_.startLong(
         [this, set, heights = chosenHeights(), format, path, stop = write_stop_, reply = std::move(reply)] {
           disk::WrittenFile file(path.toStdString());
@@ -202,7 +202,7 @@ class MapClouds::Impl {
     cut_stop_ = newFlag();
   }
 
-  /// Hands `made` to the GUI thread, unless all has been cleared meanwhile.
+  /// Passes `made` to the GUI thread, unless everything was cleared meanwhile.
   template <class Made>
   void later(std::uint64_t epoch, Made made) {
     QMetaObject::invokeMethod(
@@ -213,7 +213,7 @@ class MapClouds::Impl {
         Qt::QueuedConnection);
   }
 
-  // One after the other: the newest is the one that came last, however large it is.
+  // One after the other: the newest is the last one received, however large it is.
   void proceed() {
     noteSettled();
     if (ordering_ || waiting_.empty()) return;
@@ -240,7 +240,7 @@ class MapClouds::Impl {
     noteSettled();
   }
 
-  /// What is new is shown when its heights are known: the colours are made of them.
+  /// New data is shown when its heights are known, since the colours depend on them.
   void count() {
     if (counting_) {
       count_again_ = true;
@@ -320,13 +320,13 @@ class MapClouds::Impl {
   MapClouds& owner_;
   MapScene& scene_;
   clouds::CloudBook book_;
-  std::shared_ptr<const clouds::CloudSet> set_;  // null: nothing has been put in order yet
+  std::shared_ptr<const clouds::CloudSet> set_;  // null: not ready yet
   std::deque<CloudPiece> waiting_;
   bool ordering_ = false, counting_ = false, count_again_ = false, cutting_ = false, was_settled_ = true;
   std::optional<std::pair<CloudCut, SectionReply>> next_cut_;
-  std::uint64_t epoch_ = 0;  // what was begun in an older one is of no use
+  std::uint64_t epoch_ = 0;  // results of an older one are ignored
   Flag order_stop_ = newFlag(), cut_stop_ = newFlag(), write_stop_ = newFlag();
-  work::Share share_;  // last: its jobs see all of the above
+  work::Share share_;  // last member: its jobs use all of the above
 };
 
 MapClouds::MapClouds(MapScene* scene, std::shared_ptr<work::Workers> workers)

@@ -22,7 +22,7 @@ void TileLayer::paintPixels(QPainter& painter, const QRectF& exposed) {
       std::find_if(tiles.begin(), tiles.end(), [](const auto& tile) { return !tile.stand_in; });
   const std::span stand_ins(tiles.begin(), first), finished(first, tiles.end());
   if (!stand_ins.empty() && renderer_.colors().clear_unknown) {
-    // What shows through a finished tile is what lies below the layer, not what stood in for it.
+    // A transparent part of a finished tile shows the layer below, not the stand-in.
     QRegion open(exposed.toAlignedRect());
     for (const render::DrawnTile& tile : finished) {
       open -= QRect(int(tile.to_viewport.dx()), int(tile.to_viewport.dy()), kMapTileEdge, kMapTileEdge);

@@ -1,5 +1,5 @@
-// The layers of the map that every robot has, one graphics item each, painted through the camera. Items never
-// own the state they show.
+// The layers that every robot has, one graphics item each, painted through the camera. Items never own the
+// state that they show.
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ struct Outline {
 };
 using Outlines = std::map<map::SubmapId, Outline>;
 
-/// Outlines of the submaps, or their ids, or only the highlighted ones.
+/// Outlines of the submaps, or their ids, or only those of the highlighted ones.
 class OutlineLayer : public LayerItem {
  public:
   enum class What { Outlines, Ids, Highlight };
@@ -68,7 +68,7 @@ class OutlineLayer : public LayerItem {
   LineSheet sheet_;
 };
 
-/// The way that the robot came.
+/// The robot's recent path.
 class TrailLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;
@@ -80,11 +80,11 @@ class RobotLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
-  /// The viewport rectangle that the robot and its footprints cover now, to repaint no more than that.
+  /// The viewport rectangle of the robot and its footprints, to limit repaints.
   QRectF robotRect() const;
 };
 
-/// The outline of the robot, or the wider one that it keeps free, where it told them.
+/// The footprint of the robot, or the wider one with its safety margin, if it reports them.
 class FootprintLayer : public LayerItem {
  public:
   FootprintLayer(const LayerContext& context, bool expanded);
@@ -101,7 +101,7 @@ class StaleLayer : public LayerItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 };
 
-/// The measured polyline with the length of each leg and of the whole.
+/// The measured polyline with the length of each leg and the total.
 class MeasureLayer : public LayerItem {
  public:
   MeasureLayer(const LayerContext& context, const std::vector<Eigen::Vector2d>& points);

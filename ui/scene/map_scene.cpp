@@ -89,7 +89,7 @@ void MapScene::drawBackground(QPainter* painter, const QRectF& rect) {
 
 void MapScene::drawForeground(QPainter* painter, const QRectF& rect) {
   QGraphicsScene::drawForeground(painter, rect);
-  // A robot that moves paints a small part of it again: that says nothing of what the whole takes.
+  // A moving robot repaints a small part: that does not tell how long the whole takes.
   const bool whole = rect.width() * rect.height() > view_.width_px * view_.height_px / 2.0;
   if (whole) impl_->pace.painted(impl_->began_ms, impl_->nowMs());
 }
@@ -112,7 +112,7 @@ void MapScene::paintContent() {
 
 MapScene::~MapScene() {
   if (session_) session_->disconnect(this);
-  clear();  // the items paint with what impl_ holds
+  clear();  // the items paint with data in impl_
 }
 
 work::Budgets MapScene::memory() const {
@@ -271,7 +271,7 @@ void MapScene::takeLive(int what) {
     for (LayerItem* item : impl.itemsOf(layer)) item->update();
   };
   if (what == topicIndex<map::TrackedPose>() && impl.context.live->robot_pose == impl.robot_pose) {
-    // It is told again and again where a robot stands.
+    // The robot's pose is repeated all the time.
   } else if (what == topicIndex<map::TrackedPose>() || what == topicIndex<map::RobotModel>()) {
     const std::array<LayerItem*, 3> moved{impl.robot, impl.items.at(Layer::Footprint),
                                           impl.items.at(Layer::ExpandedFootprint)};
@@ -354,7 +354,7 @@ geometry::WorldRect MapScene::contentBounds() const {
   if (layerVisible(Layer::DispatchedCloud)) bounds.extend(MapClouds::of(*this).bounds());
   if (bounds.empty()) bounds = session_->contentBounds();
   if (!bounds.empty() || !layerVisible(Layer::Cloud)) return bounds;
-  // A robot without a map: what it scans is all that there is.
+  // A robot without a map: its sensor data is all there is.
   for (const auto& [topic, cloud] : session_->live().clouds) {
     if (!cloud) continue;
     for (const map::CloudPoint& point : *cloud) bounds.extend(Eigen::Vector2d(point.x_m, point.y_m));

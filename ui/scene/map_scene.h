@@ -1,6 +1,6 @@
-// The map as a QGraphicsScene: the same for the window and for snapshots. Scene coordinates are viewport
-// pixels; the camera (geometry::ViewTransform) places the layers, so precision and speed do not depend on how
-// far the map reaches.
+// The map as a QGraphicsScene, for the window and for snapshots. Scene coordinates are viewport pixels; the
+// camera (geometry::ViewTransform) places the layers, so precision and speed do not depend on the size of the
+// map.
 #pragma once
 
 #include <functional>
@@ -34,7 +34,7 @@ class MapScene : public QGraphicsScene {
   explicit MapScene(render::TileRenderer::Options renderer_options, QObject* parent = nullptr);
   ~MapScene() override;
 
-  /// Shows a session (not owned; null = none). The session must outlive this or be taken away before.
+  /// Shows a session (not owned; null = none). The session must outlive this or be removed first.
   void setSession(session::Session* session);
   session::Session* session() const { return session_; }
 
@@ -52,66 +52,65 @@ class MapScene : public QGraphicsScene {
   void setLayerOpacity(Layer layer, double opacity);  // 0..1
   const LayerStyle& layerStyle(Layer layer) const;
   void setLayerStyle(Layer layer, const LayerStyle& style);
-  /// All layers, bottom first. Those whose place is fixed keep it, whatever is asked for.
+  /// All layers, bottom first. Those with a fixed position keep it.
   const std::vector<Layer>& layerOrder() const;
   void setLayerOrder(const std::vector<Layer>& order);
 
-  /// Compares the session's wholeMap() with its comparedMap(); swiping without a compared map sets the
-  /// submaps (left), where the robot has some, against the whole map (right).
+  /// Compares the session's wholeMap() with its comparedMap(); without a compared map a swipe shows the
+  /// submaps (left), if there are any, against the whole map (right).
   CompareMode compareMode() const;
   void setCompareMode(CompareMode mode);
-  /// Where the swipe divides the viewport, 0 (left edge) .. 1.
+  /// The position of the divider, 0 (left edge) .. 1.
   double swipeAt() const;
   void setSwipeAt(double fraction);
-  /// What is to be seen left and right of the line.
+  /// The content left and right of the divider.
   Halves halves() const;
-  /// What both halves are called on the map; empty = not at all.
+  /// The labels of the two halves; empty = none.
   void setHalfNames(const QString& left, const QString& right);
-  /// So much of its top lies under strips.
+  /// The height of the strips at its top.
   void setCoveredTop(double px);
   double coveredTop() const;
 
-  /// The submaps to point at (selected in the tree): framed in the accent colour.
+  /// The submaps to highlight (selected in the tree): framed in the accent colour.
   void setHighlighted(std::set<map::SubmapId> ids);
   const std::set<map::SubmapId>& highlighted() const;
   bool highlightedAt(const Eigen::Vector2d& world_m) const;
   /// The topmost visible submap whose slice covers the point.
   std::optional<map::SubmapId> submapAt(const Eigen::Vector2d& world_m) const;
 
-  /// Waypoints as they are being edited, in the place of those that the robot tells of that map; nullopt =
-  /// none are.
+  /// The edited waypoints, shown instead of the robot's waypoints of that map; nullopt = none.
   void setWaypoints(std::optional<DrawnWaypoints> waypoints);
 
-  /// Cells as they are being edited, in the place of those that this map came with, whenever it is the whole
-  /// map on screen; null = none are. They have its size and code.
+  /// The edited cells, shown instead of the map's own whenever it is on screen; null = none. They have its
+  /// size and code.
   void setEditedCells(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells);
-  /// Some of them have become others.
+  /// Some of them have changed.
   void editedCellsChanged(const geometry::WorldRect& where);
 
   void setMeasurement(std::optional<Measurement> measurement);
 
   render::TileRenderer& renderer() { return *renderer_; }
-  /// The submaps that have a picture, hidden ones too, in painting order.
+  /// The submaps with a picture, including hidden ones, in painting order.
   std::vector<render::PlacedTexture> placedTextures() const;
-  /// The whole map that is shown or could be; nullopt while none is open.
+  /// The whole map, shown or not; nullopt if none is open.
   std::optional<render::PlacedGrid> wholeMap() const;
-  /// What the tiles and the cells laid out for them take. Of the other caches it knows nothing.
+  /// Memory of the tiles and the cells prepared for them. It does not know the other caches.
   work::Budgets memory() const;
-  /// Occupancy in percent (0 free .. 100 occupied) at a point; nullopt where nothing was observed.
+  /// Occupancy in percent (0 free .. 100 occupied) at a point; nullopt if nothing was observed there.
   std::optional<int> occupancyAt(const Eigen::Vector2d& world_m) const;
-  /// Every listed submap's picture is in, every visible map is read, and every visible tile is exact.
+  /// Every listed submap's picture is loaded, every visible map is read, and every visible tile is exact.
   bool settled() const;
-  /// Every visible tile is exact for what has arrived so far.
+  /// Every visible tile is exact for the data received so far.
   bool picturesSettled() const;
-  /// Bounds of all maps that are shown; empty when there is none.
+  /// Bounds of all maps shown; empty if there is none.
   geometry::WorldRect contentBounds() const;
 
-  /// The robot, and all that belongs to it, is drawn only in the maps that it is in.
+  /// The robot, and everything that belongs to it, is only drawn in the maps that it is in.
   const RobotPlace& robotPlace() const;
-  /// Draws it all the same, or not, as long as this map is on screen; nullopt = as is known.
+  /// The user's choice to draw it or not while this map is on screen; nullopt = automatic.
   void setRobotWanted(std::optional<bool> wanted);
 
-  /// "Drawn as of" greying while the link is lost.
+  /// Greys the map while the connection is lost.
   void setStale(bool stale);
 
  Q_SIGNALS:
@@ -119,7 +118,7 @@ class MapScene : public QGraphicsScene {
   void layersChanged();
   void tilesSettled();
   void robotPlaceChanged();
-  void contentChanged();  // another whole map, or its end
+  void contentChanged();  // another whole map, or none
   void cellsEdited(const mapwright::geometry::WorldRect& where);
 
  protected:

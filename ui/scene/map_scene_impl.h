@@ -1,4 +1,4 @@
-// What a MapScene holds besides its face. Private to this room.
+// The private members of a MapScene. Private to this room.
 #pragma once
 
 #include <QElapsedTimer>
@@ -16,8 +16,8 @@ class MapScene::Impl : public SceneItems {
 
   RepaintPace pace;
   QElapsedTimer clock;
-  QTimer repaint_timer;  // runs while tiles that have come wait to be painted
-  double began_ms = 0;   // of the painting under way
+  QTimer repaint_timer;  // runs while new tiles wait to be painted
+  double began_ms = 0;   // of the painting in progress
   double nowMs() const { return double(clock.nsecsElapsed()) * 1e-6; }
 };
 

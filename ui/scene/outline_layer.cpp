@@ -72,7 +72,7 @@ void OutlineLayer::paintIds(QPainter& painter) const {
   const double cell_w = metrics.horizontalAdvance(QStringLiteral("000-0000")) + 4,
                cell_h = metrics.height() + 2;
   std::set<std::pair<int, int>> taken;
-  // Newest first: where labels would collide, the older one gives way.
+  // Newest first: if labels collide, the older one is dropped.
   for (auto it = outlines_.rbegin(); it != outlines_.rend(); ++it) {
     const QPointF center = toPoint(context_.view.pixelFromWorld(it->second.center));
     if (center.x() < -50 || center.y() < -20 || center.x() > context_.view.width_px + 50 ||
@@ -95,7 +95,7 @@ void OutlineLayer::paintIds(QPainter& painter) const {
 }
 
 void OutlineLayer::paintHighlight(QPainter& painter) const {
-  constexpr std::size_t kMostLabels = 20;  // more would only cover each other
+  constexpr std::size_t kMostLabels = 20;  // more would only overlap
   const geometry::WorldRect visible = context_.view.visibleWorld();
   QColor fill = context_.theme.accent;
   fill.setAlpha(28);

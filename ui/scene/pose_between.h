@@ -1,4 +1,5 @@
-// Where the robot is drawn between two samples of a replay: for the eye alone, no part of the live state.
+// The interpolated pose of the robot between two samples of a replay: for display only, not part of the live
+// state.
 #pragma once
 
 #include <optional>
@@ -13,13 +14,13 @@ namespace mapwright::scene {
 class PoseBetween : public QObject {
   Q_OBJECT
  public:
-  /// That of this scene; lives as long as it.
+  /// The one of this scene; lives as long as it.
   static PoseBetween& of(const MapScene& scene);
-  /// The scene makes one for itself.
+  /// Made by the scene itself.
   explicit PoseBetween(MapScene* scene);
 
-  /// Drawn in the place of the session's pose, world metres; nullopt: that one. Without a session's pose
-  /// nothing is drawn. It is let go with the session.
+  /// Drawn instead of the session's pose, world metres; nullopt: the session's. Without a session's pose
+  /// nothing is drawn. Dropped with the session.
   void show(const std::optional<geometry::Pose2>& pose);
   const std::optional<geometry::Pose2>& pose() const { return pose_; }
 
@@ -30,7 +31,7 @@ class PoseBetween : public QObject {
   std::optional<geometry::Pose2> pose_;
 };
 
-/// Where the robot is drawn now, if anywhere.
+/// Where the robot is drawn at present, if anywhere.
 std::optional<geometry::Pose2> poseDrawn(const MapScene& scene);
 
 }  // namespace mapwright::scene

@@ -33,7 +33,7 @@ render::GridPalette paletteOf(GridKind kind, const session::LayerGrid& grid, con
   }
 }
 
-/// As a whole map, but that unknown ground is opaque: what has not been fetched must not look like it.
+/// Like a whole map, but unknown cells are opaque: they must differ from what was not fetched.
 render::GridPalette regionsPalette(const render::MapColors& colors) {
   render::GridPalette palette = render::wholeMapPalette(colors, grids::CellCode::Occupancy);
   const grids::CellMeaning& meaning = grids::meaningOf(grids::CellCode::Occupancy);
@@ -199,7 +199,7 @@ void RasterStack::regionSheetsChanged() {
   if (regions_) {
     for (const auto& sheet : regions_->regions().sheets()) placed.push_back({sheet, sheet->reference()});
   }
-  // Sheets do not cover each other: whoever is drawn already stays where it is.
+  // Sheets do not overlap: those already drawn stay in their place.
   std::vector<Sheet*> free;
   for (Sheet& sheet : region_sheets_) {
     const auto& shown = sheet.renderer->grid();

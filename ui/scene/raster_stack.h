@@ -1,5 +1,5 @@
-// The raster layers of a session: whole map, overview, compared map, difference, costmaps and the like, each
-// with the renderer that keeps its tiles.
+// The raster layers of a session: whole map, overview, compared map, difference, costmaps and so on, each
+// with its renderer.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ class RasterStack : public QObject {
   RasterLayer* difference() const { return difference_.item; }
   /// All items, bottom first.
   std::vector<RasterLayer*> items() const;
-  /// Those of a map by regions: one for each lattice of cells that it may have.
+  /// Those of a map by regions: one for each possible cell lattice.
   std::vector<RasterLayer*> regionItems() const;
 
   /// Not owned; null = none.
@@ -41,12 +41,12 @@ class RasterStack : public QObject {
   void setTheme(const MapTheme& theme);
   /// The camera has changed.
   void sendView();
-  /// Takes over which items are visible: the others make nothing.
+  /// Applies which items are visible: the others render nothing.
   void syncActive();
 
-  /// Everything that is visible is drawn as far as it has been read.
+  /// Everything visible is drawn as far as it has been read.
   bool drawn() const;
-  /// And read to the end.
+  /// And completely read.
   bool settled() const;
   geometry::WorldRect wholeBounds() const;
   geometry::WorldRect comparedBounds() const;
@@ -54,7 +54,7 @@ class RasterStack : public QObject {
   std::size_t cacheBytes() const;
   std::optional<render::PlacedGrid> wholeMap() const;
   std::optional<render::PlacedGrid> comparedMap() const;
-  /// Shown in the place of the cells of the whole map, while that is the map `map`; null = none are.
+  /// Shown instead of the cells of the whole map while that is the map `map`; null = none.
   void setEdited(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells);
   void editedChanged(const geometry::WorldRect& where);
 
@@ -63,7 +63,7 @@ class RasterStack : public QObject {
   void regionSheetsChanged();
   void regionCellsChanged(const geometry::WorldRect& where);
   geometry::WorldRect regionBounds() const;
-  /// The cell of a region at a point; nullopt where none has been fetched, or it is unknown.
+  /// The cell of a region at a point; nullopt if it is unknown or not fetched.
   std::optional<int> regionOccupancyAt(const Eigen::Vector2d& world_m) const;
 
  Q_SIGNALS:

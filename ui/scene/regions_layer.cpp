@@ -11,8 +11,8 @@ namespace {
 
 using regions::RegionState;
 
-constexpr int kHatchPx = 8;            // after so much its pattern begins anew
-constexpr double kLeastLabelPx = 120;  // a region that is narrower has no room for words
+constexpr int kHatchPx = 8;            // the pattern repeats after this
+constexpr double kLeastLabelPx = 120;  // a narrower region has no room for text
 constexpr int kHatchAlpha = 70, kQuietAlpha = 90, kExtentAlpha = 190;
 
 QColor withAlpha(QColor color, int alpha) {
@@ -33,7 +33,7 @@ QPolygonF RegionGround::onScreen(const geometry::WorldRect& rect) const {
 void RegionGround::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   if (!map_) return;
   painter->save();
-  painter->setRenderHint(QPainter::Antialiasing, false);  // between neighbours no seam must show
+  painter->setRenderHint(QPainter::Antialiasing, false);  // no seam may be visible between neighbours
   paintHatch(*painter);
   paintOutlines(*painter);
   paintExtent(*painter);
@@ -42,12 +42,12 @@ void RegionGround::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
 
 void RegionGround::paintHatch(QPainter& painter) const {
   const geometry::ViewTransform& view = context_.view;
-  QPainterPath unknown;  // all but what has an answer: regions do not overlap
+  QPainterPath unknown;  // everything without an answer: regions do not overlap
   unknown.setFillRule(Qt::OddEvenFill);
   unknown.addRect(0, 0, view.width_px, view.height_px);
   QPainterPath answered;
   answered.setFillRule(Qt::WindingFill);
-  // Thousands of small ones make few shapes: they come column by column, upwards.
+  // Thousands of small ones become a few shapes: they come column by column, upwards.
   geometry::WorldRect column;
   const auto add = [&] {
     if (column.empty()) return;
@@ -68,7 +68,7 @@ void RegionGround::paintHatch(QPainter& painter) const {
   QPainterPath screen;
   screen.addRect(0, 0, view.width_px, view.height_px);
   painter.setClipPath(screen, Qt::IntersectClip);
-  // The hatching goes along with the map.
+  // The hatching moves with the map.
   const QPointF zero = toPoint(view.pixelFromWorld({0, 0}));
   const auto phase = [](double at) { return std::isfinite(at) ? std::fmod(std::round(at), kHatchPx) : 0.0; };
   painter.setBrushOrigin(QPointF(phase(zero.x()), phase(zero.y())));
@@ -91,7 +91,7 @@ void RegionGround::paintExtent(QPainter& painter) const {
 void RegionGround::paintOutlines(QPainter& painter) const {
   const MapTheme& theme = context_.theme;
   painter.setBrush(Qt::NoBrush);
-  // What stands out is drawn over what does not.
+  // Prominent ones are drawn over the others.
   for (const bool quiet : {true, false}) {
     for (const regions::RegionView& region : map_->regions().inView()) {
       const bool busy = region.state == RegionState::Fetching || region.refreshing;
@@ -107,9 +107,9 @@ void RegionGround::paintOutlines(QPainter& painter) const {
       const QRectF box = shape.boundingRect();
       if (box.width() < kLeastLabelPx || region.state == RegionState::Held) continue;
       QString words;
-      if (region.state == RegionState::Nothing) words = QCoreApplication::translate("scene", "nothing here");
+      if (region.state == RegionState::Nothing) words = QCoreApplication::translate("scene", "empty");
       if (busy) words = QCoreApplication::translate("scene", "being fetched…");
-      if (failed) words = QCoreApplication::translate("scene", "could not be fetched");
+      if (failed) words = QCoreApplication::translate("scene", "fetch failed");
       if (words.isEmpty()) continue;
       const QPointF middle = box.center();
       const double width = QFontMetricsF(theme.label_font).horizontalAdvance(words);

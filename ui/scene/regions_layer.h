@@ -1,4 +1,4 @@
-// What of a map by regions has not been fetched, marked as such. Private to this room.
+// Marks the parts of a map by regions that have not been fetched. Private to this room.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,8 @@
 
 namespace mapwright::scene {
 
-/// Hatched wherever no answer is known, with a line around all that the robot says there is, and outlines of
-/// their own for what is being fetched and what failed. Cells lie over it. Without a map by regions it draws
-/// nothing.
+/// Hatched wherever nothing is known, with a line around the reported extent, and outlines for regions being
+/// fetched and failed ones. Cells are drawn over it. Draws nothing without a map by regions.
 class RegionGround : public LayerItem {
  public:
   using LayerItem::LayerItem;

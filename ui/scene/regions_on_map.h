@@ -1,4 +1,4 @@
-// The map by regions that lies on the map: where the scene keeps it.
+// The map by regions in the scene.
 #pragma once
 
 #include <optional>
@@ -15,16 +15,16 @@ namespace mapwright::scene {
 class RegionsOnMap : public QObject {
   Q_OBJECT
  public:
-  /// That of this scene; lives as long as it.
+  /// The one of this scene; lives as long as it.
   static RegionsOnMap& of(const MapScene& scene);
-  /// The scene makes one for itself.
+  /// Made by the scene itself.
   explicit RegionsOnMap(MapScene* scene);
 
-  /// Not owned; null: none. It may go before this: then nothing is shown of it.
+  /// Not owned; null: none. It may be destroyed first: then nothing of it is shown.
   void show(regions::RegionMap* map);
   regions::RegionMap* map() const { return map_; }
 
-  /// Where the whole map lies, as its robot says; nullopt: it does not. Not looked at without a map.
+  /// The extent of the whole map as reported by its robot; nullopt: not reported. Ignored without a map.
   void setExtent(const std::optional<map::GridReference>& extent);
   const std::optional<map::GridReference>& extent() const { return extent_; }
 

@@ -1,14 +1,13 @@
-// How often the map is painted again while its content is still coming.
+// How often to repaint the map while its content is still arriving.
 #pragma once
 
 namespace mapwright::scene {
 
-/// Painting and decoding share the processors: a picture that is painted again for every submap that comes is
-/// complete later. A view that is moved by hand does not ask here. A value; times in milliseconds of any
-/// clock that does not run backwards.
+/// Painting and decoding compete for the processors: repainting for every new submap would delay the complete
+/// picture. Does not affect manual moves of the view. A value; times in milliseconds of any monotonic clock.
 class RepaintPace {
  public:
-  static constexpr double kRest = 4;  // times as long as painting took; the rest is for those who decode
+  static constexpr double kRest = 4;  // pause, as a multiple of the painting time, left for decoding
   static constexpr double kLongestMs = 150;
 
   /// The whole map was painted.
@@ -16,7 +15,7 @@ class RepaintPace {
     cost_ms_ = ended_ms - began_ms;
     ended_ms_ = ended_ms;
   }
-  /// How long new content is to wait; 0 = it may be painted now.
+  /// How long new content should wait; 0 = paint now.
   double waitMs(double now_ms) const {
     const double rest_ms = kRest * cost_ms_ < kLongestMs ? kRest * cost_ms_ : kLongestMs;
     const double due_ms = ended_ms_ + rest_ms - now_ms;

@@ -32,7 +32,7 @@ void TrailLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
     points.clear();
   };
   for (std::size_t i = 0; i < trail.size(); ++i) {
-    // Where nobody knows which way it went there is no line.
+    // If the path is unknown there is no line.
     if (i > 0 && !map::isWayKnown(trail[i - 1], trail[i])) drawPiece();
     points.push_back(trail[i].position_m);
   }

@@ -31,7 +31,7 @@ RobotPlace robotPlace(const session::Session& session, const MapsOnScreen& on_sc
     if (session::lacksPicture(slot))  // its waypoints are on screen
       return map::whereabouts(slot.key(), slot.name().toStdString(), live, session.catalogue().entries(),
                               afresh);
-    if (!slot.cells()) return Whereabouts::Here;  // nothing that it could be drawn on wrongly
+    if (!slot.cells()) return Whereabouts::Here;  // there is nothing to draw it on wrongly
     const map::WholeMap& shown = slot.shown();
     return map::whereabouts(shown.state_of.value_or(shown.key), shown.name, live,
                             session.catalogue().entries(), afresh);
@@ -43,7 +43,7 @@ RobotPlace robotPlace(const session::Session& session, const MapsOnScreen& on_sc
     const Whereabouts right = on_screen.compared ? in(session.comparedMap()) : Whereabouts::Elsewhere;
     const bool in_left = left != Whereabouts::Elsewhere, in_right = right != Whereabouts::Elsewhere;
     if (on_screen.submaps_left) {
-      // The submaps are the robot's own; they stand at the left of the whole map.
+      // The submaps are the robot's own; they are to the left of the whole map.
       place.drawn = partOf(true, in_left);
     } else if (on_screen.mode == CompareMode::Swipe) {
       place.drawn = partOf(in_left, in_right);

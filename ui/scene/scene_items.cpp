@@ -79,7 +79,7 @@ SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
   swipe = add(scene, new SwipeLayer(context));
   add(scene, Layer::ScaleBar, new ScaleBarLayer(context));
   for (const Layer layer : allLayers()) {
-    // Submaps stand on their own side of a swipe; landmarks and trajectories may be an opened map's.
+    // Submaps are on their own side of a swipe; landmarks and trajectories may belong to an opened map.
     const bool apart = layer == Layer::Submaps || layer == Layer::Landmarks || layer == Layer::Trajectory;
     if (followsRobot(layer) && !apart) robots_own.push_back(items.at(layer));
   }
@@ -156,7 +156,7 @@ void SceneItems::applyVisibility() {
   }
   const bool submaps_left = halves().left == HalfContent::Submaps;
   if (compare != CompareMode::Off) {
-    // Each half is one map, whatever was on screen before.
+    // Each half is one map, regardless of what was on screen before.
     items.at(Layer::WholeMap)->setVisible(!difference);
     items.at(Layer::Submaps)->setVisible(swiping && submaps_left);
   }
@@ -176,7 +176,7 @@ void SceneItems::applyVisibility() {
     item->setPart(part(ScreenPart::Right));
     item->setVisible(item->isVisible() && second && swiping);
   }
-  // What belongs to the robot goes where the robot does.
+  // Data of the robot is shown where the robot is.
   for (LayerItem* item : robots_own) item->setPart(rectOf(place.drawn));
   if (place.drawn == ScreenPart::None) {
     for (LayerItem* item : robots_own) item->setVisible(false);
@@ -199,7 +199,7 @@ bool SceneItems::placeRobot(session::Session* session) {
   if (!session) {
     robot_wanted.reset();
   } else {
-    // A choice is about one map.
+    // A choice applies to one map.
     const session::MapSlot& whole = session->wholeMap();
     const std::optional<map::MapKey> shown_key =
         whole.cells() ? std::optional(whole.shown().key) : std::nullopt;
@@ -214,7 +214,7 @@ void SceneItems::takeWaypoints(const session::Session* session) {
   const auto take = [this, session](const session::MapSlot& slot, bool on_screen, MapFeatures& features) {
     features.waypoints.clear();
     if (!on_screen) return;
-    // Those that are edited need no picture below them.
+    // Edited ones need no picture below them.
     if (edited && edited->map == session->placesOf(slot)) {
       features.waypoints = edited->points;
       return;
@@ -254,7 +254,7 @@ void SceneItems::takeFeatures(const session::Session* session) {
   };
   const bool opened = on_screen.whole && take(session->wholeMap(), of_whole);
   if (on_screen.compared) take(session->comparedMap(), of_compared);
-  // Beside an opened map the robot's own overlays have a place only on the half of the submaps.
+  // Next to an opened map the robot's own overlays only belong on the half of the submaps.
   const bool beside = on_screen.submaps_left && place.drawn == ScreenPart::Left;
   if (place.overlays_fit && context.live->map_info && (!opened || beside))
     of_robot.overlays = context.live->map_info->overlays;

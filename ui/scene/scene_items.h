@@ -1,5 +1,5 @@
-// The graphics items of a map scene: made once, stacked in the user's order, shown as he wants and as a
-// comparison needs. Private to this room.
+// The graphics items of a map scene: made once, stacked in the user's order, visible by the user's choice and
+// as a comparison requires. Private to this room.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ class QGraphicsScene;
 
 namespace mapwright::scene {
 
-/// What lies on a map because of that map, with the items that draw it.
+/// The features that belong to a map, with their items.
 struct MapFeatures {
   std::vector<map::OverlayFeature> overlays;
   std::vector<std::vector<Eigen::Vector2d>> trajectories;
@@ -37,15 +37,15 @@ class SceneItems {
   /// Gives every item its place in `order`.
   void stack();
   Halves halves() const;
-  /// What the user wants to see (`shown`), changed by what a comparison needs.
+  /// The user's choice (`shown`), modified by the needs of a comparison.
   void applyVisibility();
-  /// What lies on the maps that are shown, by what is known of them and by what the robot sends.
+  /// The features of the maps shown, from what is known of them and from the robot's messages.
   void takeFeatures(const session::Session* session);
-  /// The waypoints among them: those that are being edited, else those that the robot tells.
+  /// The waypoints: the edited ones, otherwise the robot's.
   void takeWaypoints(const session::Session* session);
-  /// Finds out where the robot belongs; true when that has changed.
+  /// Updates where the robot is drawn; true if that has changed.
   bool placeRobot(session::Session* session);
-  /// All items of a layer: some layers show things of several maps.
+  /// All items of a layer: some layers show several maps.
   const std::vector<LayerItem*>& itemsOf(Layer layer) const { return by_layer.at(layer); }
 
   LayerContext context;
@@ -57,24 +57,24 @@ class SceneItems {
   std::shared_ptr<const Track> track;  // null = none
   MapFeatures of_whole, of_compared, of_robot;
   RobotPlace place;
-  std::optional<DrawnWaypoints> edited;  // instead of what the robot tells of that map
+  std::optional<DrawnWaypoints> edited;  // shown instead of the robot's waypoints
   std::optional<bool> robot_wanted;      // the user's choice for the map on screen
   std::optional<map::MapKey> wanted_on;
   QRectF robot_rect;
-  std::optional<geometry::Pose2> robot_pose;  // of the robot as it is drawn
+  std::optional<geometry::Pose2> robot_pose;  // of the robot as drawn
   std::size_t trail_length = 0;
   std::map<Layer, bool> shown;
   std::vector<Layer> order;
   CompareMode compare = CompareMode::Off;
   bool has_submaps = false;   // the robot has some
-  bool wants_second = false;  // a second map is compared, or on its way
+  bool wants_second = false;  // a second map is compared, or loading
   bool has_compared = false;  // it is there
   double swipe_at = 0.5;
   RasterStack raster;
   std::map<Layer, LayerItem*> items;  // the first of each layer
   std::map<Layer, std::vector<LayerItem*>> by_layer;
   std::vector<LayerItem*> all;
-  std::vector<LayerItem*> robots_own;  // all that mean something only where the robot is; not the submaps
+  std::vector<LayerItem*> robots_own;  // all that only make sense where the robot is; not the submaps
   TileLayer* tiles = nullptr;
   RegionGround* region_ground = nullptr;
   OutlineLayer* highlight = nullptr;

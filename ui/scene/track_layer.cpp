@@ -22,11 +22,11 @@ class TrackLayerText {
 enum QualityColor { Unknown, Poor, Fair, Good };
 constexpr int kPoor = 3, kGood = 8;  // SlamStatus::position_quality
 constexpr double kWidth = 3;
-constexpr double kNearPx = 1.5;  // samples nearer to the one before are not drawn
-// The legend stands on the scale bar.
+constexpr double kNearPx = 1.5;  // samples closer to the previous one are skipped
+// The legend is above the scale bar.
 constexpr double kLeft = 8, kAboveBottom = 48, kBarPx = 140, kBarHeight = 8, kPad = 8;
 
-/// Dark to light, evenly, and with no red against green: "viridis" (matplotlib, CC0), eight stops of it.
+/// Dark to light, uniform, without red against green: "viridis" (matplotlib, CC0), eight stops of it.
 constexpr std::array<QRgb, 8> kGradient{0xff440154, 0xff46327e, 0xff365c8d, 0xff277f8e,
                                         0xff1fa187, 0xff4ac16d, 0xffa0da39, 0xfffde725};
 
@@ -79,7 +79,7 @@ std::vector<QColor> trackColors(TrackChoice choice, const MapTheme& theme) {
   // Okabe and Ito's colours.
   if (choice == TrackChoice::Quality)
     return {QColor(128, 128, 128), QColor(213, 94, 0), QColor(230, 159, 0), QColor(0, 114, 178)};
-  // The ends that are too near to the ground are left out.
+  // Omits the ends that are too close to the background.
   const double from = theme.dark ? 0.25 : 0, to = theme.dark ? 1 : 0.85;
   std::vector<QColor> colors;
   for (int i = 0; i < kTrackColors; ++i)

@@ -1,5 +1,5 @@
-// Draws the way that the robot took through a whole bag, coloured by time, speed or how well it knew where it
-// was. Private to this room.
+// Draws the robot's path through a whole bag, coloured by time, speed or localization quality. Private to
+// this room.
 #pragma once
 
 #include <memory>
@@ -13,20 +13,20 @@
 
 namespace mapwright::scene {
 
-/// What the colours of a track mean.
+/// The meaning of the colours of a track.
 struct TrackScale {
   TrackChoice choice = TrackChoice::Time;
-  double most = 0;  // seconds, metres a second; what has the last colour. 0 = nothing has any
+  double most = 0;  // seconds, metres per second; value of the last colour. 0 = no values
   bool operator==(const TrackScale&) const = default;
 };
 /// Speeds end at a round number.
 TrackScale scaleOf(const Track& track, TrackChoice choice);
 
-constexpr int kTrackColors = 32;  // of a gradient
-/// Which colour a sample has: of a gradient 0 to kTrackColors - 1, of the qualities 0 unknown, 1 lost or
-/// poor, 2 fair, 3 good.
+constexpr int kTrackColors = 32;  // steps of a gradient
+/// The colour of a sample: for a gradient 0 to kTrackColors - 1, for the quality 0 unknown, 1 lost or poor, 2
+/// fair, 3 good.
 int colorIndexOf(const TrackSample& sample, const TrackScale& scale);
-/// For each index, told apart by those who do not see red or green as well.
+/// By index, distinguishable for colour-blind people as well.
 std::vector<QColor> trackColors(TrackChoice choice, const MapTheme& theme);
 
 class TrackLayer : public LayerItem {
@@ -44,7 +44,7 @@ class TrackLayer : public LayerItem {
   void paintLegend(QPainter& painter, const QRectF& exposed) const;
 
   const std::shared_ptr<const Track>& track_;
-  /// What `runs_` were laid out for.
+  /// What `runs_` were computed for.
   std::shared_ptr<const Track> laid_out_;
   std::optional<geometry::ViewTransform> laid_out_view_;
   TrackScale scale_;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kWaypointNameFromMPerPx = 0.12;  // names appear when a pixel is no larger than this
 constexpr int kLongestWaypointName = 40;
 constexpr double kRadiusPx = 5;
-constexpr std::size_t kCrowd = 500;  // of so many, those that would hide each other are drawn once
+constexpr std::size_t kCrowd = 500;  // with this many, those that would hide each other are drawn once
 constexpr double kCrowdPx = 4;
 constexpr std::size_t kWaypointMarks = std::size_t(WaypointMark::Theirs) + 1;
 
@@ -35,7 +35,7 @@ QColor colorOf(const MapTheme& theme, WaypointMark mark) {
   }
 }
 
-/// An exclamation mark above the right of `at`, readable on any ground.
+/// An exclamation mark to the upper right of `at`, readable on any background.
 void paintWarning(QPainter& painter, const MapTheme& theme, const QPointF& at) {
   const QPointF foot = at + QPointF(kRadiusPx + 3, -kRadiusPx - 1);
   for (const auto& [color, width] : {std::pair(theme.text_halo, 5.5), std::pair(theme.warn, 2.8)}) {
@@ -53,7 +53,7 @@ void paintRing(QPainter& painter, const MapTheme& theme, const QPointF& at) {
   }
 }
 
-/// Marks as finished pictures: thousands of them are drawn in a moment. The middle of each is the middle.
+/// Marks as pixmaps: thousands of them are drawn quickly. The middle of each is its position.
 class Sprites {
  public:
   Sprites(const MapTheme& theme, qreal ratio) : theme_(theme), ratio_(ratio) {}
@@ -141,7 +141,7 @@ void WaypointsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, Q
   const MapTheme& theme = context_.theme;
   const QRectF seen = QRectF(0, 0, view.width_px, view.height_px).adjusted(-220, -20, 20, 20);
   const bool crowd = points_.size() > kCrowd && view.scale_m_per_px > kWaypointNameFromMPerPx;
-  // Many that are in the hand, or have just been moved, tell neither headings nor whence they came.
+  // If many are dragged, or were just moved, headings and lines to their origins are omitted.
   std::size_t special_seen = 0;
   for (const DrawnWaypoint& point : points_)
     special_seen += isSpecial(point) && seen.contains(toPoint(view.pixelFromWorld(point.position_m)));
@@ -149,11 +149,11 @@ void WaypointsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, Q
   Sprites sprites(theme, painter->device()->devicePixelRatioF());
   std::unordered_set<std::uint64_t> taken, taken_by_special;
   painter->setRenderHint(QPainter::Antialiasing);
-  // What stands out lies on top of the others; of a crowd those that are warned of take the place.
+  // Prominent ones are drawn on top; in a crowd those with warnings are preferred.
   for (const auto& [special, warned] :
        {std::pair(false, true), std::pair(false, false), std::pair(true, true), std::pair(true, false)}) {
     const bool as_sprites = special ? crowd_of_special : crowd;
-    if (special && !as_sprites && !warned) continue;  // drawn already, in their order
+    if (special && !as_sprites && !warned) continue;  // already drawn, in their order
     for (const DrawnWaypoint& point : points_) {
       if (isSpecial(point) != special) continue;
       if ((!special || as_sprites) && point.warned != warned) continue;
@@ -162,7 +162,7 @@ void WaypointsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, Q
       if (as_sprites) {
         const auto cell = [](double px) { return std::uint64_t(std::uint32_t(std::int32_t(px / kCrowdPx))); };
         std::unordered_set<std::uint64_t>& cells = special ? taken_by_special : taken;
-        // What somebody has to decide is never left out.
+        // Conflicts are never omitted.
         const bool alone = point.mark == WaypointMark::Conflict || point.mark == WaypointMark::Theirs;
         if (cells.insert(cell(at.x()) << 32 | cell(at.y())).second || alone)
           sprites.draw(*painter, at, point.mark, point.selected, point.warned);

@@ -23,7 +23,7 @@ void fillMenuBar(QMenuBar& bar, const Actions& actions) {
       menu->setToolTipsVisible(true);
     } else if (last[which] != place.group &&
                (submenuTitle(place.group).isEmpty() || submenuTitle(last[which]).isEmpty())) {
-      menu->addSeparator();  // submenus beside each other need none
+      menu->addSeparator();  // adjacent submenus need none
     }
     last[which] = place.group;
     const QString title = submenuTitle(place.group);

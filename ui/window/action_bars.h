@@ -1,4 +1,4 @@
-// Menus and tool bar out of what is registered: nothing here knows a single action.
+// Builds menus and tool bar from the registered actions: knows no single action.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ class Actions;
 
 void fillMenuBar(QMenuBar& bar, const Actions& actions);
 void fillToolBar(QToolBar& bar, const Actions& actions);
-/// The menu of the map at a point, world metres.
+/// The context menu of the map at a point, world metres.
 void fillMapMenu(QMenu& menu, const Actions& actions, const Eigen::Vector2d& world_m);
 
 }  // namespace mapwright::window

@@ -15,7 +15,7 @@ namespace mapwright::window {
 
 namespace {
 
-/// What has no place comes last.
+/// Items without a place come last.
 template <class Group>
 bool standsBefore(const Place<Group>& one, const Place<Group>& other) {
   return std::tuple(one.rank == 0, one.group, one.rank) <
@@ -42,7 +42,7 @@ QString withoutMnemonic(const QString& text) {
 
 void makeToggle(QAction& action) {
   action.setCheckable(true);
-  action.setIconVisibleInMenu(false);  // a check mark says more there than a tinted picture
+  action.setIconVisibleInMenu(false);  // a check mark is clearer there than a tinted icon
 }
 
 }  // namespace

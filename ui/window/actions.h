@@ -1,5 +1,5 @@
-// All actions of the window, in one list: menus, tool bar, the menu of the map, command palette and shortcut
-// sheet are made from it. Where an action stands is said by whoever registers it.
+// All actions of the window in one list: menus, tool bar, context menu, command palette and shortcut sheet
+// are built from it. Whoever registers an action says where it goes.
 #pragma once
 
 #include <functional>
@@ -20,14 +20,14 @@ namespace mapwright::window {
 /// Where a shortcut works.
 enum class Reach {
   Everywhere,   // in the whole window (has Ctrl, Alt or is a function key)
-  OutsideText,  // everywhere but where text is typed: a single key, which a text field takes for itself
-  Map,          // while the map has the focus: a key that means something else in other places
+  OutsideText,  // everywhere except while typing: a single key, which text fields use themselves
+  Map,          // while the map has the focus: a key with other meanings elsewhere
 };
 
 /// The menus of the menu bar, from left to right.
 enum class Menu { Robot, Edit, Map, View, Help };
 
-/// The groups of all menus, from top to bottom, a line between each two of the same menu.
+/// The groups of all menus, from top to bottom, separated by lines.
 enum class MenuGroup {
   // Robot
   Places,
@@ -57,14 +57,14 @@ enum class MenuGroup {
   About,
 };
 
-/// The groups of the tool bar, from left to right; the last one stands at the far end.
+/// The groups of the tool bar, from left to right; the last one is at the far end.
 enum class BarGroup { Robot, Maps, Tools, Edit, Look, Drawn, Places, FarEnd };
 
-/// The groups of the menu that the map has at a point.
+/// The groups of the map's context menu.
 enum class MapMenuGroup { Edit, Point, Submap, Copies, Look };
 
-/// A place in a row of groups. Ranks count upwards within the group and leave room (10, 20 …); those of the
-/// same rank stand as they were registered.
+/// A position within groups. Ranks increase within the group, with gaps (10, 20 …); equal ranks are in order
+/// of registration.
 template <class Group>
 struct Place {
   Group group = {};
@@ -74,16 +74,16 @@ using MenuPlace = Place<MenuGroup>;
 using BarPlace = Place<BarGroup>;
 using MapMenuPlace = Place<MapMenuGroup>;
 
-/// What is to be known of an action; what is left out, it does not have.
+/// The properties of an action; omitted ones do not apply.
 struct ActionSpec {
   const char* id = "";  // its object name
   QString text = {};    // with a mnemonic
   const char* icon = "";
   std::vector<const char*> keys = {};  // "Ctrl+O"
   Reach reach = Reach::Everywhere;
-  QString tip = {};            // gets the keys appended
+  QString tip = {};            // the keys are appended
   bool toggle = false;         // on or off
-  bool needs_session = false;  // it can do nothing while no robot and no file is open
+  bool needs_session = false;  // disabled while no robot or file is open
   MenuPlace menu = {};
   BarPlace bar = {};
   MapMenuPlace map_menu = {};
@@ -93,12 +93,12 @@ class Actions : public QObject {
   Q_OBJECT
  public:
   struct Entry {
-    QString menu;  // "View": the menu it stands in, and its heading in the shortcut sheet
+    QString menu;  // "View": its menu, and its heading in the shortcut sheet
     QAction* action;
     Reach reach;
     MenuPlace place = {};
   };
-  /// Puts entries into the map's menu at a point, world metres; none where it has nothing to say there.
+  /// Adds entries to the map's context menu at a point, world metres, if there are any.
   using MapMenuFiller = std::function<void(QMenu& menu, const Eigen::Vector2d& world_m)>;
   using WidgetMaker = std::function<QWidget*(QWidget* parent)>;
   template <class Group, class What>
@@ -115,23 +115,23 @@ class Actions : public QObject {
   explicit Actions(QObject* parent = nullptr) : QObject(parent) {}
 
   QAction* add(const ActionSpec& spec);
-  /// `what` is called when it is triggered, as long as `receiver` lives.
+  /// `what` is called when it is triggered, as long as `receiver` exists.
   template <class Receiver, class What>
   QAction* add(const ActionSpec& spec, Receiver* receiver, What&& what) {
     QAction* const action = add(spec);
     connect(action, &QAction::triggered, receiver, std::forward<What>(what));
     return action;
   }
-  /// Those that stand in no menu. `id` is the object name. The tooltip gets the shortcut appended.
+  /// For actions outside of menus. `id` is the object name. The shortcut is appended to the tooltip.
   QAction* add(const QString& menu, const QString& id, const QString& text, const QString& icon_name,
                const QList<QKeySequence>& shortcuts, Reach reach, const QString& tip);
   QAction* addToggle(const QString& menu, const QString& id, const QString& text, const QString& icon_name,
                      const QList<QKeySequence>& shortcuts, Reach reach, const QString& tip);
-  /// An action that something else owns and that has no shortcuts: in its menu, and in the lists.
+  /// An action owned by someone else, without shortcuts: added to its menu and to the lists.
   void list(const MenuPlace& place, QAction* action);
-  /// The same in its menu only, as for a submenu.
+  /// The same, but only in its menu, for example a submenu.
   void place(const MenuPlace& place, QAction* action);
-  /// A widget on the tool bar, made when the bar is.
+  /// A widget on the tool bar, made together with the bar.
   void placeOnBar(const BarPlace& place, WidgetMaker make);
   void placeOnMapMenu(const MapMenuPlace& place, MapMenuFiller fill);
 
@@ -142,10 +142,10 @@ class Actions : public QObject {
   const std::vector<Placed<BarGroup, BarItem>>& onBar() const { return on_bar_; }
   const std::vector<Placed<MapMenuGroup, MapMenuFiller>>& onMapMenu() const { return on_map_menu_; }
 
-  /// Those that need a session are disabled while there is none, and enabled when one begins.
+  /// Disables actions that need a session while there is none.
   void setSessionOpen(bool open);
 
-  /// Makes the shortcuts work: those of Reach::Map on `map`, the rest on `window`.
+  /// Activates the shortcuts: those of Reach::Map on `map`, the others on `window`.
   void attach(QWidget* window, QWidget* map);
 
  private:
@@ -164,7 +164,7 @@ class Actions : public QObject {
 Menu menuOf(MenuGroup group);
 /// "&Robot".
 QString menuTitle(Menu menu);
-/// Of a group that stands in a menu of its own within its menu; empty = it does not.
+/// For a group that forms a submenu; empty = it does not.
 QString submenuTitle(MenuGroup group);
 
 /// "Fit (F)": an action's text without mnemonics, dots and the like.

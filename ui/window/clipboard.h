@@ -1,4 +1,4 @@
-// What is copied, and the word that it was.
+// Copies text and reports it.
 #pragma once
 
 #include <QString>
@@ -7,7 +7,7 @@ namespace mapwright::window {
 
 class MapOverlay;
 
-/// `text` may come from a robot: what is invisible in it stays behind. `said`: for the toast.
+/// `text` may come from a robot: invisible characters are removed. `said`: for the toast.
 void copyText(MapOverlay& overlay, const QString& text, const QString& said);
 
 }  // namespace mapwright::window

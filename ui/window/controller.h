@@ -1,6 +1,6 @@
-// A capability of the window: its dock, actions and tools, in a folder of its own. The window makes it and
-// tells it which robot is there; controllers do not know each other. What one wants of another is a signal
-// that the window connects.
+// A feature of the window: its dock, actions and tools, in its own folder. The window makes it and tells it
+// about the robot; controllers do not know each other. Requests from one to another are signals that the
+// window connects.
 #pragma once
 
 #include <functional>
@@ -14,11 +14,10 @@
 
 namespace mapwright::window {
 
-/// What was fetched of the robot, and is nowhere but on screen.
+/// Data fetched from the robot that only exists on screen.
 struct Fetched {
   QString name;  // "a cloud of 1,200 points"; plain text
-  /// Asks where to. Calls `saved` once it is written; never when the user gives it up or it cannot be
-  /// written.
+  /// Asks for a file name. Calls `saved` once it is written; never if the user cancels or it fails.
   std::function<void(std::function<void()> saved)> save;
 };
 
@@ -27,29 +26,30 @@ class Controller : public QObject {
  public:
   using QObject::QObject;
 
-  /// Another robot, or none (null). What belonged to the last one must not be touched afterwards. The scene
-  /// shows it already, or still.
+  /// Another robot, or none (null). Do not touch data of the previous one afterwards. The scene already shows
+  /// the new one, or still the old one.
   virtual void setSession(session::Session* /*session*/) {}
-  /// Once, when the window and all controllers are made.
+  /// Called once, when the window and all controllers exist.
   virtual void recall(const QSettings& /*settings*/) {}
   virtual void remember(QSettings& /*settings*/) {}
-  /// Back to how it was at first: "Reset layout".
+  /// Restores the original state: "Reset layout".
   virtual void reset() {}
-  /// Esc that nothing else wanted. True: it was left, and nobody else is asked.
+  /// An unhandled Esc. True: something was left, and no other controller is asked.
   virtual bool escape() { return false; }
 
   /// Something would be lost if the present map were left.
   virtual bool unsaved() const { return false; }
-  /// It can be saved now: what stands in the way is none of what has to be decided or waited for first.
+  /// It can be saved now: no open decision or pending work prevents it.
   virtual bool maySave() const { return unsaved(); }
   /// Saves it, if there is anything.
   virtual void save() {}
-  /// What is lost with the robot, though nobody has changed anything. It is asked about together.
+  /// Data that is lost with the robot, although the user changed nothing. There is one question for all of
+  /// it.
   virtual std::vector<Fetched> fetched() { return {}; }
-  /// The present map is about to be left: calls `then` when it may be, at once where nothing is unsaved; else
-  /// asks first, and never calls it when the user wants to stay.
+  /// The present map is about to be left: calls `then` when that is allowed, at once if nothing is unsaved;
+  /// otherwise asks first, and never calls it if the user wants to stay.
   virtual void beforeLeaving(std::function<void()> then) { then(); }
-  /// The robot is about to be left, and all of its maps.
+  /// The same when the robot is about to be left, with all of its maps.
   virtual void beforeLeavingRobot(std::function<void()> then) { beforeLeaving(std::move(then)); }
 
  Q_SIGNALS:

@@ -11,9 +11,9 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kBagMapWithinMs = 1'000;  // the map of a bag is there with its world, or not at all
+constexpr int kBagMapWithinMs = 1'000;  // the map of a bag is there with its state, or not at all
 
-/// In a replay the time of day is the recorded one, and what was wrong with the robot then is no problem now.
+/// In a replay the time of day is the recorded one, and the robot's former problems are not present ones.
 session::Session::Options optionsOf(robot::Robot& robot, session::Session::Options options) {
   auto* const replayed = qobject_cast<replay::ReplayRobot*>(&robot);
   if (!replayed) return options;
@@ -76,7 +76,7 @@ void CurrentSession::leave() {
     source->disconnect(this);
   }
   Q_EMIT changed(nullptr);
-  // The scene shows it until everybody else has let go of it.
+  // The scene shows it until everybody else has released it.
   scene_.setSession(nullptr);
   leaving->close();
   Q_EMIT stateChanged();

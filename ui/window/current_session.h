@@ -30,10 +30,10 @@ class CurrentSession : public QObject {
   void leave();
 
  Q_SIGNALS:
-  /// Null: the last one is about to end, and session() is null already.
+  /// Null: the last one is about to end, and session() is already null.
   void changed(session::Session* session);
-  /// How things stand has changed: link, identity, list, rows, maps or the visible layers; or the session has
-  /// come or gone. What tells about it is to be put anew.
+  /// Something has changed: connection, identity, list, rows, maps or the visible layers; or the session was
+  /// replaced. Update everything that shows it.
   void stateChanged();
 
  private:

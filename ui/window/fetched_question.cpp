@@ -17,10 +17,11 @@ void FetchedQuestion::ask(std::vector<Fetched> what, std::function<void()> then)
   if (question_) return question_->raise();
   QStringList names;
   for (const Fetched& one : what_) names << one.name;
-  question_ = new QMessageBox(QMessageBox::Question, tr("Fetched and not saved"),
-                              tr("What was fetched goes with this robot, and is not saved: %1.")
-                                  .arg(names.join(QStringLiteral("; "))),
-                              QMessageBox::Discard | QMessageBox::Cancel, window_);
+  question_ =
+      new QMessageBox(QMessageBox::Question, tr("Fetched and not saved"),
+                      tr("The following was fetched from this robot and is not saved. It will be lost: %1.")
+                          .arg(names.join(QStringLiteral("; "))),
+                      QMessageBox::Discard | QMessageBox::Cancel, window_);
   question_->setTextFormat(Qt::PlainText);
   question_->setAttribute(Qt::WA_DeleteOnClose);
   QPushButton* const save = question_->addButton(tr("Save…"), QMessageBox::AcceptRole);

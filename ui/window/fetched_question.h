@@ -1,4 +1,4 @@
-// What was fetched of a robot goes with it: whether it is to be saved is asked once, about all of it.
+// Fetched data is lost with the robot: asks once whether to save it, for all of it.
 #pragma once
 
 #include <functional>
@@ -18,8 +18,8 @@ class FetchedQuestion : public QObject {
   /// `window`: the parent of the question.
   explicit FetchedQuestion(QWidget* window, QObject* parent = nullptr);
 
-  /// Calls `then` when nothing of it is needed any more: at once where there is nothing, else when all of it
-  /// is saved, or was given up; never when the user stays.
+  /// Calls `then` when nothing of it is needed any more: at once if there is nothing, otherwise when all of
+  /// it is saved or discarded; never if the user stays.
   void ask(std::vector<Fetched> what, std::function<void()> then);
 
  private:
@@ -29,7 +29,7 @@ class FetchedQuestion : public QObject {
   QPointer<QMessageBox> question_;
   std::vector<Fetched> what_;
   std::function<void()> then_;
-  std::uint64_t asked_ = 0;  // what is saved for an older question goes nowhere
+  std::uint64_t asked_ = 0;  // counts the questions: saves for an older one are ignored
 };
 
 }  // namespace mapwright::window

@@ -131,7 +131,7 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  // The scene and the docks hold on to the session, the view to the scene: take apart from the outside in.
+  // The scene and the docks refer to the session, the view to the scene: destroy from the outside in.
   leaveRobot();
   context_->tools.putAway();
   for (auto it = controllers_.rbegin(); it != controllers_.rend(); ++it) {
@@ -144,7 +144,7 @@ MainWindow::~MainWindow() {
 
 void MainWindow::createControllers(const Dependencies& dependencies) {
   WindowContext& context = *context_;
-  // Their order is that in which the keyboard goes through the docks, and in which Esc is offered.
+  // Their order is the tab order of the docks, and the order in which Esc is offered.
   const auto make = [&]<class What>(What*& place, auto&&... needs) {
     place = new What(context, std::forward<decltype(needs)>(needs)..., this);
     controllers_.push_back(place);
@@ -219,7 +219,7 @@ void MainWindow::addOwnActions() {
   actions_.add({.id = "resetLayout",
                 .text = tr("&Reset layout"),
                 .icon = "reset",
-                .tip = tr("Docks, layers and colours as they were at first"),
+                .tip = tr("Restore the original docks, layers and colours"),
                 .menu = {MenuGroup::Window, 40}},
                this, &MainWindow::resetLayout);
 }
@@ -243,7 +243,7 @@ void MainWindow::tellControllers(session::Session* session) {
 void MainWindow::restoreSettings() {
   if (!restoreGeometry(settings_.value(kGeometryKey).toByteArray())) {
     const QRect room = QGuiApplication::primaryScreen()->availableGeometry();
-    // Room for the frame that the window manager puts around it.
+    // Room for the window manager's frame.
     resize(qMin(1600, room.width() - kFramePx), qMin(1000, room.height() - kTitleBarPx));
   }
   if (!context_->panels.restore(settings_.value(kStateKey).toByteArray())) context_->panels.arrange();
@@ -268,7 +268,7 @@ void MainWindow::escape() {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-  // What no widget below wanted: Esc means the same wherever the focus is.
+  // Not handled by any widget: Esc means the same wherever the focus is.
   if (event->key() != Qt::Key_Escape) return QMainWindow::keyPressEvent(event);
   auto* search = qobject_cast<QLineEdit*>(focusWidget());
   if (search && search->isClearButtonEnabled() && !search->text().isEmpty()) {
@@ -301,7 +301,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 QMenu* MainWindow::createPopupMenu() {
-  // The default one lists tool bars by names nobody knows.
+  // The default menu lists tool bars by internal names.
   auto* menu = new QMenu(this);
   for (QDockWidget* dock : context_->panels.docks()) menu->addAction(dock->toggleViewAction());
   return menu;

@@ -1,5 +1,5 @@
-// The window: the map in the middle, docks around it, one robot at a time. It arranges; what can be done is
-// in the controllers.
+// The window: the map in the middle, docks around it, one robot at a time. It arranges; the controllers
+// contain the features.
 #pragma once
 
 #include <functional>
@@ -71,7 +71,7 @@ class WindowStatusBar;
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
-  /// What the window needs from the composition root.
+  /// What the composition root provides.
   struct Dependencies {
     /// Makes a robot, not yet connected, from an address (also "demo:"). The error is a sentence.
     std::function<tl::expected<std::unique_ptr<robot::Robot>, QString>(const QString& address,
@@ -81,12 +81,12 @@ class MainWindow : public QMainWindow {
     QString initial_address = {};  // connected to at once; empty = none
     session::Session::Options session = {};
     render::TileRenderer::Options renderer = {};
-    /// The map.yaml files beside a picture that name it as theirs. Looks at the disk; called on any thread.
-    /// Null: pictures are always asked for their place.
+    /// Returns the map.yaml files that name a picture as their image. Accesses the disk; called on any
+    /// thread. Null: always ask for a picture's position.
     std::function<QStringList(const QString& picture)> yamls_naming = {};
-    edit::EditOptions edit = {};      // where drafts are kept
-    robot::Addresses addresses = {};  // that people may type
-    /// Of the session, the scene and all else in the background; null = a crew of its own.
+    edit::EditOptions edit = {};      // where to keep drafts
+    robot::Addresses addresses = {};  // the supported kinds
+    /// Shared background threads; null = a thread pool of its own.
     std::shared_ptr<work::Workers> workers = {};
     work::Budgets budgets = work::budgetsFrom();  // of all caches
   };
@@ -94,11 +94,11 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(Dependencies dependencies, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Leaves the present robot and goes to another, once what is not saved is saved or let go of; the error is
-  /// a sentence, then everything stays as it was.
+  /// Switches to another robot after unsaved changes are saved or discarded; the error is a sentence, and
+  /// then nothing has changed.
   std::optional<QString> connectTo(const QString& address, const QByteArray& secret = {});
   void leaveRobot();
-  /// A map.yaml, a picture (asks how it lies) or a folder. What cannot be opened becomes a toast.
+  /// A map.yaml, a picture (asks for its position) or a folder. Errors are shown as a toast.
   void openPath(const QString& path);
   /// Shows a map of the catalogue without loading it on the robot.
   void openMap(const map::MapKey& key);
@@ -151,7 +151,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void createControllers(const Dependencies& dependencies);
-  /// What one controller wants of another.
+  /// Connects signals from one controller to another.
   void connectControllers();
   void addOwnActions();
   void createToolBar();
@@ -196,8 +196,8 @@ class MainWindow : public QMainWindow {
   RobotController* robot_ = nullptr;
   ToolsController* tools_ = nullptr;
   WaypointsController* waypoints_ = nullptr;
-  std::vector<Controller*> controllers_;  // in the order in which they were made
-  bool may_close_ = false;                // what is not saved has been thought of
+  std::vector<Controller*> controllers_;  // in order of creation
+  bool may_close_ = false;                // unsaved changes have been dealt with
 };
 
 }  // namespace mapwright::window

@@ -8,7 +8,7 @@ Notices::Notices(NoticeBar* bar, QObject* parent) : QObject(parent), bar_(bar) {
   connect(bar_, &NoticeBar::offerTaken, this, [this] {
     const Notice* const notice = first();
     if (!notice || !notice->take) return;
-    const auto take = notice->take;  // the notice may go by it
+    const auto take = notice->take;  // the call may delete the notice
     take();
   });
   connect(bar_, &NoticeBar::closed, this, [this] {

@@ -1,4 +1,4 @@
-// The strip above the map, which several controllers want: the first one that has something to say gets it.
+// The strip above the map, shared by several controllers: the highest-ranked notice is shown.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace mapwright::window {
 
 class NoticeBar;
 
-/// Who goes before whom.
+/// Their order.
 enum class NoticeRank { Link, Map, Replay, Regions, Limits };
 
 struct Notice {
@@ -22,7 +22,7 @@ struct Notice {
   QString sentence;  // plain text; empty = nothing to say
   QString offer = {};
   std::function<void()> take = {};  // the offer
-  bool closable = false;            // once closed, the same sentence does not come again
+  bool closable = false;            // once closed, the same sentence is not shown again
 };
 
 class Notices : public QObject {

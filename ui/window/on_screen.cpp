@@ -18,18 +18,18 @@ namespace {
 
 using session::MapSlot;
 
-/// What is there of it, or how it stands.
+/// Its name, or its state.
 QString nameOf(const MapSlot& slot) {
   if (slot.phase() == MapSlot::Phase::Empty) return QCoreApplication::translate("window", "no whole map yet");
   const QString progress = slot.cells() ? QString() : mapProgressText(slot);
   return progress.isEmpty() ? mapOnScreen(slot) : progress;
 }
 
-/// What tells it from another map of its name.
+/// Distinguishes it from another map with the same name.
 QString markOf(const MapSlot& slot) {
   const map::WholeMap& shown = slot.shown();
   const map::MapKey& key = slot.cells() ? shown.key : slot.key();
-  if (shown.state_of) return QCoreApplication::translate("window", "as it was kept");
+  if (shown.state_of) return QCoreApplication::translate("window", "as it was saved");
   if (key.kind == map::MapKind::Live) return QCoreApplication::translate("window", "live");
   if (key.kind == map::MapKind::File)
     return plainWords(shown.path.empty() ? map::toText(key) : shown.path, 120);
@@ -75,7 +75,7 @@ QString robotCalled(const robot::Robot& robot) {
 }
 
 QString submapsOf(session::Session* session, const scene::MapScene& scene) {
-  // While it makes a new map its submaps are of none yet.
+  // While it makes a new map its submaps belong to none yet.
   if (!session || !scene.robotPlace().overlays_fit) return {};
   return plainWords(map::currentMapName(session->live(), session->catalogue().entries()), 60);
 }
@@ -125,7 +125,7 @@ QString windowTitle(session::Session* session, const scene::MapScene& scene) {
   } else if (mapsInView(scene).submaps && session->robot().submapSource()) {
     map = submapsCalled(session, scene);
   }
-  // A map file is called like its map.
+  // A map file is named after its map.
   return map.isEmpty() || map == name ? QStringLiteral("%1 – mapwright").arg(name)
                                       : QStringLiteral("%1 – %2 – mapwright").arg(map, name);
 }

@@ -1,4 +1,4 @@
-// What is on screen, in words. Pure functions of the session and the scene; names in them are one line of
+// Texts about what is on screen. Pure functions of the session and the scene; names in them are one line of
 // plain text.
 #pragma once
 
@@ -11,19 +11,20 @@
 namespace mapwright::window {
 
 bool comparing(const scene::MapScene& scene);
-/// Points that the robot scans, or did, are drawn.
+/// Sensor points of the robot are drawn.
 bool scansInView(const scene::MapScene& scene);
 MapsInView mapsInView(const scene::MapScene& scene);
-/// Its name, or what else tells it from others.
+/// Its name, or another distinguishing text.
 QString robotCalled(const robot::Robot& robot);
-/// The map that the submaps belong to; empty where none is known.
+/// The map that the submaps belong to; empty if unknown.
 QString submapsOf(session::Session* session, const scene::MapScene& scene);
-/// What the halves of a swipe really show, told apart where both have one name; empty: there is no swipe.
+/// The labels of the halves of a swipe, distinguishable even if both have the same name; empty: there is no
+/// swipe.
 struct HalfNames {
   QString left, right;
 };
 HalfNames halfNames(session::Session* session, const scene::MapScene& scene);
-/// The open map and the one that it is compared with, likewise.
+/// The same for the open map and the one that it is compared with.
 HalfNames comparedNames(const session::Session& session);
 /// "Ground floor – dock-3 – mapwright". Null: no robot.
 QString windowTitle(session::Session* session, const scene::MapScene& scene);

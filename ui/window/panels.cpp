@@ -39,7 +39,7 @@ Panels::Panels(QMainWindow& window, Actions& actions) : QObject(&window), window
 }
 
 bool Panels::eventFilter(QObject* watched, QEvent* event) {
-  // The window makes them as it needs them. Cut to a few letters none of them says what it is.
+  // The window creates them on demand. Truncated to a few letters they would be useless.
   if (event->type() == QEvent::ChildPolished) {
     if (auto* const tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child())) {
       tabs->setElideMode(Qt::ElideNone);
@@ -53,7 +53,7 @@ void Panels::add(QDockWidget* dock, const PanelPlace& place) {
   giveTitle(dock);
   QAction* const toggle = dock->toggleViewAction();
   actions_.list({MenuGroup::Panels, place.menu_rank}, toggle);
-  // Whoever opens a panel wants to see it, not the tab in front of it; Qt puts it there only once it is laid
+  // The user wants to see the opened panel, not the tab in front of it; Qt places it only once it is laid
   // out.
   connect(toggle, &QAction::triggered, dock, [dock](bool on) {
     if (on) QMetaObject::invokeMethod(dock, &QDockWidget::raise, Qt::QueuedConnection);
@@ -81,7 +81,7 @@ std::vector<Panels::Panel> Panels::onSide(Side side) const {
 void Panels::arrange() {
   place();
   restored_ = false;
-  // Which tab is in front is settled only when the window has been laid out.
+  // Which tab is in front is only known after layout.
   QTimer::singleShot(0, this, [this] {
     if (restored_) return;
     for (const Edge& edge : kEdges) {

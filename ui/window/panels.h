@@ -1,5 +1,4 @@
-// The docks of the window: where they stand at first, which are open, which of those behind each other is in
-// front.
+// The docks of the window: their original places, which are open, and which tab is in front.
 #pragma once
 
 #include <vector>
@@ -14,7 +13,7 @@ namespace mapwright::window {
 
 class Actions;
 
-/// Where a dock stands at first. Those of one side stand behind each other, as tabs.
+/// The original place of a dock. Those on one side are tabs.
 struct PanelPlace {
   enum class Side { Left, Right, Bottom };
   Side side = Side::Left;
@@ -38,18 +37,18 @@ class Panels : public QObject {
   /// All as at first.
   void arrange();
   QByteArray state() const;
-  /// False: that was no state of these docks; nothing has changed.
+  /// False: invalid state for these docks; nothing has changed.
   bool restore(const QByteArray& state);
-  /// The layout is as the user left it: nothing comes to the front by itself.
+  /// The layout was restored: nothing comes to the front automatically.
   bool restored() const { return restored_; }
 
-  /// Shows a dock that somebody asked for.
+  /// Shows a dock on request.
   void open(QDockWidget* dock);
-  /// Brings a dock to the front, unless the user has chosen what is there.
+  /// Brings a dock to the front, unless the user has chosen the one that is there.
   void suggest(QDockWidget* dock);
 
  Q_SIGNALS:
-  /// All are as at first, and laid out: who has more to the point than the last tab suggests it now.
+  /// All docks are in their original places: suggest a more useful one than the last tab now.
   void arranged();
 
  private:
@@ -59,7 +58,7 @@ class Panels : public QObject {
   };
   std::vector<Panel> onSide(PanelPlace::Side side) const;  // by tab
   void place();
-  /// Another one for other docks, so that an old state is not forced upon a new layout.
+  /// Changes with the set of docks, so that an old state is not applied to a new layout.
   int version() const;
 
   QMainWindow& window_;

@@ -1,4 +1,4 @@
-// Several documents with an undo stack each: Ctrl+Z is about the one that was changed last.
+// Several documents with an undo stack each: Ctrl+Z affects the one changed last.
 #pragma once
 
 #include <QUndoGroup>
@@ -6,7 +6,7 @@
 
 namespace mapwright::window {
 
-/// Puts the stack among those of the group, and in front whenever something of it changes. Not owned.
+/// Adds the stack to the group, and activates it whenever it changes. Not owned.
 inline void joinUndo(QUndoGroup& group, QUndoStack& stack) {
   group.addStack(&stack);
   QObject::connect(&stack, &QUndoStack::indexChanged, &group, [&group, &stack] {

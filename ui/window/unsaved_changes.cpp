@@ -52,7 +52,7 @@ void UnsavedChanges::save() {
 }
 
 void UnsavedChanges::whenMayLeave(std::function<void()> then) {
-  // From the last one to the first, so that the first is asked first.
+  // In reverse, so that the first is asked first.
   for (auto it = controllers_.rbegin(); it != controllers_.rend(); ++it)
     then = [controller = *it, then = std::move(then)] { controller->beforeLeaving(then); };
   then();

@@ -1,5 +1,4 @@
-// What would be lost if the present map were left: of all controllers together. Whoever is about to leave it
-// asks here.
+// The unsaved changes of all controllers. Ask here before leaving the present map.
 #pragma once
 
 #include <functional>
@@ -15,23 +14,23 @@ class FetchedQuestion;
 class UnsavedChanges : public QObject {
   Q_OBJECT
  public:
-  /// `window`: the parent of the question about what was fetched.
+  /// `window`: the parent of the question about fetched data.
   explicit UnsavedChanges(QWidget* window = nullptr);
 
   /// Not owned; must outlive all questions.
   void watch(Controller* controller);
-  /// It is about to be taken apart: it is not asked any more.
+  /// It is being destroyed: it is not asked any more.
   void forget(Controller* controller);
 
   bool any() const;
   bool maySave() const;  // any of it, now
   void save();
-  /// Calls `then` when the present map may be left: at once, or after the user has said what becomes of what
-  /// is not saved, or never. Each controller is asked in its turn, since each may ask.
+  /// Calls `then` when the present map may be left: at once, or after the user has decided about unsaved
+  /// changes, or never. The controllers are asked one after the other, since each may show a question.
   void whenMayLeave(std::function<void()> then);
-  /// Whether anything has been fetched of the robot that is nowhere else.
+  /// Whether any fetched data would be lost.
   bool losesFetched() const;
-  /// The same where the robot is left; last of all what was fetched of it is asked about.
+  /// The same for leaving the robot; finally asks about fetched data.
   void whenMayLeaveRobot(std::function<void()> then);
 
  Q_SIGNALS:

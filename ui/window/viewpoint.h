@@ -1,4 +1,4 @@
-// Who has chosen where the map is looked at: until the user has, what arrives may be fitted into the view.
+// Whether the user has chosen the view: until then, arriving data may be fitted into it.
 #pragma once
 
 #include <QObject>
@@ -15,18 +15,18 @@ class Viewpoint : public QObject {
   /// `view` must outlive this.
   explicit Viewpoint(MapView& view, QObject* parent = nullptr);
 
-  /// Nothing moves the camera by itself any more.
+  /// The camera no longer moves automatically.
   bool chosen() const { return chosen_; }
   void choose() { chosen_ = true; }
-  /// Another robot: its maps lie elsewhere.
+  /// Another robot: its maps are elsewhere.
   void forget() { chosen_ = false; }
 
-  /// Fits what has arrived into the view.
+  /// Fits arriving data into the view.
   void fit(const geometry::WorldRect& world);
-  /// The same, and strips and panels that come later move nothing.
+  /// The same, but later strips and panels do not change the view.
   void fitOnce(const geometry::WorldRect& world);
-  /// Goes where the user wants to look: nearer when it would be a speck, farther when it would not fit; else
-  /// the scale stays.
+  /// Moves to what the user selected: zooms in if it would be tiny, out if it would not fit; otherwise keeps
+  /// the scale.
   void lookAt(const geometry::WorldRect& world);
 
  private:

@@ -1,4 +1,4 @@
-// How the readers of this folder make fields. Nobody else's business.
+// How the readers of this folder construct fields. Private to them.
 #pragma once
 
 #include <bit>
@@ -30,7 +30,7 @@ struct Access {
     field.raw_[0] = std::uint64_t(value);
     return field;
   }
-  /// Beyond int64: a real number that remembers its digits.
+  /// Beyond int64: a real number that keeps its digits.
   static Field ofNatural(std::uint64_t value) {
     Field field = ofReal(double(value));
     field.raw_[1] = value;
@@ -47,7 +47,7 @@ struct Access {
     if (const auto* natural = std::get_if<std::uint64_t>(&number)) return ofNatural(*natural);
     return ofReal(std::get<double>(number));
   }
-  /// The item at `at` of bytes that lookThrough() found whole.
+  /// The item at `at`, in bytes that lookThrough() has checked.
   static Field ofCbor(const std::uint8_t* at, const std::uint8_t* end) {
     const CborItem item = CborItem::at(at, end);
     if (item.type == CborItem::Type::Whole) return ofWhole(item.whole);
@@ -70,7 +70,7 @@ struct Access {
   static bool isCbor(const Field& field) { return field.kind_ == Field::Kind::Cbor; }
   static bool isJson(const Field& field) { return field.kind_ == Field::Kind::Json; }
   static std::int64_t whole(const Field& field) { return std::int64_t(field.raw_[0]); }
-  /// A whole number beyond int64, and within uint64.
+  /// A whole number beyond int64 that fits uint64.
   static std::optional<std::uint64_t> natural(const Field& field) {
     std::uint64_t value = 0;
     if (field.kind_ == Field::Kind::Real && field.raw_[1] != 0) return field.raw_[1];
@@ -79,8 +79,8 @@ struct Access {
   }
   static double real(const Field& field) { return std::bit_cast<double>(field.raw_[0]); }
 
-  /// The items of a list, until `take` answers false. `Take` is a template, so that the numbers of a large
-  /// JSON list cost no call each.
+  /// The items of a list, until `take` returns false. `Take` is a template to avoid a function call for each
+  /// number of a large JSON list.
   template <typename Take>
   static void eachUntil(const Field& list, Take take) {
     if (isJson(list)) {

@@ -55,7 +55,7 @@ CallBook::Answered CallBook::answered(const std::optional<QString>& id, const st
     if (call->request.large != large) continue;
     const bool fits = id ? idOf(call->number) == *id : call->request.service == service;
     if (!fits) continue;
-    if (found != under_way_.end()) return result;  // which of them?
+    if (found != under_way_.end()) return result;  // ambiguous
     found = call;
   }
   if (found != under_way_.end()) {

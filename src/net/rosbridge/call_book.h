@@ -1,4 +1,4 @@
-// The calls of one client: which wait, which are under way, which were given up and keep the server busy.
+// The calls of one client: waiting, in progress, or given up but still keeping the server busy.
 #pragma once
 
 #include <chrono>
@@ -19,40 +19,40 @@ namespace mapwright::net::rosbridge {
 
 struct CallRequest {
   std::string service;
-  QByteArray args = "{}";  // a JSON object; messages in it complete
-  /// Instead of `args`, for what is too large to be held as text.
+  QByteArray args = "{}";  // a JSON object; messages in it must be complete
+  /// Instead of `args`, for data too large for one text.
   std::shared_ptr<ArgsSource> made_while_sent = {};
-  /// Of these, how much has left, and of how much; on the client's thread, never from within call().
+  /// Progress of sending them; called on the client's thread, never from within call().
   std::function<void(qint64 bytes, qint64 of_bytes)> travelled = {};
-  /// While its answer comes, how much is there: of what is arriving by its connection, so of another answer
-  /// where several are under way. Now and then; on the client's thread, never from within call().
+  /// Progress of the answer in bytes: of whatever is arriving on its connection, so it may be another answer
+  /// if several are in progress. Called now and then on the client's thread, never from within call().
   std::function<void(qint64 bytes)> arriving = {};
-  std::chrono::milliseconds patience{10'000};  // for the answer, from the moment that the last of it was sent
-  bool large = false;  // its answer may be megabytes: by the connection for large things
+  std::chrono::milliseconds patience{10'000};  // for the answer, after the last byte was sent
+  bool large = false;  // its answer may be megabytes: uses the connection for large data
 };
 
 struct CallAnswer {
   enum class Kind {
     Answered,
-    Refused,    // result:false; `words` is what the server says
+    Refused,    // result:false; `words` is the server's text
     TimedOut,   // it was sent, and no answer came in time
-    LinkLost,   // or there was none to send it by
+    LinkLost,   // the connection was lost, or there was none
     Cancelled,  // by the caller
-    Malformed,  // the answer, or what was to be sent: see `sent`
+    Malformed,  // the answer, or the arguments: see `sent`
   };
   Kind kind = Kind::LinkLost;
   std::shared_ptr<const Frame> frame;  // keeps `values` alive
   Field values;                        // Answered: the service's answer
   std::string words;                   // Refused, Malformed: untrusted plain text
-  /// It may have reached the robot. Then nothing but Answered says what was done there: a service that breaks
-  /// off after its work is Refused as well. What broke off while it travelled has not: no server acts on a
-  /// part of it.
+  /// It may have reached the robot. Then only Answered says for sure what was done: a service that fails
+  /// half-way is Refused as well. A request cut off while being sent has not: no server acts on a partial
+  /// one.
   bool sent = false;
 };
 
 using Reply = std::function<void(const CallAnswer&)>;
 
-/// A pure value; time is handed in.
+/// A pure value; time is passed in.
 class CallBook {
  public:
   struct Call {
@@ -66,34 +66,34 @@ class CallBook {
   explicit CallBook(int at_once, std::chrono::milliseconds busy) : at_once_(at_once), busy_(busy) {}
 
   quint64 add(CallRequest request, Reply reply);
-  /// Goes through those that wait, in order, and takes out what `next` says is to fail; what is to be sent is
-  /// handed to `send` as long as the bound allows.
+  /// Goes through the waiting calls in order and removes those that `next` fails; passes others to `send`
+  /// while the limit allows.
   std::vector<Call> advance(const std::function<Next(const Call&)>& next,
                             const std::function<bool(const Call&)>& send, std::chrono::milliseconds now);
-  /// Takes out the call, wherever it is; `sent` tells where.
+  /// Removes the call wherever it is; `sent` says where it was.
   struct Taken {
     Call call;
     bool sent = false;
   };
   std::optional<Taken> cancel(quint64 number, std::chrono::milliseconds now);
-  /// The call under way that an answer by that connection belongs to. An answer without an id belongs to the
-  /// only one of that service. `late`: it had been given up.
+  /// The call that an answer on that connection belongs to. An answer without an id belongs to the only call
+  /// of that service. `late`: the call had been given up.
   struct Answered {
     std::optional<Call> call;
     bool late = false;
   };
   Answered answered(const std::optional<QString>& id, const std::string& service, bool large);
-  /// It is on its way still: its patience begins anew.
+  /// It is still being sent: its timeout starts again.
   void goesOn(quint64 number, std::chrono::milliseconds now);
   std::vector<Call> timedOut(std::chrono::milliseconds now);
-  /// All that were sent by a connection that is lost.
+  /// All calls that were sent on a connection that is lost.
   std::vector<Call> lost(bool large);
 
-  /// All that wait go by the quick connection from now on.
+  /// Sends all waiting calls on the quick connection from now on.
   void allQuick();
   bool waitsForLarge() const;
 
-  /// Who of those under way by that connection wants to know how much has come.
+  /// The progress callbacks of the calls in progress on that connection.
   std::vector<std::function<void(qint64)>> whoListens(bool large) const;
 
   bool hasSent() const { return !under_way_.empty() || !given_up_.empty(); }

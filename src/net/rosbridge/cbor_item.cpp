@@ -15,7 +15,7 @@ constexpr std::uint8_t kMarkedEnd = 31, kBreak = 0xff;
 struct Head {
   std::uint8_t major = 0, info = 0;
   std::uint64_t value = 0;
-  const std::uint8_t* next = nullptr;  // nullptr: cut off, or of no meaning
+  const std::uint8_t* next = nullptr;  // nullptr: cut off, or invalid
   bool marked() const { return info == kMarkedEnd; }
 };
 
@@ -47,7 +47,7 @@ Head headAt(const std::uint8_t* at, const std::uint8_t* end) {
 
 bool atBreak(const std::uint8_t* at, const std::uint8_t* end) { return at != end && *at == kBreak; }
 
-/// Looks through one item; leaves `at` behind it.
+/// Checks one item; moves `at` past it.
 CborFault look(const std::uint8_t*& at, const std::uint8_t* end, int depth) {
   if (depth > kMaxDepth) return CborFault::TooDeep;
   const Head head = headAt(at, end);
@@ -74,7 +74,7 @@ CborFault look(const std::uint8_t*& at, const std::uint8_t* end, int depth) {
     case kArray:
     case kMap: {
       const std::uint64_t each = head.major == kMap ? 2 : 1;
-      // Every item takes a byte at least: a count that cannot be true is seen before anything is done for it.
+      // Every item takes at least a byte: impossible counts are rejected before any work.
       if (!head.marked() && head.value > std::uint64_t(end - at) / each) return CborFault::Broken;
       for (std::uint64_t i = 0; head.marked() ? !atBreak(at, end) : i < head.value; ++i) {
         for (std::uint64_t part = 0; part < each; ++part) {
@@ -119,7 +119,7 @@ std::optional<CborNumbers> numbersTagged(std::uint64_t tag) {
   numbers.of = is_float    ? CborNumbers::Of::Float
                : is_signed ? CborNumbers::Of::Signed
                            : CborNumbers::Of::Unsigned;
-  // Of floats the bit of the sign is none: 80..83 are big-endian, 84..87 little-endian.
+  // For floats the sign bit is unused: 80..83 are big-endian, 84..87 little-endian.
   numbers.width = std::size_t(is_float ? 2 : 1) << (tag & 3);
   numbers.big_endian = (tag & 4) == 0;
   return numbers;

@@ -1,4 +1,4 @@
-// Items of CBOR where they lie (RFC 8949), and arrays of numbers as byte strings (RFC 8746).
+// CBOR items in place (RFC 8949), and arrays of numbers as byte strings (RFC 8746).
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace mapwright::net::rosbridge {
 
-/// Lies deeper than this: not read.
+/// Anything nested deeper is not read.
 inline constexpr int kMaxDepth = 128;
 
 enum class CborFault { None, Broken, TooDeep };
-/// Whether [at, end) is exactly one item, with every length inside of it true. Takes no memory. All that
-/// follows may be asked about bytes only that this found whole.
+/// Whether [at, end) is exactly one valid item, with all lengths inside correct. Allocates no memory. The
+/// functions below require bytes that passed this check.
 CborFault lookThrough(const std::uint8_t* at, const std::uint8_t* end);
 
-/// A whole number is std::int64_t where that holds it, std::uint64_t beyond.
+/// A whole number is std::int64_t if it fits, otherwise std::uint64_t.
 using CborNumber = std::variant<std::int64_t, std::uint64_t, double>;
 
 /// Numbers side by side.
@@ -35,27 +35,27 @@ struct CborNumbers {
 struct CborItem {
   enum class Type { Null, Whole, Natural, Real, Flag, Text, Numbers, List, Object };
 
-  /// Tags without a meaning for us are passed over. Null is also: undefined, numbers that are not finite or
-  /// beyond 64 bits, strings in chunks, typed arrays of 128-bit floats or of half an element.
+  /// Unknown tags are skipped. The following become Null as well: undefined, numbers that are not finite or
+  /// exceed 64 bits, chunked strings, typed arrays of 128-bit floats or with half an element.
   static CborItem at(const std::uint8_t* at, const std::uint8_t* end);
 
   Type type = Type::Null;
   std::int64_t whole = 0;
   std::uint64_t natural = 0;  // beyond `whole`
-  double real = 0;            // of Null, too: a number that is not finite, else 0
+  double real = 0;            // for Null, too: a number that is not finite, otherwise 0
   bool flag = false;
-  std::string_view text;  // as it came, maybe no UTF-8
+  std::string_view text;  // as received, may be invalid UTF-8
   CborNumbers numbers;
-  std::optional<std::uint64_t> count;    // of a List or Object, unless its end is marked
+  std::optional<std::uint64_t> count;    // of a List or Object of definite length
   const std::uint8_t* inside = nullptr;  // the first item of a List or Object
 };
 
-/// Behind the item at `at`.
+/// The end of the item at `at`.
 const std::uint8_t* pastItem(const std::uint8_t* at, const std::uint8_t* end);
-/// Calls `take` with the place of each item of a List, until it answers false.
+/// Calls `take` with the address of each item of a List, until it returns false.
 void eachItem(const CborItem& list, const std::uint8_t* end,
               const std::function<bool(const std::uint8_t*)>& take);
-/// As eachItem, of the pairs of an Object whose name is a text.
+/// Like eachItem, for the pairs of an Object whose name is a text.
 void eachMember(const CborItem& object, const std::uint8_t* end,
                 const std::function<bool(std::string_view, const std::uint8_t*)>& take);
 

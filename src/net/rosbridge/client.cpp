@@ -59,7 +59,7 @@ const char* lineOf(Oddity oddity) {
 /// A connection that goes so soon after the other one came may have had to make way for it.
 constexpr std::chrono::milliseconds kSoonLost{2'000};
 constexpr int kMostStrikes = 2;
-/// What the system has not taken yet; more would stand before pings and other calls.
+/// Limit for data not yet sent; more would delay pings and other calls.
 constexpr qint64 kMostUnsent = 512 * 1024;
 
 ClientOptions withClocks(ClientOptions options) {
@@ -96,7 +96,7 @@ class Client::Impl {
     large_.link().close();
     quick_.link().close();
     closing_ = false;
-    // Another server may be there the next time.
+    // There may be another server the next time.
     sharing_ = Sharing::No;
     strikes_ = 0;
     advance();
@@ -131,7 +131,7 @@ class Client::Impl {
     if (known != topics_.end()) unsubscribe(wanted.topic);
     topics_[wanted.topic].wanted = wanted;
     if (wanted.large) needLarge();
-    // Opening may have told others, who may have changed their mind.
+    // The signal may have made others change their subscriptions.
     if (const auto topic = topics_.find(wanted.topic); topic != topics_.end() && topic->second.id.isEmpty()) {
       send(topic->second);
     }
@@ -171,7 +171,7 @@ class Client::Impl {
     bool heard = false;  // since it was sent
   };
 
-  /// Whether all goes by one connection.
+  /// Whether everything uses one connection.
   enum class Sharing {
     No,
     UntilReconnect,  // the second was refused; the server may have been busy
@@ -209,8 +209,8 @@ class Client::Impl {
                      [this](Oddity what, const QString& detail) { tell(what, detail); });
   }
 
-  /// The second connection follows the first: what is closed stays closed, and where there is room for one
-  /// only it is not the second that takes it.
+  /// The second connection depends on the first: it stays closed if the first is, and does not take the only
+  /// slot of a server.
   void needLarge() {
     if (quick_.ready() && sharing_ == Sharing::No && large_.down()) large_.link().open();
   }
@@ -235,13 +235,13 @@ class Client::Impl {
     for (const CallBook::Call& call : book_.lost(large)) fail(call, Kind::LinkLost, !breakOff(call.number));
     uploads_[large].clear();
     if (sharing_ != Sharing::No || closing_) return;
-    // A server that bears one connection closes the other: again and again, each time when both are there.
+    // A server that allows one connection closes the other one, each time both are open.
     const bool soon = !connection(!large).down() && options_.now() - ready_at_ <= kSoonLost;
     strikes_ = soon ? strikes_ + 1 : 0;
     if (strikes_ >= kMostStrikes) share(Sharing::ForGood, connection(large).link().reason());
   }
 
-  /// A second connection that is refused while the first one stands.
+  /// Handles a refused second connection while the first one is open.
   void judgeLarge() {
     const WebSocketLink& link = large_.link();
     const bool refused = large_.down() && !large_was_open_ && link.reason().any();
@@ -251,7 +251,7 @@ class Client::Impl {
   }
 
   void share(Sharing how, const Fault& why) {
-    const Fault reason = why;  // closing forgets it
+    const Fault reason = why;  // closing clears it
     for (auto& [topic, state] : topics_) {
       if (state.wanted.large) state.id.clear();
     }
@@ -267,7 +267,7 @@ class Client::Impl {
     if (!std::exchange(told_, true)) Q_EMIT owner_->sharesOneConnection(reason);
   }
 
-  /// Nothing more of it is sent. True: some of it had not been, so nobody can act on it.
+  /// Stops sending it. True: some of it had not been sent, so it has no effect.
   bool breakOff(quint64 number) {
     for (auto& uploads : uploads_) {
       for (auto one = uploads.begin(); one != uploads.end(); ++one) {
@@ -291,9 +291,9 @@ class Client::Impl {
         owner_, [this, large] { pump(large); }, Qt::QueuedConnection);
   }
 
-  /// As much as the system takes, and no more.
+  /// Sends as much as the system accepts.
   void pump(bool large) {
-    if (std::exchange(pumping_, true)) return;  // sending may tell that something was written
+    if (std::exchange(pumping_, true)) return;  // sending may signal that something was written
     pumpOnce(large);
     pumping_ = false;
   }
@@ -311,7 +311,7 @@ class Client::Impl {
         if (!by.ready()) return;  // it has just been lost
       }
       if (upload.givenUp()) {
-        cancel(number);  // its maker does not want it sent after all
+        cancel(number);  // its source has cancelled it
         continue;
       }
       const qint64 unsent = by.link().unsentBytes();
@@ -342,7 +342,7 @@ class Client::Impl {
     const auto next = [this](const CallBook::Call& call) {
       const Connection& by = connection(call.request.large);
       if (by.ready()) return CallBook::Next::Send;
-      // The large one is opened once the quick one is there.
+      // The large one is opened after the quick one.
       const bool coming = !by.down() || (call.request.large && !quick_.down() && !quick_.ready());
       return coming ? CallBook::Next::Wait : CallBook::Next::Fail;
     };
@@ -386,7 +386,7 @@ class Client::Impl {
     }
     auto topic = topics_.find(name);
     if (topic == topics_.end()) topic = topics_.find(name.front() == '/' ? name.substr(1) : '/' + name);
-    // Of a topic that was unsubscribed, or of its former subscription: under way as that was sent.
+    // For a topic that was unsubscribed, or for its former subscription: it was already on its way.
     if (topic == topics_.end() || isLarge(topic->second) != large) return;
     topic->second.since = options_.now();
     if (!std::exchange(topic->second.heard, true))
@@ -417,7 +417,7 @@ class Client::Impl {
     const std::optional<QString> id = idIn(status["id"]);
     qCInfo(lcRosbridge, "status %s: %s", qUtf8Printable(level), qUtf8Printable(words));
     if (id && level == QLatin1String("error")) {
-      // Instead of an answer: what was asked for could not be understood.
+      // Instead of an answer: the request was not understood.
       if (const CallBook::Answered answered = book_.answered(id, {}, large); answered.call) {
         CallAnswer answer;
         answer.kind = Kind::Refused;
@@ -478,14 +478,14 @@ class Client::Impl {
   quint64 last_subscription_ = 0;
   quint64 oddities_ = 0;
   Sharing sharing_ = Sharing::No;
-  int strikes_ = 0;                        // how often in a row one went soon after both were there
+  int strikes_ = 0;                        // how often in a row one was lost soon after both were open
   std::chrono::milliseconds ready_at_{0};  // the last of the two
-  bool large_was_open_ = false;            // in this attempt, or before it lost its server
+  bool large_was_open_ = false;            // in this attempt, or before the server was lost
   bool closing_ = false, told_ = false;
   QTimer look_;
   bool pumping_ = false;
-  std::array<std::deque<Uploading>, 2> uploads_;  // by whether they go by the connection for large things
-  Connection quick_, large_;                      // the first to go
+  std::array<std::deque<Uploading>, 2> uploads_;  // by whether they use the connection for large data
+  Connection quick_, large_;                      // destroyed first
 };
 
 Client::Client(const QUrl& url, ClientOptions options, QObject* parent)

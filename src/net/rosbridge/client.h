@@ -25,14 +25,14 @@ struct TopicMessage {
   std::shared_ptr<const Frame> frame;
   Field msg;
   double received_s = 0;  // seconds since the epoch
-  qint64 bytes = 0;       // as it came: of the frame, or of all its pieces
+  qint64 bytes = 0;       // as received: of the frame, or of all its fragments
   bool binary = false;
 };
 
-/// Lives on the thread that made it, like its signals and replies. Two WebSockets to one server: a quick one
-/// (calls, poses) and one for large topics and answers, opened when something large is first wanted. Not to
-/// be deleted in a slot of its own signals (deleteLater); in a reply it may be. A server that takes one
-/// connection only gets one: everything goes by the quick one then.
+/// Lives on the thread that made it, like its signals and replies. Uses two WebSockets to one server: a quick
+/// one (calls, poses) and one for large topics and answers, opened on demand. Do not delete it in a slot of
+/// its own signals (use deleteLater); in a reply it is allowed. If the server accepts only one connection,
+/// everything uses the quick one.
 class Client : public QObject {
   Q_OBJECT
  public:
@@ -42,39 +42,40 @@ class Client : public QObject {
 
   void open();  // also "now, do not wait"
   void close();
-  void setTrust(const Trust& trust);       // for the next connection
-  const WebSocketLink& link() const;       // the quick one: state, reason, fault, certificate, attempt …
-  const WebSocketLink& largeLink() const;  // Closed until it is needed, and while one has to do
+  void setTrust(const Trust& trust);  // for the next connection
+  const WebSocketLink& link() const;  // the quick one: state, reason, fault, certificate, attempt …
+  const WebSocketLink& largeLink()
+      const;  // Closed until needed, and if the server accepts only one connection
 
   using Reply = rosbridge::Reply;
-  /// The reply comes exactly once, later, never from within call(), and not after the client is gone. At most
-  /// ClientOptions::calls_at_once are under way, the others wait in order. A call waits for a connection that
-  /// is being made, but not for one that is lost.
+  /// The reply is called exactly once, later, never from within call(), and not after the client is gone. At
+  /// most ClientOptions::calls_at_once are in progress, the others wait in order. A call waits for a
+  /// connection that is being established, but not for one that is lost.
   quint64 call(CallRequest request, Reply reply);
-  /// Nothing for one that has been answered. The server goes on with one that was sent.
+  /// Does nothing if it has been answered. The server continues with a call that was sent.
   void cancel(quint64 call);
 
-  /// Once a topic; again = replaced, or nothing if it is the same (unsubscribe first to have what is latched
-  /// sent again). Kept over reconnects, closed or not.
+  /// One subscription per topic; a second one replaces it, or does nothing if it is the same (unsubscribe
+  /// first to get latched messages again). Kept across reconnects, even while closed.
   void subscribe(const Subscription& wanted);
   void unsubscribe(const std::string& topic);
   /// Since the subscription was sent or the last message; nullopt: not subscribed, or not connected.
   std::optional<std::chrono::milliseconds> silentFor(const std::string& topic) const;
-  /// The topic of a subscription's id, as in statusReceived().
+  /// The topic of a subscription id, as in statusReceived().
   std::optional<std::string> topicOf(const QString& subscription_id) const;
 
-  quint64 oddities() const;  // how many odd() have told of
+  quint64 oddities() const;  // number of odd() signals
 
  Q_SIGNALS:
-  void changed();  // state or reason of a link
-  void opened();   // the quick one is (again) open: its subscriptions have been sent again
+  void changed();  // state or reason of a connection
+  void opened();   // the quick connection is open (again), and its subscriptions were sent again
   void received(const mapwright::net::rosbridge::TopicMessage& message);
-  /// The server takes no second connection; told once. `why`: what became of it.
+  /// The server does not accept a second connection; emitted once. `why`: how it failed.
   void sharesOneConnection(const Fault& why);
-  /// The server's opinion: level ("error", "warning", …), words, and the id of what it is about. Untrusted.
+  /// The server's own status: level ("error", "warning", …), text, and the id that it refers to. Untrusted.
   void statusReceived(const QString& level, const QString& words, const QString& id);
   void frameReceived(std::string_view bytes, bool binary,
-                     double received_s);  // every frame as it came, for taps
+                     double received_s);  // every frame as received, for taps
   void odd(mapwright::net::rosbridge::Oddity what, const QString& detail);
 
  private:

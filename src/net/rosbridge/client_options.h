@@ -1,4 +1,4 @@
-// How a client of rosbridge behaves.
+// Options of a rosbridge client.
 #pragma once
 
 #include <chrono>
@@ -12,21 +12,22 @@
 namespace mapwright::net::rosbridge {
 
 struct ClientOptions {
-  WebSocketLinkOptions link;                       // of both connections; its max_message_bytes is that below
-  quint64 max_message_bytes = quint64(256) << 20;  // of a frame, and of what its pieces or its picture hold
-  FragmentJoiner::Limits fragments;                // its bytes are at most max_message_bytes
-  std::optional<Credentials> credentials;          // said after each opening, before all else
+  WebSocketLinkOptions link;  // of both connections; its max_message_bytes is replaced by the one below
+  quint64 max_message_bytes = quint64(256)
+                              << 20;       // of a frame, and of the content of its fragments or picture
+  FragmentJoiner::Limits fragments;        // its bytes are at most max_message_bytes
+  std::optional<Credentials> credentials;  // sent first after each connect
   /// More than about 12 at once can stall a node.
   int calls_at_once = 8;
-  /// A call that was given up after it was sent still keeps the server busy: it counts for so long, or until
-  /// its late answer.
+  /// A call that was given up after sending keeps the server busy: it counts for this long, or until its late
+  /// answer.
   std::chrono::milliseconds busy_after_giving_up{20'000};
-  /// Of arguments that are made while they travel (ArgsSource): a frame holds no more, or they go in
-  /// fragments. The servers of ROS 1 and ROS 2 take 10,000,000 bytes as they are delivered.
+  /// Limit for a single frame with streamed arguments (ArgsSource); larger ones are sent in fragments. The
+  /// servers of ROS 1 and ROS 2 accept 10,000,000 bytes by default.
   qint64 most_whole_bytes = 8'000'000;
   qint64 fragment_bytes = 256 * 1024;
-  std::chrono::milliseconds look_every{100};  // for what has run out of time
-  /// A clock that only goes forward, and one that tells seconds since the epoch; empty = the usual ones.
+  std::chrono::milliseconds look_every{100};  // how often to check for timeouts
+  /// A monotonic clock, and one for seconds since the epoch; empty = the default ones.
   std::function<std::chrono::milliseconds()> now = {};
   std::function<double()> wall_s = {};
 };

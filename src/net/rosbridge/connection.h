@@ -1,4 +1,4 @@
-// One of a client's connections: a WebSocketLink whose frames are read, pieces joined.
+// One of a client's connections: a WebSocketLink that parses frames and joins fragments.
 #pragma once
 
 #include <memory>
@@ -14,13 +14,13 @@
 
 namespace mapwright::net::rosbridge {
 
-/// Something came that nobody can use. It has no effect but this.
+/// Something unusable was received. It has no other effect.
 enum class Oddity {
-  UnreadableFrame,   // too large, too deep, no JSON, no CBOR, no picture
+  UnreadableFrame,   // too large, too deep, invalid JSON, CBOR or picture
   BadFragment,       // a piece that fits nowhere
-  LostFragments,     // a message whose other pieces did not come in time, or that was too large
+  LostFragments,     // a message whose other fragments did not arrive in time, or that was too large
   UnknownOperation,  // the detail names it
-  UnknownCall,       // an answer to nothing; the detail is its id
+  UnknownCall,       // an answer to no call; the detail is its id
   MalformedMessage,  // a publish without topic or msg, an answer without values
 };
 
@@ -33,12 +33,12 @@ class Connection : public QObject {
 
   WebSocketLink& link() { return link_; }
   const WebSocketLink& link() const { return link_; }
-  /// Open, and the credentials have been sent: requests may follow.
+  /// Connected, and the credentials were sent: requests may follow.
   bool ready() const { return ready_; }
   /// Not ready, and will not be without another attempt.
   bool down() const;
   void send(const QString& request);  // dropped unless ready
-  /// Of what is not whole yet, a frame or the pieces of a message: here already.
+  /// received so far of an incomplete frame or fragmented message
   qint64 arrivingBytes() const { return link_.arrivingBytes() + qint64(joiner_.heldBytes()); }
   bool joining() const { return joiner_.heldMessages() > 0; }
   void expire();
@@ -46,7 +46,7 @@ class Connection : public QObject {
  Q_SIGNALS:
   void becameReady();
   void wasLost();  // it had been ready
-  void changed();  // the link's, after the two above
+  void changed();  // those of the link, after the two above
   void came(const std::shared_ptr<const mapwright::net::rosbridge::Frame>& frame, qint64 bytes,
             double received_s);
   void frameReceived(std::string_view bytes, bool binary, double received_s);

@@ -16,7 +16,7 @@ namespace {
 using Type = CborItem::Type;
 using JsonType = simdjson::dom::element_type;
 
-constexpr std::size_t kCountedByJson = 0xffffff;  // simdjson keeps 24 bits of the length of a list
+constexpr std::size_t kCountedByJson = 0xffffff;  // simdjson stores 24 bits of the length of a list
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n";
@@ -40,7 +40,7 @@ std::optional<std::int64_t> wholeOf(double value) {
   return std::int64_t(value);
 }
 
-/// As it stands there: text of JSON is UTF-8, that of CBOR may be anything.
+/// The raw bytes: text in JSON is UTF-8, that in CBOR may be anything.
 std::optional<std::string_view> rawText(const Field& field) {
   if (Access::isJson(field)) {
     std::string_view text;
@@ -54,7 +54,7 @@ std::optional<std::string_view> rawText(const Field& field) {
   return std::nullopt;
 }
 
-/// Written in lines or not, with and without padding.
+/// With or without line breaks and padding.
 std::optional<std::string> fromBase64(std::string_view text, std::size_t max) {
   if (text.size() / 2 > max) return std::nullopt;
   std::string dense;
@@ -82,7 +82,7 @@ bool holdsBytes(const CborNumbers& numbers, CborNumbers::Of of) {
   return numbers.width == 1 && numbers.of == of;
 }
 
-/// Whole numbers between `least` and `most`, at most `max` of them.
+/// Integers between `least` and `most`, at most `max` of them.
 template <typename Out>
 std::optional<Out> wholes(const Field& list, std::size_t max, std::int64_t least, std::int64_t most) {
   using Cell = typename Out::value_type;

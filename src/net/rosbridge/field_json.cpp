@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kShownItems = 32, kShownText = 512;
 const QByteArray kMore = QByteArrayLiteral("\xe2\x80\xa6");  // …
 
-/// How much of it stands in the text.
+/// How much of it to include.
 struct Bounds {
   qsizetype text = std::numeric_limits<qsizetype>::max();
   std::size_t items = std::numeric_limits<std::size_t>::max();
@@ -22,7 +22,7 @@ struct Bounds {
   bool whole = true;
 };
 
-/// The longest beginning of UTF-8 `text` with at most `bytes` bytes that cuts no character.
+/// The longest prefix of the UTF-8 `text` with at most `bytes` bytes that splits no character.
 std::size_t wholeCharacters(std::string_view text, std::size_t bytes) {
   if (bytes >= text.size()) return text.size();
   while (bytes > 0 && (std::uint8_t(text[bytes]) & 0xc0) == 0x80) --bytes;
@@ -101,7 +101,7 @@ class Writer {
       return true;
     });
     if (bounds_.whole) {
-      // All of it stands there; counting it once more would take as long again.
+      // It is complete; counting again would take as long.
     } else if (const std::size_t size = full() ? shown : field.size(); size > shown) {
       out_ += ",\"" + kMore + ' ' + QByteArray::number(qulonglong(size - shown)) + '"';
     }

@@ -7,7 +7,7 @@
 namespace mapwright::net::rosbridge {
 namespace {
 
-constexpr std::size_t kOverhead = 128;  // bytes that a piece costs besides its own
+constexpr std::size_t kOverhead = 128;  // bytes of memory per piece besides its own
 
 std::optional<std::string> idOf(const Field& id) {
   if (id.isNull()) return "";
@@ -16,8 +16,8 @@ std::optional<std::string> idOf(const Field& id) {
   return whole && id.isNumber() ? std::optional('n' + std::to_string(*whole)) : std::nullopt;
 }
 
-/// Whether the text, in pieces, is one JSON object from its first brace to its last: brackets and strings
-/// only. A part of an object never is.
+/// Whether the concatenated text is one JSON object from its first to its last brace: checks only brackets
+/// and strings. A part of an object never is.
 bool isWholeObject(const std::map<std::size_t, std::string>& pieces) {
   const std::string& last = pieces.rbegin()->second;
   const std::size_t end = last.find_last_not_of(" \t\r\n");
@@ -89,7 +89,7 @@ tl::expected<std::optional<QByteArray>, FragmentJoiner::Fault> FragmentJoiner::t
     if (itself) return tl::unexpected(Fault::TooLarge);
   }
   const bool all = place->pieces.size() == place->count;
-  // One less, and it is the last that lacks.
+  // One less, and only the last is missing.
   const bool maybe_all = *total == std::floor(*total) && place->count > 1 &&
                          place->pieces.size() == place->count - 1 &&
                          !place->pieces.contains(place->count - 1);

@@ -37,7 +37,7 @@ void Frame::readText(const QByteArray& utf8, const FrameLimits& limits) {
   const std::optional<QByteArray> text = picture ? textOfPng(*picture, limits.max_bytes) : std::nullopt;
   root_ = {};
   fault_ = text ? parse(*text) : Fault::NotAPicture;
-  // A picture in a picture would be a way to make much of little.
+  // Nested pictures could expand a small message enormously.
   if (fault_ == Fault::NotJson || root_["op"].text() == "png") {
     fault_ = Fault::NotAPicture;
     root_ = {};
@@ -48,8 +48,7 @@ Frame::Fault Frame::parse(const QByteArray& utf8) {
   json_ = std::make_unique<Json>();
   simdjson::dom::element root;
   const auto parsed = [&](const QByteArray& text) {
-    // One parser for each frame: what it keeps for the next is twelve times the largest frame that it has
-    // seen.
+    // One parser for each frame: a reused parser keeps twelve times the size of the largest frame so far.
     simdjson::dom::parser parser;
     if (parser.allocate(std::size_t(text.size()), kMaxDepth) != simdjson::SUCCESS) return simdjson::MEMALLOC;
     return parser.parse_into_document(json_->document, text.constData(), std::size_t(text.size())).get(root);
@@ -90,8 +89,8 @@ std::optional<std::string_view> Frame::rawMember(std::string_view name) const {
     });
     return found;
   }
-  // The parser of the root forgets where things stood. What only robots call numbers is no matter to one that
-  // does not look into them.
+  // The root parser does not keep positions. Non-standard numbers do not matter here, since they are not
+  // parsed.
   const simdjson::padded_string padded(text_.constData(), std::size_t(text_.size()));
   simdjson::ondemand::parser parser;
   simdjson::ondemand::document document;

@@ -1,4 +1,4 @@
-// A frame of rosbridge, read once (rosbridge v2: JSON text frames, "png" compression, "cbor" binary frames).
+// A rosbridge frame, parsed once (rosbridge v2: JSON text frames, "png" compression, "cbor" binary frames).
 #pragma once
 
 #include <cstddef>
@@ -16,24 +16,23 @@ struct FrameLimits {
   std::size_t max_bytes = std::size_t(256) << 20;  // of the frame, and of the text in a picture
 };
 
-/// What was read, and what its fields look into. Does not change, may be shared among threads.
-/// Memory: of JSON about twice as much as the text, nine times that if it is all small numbers; of CBOR the
-/// frame itself.
+/// The parsed data that its fields point into. Immutable, may be shared between threads. Memory: for JSON
+/// about twice the text, nine times if it is all small numbers; for CBOR the frame itself.
 class Frame {
  public:
   enum class Wire { Text, Binary };
   enum class Fault {
     None,
-    TooLarge,  // longer than FrameLimits, or more than there is memory for
+    TooLarge,  // longer than FrameLimits, or not enough memory
     TooDeep,   // objects in objects, over 128
-    NotJson,   // nor nearly: NaN and infinities are read as null
+    NotJson,   // not even almost: NaN and infinities are read as null
     NotCbor,
-    NotAPicture,  // the data of {"op":"png"} are no RGB PNG, or it holds no message
+    NotAPicture,  // the data of {"op":"png"} is not an RGB PNG, or contains no message
   };
 
-  /// Never null: what cannot be read has a fault() and a null root(). A {"op":"png"} is unwrapped: the root
-  /// is the message that its picture holds.
-  /// `bytes` own what they hold (not QByteArray::fromRawData): a CBOR frame shares them.
+  /// Never null: an unreadable frame has a fault() and a null root(). {"op":"png"} is unwrapped: the root is
+  /// the message inside the picture. `bytes` must own its data (not QByteArray::fromRawData), since a CBOR
+  /// frame shares it.
   static std::shared_ptr<const Frame> read(const QByteArray& bytes, Wire wire,
                                            const FrameLimits& limits = {});
   ~Frame();
@@ -43,10 +42,9 @@ class Frame {
   Field root() const { return root_; }
   Fault fault() const { return fault_; }
   Wire wire() const { return wire_; }
-  qint64 bytes() const { return bytes_; }  // as they came
-  /// A member of the root exactly as it came, valid as long as the frame: the text of a JSON object, or an
-  /// item of CBOR; of a {"op":"png"} that of the message in it. nullopt: there is no such one. JSON is looked
-  /// through for it.
+  qint64 bytes() const { return bytes_; }  // as received
+  /// A member of the root exactly as received, valid as long as the frame: the text of a JSON object, or a
+  /// CBOR item; for {"op":"png"} that of the message inside. nullopt: missing. Scans the JSON.
   std::optional<std::string_view> rawMember(std::string_view name) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace mapwright::net::rosbridge {
 namespace {
 
-constexpr std::size_t kMostUnpacked = 1032;  // bytes that one byte of deflate can stand for
+constexpr std::size_t kMostUnpacked = 1032;  // bytes that one byte of deflate can expand to
 
 }  // namespace
 

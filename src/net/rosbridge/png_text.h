@@ -1,4 +1,4 @@
-// Text that travels as a picture (rosbridge v2, "png compression").
+// Text sent as a picture (rosbridge v2, "png compression").
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@
 
 namespace mapwright::net::rosbridge {
 
-/// The bytes of the pixels of an RGB PNG, row by row, without the newlines at the end that fill up the last
-/// row. nullopt: no such picture, or it holds more than `max` bytes. Memory is taken only for as many pixels
-/// as the picture's own length can bring about.
+/// The bytes of the pixels of an RGB PNG, row by row, without the newlines that pad the last row. nullopt:
+/// not such a picture, or more than `max` bytes. Allocates memory only for as many pixels as the picture's
+/// length can contain.
 std::optional<QByteArray> textOfPng(std::string_view png, std::size_t max);
 
 }  // namespace mapwright::net::rosbridge

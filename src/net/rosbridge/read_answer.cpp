@@ -8,7 +8,7 @@ namespace {
 
 using Kind = CallAnswer::Kind;
 
-/// Of a server, for people: bounded, and plain.
+/// Text of a server for display: bounded and plain.
 std::string plainWords(const std::string& words) {
   return plainText(QString::fromStdString(words)).toStdString();
 }
@@ -29,7 +29,7 @@ CallAnswer readAnswer(const std::shared_ptr<const Frame>& frame) {
   const Field root = frame->root();
   const Field values = root["values"];
   const Field result = root["result"];
-  // Old servers say no result of calls that worked.
+  // Old servers omit the result of successful calls.
   const std::optional<bool> worked = result              ? result.flag()
                                      : values.isObject() ? std::optional(true)
                                                          : std::nullopt;

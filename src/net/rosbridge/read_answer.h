@@ -11,10 +11,10 @@
 
 namespace mapwright::net::rosbridge {
 
-/// An id as text, whatever the server made of it; nullopt: there is none.
+/// An id as text, in whatever form the server sent it; nullopt: there is none.
 std::optional<QString> idIn(const Field& id);
 
-/// What the answer to a call says. Words in it are plain and bounded.
+/// Parses the answer to a call. Its texts are plain and bounded.
 CallAnswer readAnswer(const std::shared_ptr<const Frame>& frame);
 
 }  // namespace mapwright::net::rosbridge

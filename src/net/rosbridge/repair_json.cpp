@@ -22,7 +22,7 @@ std::optional<unsigned> unitAt(std::string_view text, std::size_t at) {
   return std::from_chars(text.data() + at + 2, end, unit, 16).ptr == end ? std::optional(unit) : std::nullopt;
 }
 
-/// Appends the string that starts at `i`; answers where it ends.
+/// Appends the string that starts at `i`; returns its end.
 std::size_t copyString(std::string_view text, std::size_t i, QByteArray& out) {
   const auto copy = [&](std::size_t bytes) {
     bytes = std::min(bytes, text.size() - i);

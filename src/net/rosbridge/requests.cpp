@@ -25,7 +25,7 @@ bool isObject(const QByteArray& json) {
          !parser.parse(json.constData(), std::size_t(json.size())).get(root) && root.is_object();
 }
 
-/// The text of a literal of Python for bytes or text without its quotes.
+/// The content of a Python literal for bytes or text, without quotes.
 std::string unescaped(std::string_view literal) {
   std::string out;
   for (std::size_t i = 0; i < literal.size(); ++i) {
@@ -48,21 +48,22 @@ std::string unescaped(std::string_view literal) {
       out += c;
     }
   }
-  // The bytes may be no UTF-8, or be so only in part.
+  // The bytes may be invalid UTF-8, completely or in part.
   return QString::fromStdString(out).toStdString();
 }
 
 }  // namespace
 
 std::optional<QString> callRequest(const QString& id, const std::string& service, const QByteArray& args) {
-  if (service.empty() || !isObject(args)) return std::nullopt;  // without a service there is no answer, ever
+  if (service.empty() || !isObject(args))
+    return std::nullopt;  // without a service there will never be an answer
   QJsonObject request;
   request[QLatin1String("op")] = QLatin1String("call_service");
   request[QLatin1String("id")] = id;
   request[QLatin1String("service")] = QString::fromStdString(service);
   QString text = written(request);
   text.chop(1);
-  // As they are: a turn through QJsonDocument would make 2.0 of 2, and servers tell these apart.
+  // Unchanged: QJsonDocument would turn 2 into 2.0, which servers distinguish.
   return text + QLatin1String(",\"args\":") + QString::fromUtf8(args) + QLatin1Char('}');
 }
 

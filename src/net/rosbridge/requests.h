@@ -1,5 +1,5 @@
-// What a client writes (rosbridge v2, "call_service", "subscribe", "unsubscribe"; rosauth, "auth"). Pure
-// functions; each is one text frame.
+// Builds the frames that a client sends (rosbridge v2, "call_service", "subscribe", "unsubscribe"; rosauth,
+// "auth"). Pure functions; each returns one text frame.
 #pragma once
 
 #include <optional>
@@ -10,34 +10,35 @@
 
 namespace mapwright::net::rosbridge {
 
-/// A topic, and how it is wanted.
+/// A topic and the options for it.
 struct Subscription {
   std::string topic;
-  std::string type;     // empty = as the server knows it
-  int throttle_ms = 0;  // at least so much time between two; the last is never dropped
-  /// How messages travel. One with a list of texts is lost in Cbor: a fault of servers.
+  std::string type;     // empty = as known to the server
+  int throttle_ms = 0;  // minimum time between two messages; the last is never dropped
+  /// How messages are encoded. Servers have a bug: messages with a list of texts are lost with Cbor.
   enum class Compression { None, Cbor, Png } compression = Compression::None;
-  bool large = false;  // by the connection for large things
+  bool large = false;  // uses the connection for large data
   bool operator==(const Subscription&) const = default;
 };
 
-/// What rosauth wants to know. Held in memory only, in no log and no sentence.
+/// Credentials for rosauth. Kept in memory only, never in a log or sentence.
 struct Credentials {
   QByteArray secret;
-  QString client, destination;  // addresses, as the server was told them
+  QString client, destination;  // addresses, as given to the server
   QString level = QStringLiteral("admin");
   qint64 valid_s = 3600;
 };
 
-/// `args` a JSON object. nullopt: it is none.
+/// `args` must be a JSON object, otherwise nullopt.
 std::optional<QString> callRequest(const QString& id, const std::string& service, const QByteArray& args);
 QString subscribeRequest(const QString& id, const Subscription& wanted);
 QString unsubscribeRequest(const QString& id, const std::string& topic);
-/// The MAC is SHA-512 of secret, client, destination, rand, time, level and end of validity, side by side.
+/// The MAC is the SHA-512 of secret, client, destination, rand, time, level and end of validity,
+/// concatenated.
 QString authRequest(const Credentials& credentials, const QString& rand, qint64 now_s);
 
-/// What a server means by the text that stands for the values of a call that failed: of
-/// `service [/x] responded with an error: b'…'` the inner text, its escapes resolved; all else as it is.
+/// The error text inside a server's message: for `service [/x] responded with an error: b'…'` the inner text,
+/// unescaped; anything else unchanged.
 std::string innerWords(const std::string& words);
 
 }  // namespace mapwright::net::rosbridge

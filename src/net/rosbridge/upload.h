@@ -1,5 +1,5 @@
-// A call whose arguments are made while they travel, as text frames: whole, or in fragments (rosbridge v2,
-// "fragmentation"; its servers join what comes in pieces).
+// A call whose arguments are produced while they are sent, as text frames: in one piece, or in fragments
+// (rosbridge v2, "fragmentation").
 #pragma once
 
 #include <memory>
@@ -11,34 +11,34 @@
 
 namespace mapwright::net::rosbridge {
 
-/// A JSON object as UTF-8 that is never held as a whole. Used on the thread of the client.
+/// A JSON object as UTF-8 that is never in memory as a whole. Used on the client's thread.
 class ArgsSource {
  public:
   virtual ~ArgsSource() = default;
-  /// All that next() is going to hand out.
+  /// The total size of all next().
   virtual qint64 bytes() const = 0;
-  /// What follows, at least a byte, as much as is convenient; not called beyond bytes(). nullopt: it is not
-  /// to be sent after all, and no more is asked for.
+  /// The next part, at least one byte, of any convenient size; not called beyond bytes(). nullopt: cancel
+  /// sending; it is not called again.
   virtual std::optional<QByteArray> next() = 0;
 };
 
-/// One thread; nothing is sent here.
+/// One thread; does not send by itself.
 class Upload {
  public:
-  /// What is no longer than `most_whole_bytes` is one frame, else fragments hold `fragment_bytes` of it each.
+  /// Up to `most_whole_bytes` it is one frame, otherwise fragments of `fragment_bytes` each.
   Upload(const QString& id, const std::string& service, std::shared_ptr<ArgsSource> args,
          qint64 most_whole_bytes, qint64 fragment_bytes);
 
-  /// The next frame; nullopt when done() or given up.
+  /// The next frame; nullopt if done() or cancelled.
   std::optional<QString> next();
   bool done() const { return number_ == count_; }
   bool givenUp() const { return given_up_; }
-  /// Of the request as one text, without what cutting it adds.
+  /// Of the request as one text, without the overhead of fragments.
   qint64 bytes() const { return bytes_; }
   qint64 handedOut() const { return handed_out_; }
 
  private:
-  /// Where piece `number` begins: not within a character. What is held reaches that far.
+  /// Where fragment `number` begins: never inside a character. Buffers data up to there.
   bool holdUntil(qint64 end);
   QString framed(const QByteArray& piece) const;
 

@@ -15,7 +15,7 @@ auto error(const QString& why) { return tl::make_unexpected(why); }
 
 constexpr int kRosbridgePort = 9090;
 
-/// Neither a user nor a query: a password could stand there, and addresses are shown.
+/// No user and no query: they could contain a password, and addresses are displayed.
 bool usable(const QUrl& tf) {
   const QString scheme = tf.scheme();
   return tf.isValid() && !tf.host().isEmpty() && tf.userInfo().isEmpty() && !tf.hasQuery() &&
@@ -37,7 +37,7 @@ ParsedAddress parse(const QString& rest) {
     }
   }
   if (url->hasFragment())
-    return error(AimdkAddressText::tr("The address of an Agibot robot has no part after #."));
+    return error(AimdkAddressText::tr("The address of an Agibot robot cannot have a # part."));
   url->setQuery(QString());
   address.url = *url;
   address.text = QStringLiteral("aimdk+") + url->toString();

@@ -7,7 +7,7 @@
 namespace mapwright::robot::aimdk {
 
 AddressScheme addressScheme();
-/// The rosbridge of the pose, its port filled in; empty = none.
+/// The rosbridge for the pose, with port; empty = none.
 QUrl tfOf(const Address& address);
 
 }  // namespace mapwright::robot::aimdk

@@ -25,7 +25,7 @@ bool knowsNoSuchCall(int status) { return status == 404 || status == 405 || stat
 
 map::Subject catalogueSubject(const char* part) { return {map::SubjectKind::Catalogue, part}; }
 
-/// The answer came (2xx) and holds something else.
+/// The answer (2xx) contains something else.
 map::Failure said(const net::HttpAnswer& answer, map::Subject subject, const RpcError& error) {
   qCInfo(lcAimdk, "%s %s: %s %s", error.refused ? "refused" : "unreadable answer", subject.id.c_str(),
          error.code.c_str(), inEnglish(error.cause).c_str());
@@ -38,7 +38,7 @@ map::Failure said(const net::HttpAnswer& answer, map::Subject subject, const Rpc
           .cause = error.cause};
 }
 
-/// What was asked for, or why it did not come.
+/// The result, or why there is none.
 template <typename T>
 Outcome<T> outcomeOf(const net::HttpAnswer& answer, map::Subject subject, Read<T> read) {
   if (!answer.ok()) return fail(wire::failed(answer, std::move(subject)));
@@ -150,8 +150,7 @@ void AimdkLink::attempt() {
       hear();
       goOnline();
     } else if (answer.ok()) {
-      // Something answers every question with success. JSON may come from a robot that has a trouble of its
-      // own.
+      // The server answers every request with success. JSON may come from a robot with a problem of its own.
       const bool json = answer.body.trimmed().startsWith('{');
       map::Failure failure = said(answer, catalogueSubject(map::kMapsPart), maps.error());
       if (!json) failure.kind = map::FailureKind::NotARobot;
@@ -181,7 +180,7 @@ void AimdkLink::poll() {
     asking_ = 0;
     quiet_.stop();
     deliver(kCurrentMap, answer);
-    // An answer with an error is a sign of life: the robot may have no map in use.
+    // Even an error shows that the robot is there: it may have no map in use.
     if (answer.kind != net::HttpAnswer::Kind::Answered) {
       interrupt(answer);
       return;
@@ -215,7 +214,7 @@ void AimdkLink::interrupt(const Fault& reason, map::FailureKind failure) {
   if (failure != map::FailureKind::Certificate) certificate_.reset();
   reason_ = reason;
   failure_ = failure;
-  // A refusal does not go away by asking again.
+  // A refusal does not go away by retrying.
   if (failure == map::FailureKind::Refused || failure == map::FailureKind::Certificate) {
     timer_.stop();
     enter(ConnectionPhase::Refused);
@@ -235,7 +234,7 @@ void AimdkLink::enter(ConnectionPhase phase, std::optional<int> retry_in_ms) {
   }
   ConnectionState state;
   state.phase = phase;
-  state.reason = reason_;  // while trying again: why the try before failed
+  state.reason = reason_;  // while retrying: why the last attempt failed
   state.failure = failure_;
   state.certificate = certificate_;
   state.attempt = attempt_;
@@ -302,7 +301,7 @@ void AimdkLink::fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& ke
   const int number = errand->begun([leave, held = std::weak_ptr(shared), who = errand.get()] {
     const auto fetch = held.lock();
     if (!fetch) return;
-    // It has been told already.
+    // It has already been answered.
     std::erase_if(fetch->waiting, [&](const auto& one) { return one.first.get() == who; });
     if (!fetch->waiting.empty()) return;
     leave(fetch);
@@ -349,7 +348,7 @@ void AimdkLink::waypoints(wire::ErrandPtr errand, const map::MapKey& key,
     askPoints(errand, key, *body, std::move(reply));
     return;
   }
-  // Their pixels can be checked only once the map that they are counted on is known.
+  // Their pixels can be checked only once the map is known.
   fetchParsed(errand, key,
               [this, errand, key, body = *body, reply = std::move(reply)](const Outcome<ParsedMap>&) {
                 askPoints(errand, key, body, reply);

@@ -1,5 +1,5 @@
-// The network half of an Agibot robot. Lives on a thread of its own; values go in and out by queued calls.
-// Source: docs/protocols/agibot-aimdk.md.
+// The network side of an Agibot robot. Lives on its own thread; values go in and out by queued calls. Source:
+// docs/protocols/agibot-aimdk.md.
 #pragma once
 
 #include <chrono>
@@ -26,12 +26,13 @@ namespace mapwright::robot::aimdk {
 struct LinkOptions {
   QUrl base;  // http(s)://host:port[/prefix]
   net::Trust trust;
-  std::chrono::milliseconds poll_every{5'000};   // while online, so that a loss is noticed
-  std::chrono::milliseconds quiet_after{3'000};  // a poll without an answer for so long is told
+  std::chrono::milliseconds poll_every{5'000};   // while online, to detect a lost connection
+  std::chrono::milliseconds quiet_after{3'000};  // a poll without an answer for this long is reported
   std::chrono::milliseconds patience{10'000};    // for the small questions
   std::chrono::milliseconds map_patience{60'000};
   std::chrono::milliseconds backoff_first{500}, backoff_limit{30'000};
-  std::chrono::milliseconds healthy_after{30'000};  // online for so long = the next loss is a first one
+  std::chrono::milliseconds healthy_after{
+      30'000};  // online for this long = the next loss starts with the first backoff
   quint32 jitter_seed = 1;
   std::function<double()> wall_s = wire::secondsOfDay;  // seconds since the epoch, on any thread
 };
@@ -57,7 +58,7 @@ class AimdkLink : public wire::RobotLink {
   using Taken = std::function<void(const net::HttpAnswer&)>;
   net::HttpRequest request(const char* method, const QByteArray& body,
                            std::chrono::milliseconds patience) const;
-  /// The connection's own question.
+  /// A request of the connection itself.
   void ask(const char* method, const QByteArray& body, Taken taken);
   void deliver(const char* method, const net::HttpAnswer& answer);
   void attempt();
@@ -80,10 +81,10 @@ class AimdkLink : public wire::RobotLink {
   QTimer quiet_;    // while a poll is under way, until it takes longer than is usual here
   net::Backoff backoff_;
   bool wanted_ = false;
-  net::HttpClient::RequestId asking_ = 0;  // the connection's own question under way
+  net::HttpClient::RequestId asking_ = 0;  // the connection's own request in progress
   int attempt_ = 0;
-  QElapsedTimer polled_;                  // when the poll under way was sent
-  std::chrono::milliseconds slowest_{0};  // of the answers to polls, lately
+  QElapsedTimer polled_;                  // since the current poll was sent
+  std::chrono::milliseconds slowest_{0};  // of the recent polls
   QDateTime heard_at_;                    // the last answer; invalid before the first
   std::optional<QDateTime> silent_since_;
   ConnectionPhase phase_ = ConnectionPhase::Offline;
@@ -91,13 +92,13 @@ class AimdkLink : public wire::RobotLink {
   std::optional<UntrustedCertificate> certificate_;
   map::FailureKind failure_ = map::FailureKind::None;
   std::optional<std::string> current_;
-  /// One question for all who ask meanwhile; stopped when none of them wants it any more.
+  /// One request for all concurrent callers; cancelled when none of them needs it any more.
   struct SharedFetch {
     wire::ErrandPtr errand;
     std::vector<std::pair<wire::ErrandPtr, OutcomeTo<ParsedMap>>> waiting;
   };
   std::map<map::MapKey, std::shared_ptr<SharedFetch>> fetching_;
-  std::optional<ParsedMap> frame_;  // of the map fetched last, without its picture: points are checked by it
+  std::optional<ParsedMap> frame_;  // of the last fetched map, without its picture: used to check points
 };
 
 }  // namespace mapwright::robot::aimdk

@@ -1,5 +1,5 @@
-// An Agibot robot behind the port: maps and waypoints to look at; where it is, if a rosbridge beside it
-// tells. Source: docs/protocols/agibot-aimdk.md.
+// An Agibot robot behind the port: read-only maps and waypoints; its pose, if a rosbridge beside it provides
+// it. Source: docs/protocols/agibot-aimdk.md.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ namespace mapwright::robot::aimdk {
 class AimdkRobot : public wire::NetworkRobot, public SecondServer {
   Q_OBJECT
  public:
-  /// `live`: what is beside the interface and tells where the robot is; null = nothing.
+  /// `live`: the separate source of the robot's pose; null = none.
   AimdkRobot(QString address, LinkOptions options, std::unique_ptr<LiveBeside> live = nullptr,
              QObject* parent = nullptr);
   ~AimdkRobot() override;
@@ -33,7 +33,7 @@ class AimdkRobot : public wire::NetworkRobot, public SecondServer {
   WaypointSource* waypointSource() override { return &points_; }
   LiveTopics* liveTopics() override { return live_.get(); }
   Absence whyNot(Capability capability) const override;
-  /// Of the interface and of what is beside it.
+  /// For the interface and for the rosbridge beside it.
   void setDeliveryTap(DeliveryTap tap) override;
 
  private:

@@ -13,50 +13,51 @@ inline constexpr FaultCode SizesDisagree{
     "aimdk",
     QT_TRANSLATE_NOOP(
         "aimdk",
-        "Its picture has %1 x %2 cells, but the robot says %3 x %4. Placed by the picture's own size.")};
+        "Its picture has %1 x %2 cells, but the robot says %3 x %4. The size of the picture was used.")};
 
 // Whole maps by remote calls.
 /// whose robot it should be
 inline constexpr FaultCode AnswerIsNoJson{
     "aimdk", QT_TRANSLATE_NOOP("aimdk", "The robot's answer is not JSON, so it may not be an %1 robot.")};
-inline constexpr FaultCode AnswerHoldsNoData{"aimdk", QT_TRANSLATE_NOOP("aimdk", "its answer holds no data")};
+inline constexpr FaultCode AnswerHoldsNoData{"aimdk",
+                                             QT_TRANSLATE_NOOP("aimdk", "the answer contains no data")};
 inline constexpr FaultCode MapsAreNoList{
     "aimdk", QT_TRANSLATE_NOOP("aimdk", "The robot's list of maps is not a list.")};
 inline constexpr FaultCode ScaleNotPositive{
     "aimdk",
-    QT_TRANSLATE_NOOP("aimdk",
-                      "Its resolution is missing or not above 0 pixels per metre, so it cannot be placed.")};
+    QT_TRANSLATE_NOOP(
+        "aimdk", "Its resolution is missing or not above 0 pixels per metre, so its position is unknown.")};
 /// its id
-inline constexpr FaultCode WrongMapSent{
-    "aimdk", QT_TRANSLATE_NOOP("aimdk", "The robot sent the map %1 instead of it.")};
+inline constexpr FaultCode WrongMapSent{"aimdk",
+                                        QT_TRANSLATE_NOOP("aimdk", "The robot sent the map %1 instead.")};
 inline constexpr FaultCode NoPictureOfItSent{"aimdk",
-                                             QT_TRANSLATE_NOOP("aimdk", "The robot sent no picture of it.")};
+                                             QT_TRANSLATE_NOOP("aimdk", "The robot sent no picture for it.")};
 inline constexpr FaultCode PictureNotBase64{
-    "aimdk", QT_TRANSLATE_NOOP("aimdk", "Its picture is not base64, or larger than 256 MB.")};
+    "aimdk", QT_TRANSLATE_NOOP("aimdk", "Its picture is not valid base64, or larger than 256 MB.")};
 inline constexpr FaultCode HeightNotSaid{
     "aimdk",
     QT_TRANSLATE_NOOP("aimdk", "Its picture is not a PNG, and the robot does not say how high it is.")};
 /// id, name, pixels
-inline constexpr FaultCode PointOff{
-    "aimdk",
-    QT_TRANSLATE_NOOP("aimdk",
-                      "Point %1 (%2): its pixels lie %3 px from its metres. Shown where its metres say.")};
+inline constexpr FaultCode PointOff{"aimdk",
+                                    QT_TRANSLATE_NOOP("aimdk",
+                                                      "Point %1 (%2): its pixel and metre coordinates differ "
+                                                      "by %3 px. It is shown at its metre coordinates.")};
 /// how many
 inline constexpr FaultCode MorePointsOff{
-    "aimdk", QT_TRANSLATE_N_NOOP("aimdk", "%1 points more disagree with their pixels.")};
+    "aimdk", QT_TRANSLATE_N_NOOP("aimdk", "%1 more points have pixel and metre coordinates that differ.")};
 
 // Topics of ROS that are asked for and silent.
 /// host; because: why
 inline constexpr FaultCode PoseSourceAway{
     "aimdk", QT_TRANSLATE_NOOP("aimdk",
-                               "The rosbridge that tells where the robot is cannot be reached at %1: %2. "
-                               "Maps and waypoints come all the same.")};
+                               "The rosbridge that provides the robot's pose cannot be reached at %1: %2. "
+                               "Maps and waypoints work without it.")};
 
 // What goes over the network. Hosts come with their ports.
 /// because: how it answers
 inline constexpr FaultCode NoAgibotRobotThere{
     "aimdk", QT_TRANSLATE_NOOP("aimdk",
-                               "a web server answers there, but it knows no calls of Agibot robots (%1): "
-                               "check the address and the port")};
+                               "a web server answers there, but it does not know the requests of Agibot "
+                               "robots (%1): check the address and the port")};
 
 }  // namespace mapwright::robot::aimdk::fault

@@ -8,7 +8,7 @@
 namespace mapwright::robot::aimdk {
 namespace {
 
-/// Streams of the robot's maps: the interface tells of them, and the two need not agree.
+/// Streams of the robot's maps: the interface provides these, and the two may disagree.
 bool isOfMaps(map::Stream stream) {
   using map::Stream;
   return stream == Stream::WholeMap || stream == Stream::Incremental || stream == Stream::MapInfo ||
@@ -74,7 +74,7 @@ void LiveBeside::noteLink() {
   if (std::exchange(silent_since_, since) != since) Q_EMIT silenceChanged();
   if (state.phase == ConnectionPhase::Online || !wanted_) return tellOff();
   const bool away = state.phase == ConnectionPhase::Interrupted || state.phase == ConnectionPhase::Refused;
-  // Each try that fails is no news, unless it fails otherwise.
+  // Repeated failures are not news, unless the reason changes.
   if (!away || !state.reason.any() || told_ == state.reason) return;
   told_ = state.reason;
   map::Problem problem;

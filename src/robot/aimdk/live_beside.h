@@ -1,5 +1,5 @@
-// What an Agibot robot does by the rosbridge beside its interface: where it is, where it goes, what it sees.
-// Source: docs/protocols/agibot-aimdk.md, "Where the robot is".
+// The rosbridge beside an Agibot robot's interface: pose, goal and sensor data. Source:
+// docs/protocols/agibot-aimdk.md, "Where the robot is".
 #pragma once
 
 #include <memory>
@@ -12,11 +12,12 @@
 
 namespace mapwright::robot::aimdk {
 
-/// Another robot's live topics, without its maps: those of the interface count. Lives on the robot's thread.
+/// The live topics of another robot, without its maps: those of the interface are used. Lives on the robot's
+/// thread.
 class LiveBeside : public QObject, public LiveTopics, public Delivers {
   Q_OBJECT
  public:
-  /// `source` has LiveTopics. `host`: "10.0.0.7:9090", for what is said of it.
+  /// `source` has LiveTopics. `host`: "10.0.0.7:9090", for messages.
   LiveBeside(std::unique_ptr<Robot> source, QString host);
 
   void connectToRobot();
@@ -52,7 +53,7 @@ class LiveBeside : public QObject, public LiveTopics, public Delivers {
   std::unique_ptr<Robot> source_;
   map::Subject subject_;
   bool wanted_ = false;
-  QString trusted_;            // SHA-256 that is still to be told; empty = none
+  QString trusted_;            // SHA-256 to be passed on; empty = none
   std::optional<Fault> told_;  // why it is away
   std::optional<UntrustedCertificate> certificate_;
   QDateTime silent_since_;

@@ -37,17 +37,17 @@ std::string explanation(const Json& object) {
   return text.substr(0, 300);
 }
 
-/// What an answer of a failed call says, as far as can be told from its members.
+/// The error of a failed call, as far as its members tell.
 std::optional<RpcError> failure(const Json& root) {
   const auto error = wire::member(root, {"error", "err"});
   bool truth = true;
   const bool has_error =
       error && (error->get(truth) || truth) && !(error->is_string() && wire::asText(*error).empty());
   const auto code = wire::integer(root, {"code", "error_code", "err_code", "errcode"});
-  // 0 and 200 are what success is called.
+  // 0 and 200 mean success.
   const bool bad_code = code && *code != 0 && *code != 200;
   if (!has_error && !bad_code) return std::nullopt;
-  // Some write the code beside the error, some into it.
+  // The code may be next to the error or inside it.
   const auto inner = bad_code || !error || !error->is_object()
                          ? code
                          : wire::integer(*error, {"code", "error_code", "err_code", "errcode"});
@@ -64,7 +64,7 @@ Read<Json> dataOf(wire::JsonReader& reader, std::string_view body) {
   const auto data = wire::member(*root, {"data"});
   simdjson::dom::object members;
   if (!data || data->get(members) || members.size() == 0) {
-    // This is how it refuses, too.
+    // This is also how it refuses.
     const std::string why = explanation(*root);
     return passed({true, {}, why, why.empty() ? fault::AnswerHoldsNoData : FaultCode()});
   }
@@ -81,8 +81,8 @@ std::optional<double> angleOf(const Json& point) {
   return pixel_pose ? wire::number(*pixel_pose, {"angle"}) : std::nullopt;
 }
 
-/// The maker names an angle without its unit. Where no point of a list turns further than once around in
-/// radians they are taken as radians, else all of them as degrees; counter-clockwise either way.
+/// The documentation gives no unit for the angle. If no point of a list exceeds one turn in radians they are
+/// taken as radians, otherwise all as degrees; counter-clockwise in both cases.
 bool anglesAreDegrees(const wire::JsonList& points) {
   for (const Json point : points) {
     if (const auto angle = angleOf(point); angle && std::abs(*angle) > 2 * std::numbers::pi) return true;
@@ -96,7 +96,7 @@ std::optional<double> headingOf(const Json& point, bool degrees) {
   return geometry::normalizeAngle(degrees ? geometry::radiansFromDegrees(*angle) : *angle);
 }
 
-/// How far the pixels of a point lie from where its metres say; nullopt where it has no pixels.
+/// The distance between a point's pixels and its metres; nullopt if it has no pixels.
 std::optional<double> pixelsOff(const Json& point, const Eigen::Vector2d& position, const ParsedMap& frame) {
   const auto pixel_pose = wire::member(point, {"pixel_pose"});
   const auto pixel = pixel_pose ? wire::member(*pixel_pose, {"position"}) : std::nullopt;
@@ -116,7 +116,7 @@ Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body) {
   if (!data) return passed(data.error());
   std::vector<map::CatalogueEntry> entries;
   const auto member = wire::member(*data, {"map_lists", "map_list", "maps"});
-  if (!member) return entries;  // an empty list is left out by some encoders
+  if (!member) return entries;  // some encoders omit an empty list
   const auto rows = wire::asList(*member);
   if (!rows) return refused(fault::MapsAreNoList);
   for (const Json row : *rows) {
@@ -174,8 +174,8 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
   } else if (width <= 0 || height <= 0) {
     return refused(fault::HeightNotSaid);
   }
-  // Pixel (origin_x, origin_y) is the world's origin and pixel rows run down: the lower-left corner lies
-  // (height - origin_y) rows below it.
+  // Pixel (origin_x, origin_y) is the world's origin and rows run down: the lower-left corner is (height -
+  // origin_y) rows below it.
   whole.grid.resolution_m = 1 / parsed.pixels_per_m;
   whole.grid.origin = {-parsed.u0 / parsed.pixels_per_m,
                        (parsed.v0 - double(whole.grid.height)) / parsed.pixels_per_m, 0};
@@ -239,7 +239,7 @@ std::optional<QByteArray> topologyRequest(std::string_view map_id) {
   const bool number = !map_id.empty() && map_id.find_first_not_of("0123456789") == std::string_view::npos &&
                       (map_id == "0" || map_id.front() != '0');
   if (!number) return std::nullopt;
-  // Written by hand: a number of JSON libraries is a double, which may lose digits.
+  // Written by hand: JSON libraries use doubles for numbers, which may lose digits.
   return R"({"command":"TopoCommand_GET_TOPO_MSG","map_id":)" +
          QByteArray(map_id.data(), qsizetype(map_id.size())) + '}';
 }

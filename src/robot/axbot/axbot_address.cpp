@@ -16,7 +16,7 @@ ParsedAddress parse(const QString& rest) {
   if (!url) return tl::make_unexpected(url.error());
   if (url->hasQuery() || url->hasFragment()) {
     return tl::make_unexpected(
-        AxbotAddressText::tr("The address of an Autoxing robot has no part after ? or #."));
+        AxbotAddressText::tr("The address of an Autoxing robot cannot have a ? or # part."));
   }
   Address address;
   address.url = *url;

@@ -1,4 +1,5 @@
-// What only an Autoxing robot can be asked for, on the thread of the robot.
+// The capabilities of an Autoxing robot: one object each, on the thread of the robot. They call the link on
+// its own thread and return its results.
 #pragma once
 
 #include <functional>

@@ -28,9 +28,9 @@ constexpr int kSubscribeAnswerMs = 3'000;
 constexpr std::chrono::milliseconds kListExpectedWithin{10'000};  // before it is remarked upon
 constexpr qint64 kCacheBudgetBytes = qint64(2) << 30;
 constexpr std::chrono::milliseconds kLongestAskAgain{60'000};
-constexpr int kSubmapsAtOnce = 4;  // on the network, however many are asked for; those on disk come besides
+constexpr int kSubmapsAtOnce = 4;  // network requests in parallel; those from disk are additional
 
-/// A member by any of its names, looked for here and one level down: firmware versions nest them differently.
+/// A member under any of its names, here and one level down: firmware versions nest them differently.
 QJsonValue findMember(const QJsonObject& object, std::initializer_list<const char*> names) {
   for (const char* name : names) {
     if (const auto value = object.value(QLatin1String(name)); !value.isUndefined() && !value.isNull())
@@ -68,10 +68,10 @@ AxbotLink::AxbotLink(LinkOptions options)
     : RobotLink(lcAxbot(), options.base), options_(std::move(options)) {}
 
 AxbotLink::~AxbotLink() {
-  // Replies of what is under way must not reach a half-destroyed object.
+  // Late replies must not reach a half-destroyed object.
   if (http_) http_->disconnect(this);
   socket_.reset();
-  http_.reset();  // calls nobody any more, so those who ask it may go after it
+  http_.reset();  // makes no callbacks any more, so its users may be destroyed after it
 }
 
 void AxbotLink::start() {
@@ -142,7 +142,7 @@ void AxbotLink::start() {
     delivered_definition_ = false;
     topics_confirmed_ = false;
     subscribed_ = false;
-    // It may have got another firmware.
+    // It may have new firmware.
     heard_topics_.clear();
     again_timer_->stop();
     again_timer_->setInterval(options_.ask_again_after);
@@ -227,7 +227,7 @@ void AxbotLink::subscribe() {
   if (names.contains(QLatin1String("/submap_list"))) list_timer_->start(kListExpectedWithin);
   send(subscriptions_.all());
   if (!silentStreams().empty()) older_timer_->start(options_.older_names_after);
-  // Some firmware claims lists and ignores them.
+  // Some firmware claims to support lists and ignores them.
   if (subscriptions_.takesLists() && !names.isEmpty()) subscribe_timer_->start(kSubscribeAnswerMs);
 }
 
@@ -248,7 +248,7 @@ void AxbotLink::askForWanted() {
     if (older_.contains(stream)) names += topics.older;
   }
   const QStringList requests = subscriptions_.setWanted(names + topics_);
-  // Before the first subscription everything is asked for with it, at once.
+  // Before the first subscription everything is included in it.
   if (!subscribed_) return;
   send(requests);
   if (!older_timer_->isActive() && !silentStreams().empty()) older_timer_->start(options_.older_names_after);
@@ -267,7 +267,7 @@ map::Streams AxbotLink::silentStreams() const {
 }
 
 void AxbotLink::askAgainForOnceSaid() {
-  // What comes again and again needs no question.
+  // Data that is sent regularly needs no request.
   QStringList topics;
   const QStringList names = subscriptions_.names();
   for (const QString& topic : names) {
@@ -275,7 +275,7 @@ void AxbotLink::askAgainForOnceSaid() {
     if (heard == heard_topics_.end() || heard->second < 2) topics << topic;
   }
   send(subscriptions_.anew(topics));
-  // A robot that goes on like this is asked ever more seldom.
+  // If this continues, the robot is asked less and less often.
   again_timer_->setInterval(std::min(again_timer_->intervalAsDuration() * 2, kLongestAskAgain));
 }
 
@@ -291,7 +291,7 @@ void AxbotLink::deliver(std::shared_ptr<const std::string> bytes, const std::str
   wire::DeliveryPlace::Parcel parcel = parcelOf(topic, std::move(bytes), options_.wall_s());
   parcel.encoding = encoding;
   if (std::string_view(encoding) == "protobuf") parcel.schema = kBinaryType;
-  // One topic may come both ways; what has no topic is about what was asked a moment ago.
+  // A topic may use both ways; an answer without topic belongs to the last request.
   if (!topic.empty()) parcel.slot = encoding + topic;
   parcel.said_s = said_s;
   places_->deliveries.pass(std::move(parcel));
@@ -362,7 +362,7 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
     if (++heard_topics_[topic] == 1) qCDebug(lcAxbot, "first message of %s", topic.c_str());
     if (!unreadable_topics_.empty()) {
       recover(topic);
-      recover(kUnknownTopic);  // whatever it was, messages can be read again
+      recover(kUnknownTopic);  // messages can be read again
     }
   }
   if (std::holds_alternative<map::SubmapList>(message)) {
@@ -447,8 +447,8 @@ map::SubmapAnswer AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& u
       places_->deliveries.pass(std::move(parcel));
     }
     if (cache_ && !http.from_cache) {
-      // The address names the version asked for; the body is the version that the robot has. Keep it under
-      // its own name only, so that neither a failure nor an older picture is taken for that version after a
+      // The address contains the requested version; the body is the robot's present version. Cache it only
+      // under its own name, so that neither a failure nor an older picture is taken for that version after a
       // restart.
       const bool other_version = answer.version > 0 && answer.version != key.version;
       if (answer.outcome == Outcome::Ok && other_version) {

@@ -1,4 +1,4 @@
-// The network half of an Autoxing robot. Lives on a thread of its own; values go in and out by queued calls.
+// The network side of an Autoxing robot. Lives on its own thread; values go in and out by queued calls.
 // Source: docs/protocols/autoxing.md, "Requests", "Live topics".
 #pragma once
 
@@ -65,7 +65,7 @@ class AxbotLink : public wire::RobotLink {
   void setBasics(const LiveTopics::Basics& basics);
   MapRequests& maps();
   BagRequests& bags();
-  /// A question of the overview, to be noted when this robot does not know it.
+  /// A request for the overview; also notes if the robot does not support it.
   void fetchOverview(wire::ErrandPtr errand, double resolution_m, OutcomeTo<map::WholeMap> reply);
 
  Q_SIGNALS:
@@ -74,16 +74,16 @@ class AxbotLink : public wire::RobotLink {
   void overviewUnknown(const QString& answer);
 
  private:
-  void start();  // makes the network objects, on this object's thread
+  void start();  // creates the network objects, on this object's thread
   void askDeviceInfo();
   void takeDeviceInfo(const net::HttpAnswer& answer);
   void subscribe();
   void send(const QStringList& requests);
   void askForWanted();
-  /// What is said once is said again to whoever asks anew: after a message that could not even be told whose
-  /// it was, for the topics that it may have been.
+  /// Latched messages are sent again after a new subscription: used after an unreadable message of unknown
+  /// topic, for the topics it may have belonged to.
   void askAgainForOnceSaid();
-  /// Streams of which nothing has come, and that older firmware calls otherwise.
+  /// Streams that are silent so far and have another name in older firmware.
   map::Streams silentStreams() const;
   void deliver(std::shared_ptr<const std::string> bytes, const std::string& topic, const char* encoding,
                std::optional<double> said_s);
@@ -110,9 +110,9 @@ class AxbotLink : public wire::RobotLink {
   std::unique_ptr<QTimer> list_timer_, subscribe_timer_, older_timer_, again_timer_;
   map::Streams streams_;  // that are wanted
   QStringList topics_;    // that are wanted by name
-  map::Streams older_;    // streams whose older names are asked for too, on this connection
-  std::map<std::string, int> heard_topics_;  // how often, on this connection
-  bool delivered_definition_ = false;        // likewise: of what binary frames hold
+  map::Streams older_;    // streams whose older names are subscribed as well on this connection
+  std::map<std::string, int> heard_topics_;  // number of messages on this connection
+  bool delivered_definition_ = false;        // likewise: the definition of binary frames
   bool wanted_ = false;
   bool device_info_answered_ = false;
   bool device_info_asked_ = false;

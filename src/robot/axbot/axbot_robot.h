@@ -39,7 +39,7 @@ class AxbotRobot : public wire::NetworkRobot {
   Administration administration_;
   wire::BagsOf<BagRequests> bags_;
   RobotIdentity identity_;
-  std::optional<QString> overview_unknown_;    // what it answered when it was asked for one
+  std::optional<QString> overview_unknown_;    // its answer to a request for one
   std::optional<map::MapInfo> last_map_info_;  // without overlays
 };
 

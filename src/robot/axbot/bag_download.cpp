@@ -18,12 +18,12 @@ namespace {
 constexpr qint64 kMost = qint64(1) << 40;
 constexpr int kRangeNotThere = 416, kPartial = 206;
 
-/// Of what a part was begun: beside it, as long as it is a part. A part of which nothing says that it is of
-/// the same file is begun anew.
+/// The origin of a partial download, stored next to it. Without it, a part cannot be trusted and the download
+/// starts over.
 struct PartOf {
   QByteArray etag;
   std::optional<qint64> bytes;
-  QByteArray listed = {};  // the row of the robot's list; empty = it was not told
+  QByteArray listed = {};  // the row of the robot's list; empty = unknown
 };
 
 QByteArray identityOf(const std::optional<BagEntry>& row) {
@@ -42,11 +42,11 @@ PartOf readPartOf(const QString& path) {
   bool good = false;
   const qint64 bytes = lines.value(1).toLongLong(&good);
   QByteArray etag = lines.value(0).trimmed();
-  if (!etag.startsWith('"') && !etag.startsWith("W/")) etag.clear();  // it is none
+  if (!etag.startsWith('"') && !etag.startsWith("W/")) etag.clear();  // invalid
   return {etag, good && bytes >= 0 ? std::optional(bytes) : std::nullopt, lines.value(2).trimmed()};
 }
 
-/// Where it cannot be written the next download begins anew.
+/// If it cannot be written the next download starts over.
 void writePartOf(const QString& path, const PartOf& of) {
   QFile file(besidePart(path));
   if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate)) return;
@@ -60,11 +60,11 @@ struct Download {
   net::HttpRequest request;
   BagKey key;
   QString path;
-  std::optional<BagEntry> row;  // of the robot's list, where that is known
+  std::optional<BagEntry> row;  // of the robot's list, if known
   QFile part;
   PartOf held_of;                  // what is there
-  bool unfit = false;              // what came does not go on where it ends, or is of another file
-  qint64 begun_at = 0;             // what was there before
+  bool unfit = false;              // the answer does not continue the part, or is of another file
+  qint64 begun_at = 0;             // what existed before
   std::optional<qint64> of_bytes;  // of the whole, as announced
   bool begun = false;
   std::optional<map::Failure> trouble;
@@ -77,7 +77,7 @@ struct Download {
             .cause = {fault::BagFileNotWritten, {path.toStdString(), why.toStdString()}}};
   }
   void end(map::Failure failure) {
-    // A part without anything in it is none.
+    // An empty part does not count.
     if (part.isOpen() && part.size() == 0) {
       part.remove();
       QFile::remove(besidePart(path));
@@ -85,7 +85,7 @@ struct Download {
     part.close();
     reply(tl::make_unexpected(std::move(failure)));
   }
-  /// It may be glued to what is held.
+  /// It continues the existing part.
   bool goesOn(const net::HttpPart& first) const {
     if (first.from_byte != begun_at) return false;
     if (first.whole_bytes && *first.whole_bytes < begun_at) return false;
@@ -93,7 +93,7 @@ struct Download {
     if (!first.etag.isEmpty() && !held_of.etag.isEmpty()) return first.etag == held_of.etag;
     return !held_of.listed.isEmpty() && held_of.listed == identityOf(row);
   }
-  /// False when it cannot go on.
+  /// False if it cannot continue.
   bool begin(const net::HttpPart& first) {
     begun = true;
     if (first.status == kPartial && !goesOn(first)) {
@@ -125,8 +125,8 @@ using DownloadPtr = std::shared_ptr<Download>;
 
 void place(Download& download) {
   const qint64 bytes = download.part.pos();
-  // Where the answer does not tell its length, an end that came early looks like the end. A bag that is still
-  // being recorded may have become longer.
+  // If the answer has no length, a premature end looks like the end. A bag that is still recorded may have
+  // grown.
   const bool unmeasured = !download.of_bytes && download.row && download.row->size_bytes;
   if (unmeasured && bytes < *download.row->size_bytes) download.of_bytes = *download.row->size_bytes;
   if (download.of_bytes && *download.of_bytes != bytes) {
@@ -140,7 +140,7 @@ void place(Download& download) {
   }
   download.part.close();
   QFile::remove(besidePart(download.path));
-  // What was at its place is replaced in one step.
+  // Replaces an existing file atomically.
   if (std::rename(QFile::encodeName(download.part.fileName()).constData(),
                   QFile::encodeName(download.path).constData()) != 0) {
     download.end(download.notWritten(qt_error_string()));
@@ -151,7 +151,7 @@ void place(Download& download) {
 
 void send(const DownloadPtr& download);
 
-/// What is held is let go of: the whole is asked for.
+/// Drops the part and requests the whole.
 void beginAnew(const DownloadPtr& download, const net::HttpAnswer& answer) {
   if (download->request.from_byte == 0) {
     // The whole was asked for, and a part came.
@@ -185,14 +185,14 @@ void send(const DownloadPtr& download) {
       beginAnew(download, answer);
     } else if (answer.ok()) {
       if (!download->begun && answer.status == kPartial) {
-        beginAnew(download, answer);  // a part without anything in it is none
+        beginAnew(download, answer);  // an empty part does not count
       } else if (!download->begun && !download->begin({answer.status, 0, {}})) {
         download->end(*download->trouble);
       } else {
         place(*download);
       }
     } else if (answer.status == kRangeNotThere && download->request.from_byte > 0) {
-      // What is there is as long as the whole, or longer: it may be of another one.
+      // The part is as long as the whole, or longer: it may be of another file.
       beginAnew(download, answer);
     } else {
       download->end(wire::failed(answer, subjectOf(download->key)));
@@ -236,7 +236,7 @@ void startDownload(wire::ErrandPtr errand, net::HttpClient& http, net::HttpReque
   download->request.from_byte = download->begun_at;
   if (download->begun_at == 0) download->held_of = {};
   download->request.if_etag = download->held_of.etag;
-  // The request must not keep its own download alive once it has ended.
+  // The request must not keep its own download alive after its end.
   download->request.take = [weak = std::weak_ptr<Download>(download)](const net::HttpPart& received) {
     const DownloadPtr alive = weak.lock();
     return alive && alive->take(received);

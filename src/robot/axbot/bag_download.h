@@ -1,4 +1,4 @@
-// A bag on its way into a file. On the link's thread. Source: docs/protocols/autoxing.md, "Bags".
+// Downloads a bag to a file. On the link's thread. Source: docs/protocols/autoxing.md, "Bags".
 #pragma once
 
 #include <QString>
@@ -9,9 +9,9 @@
 
 namespace mapwright::robot::axbot {
 
-/// Beside `path` first, in `path`.part, which stays when it breaks off: the next try goes on from there where
-/// the robot can (206) and it is the same file by its ETag, else by its `row` in the robot's list (size and
-/// end); it begins anew where not (200, 416). `http` outlives it.
+/// First to `path`.part, which stays after an interruption: the next attempt resumes there if the robot
+/// supports it (206) and the file is the same by its ETag, or by its `row` in the robot's list (size and
+/// end); otherwise it starts over (200, 416). `http` outlives it.
 void startDownload(wire::ErrandPtr errand, net::HttpClient& http, net::HttpRequest request, BagKey key,
                    std::optional<BagEntry> row, QString path, OutcomeTo<BagDownload> reply);
 

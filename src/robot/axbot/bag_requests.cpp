@@ -25,7 +25,7 @@ QString folderOf(BagKind kind) {
 
 QString pathOf(const BagKey& key) { return folderOf(key.kind) + pathSegment(key.name); }
 
-/// Ranges begin and end at whole parts of two of a second as a rule: six digits tell them exactly.
+/// Ranges usually begin and end at multiples of a power of two of a second: six decimals are exact.
 QString seconds(double epoch_s) { return QString::number(epoch_s, 'f', 6); }
 
 map::Subject partOf(BagKind kind) {
@@ -81,7 +81,7 @@ void BagRequests::list(Errand errand, OutcomeTo<std::vector<BagEntry>> reply) {
 void BagRequests::addRows(const std::shared_ptr<Listing>& listing, const net::HttpAnswer& answer,
                           BagKind kind) {
   if (!answer.ok()) {
-    // Older firmware records on demand only, or not at all.
+    // Older firmware only records on demand, or not at all.
     if (wire::isUnknownThere(answer) && kind == BagKind::Recording) {
       recovered_({partOf(kind)});
     } else {
@@ -201,7 +201,7 @@ void BagRequests::record(Errand errand, const BagOrder& order, OutcomeTo<BagEntr
       reply(fail(wire::failed(answer, partOf(BagKind::Recording), map::AskedFor::Change)));
       return;
     }
-    // What it says of it differs with the firmware: a row of the list, or nothing.
+    // The answer depends on the firmware: a row of the list, or nothing.
     BagEntry entry;
     entry.key.kind = BagKind::Recording;
     reply(parseBagRow(wire::view(answer.body), BagKind::Recording).value_or(entry));

@@ -1,5 +1,5 @@
-// Asks an Autoxing robot for its bags. Lives on the link's thread; replies arrive there from its event loop.
-// Source: docs/protocols/autoxing.md, "Bags".
+// Requests for an Autoxing robot's bags. Lives on the link's thread; replies arrive there from its event
+// loop. Source: docs/protocols/autoxing.md, "Bags".
 #pragma once
 
 #include <chrono>
@@ -25,20 +25,20 @@ class BagRequests {
   using Errand = wire::ErrandPtr;
   using Report = std::function<void(const map::Problem&)>;
   using Recovered = std::function<void(const map::Recovery&)>;
-  /// `http` outlives this object, and calls nobody any more once it is gone itself.
+  /// `http` outlives this object, and makes no callbacks after it is destroyed.
   BagRequests(net::HttpClient& http, QUrl base, std::chrono::milliseconds patience, Report report,
               Recovered recovered);
   ~BagRequests();
 
   void list(Errand errand, OutcomeTo<std::vector<BagEntry>> reply);
   void info(Errand errand, const BagKey& key, OutcomeTo<BagInfo> reply);
-  /// The answer is read on a thread of its own: it may be long, and live messages go through this one.
+  /// The answer is parsed on another thread: it may be long, and live messages need this one.
   void messages(Errand errand, const BagKey& key, const BagRange& range, OutcomeTo<BagChunkPtr> reply);
   void picture(Errand errand, const std::string& topic, const std::string& url,
                OutcomeTo<std::shared_ptr<const std::string>> reply);
   void record(Errand errand, const BagOrder& order, OutcomeTo<BagEntry> reply);
   void remove(Errand errand, const BagKey& key, OutcomeTo<BagKey> reply);
-  /// Whether it is whole, and still the same, is seen by what list() told of it last.
+  /// Whether it is complete and unchanged is decided by the last result of list().
   void download(Errand errand, const BagKey& key, const QString& path, OutcomeTo<BagDownload> reply);
 
  private:
@@ -51,9 +51,9 @@ class BagRequests {
   std::chrono::milliseconds patience_;
   Report report_;
   Recovered recovered_;
-  QObject context_;  // what is read comes back to its thread
+  QObject context_;  // results return to its thread
   QThreadPool reading_;
-  std::vector<BagEntry> listed_;  // as the list was told last
+  std::vector<BagEntry> listed_;  // the last list
 };
 
 }  // namespace mapwright::robot::axbot

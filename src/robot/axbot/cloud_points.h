@@ -1,4 +1,4 @@
-// Points on their way into a map::PointCloudMessage.
+// Collects points for a map::PointCloudMessage.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace mapwright::robot::axbot {
 
-/// What is not finite or absurdly far is left out, and no more than kMaxPoints are taken. Intensities come as
-/// 0..1 or 0..255; which of the two, all of them together tell.
+/// Skips points that are not finite or absurdly far away, and takes at most kMaxPoints. Intensities come as
+/// 0..1 or 0..255; their maximum tells which.
 class CloudPoints {
  public:
   static constexpr std::size_t kMaxPoints = 2'000'000;
@@ -35,7 +35,7 @@ class CloudPoints {
     brightest_ = std::max(brightest_, kept);
     intensities_.push_back(kept);
   }
-  /// Takes them out. `bytes`: intensities are 0..255 for certain.
+  /// Takes them out. `bytes`: intensities are certainly 0..255.
   map::PointCloudMessage message(const std::string& topic, bool bytes = false) {
     const float scale = brightest_ <= 1 && !bytes ? 255 : 1;
     for (std::size_t i = 0; i < points_.size() && brightest_ > 0; ++i) {

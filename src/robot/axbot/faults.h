@@ -10,13 +10,14 @@ using namespace mapwright::fault;  // what all rooms share
 // The list of submaps.
 /// position in the list
 inline constexpr FaultCode RowWithoutNumbers{
-    "axbot", QT_TRANSLATE_NOOP(
-                 "axbot", "Row %1 has no usable trajectory_id, submap_index or submap_version. Left out.")};
+    "axbot",
+    QT_TRANSLATE_NOOP("axbot",
+                      "Row %1 has no valid trajectory_id, submap_index or submap_version and was left out.")};
 /// topic
 inline constexpr FaultCode NoListYet{
     "axbot", QT_TRANSLATE_NOOP("axbot",
-                               "The robot has not sent one yet. It may have no SLAM session, or its firmware "
-                               "may not know the topic %1. Still listening.")};
+                               "The robot has not sent a list yet. It may have no SLAM session, or its "
+                               "firmware may not have the topic %1. Still listening.")};
 
 // The pictures of submaps.
 inline constexpr FaultCode EmptyAnswer{"axbot",
@@ -32,7 +33,7 @@ inline constexpr FaultCode RobotAnswered{"axbot", QT_TRANSLATE_NOOP("axbot", "Th
 inline constexpr FaultCode FileNotHad{"axbot", QT_TRANSLATE_NOOP("axbot", "Shown without %1")};
 inline constexpr FaultCode AnswerIsNoList{"axbot", QT_TRANSLATE_NOOP("axbot", "its answer is not a list")};
 inline constexpr FaultCode AnswerIsNoPicture{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot's answer is no map picture, or is cut off.")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot's answer is not a map picture, or is cut off.")};
 inline constexpr FaultCode NoPictureSent{"axbot", QT_TRANSLATE_NOOP("axbot", "The robot sent no picture.")};
 
 // Live messages.
@@ -45,59 +46,59 @@ inline constexpr FaultCode BinaryTooShort{
     QT_TRANSLATE_N_NOOP("axbot", "A binary message of %1 bytes is too short to be read. It was left out.")};
 inline constexpr FaultCode NotUnpacked{
     "axbot",
-    QT_TRANSLATE_NOOP("axbot", "A compressed message could not be unpacked. What was shown before stays.")};
+    QT_TRANSLATE_NOOP("axbot", "A compressed message could not be unpacked. The previous data stays.")};
 inline constexpr FaultCode BinaryWithoutPoints{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "A binary message holds no points that can be read.")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "A binary message contains no readable points.")};
 inline constexpr FaultCode BinaryWithoutList{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "A binary message could not be read. The list before it stays.")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "A binary message could not be read. The previous list stays.")};
 inline constexpr FaultCode PoseWithoutNumbers{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot's pose holds no usable numbers.")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot's pose contains no valid numbers.")};
 /// member
 inline constexpr FaultCode MemberIsNoList{"axbot",
                                           QT_TRANSLATE_NOOP("axbot", "Its \"%1\" member is not a list.")};
 inline constexpr FaultCode PictureInMessageNotBase64{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "The picture in its message is not base64, or too large.")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The picture in the message is not valid base64, or too large.")};
 inline constexpr FaultCode NoPictureNorAddress{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "It holds neither a picture nor the address of one.")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "It contains neither a picture nor the address of one.")};
 inline constexpr FaultCode PictureAddressInvalid{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "The address of its picture is not one.")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The address of its picture is not valid.")};
 /// path; because: why
-inline constexpr FaultCode PictureNotHad{"axbot", QT_TRANSLATE_NOOP("axbot", "Its picture %1 cannot be had")};
+inline constexpr FaultCode PictureNotHad{"axbot",
+                                         QT_TRANSLATE_NOOP("axbot", "Its picture %1 cannot be loaded")};
 inline constexpr FaultCode AnswerIsEmpty{"axbot", QT_TRANSLATE_NOOP("axbot", "the answer is empty")};
 inline constexpr FaultCode PointsNotBase64{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "Its points are not base64, or too many.")};
-inline constexpr FaultCode NoReadablePoints{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "It holds no points that can be read.")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "Its points are not valid base64, or too many.")};
+inline constexpr FaultCode NoReadablePoints{"axbot",
+                                            QT_TRANSLATE_NOOP("axbot", "It contains no readable points.")};
 inline constexpr FaultCode PointsWithoutScale{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "Its points have no usable scale or centre.")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "Its points have no valid scale or centre.")};
 
 // The robot itself.
 /// because: why
 inline constexpr FaultCode AnswersNotKept{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "What the robot answers cannot be kept on disk")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot's answers cannot be saved to disk")};
 /// because: why
 inline constexpr FaultCode DoesNotSayWhatItIs{"axbot",
-                                              QT_TRANSLATE_NOOP("axbot", "It does not say what it is")};
+                                              QT_TRANSLATE_NOOP("axbot", "It does not report what it is")};
 
 // Bags.
 inline constexpr FaultCode BagWithoutTimes{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "the answer does not say when it begins and ends")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "the answer does not contain its start and end time")};
 inline constexpr FaultCode BagWithoutMessages{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "the answer holds no list of messages")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "the answer contains no list of messages")};
 /// what is wrong with the range that was asked for
-inline constexpr FaultCode BagNotAsked{"axbot", QT_TRANSLATE_NOOP("axbot", "%1 is no range of time")};
+inline constexpr FaultCode BagNotAsked{"axbot", QT_TRANSLATE_NOOP("axbot", "%1 is not a time range")};
 /// path, the system's words
 inline constexpr FaultCode BagFileNotWritten{"axbot", QT_TRANSLATE_NOOP("axbot", "%1 cannot be written: %2")};
 /// bytes that came, bytes as announced
 inline constexpr FaultCode BagFileOfOtherSize{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "%1 bytes came, and the robot says that it has %2")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "%1 bytes arrived, but the robot says that it has %2")};
 
 // What goes over the network. Hosts come with their ports.
 /// host; because: how it answers
 inline constexpr FaultCode NoAutoxingRobotThere{
     "axbot",
     QT_TRANSLATE_NOOP(
-        "axbot",
-        "something answers at %1, but not as an Autoxing robot: %2. Check the address and the port.")};
+        "axbot", "there is a server at %1, but not an Autoxing robot: %2. Check the address and the port.")};
 
 }  // namespace mapwright::robot::axbot::fault

@@ -1,5 +1,5 @@
-// Fetches the pictures of picture topics that only name them. Lives on the link's thread.
-// Source: docs/protocols/autoxing.md, "Addresses that a robot names".
+// Fetches pictures that picture topics give only by address. Lives on the link's thread. Source:
+// docs/protocols/autoxing.md, "Addresses that a robot names".
 #pragma once
 
 #include <functional>
@@ -17,23 +17,23 @@
 
 namespace mapwright::robot::axbot {
 
-/// One fetch per topic is under way; of what comes meanwhile only the newest waits. So a link slower than the
-/// topic still shows pictures, and never works through old ones.
+/// One fetch per topic at a time; of newer pictures only the latest waits. So a connection slower than the
+/// topic still shows pictures, without a backlog.
 class GridFetcher {
  public:
   using Take = std::function<void(map::TopicMessage)>;
   /// `http` outlives this object. `take` gets a GridMessage with its picture, or an UnreadableMessage.
   GridFetcher(net::HttpClient& http, QUrl base, Take take);
 
-  /// Gets every picture that came, by its topic and as the message named it.
+  /// Gets every picture with its topic and its address in the message.
   using Keep = std::function<void(const std::string& topic, const std::string& data_url,
                                   const char* media_type, std::shared_ptr<const std::string> picture)>;
   void setKeeper(Keep keep) { keep_ = std::move(keep); }
 
   void fetch(GridToFetch wanted);
-  /// Forgets what is under way or waits.
+  /// Cancels everything in progress or waiting.
   void cancelAll();
-  /// Nothing happens when it is none of its pictures.
+  /// Does nothing if it is not one of its pictures.
   void discardPicture(const std::string& fingerprint);
 
  private:

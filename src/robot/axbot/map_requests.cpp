@@ -29,7 +29,7 @@ QUrl thumbnailUrl(const QUrl& base, const map::MapKey& key) {
   return urlOnRobot(base, pathOf(key) + QStringLiteral("/thumbnail"));
 }
 
-/// Nothing has been asked: it cannot be.
+/// It cannot be requested at all.
 map::Failure unasked(const map::MapKey& key) {
   return {.kind = map::FailureKind::Unsupported,
           .subject = map::subjectOf(key),
@@ -37,7 +37,7 @@ map::Failure unasked(const map::MapKey& key) {
           .reason = map::FailureReason::NoSuchId};
 }
 
-/// It came, and there is nothing in it.
+/// It arrived, but is empty.
 map::Failure empty(const map::MapKey& key, map::AskedFor asked_for) {
   return {.kind = map::FailureKind::MalformedAnswer,
           .subject = map::subjectOf(key),
@@ -58,7 +58,7 @@ struct MapRequests::Listing {
 struct MapRequests::Fetch {
   Errand errand;
   map::WholeMap map;
-  QUrl usual_picture;  // where it lies when the robot does not say, or says wrongly
+  QUrl usual_picture;  // its address if the robot gives none, or a wrong one
   int open = 0;
   std::optional<map::Failure> failure;
   OutcomeTo<map::WholeMap> reply;
@@ -132,7 +132,7 @@ void MapRequests::list(Errand errand, OutcomeTo<std::vector<map::CatalogueEntry>
   getJson(errand, kCurrentMapPath, [this, listing](const net::HttpAnswer& answer) {
     const map::Subject subject(map::SubjectKind::Catalogue, map::kCurrentMapPart);
     if (answer.ok()) listing->current = parseCurrentMap(wire::view(answer.body));
-    // No current map is a 404 with some firmware.
+    // Some firmware answers 404 if there is no current map.
     if (answer.ok() || wire::isUnknownThere(answer)) {
       recovered_({subject});
     } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
@@ -145,7 +145,7 @@ void MapRequests::list(Errand errand, OutcomeTo<std::vector<map::CatalogueEntry>
 void MapRequests::addRows(Listing& listing, const net::HttpAnswer& answer, map::MapKind kind) {
   const bool maps = kind == map::MapKind::Stored;
   const map::Subject subject(map::SubjectKind::Catalogue, maps ? map::kMapsPart : map::kMappingsPart);
-  // Firmware that makes no maps knows no list of what was made: there are none.
+  // Firmware without mapping has no such list: there are none.
   if (!maps && wire::isUnknownThere(answer)) {
     recovered_({subject});
     return;
@@ -172,13 +172,13 @@ void MapRequests::addRows(Listing& listing, const net::HttpAnswer& answer, map::
 void MapRequests::finishPart(const std::shared_ptr<Listing>& listing) {
   if (--listing->open > 0) return;
   for (const map::Failure& failure : listing->failures) {
-    // Nobody wants to hear of the other parts either.
+    // The other parts are not needed either.
     if (failure.kind == map::FailureKind::Cancelled) {
       listing->reply(fail(failure));
       return;
     }
   }
-  // Mappings alone are worth showing; an empty list where the maps could not be had would be a lie.
+  // Mappings alone are worth showing; an empty list although maps failed would be wrong.
   const bool nothing = listing->maps.empty() && listing->mappings.empty();
   if (!listing->failures.empty() && (nothing || listing->failures.size() == 2)) {
     listing->reply(fail(listing->failures.front()));
@@ -337,7 +337,7 @@ void MapRequests::fetchOverview(Errand errand, double resolution_m, OutcomeTo<ma
   request.url = urlOnRobot(base_, QStringLiteral("/ros/slam/map_image"),
                            QStringLiteral("resolution=") + QString::number(resolution_m, 'g', 10));
   request.accept = "application/x-protobuf";
-  request.timeout = 4 * patience_;  // the robot draws it first
+  request.timeout = 4 * patience_;  // the robot has to draw it first
   wire::send(
       errand, http_, request,
       [resolution_m, reply = std::move(reply)](const net::HttpAnswer& answer) {
@@ -388,8 +388,7 @@ void MapRequests::change(Errand errand, net::HttpMethod method, const QString& p
       errand, http_, request,
       [this, errand, key, holds = std::move(holds), reply = std::move(reply)](const net::HttpAnswer& answer) {
         if (answer.ok()) {
-          // What answers to a change hold differs with the firmware: what has become of the map is
-          // asked for.
+          // Answers to a change depend on the firmware: read the map again.
           lookAt(errand, key, [reply](Outcome<map::CatalogueEntry> now) {
             if (!now) {
               now.error().asked_for = map::AskedFor::Change;
@@ -404,8 +403,8 @@ void MapRequests::change(Errand errand, net::HttpMethod method, const QString& p
           reply(fail(failure));
           return;
         }
-        // A look may tell what the answer would have. That it does not hold yet tells nothing: the robot
-        // may still be at it.
+        // Reading the map may replace the lost answer. If it is not changed yet that proves nothing: the
+        // robot may still be working.
         lookAt(errand, key, [holds, failure, reply](Outcome<map::CatalogueEntry> now) {
           if (now && holds(*now)) {
             reply(std::move(now));

@@ -1,5 +1,5 @@
-// Asks an Autoxing robot for its maps. Lives on the link's thread; replies arrive there from its event loop.
-// Source: docs/protocols/autoxing.md, "Requests".
+// Requests for an Autoxing robot's maps. Lives on the link's thread; replies arrive there from its event
+// loop. Source: docs/protocols/autoxing.md, "Requests".
 #pragma once
 
 #include <chrono>
@@ -25,7 +25,7 @@ class MapRequests {
   using Errand = wire::ErrandPtr;
   using Report = std::function<void(const map::Problem&)>;
   using Recovered = std::function<void(const map::Recovery&)>;
-  /// `http` outlives this object, and calls nobody any more once it is gone itself.
+  /// `http` outlives this object, and makes no callbacks after it is destroyed.
   MapRequests(net::HttpClient& http, QUrl base, std::chrono::milliseconds patience, Report report,
               Recovered recovered);
 
@@ -38,7 +38,7 @@ class MapRequests {
               OutcomeTo<map::CatalogueEntry> reply);
   void load(Errand errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
   void discardThumbnail(const map::MapKey& key);
-  /// Nothing happens when it is none of its pictures.
+  /// Does nothing if it is not one of its pictures.
   void discardPicture(const std::string& fingerprint);
 
  private:
@@ -48,11 +48,11 @@ class MapRequests {
 
   net::HttpRequest requestTo(QUrl url) const;
   void getJson(Errand errand, const QString& path, Taken taken);
-  /// Asks for "/maps/" and, when that is not known, for "/maps".
+  /// Requests "/maps/" and, if that does not exist, "/maps".
   void getList(Errand errand, const QString& path, Taken taken);
   void getPicture(Errand errand, const QUrl& url, Taken taken, bool tells);
   using Holds = std::function<bool(const map::CatalogueEntry&)>;
-  /// `holds`: whether the map is as it was to become, for when the answer is lost.
+  /// `holds`: whether the map is in the requested state, in case the answer is lost.
   void change(Errand errand, net::HttpMethod method, const QString& path, const QJsonObject& body,
               const map::MapKey& key, Holds holds, OutcomeTo<map::CatalogueEntry> reply);
   /// The map as it is now, and whether it is the current one.

@@ -19,7 +19,7 @@ auto wrong(Fault reason) { return tl::make_unexpected(std::move(reason)); }
 
 Fault notJson(std::string_view utf8) { return {fault::MessageNotJson, {std::int64_t(utf8.size())}}; }
 
-/// "31-Oct-2023 14:36:17", in the robot's language of English whatever is spoken here.
+/// "31-Oct-2023 14:36:17", always in English.
 std::optional<double> listedTime(const std::string& text) {
   QDateTime time =
       QLocale::c().toDateTime(QString::fromStdString(text), QStringLiteral("d-MMM-yyyy HH:mm:ss"));
@@ -39,7 +39,7 @@ std::optional<BagEntry> readRow(const wire::Json& row, BagKind kind) {
   return entry;
 }
 
-/// A buffer that simdjson may read beyond the end of.
+/// A buffer with the padding that simdjson needs.
 std::shared_ptr<const std::string> padded(std::string_view utf8) {
   auto text = std::make_shared<std::string>();
   text->reserve(utf8.size() + simdjson::SIMDJSON_PADDING);
@@ -47,7 +47,7 @@ std::shared_ptr<const std::string> padded(std::string_view utf8) {
   return text;
 }
 
-/// Bytes that are no UTF-8 in one message would make the whole range unreadable.
+/// Invalid UTF-8 in one message would make the whole range unreadable.
 std::shared_ptr<const std::string> validText(std::string_view bytes) {
   if (simdjson::validate_utf8(bytes.data(), bytes.size())) return padded(bytes);
   const QByteArray repaired = QString::fromUtf8(bytes.data(), qsizetype(bytes.size())).toUtf8();
@@ -58,7 +58,7 @@ class ChunkReader {
  public:
   explicit ChunkReader(BagChunk& chunk) : chunk_(chunk) {}
 
-  /// A message, or something that is none. false: it is no JSON at all.
+  /// A message, or something else. false: it is not JSON at all.
   bool add(std::string_view json) {
     const std::optional<wire::Json> root = read(json);
     if (!root || !root->is_object()) {
@@ -90,7 +90,7 @@ class ChunkReader {
     return true;
   }
 
-  /// Where the message that begins at `at` ends, if it could be read on the way; else nullptr.
+  /// The end of the message at `at`, if it could be read quickly; otherwise nullptr.
   const char* addPlain(const char* at) {
     BagMessage message;
     if (const char* end = plain_.read(at, message)) {
@@ -108,7 +108,7 @@ class ChunkReader {
   }
 
  private:
-  /// Behind the message there is more of the text, so nothing has to be copied.
+  /// More text follows the message, so nothing has to be copied.
   std::optional<wire::Json> read(std::string_view json) {
     wire::Json root;
     if (!parser_.parse(json.data(), json.size(), false).get(root)) return root;
@@ -119,7 +119,7 @@ class ChunkReader {
     message.at = std::size_t(json.data() - chunk_.text->data());
     message.size = json.size();
     chunk_.messages.push_back(std::move(message));
-    // Once there are enough to tell how long they are, room is made for all.
+    // Once the typical length is known, memory is reserved for all.
     constexpr std::size_t kEnough = 256;
     if (chunk_.messages.size() == kEnough) {
       const std::size_t read = chunk_.messages.back().at + json.size();
@@ -139,8 +139,7 @@ void clear(BagChunk& chunk) {
   chunk.without_stamp = chunk.unreadable = 0;
 }
 
-/// The elements of the list that the cursor stands at. Each is read where it lies; as every one is JSON from
-/// its first to its last bracket, so is the list.
+/// The elements of the list at the cursor. Each is read in place; as all are valid JSON, so is the list.
 bool readList(wire::JsonCursor& json, const char* end, ChunkReader& reader, BagChunk& chunk) {
   if (!json.take('[')) return false;
   if (json.peek() == ']') return json.take(']');
@@ -161,8 +160,7 @@ bool readList(wire::JsonCursor& json, const char* end, ChunkReader& reader, BagC
   return json.take(']');
 }
 
-/// The messages of chunk.text in one pass. false: it is not written as robots usually write it, or is no
-/// JSON; nothing is known of it.
+/// Reads the messages of chunk.text in one pass. false: unusual formatting, or not JSON; nothing was read.
 bool readQuickly(BagChunk& chunk) {
   clear(chunk);
   const char* const end = chunk.text->data() + chunk.text->size();
@@ -183,7 +181,7 @@ bool readQuickly(BagChunk& chunk) {
   return has_messages && json.take('}') && json.at() == end;
 }
 
-/// The same of any JSON; what is wrong with the text as a whole. On failure there are no messages.
+/// The same for any JSON; returns what is wrong with the text as a whole. On failure there are no messages.
 std::optional<Fault> readMessages(BagChunk& chunk) {
   namespace ondemand = simdjson::ondemand;
   clear(chunk);
@@ -244,7 +242,7 @@ tl::expected<BagInfo, Fault> parseBagInfo(std::string_view utf8) {
   BagInfo info;
   const auto messages = wire::integer(*root, {"total_messages"});
   const auto start_s = wire::number(*root, {"start_time"}), end_s = wire::number(*root, {"end_time"});
-  // Of a bag without messages there is nothing that could begin or end.
+  // A bag without messages has no start and end.
   if (!(start_s && end_s) && messages != 0) return wrong(fault::BagWithoutTimes);
   info.messages = std::max<std::int64_t>(messages.value_or(0), 0);
   info.start_s = start_s.value_or(0);

@@ -1,5 +1,5 @@
-// What a robot says of its bags, and the messages in them. Pure functions, any thread.
-// Source: docs/protocols/autoxing.md, "Bags".
+// Parses a robot's bags and their messages. Pure functions, any thread. Source: docs/protocols/autoxing.md,
+// "Bags".
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@
 
 namespace mapwright::robot::axbot {
 
-/// The rows of /bags/ or /recording/; those without a name are left out.
+/// The rows of /bags/ or /recording/; those without a name are skipped.
 tl::expected<std::vector<BagEntry>, Fault> parseBagRows(std::string_view utf8, BagKind kind);
-/// What a robot answers when it has begun a recording; nullopt where it does not name it.
+/// The answer to starting a recording; nullopt if it contains no name.
 std::optional<BagEntry> parseBagRow(std::string_view utf8, BagKind kind);
 
 tl::expected<BagInfo, Fault> parseBagInfo(std::string_view utf8);
 
-/// A range of a bag. The messages are read one after the other, by the readers of live ones; literal NaN and
-/// Infinity in them count as null. One that cannot be read is counted and left out; an answer that is no JSON
-/// as a whole, or that is cut off, is an error.
+/// A range of a bag. The messages are parsed one by one, like live ones; literal NaN and Infinity count as
+/// null. Unreadable messages are counted and skipped; an answer that is not JSON as a whole, or is cut off,
+/// is an error.
 tl::expected<BagChunk, Fault> parseBagChunk(std::string_view utf8, const BagRange& range);
 
 }  // namespace mapwright::robot::axbot

@@ -19,7 +19,7 @@ namespace {
 // A list of 100,000 submaps takes about 10 MB, a cloud of 2 million points about 20 MB.
 constexpr std::size_t kMaxInflated = std::size_t(64) << 20;
 
-/// Of gzip or zlib data of unknown size up to kMaxInflated; nullopt when broken, cut off or larger.
+/// For gzip or zlib data of unknown size up to kMaxInflated; nullopt if broken, truncated or larger.
 std::optional<std::string> unpacked(std::string_view body) {
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(body.data()), body.size());
   const bool gzip = packed::sniffContainer(bytes) == packed::Container::Gzip;
@@ -60,7 +60,7 @@ tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_
 std::string binaryTypeDefinition() {
   google::protobuf::FileDescriptorSet files;
   std::set<std::string> taken;
-  // Each behind those that it is made of.
+  // Each after its dependencies.
   const std::function<void(const google::protobuf::FileDescriptor&)> take =
       [&](const google::protobuf::FileDescriptor& file) {
         if (!taken.insert(file.name()).second) return;

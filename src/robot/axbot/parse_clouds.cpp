@@ -88,7 +88,7 @@ struct Layout {
   }
 };
 
-/// nullopt when a type is unknown (the records' length is then unknown too) or there is no x or y.
+/// nullopt if a type is unknown (the record length is then unknown, too) or there is no x or y.
 std::optional<Layout> layoutOf(const wire::JsonList& fields) {
   Layout layout;
   for (const Json row : fields) {
@@ -124,7 +124,7 @@ map::TopicMessage packedPoints(const std::string& topic, const Layout& layout, s
   return cloud.message(topic, isByte(bright));
 }
 
-/// The same fields, but the records as lists of numbers.
+/// The same fields, with records as lists of numbers.
 map::TopicMessage tabledPoints(const std::string& topic, const Layout& layout, const wire::JsonList& rows) {
   const auto column = [&](const Field* field) { return field ? field - layout.fields.data() : -1; };
   const auto x = column(layout.find("x")), y = column(layout.find("y")), z = column(layout.find("z"));
@@ -150,7 +150,7 @@ map::TopicMessage tabledPoints(const std::string& topic, const Layout& layout, c
 
 }  // namespace
 
-// Other topics have points too, of another frame or of another kind: those are no clouds of the map.
+// Other topics have points of other frames or kinds: those are not clouds of the map.
 bool isCloudTopic(const std::string& topic) {
   return topic == "/scan_matched_points2" || topic == "/semantic_points" ||
          topic.starts_with("/matched_depth_points/") || topic.ends_with("_laser_2d/matched");
@@ -174,7 +174,7 @@ MaybeMessage readCloudTopic(const std::string& topic, const Json& message) {
 }
 
 map::TopicMessage readCloud(const std::string& topic, const ros_messages::PointCloud& message) {
-  // Resolution 0 is what "not said" looks like on the wire.
+  // On the wire, a resolution of 0 means "not given".
   const double resolution = message.resolution() == 0 ? 1 : double(message.resolution());
   if (!std::isfinite(resolution) || !std::isfinite(message.center_x()) ||
       !std::isfinite(message.center_y())) {

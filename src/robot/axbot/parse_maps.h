@@ -1,6 +1,5 @@
-// From the robot's answers about its maps to values. Pure functions, any thread.
-// Source: docs/protocols/autoxing.md, "Requests" (/maps, /mappings, /chassis/current-map,
-// /ros/slam/map_image).
+// Parses the robot's answers about its maps. Pure functions, any thread. Source: docs/protocols/autoxing.md,
+// "Requests" (/maps, /mappings, /chassis/current-map, /ros/slam/map_image).
 #pragma once
 
 #include <string>
@@ -14,35 +13,35 @@
 
 namespace mapwright::robot::axbot {
 
-/// The rows of a list of maps or mappings. Rows without an id are counted only.
+/// The rows of a list of maps or mappings. Rows without an id are only counted.
 struct MapRows {
   std::vector<map::CatalogueEntry> entries;
   int without_id = 0;
 };
 tl::expected<MapRows, Fault> parseMapRows(std::string_view body, map::MapKind kind);
 
-/// One map or mapping with everything that leads to its picture. Addresses as the robot wrote them.
+/// One map or mapping with everything needed to get its picture. Addresses as in the answer.
 struct MapDetail {
   map::CatalogueEntry entry;
-  map::GridReference grid;  // whatever it says: NaN where it says nothing
+  map::GridReference grid;  // as stated: NaN if missing
   std::string image_url, thumbnail_url, trajectories_url, landmarks_url;
   std::vector<map::OverlayFeature> overlays;
   bool overlays_readable = true;
 };
 tl::expected<MapDetail, Fault> parseMapDetail(std::string_view body, const map::MapKey& key);
 
-/// Who the current map is: id is empty when it was set from data (-1).
+/// The current map: id is empty if it was set from data (-1).
 struct CurrentMap {
   std::string id, uid;
   bool is(const map::CatalogueEntry& entry) const;
 };
 CurrentMap parseCurrentMap(std::string_view body);
 
-/// Lines of a trajectories.json; points of a landmarks.json. What cannot be read is left out.
+/// Lines of a trajectories.json; points of a landmarks.json. Unreadable entries are skipped.
 std::vector<std::vector<Eigen::Vector2d>> parseTrajectories(std::string_view body);
 std::vector<map::WholeMap::Landmark> parseLandmarks(std::string_view body);
 
-/// A GetMapImageResponse: the picture with its place.
+/// A GetMapImageResponse: the picture with its position.
 tl::expected<map::WholeMap, Fault> parseOverview(std::string_view body, double asked_resolution_m);
 
 }  // namespace mapwright::robot::axbot

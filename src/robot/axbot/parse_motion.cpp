@@ -12,7 +12,7 @@ using wire::Json;
 map::TopicMessage trackedPose(const Json& message) {
   const auto pose = wire::asPose(message);
   Json heading;
-  // A heading that was left out is 0; one that is there and is no number spoils the pose.
+  // A missing heading is 0; one that is not a number makes the pose invalid.
   const bool spoilt = !message["ori"].get(heading) && !wire::asNumber(heading);
   if (!pose || spoilt) {
     return map::UnreadableMessage{"/tracked_pose",

@@ -8,14 +8,14 @@ using map::OverlayShape;
 using wire::Json;
 
 constexpr std::string_view kMulti = "Multi";
-constexpr int kDeepest = 4;  // geometry collections within each other
+constexpr int kDeepest = 4;  // nested geometry collections
 
 std::string_view typeOf(const Json& object) {
   std::string_view type;
   return object["type"].get(type) ? std::string_view() : type;
 }
 
-/// Everything of a feature but its geometry.
+/// Everything of a feature except its geometry.
 OverlayFeature described(const Json& feature, const Json& properties) {
   OverlayFeature described;
   described.id = wire::text(feature, {"id"});
@@ -115,7 +115,7 @@ std::vector<OverlayFeature> parseOverlays(std::string_view geo_json) {
   if (geo_json.find('{') == std::string_view::npos) return {};
   wire::JsonReader reader;
   const auto root = reader.read(geo_json);
-  // A text that holds a text once more is not followed.
+  // A text inside a text is not parsed.
   return root && !root->is_string() ? parseOverlays(*root) : std::vector<OverlayFeature>();
 }
 

@@ -1,4 +1,4 @@
-// From GeoJSON to overlay features. Pure functions, any thread. Source: docs/protocols/autoxing.md,
+// Converts GeoJSON to overlay features. Pure functions, any thread. Source: docs/protocols/autoxing.md,
 // "Overlays"; RFC 7946.
 #pragma once
 
@@ -10,13 +10,12 @@
 
 namespace mapwright::robot::axbot {
 
-/// The features of a FeatureCollection, a Feature, or a text that holds one, in the robot's order. What
-/// cannot be drawn is left out; open rings are closed; each part of a Multi... geometry is a feature of its
-/// own.
+/// The features of a FeatureCollection, a Feature, or a text containing one, in the robot's order. Undrawable
+/// ones are skipped; open rings are closed; each part of a Multi... geometry becomes a feature.
 std::vector<map::OverlayFeature> parseOverlays(const wire::Json& overlays);
 std::vector<map::OverlayFeature> parseOverlays(std::string_view geo_json);
 
-/// False for a text, or something else, that says anything but is no GeoJSON at all.
+/// False for a non-empty value that is not GeoJSON.
 bool readableOverlays(const wire::Json& overlays);
 
 }  // namespace mapwright::robot::axbot

@@ -1,5 +1,5 @@
-// From protobuf to submap values. Pure functions, any thread. Source: docs/protocols/cartographer-submaps.md,
-// "Messages".
+// Converts protobuf to submap values. Pure functions, any thread. Source:
+// docs/protocols/cartographer-submaps.md, "Messages".
 #pragma once
 
 #include <string_view>

@@ -9,14 +9,14 @@ namespace {
 
 using wire::Json;
 
-/// A number; `missing` when the member is absent, NaN when it is there but is not a number.
+/// A number; `missing` if the member is absent, NaN if it is not a number.
 double number(const Json& object, std::string_view name, double missing) {
   Json value;
   return object[name].get(value) ? missing : wire::asNumber(value).value_or(wire::kNaN);
 }
 
-/// The pose of a list entry. What is missing altogether is harmless (z, or a quaternion that was left out);
-/// what is there and is no number spoils the pose.
+/// The pose of a list entry. Missing members are harmless (z, or an omitted quaternion); invalid ones make
+/// the pose invalid.
 geometry::Pose3 entryPose(const Json& entry) {
   Json pose;
   if (entry["pose"].get(pose)) return {wire::kNaN, wire::kNaN, 0, 0, 0, 0, 0};

@@ -7,7 +7,7 @@
 namespace mapwright::robot::axbot {
 namespace {
 
-/// A member that explains an error, whatever it is made of.
+/// A member that explains an error, of any type.
 std::string anyText(const wire::Json& root, std::string_view name) {
   const auto value = wire::member(root, {name});
   if (!value) return {};

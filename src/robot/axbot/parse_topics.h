@@ -1,5 +1,5 @@
-// From WebSocket frames to typed topic messages. Pure functions, any thread.
-// Source: docs/protocols/autoxing.md, "Live topics", "Binary frames".
+// Converts WebSocket frames to typed topic messages. Pure functions, any thread. Source:
+// docs/protocols/autoxing.md, "Live topics", "Binary frames".
 #pragma once
 
 #include <optional>
@@ -15,28 +15,28 @@
 
 namespace mapwright::robot::axbot {
 
-/// A picture topic whose picture has to be fetched yet.
+/// A picture topic whose picture still has to be fetched.
 struct GridToFetch {
   map::GridMessage grid;  // without png and fingerprint
   std::string data_url;   // as the robot wrote it
 };
 
-/// Where a message that cannot be read at all is filed.
+/// The topic for completely unreadable messages.
 inline constexpr const char* kUnknownTopic = "(unknown)";
 
-/// What a text frame was.
+/// A parsed text frame.
 struct TextFrame {
   std::string topic;                               // empty for answers
-  std::optional<map::TopicMessage> message;        // a topic that mapwright knows, or UnreadableMessage
-  std::optional<map::UnreadableMessage> left_out;  // what of `message` could not be read
+  std::optional<map::TopicMessage> message;        // a known topic, or UnreadableMessage
+  std::optional<map::UnreadableMessage> left_out;  // the unreadable part of `message`
   std::optional<GridToFetch> grid_to_fetch;
   std::optional<std::vector<std::string>> enabled_topics;  // the answer to enable_topic
   std::string error;                                       // the robot's own error text
   std::optional<double> stamp_s;                           // the robot's own, seconds since the epoch
 };
 
-/// Reads text frames one after the other, keeping the parser's memory. Literal NaN and Infinity (not JSON,
-/// but sent by robots) and numbers beyond any type count as null.
+/// Reads text frames one after the other, reusing the parser's memory. Literal NaN and Infinity (not JSON,
+/// but sent by robots) and numbers out of range count as null.
 class TopicReader {
  public:
   TextFrame read(std::string_view utf8);
@@ -45,34 +45,34 @@ class TopicReader {
   wire::JsonReader json_;
 };
 
-/// The same of a text that is read already. `of_topic` is the one of a text that names none itself.
+/// The same for parsed JSON. `of_topic` is used if it contains no topic.
 TextFrame readFrame(const wire::Json& root, const std::string& of_topic = {});
 
 /// The same for a single frame.
 TextFrame parseTextFrame(std::string_view utf8);
 
-/// What a binary frame (?pb=1) holds: topic length, topic, gzip flag, RosMessageWrapper.
+/// The content of a binary frame (?pb=1): topic length, topic, gzip flag, RosMessageWrapper.
 struct BinaryFrame {
   std::string topic;
-  std::string body;  // unpacked; empty when it could not be read
+  std::string body;  // unpacked; empty if it could not be read
 };
 /// The error is the message that says what is wrong.
 tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_view bytes);
 
-/// Its topic alone; empty when there is none.
+/// Only its topic; empty if there is none.
 std::string topicOfBinaryFrame(std::string_view bytes);
 
-/// The type of what a binary frame holds, and its definition (a FileDescriptorSet of protobuf).
+/// The type of the content of binary frames, and its definition (a FileDescriptorSet of protobuf).
 inline constexpr const char* kBinaryType = "ros_messages.RosMessageWrapper";
 std::string binaryTypeDefinition();
 
-/// Reads what a binary frame holds, as parseBinaryFrame() does.
+/// Reads the content of a binary frame, as parseBinaryFrame() does.
 std::optional<map::TopicMessage> parseBinaryBody(const std::string& topic, std::string_view body);
 
-/// Reads a binary frame. nullopt for topics that are not ours; UnreadableMessage when it cannot be read.
+/// Reads a binary frame. nullopt for unknown topics; UnreadableMessage if it cannot be read.
 std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes);
 
-/// The topics that are understood, for completion and layers.
+/// The supported topics, for completion and layers.
 QStringList knownTopics();
 
 }  // namespace mapwright::robot::axbot

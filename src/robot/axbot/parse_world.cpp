@@ -47,7 +47,7 @@ geometry::Pose2 poseOf(const Json& object, bool& usable) {
   return pose.value_or(geometry::Pose2{});
 }
 
-/// Calls `take` for every object in a list member; what is no list is empty.
+/// Calls `take` for every object in a list member; anything else counts as empty.
 template <typename Take>
 void forEachObject(const Json& message, wire::Names names, Take take) {
   const auto rows = wire::list(message, names);
@@ -93,7 +93,7 @@ map::TopicMessage autoDoors(const Json& message) {
     map::AutoDoor door{wire::text(row, {"name"}), wire::text(row, {"mac"}), wire::text(row, {"state"}), {}};
     door.polygon = wire::polyline(row, {"polygon"});
     if (const auto rings = wire::list(row, {"polygon"}); door.polygon.empty() && rings && rings->size() > 0) {
-      door.polygon = wire::asPolyline(rings->at(0).value_unsafe());  // rings, as GeoJSON has them
+      door.polygon = wire::asPolyline(rings->at(0).value_unsafe());  // rings, as in GeoJSON
     }
     if (door.polygon.size() >= 2) doors.doors.push_back(std::move(door));
   });
@@ -112,7 +112,7 @@ map::TopicMessage pallets(const Json& message) {
   map::PalletsMessage pallets;
   forEachObject(message, {"pallets"}, [&](const Json& row) {
     const Json size = wire::member(row, {"size"}).value_or(row);
-    // A fork comes along x: the depth lies along it.
+    // A fork comes along x: the depth is along it.
     const auto pallet =
         box(row, wire::text(row, {"pallet_id", "id"}), wire::number(size, {"depth", "length"}),
             wire::number(size, {"width"}), isRobotFrame(row));
@@ -160,7 +160,7 @@ map::TopicMessage seenObjects(const Json& message) {
 
 using Segments = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
 
-/// Segments as [x1, y1, x2, y2], as [[x1, y1], [x2, y2]], or as points of which each two belong together.
+/// Segments as [x1, y1, x2, y2], as [[x1, y1], [x2, y2]], or as pairs of points.
 Segments segments(const wire::JsonList& rows) {
   Segments segments;
   Eigen::Vector2d start(0, 0);

@@ -1,4 +1,4 @@
-// Where the latest pictures came from.
+// The addresses of the latest pictures.
 #pragma once
 
 #include <deque>
@@ -15,7 +15,7 @@ class PictureOrigins {
     latest_.emplace_back(fingerprint, url);
     if (latest_.size() > kKept) latest_.pop_front();
   }
-  /// Invalid when it is not known any more.
+  /// Invalid if it is no longer known.
   QUrl find(const std::string& fingerprint) const {
     for (auto at = latest_.rbegin(); at != latest_.rend(); ++at) {
       if (at->first == fingerprint) return at->second;

@@ -12,7 +12,7 @@ namespace {
 
 using wire::JsonCursor;
 
-constexpr double kLatestSeconds = 1e11;  // as in wire::epochSeconds(): beyond it, it is milliseconds
+constexpr double kLatestSeconds = 1e11;  // as in wire::epochSeconds(): larger values are milliseconds
 constexpr std::string_view kStamp = "\"__stamp\"";
 
 enum class Member { Topic, Recorded, Robots, Latched, Position, Heading, Points, Other };
@@ -28,7 +28,7 @@ Member memberOf(std::string_view key) {
   return Member::Other;
 }
 
-/// [x, y, …]: how many numbers there are, of which the first `room` are kept; nothing but numbers.
+/// [x, y, …]: the count of numbers, of which the first `room` are stored; only numbers.
 bool takeRow(JsonCursor& json, double* numbers, std::size_t room, std::size_t& count) {
   count = 0;
   if (!json.take('[')) return false;
@@ -62,7 +62,7 @@ bool takePoints(JsonCursor& json, CloudPoints& cloud) {
   return json.take(']');
 }
 
-/// The topic of a message that says it first.
+/// The topic of a message that begins with it.
 bool takeTopic(JsonCursor& json, std::string_view& topic) {
   std::string_view key;
   return json.take('{') && json.takeString(key) && key == "topic" && json.take(':') && json.takeString(topic);
@@ -87,7 +87,7 @@ const char* PlainMessages::read(const char* at, BagMessage& message) {
     Member member = memberOf(key);
     if (member == (is_pose ? Member::Points : Member::Position)) member = Member::Other;
     if (!is_pose && member == Member::Heading) member = Member::Other;
-    // Of two of the same name the first counts.
+    // Of duplicate names the first counts.
     const unsigned bit = 1u << unsigned(member);
     if (member != Member::Other && (seen & bit) != 0) return nullptr;
     seen |= bit;
@@ -142,8 +142,8 @@ void PlainMessages::remember(std::string_view json, const BagMessage& message, s
   std::string_view topic;
   if (!takeTopic(topic_of, topic) || topic != message.message.topic) return;
   said_.erase(topic);
-  // The stamp must be the message's own, not one of something within: nothing but the end of the message, or
-  // of one member more, is behind it.
+  // The stamp must be the message's own, not a nested one: only the end of the message, or one more member,
+  // may follow.
   const std::size_t stamp = json.rfind(kStamp);
   if (stamp == std::string_view::npos || json.find(kStamp) != stamp) return;
   JsonCursor number(json.data() + stamp + kStamp.size());

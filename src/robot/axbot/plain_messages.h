@@ -1,7 +1,6 @@
-// The messages that most of a bag is made of, poses and lists of points, and those that say once more what
-// their topic said before, read without making a tree of them. Only what is written as robots usually write
-// it: everything else is left to readFrame(), and what is read here is what readFrame() would have made of it
-// (tests/robot/test_axbot_bags.cpp).
+// A fast path for the most common messages of a bag, poses and lists of points, and for repetitions of a
+// topic's previous message, without building a tree. Only handles the usual formatting: everything else is
+// left to readFrame(), and the results are identical (tests/robot/test_axbot_bags.cpp).
 #pragma once
 
 #include <cstddef>
@@ -15,23 +14,23 @@ namespace mapwright::robot::axbot {
 /// Reads the messages of one text, which ends with a zero byte and must outlive it.
 class PlainMessages {
  public:
-  /// All of the message that begins at `at`, but its place in the text; returns where it ends. nullptr: it is
-  /// to be read otherwise; `message` is what it was, or partly filled.
+  /// Reads the message that begins at `at`, except its position in the text; returns its end. nullptr: use
+  /// the normal reader; `message` is then unchanged or partly filled.
   const char* read(const char* at, BagMessage& message);
-  /// `message`, written as `json`, has been read otherwise: the next of its topic may say the same. `index`:
-  /// its place among all that have been read.
+  /// `message`, with the JSON `json`, was read by the normal reader: the next one of its topic may be the
+  /// same. `index`: its index among all messages.
   void remember(std::string_view json, const BagMessage& message, std::size_t index);
-  /// Where one that only says once more, later, what its topic said last ends; `of` is that one's index.
-  /// nullptr: there is none, or it says something else.
+  /// If the message only repeats its topic's last one at a later time: its end, with that one's index in
+  /// `of`. nullptr: it does not.
   const char* readAgain(const char* at, std::size_t& of, double& stamp_s) const;
 
  private:
   struct Said {
-    std::string_view before, behind;  // of the number of its stamp
+    std::string_view before, behind;  // the text around its stamp
     std::size_t index = 0;
   };
 
-  std::size_t last_count_ = 0;                       // of points: the next cloud is as large, as a rule
+  std::size_t last_count_ = 0;                       // of points: the next cloud usually has the same size
   std::unordered_map<std::string_view, Said> said_;  // by topic
 };
 

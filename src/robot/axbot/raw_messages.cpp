@@ -11,7 +11,7 @@ namespace mapwright::robot::axbot {
 namespace {
 
 constexpr std::size_t kReadable = std::size_t(512)
-                                  << 10;  // longer messages would take longer than they are read
+                                  << 10;  // longer messages would take longer to format than to read
 constexpr std::size_t kDumped = std::size_t(64) << 10;
 constexpr std::size_t kRow = 16;
 
@@ -24,7 +24,7 @@ RawMessage started(const std::string& topic, std::size_t bytes, bool binary) {
   return message;
 }
 
-/// The beginning of a text, no character cut in two.
+/// The beginning of a text, without splitting a character.
 QByteArray beginning(std::string_view utf8) {
   std::size_t end = std::min(utf8.size(), std::size_t(kMaxRawText));
   while (end > 0 && end < utf8.size() && (std::uint8_t(utf8[end]) & 0xc0) == 0x80) --end;

@@ -1,4 +1,4 @@
-// Messages for the raw-message inspector. Source: docs/protocols/autoxing.md, "Live topics".
+// Formats messages for the raw-message inspector. Source: docs/protocols/autoxing.md, "Live topics".
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace mapwright::robot::axbot {
 
-/// A text frame as it came, cut at kMaxRawText.
+/// A text frame as received, truncated at kMaxRawText.
 RawMessage rawText(const std::string& topic, std::string_view utf8);
-/// A binary frame as readable JSON where its message is known and not too long, else as a hex dump.
+/// A binary frame as readable JSON if its message is known and not too long, otherwise as a hex dump.
 RawMessage rawBinary(std::string_view bytes);
 
 }  // namespace mapwright::robot::axbot

@@ -17,14 +17,14 @@ QUrl robotUrl(const QUrl& base, std::string_view given) {
     path = url.path(QUrl::FullyEncoded);
     query = url.query(QUrl::FullyEncoded);
   } else {
-    // Not by QUrl: a colon in a file's name would be taken for the end of a scheme.
+    // Not with QUrl: a colon in a file name would look like the end of a scheme.
     const QString without_fragment = text.section(QLatin1Char('#'), 0, 0);
     path = without_fragment.section(QLatin1Char('?'), 0, 0);
     query = without_fragment.section(QLatin1Char('?'), 1);
   }
   if (path.isEmpty() || path == QLatin1String("/")) return {};
   if (!path.startsWith(QLatin1Char('/'))) path.prepend(QLatin1Char('/'));
-  // A robot behind a prefix may or may not know of it.
+  // A robot behind a prefix may or may not know it.
   const QString prefix = base.path(QUrl::FullyEncoded);
   if (!prefix.isEmpty() && path.startsWith(prefix + QLatin1Char('/'))) path.remove(0, prefix.size());
   return urlOnRobot(base, path, query);

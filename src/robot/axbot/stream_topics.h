@@ -1,4 +1,4 @@
-// Which topics of an Autoxing robot bring which kind of data. Source: docs/protocols/autoxing.md, "Topics
+// Which topics of an Autoxing robot carry which kind of data. Source: docs/protocols/autoxing.md, "Topics
 // that the map shows".
 #pragma once
 
@@ -10,8 +10,7 @@ namespace mapwright::robot::axbot {
 
 struct StreamTopics {
   QStringList usual;  // asked for together
-  /// What older firmware calls it, and sends whole on the socket of the fast topics: asked for when the usual
-  /// ones stay silent.
+  /// The name in older firmware, which sends it unreduced: subscribed if the usual ones stay silent.
   QStringList older;
 };
 StreamTopics topicsOf(map::Stream stream);

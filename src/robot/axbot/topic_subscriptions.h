@@ -1,5 +1,4 @@
-// Which topics a robot is asked for, and how. Pure; any thread. Source: docs/protocols/autoxing.md, "Live
-// topics".
+// Which topics to subscribe to, and how. Pure; any thread. Source: docs/protocols/autoxing.md, "Live topics".
 #pragma once
 
 #include <QString>
@@ -11,19 +10,20 @@ namespace mapwright::robot::axbot {
 
 class TopicSubscriptions {
  public:
-  /// What a robot is asked for, wanted or not.
+  /// Topics that are always subscribed.
   void setBasics(const LiveTopics::Basics& basics) { basics_ = basics; }
   QStringList always() const;
 
-  /// The texts to send so that exactly `topics` and always() are on; each name once, at most 256 characters.
+  /// The messages to send so that exactly `topics` and always() are enabled; each name once, at most 256
+  /// characters.
   QStringList setWanted(const QStringList& topics);
-  /// A new connection: the texts that switch on everything.
+  /// For a new connection: the messages that enable everything.
   QStringList all() const;
-  /// The texts that switch these off and on again.
+  /// The messages that disable and enable these again.
   QStringList anew(const QStringList& topics) const;
-  /// The names that all() switches on.
+  /// The names that all() enables.
   QStringList names() const { return always() + wanted_; }
-  /// Whether the robot takes lists of topics.
+  /// Whether the robot accepts lists of topics.
   void setTakesLists(bool takes) { takes_lists_ = takes; }
   bool takesLists() const { return takes_lists_; }
 

@@ -39,11 +39,11 @@ QString whyNotOptions(const QUrlQuery& options) {
   for (const auto& [name, value] : options.queryItems(QUrl::FullyDecoded)) {
     const bool resolution = name == QLatin1String("resolution");
     if (!resolution && name != QLatin1String("origin")) {
-      return FileAddressText::tr("file: knows resolution and origin after the ?, but not \"%1\".").arg(name);
+      return FileAddressText::tr("file: accepts resolution and origin after the ?, but not \"%1\".")
+          .arg(name);
     }
     if (resolution ? !resolutionFrom(value) : !originFrom(value)) {
-      return FileAddressText::tr(
-                 "file: %1 cannot be \"%2\". Write for example ?resolution=0.05&origin=-10,-7.5.")
+      return FileAddressText::tr("file: %1 cannot be \"%2\". For example: ?resolution=0.05&origin=-10,-7.5.")
           .arg(name, value);
     }
   }
@@ -59,7 +59,7 @@ QString filePath(const QString& rest) {
   return path;
 }
 
-/// A description of a map, and no bare picture.
+/// A map description, not a plain picture.
 bool whatSaysItsPlace(const QString& path) {
   const QString suffix = QFileInfo(path).suffix().toLower();
   return suffix == QLatin1String("yaml") || suffix == QLatin1String("yml");
@@ -67,19 +67,19 @@ bool whatSaysItsPlace(const QString& path) {
 
 ParsedAddress parse(const QString& rest) {
   QString path = filePath(rest), query;
-  // A file may have a ? in its name; where it exists, that is what is meant.
+  // A file name may contain a ?; if the file exists, that is what is meant.
   if (const auto mark = path.lastIndexOf(QLatin1Char('?')); mark >= 0 && !QFileInfo::exists(path)) {
     query = path.mid(mark + 1);
     path.truncate(mark);
   }
   if (path.isEmpty())
-    return error(FileAddressText::tr("Give the path of a map, for example file:maps/office.yaml."));
+    return error(FileAddressText::tr("Enter the path of a map, for example file:maps/office.yaml."));
   if (path.startsWith(QLatin1String("~/"))) path.replace(0, 1, QDir::homePath());
   Address address;
   address.options = QUrlQuery(query);
   if (const QString why = whyNotOptions(address.options); !why.isEmpty()) return error(why);
   if (!query.isEmpty() && whatSaysItsPlace(path))
-    return error(FileAddressText::tr("%1 says itself where its map lies: leave out what follows the ?.")
+    return error(FileAddressText::tr("%1 already states where its map is: leave out the part after the ?.")
                      .arg(QFileInfo(path).fileName()));
   address.path = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
   address.text = QStringLiteral("file:") + address.path;
@@ -87,7 +87,7 @@ ParsedAddress parse(const QString& rest) {
   return address;
 }
 
-/// It exists as a path, looks like one, or ends like a map file.
+/// It exists as a path, looks like one, or has the extension of a map file.
 bool claims(const QString& typed) {
   if (typed.contains(QLatin1String("://"))) return false;
   const QString before_query = typed.section(QLatin1Char('?'), 0, 0);

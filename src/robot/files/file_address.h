@@ -1,4 +1,4 @@
-// Addresses of local maps: "file:/maps/office.yaml", or the path alone; of a bare picture with
+// Addresses of local maps: "file:/maps/office.yaml", or just the path; for a plain picture with
 // "?resolution=0.05&origin=-10,-7.5,0.1".
 #pragma once
 
@@ -8,7 +8,7 @@
 namespace mapwright::robot::files {
 
 AddressScheme addressScheme();
-/// How a bare picture lies, where the address says so.
+/// The position of a plain picture, if the address states it.
 PicturePlace placeOf(const Address& address);
 
 }  // namespace mapwright::robot::files

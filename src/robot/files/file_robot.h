@@ -17,7 +17,7 @@ class FileRobot : public Robot {
   Q_OBJECT
  public:
   FileRobot(QString address, FileOptions options, QObject* parent = nullptr);
-  /// Waits for at most one look at one file.
+  /// Waits for at most one access to one file.
   ~FileRobot() override;
 
   QString address() const override { return address_; }

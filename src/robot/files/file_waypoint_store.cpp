@@ -16,7 +16,7 @@ std::vector<WaypointRequest> FileWaypointStore::plan(const StoredWaypoints& now,
   return {WaypointRequest{changes, now.revision}};
 }
 
-// What is asked of the disk cannot be taken back: cancelled, it tells how it went all the same.
+// Disk operations cannot be undone: even if cancelled, it reports the real result.
 Call FileWaypointStore::perform(const map::MapKey& key, const WaypointRequest& request,
                                 OutcomeTo<WaypointReceipt> reply) {
   return files_.change(map::placesOf(key), std::move(reply), &WaypointFiles::write, key, request);

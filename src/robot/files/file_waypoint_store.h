@@ -7,7 +7,7 @@
 
 namespace mapwright::robot::files {
 
-/// Nothing here touches the disk: WaypointFiles does, on another thread. The whole list is written at once.
+/// Nothing here accesses the disk: WaypointFiles does, on another thread. The whole list is written at once.
 class FileWaypointStore : public WaypointStore {
   Q_OBJECT
  public:

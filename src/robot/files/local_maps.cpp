@@ -26,7 +26,7 @@ bool hasSuffix(const QString& path, std::initializer_list<const char*> suffixes)
 
 bool isYaml(const QString& path) { return hasSuffix(path, {".yaml", ".yml"}); }
 
-/// Where a file really lies, links followed as far as they lead.
+/// The real folder of a file, with links resolved as far as possible.
 QString trueFolder(const QString& path) {
   const QFileInfo info(path);
   const QString canonical = info.canonicalFilePath();
@@ -115,8 +115,7 @@ QStringList mapFilesIn(const QString& folder) {
   for (const QString& name : QDir(folder).entryList(QDir::Files, QDir::Unsorted)) {
     if (isMapFile(name)) names << name;
   }
-  // "floor2" before "floor10", in every locale; names that differ in their case only in an order of their
-  // own.
+  // "floor2" before "floor10", in every locale; names that differ only in case have a fixed order.
   QCollator order(QLocale(QLocale::English, QLocale::UnitedStates));
   order.setNumericMode(true);
   order.setCaseSensitivity(Qt::CaseInsensitive);

@@ -11,7 +11,7 @@
 namespace mapwright::robot::files {
 namespace {
 
-constexpr qsizetype kMostWatched = 1'000;  // a folder of more is watched as a folder only
+constexpr qsizetype kMostWatched = 1'000;  // a larger folder is only watched as a folder
 
 QString stamp(const QString& path) { return QString::fromStdString(stampOf(path)); }
 
@@ -28,7 +28,7 @@ void MapFiles::start() {
   settle_->setSingleShot(true);
   settle_->setInterval(options_.settle);
   connect(settle_.get(), &QTimer::timeout, this, &MapFiles::tellChange);
-  // Files that are replaced by renaming are lost to the watcher; their folder tells.
+  // The watcher loses files that are replaced by renaming; watching their folder helps.
   connect(watcher_.get(), &QFileSystemWatcher::fileChanged, this, [this] { settle_->start(); });
   connect(watcher_.get(), &QFileSystemWatcher::directoryChanged, this, [this] { settle_->start(); });
 }
@@ -62,7 +62,7 @@ QStringList MapFiles::watchAndStamp() {
   const auto add = [&](const QString& path) {
     files << path;
     folders << QFileInfo(path).absolutePath();
-    // A picture alone lies where the map.yaml beside it says.
+    // The map.yaml in its folder gives the position of a single picture.
     if (!isFolder()) files << beside.naming(path);
     const auto whole = readLocalMap(path, options_.place, yamls_, &beside);
     if (whole && whole->path != path.toStdString()) {

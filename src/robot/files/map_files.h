@@ -1,4 +1,4 @@
-// Looks at map files, and after them. Lives on a thread of its own: folders may be large and shares slow.
+// Reads and watches map files. Lives on a thread of its own: folders may be large and network drives slow.
 #pragma once
 
 #include <chrono>
@@ -15,17 +15,17 @@ namespace mapwright::robot::files {
 struct FileOptions {
   QString path;  // absolute; a file or a folder
   PicturePlace place;
-  std::chrono::milliseconds settle{200};  // a change is told when this long nothing more has changed
+  std::chrono::milliseconds settle{200};  // a change is reported after this much time without another one
 };
 
-/// One file is the map with the key {File, ""}; in a folder each map file is one, its name the id. Nothing
-/// here opens pictures to look at them. What takes long ends early when its thread is asked to stop.
+/// A single file is the map with the key {File, ""}; in a folder each map file is one, with its name as the
+/// id. Nothing here opens pictures. Long operations end early when the thread is asked to stop.
 class MapFiles : public QObject {
   Q_OBJECT
  public:
   explicit MapFiles(FileOptions options);
 
-  void watch();  // looks, and tells of every change from now on
+  void watch();  // reads, and reports every change from now on
   void leave();
 
   Outcome<std::vector<map::CatalogueEntry>> list();
@@ -36,7 +36,7 @@ class MapFiles : public QObject {
   Outcome<PictureReceipt> writePicture(const PictureChange& change);
 
  Q_SIGNALS:
-  /// `trouble` is None when there is something to show.
+  /// `trouble` is None if there is something to show.
   void looked(bool folder, const mapwright::Fault& trouble);
   void changed();
 
@@ -46,7 +46,7 @@ class MapFiles : public QObject {
   /// The file of a key; empty when there is none.
   QString pathOf(const map::MapKey& key) const;
   map::Failure failure(const map::MapKey& key, map::FailureKind kind) const;
-  /// Watches what the maps are made of, and says what it is like now.
+  /// Watches the files of the maps, and returns their present stamps.
   QStringList watchAndStamp();
   void look();
   void tellChange();

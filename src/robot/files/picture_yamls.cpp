@@ -8,7 +8,7 @@
 namespace mapwright::robot::files {
 namespace {
 
-/// One name for a file, however one gets there.
+/// A canonical name for a file.
 QString trueName(const QString& path) {
   const QString canonical = QFileInfo(path).canonicalFilePath();
   return canonical.isEmpty() ? QDir::cleanPath(path) : canonical;

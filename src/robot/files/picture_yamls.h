@@ -1,4 +1,4 @@
-// Which map.yaml of a folder describes which of its pictures. Looks at the disk; any thread.
+// Which map.yaml of a folder describes which of its pictures. Accesses the disk; any thread.
 #pragma once
 
 #include <QHash>
@@ -11,20 +11,20 @@ namespace mapwright::robot::files {
 
 class PictureYamls {
  public:
-  /// Reads the YAML files of the folder that have changed since `yamls` held them, as many as anyone keeps
-  /// beside one picture and no longer than a map.yaml is; what is none counts for nothing.
+  /// Reads the YAML files of the folder that have changed since `yamls` read them, up to a reasonable number
+  /// and size; other files are ignored.
   PictureYamls(const QString& folder, YamlShelf& yamls);
-  /// The paths of those that name the picture as their image, in order of their names.
+  /// The paths of those that name the picture as their image, by name.
   QStringList naming(const QString& picture) const;
 
   static constexpr qsizetype kMostFiles = 1'000;
   static constexpr qint64 kLongest = qint64(64) << 10;
 
  private:
-  QHash<QString, QStringList> yamls_;  // by the true path of the picture
+  QHash<QString, QStringList> yamls_;  // by the real path of the picture
 };
 
-/// For a picture alone. Empty for what is no picture.
+/// For a single picture. Empty if it is not a picture.
 QStringList yamlsNaming(const QString& picture);
 
 }  // namespace mapwright::robot::files

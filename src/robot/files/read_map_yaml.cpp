@@ -18,7 +18,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// The number of a scalar, also NaN and infinity in YAML's spelling and C's; nullopt for anything else.
+/// The number of a scalar, including NaN and infinity in YAML's and C's spelling; nullopt for anything else.
 std::optional<double> numberOf(const YAML::Node& node) {
   if (!node.IsScalar()) return std::nullopt;
   std::string text = lower(node.Scalar());

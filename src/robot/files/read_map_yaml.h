@@ -14,14 +14,14 @@ struct MapYaml {
   std::string image;        // as written: absolute, or relative to the file's folder
   map::GridReference grid;  // width and height 0
   map::CellReading reading;
-  std::vector<Fault> notes;  // what is odd but can be lived with
+  std::vector<Fault> notes;  // warnings
 };
 
-/// The longest text that is read.
+/// The maximum size.
 inline constexpr std::size_t kMaxYamlBytes = std::size_t(1) << 20;
 
 /// Reads image, resolution (m), origin [x, y, yaw] (m, rad), negate, occupied_thresh, free_thresh and mode;
-/// other members are ignored. A yaw that is no number is 0, with a note.
+/// other members are ignored. A yaw that is not a number becomes 0, with a note.
 tl::expected<MapYaml, Fault> parseMapYaml(const std::string& text);
 
 }  // namespace mapwright::robot::files

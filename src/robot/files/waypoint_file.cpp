@@ -19,7 +19,7 @@ namespace {
 
 using simdjson::dom::element;
 
-/// One member of an object, as it is written.
+/// One member of an object, verbatim.
 struct Member {
   std::string name;
   std::string_view raw_name, raw_value;  // the name with its quotes
@@ -27,7 +27,7 @@ struct Member {
 
 constexpr std::string_view kBlanks = " \t\r\n";
 
-/// Cuts valid JSON into its parts, as they are written: what is put together again is the same to the letter.
+/// Splits valid JSON into verbatim parts, so that reassembling them gives exactly the same text.
 class Cutter {
  public:
   explicit Cutter(std::string_view valid) : rest_(valid) {}
@@ -58,7 +58,7 @@ class Cutter {
   static std::string textOf(std::string_view raw) {
     simdjson::dom::parser parser;
     std::string_view text;
-    // A value alone is a document of its own.
+    // A single value is a document.
     if (parser.parse(raw.data(), raw.size()).get(text) != simdjson::SUCCESS) return {};
     return std::string(text);
   }
@@ -96,7 +96,7 @@ class Cutter {
       } else if (c == '{' || c == '[') {
         ++depth;
       } else if (c == '}' || c == ']') {
-        if (depth == 0) break;  // of what is around a number
+        if (depth == 0) break;  // the end of the container
         if (--depth == 0) {
           ++at;
           break;
@@ -135,10 +135,10 @@ std::string number(double value) {
   return {digits.data(), end};
 }
 
-/// A feature as this program understands it; nullopt where it is none of ours.
+/// A feature as a waypoint; nullopt if it is not one.
 struct Understood {
   map::Waypoint point;
-  bool has_id = false;  // the feature says it itself, and no other one does
+  bool has_id = false;  // the feature has an id, and no other has the same
   std::vector<FaultCode> odd;
 };
 
@@ -186,7 +186,7 @@ std::optional<Understood> understand(const element& feature) {
   return read;
 }
 
-/// Gives every feature an id of its own.
+/// Gives every feature a unique id.
 class Names {
  public:
   std::string take(const Understood& read) {
@@ -212,7 +212,7 @@ std::string_view withoutMark(std::string_view json) {
 }
 
 tl::expected<Collection, Fault> cut(std::string_view json) {
-  // Read twice: once by a parser that finds every fault, once to keep every letter.
+  // Read twice: by a parser that finds all errors, and verbatim.
   simdjson::dom::parser parser;
   const simdjson::padded_string padded(json);
   element file;
@@ -257,7 +257,7 @@ tl::expected<Collection, Fault> cut(std::string_view json) {
   return collection;
 }
 
-/// An object put together of raw members: known ones are set, the rest and the order stay.
+/// An object made of verbatim members: known ones are set, the rest and the order stay.
 class Object {
  public:
   explicit Object(std::string_view json) {
@@ -313,7 +313,7 @@ std::string tagList(const std::vector<std::string>& tags, std::string_view befor
   std::string json = "[";
   const auto add = [&](std::string_view raw) { json += (json.size() > 1 ? ", " : "") + std::string(raw); };
   for (const std::string& tag : tags) add(jsonText(tag));
-  // Entries that are no texts are not ours to throw away.
+  // Entries that are not texts must be kept.
   if (before.starts_with('[')) {
     for (const std::string_view element : Cutter(before).elements()) {
       if (!element.starts_with('"')) add(element);
@@ -322,8 +322,8 @@ std::string tagList(const std::vector<std::string>& tags, std::string_view befor
   return json + "]";
 }
 
-/// The feature `source` (empty: a new one) with what `from` and `to` differ in. What it says of itself, such
-/// as an id that is a number, stays as it is written.
+/// The feature `source` (empty: a new one) with the differences between `from` and `to`. Its own data, such
+/// as a numeric id, stays verbatim.
 std::string feature(std::string_view source, const std::optional<map::Waypoint>& from,
                     const map::Waypoint& to, bool has_id) {
   const bool fresh = source.empty() || !from;
@@ -352,7 +352,7 @@ std::string feature(std::string_view source, const std::optional<map::Waypoint>&
   return whole.text();
 }
 
-/// One that was deleted and comes again brings along what it came with at first.
+/// A deleted waypoint that is added again keeps its original data.
 std::string added(const map::Waypoint& point) {
   simdjson::dom::parser parser;
   element source;

@@ -28,7 +28,7 @@ Outcome<WaypointFiles::Place> WaypointFiles::placeOf(const map::MapKey& key) con
   Place place{key, mapPathOf(options_.path, key), {}};
   if (place.map.isEmpty())
     return tl::make_unexpected(failure(place, map::FailureKind::RejectedByRobot, fault::NoSuchMap));
-  // A picture that is described by a map.yaml and that map.yaml are one map.
+  // A picture and the map.yaml that describes it are one map.
   const QStringList described_by = yamlsNaming(place.map);
   const QString& named = described_by.size() == 1 ? described_by.front() : place.map;
   place.path = QString::fromStdString(waypointPathOf(named.toStdString()));
@@ -103,7 +103,7 @@ void WaypointFiles::watch(const QString& path) {
       connect(watcher_.get(), signal, this, [this] { settle_->start(); });
   }
   stamps_[path] = stampOf(path);
-  // A file that is replaced by renaming is lost to the watcher; its folder tells.
+  // The watcher loses a file that is replaced by renaming; watching its folder helps.
   watcher_->addPath(folderOf(path));
   if (QFileInfo::exists(path)) watcher_->addPath(path);
 }

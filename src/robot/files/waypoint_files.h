@@ -1,5 +1,5 @@
-// The waypoint lists of local maps: reads and writes them, and looks after those that were read. Lives on the
-// thread of MapFiles: shares may be slow.
+// The waypoint lists of local maps: reads, writes and watches them. Lives on the thread of MapFiles: network
+// drives may be slow.
 #pragma once
 
 #include <map>
@@ -20,11 +20,11 @@ class WaypointFiles : public QObject {
   explicit WaypointFiles(FileOptions options);
 
   Outcome<StoredWaypoints> read(const map::MapKey& key);
-  /// Another revision on disk than the request's is a FailureKind::Conflict.
+  /// If the revision on disk differs from the request's it is a FailureKind::Conflict.
   Outcome<WaypointReceipt> write(const map::MapKey& key, const WaypointRequest& request);
 
  Q_SIGNALS:
-  void changed();  // one that was read, by somebody else
+  void changed();  // a list that was read, by someone else
 
  private:
   struct Place {

@@ -1,4 +1,4 @@
-// Map.yaml files as they were when they were read last. One thread.
+// The last read state of map.yaml files. One thread.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace mapwright::robot::files {
 
-/// Reads a file again only when it has changed: another inode, size or time. What changed so lately that a
-/// second change might bear the same time is not trusted.
+/// Reads a file again only if it has changed: another inode, size or time. A very recent change is not
+/// trusted, since a second one could have the same time.
 class YamlShelf {
  public:
-  /// `now_ns`: the time of day, by the clock that files are dated by.
+  /// `now_ns`: the time of day, by the clock used for file times.
   explicit YamlShelf(std::function<std::int64_t()> now_ns = &timeOfDayNs) : now_ns_(std::move(now_ns)) {}
   /// Never waits for a named pipe.
   tl::expected<MapYaml, Fault> read(const std::string& path);

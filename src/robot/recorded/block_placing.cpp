@@ -9,16 +9,16 @@
 namespace mapwright::robot::recorded {
 namespace {
 
-constexpr std::int64_t kFirstNs = 60'000'000'000;  // of a file: when what never changes is said
+constexpr std::int64_t kFirstNs = 60'000'000'000;  // at the start of a file, when static data is sent
 constexpr int kMostOfFirst = 2000, kMostOfLast = 16;
-constexpr std::int64_t kMissingNs = 2'000'000'000;  // of the beginning: transforms follow yet
+constexpr std::int64_t kMissingNs = 2'000'000'000;  // after the start, while transforms are still missing
 using recording::secondsOf;
 
 }  // namespace
 
 std::optional<StaticTransforms::Told> StaticTransforms::told(const recording::Message& message) {
   auto frame = fields_.read(message);
-  if (!frame) return std::nullopt;  // told where it is played
+  if (!frame) return std::nullopt;  // handled in its own block
   return Told{message.channel->topic, message.log_time_ns, std::move(*frame)};
 }
 
@@ -36,7 +36,7 @@ const std::vector<StaticTransforms::Told>& StaticTransforms::until(std::int64_t 
       if (auto one = told(*message)) first_->push_back(std::move(*one));
     }
   }
-  // Some publishers say theirs on one topic, each once: the last one alone is not all.
+  // Some publishers share a topic, each sending its own part: the last message alone is incomplete.
   std::vector<recording::Message> last;
   std::int64_t before_ns = at_ns;
   for (int count = 0; count < kMostOfLast; ++count) {
@@ -195,7 +195,7 @@ ros::WorldResult BlockPlacing::takePatch(const ros::Source& source, const ros::F
                               : parts_.folds.made(source.base);
   if (grid == nullptr) {
     folded_.erase(source.base);
-    return result;  // what it changes has not come
+    return result;  // the grid that it changes has not arrived
   }
   const auto patched = ros::patchGrid(*grid, *patch);
   parts_.folds.patched(source.base, at_ns);
@@ -236,7 +236,7 @@ ros::WorldResults BlockPlacing::take(const recording::Message& message, const Fr
         all.push_back(takePatch(source, frame->root(), at_ns));
         break;
       default:
-        // Poses are told of by what is known now, all else lies where its stamp says.
+        // Poses use the latest data, everything else its own stamp.
         ros::RosWorld& world = source.stream == map::Stream::Pose ? now_ : ahead_;
         for (ros::WorldResult& result : world.take(source, frame->root(), secondsOf(at_ns)))
           all.push_back(std::move(result));
@@ -255,7 +255,7 @@ bool BlockPlacing::isOfBeginning(const ros::WorldResult& result, std::int64_t at
   if (!result.unplaced || result.unplaced->code != robot::ros::fault::RosTransformTooOld) return false;
   const std::vector<ros::Transforms::Newest> newest = ahead_.transforms().newest();
   if (at_ns - start_ns_ > kMissingNs || newest.empty() || !result.recorded_s) return false;
-  // By the clock of the robot.
+  // By the robot's clock.
   return newest.back().stamp_s - *result.recorded_s < secondsOf(kMissingNs + kAheadNs);
 }
 
@@ -266,7 +266,7 @@ void BlockPlacing::addPose(ros::WorldResults& results, const std::string& topic,
   result.topic = topic;
   result.received_s = secondsOf(at_ns);
   if (now->pose) {
-    // A message that does not bear on it tells nothing: what others said before is not news at its time.
+    // A message that does not affect it adds nothing: earlier data is not news at its time.
     const bool brought = !located_ || !(*located_ == *now) || (!now->topic.empty() && now->topic == topic);
     if (!brought) return;
     located_ = *now;

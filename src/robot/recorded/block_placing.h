@@ -1,10 +1,9 @@
-// Messages of ROS placed, so that each has one place whatever was read before it.
-//
-// Time is cut into blocks that begin at whole multiples of kBlockNs since the epoch. What a message of a
-// block becomes depends on the messages from kBeforeNs before its block on, and not on the range that was
-// asked for: transforms of that time and kAheadNs beyond the message (what comes late to a robot is there
-// already), static ones of the file's beginning and the last before, poses and markers that were said last
-// before, grids with all their patches. Source: REP 105, tf2 (history of 10 s).
+// Places ROS messages so that the result does not depend on what was read before.
+// Time is divided into blocks that begin at multiples of kBlockNs since the epoch. The result for a message
+// in a block depends on the messages from kBeforeNs before its block on, not on the requested range:
+// transforms from that time to kAheadNs after the message (data that is late on a robot is available here),
+// static ones from the start of the file and the last before, the last poses and markers before, grids with
+// all their patches. Source: REP 105, tf2 (history of 10 s).
 #pragma once
 
 #include <cstdint>
@@ -24,7 +23,7 @@
 
 namespace mapwright::robot::recorded {
 
-/// The transforms that never change, as far as a time needs them. One thread.
+/// The static transforms needed at a time. One thread.
 class StaticTransforms {
  public:
   StaticTransforms(recording::Source& file, MessageFields& fields, const RosShape& shape)
@@ -34,7 +33,7 @@ class StaticTransforms {
     std::int64_t at_ns = 0;
     FramePtr frame;
   };
-  /// Those of the file's first minute and the last ones before `at_ns`, in their order.
+  /// Those of the file's first minute and the last ones before `at_ns`, in order.
   const std::vector<Told>& until(std::int64_t at_ns);
 
  private:
@@ -44,7 +43,7 @@ class StaticTransforms {
   const RosShape& shape_;
   std::optional<std::vector<Told>> first_;  // of the first minute
   std::vector<Told> until_;
-  std::int64_t last_ns_ = -1;  // of the last one before, that until_ is about
+  std::int64_t last_ns_ = -1;  // the last one before, for which until_ is valid
 };
 
 /// What messages are placed by.
@@ -67,23 +66,23 @@ class BlockPlacing {
   /// Reads what comes before `from_ns`, which lies in the block.
   BlockPlacing(const PlacingParts& parts, std::int64_t block_ns, std::int64_t from_ns, std::int64_t until_ns);
 
-  /// What the message became; it is of one of the topics of the shape, and each is handed in in its order.
-  /// `frame`: it was read already. Results of other topics (markers) may be among them.
+  /// The result for the message; call it for each message of the shape's topics, in order. `frame`: the
+  /// parsed message. May include results of other topics (markers).
   ros::WorldResults take(const recording::Message& message, const FramePtr& frame);
-  /// What was to be seen of markers when the block began, and what has changed of them by then without any
-  /// message: to be asked before each message, and for the end of the range.
+  /// The markers visible at the start of the block, and changes since then without a message: call it before
+  /// each message and at the end of the range.
   ros::WorldResults before(std::int64_t at_ns);
 
  private:
   void readStatics();
   void readBefore(std::int64_t from_ns);
   void advance(std::int64_t until_ns);
-  /// Takes away the markers that have lived their time, each at the time when it has.
+  /// Removes markers whose lifetime is over, each at its time.
   void endMarkers(std::int64_t until_ns, ros::WorldResults& results);
   ros::WorldResults takeNow(const recording::Message& message, const FramePtr& frame);
   ros::WorldResult takeGrid(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
   ros::WorldResult takePatch(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
-  /// A recording begins at any time, also between a message and the transform that it lies by.
+  /// A recording may begin between a message and the transform for its position.
   bool isOfBeginning(const ros::WorldResult& result, std::int64_t at_ns) const;
   void addPose(ros::WorldResults& results, const std::string& topic, std::int64_t at_ns);
 
@@ -96,7 +95,7 @@ class BlockPlacing {
   std::int64_t next_look_ns_;               // at markers
   bool told_beginning_ = false, any_markers_ = false;
   std::optional<ros::RosWorld::Located> located_;  // as it was told last
-  std::set<std::string> folded_;                   // grids that GridFolds has as they are now
+  std::set<std::string> folded_;                   // grids whose present state is in GridFolds
 };
 
 }  // namespace mapwright::robot::recorded

@@ -26,7 +26,7 @@ using net::rosbridge::Field;
 template <typename T>
 using Read = tl::expected<T, Fault>;
 
-constexpr std::size_t kMostBytes = std::size_t(256) << 20;  // of the cells and points of one
+constexpr std::size_t kMostBytes = std::size_t(256) << 20;  // of the cells and points of one message
 constexpr std::size_t kMostNumbers = 10'000'000;
 constexpr std::int64_t kMostCells = std::int64_t(1) << 28;
 constexpr int kInt8List = 72;  // RFC 8746, 2.1
@@ -68,7 +68,7 @@ std::optional<NumberType> typeOf(const Field& field) {
   return std::nullopt;
 }
 
-/// Those that lie within a record of `stride` bytes.
+/// Those inside a record of `stride` bytes.
 std::vector<std::pair<std::string, Packed>> packedFields(const Field& fields, std::size_t stride) {
   constexpr std::size_t kMostFields = 256;
   std::vector<std::pair<std::string, Packed>> all;
@@ -117,7 +117,7 @@ QCborMap vectorOf(const Field& vector) {
           {QStringLiteral("z"), numberOf(vector["z"], 0)}};
 }
 
-/// Where nothing is said it is not turned; protobuf leaves out what is 0.
+/// By default no rotation; protobuf omits zeros.
 Eigen::Quaterniond turnOf(const Field& turn) {
   const Eigen::Quaterniond q(numberOf(turn["w"], 0), numberOf(turn["x"], 0), numberOf(turn["y"], 0),
                              numberOf(turn["z"], 0));
@@ -144,7 +144,7 @@ Eigen::Isometry3d placeOf(const Field& pose) {
   return place;
 }
 
-/// Points as floats, x y z and what they reflect.
+/// Points as floats, x y z and intensity.
 class Points {
  public:
   explicit Points(const Field& pose) : place_(placeOf(pose)) {}
@@ -224,9 +224,9 @@ Read<QByteArray> cloud(const Field& message) {
   return points.message(message);
 }
 
-/// What a cell says of being occupied. Colours are those of a picture of a map: dark is occupied, what is
-/// seen through is unknown. Bytes are those of ROS (0..100, 255: unknown), or costs up to 254 where there are
-/// such. Fractions go from 0 to 1.
+/// The occupancy of a cell. Colours are those of a map picture: dark is occupied, transparent is unknown.
+/// Bytes are those of ROS (0..100, 255: unknown), or costs up to 254 if there are any. Fractions are from 0
+/// to 1.
 class CellReader {
  public:
   explicit CellReader(const std::vector<std::pair<std::string, Packed>>& fields) {
@@ -241,7 +241,7 @@ class CellReader {
     if (!value_ && !colours && !fields.empty()) value_ = fields.front().second;
   }
   bool any() const { return value_ || (red_ && green_ && blue_); }
-  /// To be asked of every cell before any is read.
+  /// Call it for every cell before reading any.
   void look(const char* record) {
     if (!value_) return;
     const double value = wire::numberAt(record, *value_);
@@ -283,7 +283,7 @@ Read<QByteArray> grid(const Field& message) {
   if (!data) return missing("data");
   const Field size = message["cell_size"];
   const double wide = numberOf(size["x"], 0), high = numberOf(size["y"], 0);
-  // Cells of a map are squares here.
+  // Cells of a map must be square here.
   if (!(wide > 0) || std::abs(wide - high) > 1e-6 * wide) return missing("cell_size");
   CellReader reader(packedFields(message["fields"], std::size_t(*cell_stride)));
   if (!reader.any()) return missing("fields");

@@ -1,6 +1,6 @@
-// Messages by the schemas of Foxglove, as messages of ROS that say the same: what places and reads those
-// reads these, too. Pure. Source: the documentation of Foxglove's schemas (Grid, LaserScan, PointCloud,
-// PoseInFrame, PosesInFrame, FrameTransform, FrameTransforms; PackedElementField, NumericType).
+// Converts Foxglove messages to equivalent ROS messages, so that the code for ROS messages handles both.
+// Pure. Source: the documentation of Foxglove's schemas (Grid, LaserScan, PointCloud, PoseInFrame,
+// PosesInFrame, FrameTransform, FrameTransforms; PackedElementField, NumericType).
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace mapwright::robot::recorded {
 
-/// Those that say something that a layer shows.
+/// The types shown by a layer.
 enum class FoxgloveKind {
   Grid,
   LaserScan,
@@ -30,11 +30,11 @@ enum class FoxgloveKind {
 /// and "foxglove_msgs/msg/Grid" (ROS). nullopt: another one.
 std::optional<FoxgloveKind> foxgloveKind(const recording::Channel& channel);
 
-/// As which type of ROS its messages are read: a scan becomes points, because it has a place of its own.
+/// The ROS type that its messages are read as: a scan becomes points, because it has a pose of its own.
 const char* rosTypeOf(FoxgloveKind kind);
 
-/// The message as CBOR. Lists of numbers are typed arrays (RFC 8746). The reason: a member that is needed is
-/// not there, or lies.
+/// The message as CBOR. Lists of numbers are typed arrays (RFC 8746). The error: a required member is missing
+/// or invalid.
 tl::expected<QByteArray, Fault> foxgloveToRos(FoxgloveKind kind, const net::rosbridge::Field& message);
 
 }  // namespace mapwright::robot::recorded

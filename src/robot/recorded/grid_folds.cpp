@@ -38,10 +38,10 @@ ros::Grid* GridFolds::before(const std::string& topic, const std::string& patche
   const bool anew = fold.until_ns == fold.whole_ns;
   const auto cursor = file_.messages(query);
   while (const auto message = cursor->next()) {
-    if (!anew && message->log_time_ns == fold.until_ns) continue;  // it is in
+    if (!anew && message->log_time_ns == fold.until_ns) continue;  // already applied
     const auto frame = fields_.read(*message);
     if (!frame) continue;
-    // What is wrong with it is told where it is played.
+    // Its errors are reported where it is played.
     if (const auto patch = ros::readGridPatch((*frame)->root())) (void)ros::patchGrid(fold.grid, *patch);
   }
   fold.until_ns = query.last_ns;

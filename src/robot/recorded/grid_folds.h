@@ -1,4 +1,4 @@
-// Grids with the patches that were sent since. One thread.
+// Grids with the patches sent since. One thread.
 #pragma once
 
 #include <map>
@@ -10,26 +10,26 @@
 
 namespace mapwright::robot::recorded {
 
-/// What a grid is at a time is made of the last whole one before and of all patches since: the same whatever
-/// was read before. What was made last of each grid is kept, so that going on costs the new patches alone.
+/// A grid at a time is the last whole one before it with all patches since, whatever was read before. The
+/// latest result for each grid is kept, so that continuing only costs the new patches.
 class GridFolds {
  public:
   GridFolds(recording::Source& file, MessageFields& fields) : file_(file), fields_(fields) {}
 
-  /// A whole one came.
+  /// A whole grid arrived.
   void set(const std::string& topic, const ros::Grid& grid, std::int64_t at_ns);
   /// The grid of `topic` as it was before `at_ns`; null: there is none. Valid until the next call.
   ros::Grid* before(const std::string& topic, const std::string& patches, std::int64_t at_ns);
-  /// The same without looking whether there is anything newer than what was made last; null: nothing was.
+  /// The latest result without a check for newer data; null: there is none.
   ros::Grid* made(const std::string& topic);
-  /// The patches until then have been put into it.
+  /// The patches up to then have been applied.
   void patched(const std::string& topic, std::int64_t at_ns);
 
  private:
   struct Fold {
     ros::Grid grid;
-    std::int64_t whole_ns = 0;  // when the whole one came
-    std::int64_t until_ns = 0;  // patches of this time are in it
+    std::int64_t whole_ns = 0;  // when the whole grid was sent
+    std::int64_t until_ns = 0;  // patches up to this time are applied
   };
   recording::Source& file_;
   MessageFields& fields_;

@@ -67,7 +67,7 @@ Fault interruptionOf(const recording::Summary& summary) {
 }
 
 std::vector<BagAway> awayIn(const recording::Source& file) {
-  // What is said when it comes back says again when it went.
+  // The record of a reconnect repeats the time of the loss.
   std::map<std::int64_t, std::optional<std::int64_t>> back_of;
   for (const recording::Metadata& metadata : file.metadata()) {
     if (metadata.name != kLinkMark) continue;

@@ -1,6 +1,5 @@
-// What a recording tells of how it was made: whether it was finished, and where the link to the robot was
-// away meanwhile. Pure. Source: recorder/layout.h ("mapwright", "mapwright.end", "mapwright.repaired",
-// "mapwright.link").
+// What a recording says about itself: whether it was finished, and when the connection to the robot was lost.
+// Pure. Source: recorder/layout.h ("mapwright", "mapwright.end", "mapwright.repaired", "mapwright.link").
 #pragma once
 
 #include <cstdint>
@@ -14,17 +13,17 @@
 
 namespace mapwright::robot::recorded {
 
-/// Its end is missing: whoever wrote it was interrupted, or still writes. So it is with a file without the
-/// end mark of its format, and with one that was recorded here and does not say that it was finished; not
-/// with one that was repaired since.
+/// Its end is missing: the writer was interrupted, or is still writing. True for a file without the end mark
+/// of its format, and for one recorded here that does not say that it was finished; not for one that was
+/// repaired.
 bool isInterrupted(const recording::Source& file);
-/// Says that it was finished, or repaired: the whole of several has it only where each of them has.
+/// It says that it was finished or repaired: a merged file only has it if all its inputs do.
 bool isEndMark(const recording::Metadata& metadata);
-/// What is to be written into a whole file made of what was interrupted so.
+/// The metadata for a complete file made from an interrupted one.
 recording::Metadata repairMark(const recording::Summary& interrupted);
-/// Such a file; nullopt: it is none.
+/// The repair mark of a file; nullopt: there is none.
 std::optional<BagRepair> repairOf(const recording::Source& file);
-/// The same in words, with the time of the last message.
+/// The same as a fault, with the time of the last message.
 Fault interruptionOf(const recording::Summary& summary);
 /// In the order of time.
 std::vector<BagAway> awayIn(const recording::Source& file);

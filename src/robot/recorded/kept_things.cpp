@@ -16,10 +16,10 @@
 namespace mapwright::robot::recorded {
 namespace {
 
-constexpr std::uint64_t kMostKeptBytes = std::uint64_t(512) << 20;  // of one that is read
-constexpr char kNumberMark = '\n';  // no name of an attachment that we wrote has one
+constexpr std::uint64_t kMostKeptBytes = std::uint64_t(512) << 20;  // of one attachment
+constexpr char kNumberMark = '\n';  // never part of an attachment name written by us
 
-/// RFC 3986: all but A-Z a-z 0-9 - . _ ~; an empty one is "-".
+/// RFC 3986: everything except A-Z a-z 0-9 - . _ ~; an empty one is "-".
 std::string encoded(const std::string& text) {
   if (text.empty()) return "-";
   return QByteArray(text.data(), qsizetype(text.size())).toPercentEncoding().toStdString();
@@ -263,7 +263,7 @@ std::vector<map::CatalogueEntry> KeptThings::maps() {
       entry.name = wire::text(*facts, {"name"});
       entry.uid = wire::text(*facts, {"uid"});
       entry.map_version = wire::smallInteger(*facts, {"map_version"});
-      // It worked with several one after the other: the last one counts.
+      // If it used several maps, the last one counts.
       const auto facts_of = by_name_.find(name + ".json");
       const std::int64_t told_ns = file_.attachments()[facts_of->second.back()].log_time_ns;
       if (wire::flag(*facts, {"current"}).value_or(false) && told_ns >= current_ns) {

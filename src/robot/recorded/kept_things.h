@@ -1,5 +1,5 @@
-// What lies in a recording beside its messages: submaps, whole maps, pictures, named places that were fetched
-// while it was recorded. Source: recorder/layout.h (names and contents of attachments). One thread.
+// The data in a recording besides its messages: submaps, whole maps, pictures and waypoints fetched during
+// recording. Source: recorder/layout.h (names and contents of attachments). One thread.
 #pragma once
 
 #include <cstdint>
@@ -21,22 +21,22 @@ namespace mapwright::robot::recorded {
 class KeptThings {
  public:
   explicit KeptThings(recording::Source& file) : file_(file) {}
-  /// More may have been written: looks at the list of attachments again.
+  /// The file may have grown: reads the list of attachments again.
   void look();
 
-  /// That version; where it is not there the last one before it, else the first one after it. NotFound where
+  /// That version; if it is missing the last one before it, otherwise the first one after it. NotFound if
   /// there is none of that submap.
   map::SubmapAnswer submap(const map::SubmapKey& key);
   Outcome<map::WholeMap> wholeMap(const map::MapKey& key);
   Outcome<map::WaypointList> waypoints(const map::MapKey& key);
   std::vector<map::CatalogueEntry> maps();
-  /// As a message of `at_ns` names it: of several that came by and by the one of that time. Empty: none.
+  /// For an address in a message of `at_ns`: of several versions the one of that time. Empty: none.
   std::string pictureName(const std::string& url, std::int64_t at_ns) const;
   /// `name` is one of pictureName().
   Outcome<std::shared_ptr<const std::string>> picture(const std::string& topic, const std::string& name);
 
  private:
-  using Places = std::vector<std::size_t>;  // of the same name, by log time
+  using Places = std::vector<std::size_t>;  // with the same name, by log time
   std::optional<std::string> bytesAt(std::size_t place);
   std::optional<std::string> lastOf(const std::string& name);
   using SubmapPlace = std::tuple<std::string, std::int32_t, std::int32_t>;  // uuid, trajectory, index

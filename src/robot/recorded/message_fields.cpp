@@ -31,7 +31,7 @@ tl::expected<FramePtr, Fault> frameOf(const QByteArray& bytes, Frame::Wire wire)
 
 Fault missing(const recording::Channel& channel) { return {fault::RosSchemaMissing, {channel.schema_name}}; }
 
-/// What a message without members may take: CDR has a head, a byte in the place of members, and padding.
+/// The maximum size of a message without members: CDR has a header, a byte for the members, and padding.
 std::size_t bytesOfNothing(recording::RosWire wire) { return wire == recording::RosWire::Cdr ? 8 : 0; }
 
 }  // namespace
@@ -100,14 +100,14 @@ tl::expected<FramePtr, Fault> MessageFields::readAsItIs(const recording::Message
   const std::string& encoding = message.channel->message_encoding;
   const auto wire = recording::rosWire(encoding);
   if (!wire) {
-    // A frame of CBOR shares its bytes, and they must be its own.
+    // A CBOR frame shares its bytes, so they must be owned.
     const QByteArray bytes(reinterpret_cast<const char*>(message.bytes.data()),
                            qsizetype(message.bytes.size()));
     return frameOf(bytes, encoding == "cbor" ? Frame::Wire::Binary : Frame::Wire::Text);
   }
   const Schema& schema = schemaOf(message.channel);
   if (!schema) return tl::unexpected(schema.error());
-  // A definition without a word is that of a type without members (std_msgs/Empty), if the message agrees.
+  // An empty definition means a type without members (std_msgs/Empty), if the message agrees.
   if (message.channel->schema_data.empty() && message.bytes.size() > bytesOfNothing(*wire))
     return tl::unexpected(missing(*message.channel));
   const auto cbor = recording::rosToCbor(*schema, *wire, message.bytes);

@@ -1,5 +1,5 @@
-// Messages of ROS in recordings, read as those of a rosbridge server: JSON and CBOR as they are, those
-// serialised as by ROS 1 or as CDR through their definition. One thread.
+// Reads ROS messages in recordings like those of a rosbridge server: JSON and CBOR directly, ROS 1 and CDR by
+// their definition. One thread.
 #pragma once
 
 #include <memory>
@@ -19,21 +19,21 @@ namespace mapwright::robot::recorded {
 
 using FramePtr = std::shared_ptr<const net::rosbridge::Frame>;
 
-/// Whether messages of this channel are values of a ROS type ("package/Type"), or say the same by a schema of
-/// Foxglove. `untyped`: those are, too, whose type nobody said.
+/// Whether messages of this channel are values of a ROS type ("package/Type"), or an equivalent Foxglove
+/// type. `untyped`: includes those of unknown type.
 bool isRos(const recording::Channel& channel, bool untyped);
 
-/// Whether nobody said of which type its messages are.
+/// Whether the type of its messages is unknown.
 bool isUntyped(const recording::Channel& channel);
 
-/// The type of ROS as which they are read; of others than Foxglove's the one that the channel tells.
+/// The ROS type that they are read as; unless it is Foxglove, the channel's own.
 std::string rosTypeOf(const recording::Channel& channel);
 
 class MessageFields {
  public:
-  /// Its root is the message. The definition of each channel is read once.
+  /// Its root is the message. The definition of each channel is parsed once.
   tl::expected<FramePtr, Fault> read(const recording::Message& message);
-  /// The same, but what says it by a schema of Foxglove is no message of ROS yet.
+  /// The same, but Foxglove messages are not converted.
   tl::expected<FramePtr, Fault> readAsItIs(const recording::Message& message);
 
  private:

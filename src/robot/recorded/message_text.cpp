@@ -9,8 +9,8 @@ namespace mapwright::robot::recorded {
 namespace {
 
 constexpr std::int64_t kNsOfASecond = 1'000'000'000;
-constexpr qsizetype kMostText = qsizetype(8) << 10;            // of a message whose lists are cut
-constexpr std::size_t kMostForPeople = std::size_t(64) << 10;  // larger ones are not read for a text alone
+constexpr qsizetype kMostText = qsizetype(8) << 10;            // of a message with truncated lists
+constexpr std::size_t kMostForPeople = std::size_t(64) << 10;  // larger ones are not parsed just for display
 constexpr std::size_t kMostWhole = std::size_t(16) << 10;
 
 std::string secondsText(std::int64_t ns) {
@@ -21,7 +21,7 @@ std::string secondsText(std::int64_t ns) {
 
 std::string_view viewOf(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
 
-/// Numbers that robots send and that are no JSON.
+/// Numbers that robots send although they are not valid JSON.
 bool holdsNoNumbers(std::string_view json) {
   return json.find("NaN") != json.npos || json.find("nan") != json.npos || json.find("nf") != json.npos;
 }
@@ -62,7 +62,7 @@ std::string MessageText::whole(const FramePtr& frame) const {
 
 std::string MessageText::ofRos(const tl::expected<FramePtr, Fault>& frame, MessageFields& fields) const {
   if (programs_) {
-    // What was recorded, not the message of ROS that layers make of it.
+    // The recorded message, not the ROS message made from it for layers.
     const auto recorded = foxgloveKind(*message_.channel) ? fields.readAsItIs(message_) : frame;
     return recorded ? whole(*recorded) : ofBytes();
   }

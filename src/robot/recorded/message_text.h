@@ -15,30 +15,30 @@
 
 namespace mapwright::robot::recorded {
 
-/// A text as JSON writes it.
+/// A text as JSON.
 std::string jsonText(std::string_view text);
 
-/// All of them hold "topic" and "__stamp", the log time. What is not JSON itself stands in {"topic",
+/// All of them contain "topic" and "__stamp", the log time. Messages that are not JSON are put into {"topic",
 /// "__stamp", "type", "msg"}.
 class MessageText {
  public:
   /// People see the beginnings of long lists and texts (net::rosbridge::Field::toJson); for programs nothing
-  /// is cut, and what cannot be read stands there as its bytes.
+  /// is truncated, and unreadable data is included as bytes.
   enum class For { People, Programs };
   /// The message outlives it.
   MessageText(const recording::Message& message, For whom)
       : message_(message), programs_(whom == For::Programs) {}
 
   std::string_view bytes() const;
-  /// `frame` is what MessageFields::read() made of it.
+  /// `frame` is the result of MessageFields::read().
   std::string ofRos(const tl::expected<FramePtr, Fault>& frame, MessageFields& fields) const;
-  /// A JSON object that it is already, as it was recorded: what it lacks is added behind its own members.
+  /// A JSON object as recorded, with missing members appended.
   std::string ofFrame(const wire::Json& root) const;
-  /// A frame of Autoxing's that is not text.
+  /// A non-text frame of Autoxing.
   std::string ofBinaryFrame() const;
-  /// Of an encoding that says nothing to a layer.
+  /// For an encoding that no layer uses.
   std::string ofOther(MessageFields& fields) const;
-  /// {"bytes": how many}; for programs "base64", too.
+  /// {"bytes": how many}; for programs also "base64".
   std::string ofBytes() const;
 
  private:

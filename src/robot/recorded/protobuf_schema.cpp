@@ -21,7 +21,7 @@ namespace {
 
 namespace pb = google::protobuf;
 
-constexpr int kDeepest = 100;  // messages in messages: as deep as protobuf itself reads them
+constexpr int kDeepest = 100;  // nested messages: as deep as protobuf itself allows
 
 /// RFC 8746, 2.1: little-endian ones.
 enum NumberList : std::uint64_t {
@@ -33,7 +33,7 @@ enum NumberList : std::uint64_t {
   kFloat64 = 86
 };
 
-/// What is wrong with a definition is told by the channel's reason.
+/// Errors in a definition are reported by the channel's reason.
 class Silent final : public pb::DescriptorPool::ErrorCollector {
  public:
   void AddError(const std::string&, const std::string&, const pb::Message*, ErrorLocation,
@@ -52,7 +52,7 @@ class CborOut {
     const pb::Descriptor& type = *message.GetDescriptor();
     for (int i = 0; i < type.field_count() && !too_deep_; ++i) {
       const pb::FieldDescriptor& field = *type.field(i);
-      // Of what has a presence absent is not the same as zero; all else is zero or empty where nothing came.
+      // For members with presence, absent differs from zero; others are zero or empty if missing.
       const pb::Reflection& of = *message.GetReflection();
       if (!field.is_repeated() && field.has_presence() && !of.HasField(message, &field)) continue;
       text(field.name());
@@ -62,7 +62,7 @@ class CborOut {
     if (type.extension_range_count() > 0) message.GetReflection()->ListFields(message, &set);
     for (const pb::FieldDescriptor* const field : set) {
       if (!field->is_extension()) continue;
-      text('[' + field->full_name() + ']');  // as protobuf's own JSON has it
+      text('[' + field->full_name() + ']');  // as in protobuf's own JSON
       value(message, *field);
     }
     writer_.endMap();
@@ -163,12 +163,12 @@ class CborOut {
                              qsizetype(values.size() * sizeof(Number)));
   }
 
-  /// By its keys in their order: protobuf has none.
+  /// Sorted by key: protobuf has no order.
   void mapOf(const pb::Message& message, const pb::FieldDescriptor& field) {
     const pb::Reflection& of = *message.GetReflection();
     const pb::FieldDescriptor& key = *field.message_type()->map_key();
     const pb::FieldDescriptor& value = *field.message_type()->map_value();
-    std::map<std::string, const pb::Message*> entries;  // of one key twice the last one counts
+    std::map<std::string, const pb::Message*> entries;  // of duplicate keys the last one counts
     for (int i = 0; i < of.FieldSize(message, &field); ++i) {
       const pb::Message& entry = of.GetRepeatedMessage(message, &field, i);
       entries[keyOf(entry, key)] = &entry;
@@ -206,7 +206,7 @@ class CborOut {
 
 }  // namespace
 
-/// Each is made of the ones before it.
+/// Each depends on the ones before it.
 struct ProtobufSchema::Parts {
   pb::SimpleDescriptorDatabase files;
   Silent errors;
@@ -233,7 +233,7 @@ tl::expected<ProtobufSchema, Fault> ProtobufSchema::of(const recording::Channel&
     return tl::unexpected(none);
   auto parts = std::make_unique<Parts>();
   for (const pb::FileDescriptorProto& file : files.file()) {
-    // The same one twice says so on the console of whoever asks.
+    // Adding the same one twice would print an error to the console.
     pb::FileDescriptorProto known;
     if (!parts->files.FindFileByName(file.name(), &known)) parts->files.Add(file);
   }
@@ -247,7 +247,7 @@ tl::expected<ProtobufSchema, Fault> ProtobufSchema::of(const recording::Channel&
 tl::expected<QByteArray, Fault> ProtobufSchema::toCbor(std::span<const std::uint8_t> bytes) const {
   const std::unique_ptr<pb::Message> message(parts_->messages->GetPrototype(parts_->type)->New());
   const bool fits = bytes.size() <= std::size_t(std::numeric_limits<int>::max());
-  // What is required and not there is not needed here.
+  // Missing required members are accepted.
   if (!fits || !message->ParsePartialFromArray(bytes.data(), int(bytes.size())))
     return tl::unexpected(Fault(robot::ros::fault::MessageNotUnderstood));
   QByteArray cbor;

@@ -1,5 +1,5 @@
-// Messages of protobuf by the definition that stands in the file (MCAP: schema encoding "protobuf", a
-// FileDescriptorSet), as values. One thread.
+// Reads protobuf messages by the definition in the file (MCAP: schema encoding "protobuf", a
+// FileDescriptorSet). One thread.
 #pragma once
 
 #include <memory>
@@ -16,15 +16,15 @@ namespace mapwright::robot::recorded {
 
 class ProtobufSchema {
  public:
-  /// Of the channel's message type. The reason: its definition is not there, or does not hold together.
+  /// For the channel's message type. The error: its definition is missing or inconsistent.
   static tl::expected<ProtobufSchema, Fault> of(const recording::Channel& channel);
   ProtobufSchema(ProtobufSchema&&) noexcept;
   ProtobufSchema& operator=(ProtobufSchema&&) noexcept;
   ~ProtobufSchema();
 
-  /// As CBOR: members by their names, in the order of the definition. What has no presence is there with its
-  /// zero or empty, all else where it was set. Bytes are a byte string, enumerations numbers, lists of
-  /// numbers typed arrays, maps objects.
+  /// As CBOR: members by name, in the order of the definition. Members without presence are always included,
+  /// others if set. Bytes are byte strings, enumerations numbers, lists of numbers typed arrays, maps
+  /// objects.
   tl::expected<QByteArray, Fault> toCbor(std::span<const std::uint8_t> bytes) const;
 
  private:

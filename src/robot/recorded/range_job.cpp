@@ -14,15 +14,15 @@
 namespace mapwright::robot::recorded {
 namespace {
 
-constexpr std::int64_t kRoundingNs = 2'000;  // a double of seconds since 1970 is as exact as that
-constexpr double kShortestS = 1.0 / 64;      // of ranges that can be made shorter (replay::Tick)
+constexpr std::int64_t kRoundingNs = 2'000;  // the precision of a double for seconds since 1970
+constexpr double kShortestS = 1.0 / 64;      // of ranges that can be shortened (replay::Tick)
 constexpr std::size_t kMostAtAll = std::size_t(1) << 30;
-constexpr std::size_t kMostUnknown = std::size_t(64) << 10;  // larger ones of no use are not read for a text
+constexpr std::size_t kMostUnknown = std::size_t(64) << 10;  // larger useless ones are not parsed for display
 constexpr std::size_t kMostProblems = 200;
-constexpr std::int64_t kMostLast = std::int64_t(16) << 20;  // of what was said before a range
+constexpr std::int64_t kMostLast = std::int64_t(16) << 20;  // of the initial state before a range
 constexpr const char* kBinaryFrame = "mapwright.axbot.BinaryFrame";
 
-/// About what it takes beside its text.
+/// Approximate memory besides its text.
 struct Weight {
   std::size_t operator()(const map::GridMessage& grid) const { return grid.png ? grid.png->size() : 0; }
   std::size_t operator()(const map::PointCloudMessage& cloud) const {
@@ -99,7 +99,7 @@ void RangeJob::findLast(const Parts& parts) {
   last_ = parts.file.lastBefore(next_ns_ - 1, {});
   std::sort(last_->begin(), last_->end(),
             [](const auto& a, const auto& b) { return a.log_time_ns > b.log_time_ns; });
-  // They are taken from the end, as they were said. Of too many the latest, without those that are large.
+  // In reverse order. If there are too many, the latest, without large ones.
   std::size_t bytes = 0;
   const auto most = std::size_t(std::clamp<std::int64_t>(range_.max_bytes / 4, 0, kMostLast));
   std::erase_if(*last_, [&](const recording::Message& message) {
@@ -117,7 +117,7 @@ void RangeJob::takeLast(const Parts& parts) {
   if (parts.shape.isRos(*message.channel) && parts.shape.by_topic.contains(message.channel->topic)) {
     placing.emplace(parts, BlockPlacing::blockOf(at_ns), at_ns, at_ns);
   }
-  // It is no part of what was asked for: neither its length nor what is wrong with it counts here.
+  // It is not part of the request: neither its length nor its errors count here.
   const std::size_t bytes = bytes_, unreadable = chunk_->unreadable;
   adding_last_ = true;
   take(parts, message, placing ? &*placing : nullptr);
@@ -131,7 +131,7 @@ std::optional<std::int64_t> RangeJob::nextBlock(const Parts& parts) const {
   query.first_ns = next_ns_;
   query.last_ns = last_ns_;
   if (!parts.shape.markers.empty()) {
-    // What is seen of markers changes without a message, wherever in a block the range begins and ends.
+    // Visible markers may change without a message, wherever in a block the range begins and ends.
     query.first_ns = BlockPlacing::blockOf(next_ns_);
     query.last_ns = BlockPlacing::blockOf(last_ns_) + BlockPlacing::kBlockNs - 1;
   }
@@ -190,7 +190,7 @@ void RangeJob::addResults(ros::WorldResults results, BagMessage* told) {
       told->message.message = map::UnreadableMessage{result.topic, *result.unreadable};
       continue;
     }
-    // What is only made of messages is none that was recorded.
+    // Derived results were not recorded.
     if (!result.message || (range_.whole_texts && !own)) continue;
     if (own) {
       told->known = true;
@@ -227,7 +227,7 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
   told.message.message = map::UnreadableMessage{channel.topic, {}};
   const bool placed =
       placing != nullptr && parts.shape.isRos(channel) && parts.shape.by_topic.contains(channel.topic);
-  // One beside the range is read where the next ones are made of it.
+  // One outside the range is read if the next ones depend on it.
   if (!placed && !takes(stamp_s)) return;
   bytes_ += message.bytes.size();
   const MessageText texts(message,
@@ -245,11 +245,11 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
     }
     if (!frame && frame.error().any()) {
       if (range_.whole_texts) note(channel.topic, map::ProblemCode::Unreadable, frame.error());
-      // One beside the range counts in its own.
+      // One outside the range is counted in its own.
       if (!range_.whole_texts && placed && takes(stamp_s)) ++chunk_->unreadable;
     }
   } else if (channel.message_encoding == "json" && channel.schema_name == kBinaryFrame) {
-    // One that could not be unpacked when it was recorded.
+    // One that could not be unpacked during recording.
     const auto root = json_.read(texts.bytes());
     told.known = root.has_value();
     if (root) {

@@ -1,4 +1,4 @@
-// A range of a recording on its way to be an answer, block by block, so that others get their turn between.
+// Reads a range of a recording, block by block, so that other requests get their turn in between.
 #pragma once
 
 #include <cstdint>
@@ -28,20 +28,20 @@ class RangeJob {
   RangeJob(BagKey key, BagRange range);
 
   enum class Step { More, Done, TooLong };
-  /// The next block that holds any message.
+  /// The next block that contains a message.
   Step step(const Parts& parts);
-  /// Once Done. `untimed`: messages without a usable time, which are told with it.
+  /// Once Done. `untimed`: number of messages without a valid time, to report with it.
   BagChunkPtr chunk(std::size_t untimed);
-  /// What was wrong with messages, or is well again.
+  /// Problems with messages, and recoveries.
   std::vector<map::Problem> takeProblems() { return std::exchange(problems_, {}); }
   const BagKey& key() const { return key_; }
   const BagRange& range() const { return range_; }
 
  private:
-  /// What was said last before the range, each as it is where it is played.
+  /// The last messages before the range, each as it is when played.
   void findLast(const Parts& parts);
   void takeLast(const Parts& parts);
-  /// The next one with messages that reaches into the range.
+  /// The next block with messages that overlaps the range.
   std::optional<std::int64_t> nextBlock(const Parts& parts) const;
   bool takes(double stamp_s) const {
     return adding_last_ ? stamp_s < range_.from_s : stamp_s >= range_.from_s && stamp_s < range_.until_s;
@@ -50,7 +50,7 @@ class RangeJob {
   void takeFrame(const Parts& parts, const wire::Json& root, const recording::Message& message,
                  BagMessage& told);
   void add(BagMessage told, std::string_view text);
-  /// Messages of one time come in any order: where the robot was then is what they come to together.
+  /// Messages of the same time come in any order: their combined result is the robot's pose.
   void keepLastPose();
   void addResults(ros::WorldResults results, BagMessage* told);
   void note(const std::string& topic, map::ProblemCode code, Fault reason);
@@ -60,11 +60,10 @@ class RangeJob {
   std::int64_t next_ns_, last_ns_;  // widened: stamps are rounded
   std::shared_ptr<BagChunk> chunk_ = std::make_shared<BagChunk>();
   std::string text_;
-  std::size_t bytes_ = 0;  // of the messages in the file, and of what is made of them
-  std::optional<std::vector<recording::Message>>
-      last_;  // to be added yet, the latest first; nullopt: not found
+  std::size_t bytes_ = 0;                                // of the messages in the file and of the results
+  std::optional<std::vector<recording::Message>> last_;  // to be added, latest first; nullopt: not found
   bool adding_last_ = false;
-  std::optional<std::size_t> last_pose_;  // in the chunk: the last one that tells where the robot is
+  std::optional<std::size_t> last_pose_;  // in the chunk: the last message with the robot's pose
   std::vector<map::Problem> problems_;
   wire::JsonReader json_;
 };

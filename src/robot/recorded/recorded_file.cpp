@@ -24,7 +24,7 @@ constexpr const char* kSaid = "said";        // of channels, likewise
 
 constexpr map::Stream kLastStream = map::Stream::GlobalPositioning;
 
-/// Nothing more can be read once the thread is asked to stop: whatever is under way ends.
+/// Nothing more can be read once the thread is asked to stop: any operation ends.
 class StoppableBytes final : public recording::Bytes {
  public:
   explicit StoppableBytes(std::unique_ptr<recording::Bytes> bytes) : bytes_(std::move(bytes)) {}
@@ -51,7 +51,7 @@ QString text(const recording::Words& words, const char* name) {
 
 }  // namespace
 
-/// A range that is under way.
+/// A range in progress.
 struct RecordedFile::Job {
   RangeJob range;
   wire::ErrandPtr errand;
@@ -152,7 +152,7 @@ bool RecordedFile::refresh() {
   if (!parts_->file->refresh()) return false;
   info_is_old_ = true;
   parts_->kept.look();
-  // What was placed stays as it is: another frame would be another map.
+  // Placed messages stay as they are: another frame would be another map.
   if (parts_->file->channels().size() == channels && parts_->shape.fixed_by_file) return true;
   RosShape shape = shapeOf(*parts_->file, parts_->fields, choices_);
   if (parts_->shape.fixed_by_file) {
@@ -227,15 +227,15 @@ Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
   if (key.name != ownKey().name) {
     return fail(wire::notThere(subjectOf(key)));
   }
-  // Whoever follows a file asks again and again: that costs a look at its length.
-  // That it has grown may have been seen by a request for messages.
+  // A followed file is checked frequently: this only reads its length. A request for messages may already
+  // have noticed its growth.
   refresh();
   if (!info_is_old_ && told_info_) return *told_info_;
   const recording::Summary summary = parts_->file->summary();
   BagInfo info;
   info.messages = std::int64_t(summary.messages);
   if (!summary.counted && summary.start_ns) {
-    // Nothing in the file tells: they are counted, those that have been counted already but once.
+    // The file does not say: counts them, each only once.
     recording::Query query;
     info.messages = 0;
     if (told_info_ && counted_until_ns_) {
@@ -283,7 +283,7 @@ std::optional<double> RecordedFile::rateOf(const Form& form,
     }
     return std::nullopt;
   };
-  // Whoever follows a file asks again and again: what comes first stays so.
+  // A followed file is checked frequently: the first message stays the first.
   const auto [first, is_new] = first_of_.try_emplace(form);
   if (is_new) first->second = outermost(false);
   const std::optional<std::int64_t> last = outermost(true);
@@ -306,7 +306,7 @@ void RecordedFile::tellContent(BagInfo& info, const recording::Summary& summary)
   info.format = parts_->file->format();
   info.written_by = summary.library;
   info.attachments = std::int64_t(parts_->file->attachments().size());
-  // Of one that grows it is told as it was at first: each chunk is looked at for it.
+  // For a growing file the first result stays: it needs every chunk.
   if (told_info_) {
     info.packing = told_info_->packing;
     return;

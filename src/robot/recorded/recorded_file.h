@@ -1,4 +1,4 @@
-// One recording, looked at on a thread of its own: files may be large and disks slow.
+// One recording, read on a thread of its own: files may be large and disks slow.
 #pragma once
 
 #include <memory>
@@ -27,16 +27,16 @@ struct RecordedOptions {
   recording::Limits limits{std::uint64_t(256) << 20, std::uint64_t(64) << 20, std::size_t(64) << 20};
 };
 
-/// What is known of a recording once it is open.
+/// What is known of an open recording.
 struct RecordingFacts {
-  RobotIdentity identity;                      // as recorded, else of the file
+  RobotIdentity identity;                      // as recorded, otherwise that of the file
   std::map<map::Stream, QStringList> streams;  // which topics bring them
   QStringList topics;                          // those that are understood
   std::vector<OfferedTopic> offered;           // all of them
   std::map<map::Stream, QStringList> choices;  // which could bring them
 };
 
-/// Opened by the first question. Everything ends early when its thread is asked to stop.
+/// Opened by the first request. Everything ends early when its thread is asked to stop.
 class RecordedFile : public QObject {
   Q_OBJECT
  public:
@@ -44,7 +44,7 @@ class RecordedFile : public QObject {
   ~RecordedFile() override;
 
   void open();  // says opened() or refused()
-  /// What is answered from now on is taken from these topics.
+  /// Uses these topics from now on.
   void choose(const ros::Choices& choices);
 
   Outcome<std::vector<BagEntry>> bags();
@@ -67,7 +67,7 @@ class RecordedFile : public QObject {
 
  private:
   struct Job;
-  /// What is made of the file; gone and made anew together.
+  /// Data derived from the file; dropped and rebuilt together.
   struct Parts {
     Parts(std::unique_ptr<recording::Source> source, const ros::Choices& choices);
     std::unique_ptr<recording::Source> file;
@@ -82,13 +82,13 @@ class RecordedFile : public QObject {
   std::optional<map::Failure> whyNot(const map::Subject& subject);
   bool refresh();
   void tellNotes();
-  /// That its end is missing, as long as it is.
+  /// Reports that its end is missing, as long as that is so.
   void tellInterruption();
-  /// Messages without a usable time that no chunk has counted yet: they lie in no range.
+  /// Messages without a valid time that no chunk has counted yet: they are in no range.
   std::size_t newlyUntimed();
   void tell(const map::Problem& problem);
   RecordingFacts facts() const;
-  /// Of which topics how many messages are in it, and how it lies in its file.
+  /// The number of messages of each topic, and how they are stored.
   void tellContent(BagInfo& info, const recording::Summary& summary);
   using Form = std::tuple<std::string, std::string, std::string>;  // topic, type, encoding
   std::optional<double> rateOf(const Form& form, const std::map<std::uint32_t, std::uint64_t>& counts);
@@ -98,11 +98,11 @@ class RecordedFile : public QObject {
   ros::Choices choices_;
   std::unique_ptr<Parts> parts_;
   std::optional<Fault> trouble_;
-  std::optional<BagInfo> told_info_;  // of the file as it was last
-  bool info_is_old_ = false;          // the file has grown since it was told
+  std::optional<BagInfo> told_info_;  // of the file's last state
+  bool info_is_old_ = false;          // the file has grown since
   std::optional<std::int64_t> counted_until_ns_;
-  std::map<std::uint32_t, std::uint64_t> counted_of_;     // by channel, where the file does not tell
-  std::map<Form, std::optional<std::int64_t>> first_of_;  // when the first message came
+  std::map<std::uint32_t, std::uint64_t> counted_of_;     // by channel, if the file does not say
+  std::map<Form, std::optional<std::int64_t>> first_of_;  // when the first message arrived
   std::set<std::string> told_;
   std::size_t told_untimed_ = 0;
   bool told_interrupted_ = false;

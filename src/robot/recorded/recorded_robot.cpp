@@ -28,7 +28,7 @@ bool isRecording(const QString& path) {
   const QFileInfo info(path);
   const QString suffix = info.suffix().toLower();
   if (suffix == QLatin1String("mcap") || suffix == QLatin1String("bag")) return !info.isDir();
-  // A pipe would have to be waited for.
+  // Opening a pipe would block.
   if (!info.isFile()) return false;
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) return false;

@@ -1,5 +1,5 @@
-// A recording behind the port: an MCAP file, or a bag of ROS 1. It has one bag, itself (BagKind::File), and
-// what lies in it beside its messages. Nothing live comes from it: replay::ReplayRobot plays it.
+// A recording behind the port: an MCAP file, or a ROS 1 bag. It has one bag, itself (BagKind::File), and the
+// data stored besides its messages. It sends nothing live: replay::ReplayRobot plays it.
 #pragma once
 
 #include <QThread>
@@ -12,9 +12,9 @@
 
 namespace mapwright::robot::recorded {
 
-/// Whether the file at `path` is one by its name (.mcap, .bag), or by its first bytes.
+/// Whether `path` is a recording, by its extension (.mcap, .bag) or its first bytes.
 bool isRecording(const QString& path);
-/// What its bag is called.
+/// The name of its bag.
 std::string bagNameOf(const QString& path);
 
 class Library : public BagLibrary {
@@ -25,7 +25,7 @@ class Library : public BagLibrary {
   Call messages(const BagKey& key, const BagRange& range, OutcomeTo<BagChunkPtr> reply) override;
   Call picture(const std::string& topic, const std::string& url,
                OutcomeTo<std::shared_ptr<const std::string>> reply) override;
-  // A file is only read.
+  // A file is read-only.
   Call record(const BagOrder& order, OutcomeTo<BagEntry> reply) override;
   Call remove(const BagKey& key, OutcomeTo<BagKey> reply) override;
   Call download(const BagKey& key, const QString& path, OutcomeTo<BagDownload> reply) override;
@@ -34,7 +34,7 @@ class Library : public BagLibrary {
   wire::LinkRef<RecordedFile> file_;
 };
 
-/// Which topics were recorded, by what they bring. Nothing is sent, whatever is wanted.
+/// The recorded topics by kind of data. Sends nothing, whatever is wanted.
 class Topics : public LiveTopics {
  public:
   void set(const RecordingFacts& facts);
@@ -49,12 +49,12 @@ class Topics : public LiveTopics {
   std::map<map::Stream, QStringList> streams_;
 };
 
-/// Nothing here touches the disk: RecordedFile does. It can be asked without being connected to.
+/// Nothing here accesses the disk: RecordedFile does. Works without a connection.
 class RecordedRobot : public Robot, public OffersTopics {
   Q_OBJECT
  public:
   RecordedRobot(QString address, RecordedOptions options, QObject* parent = nullptr);
-  /// Waits for one block of a range at most.
+  /// Waits for at most one block of a range.
   ~RecordedRobot() override;
 
   QString address() const override { return address_; }

@@ -43,7 +43,7 @@ Fault reasonOf(const recording::Note& note) {
     case Code::AttachmentCorrupt:
       return {fault::RecordingFileInItCorrupt, {note.name}};
     case Code::TimeUnusable:
-      break;  // they are counted where messages are read (BagChunk::without_stamp)
+      break;  // counted when messages are read (BagChunk::without_stamp)
     case Code::Unreadable:
       return {fault::RecordingNotReadByDisk, {place}};
   }

@@ -1,4 +1,4 @@
-// What is wrong with a recording and with messages in it, in the words of the map (sentences/). Pure.
+// Problems of a recording and its messages as faults of the map. Pure.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace mapwright::robot::recorded {
 
-/// What was found in a file that is read all the same.
+/// A problem in a file that is still readable.
 Fault reasonOf(const recording::Note& note);
-/// Whether what is missing was there: messages are lost. Else the file is only unfinished or slow to open.
+/// Whether data existed and is lost. Otherwise the file is only unfinished or slow to open.
 bool isLoss(recording::NoteCode code);
 /// Why it cannot be opened.
 Fault reasonOf(const recording::Failure& failure);

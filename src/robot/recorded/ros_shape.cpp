@@ -9,7 +9,7 @@
 namespace mapwright::robot::recorded {
 namespace {
 
-constexpr int kMostLookedAt = 2000;  // transforms at the beginning of a file
+constexpr int kMostLookedAt = 2000;  // transforms at the start of a file
 constexpr std::int64_t kLookNs = 3'000'000'000;
 constexpr const char* kMap = "map";
 
@@ -21,11 +21,11 @@ void addOnce(std::vector<std::string>& topics, const std::string& topic) {
   if (std::find(topics.begin(), topics.end(), topic) == topics.end()) topics.push_back(topic);
 }
 
-/// So many of them are said again and again; what is said less often stays as it was said.
+/// More frequent ones are dynamic; less frequent ones stay valid until replaced.
 constexpr double kOftenPerS = 0.5;
 
-/// Foxglove's transforms may lie on any topic, and hold until others are said. Poses and paths go by any name
-/// where nothing better is there.
+/// Foxglove's transforms may be on any topic, and stay valid until replaced. Poses and paths on any topic are
+/// used if there is nothing better.
 void addFoxglove(const recording::Source& file, std::vector<ros::Source>& sources) {
   const recording::Summary summary = file.summary();
   const auto brought = [&](map::Stream stream, ros::Form form) {
@@ -63,7 +63,7 @@ void addFoxglove(const recording::Source& file, std::vector<ros::Source>& source
   }
 }
 
-/// As whoever recorded it says (recorder/layout.h, metadata "mapwright").
+/// According to the recorder (recorder/layout.h, metadata "mapwright").
 bool recordedOfRos(const recording::Source& file) {
   bool ros = false;
   for (const recording::Metadata& metadata : file.metadata()) {
@@ -114,7 +114,7 @@ ros::RosWorld firstTransforms(recording::Source& file, MessageFields& fields, co
   return world;
 }
 
-/// What the robot's frames hang on; empty: transforms do not tell.
+/// The root of the robot's frames; empty: transforms do not tell.
 std::string rootFrame(const ros::RosWorld& world) {
   const std::vector<std::string> frames = world.transforms().frames();
   if (std::binary_search(frames.begin(), frames.end(), std::string(kMap))) return kMap;
@@ -125,7 +125,7 @@ std::string rootFrame(const ros::RosWorld& world) {
   return {};
 }
 
-/// What the first scan, or cloud, lies in; empty: there is none.
+/// The frame of the first scan or cloud; empty: there is none.
 std::string frameOfFirstScan(recording::Source& file, MessageFields& fields, const RosShape& shape,
                              const ros::RosWorld& world) {
   recording::Query query;

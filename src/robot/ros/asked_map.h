@@ -1,5 +1,5 @@
-// The map of a robot that no topic brings, asked of a service of type nav_msgs/GetMap. Lives on the link's
-// thread. Source: nav_msgs/GetMap; map_server ("static_map"), nav2_map_server ("map"), gmapping
+// The map of a robot without a map topic, requested from a service of type nav_msgs/GetMap. Lives on the
+// link's thread. Source: nav_msgs/GetMap; map_server ("static_map"), nav2_map_server ("map"), gmapping
 // ("dynamic_map").
 #pragma once
 
@@ -21,23 +21,23 @@ class AskedMap : public QObject {
   Q_OBJECT
  public:
   struct Patience {
-    std::chrono::milliseconds silence{3'000};  // of the topics, before a service is asked
+    std::chrono::milliseconds silence{3'000};  // of the topics, before a service is called
     std::chrono::milliseconds answer{30'000};
     std::chrono::milliseconds again{10'000};  // after all of them have failed
   };
   AskedMap(net::rosbridge::Client& client, Patience patience);
 
-  /// Who gives it, the better ones first.
+  /// The services that provide it, better ones first.
   struct Services {
     std::vector<std::string> names;
-    bool known = false;  // the robot says that they are there; else they are tried, and nothing is said of it
+    bool known = false;  // the robot lists them; otherwise they are tried without reporting failures
     bool operator==(const Services&) const = default;
   };
-  /// `by_topic`: it may come by a topic, which is waited for.
+  /// `by_topic`: it may arrive on a topic, which is waited for first.
   void want(bool wanted, bool by_topic, Services services);
   /// A topic has brought it.
   void heard();
-  /// Another connection, or none: nothing has come.
+  /// A new connection, or none: starts over.
   void beginAnew();
 
  Q_SIGNALS:

@@ -13,7 +13,7 @@
 namespace mapwright::robot::ros {
 
 Read<CloudLayout> readCloudLayout(const Field& msg, std::size_t most_bytes) {
-  // More would not fit into the data; products of two of them are numbers still.
+  // More would not fit into the data; products of two of them do not overflow.
   const auto most = std::int64_t(most_bytes);
   CloudLayout layout;
   const auto take = [&](const char* name, std::size_t& to) -> std::optional<Fault> {
@@ -27,12 +27,12 @@ Read<CloudLayout> readCloudLayout(const Field& msg, std::size_t most_bytes) {
        {take("width", layout.width), take("height", layout.height), take("point_step", layout.point_step)}) {
     if (why) return tl::unexpected(*why);
   }
-  // Of no points nobody needs to know how they lie: many senders leave it out then.
+  // Without points the layout does not matter: many senders omit it then.
   if (layout.width == 0 || layout.height == 0) return layout;
   if (layout.point_step == 0) return fieldWrong("point_step", 0);
   const auto row_step = msg["row_step"].integer();
   const std::size_t packed = layout.width * layout.point_step;
-  // Senders of clouds in one row often leave it out.
+  // Senders of clouds with a single row often omit it.
   layout.row_step = row_step && *row_step > 0 ? std::size_t(*row_step) : packed;
   if (layout.height > 1 && layout.row_step < packed) return fieldWrong("row_step", double(layout.row_step));
   layout.big_endian = msg["is_bigendian"].flag().value_or(false);

@@ -64,7 +64,7 @@ map::Subject RosDispatch::subjectOf(DispatchService service) const {
   return map::Subject(there ? there->name : std::string(kDispatcher));
 }
 
-/// Nobody is asked for what means nothing (docs/protocols/rep130-map-dispatcher.md, "Maps in space").
+/// Meaningless requests are not sent (docs/protocols/rep130-map-dispatcher.md, "Maps in space").
 map::Failure RosDispatch::refused(DispatchService service, map::AskedFor asked_for, FaultCode why) const {
   return {.kind = map::FailureKind::Refused,
           .subject = subjectOf(service),

@@ -1,5 +1,5 @@
-// A map dispatcher behind a rosbridge server, as the port has it. On the thread of the robot.
-// Source: docs/protocols/rep130-map-dispatcher.md.
+// A map dispatcher behind a rosbridge server, as a capability. On the thread of the robot. Source:
+// docs/protocols/rep130-map-dispatcher.md.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ class RosDispatch : public MapDispatch {
   /// `longest_message`: in bytes; no map comes that is longer.
   RosDispatch(RosLink* link, std::int64_t longest_message);
 
-  /// Told by the robot, before it says that its capabilities have changed.
+  /// Called by the robot before it reports changed capabilities.
   void setFound(const FoundDispatch& found);
 
   std::vector<DispatchOffer> offers() const override { return found_.offers(); }

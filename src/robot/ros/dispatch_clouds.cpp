@@ -1,4 +1,4 @@
-// Points of large maps: what is far from 0 keeps its millimetres. Source: sensor_msgs/PointCloud2.
+// Points of large maps: keeps millimetre precision far from 0. Source: sensor_msgs/PointCloud2.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace mapwright::robot::ros {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t(1) << 30;
-constexpr double kNearM = 1000;  // what lies nearer is exact enough as it is
+constexpr double kNearM = 1000;  // closer points are precise enough
 constexpr std::size_t kSampled = 1001;
 
 bool isPlace(const Eigen::Vector3d& at_m) {
@@ -25,7 +25,7 @@ class Records {
  public:
   Records(const CloudLayout& layout, const std::string& data) : of_(layout), data_(data) {
     if (of_.width == 0 || of_.height == 0 || of_.point_step == 0) return;
-    // By division: the numbers of a message may be chosen so that their product is small again.
+    // With division: malicious sizes may overflow in a product.
     const std::size_t last_row = of_.width * of_.point_step;
     if (data.size() < last_row) {
       count_ = data.size() / of_.point_step;
@@ -38,7 +38,7 @@ class Records {
     const std::size_t gap = of_.row_step - last_row;
     if (rest > gap) count_ += std::min(of_.width, (rest - gap) / of_.point_step);
   }
-  /// Of those that came whole.
+  /// Number of complete points.
   std::size_t count() const { return count_; }
   const char* at(std::size_t i) const {
     return data_.data() + i / of_.width * of_.row_step + i % of_.width * of_.point_step;
@@ -55,7 +55,7 @@ class Records {
   std::size_t count_ = 0;
 };
 
-/// In the midst of the points, whatever some of them are; 0 where that is near.
+/// The centre of the points, ignoring invalid ones; 0 if that is near.
 Eigen::Vector3d originOf(const Records& records) {
   std::array<std::vector<double>, 3> along;
   const std::size_t step = std::max<std::size_t>(1, records.count() / kSampled);
@@ -89,13 +89,13 @@ Read<std::shared_ptr<const map::SpatialCloud>> readSpatialCloud(const Field& msg
   const Records records(of, *data);
   const std::size_t said = of.width * of.height;
   if (records.count() == 0) return tl::unexpected(cloudCutShort(of, data->size()));
-  // Fewer bytes than it says are points that are missing; more may be that it lies about their size.
+  // Fewer bytes than stated mean missing points; more may mean a wrong size.
   const double packed = double(of.width) * double(of.point_step),
                least = packed + double(of.height - 1) * double(of.row_step),
                most = std::max(least, double(of.height) * double(of.row_step));
   if (records.count() < said || (double(data->size()) != least && double(data->size()) != most))
     cloud->notes.push_back(cloudCutShort(of, data->size()));
-  // Rows may be filled up, but not by whole points.
+  // Rows may be padded, but not by whole points.
   else if (double(data->size()) == most && double(of.row_step) - packed >= double(of.point_step))
     cloud->notes.push_back({fault::RosRowsHoldMore, {std::int64_t(of.row_step), std::int64_t(packed)}});
   cloud->missing = said - std::min(said, records.count());

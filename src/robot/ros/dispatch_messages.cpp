@@ -106,7 +106,7 @@ Read<map::GridPart> readGridPart(const Field& msg) {
   part.grid = {int(size->width), int(size->height), resolutionOf(info), origin.pose.flat()};
   const auto why = map::whyUnusable(part.grid);
   if (size->width == 0) {
-    // Where nothing is, nobody needs to know how it lies: many senders leave it out then.
+    // An empty grid needs no position: many senders omit it then.
     if (why) part.grid = {};
     part.cells = std::make_shared<const std::vector<std::int8_t>>();
     return part;
@@ -160,7 +160,7 @@ map::Projection projectionOf(const ProjectedPart& part) {
   projection.frame = part.part.frame;
   const geometry::WorldRect bounds = part.part.grid.bounds();
   if (!bounds.empty()) {
-    // A resolution of 32 bits makes 2.00000003 m of 2 m.
+    // A 32-bit resolution turns 2 m into 2.00000003 m.
     const auto whole = [](double value) { return std::round(value * 1e6) / 1e6; };
     projection.corner_m = {whole(bounds.min_x), whole(bounds.min_y)};
     projection.size_m = {whole(bounds.width()), whole(bounds.height())};

@@ -44,10 +44,10 @@ bool isBelow(std::string_view name, std::string_view ns) {
   return ns.empty() || (name.size() > ns.size() && name.starts_with(ns) && name[ns.size()] == '/');
 }
 
-/// What others call so, too: alone it makes no dispatcher.
+/// A name that others use, too: not sufficient for a dispatcher.
 bool isCommon(DispatchName name) { return name == DispatchName::GetMap || name == DispatchName::SaveMap; }
 
-/// Two services of one type: which of the two by what it is called.
+/// Two services of one type, distinguished by name.
 bool fitsByName(DispatchName name, std::string_view service) {
   const bool occupancy = lastPart(service).find("occup") != std::string_view::npos;
   switch (name) {
@@ -62,7 +62,7 @@ bool fitsByName(DispatchName name, std::string_view service) {
   }
 }
 
-/// The number behind "…/projected_map_"; nullopt: it is none of these.
+/// The number after "…/projected_map_"; nullopt: another topic.
 std::optional<int> numberOf(std::string_view topic, const DispatchWish& wish) {
   const std::size_t line = topic.rfind('_');
   if (line == std::string_view::npos || topic.size() - line > 4) return std::nullopt;
@@ -176,7 +176,7 @@ std::vector<std::string> likeDispatchServices(const std::vector<std::string>& na
     const std::string_view tail = lastPart(name);
     const bool exact =
         std::any_of(usual().begin(), usual().end(), [&](const Usual& one) { return tail == one.text; });
-    // A KABAM map manager's own services are all about maps, and none of them is meant.
+    // A KABAM map manager's own services are about maps, but are not meant.
     const bool managers = folderOf(name).ends_with("/map_manager");
     const bool about_maps = !managers && (tail.find("map") != std::string_view::npos ||
                                           tail.find("roi") != std::string_view::npos ||
@@ -197,7 +197,7 @@ FoundDispatch dispatchIn(const std::optional<std::vector<TypedService>>& service
   if (!services && !wish.expected) return found;
   found.topics_told = topics.has_value();
   for (const Usual& one : usual()) {
-    // Where nobody tells what there is, it is tried.
+    // Services are not listed: try it.
     if (!services) {
       found.services[one.name] = {nameBy(wish, one.name), {}};
     } else if (auto service = best(*services, one, wish)) {
@@ -214,8 +214,8 @@ FoundDispatch dispatchIn(const std::optional<std::vector<TypedService>>& service
       found.projections_writer = writer;
     }
   }
-  // What map servers and others have as well makes no dispatcher by itself; what is called so beside a
-  // dispatcher and has no type that is known is its.
+  // Names that map servers and others use are not sufficient for a dispatcher; next to a dispatcher, one
+  // without a known type belongs to it.
   const bool real = std::any_of(found.services.begin(), found.services.end(),
                                 [](const auto& one) { return !isCommon(one.first); });
   if (!real && !wish.expected) found.services.clear();

@@ -1,5 +1,5 @@
-// What of a robot's services and topics is a map dispatcher: by their types where the server tells them, else
-// by their usual names. Pure. Source: docs/protocols/rep130-map-dispatcher.md.
+// Finds the map dispatcher among a robot's services and topics: by type if the server gives types, otherwise
+// by the usual names. Pure. Source: docs/protocols/rep130-map-dispatcher.md.
 #pragma once
 
 #include <map>
@@ -13,8 +13,8 @@
 
 namespace mapwright::robot::ros {
 
-/// The services of a dispatcher by the names that REP 130 has for them. That of the projections has two
-/// types, of which each does one thing.
+/// The services of a dispatcher, named as in REP 130. The one for projections has two types, and each does
+/// only one thing.
 enum class DispatchName {
   GetMap,
   GetSubMap,
@@ -37,30 +37,30 @@ inline constexpr DispatchName kDispatchNames[] = {DispatchName::GetMap,
 const char* usualName(DispatchName name);
 inline constexpr const char* kProjectedMap = "projected_map";
 
-/// What people say of a dispatcher in an address.
+/// What an address says about the dispatcher.
 struct DispatchWish {
-  bool expected = false;                      // there must be one: what is silent is tried by its usual name
-  std::string ns;                             // "/map_dispatcher"; empty = anywhere
-  std::string near;                           // of several the one below this
+  bool expected = false;  // there must be one: services that are not listed are tried by their usual names
+  std::string ns;         // "/map_dispatcher"; empty = anywhere
+  std::string near;       // of several use the one in this namespace
   std::map<DispatchName, std::string> names;  // remapped ones: "/other/name"
-  std::string projected_map;                  // the topics without "_0"; empty = as usual
+  std::string projected_map;                  // the topics without "_0"; empty = the usual ones
   bool operator==(const DispatchWish&) const = default;
 };
 
-/// A service and its type as the server writes it, empty where it does not tell.
+/// A service and its type as the server writes it, empty if unknown.
 struct TypedService {
   std::string name, type;
   bool operator==(const TypedService&) const = default;
 };
 
-/// A dispatcher, as far as it is there.
+/// The parts of a dispatcher that exist.
 struct FoundDispatch {
   std::map<DispatchName, TypedService> services;
-  /// Where SetMapProjections and ProjectedMapsInfo are both there, the other one.
+  /// If SetMapProjections and ProjectedMapsInfo both exist, the other one.
   std::optional<TypedService> projections_writer;
   std::map<int, FoundTopic> projected;  // by number
-  std::vector<FoundTopic> metadata;     // nav_msgs/MapMetaData: tells of another map without sending it
-  bool topics_told = false;             // what is not in these is not there
+  std::vector<FoundTopic> metadata;     // nav_msgs/MapMetaData: reports a new map without sending it
+  bool topics_told = false;             // topics that are not in these lists do not exist
   bool operator==(const FoundDispatch&) const = default;
 
   bool any() const { return !services.empty(); }
@@ -69,18 +69,18 @@ struct FoundDispatch {
   std::vector<DispatchOffer> offers() const;
 };
 
-/// "map_msgs/GetMapROI" of all that this type has been called: "map_msg/GetMapROI", "map_msgs/srv/GetMapROI".
+/// "map_msgs/GetMapROI" for all known spellings of this type: "map_msg/GetMapROI", "map_msgs/srv/GetMapROI".
 std::string dispatchType(std::string_view type);
-/// The services whose types are worth asking for.
+/// The services whose types should be requested.
 std::vector<std::string> likeDispatchServices(const std::vector<std::string>& names,
                                               const DispatchWish& wish);
-/// `services`: those of likeDispatchServices() with their types; nullopt: the server does not tell which
-/// services there are. `topics` likewise.
+/// `services`: those of likeDispatchServices() with their types; nullopt: the server does not list services.
+/// `topics` likewise.
 FoundDispatch dispatchIn(const std::optional<std::vector<TypedService>>& services,
                          const std::optional<std::vector<FoundTopic>>& topics, const DispatchWish& wish);
-/// The topic of a projected map that nobody tells of.
+/// The topic of a projected map that is not listed.
 std::string projectedTopic(const DispatchWish& wish, int index);
-/// Where it is called by: the one that was named, else the usual one.
+/// Its name: the one given, otherwise the usual one.
 std::string nameBy(const DispatchWish& wish, DispatchName name);
 inline constexpr int kMostProjected = 32;
 

@@ -34,7 +34,7 @@ void DispatchRequests::projections(const wire::ErrandPtr& errand,
   const auto there = found_.serviceOf(DispatchService::ReadProjections);
   if (!there) return reply(fail(notDispatched(DispatchService::ReadProjections, found_)));
   if (tellsProjections()) return readByService(errand, std::move(reply));
-  // Which there are now: what was left out as of before may have another meaning since.
+  // The present ones: those dropped as outdated may mean something else now.
   setMost(std::nullopt);
   const auto watch = std::make_shared<Watch>();
   watch->errand = errand;
@@ -64,7 +64,7 @@ std::set<int> DispatchRequests::unheard() const {
   return all;
 }
 
-/// Of those that are there, or should be.
+/// Of those that exist or should exist.
 QStringList DispatchRequests::silentTopics() const {
   QStringList all;
   const auto next = tried();
@@ -75,7 +75,7 @@ QStringList DispatchRequests::silentTopics() const {
   return all;
 }
 
-/// nullopt: whatever topics there are.
+/// nullopt: all topics that exist.
 void DispatchRequests::setMost(std::optional<int> most) {
   if (most) {
     for (const auto& [index, mark] : marks_) {
@@ -86,7 +86,7 @@ void DispatchRequests::setMost(std::optional<int> most) {
   if (std::exchange(most_, most) != most) Q_EMIT topicsChanged();
 }
 
-/// That of the map, which is meant where none is named.
+/// The frame of the map, which is the default.
 std::string DispatchRequests::knownFrame() const {
   if (!map_said_.empty()) return map_said_;
   const std::string of_map = map_frame_ ? map_frame_() : std::string();
@@ -110,7 +110,7 @@ void DispatchRequests::readByService(const wire::ErrandPtr& errand, ProjectionsR
 
 void DispatchRequests::project(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
                                OutcomeTo<std::vector<map::Projection>> reply) {
-  // A dispatcher looks a frame without a name up in vain.
+  // A dispatcher cannot look up an empty frame name.
   const auto lacks_frame = [](const map::Projection& one) { return one.frame.empty(); };
   if (std::none_of(wanted.begin(), wanted.end(), lacks_frame)) return projectNow(errand, wanted, reply);
   const auto set_in = [this, errand, wanted, reply,
@@ -129,7 +129,7 @@ void DispatchRequests::project(const wire::ErrandPtr& errand, const std::vector<
     projectNow(errand, whole, reply);
   };
   if (!knownFrame().empty()) return set_in(Outcome<std::vector<map::Projection>>());
-  // What is projected by now says in which one.
+  // The present projections tell which frame is used.
   if (tellsProjections()) return readByService(errand, set_in);
   awaitProjected(errand, set_in);
 }
@@ -145,7 +145,7 @@ void DispatchRequests::projectNow(const wire::ErrandPtr& errand, const std::vect
   const int count = int(std::min<std::size_t>(wanted.size(), kMostProjected));
   for (int index = 0; index < count; ++index) watch->awaited.insert(index);
   std::erase_if(left_, [count](const auto& left) { return left.first < count; });
-  // A topic may tell before the service answers.
+  // A topic may report before the service answers.
   watches_.push_back(watch);
   if (std::exchange(told_, count) != count) Q_EMIT topicsChanged();
   ask(errand, DispatchService::ChangeProjections, projectionArgs(wanted), patience_.projections,
@@ -155,7 +155,7 @@ void DispatchRequests::projectNow(const wire::ErrandPtr& errand, const std::vect
           return watch->reply(fail(std::move(answer.error())));
         }
         watch->answered = true;
-        // Topics of what is not projected any more may be there for long, as somebody listens.
+        // Topics of former projections may stay while somebody subscribes.
         watch->looked = found_.projected.empty();
         setMost(count);
         Q_EMIT lookWanted();

@@ -28,7 +28,7 @@ bool isAbout(const std::vector<map::Projection>& wanted, const ProjectedPart& pa
          std::abs(one.min_z_m - told.min_z_m) <= kNearM && std::abs(one.max_z_m - told.max_z_m) <= kNearM;
 }
 
-/// One message and the same message, sent again, have the same one.
+/// Identifies a message, so that repetitions are recognised.
 QByteArray markOf(const ProjectedPart& part, const Field& msg) {
   constexpr qsizetype kHeader = 2'000;
   QCryptographicHash hash(QCryptographicHash::Sha1);
@@ -42,7 +42,7 @@ QByteArray markOf(const ProjectedPart& part, const Field& msg) {
   return hash.result();
 }
 
-/// By what servers say of a call of something that is not there.
+/// Recognises the error for a missing service.
 bool saysNotThere(const CallAnswer& answer) {
   return answer.kind == CallAnswer::Kind::Refused && answer.words.find("does not exist") != std::string::npos;
 }
@@ -69,7 +69,7 @@ void DispatchRequests::take(FoundDispatch found) {
   });
   if (found == found_) return looked();
   const bool other_offers = found.offers() != found_.offers();
-  // Somebody else has set more since.
+  // Someone else has set more since.
   for (const auto& [index, topic] : found.projected) {
     if (most_ && index >= *most_ && !found_.projected.contains(index)) most_.reset();
   }
@@ -77,7 +77,7 @@ void DispatchRequests::take(FoundDispatch found) {
   found_ = std::move(found);
   const bool setting =
       std::any_of(watches_.begin(), watches_.end(), [](const WatchPtr& watch) { return watch->changed; });
-  // What the server tells is more than what was expected, unless the robot is about to do it.
+  // The server lists more than expected, unless the robot is about to change it.
   const bool tells = !found_.projected.empty() || (found_.topics_told && told_some);
   if (tells && !setting) told_ = 0;
   if (tells || found_.topics_told)
@@ -144,7 +144,7 @@ std::map<int, std::string> DispatchRequests::projectedTopics() const {
   for (const auto& [index, topic] : found_.projected) {
     if (!most_ || index < std::max(*most_, told_)) all[index] = topic.name;
   }
-  // By their usual names: those that should be there; and where nobody tells, one after another.
+  // By their usual names: those that should exist; and if topics are not listed, one after the other.
   for (int index = 0; index < std::min(told_, kMostProjected); ++index)
     all.try_emplace(index, projectedTopic(wish_, index));
   if (const auto next = tried()) {
@@ -188,7 +188,7 @@ std::optional<Fault> DispatchRequests::hearProjected(int index, const Field& msg
   const auto part = std::make_shared<const ProjectedPart>(std::move(*read));
   const QByteArray mark = markOf(*part, msg);
   const auto left = left_.find(index);
-  // A topic that nobody uses any more goes on saying what it said last.
+  // An unused topic repeats its last message.
   const bool of_before = left != left_.end() && left->second == mark;
   if (!of_before) {
     left_.erase(index);
@@ -216,7 +216,7 @@ void DispatchRequests::tellExtent() {
   std::optional<map::GridReference> now;
   for (const auto& [topic, extent] : extents_) {
     if (now && *now != extent) {
-      now.reset();  // which of them is the map's is not known
+      now.reset();  // it is unknown which one belongs to the map
       break;
     }
     now = extent;

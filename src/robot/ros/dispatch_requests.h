@@ -1,5 +1,5 @@
-// A map dispatcher behind a rosbridge server: what it is asked, what its topics tell. Lives on the link's
-// thread, where answers are read, too. Source: docs/protocols/rep130-map-dispatcher.md.
+// The requests to a map dispatcher behind a rosbridge server, and its topics. Lives on the link's thread,
+// where answers are parsed, too. Source: docs/protocols/rep130-map-dispatcher.md.
 #pragma once
 
 #include <chrono>
@@ -27,33 +27,33 @@ struct DispatchPatience {
   std::chrono::milliseconds whole{300'000};
   std::chrono::milliseconds save{120'000};
   std::chrono::milliseconds projections{15'000};
-  /// For the topics to show what has been set, where nothing else tells.
+  /// Time for the topics to show a change, if nothing else confirms it.
   std::chrono::milliseconds settles{2'500};
 };
 
 class DispatchRequests : public QObject {
   Q_OBJECT
  public:
-  /// `map_frame` tells the frame of the robot's map; empty while it is not known.
+  /// `map_frame` returns the frame of the robot's map; empty while unknown.
   DispatchRequests(net::rosbridge::Client& client, DispatchWish wish, DispatchPatience patience,
                    std::function<std::string()> map_frame);
 
-  /// What there is, as far as the server tells.
+  /// The dispatcher that was found.
   void take(FoundDispatch found);
   /// The connection is lost: what waits for topics waits no more.
   void lose() { waits_.drop(); }
   /// Another connection: perhaps another robot.
   void beginAnew();
   const FoundDispatch& found() const { return found_; }
-  /// The projected maps that have come, by number.
+  /// The projected maps received so far, by index.
   const std::map<int, std::shared_ptr<const ProjectedPart>>& projected() const { return projected_; }
-  /// The topics that are to be subscribed to.
+  /// The topics to subscribe to.
   std::vector<FoundTopic> topics() const;
-  /// That one of them that is asked for by its usual name, as nobody tells whether it is there; or empty.
+  /// The topic that is subscribed by its usual name, without knowing whether it exists; or empty.
   std::string triedTopic() const;
-  /// A message of one of these; else nothing. Why it cannot be read.
+  /// Handles a message of one of these topics. Returns why it cannot be read.
   std::optional<Fault> hear(const std::string& topic, const Field& msg);
-  /// The map that somebody subscribed to has come.
+  /// A subscribed map has arrived.
   void sawMap(const std::string& fingerprint);
 
   void grid(const wire::ErrandPtr& errand, const std::optional<map::GridRegion>& region,
@@ -62,7 +62,7 @@ class DispatchRequests : public QObject {
              OutcomeTo<std::shared_ptr<const map::SpatialCloud>> reply);
   void save(const wire::ErrandPtr& errand, const std::string& filename, OutcomeTo<std::string> reply);
   void projections(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::Projection>> reply);
-  /// Ends when each projected map that there is a topic of has come, or has been waited for.
+  /// Ends when each projected map with a topic has arrived, or was waited for.
   void awaitProjected(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::Projection>> reply);
   void project(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
                OutcomeTo<std::vector<map::Projection>> reply);
@@ -74,14 +74,14 @@ class DispatchRequests : public QObject {
   void mapChanged();
   void projectedCame(const std::shared_ptr<const mapwright::robot::ProjectedPart>& part);
   void projectedGone(int index);
-  /// What the topics tell of the size of the map; where they differ, nothing.
+  /// The map size reported by the topics; nothing if they disagree.
   void extentTold(const std::optional<mapwright::map::GridReference>& extent);
-  /// Which topics have told nothing as long as somebody has waited for them; told before he is answered.
+  /// Topics that sent nothing while somebody waited for them; emitted before the answer.
   void projectedSilent(const QStringList& topics);
 
  private:
   using ProjectionsReply = OutcomeTo<std::vector<map::Projection>>;
-  /// Somebody who waits for topics to tell what is projected.
+  /// A request that waits until the topics show the projections.
   struct Watch {
     wire::ErrandPtr errand;
     ProjectionsReply reply;
@@ -125,15 +125,15 @@ class DispatchRequests : public QObject {
   FoundDispatch found_;
   std::set<std::string> not_there_;  // services that were tried
   std::map<int, std::shared_ptr<const ProjectedPart>> projected_;
-  int told_ = 0;                             // how many projections there should be
-  std::optional<int> most_;                  // so many were set: what is beyond them is of before
-  std::map<int, QByteArray> marks_;          // of the messages that came last
-  std::map<int, QByteArray> left_;           // those of before, which a topic may say once more
-  bool tries_waited_ = false;                // for what is asked for by its usual name
+  int told_ = 0;                             // expected number of projections
+  std::optional<int> most_;                  // the number that was set: maps beyond it are outdated
+  std::map<int, QByteArray> marks_;          // of the latest messages
+  std::map<int, QByteArray> left_;           // of the previous messages, which a topic may repeat
+  bool tries_waited_ = false;                // for the one subscribed by its usual name
   std::string map_said_, projections_said_;  // their frames
   std::function<std::string()> map_frame_;
   std::map<std::string, QByteArray> seen_;             // metadata by topic
-  std::map<std::string, map::GridReference> extents_;  // those that are a size
+  std::map<std::string, map::GridReference> extents_;  // the valid ones
   std::optional<map::GridReference> extent_;           // as it was told last
   std::string seen_map_;                               // fingerprint
   std::list<WatchPtr> watches_;

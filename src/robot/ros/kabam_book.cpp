@@ -71,7 +71,7 @@ std::vector<KabamMap> KabamBook::maps() const {
   for (const KabamMap& map : active_.value_or(std::vector<KabamMap>{})) {
     if (!has(all, map.id) && !(archived_ && has(*archived_, map.id))) all.push_back(map);
   }
-  // One that is being made may stand in no list yet.
+  // A map being made may not be listed yet.
   if (current_ && !current_->map.id.empty() && !has(all, current_->map.id) &&
       !(archived_ && has(*archived_, current_->map.id)))
     all.push_back(current_->map);
@@ -116,7 +116,7 @@ std::optional<map::CatalogueEntry> KabamBook::entry(const std::string& id) const
 std::optional<StoredWaypoints> KabamBook::waypoints(const std::string& fixed_frame) const {
   if (!waypoints_frame_ || !current_ || waypoints_lag_) return std::nullopt;
   auto stored = readWaypoints(waypoints_, current_->map.id, fixed_frame);
-  // Of another map alone: the topic has not followed the change of maps yet.
+  // Only of another map: the topic has not followed the change of maps yet.
   Field rows = waypoints_["waypoints"];
   if (stored && stored->points.empty() && stored->notes.empty() && rows.size() > 0) return std::nullopt;
   return stored;
@@ -125,7 +125,7 @@ std::optional<StoredWaypoints> KabamBook::waypoints(const std::string& fixed_fra
 map::MapInfo KabamBook::mapInfo() const {
   map::MapInfo info;
   if (!current_) return info;
-  // As the catalogue calls it.
+  // With the name from the catalogue.
   const auto listed = entry(current_->map.id);
   info.name = listed ? listed->name : calledOf(current_->map);
   info.uid = current_->map.id;

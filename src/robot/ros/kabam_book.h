@@ -1,5 +1,5 @@
-// What a KABAM map manager has told by its latched topics: its maps, the current one, its waypoints. Pure.
-// Source: docs/protocols/kabam-map-manager.md, "Topics".
+// The state reported by a KABAM map manager on its latched topics: its maps, the current one, its waypoints.
+// Pure. Source: docs/protocols/kabam-map-manager.md, "Topics".
 #pragma once
 
 #include <memory>
@@ -15,40 +15,40 @@ namespace mapwright::robot::ros {
 
 class KabamBook {
  public:
-  /// Of the topics below this ("/map_manager").
+  /// Sets their namespace ("/map_manager").
   void setPlace(std::string place) { place_ = std::move(place); }
   const std::string& place() const { return place_; }
   std::vector<std::string> topics() const;
 
   struct Taken {
-    bool own = false;      // the topic is one of these
+    bool own = false;      // it is one of these topics
     bool readable = true;  // and was understood
-    bool maps = false;     // the list of maps, or which is the current one, is another
+    bool maps = false;     // the list of maps, or the current one, has changed
     bool waypoints = false;
   };
   Taken take(const std::string& topic, const std::shared_ptr<const net::rosbridge::Frame>& frame,
              const Field& msg);
   void forget();
 
-  /// Both lists and the current one have come.
+  /// Both lists and the current map have arrived.
   bool listed() const { return active_ && archived_ && current_; }
-  /// Enough for a list, should the rest stay silent.
+  /// Enough for a list if the rest stays silent.
   bool partlyListed() const { return active_.has_value() || archived_.has_value(); }
-  /// Each map once: the active ones, then the archived ones. What stands in both lists is archived.
+  /// Each map once: first the active ones, then the archived ones. Maps in both lists count as archived.
   std::vector<KabamMap> maps() const;
   std::optional<KabamMap> find(const std::string& id) const;
   std::vector<map::CatalogueEntry> entries() const;
   std::optional<map::CatalogueEntry> entry(const std::string& id) const;
   const std::optional<KabamCurrent>& current() const { return current_; }
   bool isMapping() const { return current_ && current_->state == "MAPPING"; }
-  /// IDLE, MAPPING, ACTIVE, or whatever it says; empty while nothing is known.
+  /// IDLE, MAPPING, ACTIVE, or any other value; empty while unknown.
   std::string state() const { return current_ ? current_->state : std::string(); }
   bool isCurrent(const std::string& id) const { return current_ && !id.empty() && current_->map.id == id; }
-  /// Those of the current map; nullopt while the topic has not told them, or lags.
+  /// Those of the current map; nullopt while the topic has not sent them, or lags.
   std::optional<StoredWaypoints> waypoints(const std::string& fixed_frame) const;
-  /// The topic lags behind what the robot answers: what it tells is no longer taken for how they are.
+  /// The topic lags behind the robot's answers: its data is ignored for now.
   void distrustWaypoints() { waypoints_lag_ = true; }
-  /// The current map for the screen.
+  /// The current map for display.
   map::MapInfo mapInfo() const;
 
  private:

@@ -1,4 +1,4 @@
-// What a robot with a KABAM map manager can be asked for besides. On the thread of the robot.
+// The additional capabilities of a robot with a KABAM map manager. On the thread of the robot.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ class KabamWaypointStore : public WaypointStore {
   Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) override;
   std::vector<WaypointRequest> plan(const StoredWaypoints& now,
                                     const std::vector<WaypointChange>& changes) const override;
-  /// As it is going to be sent, but for the frame of created ones, which only the link knows.
+  /// As it will be sent, except for the frame of created waypoints, which only the link knows.
   WaypointCall callOf(const map::MapKey& map, const WaypointRequest& request) const override;
   Call perform(const map::MapKey& map, const WaypointRequest& request,
                OutcomeTo<WaypointReceipt> reply) override;

@@ -1,4 +1,4 @@
-// How requests about maps may end besides. Private to this room.
+// Further failures of changes to a map manager's data. Private to this room.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ namespace mapwright::robot::ros {
 map::Failure unsupported(map::Subject subject, Fault cause = {});
 /// The robot said that it was done, and does not show it.
 map::Failure unconfirmed(map::Subject subject, std::chrono::milliseconds within);
-/// The change went out; whether it was made is not known.
+/// The change was sent; whether it was made is unknown.
 map::Failure cancelled(map::Subject subject);
 
 }  // namespace mapwright::robot::ros

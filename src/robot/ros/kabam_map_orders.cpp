@@ -1,4 +1,4 @@
-// KabamRequests: the maps, changed. Source: docs/protocols/kabam-map-manager.md, "Services".
+// KabamRequests: changes of maps. Source: docs/protocols/kabam-map-manager.md, "Services".
 #include <utility>
 
 #include "robot/ros/kabam_failures.h"
@@ -35,7 +35,7 @@ const char* serviceOf(MapChange change) {
 QByteArray argsOf(const MapOrder& order, const KabamMap& map) {
   switch (order.change) {
     case MapChange::Rename:
-      // An archived map stays archived, whoever reads the flag.
+      // An archived map stays archived, however the flag is interpreted.
       return updateMapArgs(map, order.name, map.archived, false);
     case MapChange::Archive:
     case MapChange::Unarchive:
@@ -78,7 +78,7 @@ struct KabamRequests::Ordered {
   MapOrder order;
   OutcomeTo<map::CatalogueEntry> reply;
   map::CatalogueEntry before;  // of one map
-  std::string id;              // that was saved, as the robot said
+  std::string id;              // of the saved map, as reported
   map::Subject subject() const {
     return isOfOneMap(order.change) ? map::subjectOf(order.key, before.name)
                                     : map::Subject(map::SubjectKind::Catalogue, map::kMapsPart);
@@ -154,7 +154,7 @@ void KabamRequests::sendOrder(const wire::ErrandPtr& errand, const std::shared_p
              answered ? resultOf(ordered->order, answer.values, subject)
                       : std::optional(failed(answer, subject, map::AskedFor::Change));
          if (answered) ordered->id = answer.values["map_id"].text();
-         // What was asked for holds already.
+         // The requested state is already present.
          if (failure && failure->robot_code == kAlreadyLoaded && ordered->order.change == MapChange::Load &&
              ordered->holds(book_))
            failure.reset();

@@ -26,7 +26,7 @@ using words::text;
 
 QByteArray compact(const QJsonObject& object) { return QJsonDocument(object).toJson(QJsonDocument::Compact); }
 
-/// The value as it came.
+/// The value as received.
 QJsonValue jsonOf(const Field& field) {
   if (field.isObject()) {
     QJsonObject object;
@@ -59,7 +59,7 @@ std::optional<double> timeOf(const Field& field) {
 
 std::optional<KabamMap> rowOf(const Field& row, bool archived) {
   KabamMap map{row["map_id"].text(), row["map_name"].text(), row["map_label"].text(), archived};
-  // Ids are texts; a manager that numbers its maps says so in digits.
+  // Ids are texts; a manager that numbers its maps sends digits.
   if (map.id.empty()) {
     if (const auto number = row["map_id"].integer()) map.id = std::to_string(*number);
   }
@@ -91,7 +91,7 @@ struct ReadWaypoint {
   bool zero_turn = false;
 };
 
-/// A row as a waypoint; nullopt: it has no place.
+/// A row as a waypoint; nullopt: it has no position.
 std::optional<ReadWaypoint> waypointOf(const Field& row) {
   ReadWaypoint read;
   map::Waypoint& point = read.point;
@@ -135,7 +135,7 @@ std::optional<KabamCurrent> readMapInfo(const Field& msg) {
 
 std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string& map_id,
                                              const std::string& fixed_frame) {
-  // A topic's message is the list; an answer may hold it in a message of its own.
+  // A topic's message is the list; an answer may nest it in another message.
   Field rows = msg["waypoints"];
   if (rows.isObject()) rows = rows["waypoints"];
   if (!rows.isList()) return std::nullopt;
@@ -162,7 +162,7 @@ std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string
     } else if (!ids.insert(point->id).second) {
       note(robot::wire::fault::WaypointIdTwice, {point->id});
     } else {
-      // Without a map nobody says which frame is its own: it is usually called so.
+      // Without a map its frame is unknown: this is the usual name.
       if (!frame.empty() && fixed_frame.empty() && frame != "map")
         note(fault::WaypointFrameUnknown, {point->name.empty() ? point->id : point->name, frame});
       if (read->zero_turn) stored.zero_turns.insert(point->id);
@@ -187,7 +187,7 @@ std::string revisionOf(const std::vector<map::Waypoint>& points) {
 QByteArray waypointJson(const map::Waypoint& point, const std::string& id, const std::string& map_id,
                         const std::string& fixed_frame) {
   QJsonObject message = QJsonDocument::fromJson(QByteArray::fromStdString(point.source)).object();
-  // One that was copied, or comes out of a file, has a source of another kind.
+  // A copied one, or one from a file, has another kind of source.
   if (!message.value(QLatin1String("pose")).isObject()) message = {};
   const bool came = !message.isEmpty();
   QJsonObject pose = message.value(QLatin1String("pose")).toObject();
@@ -235,14 +235,14 @@ QByteArray loadMapArgs(const std::string& map_id, const std::string& waypoint_na
 }
 
 QByteArray updateMapArgs(const KabamMap& map, const std::string& label, bool archived, bool delete_map) {
-  // The header is left to the server: those of ROS 1 and ROS 2 differ, and what is omitted is zero.
+  // The server fills in the header: those of ROS 1 and ROS 2 differ, and omitted members are zero.
   const QJsonObject no_image{{QStringLiteral("height"), 0},
                              {QStringLiteral("width"), 0},
                              {QStringLiteral("encoding"), QString()},
                              {QStringLiteral("is_bigendian"), 0},
                              {QStringLiteral("step"), 0},
                              {QStringLiteral("data"), QString()}};
-  // All flags, whichever the service looks at.
+  // All flags, whichever the service uses.
   return compact({{QStringLiteral("map_id"), text(map.id)},
                   {QStringLiteral("updated_image"), no_image},
                   {QStringLiteral("new_map_label"), text(label)},

@@ -1,4 +1,4 @@
-// The messages of KABAM's MapManagerV2, read and written. Pure. Source: docs/protocols/kabam-map-manager.md,
+// Reads and writes the messages of KABAM's MapManagerV2. Pure. Source: docs/protocols/kabam-map-manager.md,
 // "Topics", "Services".
 #pragma once
 
@@ -24,44 +24,43 @@ struct KabamMap {
   bool operator==(const KabamMap&) const = default;
 };
 struct KabamCurrent {
-  KabamMap map;       // its id may be empty: there is none
-  std::string state;  // IDLE, MAPPING, ACTIVE, or whatever it says
+  KabamMap map;       // its id may be empty: no map
+  std::string state;  // IDLE, MAPPING, ACTIVE, or any other value
   std::optional<double> created_s, updated_s;
   bool operator==(const KabamCurrent&) const = default;
 };
 
-/// What people call it: its label, else its name.
+/// The displayed name: its label, otherwise its name.
 const std::string& calledOf(const KabamMap& map);
 
-/// nullopt: it is no MapList. Rows without an id are left out.
+/// nullopt: not a MapList. Rows without an id are skipped.
 std::optional<std::vector<KabamMap>> readMapList(const Field& msg, bool archived);
 std::optional<KabamCurrent> readMapInfo(const Field& msg);
 
-/// MapWaypointList as waypoints of the map `map_id`, in the frame `fixed_frame`; nullopt: it is none. Left
-/// out, with a note: those without id or place, the second of an id, those in another frame. Those of another
-/// map are left out silently.
+/// MapWaypointList as waypoints of the map `map_id`, in the frame `fixed_frame`; nullopt: not a list. Skipped
+/// with a note: those without id or position, duplicates of an id, those in another frame. Those of another
+/// map are skipped silently.
 std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string& map_id,
                                              const std::string& fixed_frame);
-/// What tells one list from another.
+/// Identifies the version of a list.
 std::string revisionOf(const std::vector<map::Waypoint>& points);
 
-/// A whole MapWaypoint: what is not changed goes back as it came, a zero orientation that nobody has turned
-/// as well. `id` empty = it is to be created.
+/// A complete MapWaypoint: unchanged fields are sent back as received, including a zero orientation that was
+/// not edited. `id` empty = create it.
 QByteArray waypointJson(const map::Waypoint& point, const std::string& id, const std::string& map_id,
                         const std::string& fixed_frame);
-/// The arguments of ManageWaypoint, GetWaypoint, LoadMap and UpdateMap, whole.
+/// The complete arguments of ManageWaypoint, GetWaypoint, LoadMap and UpdateMap.
 QByteArray manageWaypointArgs(const QByteArray& waypoint, bool delete_waypoint);
 /// `waypoint_id`: one of them; empty = all.
 QByteArray getWaypointArgs(const std::string& map_id, const std::string& waypoint_id = {});
 QByteArray loadMapArgs(const std::string& map_id, const std::string& waypoint_name);
-/// `label`: what it is called from now on; empty = nothing is said of that.
+/// `label`: the new name; empty = unchanged.
 QByteArray updateMapArgs(const KabamMap& map, const std::string& label, bool archived, bool delete_map);
-/// The same with a picture of mono8, up to where its base64 begins; `"}}` ends it.
+/// The same with a mono8 picture, up to the start of its base64; `"}}` ends it.
 QByteArray updateImageHead(const KabamMap& map, int width, int height);
 QByteArray saveMapArgs(const std::string& name);
 
-/// Whether both are the same place with the same name, as far as that can be told of numbers that have
-/// travelled.
+/// Whether both have the same position and name, within the precision of transmitted numbers.
 bool sameBesidesTags(const map::Waypoint& a, const map::Waypoint& b);
 
 }  // namespace mapwright::robot::ros

@@ -32,7 +32,7 @@ std::string pgmHead(int width, int height) {
   return "P5\n" + std::to_string(width) + ' ' + std::to_string(height) + "\n255\n";
 }
 
-/// Rows `from` to before `to` of one band of tiles, side by side.
+/// Rows `from` to `to` (exclusive) of one band of tiles, joined.
 std::vector<std::uint8_t> rowsOf(const grids::GridPyramid& cells, int from, int to) {
   const std::size_t width = std::size_t(cells.width());
   std::vector<std::uint8_t> rows(width * std::size_t(to - from), grids::kUnknownOccupancy);
@@ -77,7 +77,7 @@ qint64 PictureArgs::bytes() const {
   return head_.size() + (cells + 2) / 3 * 4 + kTailBytes;
 }
 
-/// Whole threes of what was made, and the rest of it waits.
+/// Complete groups of three; the rest waits.
 std::optional<QByteArray> PictureArgs::next() {
   if (between_ || !wanted_()) return std::nullopt;
   QByteArray text = std::exchange(began_, true) ? QByteArray() : head_;

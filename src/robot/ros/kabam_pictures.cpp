@@ -13,7 +13,7 @@ namespace {
 using net::rosbridge::CallAnswer;
 using std::chrono::milliseconds;
 
-/// Slower than this nobody has waited for a map in the first place.
+/// The expected minimum speed.
 constexpr std::int64_t kBytesPerMs = 1024;
 
 map::Failure unfit(const map::Subject& subject, Fault cause) {
@@ -57,7 +57,7 @@ void KabamPictures::write(const wire::ErrandPtr& errand, const PictureChange& ch
 }
 
 void KabamPictures::readAgain(const WritingPtr& writing) {
-  // Where it is listened to already, what came last may be all that comes: it is to be told once more.
+  // If it is already subscribed, there may be no further message: request it again.
   means_.live_map.forget();
   means_.ask_again();
   writing->listening = means_.live_map.listen();
@@ -103,7 +103,7 @@ void KabamPictures::send(const WritingPtr& writing) {
   writing->args =
       std::make_shared<PictureArgs>(map, writing->change.cells, [this, asked = std::weak_ptr(writing)] {
         const WritingPtr now = asked.lock();
-        // What somebody else changes while this one travels is not written over: no part of it counts.
+        // Changes by others during the upload are not overwritten silently.
         if (now) now->changed_meanwhile = conflict(*now).has_value();
         return now && !now->changed_meanwhile;
       });
@@ -141,7 +141,7 @@ void KabamPictures::takeAnswer(const WritingPtr& writing, const CallAnswer& answ
   end(writing, fail(*writing->doubt));
 }
 
-/// Waits for the map to show it; halfway it is asked for once more, in case that it is not sent by itself.
+/// Waits for the map to show it; requests it once more half-way, in case it is not sent automatically.
 void KabamPictures::confirm(const WritingPtr& writing) {
   writing->within = patience_.confirm + timeFor(*writing->change.cells);
   writing->confirming = true;

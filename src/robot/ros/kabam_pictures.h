@@ -1,4 +1,4 @@
-// The picture of the map that a KABAM robot works with, replaced. On the link's thread. Source:
+// Replaces the picture of a KABAM robot's current map. On the link's thread. Source:
 // docs/protocols/kabam-map-manager.md, "Pictures".
 #pragma once
 
@@ -21,13 +21,13 @@
 
 namespace mapwright::robot::ros {
 
-/// The picture is read again, compared with what the change was made of, sent, and read back: all by the
-/// topic that brings the map. Nobody else can lock it, so what is changed between the two is found
+/// Reads the picture again, compares it with the version that was edited, sends the new one and reads it
+/// back, all through the map's topic. There is no locking, so a change by others in between is only found
 /// afterwards.
 class KabamPictures : public QObject {
   Q_OBJECT
  public:
-  /// What it asks for; all of it outlives this. `ask_again`: the map's topic is to bring its map once more.
+  /// What it uses; all of it outlives this. `ask_again`: requests the map's topic once more.
   struct Means {
     net::rosbridge::Client& client;
     KabamRequests& requests;
@@ -57,7 +57,7 @@ class KabamPictures : public QObject {
     std::shared_ptr<void> listening;
     std::shared_ptr<PictureArgs> args;
     bool changed_meanwhile = false;
-    std::optional<map::Failure> doubt;  // what it ends in, should the map not show it
+    std::optional<map::Failure> doubt;  // the failure, unless the map shows the change
     std::chrono::milliseconds within{0};
     bool confirming = false;
     map::Subject subject() const { return map::subjectOf(change.map, name); }

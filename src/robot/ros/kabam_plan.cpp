@@ -24,7 +24,7 @@ map::Waypoint called(map::Waypoint point, const std::string& name) {
   return point;
 }
 
-/// Who is called how at each step, and every name that is or will be there.
+/// The names at each step, and all present and future names.
 class Names {
  public:
   void reserve(const std::string& name) { taken_.insert(name); }
@@ -41,7 +41,7 @@ class Names {
     names_.erase(known);
   }
   const std::set<std::string>& holders(const std::string& name) { return holders_[name]; }
-  /// "Dock ~1", such that nobody is, or will be, called so.
+  /// "Dock ~1", a name that is not and will not be used.
   std::string freeName(const std::string& like) const {
     std::string name;
     for (int n = 1; name.empty() || taken_.contains(name); ++n) name = map::temporaryName(like, n);
@@ -54,7 +54,7 @@ class Names {
   std::unordered_set<std::string> taken_;
 };
 
-/// Renames such that no name is used twice on the way. Their number costs no more than a sort.
+/// Orders renames so that no name is used twice at any time. Costs no more than a sort.
 std::vector<WaypointChange> inOrder(std::vector<WaypointChange> renamed, Names& names) {
   std::unordered_map<std::string, std::size_t> waiting;                   // by id
   std::unordered_map<std::string, std::vector<std::size_t>> wishing_for;  // by name
@@ -64,7 +64,7 @@ std::vector<WaypointChange> inOrder(std::vector<WaypointChange> renamed, Names& 
     wishing_for[renamed[i].after->name].push_back(i);
     left.insert(i);
   }
-  // One whose name is free, or held by somebody who will not let go: that the robot has to refuse.
+  // One whose name is free, or held permanently by another: that one the robot has to refuse.
   const auto look = [&](std::size_t i) {
     const auto& holders = names.holders(renamed[i].after->name);
     const bool held =
@@ -89,7 +89,7 @@ std::vector<WaypointChange> inOrder(std::vector<WaypointChange> renamed, Names& 
       for (const std::string& name : {freed, taken}) lookAtThoseFor(name);
       continue;
     }
-    // They wait for one another in a ring: the first steps aside.
+    // They form a cycle: the first gets a temporary name.
     WaypointChange& first = renamed[*left.begin()];
     const std::string freed = first.before->name;
     const map::Waypoint aside = called(*first.before, names.freeName(freed));

@@ -34,7 +34,7 @@ const map::Waypoint* find(const StoredWaypoints& stored, const std::string& id) 
   return found == stored.points.end() ? nullptr : &*found;
 }
 
-/// It is not kept as it was when the change of it was made.
+/// The stored waypoint differs from the one that the change was made for.
 std::optional<map::Failure> conflictIn(const StoredWaypoints& stored, const WaypointChange& change,
                                        const map::Subject& subject) {
   const map::Waypoint* const kept = find(stored, change.id);
@@ -157,8 +157,7 @@ void KabamRequests::perform(const wire::ErrandPtr& errand, const map::MapKey& ke
              });
 }
 
-// Somebody else may have been quicker. The topic does not tell: it may lag, and is about the current map
-// alone.
+// Someone else may have been faster. The topic may lag, and only covers the current map.
 void KabamRequests::lookFirst(const wire::ErrandPtr& errand, const map::MapKey& key,
                               const WaypointRequest& asked, OutcomeTo<WaypointReceipt> reply) {
   const std::string id = asked.changes.front().id;
@@ -169,7 +168,7 @@ void KabamRequests::lookFirst(const wire::ErrandPtr& errand, const map::MapKey& 
                                  ? readWaypoints(answer.values, key.id, fixed_frame_())
                                  : std::nullopt;
          if (!stored) {
-           // What was only looked at has changed nothing.
+           // A read-only request has changed nothing.
            map::Failure failure = failed(answer, subject);
            failure.asked_for = map::AskedFor::Change;
            failure.applied = map::Applied::No;
@@ -179,7 +178,7 @@ void KabamRequests::lookFirst(const wire::ErrandPtr& errand, const map::MapKey& 
            if (book_.isCurrent(key.id)) book_.distrustWaypoints();
            return reply(fail(*conflict));
          }
-         // What is not understood of it goes back as it is now.
+         // Unknown members are sent back unchanged.
          WaypointRequest fresh = asked;
          if (fresh.changes.front().after)
            fresh.changes.front().after->source = find(*stored, asked.changes.front().id)->source;
@@ -223,7 +222,7 @@ KabamRequests::Shown KabamRequests::shownIn(const StoredWaypoints& stored, Chang
   if (!what.after) return find(stored, what.id) ? Shown::NotYet : Shown::Done;
   const map::Waypoint* shown = find(stored, what.before ? what.id : change.id);
   if (!shown && !what.before) {
-    // Who created it did not say which one it is.
+    // The creator got no id in the answer.
     const auto found =
         std::find_if(stored.points.begin(), stored.points.end(),
                      [&](const map::Waypoint& point) { return sameBesidesTags(point, *what.after); });
@@ -255,10 +254,10 @@ void KabamRequests::confirm(const wire::ErrandPtr& errand, const ChangePtr& chan
       });
 }
 
-// Of a map that no topic tells of, or sooner than the topic does.
+// For a map without a topic, or faster than the topic.
 void KabamRequests::askWhetherShown(const wire::ErrandPtr& errand, const ChangePtr& change,
                                     std::optional<map::Failure> doubt) {
-  // One that is gone is asked for among all: nobody knows what is answered for it alone.
+  // A deleted one is looked up in the whole list: the answer for a missing id is undefined.
   const std::string id = !change->what.after   ? std::string()
                          : change->what.before ? change->what.id
                                                : change->id;

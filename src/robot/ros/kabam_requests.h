@@ -1,5 +1,5 @@
-// What a KABAM map manager can be asked for, on the link's thread. What it tells by its topics is the truth:
-// after a change they are waited for. Source: docs/protocols/kabam-map-manager.md.
+// Requests to a KABAM map manager, on the link's thread. Its topics are authoritative: after a change it
+// waits for them. Source: docs/protocols/kabam-map-manager.md.
 #pragma once
 
 #include <chrono>
@@ -21,12 +21,13 @@
 namespace mapwright::robot::ros {
 
 struct KabamPatience {
-  std::chrono::milliseconds call{10'000};     // for an answer
-  std::chrono::milliseconds read{60'000};     // for all waypoints of a map: there may be very many
-  std::chrono::milliseconds lists{5'000};     // for the first messages of the topics
-  std::chrono::milliseconds confirm{5'000};   // for the topics to show a change
-  std::chrono::milliseconds topic{2'000};     // for the topic of waypoints to, before they are asked for
-  std::chrono::milliseconds look_again{500};  // at waypoints that are asked for
+  std::chrono::milliseconds call{10'000};    // for an answer
+  std::chrono::milliseconds read{60'000};    // for all waypoints of a map: there may be very many
+  std::chrono::milliseconds lists{5'000};    // for the first messages of the topics
+  std::chrono::milliseconds confirm{5'000};  // for the topics to show a change
+  std::chrono::milliseconds topic{
+      2'000};  // for the waypoint topic to do so, before the waypoints are requested
+  std::chrono::milliseconds look_again{500};  // interval between requests for waypoints
 };
 
 class KabamRequests : public QObject {
@@ -61,13 +62,13 @@ class KabamRequests : public QObject {
   void waypointsChanged();
 
  private:
-  /// How a change stands in a list.
+  /// How far a change is visible in a list.
   enum class Shown { NotYet, OtherTags, Done };
   using Awaited = wire::WaitList::End;
   struct Change {
     map::MapKey key;
     WaypointChange what;
-    std::string id;  // of a created one, as the robot said; empty = by its name
+    std::string id;  // for a created one, as given by the robot; empty = compare the name
     OutcomeTo<WaypointReceipt> reply;
     std::chrono::steady_clock::time_point until;
     std::chrono::milliseconds pause{0};  // before they are asked for

@@ -1,4 +1,4 @@
-// The map that a ROS robot sends, for whoever asks for it as a whole. Lives on the link's thread.
+// The live map of a ROS robot, for requests for the whole map. Lives on the link's thread.
 #pragma once
 
 #include <chrono>
@@ -20,11 +20,11 @@ class LiveMap : public QObject {
   explicit LiveMap(std::chrono::milliseconds patience) : patience_(patience) {}
 
   void take(const map::GridMessage& grid);
-  /// What came is not what the robot works with any more.
+  /// The received map is no longer the robot's current one.
   void forget() { last_.reset(); }
   const std::optional<map::GridMessage>& last() const { return last_; }
-  /// The last map that came, or the next one, under that key and name.
-  /// `longer`: to wait than usual, for a large one.
+  /// The last map received, or the next one, under that key and name. `longer`: waits longer than usual, for
+  /// a large one.
   void fetch(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& name,
              OutcomeTo<map::WholeMap> reply, std::chrono::milliseconds longer = {});
   /// Somebody waits for it, or wants to hear of each.

@@ -7,9 +7,9 @@
 namespace mapwright::robot::ros {
 namespace {
 
-constexpr std::uint8_t kUnknownByte = 255;  // Mode::Raw takes all above 100 for unknown
+constexpr std::uint8_t kUnknownByte = 255;  // Mode::Raw treats everything above 100 as unknown
 
-/// A colour that cannot be seen at all was left out by its sender.
+/// A completely transparent colour means that none was set.
 std::optional<std::uint32_t> seen(std::uint32_t rgba) {
   return (rgba & 255) != 0 ? std::optional(rgba) : std::nullopt;
 }
@@ -130,7 +130,7 @@ std::optional<map::GroundDrawing> drawingOf(const Marker& marker, const Transfor
   };
   switch (marker.kind) {
     case Kind::Arrow: {
-      // Either two points say where it begins and ends, or it lies along x, as long as its scale says.
+      // Either two points give its ends, or it is along x with the length of its scale.
       const bool by_points = marker.points.size() == 2;
       const Eigen::Vector3d tail = by_points ? marker.points[0] : Eigen::Vector3d(0, 0, 0);
       const Eigen::Vector3d tip = by_points ? marker.points[1] : Eigen::Vector3d(marker.scale_m.x(), 0, 0);

@@ -7,7 +7,7 @@ namespace mapwright::robot::ros {
 
 void MarkerBoard::put(Row& row, const Marker& marker, double now_s) {
   row.until_s = marker.lifetime_s > 0 ? now_s + marker.lifetime_s : std::numeric_limits<double>::infinity();
-  // One that waits for its transform and is sent again waits on.
+  // One that waits for its transform and is sent again keeps waiting.
   const bool waits = row.since_s > 0 && (!row.placed || row.next);
   if (!waits) row.since_s = now_s;
   if (row.placed) {

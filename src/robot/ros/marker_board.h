@@ -1,4 +1,4 @@
-// The markers of one topic that are to be seen. Source: visualization_msgs/Marker (action, lifetime).
+// The visible markers of one topic. Source: visualization_msgs/Marker (action, lifetime).
 #pragma once
 
 #include <map>
@@ -11,27 +11,28 @@
 
 namespace mapwright::robot::ros {
 
-/// A value; time is handed in (seconds, any clock that goes on). At most kMost markers: what comes beyond
-/// that is not taken.
+/// A value; time is passed in (seconds, any monotonic clock). At most kMost markers: further ones are
+/// ignored.
 class MarkerBoard {
  public:
   static constexpr std::size_t kMost = 20'000;
 
-  /// ADD puts a marker or replaces the one of its namespace and number, DELETE takes it away, DELETEALL all.
+  /// ADD adds a marker or replaces the one with the same namespace and number, DELETE removes it, DELETEALL
+  /// all.
   void take(const std::vector<Marker>& markers, double now_s);
-  /// Takes away what has lived its time; true when anything has.
+  /// Removes expired markers; true if there were any.
   bool expire(double now_s);
-  /// When the next one has lived its time; infinity: none will.
+  /// When the next one expires; infinity: none will.
   double nextEnd() const;
   /// By namespace and number.
   std::vector<Marker> markers() const;
 
   struct Row {
     Marker marker;               // the one to be seen
-    std::optional<Marker> next;  // as it has been sent since, not placed yet
+    std::optional<Marker> next;  // the newer version, not placed yet
     double until_s = 0;
-    double since_s = 0;  // when the one that waits for its place was put
-    /// Where its frame lay in the fixed one when it was placed, and which one that was.
+    double since_s = 0;  // when the waiting one was added
+    /// The pose of its frame in the fixed frame when it was placed, and which fixed frame that was.
     std::optional<Transform3> placed;
     std::string fixed_frame;
   };

@@ -39,7 +39,7 @@ Eigen::Quaterniond quaternionOf(const Field& field) {
 PoseRead poseOf(const Field& field) {
   PoseRead read;
   read.pose.t_m = pointOf(field["position"]);
-  if (std::isnan(read.pose.t_m.z())) read.pose.t_m.z() = 0;  // of no concern in the plane
+  if (std::isnan(read.pose.t_m.z())) read.pose.t_m.z() = 0;  // irrelevant in the plane
   const Eigen::Quaterniond q = quaternionOf(field["orientation"]);
   const double length = q.norm();
   read.upright = !std::isfinite(length) || length < kShortestQuaternion;
@@ -65,7 +65,7 @@ bool PointList::add(double x_m, double y_m, double z_m, double intensity) {
 }
 
 Points PointList::points(Header header, bool bytes) && {
-  // 0..1, 0..255, or counts of the sensor's own without a known end.
+  // 0..1, 0..255, or counts of the sensor without a known maximum.
   const float scale = bytes || (brightest_ > 1 && brightest_ <= 255) ? 1
                       : brightest_ <= 1                              ? 255
                                                                      : 255 / brightest_;

@@ -1,5 +1,5 @@
-// What a map dispatcher projects onto the plane, as maps of the robot that are opened, compared and exported
-// like any other. Pure. Source: docs/protocols/rep130-map-dispatcher.md, "Projections".
+// The projected maps of a map dispatcher, as maps of the robot that can be opened, compared and exported.
+// Pure. Source: docs/protocols/rep130-map-dispatcher.md, "Projections".
 #pragma once
 
 #include <optional>
@@ -15,9 +15,9 @@ map::MapKey projectedKey(int index);
 /// The reverse; nullopt: the key of another map.
 std::optional<int> projectedIndex(const map::MapKey& key);
 
-/// Its name tells the heights: "projected_map_0: z 0.10 … 1.80 m".
+/// Its name includes the heights: "projected_map_0: z 0.10 … 1.80 m".
 map::CatalogueEntry entryOf(const ProjectedPart& projected);
-/// `in_map`: the pose of its frame in that of the map. Of at least one cell.
+/// `in_map`: the pose of its frame in that of the map. It must have at least one cell.
 map::WholeMap wholeMapOf(const ProjectedPart& projected, const Transform3& in_map);
 
 }  // namespace mapwright::robot::ros

@@ -13,7 +13,7 @@
 namespace mapwright::robot::ros {
 namespace {
 
-/// Cells that are no bytes take eight times the memory while they are read.
+/// Cells that are not bytes need eight times the memory while they are read.
 constexpr std::size_t kMostOddCells = std::size_t(1) << 25;
 constexpr std::int8_t kUnknown = -1, kOccupied = 100;
 
@@ -21,7 +21,7 @@ constexpr std::int8_t kUnknown = -1, kOccupied = 100;
 
 Read<Cells> readCells(const Field& data, std::int64_t width, std::int64_t height, OddCells odd) {
   const std::size_t needed = std::size_t(width * height);
-  // Some of a list of the wrong length would be cells of other places. Servers may write no bytes as a text.
+  // With a wrong length, cells would be at wrong positions. Servers may send an empty list as a text.
   const bool none = needed == 0 && (data.isNull() || data.isText());
   if (none) return Cells{};
   if (!data.isList()) return fieldMissing("data");

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostRays = 10'000'000;
 constexpr std::size_t kMostCloudBytes = std::size_t(256) << 20;
-constexpr double kLongestSweepS = 5;  // beyond it, it is no time that one scan takes
+constexpr double kLongestSweepS = 5;  // longer is not a plausible scan time
 
 void noteThinned(Points& points, std::size_t came) {
   if (came <= kMostPoints) return;
@@ -69,7 +69,7 @@ Read<Points> readPointCloud2(const Field& msg) {
   if (!data) return fieldMissing("data");
   const std::size_t count = of.width * of.height;
   if (count > 0) {
-    // By division: the numbers of a message may be chosen so that their product is small again.
+    // With division: malicious sizes may overflow in a product.
     const std::size_t last_row = of.width * of.point_step;
     const bool rows_fit =
         last_row <= data->size() && of.height - 1 <= (data->size() - last_row) / of.row_step;

@@ -10,7 +10,7 @@
 namespace mapwright::robot::ros {
 namespace {
 
-constexpr std::int64_t kMostCells = std::int64_t(1) << 28;  // a frame of rosbridge holds no more
+constexpr std::int64_t kMostCells = std::int64_t(1) << 28;  // a rosbridge frame cannot hold more
 
 }  // namespace
 

@@ -36,14 +36,14 @@ Marker::Kind kindOf(std::int64_t type) {
       return Kind::Text;
     case 11:
       return Kind::Triangles;
-    case 12:  // arrows one after the other (newer ROS 2)
+    case 12:  // a chain of arrows (newer ROS 2)
       return Kind::LineStrip;
     default:
       return Kind::Other;
   }
 }
 
-/// 1 was never given a meaning.
+/// 1 has no meaning.
 std::optional<Marker::Action> actionOf(std::int64_t action) {
   if (action == 0) return Marker::Action::Add;
   if (action == 2) return Marker::Action::Delete;
@@ -60,7 +60,7 @@ std::uint32_t rgbaOf(const Field& color) {
   return rgba;
 }
 
-/// At most `most` points, with their colours where there are as many.
+/// At most `most` points, with their colours if there are as many.
 void readPoints(const Field& field, std::size_t most, Marker& marker) {
   std::vector<bool> taken;
   field["points"].each([&](const Field& item) {

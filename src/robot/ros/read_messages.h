@@ -1,10 +1,9 @@
-// The messages of ROS that show something on a map, as values in their own frame. Names of members are those
-// of ROS 1 and ROS 2, which are the same where anything is read from. Source: nav_msgs, map_msgs,
-// geometry_msgs, sensor_msgs, tf2_msgs, visualization_msgs; rosbridge v2 ("JSON details": NaN and infinities
-// come as null).
-//
-// Pure; any thread. Nothing of a message is trusted: what is missing or absurd is a Fault that names
-// the field, sizes are checked before memory is taken, texts are plain and untrusted.
+// The ROS messages that show something on a map, as values in their own frame. Member names are those of ROS
+// 1 and ROS 2, which agree for everything that is read here. Source: nav_msgs, map_msgs, geometry_msgs,
+// sensor_msgs, tf2_msgs, visualization_msgs; rosbridge v2 ("JSON details": NaN and infinities arrive as
+// null).
+// Pure; any thread. Messages are untrusted: missing or absurd values give a Fault that names the field, sizes
+// are checked before memory is allocated, texts are plain and untrusted.
 #pragma once
 
 #include <cstddef>
@@ -29,8 +28,8 @@ using net::rosbridge::Field;
 template <class T>
 using Read = tl::expected<T, Fault>;
 
-/// std_msgs/Header. The frame without a leading slash, empty where there is none. A stamp of 0 is none: to
-/// ROS it means "the latest".
+/// std_msgs/Header. The frame without a leading slash, empty if there is none. A stamp of 0 counts as none:
+/// in ROS it means "the latest".
 struct Header {
   std::string frame;
   std::optional<double> stamp_s;
@@ -46,7 +45,7 @@ struct Grid {
   std::vector<Fault> notes;        // what is odd about it
 };
 
-/// map_msgs/OccupancyGridUpdate: a rectangle of a grid that was sent before, from the cell (x, y) on.
+/// map_msgs/OccupancyGridUpdate: a rectangle of an earlier grid, starting at the cell (x, y).
 struct GridPatch {
   Header header;
   int x = 0, y = 0, width = 0, height = 0;
@@ -58,11 +57,11 @@ struct GridPatch {
 struct Placed {
   Header header;
   geometry::Pose2 pose;
-  bool upright = false;     // its quaternion was zero or no number, which is read as yaw 0
-  std::string child_frame;  // of nav_msgs/Odometry: what is there; else empty
+  bool upright = false;     // its quaternion was zero or not a number; the yaw is 0
+  std::string child_frame;  // of nav_msgs/Odometry: the frame of the pose; otherwise empty
 };
 
-/// Poses in the plane that have one header.
+/// Poses in the plane with a common header.
 struct Poses {
   Header header;
   std::vector<geometry::Pose2> poses;  // at most kMostPoses
@@ -73,20 +72,20 @@ inline constexpr std::size_t kMostPoses = 10'000;
 struct Points {
   Header header;
   std::vector<map::CloudPoint> points;  // at most kMostPoints
-  std::size_t left_out = 0;             // no number, out of range, absurdly far
+  std::size_t left_out = 0;             // not a number, out of range, absurdly far away
   std::vector<Fault> notes;             // that it was thinned
-  /// Of a scan that was taken while time went on: how long, and when each point was (0..1 of it). The stamp
-  /// is that of its beginning. 0 and empty: all at once.
+  /// For a scan taken over some time: its duration, and the time of each point (0..1 of it). The stamp is
+  /// that of its beginning. 0 and empty: all at once.
   double sweep_s = 0;
   std::vector<float> when;
 };
 inline constexpr std::size_t kMostPoints = 2'000'000;
 
-/// A line or an outline. One of more than kMostOutlinePoints is thinned.
+/// A line or an outline, thinned beyond kMostOutlinePoints.
 struct Outline {
   Header header;
   map::Polyline points;
-  std::size_t left_out = 0;  // points that were no numbers
+  std::size_t left_out = 0;  // points that were not numbers
 };
 inline constexpr std::size_t kMostOutlinePoints = 100'000;
 
@@ -113,29 +112,29 @@ struct Marker {
   Kind kind = Kind::Other;
   Action action = Action::Add;
   Transform3 pose;                   // of the marker in its frame
-  bool upright = false;              // its quaternion was zero or no number
-  Eigen::Vector3d scale_m{1, 1, 1};  // size along its axes; of lines x is the width, of a text z the height
+  bool upright = false;              // its quaternion was zero or not a number
+  Eigen::Vector3d scale_m{1, 1, 1};  // size along its axes; for lines x is the width, for a text z the height
   std::uint32_t rgba = 0xffffffff;   // 0xRRGGBBAA
   std::vector<Eigen::Vector3d> points;  // in the marker's own coordinates
-  std::vector<std::uint32_t> colors;    // as many as points, or none
-  bool frame_locked = false;            // it goes with its frame; else it stays where it was put
+  std::vector<std::uint32_t> colors;    // one per point, or none
+  bool frame_locked = false;            // it moves with its frame; otherwise it stays where it was placed
   std::string text;
-  double lifetime_s = 0;  // 0 = for ever
+  double lifetime_s = 0;  // 0 = forever
 };
 
 /// A row of tf2_msgs/TFMessage.
 struct TfRow {
   std::string parent, child;
-  Transform3 transform;  // as sent: Transforms refuses what is no transform
+  Transform3 transform;  // as sent: Transforms rejects invalid ones
   double stamp_s = 0;
 };
 
 Read<Grid> readGrid(const Field& msg);
 Read<GridPatch> readGridPatch(const Field& msg);
-/// Puts the patch into the grid. Why not, when it does not lie in it whole: the grid is as it was then.
+/// Applies the patch to the grid. If it does not lie completely inside: the error, and the grid is unchanged.
 std::optional<Fault> applyPatch(Grid& grid, const GridPatch& patch);
 
-/// nav_msgs/Path. Without a frame of its own it has that of its first pose.
+/// nav_msgs/Path. Without a frame of its own it uses that of its first pose.
 Read<Outline> readPath(const Field& msg);
 /// geometry_msgs/PolygonStamped.
 Read<Outline> readPolygon(const Field& msg);
@@ -144,23 +143,23 @@ Read<Outline> readPolygon(const Field& msg);
 Read<Placed> readPoseStamped(const Field& msg);
 Read<Placed> readPoseWithCovariance(const Field& msg);
 Read<Placed> readOdometry(const Field& msg);
-/// geometry_msgs/PoseArray. Of too many each n-th; one without numbers is left out.
+/// geometry_msgs/PoseArray. If there are too many, each n-th; poses without numbers are skipped.
 Read<Poses> readPoseArray(const Field& msg);
 
-/// sensor_msgs/LaserScan: the ends of its rays that hit something, z = 0. A range_max that is no number or
-/// not above range_min is no bound. With a time_increment the points know when they were (Points::when).
+/// sensor_msgs/LaserScan: the ends of rays that hit something, z = 0. A range_max that is not a number or not
+/// above range_min is ignored. With a time_increment the points have times (Points::when).
 Read<Points> readLaserScan(const Field& msg);
-/// sensor_msgs/PointCloud2: x, y, z and intensity, of any type at any offset; colours are not read.
+/// sensor_msgs/PointCloud2: x, y, z and intensity, of any type at any offset; colours are ignored.
 Read<Points> readPointCloud2(const Field& msg);
 
-/// visualization_msgs/MarkerArray, or a lone Marker. Markers without readable numbers are left out.
+/// visualization_msgs/MarkerArray, or a single Marker. Markers without readable numbers are skipped.
 Read<std::vector<Marker>> readMarkers(const Field& msg);
 
-/// tf2_msgs/TFMessage. Rows without names of frames are left out.
+/// tf2_msgs/TFMessage. Entries without frame names are skipped.
 std::vector<TfRow> readTf(const Field& msg);
 
-/// What a type is for: "nav_msgs/msg/OccupancyGrid" (ROS 2) and "nav_msgs/OccupancyGrid" (ROS 1) are both the
-/// latter.
+/// The type without its ROS version: "nav_msgs/msg/OccupancyGrid" (ROS 2) and "nav_msgs/OccupancyGrid" (ROS
+/// 1) both give the latter.
 std::string plainType(std::string_view type);
 
 }  // namespace mapwright::robot::ros

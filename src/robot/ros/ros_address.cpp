@@ -21,19 +21,19 @@ bool isNamespace(const QString& text) {
   return text.size() <= 200 && like.match(text).hasMatch();
 }
 
-/// ws and wss are http and https by other means; every other scheme is left as it is, to be refused.
+/// ws and wss are treated like http and https; other schemes are unchanged, and will be refused.
 QString asWeb(const QString& typed) {
   const auto starts = [&](const char* scheme) {
     return typed.startsWith(QLatin1String(scheme), Qt::CaseInsensitive);
   };
   if (starts("ws://")) return QStringLiteral("http://") + typed.mid(5);
   if (starts("wss://")) return QStringLiteral("https://") + typed.mid(6);
-  // What was not meant must not become a WebSocket by accident.
+  // Other input must not become a WebSocket by accident.
   if (starts("http://") || starts("https://")) return QStringLiteral("x-") + typed;
   return typed;
 }
 
-/// As ROS resolves names: those without a slash at their beginning lie in the namespace.
+/// Resolves names like ROS: those without a leading slash are in the namespace.
 QString wholeName(const QString& typed, const QString& ns) {
   return typed.startsWith(QLatin1Char('/')) ? typed : ns + QLatin1Char('/') + typed;
 }
@@ -43,7 +43,7 @@ QString withoutLastSlashes(QString name) {
   return name;
 }
 
-/// All that may follow the ? beside ns.
+/// All options after the ? except ns.
 QStringList dispatchOptions() {
   QStringList all;
   for (const DispatchName name : kDispatchNames) all << QLatin1String(usualName(name));
@@ -63,12 +63,11 @@ MaybeQuery readOptions(const QUrlQuery& typed, bool dispatcher) {
     const QString whole = ns ? value : wholeName(value, below);
     if (!fits || !isNamespace(whole) || read.hasQueryItem(name)) {
       return error(
-          dispatcher
-              ? RosAddressText::tr("The address of a map dispatcher may only have names of ROS after its ?, "
-                                   "each once: ?ns=/NAMESPACE, or %1 with the name that it has instead.")
-                    .arg(known.join(QStringLiteral(", ")))
-              : RosAddressText::tr(
-                    "The address of a ROS robot may only have ?ns=/NAMESPACE after the host."));
+          dispatcher ? RosAddressText::tr("The address of a map dispatcher may only have ROS names after its "
+                                          "?, each once: ?ns=/NAMESPACE, or %1 with the name used instead.")
+                           .arg(known.join(QStringLiteral(", ")))
+                     : RosAddressText::tr(
+                           "The address of a ROS robot may only have ?ns=/NAMESPACE after the host."));
     }
     read.addQueryItem(name, withoutLastSlashes(whole));
   }
@@ -91,7 +90,8 @@ ParsedAddress parse(const QString& rest, const QString& prefix) {
   const auto options = readOptions(QUrlQuery(*url), prefix == QLatin1String("rep130+"));
   if (!options) return error(options.error());
   address.options = *options;
-  if (url->hasFragment()) return error(RosAddressText::tr("The address of a ROS robot has no part after #."));
+  if (url->hasFragment())
+    return error(RosAddressText::tr("The address of a ROS robot cannot have a # part."));
   url->setQuery(QString());
   url->setScheme(url->scheme() == QLatin1String("https") ? QStringLiteral("wss") : QStringLiteral("ws"));
   address.url = *url;

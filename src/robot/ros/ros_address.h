@@ -1,7 +1,7 @@
 // Addresses of ROS robots behind a rosbridge server: "ros+ws://192.168.1.7:9090", with "?ns=/robot1" for the
-// namespace that is looked into first; "kabam+ws://…" for one that must be a KABAM MapManagerV2 as well;
-// "rep130+ws://…" for one with a map dispatcher, with "?ns=/map_dispatcher" for the namespace of that and
-// "&get_sub_map=/other/name" for what is called otherwise than in REP 130.
+// preferred namespace; "kabam+ws://…" for one that must be a KABAM MapManagerV2 as well; "rep130+ws://…" for
+// one with a map dispatcher, with "?ns=/map_dispatcher" for its namespace and "&get_sub_map=/other/name" for
+// names that differ from REP 130.
 #pragma once
 
 #include <string>
@@ -15,9 +15,9 @@ AddressScheme rosAddressScheme();
 AddressScheme kabamAddressScheme();
 AddressScheme rep130AddressScheme();
 
-/// "/robot1"; empty = none. Without a slash at its end.
+/// "/robot1"; empty = none. Without a trailing slash.
 std::string namespaceOf(const Address& address);
-/// What it says of a map dispatcher; of a robot of any other kind, where several are looked for first.
+/// What it says about a map dispatcher; for other kinds of robots, where to look first.
 DispatchWish dispatchWishOf(const Address& address);
 
 }  // namespace mapwright::robot::ros

@@ -17,7 +17,7 @@ using net::rosbridge::CallAnswer;
 
 constexpr std::size_t kMostTopics = 20'000;
 constexpr std::chrono::milliseconds kMostPatience{30'000};
-constexpr int kMostTypeQuestions = 300;  // of servers that list no types
+constexpr int kMostTypeQuestions = 300;  // for servers that do not list types
 constexpr int kMostSenderQuestions = 2 * kMostProjected;
 constexpr const char* kManager = "/map_manager";
 
@@ -28,7 +28,7 @@ QByteArray withText(const char* member, const std::string& text) {
 
 bool answered(const CallAnswer& answer) { return answer.kind == CallAnswer::Kind::Answered; }
 
-/// Who says nothing does not say that there is nothing.
+/// No answer does not mean that there is nothing.
 bool silent(const CallAnswer& answer) {
   return answer.kind == CallAnswer::Kind::TimedOut || answer.kind == CallAnswer::Kind::LinkLost ||
          answer.kind == CallAnswer::Kind::Cancelled;
@@ -96,7 +96,7 @@ void RosApi::ask(const char* service, const QByteArray& args, net::rosbridge::Cl
   client_.call(std::move(request), [self = QPointer<RosApi>(this), reply = std::move(reply),
                                     sent_with = patience_](const CallAnswer& answer) {
     if (!self) return;
-    // A slow one is given more time at the next look, or it would never be known what there is.
+    // A slow one gets more time at the next look, otherwise nothing would ever be known.
     if (answer.kind == CallAnswer::Kind::TimedOut)
       self->patience_ = std::min(std::max(self->patience_, sent_with * 2), kMostPatience);
     reply(answer);
@@ -175,10 +175,10 @@ void RosApi::askWhoSends(const LookPtr& look, const FoundTopic& topic) {
   });
 }
 
-/// What is called like a service that gives a map may be another one.
+/// A service with the name of a map service may be something else.
 void RosApi::askServiceTypes(const LookPtr& look, const std::string& ns, const DispatchWish& dispatch) {
   look->found.map_services = likeMapServices(*look->found.services, ns);
-  // One that people have named goes before all that are called likewise.
+  // A name given by the user takes precedence over similar ones.
   if (const auto named = dispatch.names.find(DispatchName::GetMap); named != dispatch.names.end()) {
     const std::vector<std::string>& all = *look->found.services;
     std::erase(look->found.map_services, named->second);
@@ -230,7 +230,7 @@ void RosApi::define(const std::string& type, std::function<void(std::optional<Ro
 }
 
 void RosApi::probeMapManager(const std::string& place, std::function<void(std::optional<bool>)> then) {
-  // It only reads, whatever is there.
+  // Read-only, whatever service it is.
   ask((place + "/get_waypoint").c_str(), getWaypointArgs({}),
       [then = std::move(then)](const CallAnswer& answer) {
         then(silent(answer) ? std::nullopt : std::optional(answered(answer)));

@@ -1,4 +1,4 @@
-// What a rosbridge server tells of the robot behind it, by its node rosapi, which may be absent.
+// The topics and services of a robot, from the node rosapi of its rosbridge server, which may not be running.
 // Source: docs/protocols/rosbridge.md, "What the robot has (rosapi)".
 #pragma once
 
@@ -19,25 +19,25 @@
 
 namespace mapwright::robot::ros {
 
-/// nullopt: the robot does not tell, or (`…_silent`) nothing was heard at all, so nothing is known.
+/// nullopt: the robot does not list them, or (`…_silent`) there was no answer at all, so nothing is known.
 struct Found {
   std::optional<std::vector<FoundTopic>> topics;
   std::optional<std::vector<std::string>> services;
   bool topics_silent = false, services_silent = false;
-  std::vector<std::string> map_services;  // those of type nav_msgs/GetMap, the better ones first
-  /// Those that may be a dispatcher's; nullopt like the services.
+  std::vector<std::string> map_services;  // those of type nav_msgs/GetMap, better ones first
+  /// Those that may belong to a dispatcher; nullopt like the services.
   std::optional<std::vector<TypedService>> dispatch_services = {};
-  /// Topics of projected maps that no node sends by: the server goes on listing them as long as anybody
-  /// listens, mapwright included.
+  /// Topics of projected maps without a publisher: the server lists them as long as anybody subscribes,
+  /// including mapwright.
   std::set<std::string> unsent = {};
   bool operator==(const Found&) const = default;
 };
 
-/// Where a KABAM map manager is ("/map_manager"), below `ns` rather than elsewhere.
+/// The namespace of a KABAM map manager ("/map_manager"), preferably below `ns`.
 std::optional<std::string> mapManagerIn(const Found& found, const std::string& ns);
-/// The type of a topic as the server writes it; empty where it does not say.
+/// The type of a topic as the server writes it; empty if unknown.
 std::string typeOf(const Found& found, const std::string& topic);
-/// Without those that nobody sends by.
+/// Without topics that have no publisher.
 std::optional<std::vector<FoundTopic>> sentTopics(const Found& found);
 bool lists(const Found& found, const std::string& topic);
 
@@ -47,15 +47,13 @@ class RosApi : public QObject {
  public:
   RosApi(net::rosbridge::Client& client, std::chrono::milliseconds patience);
 
-  /// Asks for all topics with their types, and all services. What lies below `ns` goes first.
+  /// Requests all topics with their types, and all services. Those below `ns` come first.
   void look(const std::string& ns, const DispatchWish& dispatch, std::function<void(Found)> then);
-  /// How many nodes send by the topic; nullopt: it does not tell.
+  /// The number of publishers of the topic; nullopt: unknown.
   void countPublishers(const std::string& topic, std::function<void(std::optional<std::size_t>)> then);
-  /// What messages of this type ("nav_msgs/Path", "nav_msgs/msg/Path") are made of; nullopt: it does not
-  /// tell.
+  /// The definition of this message type ("nav_msgs/Path", "nav_msgs/msg/Path"); nullopt: unknown.
   void define(const std::string& type, std::function<void(std::optional<RosDefinition>)> then);
-  /// Whether a map manager answers at `place`, where nobody tells which services there are; nullopt: nothing
-  /// was heard.
+  /// Whether a map manager answers at `place`, if services are not listed; nullopt: no answer.
   void probeMapManager(const std::string& place, std::function<void(std::optional<bool>)> then);
 
  private:
@@ -74,7 +72,7 @@ class RosApi : public QObject {
 
   net::rosbridge::Client& client_;
   std::chrono::milliseconds patience_;
-  std::map<std::string, std::string> types_;          // asked for one by one, by topic
+  std::map<std::string, std::string> types_;          // requested one by one, by topic
   std::map<std::string, std::string> service_types_;  // likewise
 };
 

@@ -1,4 +1,4 @@
-// Service calls over rosbridge, in the words of the port.
+// Service calls over rosbridge, as requests of the port.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace mapwright::robot::ros {
 
-/// Calls for `errand`: once that is cancelled, the answer comes as Cancelled. `client` outlives the call.
+/// Calls for `errand`: if that is cancelled, the answer is Cancelled. `client` outlives the call.
 void call(const wire::ErrandPtr& errand, net::rosbridge::Client& client, net::rosbridge::CallRequest request,
           net::rosbridge::Client::Reply reply);
 

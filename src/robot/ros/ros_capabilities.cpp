@@ -15,7 +15,7 @@ QStringList Topics::known() const {
 QStringList Topics::topicsOf(map::Stream stream) const {
   QStringList names;
   for (const Source& source : sourcesFor(stream, known_.sources)) {
-    // Patches are told as the grid that they change.
+    // Patches are reported under the name of their grid.
     if (source.form != Form::GridPatch) names << QString::fromStdString(source.topic);
   }
   names.removeDuplicates();

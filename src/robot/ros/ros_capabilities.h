@@ -1,4 +1,5 @@
-// What a ROS robot can be asked for whatever runs on it, on the thread of the robot.
+// The capabilities that every ROS robot may have: one object each, on the thread of the robot. They call the
+// link on its own thread and return its results.
 #pragma once
 
 #include "robot/ros/ros_link.h"

@@ -15,7 +15,7 @@ using net::rosbridge::Field;
 
 constexpr std::size_t kMostTypes = 1000, kMostFields = 10'000;
 
-/// ROS 2 tells some types as its IDL names them.
+/// ROS 2 gives some types by their IDL names.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kOfIdl{
     {{"boolean", "bool"}, {"float", "float32"}, {"double", "float64"}, {"octet", "byte"}}};
 
@@ -40,7 +40,7 @@ std::string plainOf(std::string type) {
   return type;
 }
 
-/// "sequence<double, 5>" and "double[5]", where the array is told by the type alone.
+/// "sequence<double, 5>" and "double[5]", where only the type says that it is an array.
 Member memberOf(std::string type, std::string name, std::int64_t length) {
   Member member;
   member.name = std::move(name);
@@ -68,7 +68,7 @@ std::optional<Type> typeIn(const Field& told) {
   if (type.name.empty() || names.size() != types.size() || names.size() != lengths.size() ||
       names.size() > kMostFields)
     return std::nullopt;
-  // ROS 2 tells the names of its own variables: "_header".
+  // ROS 2 gives the names of its own variables: "_header".
   const bool own = std::all_of(names.begin(), names.end(),
                                [](const std::string& name) { return name.size() > 1 && name[0] == '_'; });
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -80,7 +80,7 @@ std::optional<Type> typeIn(const Field& told) {
 }
 
 void write(std::string& out, const Type& type) {
-  // A text without a line is no definition to everybody.
+  // Some readers reject an empty definition.
   if (type.members.empty()) out += "# no fields\n";
   for (const Member& member : type.members) out += member.type + member.array + ' ' + member.name + '\n';
 }
@@ -97,7 +97,7 @@ std::optional<RosDefinition> definitionIn(const Field& typedefs) {
   typedefs.each([&](const Field& told) {
     if (!fine || types.size() > kMostTypes) return;
     const std::string name = told["type"].text();
-    // What ROS 1 knows without a definition.
+    // Built-in types of ROS 1.
     if (name == "time" || name == "duration") return;
     std::optional<Type> type = typeIn(told);
     fine = type.has_value();

@@ -161,7 +161,7 @@ void RosLink::setRecorded(bool on) {
 void RosLink::choose(const Choices& choices) {
   const Choices before = std::exchange(choices_, choices);
   if (before == choices || !known_) return;
-  // What came of the topic before is not of this one.
+  // Data of the former topic does not belong to this one.
   const auto other = [&](map::Stream stream) {
     const auto was = before.find(stream), is = choices.find(stream);
     return (was == before.end()) != (is == choices.end()) ||
@@ -179,7 +179,7 @@ void RosLink::setBasics(const LiveTopics::Basics& basics) {
   sync();
 }
 
-/// Open, perhaps again: another robot may answer there now.
+/// Connected, perhaps again: it may be another robot now.
 void RosLink::begin() {
   ++round_;
   known_ = looking_ = look_again_ = awaits_manager_ = false;
@@ -208,7 +208,7 @@ void RosLink::noteLink() {
     asked_map_.beginAnew();
     dispatch_.lose();
     while (!troubles_.empty()) forgetTrouble(troubles_.begin()->first);
-    // Who waits for a first connection goes on waiting; there is none to wait for any more otherwise.
+    // Requests waiting for the first connection keep waiting; otherwise there is nothing to wait for.
     if (client_->link().state() != WebSocketLink::State::Connecting) {
       early_.drop();
       live_map_.lose();
@@ -305,7 +305,7 @@ void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   early_.look();
 }
 
-/// It may be started after the server: it is looked for until it is there.
+/// It may be started after the server: looks for it until it is there.
 void RosLink::awaitManager() {
   awaits_manager_ = true;
   early_.drop();
@@ -315,7 +315,7 @@ void RosLink::awaitManager() {
 void RosLink::findSources() {
   sources_ = sourcesOf(found_.topics, options_.ns);
   Choices choices = choices_;
-  // What is edited, or asked for by regions, is the map that the robot works with.
+  // Editing, and requests by region, refer to the robot's current map.
   if (managesMaps()) choices.erase(map::Stream::WholeMap);
   ros::choose(sources_, choices, found_.topics);
   if (!choices.contains(map::Stream::WholeMap)) addMapServices(sources_, found_.map_services);
@@ -349,7 +349,7 @@ void RosLink::whenKnown(const wire::ErrandPtr& errand, const map::Subject& subje
 bool RosLink::managesMaps() const { return !wish_.managers_own.empty() || dispatch_.found().any(); }
 
 void RosLink::sync() {
-  // Before it is known what there is, nothing is asked for.
+  // Nothing is subscribed before the topics are known.
   if (!known_) return;
   // The map of a dispatcher that gives it by region may be gigabytes: about the whole people decide.
   wish_.map_by_region = dispatch_.found().has(DispatchService::GridRegion);

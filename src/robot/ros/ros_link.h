@@ -1,5 +1,5 @@
-// The network half of a ROS robot behind a rosbridge server. Lives on a thread of its own; values go in and
-// out by queued calls. Source: docs/protocols/rosbridge.md, docs/protocols/kabam-map-manager.md.
+// The network side of a ROS robot behind a rosbridge server. Lives on its own thread; values go in and out by
+// queued calls. Source: docs/protocols/rosbridge.md, docs/protocols/kabam-map-manager.md.
 #pragma once
 
 #include <chrono>
@@ -31,31 +31,32 @@
 
 namespace mapwright::robot::ros {
 
-/// How to reach a robot. `secret` is for rosauth, and is said to `url` only.
+/// How to reach a robot. `secret` is for rosauth, and is only sent to `url`.
 struct LinkOptions {
   QUrl url;  // ws(s)://host:port[/path]
   QByteArray secret;
-  std::string ns;           // "/robot1": what is below it goes first; empty = none
-  bool kabam_only = false;  // without a map manager it is not the robot that was meant, yet
+  std::string ns;           // "/robot1": preferred namespace; empty = none
+  bool kabam_only = false;  // without a map manager it is not (yet) the expected robot
   net::Trust trust;
   net::rosbridge::ClientOptions client;
-  std::chrono::milliseconds look_every{10'000};  // which topics and services there are
+  std::chrono::milliseconds look_every{10'000};  // interval of listing topics and services
   std::chrono::milliseconds look_patience{3'000};
   std::chrono::milliseconds map_patience{10'000};
   AskedMap::Patience asked_map;
   DispatchWish dispatch;
   DispatchPatience dispatch_patience;
-  /// Which map a picture is of is told by another topic, before it or after it: both have come by then.
+  /// Which map a picture belongs to is reported on another topic, before or after it: this long both have
+  /// time to arrive.
   std::chrono::milliseconds picture_settles{1'000};
   RosSubscriptions::Patience topics;
   KabamPatience kabam;
 };
 
-/// What the robot sends, as far as that is known.
+/// What the robot sends, as far as known.
 struct KnownTopics {
-  std::vector<Source> sources;                     // of the usual names where the robot does not tell
-  std::optional<std::vector<FoundTopic>> offered;  // all that the robot tells of
-  bool manages_maps = false;                       // its map is not to be taken for another one
+  std::vector<Source> sources;                     // with the usual names if the robot does not list topics
+  std::optional<std::vector<FoundTopic>> offered;  // everything the robot lists
+  bool manages_maps = false;                       // its map must not be confused with another one
   bool operator==(const KnownTopics&) const = default;
 };
 
@@ -92,7 +93,7 @@ class RosLink : public wire::RobotLink {
   void mapManagerKnown(bool there);
 
  private:
-  /// What was told of a topic last, and when: the same is not told at the rate of its messages.
+  /// The last problem reported for a topic, and when: the same one is not repeated with every message.
   struct Trouble {
     Fault reason;
     qint64 told_ms = 0;

@@ -1,4 +1,4 @@
-// RosLink: what comes by topics.
+// RosLink: incoming messages.
 #include <algorithm>
 #include <utility>
 
@@ -61,7 +61,7 @@ void RosLink::take(const TopicMessage& message) {
   }
 }
 
-// Clocks differ: what counts is how much later it comes than the quickest.
+// Clocks differ: what counts is the delay relative to the fastest message.
 void RosLink::noteDelay(const Source& source, const TopicMessage& message) {
   const bool of_sensor =
       source.form == Form::LaserScan || source.form == Form::PointCloud || source.form == Form::Odometry;
@@ -157,8 +157,8 @@ void RosLink::forgetTrouble(const std::string& topic) {
   for (const auto& [code, trouble] : troubles.mapped()) Q_EMIT recovered({topicSubject(topic), code});
 }
 
-// The first transforms to come may be those of the wheels alone, and a pose may come before any of them: the
-// robot would seem to jump when the others do.
+// The first transforms may be only those of the wheels, and a pose may arrive before any of them: the robot
+// would seem to jump when the others arrive.
 bool RosLink::framesComplete() const {
   const bool map_expected =
       (!wish_.map_by_region || wish_.whole_map) && !sourcesFor(map::Stream::WholeMap, sources_).empty();

@@ -50,7 +50,7 @@ void RosRobot::listen() {
   connect(&link_->dispatch(), &DispatchRequests::offersChanged, this, [this](const FoundDispatch& found) {
     const QPointer<RosRobot> alive(this);
     dispatch_.setFound(found);
-    // One that goes leaves what it has told: that it offers nothing any more is what its offers say.
+    // One that disappears keeps its data; its offers say that it offers nothing.
     if (alive && found.any() && !std::exchange(has_dispatch_, true)) Q_EMIT capabilitiesChanged();
   });
   connect(&dispatch_, &MapDispatch::projectedChanged, this, &Robot::mapsChanged);
@@ -59,7 +59,7 @@ void RosRobot::listen() {
     const QPointer<RosRobot> alive(this);
     Q_EMIT capabilitiesChanged();
     if (alive) Q_EMIT identityChanged();
-    // The catalogue is the same object, and tells of other maps.
+    // The same catalogue object lists other maps now.
     if (alive) Q_EMIT mapsChanged();
   });
 }

@@ -18,7 +18,7 @@ constexpr int kSteadyFrom = 5;  // messages
 
 map::Subject subjectOf(const std::string& topic) { return {map::SubjectKind::Topic, topic}; }
 
-/// How often, how, and by which connection a topic is wanted. Transforms come from many, so none is left out.
+/// How often, how, and on which connection to subscribe. Transforms have many publishers, so none is dropped.
 Subscription subscriptionFor(const Source& source) {
   Subscription wanted;
   wanted.topic = source.topic;
@@ -94,14 +94,14 @@ std::map<std::string, WantedTopic> topicsFor(const TopicWish& wish, const std::v
   for (const std::string& name : wish.names) add(name);
   for (const std::string& name : wish.managers_own) {
     add(name);
-    // Every change counts, and texts in lists do not survive compression.
+    // Every change counts, and compression loses texts in lists.
     wanted[name].subscription.throttle_ms = 0;
   }
   for (const FoundTopic& topic : wish.dispatchers_own) {
     if (wanted.contains(topic.name)) continue;
     add(topic.name);
     WantedTopic& own = wanted[topic.name];
-    own.necessary = false;  // it tells something once there is something to be told
+    own.necessary = false;  // it only sends something when there is something to report
     own.tried = topic.name == wish.dispatchers_tried;
     own.subscription.type = topic.type;
     own.subscription.compression = Compression::Cbor;
@@ -211,7 +211,7 @@ void RosSubscriptions::look() {
       asked.plain = true;
       subscribe(asked);
     }
-    // Whether it is there by now is told by nobody.
+    // Nothing tells whether it exists by now.
     if (!asked.heard() && !lists(found_, topic) && asked.asked_at.elapsed() > patience_.again.count())
       askAgain(topic);
     if (!asked.told && waited > patience_.silent_after && !mayBeSilent(topic, asked)) silent.push_back(topic);
@@ -230,7 +230,7 @@ bool RosSubscriptions::mayBeSilent(const std::string& topic, const Asked& asked)
   if (asked.heard() || asked.wanted.necessary || asked.wanted.sources.empty()) return false;
   const Source& own = asked.wanted.sources.front();
   if (own.form == Form::GridPatch || own.form == Form::StaticTf) return true;
-  // Where a stream may come by several topics one is enough, and of none the best one tells.
+  // If a stream has several topics one is enough, and if none arrives the best one is reported.
   const bool one_is_enough = !own.found || own.stream == Stream::Pose;
   if (!one_is_enough) return false;
   for (const auto& [other, beside] : asked_) {
@@ -245,18 +245,18 @@ bool RosSubscriptions::mayBeSilent(const std::string& topic, const Asked& asked)
 
 void RosSubscriptions::tellSilence(const std::string& topic) {
   Asked& silent = asked_.at(topic);
-  // Looked at again: another one of the same stream may have been told meanwhile.
+  // Checks again: another one of the same stream may have been reported meanwhile.
   if (mayBeSilent(topic, silent)) return;
   silent.told = true;
   const auto tell = [self = QPointer<RosSubscriptions>(this), topic](FaultCode why) {
     if (!self) return;
     const auto asked = self->asked_.find(topic);
     if (asked == self->asked_.end() || !asked->second.told || asked->second.replaced) return;
-    // What has stopped is shown still, as if it were so now.
+    // Data of a topic that has stopped is still shown.
     const bool stopped = asked->second.heard();
     const bool serious = stopped || asked->second.wanted.necessary;
     Fault reason(fault::TopicSilent);
-    // Of one that did come before, neither the server nor a missing list is the cause.
+    // If it did arrive before, neither the server nor a missing entry is the cause.
     if (!stopped || (why != fault::TopicListedOnly && why != fault::TopicsNotTold)) reason.because = {why};
     Q_EMIT self->problemFound({serious ? map::Severity::Warning : map::Severity::Info, subjectOf(topic),
                                std::move(reason), map::ProblemCode::Unavailable});

@@ -11,15 +11,15 @@ namespace {
 
 using map::Stream;
 
-/// Which topics of a type bring a stream.
+/// Which topics of a type carry a stream.
 struct Rule {
   Stream stream;
   Form form;
   const char* type;
-  std::vector<std::string_view> tails;  // what they end with, whole parts; the better ones first
-  bool any = false;                     // others of the type will do, too
+  std::vector<std::string_view> tails;  // their ends, in whole parts; better ones first
+  bool any = false;                     // any other topic of the type is possible, too
   std::size_t most = 1;
-  const char* never = nullptr;  // a part of names that mean something else
+  const char* never = nullptr;  // a part of names with another meaning
 };
 
 const std::vector<Rule>& rules() {
@@ -63,7 +63,7 @@ const std::vector<Rule>& rules() {
   return all;
 }
 
-/// What they are called where nobody says what there is.
+/// Usual names, if topics are not listed.
 struct UsualName {
   Stream stream;
   Form form;
@@ -100,7 +100,7 @@ bool below(std::string_view topic, std::string_view ns) {
   return !ns.empty() && topic.size() > ns.size() && topic.starts_with(ns) && topic[ns.size()] == '/';
 }
 
-/// The patches of a grid; where nobody says what there is, they may be there.
+/// The patches of a grid; if topics are not listed, they may exist.
 std::optional<Source> patchesOf(const Source& grid, const std::optional<std::vector<FoundTopic>>& found) {
   Source patch{grid.stream, Form::GridPatch, grid.topic + "_updates", {}, grid.topic, false};
   if (!found) return patch;
@@ -124,7 +124,7 @@ void addGrids(std::vector<Source>& sources, Source source,
 std::vector<Source> usualSources(const std::string& ns) {
   std::vector<Source> sources;
   for (const UsualName& usual : kUsualNames) {
-    // What several robots share is called the same for all of them.
+    // Shared topics have the same name for all robots.
     const bool shared =
         usual.form == Form::Tf || usual.form == Form::StaticTf || usual.stream == Stream::WholeMap;
     if (!ns.empty()) addGrids(sources, {usual.stream, usual.form, ns + usual.topic, {}, {}, false}, {});
@@ -199,7 +199,7 @@ std::vector<std::string> choicesFor(Stream stream, const std::vector<FoundTopic>
 void choose(std::vector<Source>& sources, const Choices& choices,
             const std::optional<std::vector<FoundTopic>>& found) {
   for (const auto& [stream, topic] : choices) {
-    // The form that most topics of the kind have, as long as nobody tells another.
+    // The most common form of this kind, until the type is known.
     Source chosen{stream, Form::PoseStamped, topic, {}, {}, false};
     for (const char* const usual : {"nav_msgs/OccupancyGrid", "nav_msgs/Path", "geometry_msgs/PoseStamped"}) {
       if (const auto form = formFor(stream, usual)) chosen.form = *form;

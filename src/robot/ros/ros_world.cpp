@@ -17,10 +17,10 @@ using map::Stream;
 using Missing = Transforms::Missing;
 
 constexpr const char* kMap = "map";
-constexpr double kSweepStepS = 0.01;  // how often the pose of a scan is looked up while it is taken
+constexpr double kSweepStepS = 0.01;  // how often the pose of a scan is looked up during the sweep
 constexpr int kMostSweepSteps = 32;
-constexpr double kMarkersEveryS = 0.05;    // how often those that wait for a transform are looked at
-constexpr std::size_t kMostUnusable = 20;  // frames without a usable transform that are named
+constexpr double kMarkersEveryS = 0.05;    // how often waiting ones are checked
+constexpr std::size_t kMostUnusable = 20;  // frames without a valid transform that are reported
 
 map::GridKind kindOf(Stream stream) {
   return stream == Stream::CostmapLow    ? map::GridKind::CostmapLow
@@ -32,7 +32,7 @@ map::GridKind kindOf(Stream stream) {
 map::BatteryState readBattery(const Field& msg) {
   map::BatteryState battery;
   battery.level = msg["percentage"].number();
-  // Some drivers count to a hundred.
+  // Some drivers use percent.
   if (battery.level && *battery.level > 1 && *battery.level <= 100) *battery.level /= 100;
   battery.voltage_v = msg["voltage"].number();
   battery.current_a = msg["current"].number();
@@ -98,7 +98,7 @@ bool RosWorld::fixedByMap() const {
 std::vector<std::pair<Transforms::Newest, double>> RosWorld::ages(double now_s) const {
   std::vector<std::pair<Transforms::Newest, double>> ages;
   const std::vector<Transforms::Newest> pairs = transforms_.newest();
-  // The clock of the robot is ahead of its newest stamp by what has passed here since a transform came.
+  // The robot's clock is its newest stamp plus the time since that transform arrived.
   for (const Transforms::Newest& pair : pairs)
     ages.emplace_back(pair, pairs.back().stamp_s - pair.stamp_s + std::max(0.0, now_s - latest_s_));
   return ages;
@@ -113,7 +113,7 @@ std::optional<std::string> RosWorld::toldFrame() const {
   if (!map_frame_.empty()) return map_frame_;
   const std::vector<std::string> frames = transforms_.frames();
   if (std::binary_search(frames.begin(), frames.end(), kMap)) return kMap;
-  // Transforms come by and by, those that never change first: their root is none before the others had time.
+  // Transforms arrive gradually, static ones first: their root is only valid once the others had time.
   if (frames.empty() || latest_s_ - first_transform_s_ < kPatienceS) return std::nullopt;
   const std::string robot = robotFrame();
   for (const std::string& root : transforms_.roots()) {
@@ -134,7 +134,7 @@ void RosWorld::noteOwnFrame(const Source& source, WorldResult& result) {
   result.notes.emplace_back(fault::RosFrameAlone, std::vector<FaultArgument>{own_frame_});
 }
 
-/// Something tells now: what was shown before lies nowhere any more, unless it is where it was.
+/// Something relates the frames now: data shown before is outdated, unless its position is the same.
 void RosWorld::leaveOwnFrame(double now_s, WorldResults& results) {
   if (own_frame_.empty() || !given_frame_.empty() || !toldFrame()) return;
   const bool elsewhere = std::exchange(own_frame_, {}) != *toldFrame();
@@ -153,7 +153,7 @@ Read<bool> patchGrid(Grid& grid, const GridPatch& patch) {
   if (!of_patch.frame.empty() && !of_grid.frame.empty() && of_patch.frame != of_grid.frame) {
     return tl::unexpected(Fault(fault::RosPatchInOtherFrame, {of_patch.frame, of_grid.frame}));
   }
-  // The two topics overtake one another: what the grid holds already would set it back.
+  // The two topics may overtake each other: a patch that the grid already contains would set it back.
   if (of_patch.stamp_s && of_grid.stamp_s && *of_patch.stamp_s < *of_grid.stamp_s) return false;
   if (auto why = applyPatch(grid, patch)) return tl::unexpected(std::move(*why));
   return true;
@@ -161,7 +161,7 @@ Read<bool> patchGrid(Grid& grid, const GridPatch& patch) {
 
 tl::expected<geometry::Pose2, Missing> RosWorld::inFixedFrame(const Placed& placed) const {
   const std::string fixed = fixedFrame();
-  // A pose may be told once and not again: its frame counts as it lies now.
+  // A pose may be sent only once: the present pose of its frame is used.
   const auto found = transforms_.find(fixed, placed.header.frame.empty() ? fixed : placed.header.frame, {});
   if (!found) return tl::make_unexpected(found.error());
   return placedIn(placed, *found);
@@ -181,7 +181,7 @@ std::optional<RosWorld::Located> RosWorld::located() const {
       return Located{found->flat(), {}, transforms_.latestCommon(fixed, robot).value_or(std::nullopt)};
     why = reasonOf(found.error());
   }
-  // Where it is on the map goes before where its wheels say that it is.
+  // A pose on the map takes precedence over odometry.
   for (const Form form : {Form::PoseWithCovariance, Form::PoseStamped, Form::Odometry}) {
     for (const auto& [topic, told] : told_poses_) {
       if (told.form != form) continue;
@@ -206,7 +206,7 @@ void RosWorld::takeTf(const Source& source, const Field& msg, WorldResult& resul
   }
   if (first_transform_s_ == 0) first_transform_s_ = result.received_s;
   latest_s_ = result.received_s;
-  // Many nodes share a topic: what one of them sends does not mend what another has sent.
+  // Several nodes share a topic: data of one of them does not fix that of another.
   for (const auto& [topic, child] : unusable_) {
     if (topic == source.topic)
       result.notes.push_back(fieldMissing("transforms[" + child + "].transform").value());
@@ -216,7 +216,7 @@ void RosWorld::takeTf(const Source& source, const Field& msg, WorldResult& resul
 
 void RosWorld::takePatch(const Source& source, const Field& msg, WorldResult& result) {
   const auto grid = grids_.find(source.base);
-  if (grid == grids_.end()) return;  // what it changes has not come
+  if (grid == grids_.end()) return;  // its grid has not arrived
   auto patch = readGridPatch(msg);
   if (!patch) {
     result.unreadable = std::move(patch.error());
@@ -247,7 +247,7 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
   WorldResult result;
   result.topic = source.topic;
   result.received_s = received_s;
-  // What can be read is `take`n, the rest is unreadable.
+  // Passes readable messages to `take`, the rest is unreadable.
   const auto with = [&](auto read, auto take) {
     if (!read) {
       result.unreadable = std::move(read.error());
@@ -358,7 +358,7 @@ RosWorld::Placing RosWorld::placeScan(const Points& points, const std::string& t
 RosWorld::Placing RosWorld::place(const Source& source, const Content& content, Sweep sweep) const {
   const Header& header = headerOf(content);
   const std::string fixed = fixedFrame();
-  // The outline of the robot is drawn around the robot.
+  // The robot's footprint is drawn around the robot.
   const std::string into = source.stream == Stream::Model ? robotFrame() : fixed;
   if (into.empty()) return tl::make_unexpected(Missing{Missing::Kind::UnknownFrame, fixed, "base_link"});
   const auto found = transforms_.find(into, header.frame.empty() ? into : header.frame, header.stamp_s);
@@ -390,13 +390,13 @@ RosWorld::Placing RosWorld::place(const Source& source, const Content& content, 
 void RosWorld::takeContent(const Source& source, Content content, WorldResult& result) {
   auto placed = place(source, content, Sweep::Whole);
   if (placed) {
-    waiting_.erase(source.topic);  // what is older is of no use any more
+    waiting_.erase(source.topic);  // older ones are useless now
     result.message = std::move(*placed);
     noteOwnFrame(source, result);
     return;
   }
   if (!given_frame_.empty()) {
-    // Of a scan whose end is not known the beginning will do.
+    // If the end of a scan's sweep is unknown, its beginning is used.
     placed = place(source, content, Sweep::Beginning);
     if (placed) {
       result.message = std::move(*placed);
@@ -406,7 +406,7 @@ void RosWorld::takeContent(const Source& source, Content content, WorldResult& r
     }
     return;
   }
-  // What is older than all that is known can only get older.
+  // Data older than all transforms only gets older.
   if (placed.error().kind == Missing::Kind::TooOld) {
     result.unplaced = reasonOf(placed.error());
     return;
@@ -414,7 +414,7 @@ void RosWorld::takeContent(const Source& source, Content content, WorldResult& r
   Queue& queue = waiting_[source.topic];
   if (queue.messages.empty()) queue.since_s = result.received_s;
   queue.messages.push_back({source, std::move(content), result.received_s});
-  // One that is known to have no place makes way for the next, and so does the oldest of too many.
+  // One that cannot be placed makes room for the next, and so does the oldest of too many.
   if (!queue.told && queue.messages.size() <= kWaiting) return;
   queue.messages.pop_front();
   ++gave_way_;
@@ -453,7 +453,7 @@ bool RosWorld::looksAtMarkers(double now_s) const {
 void RosWorld::lookAtMarkers(double now_s, WorldResults& results) {
   markers_looked_s_ = now_s;
   const SeenMarkers::Look look = markers_.look(transforms_, fixedFrame(), now_s);
-  bool told = !look.changed;  // one message holds those of all topics
+  bool told = !look.changed;  // one message contains those of all topics
   for (const std::string& topic : markers_.topics()) {
     const auto why = look.unplaced.find(topic);
     if (told && why == look.unplaced.end()) continue;
@@ -470,11 +470,11 @@ WorldResults RosWorld::overdue(double now_s) {
   WorldResults results;
   for (auto& [topic, queue] : waiting_) {
     std::deque<Waiting>& messages = queue.messages;
-    // The newest of those that have waited too long stays, in case that its transform comes all the same.
+    // The newest of those that waited too long stays, in case its transform still arrives.
     while (messages.size() > 1 && now_s - messages[1].received_s > kPatienceS) messages.pop_front();
     if (queue.told || now_s - queue.since_s <= kPatienceS) continue;
     const Waiting& oldest = messages.front();
-    // Of a scan whose end is not known the beginning will do.
+    // If the end of a scan's sweep is unknown, its beginning is used.
     auto placed = place(oldest.source, oldest.content, Sweep::Beginning);
     const std::string& frame = headerOf(oldest.content).frame;
     const bool may_be_told = first_transform_s_ > 0 && now_s - first_transform_s_ < kPatienceS;

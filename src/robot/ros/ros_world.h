@@ -1,5 +1,5 @@
-// Messages of a ROS robot placed in one fixed frame, as the map draws them. Pure: time is handed in.
-// Source: REP 105 (map, odom, base_link), tf2 (what waits for its transform).
+// Places the messages of a ROS robot in one fixed frame, as the map shows them. Pure: time is passed in.
+// Source: REP 105 (map, odom, base_link), tf2 (messages waiting for their transform).
 #pragma once
 
 #include <deque>
@@ -18,87 +18,86 @@
 
 namespace mapwright::robot::ros {
 
-/// What became of one message.
+/// The result for a message.
 struct WorldResult {
   std::string topic;
-  double received_s = 0;             // when the message came (seconds since the epoch)
+  double received_s = 0;             // when the message arrived (seconds since the epoch)
   std::optional<double> recorded_s;  // its own stamp
   std::optional<map::TopicMessage> message;
   std::optional<Fault> unreadable;  // it cannot be read
-  std::optional<Fault> unplaced;    // there is no transform for it (yet): which one
+  std::optional<Fault> unplaced;    // the missing transform
   std::vector<Fault> notes;         // what is odd about it
 };
 using WorldResults = std::vector<WorldResult>;
 
-/// Puts the patch into a grid of its own frame; false: the grid is newer than it, and stays as it is.
+/// Applies the patch to a grid in its own frame; false: the grid is newer and stays as it is.
 Read<bool> patchGrid(Grid& grid, const GridPatch& patch);
 
-/// All that is kept between two messages. The fixed frame is that of the map; without a map it is called
-/// `map`, and where no such frame has come a while after the first transform, it is the root of the robot's
-/// own. Where nothing at all says how the robot's frames lie, it is the one that its scans are in, and each
-/// message that is placed there says so. What needs a transform that is not there is not placed: a transform
-/// is waited for, then named, never guessed. One thread.
+/// The state between two messages. The fixed frame is that of the map; without a map it is `map`, and if no
+/// such frame has come a while after the first transform, the root of the robot's own frames. If nothing
+/// relates the robot's frames, it is the frame of its scans, and each message placed there says so. Data
+/// without its transform is not placed: it waits, then the missing transform is reported, never guessed. One
+/// thread.
 class RosWorld {
  public:
-  static constexpr double kPatienceS = 1;     // for a transform, before its absence is told
-  static constexpr std::size_t kWaiting = 8;  // messages of a topic
+  static constexpr double kPatienceS =
+      1;  // how long to wait for a transform before it is reported as missing
+  static constexpr std::size_t kWaiting = 8;  // waiting messages per topic
 
-  /// `ns`: frames below this namespace are looked for first.
+  /// `ns`: frames in this namespace are preferred.
   explicit RosWorld(std::string ns = {}) : ns_(std::move(ns)) {}
 
-  /// For recordings, whose later transforms are taken first: this is the fixed frame from now on, whatever
-  /// comes, and a message whose transform is not there when it is taken is `unplaced` at once. Markers wait.
-  /// `own`: it is that of the robot's scans, for want of a map and of transforms.
+  /// For recordings, where later transforms are passed in first: this is the fixed frame from now on, and a
+  /// message without its transform is `unplaced` at once. Markers wait. `own`: it is the frame of the robot's
+  /// scans, for lack of a map and transforms.
   void placeAtOnce(std::string fixed_frame, bool own = false) {
     if (own) own_frame_ = fixed_frame;
     given_frame_ = std::move(fixed_frame);
   }
   /// Grids of these topics are kept whole, for patches.
   void keepGrids(std::set<std::string> topics);
-  /// A message of `source`. Transforms may place what has waited: more than one result.
+  /// A message of `source`. Transforms may place waiting messages: several results.
   WorldResults take(const Source& source, const Field& msg, double received_s);
-  /// A grid that was read already.
+  /// A parsed grid.
   WorldResult take(const Source& source, const Grid& grid, double received_s);
-  /// As seen by the last message of markers, or by overdue().
+  /// As of the last marker message, or of overdue().
   const map::SeenObjectsMessage& seenObjects() const { return markers_.seen(); }
-  /// When the next marker has lived its time; infinity: none will.
+  /// When the next marker expires; infinity: none will.
   double nextMarkerEnd() const { return markers_.nextEnd(); }
-  /// What has waited for its transform for too long, at `now_s`; and the markers, where time or transforms
-  /// have changed what is to be seen of them.
+  /// Messages that have waited too long for their transform at `now_s`; and the markers, if time or
+  /// transforms have changed them.
   WorldResults overdue(double now_s);
-  /// Nothing of what a topic sent holds any more.
+  /// Drops everything from a topic.
   void forget(const std::string& topic);
-  /// Another connection: transforms, grids, poses, all is forgotten.
+  /// A new connection: drops transforms, grids, poses, everything.
   void forgetAll();
 
   std::string fixedFrame() const;
-  /// That of the map, as the map says itself; empty while none has come.
+  /// The frame stated by the map; empty while none has arrived.
   const std::string& mapFrame() const { return map_frame_; }
-  /// The fixed frame is that of a map, or called so: no other will take its place.
+  /// The fixed frame is that of a map, or named so: it will not be replaced.
   bool fixedByMap() const;
-  /// Transforms tell where the robot is.
+  /// Transforms give the robot's pose.
   bool posedByTransforms() const;
-  /// base_link or base_footprint, whatever stands before it; empty while none of them is known.
+  /// base_link or base_footprint, with any prefix; empty while unknown.
   std::string robotFrame() const;
-  /// Where the robot is in the fixed frame, now: by transforms, else by the best topic that tells. nullopt:
-  /// nothing was told so far.
+  /// The robot's present pose in the fixed frame: from transforms, otherwise from the best topic. nullopt:
+  /// nothing received so far.
   std::optional<tl::expected<geometry::Pose2, Fault>> pose() const;
   struct Located {
     tl::expected<geometry::Pose2, Fault> pose;
-    std::string topic;           // that tells it; empty: transforms do
-    std::optional<double> at_s;  // the stamp for which the transforms tell it; nullopt: they never change
+    std::string topic;           // its source; empty: transforms
+    std::optional<double> at_s;  // the stamp of the transforms; nullopt: static
     bool operator==(const Located&) const = default;
   };
-  /// The same, and what it rests on.
+  /// The same with its source.
   std::optional<Located> located() const;
   const Transforms& transforms() const { return transforms_; }
-  /// Messages that made way for newer ones while they waited for a transform.
+  /// Messages replaced by newer ones while waiting for a transform.
   std::size_t gaveWay() const { return gave_way_; }
-  /// How old the newest stamp of each pair is at `now_s` (as received), by the clock of the robot; the oldest
-  /// first.
+  /// The age of the newest stamp of each pair at `now_s` (as received), by the robot's clock; oldest first.
   std::vector<std::pair<Transforms::Newest, double>> ages(double now_s) const;
-  /// Where scans are shown whose frame is `frame`, as long as nothing says how it lies to others: what it
-  /// hangs on.
+  /// Where scans in `frame` are shown while nothing relates it to other frames: its root.
   std::string ownFrameOf(const std::string& frame) const { return transforms_.rootAbove(frame); }
 
  private:
@@ -108,26 +107,27 @@ class RosWorld {
     Content content;
     double received_s = 0;
   };
-  /// The messages of one topic. Those of a fast one make way for each other sooner than any of them is late:
-  /// what counts is how long none has been placed.
+  /// The waiting messages of one topic. On a fast topic messages are replaced before they are late: what
+  /// counts is how long none has been placed.
   struct Queue {
     std::deque<Waiting> messages;  // the oldest first
     double since_s = 0;
-    bool told = false;  // that there is no transform
+    bool told = false;  // the missing transform was reported
   };
   using Placing = tl::expected<map::TopicMessage, Transforms::Missing>;
 
   void takeTf(const Source& source, const Field& msg, WorldResult& result);
   void takePatch(const Source& source, const Field& msg, WorldResult& result);
   void takeContent(const Source& source, Content content, WorldResult& result);
-  /// The frame of the map, or a root of the robot's frames: all but the fallbacks.
+  /// The frame of the map, or a root of the robot's frames, without the fallbacks.
   std::optional<std::string> toldFrame() const;
   bool inOwnFrame() const { return !own_frame_.empty() && fixedFrame() == own_frame_; }
-  /// As RosFramesApart from nothing: there is no other frame.
+  /// Like RosFramesApart, but there is no other frame.
   void noteOwnFrame(const Source& source, WorldResult& result);
   void leaveOwnFrame(double now_s, WorldResults& results);
   static const Header& headerOf(const Content& content);
-  /// A scan is placed point by point, once all of its sweep is known; or as it lay at its beginning.
+  /// A scan is placed point by point once the transforms of its whole sweep are known; or with the pose at
+  /// its beginning.
   enum class Sweep { Whole, Beginning };
   Placing place(const Source& source, const Content& content, Sweep sweep) const;
   Placing placeScan(const Points& points, const std::string& topic, const std::string& into,
@@ -139,13 +139,13 @@ class RosWorld {
 
   std::string ns_;
   Transforms transforms_;
-  /// By topic and frame: its last transform was no numbers or no rotation (tf2 takes no such, either).
+  /// By topic and frame: its last transform was invalid (tf2 rejects it, too).
   std::set<std::pair<std::string, std::string>> unusable_;
   std::string map_frame_;
   std::string given_frame_;                      // placeAtOnce(); empty: frames are found
-  std::string own_frame_;                        // of scans, where nothing tells; empty: none is needed
+  std::string own_frame_;                        // of scans, if nothing else is known; empty: not needed
   std::set<std::string> in_own_frame_;           // topics with points there
-  double first_transform_s_ = 0, latest_s_ = 0;  // when they came; 0 = none yet
+  double first_transform_s_ = 0, latest_s_ = 0;  // arrival times; 0 = none yet
   std::set<std::string> kept_topics_;
   std::map<std::string, Grid> grids_;     // by topic
   std::map<std::string, Queue> waiting_;  // by topic

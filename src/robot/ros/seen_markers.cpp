@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMany = 300;
 
-/// Why the newest of it has no place; nullopt: it has one.
+/// Why its newest version cannot be placed; nullopt: it can.
 std::optional<Fault> place(MarkerBoard::Row& row, const Transforms& transforms, const std::string& fixed) {
   const Marker& newest = row.next ? *row.next : row.marker;
   const bool stays = !newest.frame_locked;

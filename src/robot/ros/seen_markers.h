@@ -1,5 +1,5 @@
-// The markers of all topics as they lie in the fixed frame. Source: visualization_msgs/Marker (header,
-// lifetime, frame_locked).
+// The markers of all topics in the fixed frame. Source: visualization_msgs/Marker (header, lifetime,
+// frame_locked).
 #pragma once
 
 #include <limits>
@@ -14,10 +14,11 @@
 
 namespace mapwright::robot::ros {
 
-/// A value; time is handed in. One marker that has no place keeps none of the others from theirs.
+/// A value; time is passed in. A marker that cannot be placed does not block the others.
 class SeenMarkers {
  public:
-  static constexpr double kPatienceS = 1;  // for a transform, before its absence is told
+  static constexpr double kPatienceS =
+      1;  // how long to wait for a transform before it is reported as missing
 
   void take(const std::string& topic, const std::vector<Marker>& markers, double now_s);
   void forget(const std::string& topic) { boards_.erase(topic); }
@@ -25,19 +26,19 @@ class SeenMarkers {
 
   struct Look {
     bool changed = false;                   // seen() is another
-    std::map<std::string, Fault> unplaced;  // by topic: why a marker that has waited has no place
+    std::map<std::string, Fault> unplaced;  // by topic: why a marker that has waited cannot be placed
   };
-  /// Places what has no place yet, moves what goes with its frame, takes away what has lived its time.
+  /// Places new markers, moves frame-locked ones, removes expired ones.
   Look look(const Transforms& transforms, const std::string& fixed_frame, double now_s);
-  /// The last look() has found some without a place.
+  /// The last look() left some unplaced.
   bool waits() const { return waits_; }
-  /// Some of them go with their frames.
+  /// Some of them move with their frames.
   bool moves() const { return moves_; }
-  /// So many that looking at them at every transform, and at the end of each, would be too much.
+  /// There are too many to update at every transform and every expiry.
   bool many() const { return many_; }
-  /// When the next one has lived its time, as of the last look(); infinity: none will, or they are many().
+  /// When the next one expires, as of the last look(); infinity: none will, or there are many().
   double nextEnd() const { return next_end_s_; }
-  /// As they were seen by the last look().
+  /// The markers as of the last look().
   const map::SeenObjectsMessage& seen() const { return seen_; }
 
  private:

@@ -68,7 +68,7 @@ bool Transforms::hangsBelow(Index frame, Index above) const {
   return false;
 }
 
-/// Cuts a pair between `from` and `above` that nobody has renewed.
+/// Removes a pair between `from` and `above` that was not renewed.
 bool Transforms::loosened(Index from, Index above, double stamp_s) {
   for (; from != above; from = frames_[from].parent) {
     Frame& frame = frames_[from];
@@ -150,7 +150,7 @@ tl::expected<Transforms::Chain, Transforms::Missing> Transforms::chainOf(const s
   Chain chain{pathUp(from), pathUp(to)};
   if (chain.up.back() != chain.down.back())
     return tl::unexpected(Missing{Missing::Kind::NotConnected, parent, child});
-  // What is above both is of no concern, and the frame that they meet in is no pair of the way.
+  // Common ancestors are irrelevant, and the frame where both meet is not a pair.
   while (!chain.up.empty() && !chain.down.empty() && chain.up.back() == chain.down.back()) {
     chain.up.pop_back();
     chain.down.pop_back();

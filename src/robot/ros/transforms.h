@@ -1,5 +1,5 @@
-// Where the frames of a ROS robot lie to each other, in time.
-// Source: ROS REP 105 (frames), tf2 "buffer_core" (what is interpolated, what is refused).
+// The relative poses of a ROS robot's frames over time. Source: ROS REP 105 (frames), tf2 "buffer_core"
+// (interpolation, rejected transforms).
 #pragma once
 
 #include <cstddef>
@@ -26,34 +26,35 @@ struct Transform3 {
   Eigen::Vector3d apply(const Eigen::Vector3d& p_m) const { return q * p_m + t_m; }
   Transform3 operator*(const Transform3& child) const;
   Transform3 inverse() const;
-  /// What it does in the plane z = 0.
+  /// Its effect in the plane z = 0.
   geometry::Pose2 flat() const;
 };
 
-/// The part 0..1 of the way from one to the other.
+/// Interpolates from one to the other, 0..1.
 Transform3 between(const Transform3& from, const Transform3& to, double part);
 
-/// The name of a frame without the slashes that ROS 1 of old put before it.
+/// The name of a frame without the leading slashes of old ROS 1.
 std::string frameName(std::string_view name);
 
-/// A buffer of transforms in time. Frames are a forest: each has one parent or none. Pure: times are stamps
-/// of the robot in seconds, on whatever clock. One thread.
+/// A buffer of transforms over time. Frames form a forest: each has at most one parent. Pure: times are
+/// stamps of the robot in seconds, on any clock. One thread.
 ///
-/// - Between two stamps it interpolates; before the first and after the last one it knows nothing.
-/// - The last 10 s of a pair are kept, at most kMostStamps; a static pair counts for all times.
-/// - A stamp that comes late (up to kLateS) is filed where it belongs, the same stamp again replaces. One
-///   farther back is a clock that was set back (a simulator that was restarted): what was after it is
-///   dropped.
-/// - A child that comes with another parent has that one from now on, and what was known of it is dropped.
-/// - What would close a loop is refused; a pair of that loop that nobody has renewed for the whole history
-///   makes way for it instead.
+/// - Interpolates between two stamps; does not extrapolate.
+/// - Keeps the last 10 s of a pair, at most kMostStamps; a static pair is valid at all times.
+/// - A late stamp (up to kLateS) is inserted in order, an equal one replaces. An even older stamp means that
+///   the
+///   clock was set back (a restarted simulator): everything after it is dropped.
+/// - A child with a new parent has that one from now on, and its history is dropped.
+/// - A transform that would close a loop is rejected; but a pair of that loop that was not renewed for the
+///   whole
+///   history is removed instead.
 class Transforms {
  public:
   static constexpr double kHistoryS = 10, kLateS = 1;
   static constexpr std::size_t kMostStamps = 4096, kMostFrames = 10'000;
 
-  /// Why there is no transform. Of UnknownFrame `child` is the unknown one; of TooOld and TooNew both are the
-  /// pair that is not known at that time; else they are what was asked for (or, of a Loop, refused).
+  /// Why there is no transform. For UnknownFrame `child` is the unknown frame; for TooOld and TooNew both are
+  /// the pair without data at that time; otherwise the requested (or, for a Loop, rejected) pair.
   struct Missing {
     enum class Kind { UnknownFrame, NotConnected, TooOld, TooNew, Loop } kind;
     std::string parent, child;
@@ -66,32 +67,32 @@ class Transforms {
     NoFrames,   // a name is empty, both are the same, or there are too many
     Loop,       // see loops()
   };
-  /// A quaternion of another length than 1 is normalised. `stamp_s` of a static transform means nothing.
+  /// Quaternions are normalised. `stamp_s` of a static transform is ignored.
   Taken take(const std::string& parent, const std::string& child, const Transform3& transform, double stamp_s,
              bool is_static);
 
-  /// The pose of the frame `child` in `parent` at that time; without a time the latest that all pairs between
-  /// them have in common. A frame in itself is the identity, also one that was never heard of.
+  /// The pose of the frame `child` in `parent` at that time; without a time at the latest time common to all
+  /// pairs between them. A frame in itself gives the identity, even if it is unknown.
   tl::expected<Transform3, Missing> find(const std::string& parent, const std::string& child,
                                          std::optional<double> at_s) const;
-  /// That latest common time; nullopt when all pairs between them are static.
+  /// That latest common time; nullopt if all pairs between them are static.
   tl::expected<std::optional<double>, Missing> latestCommon(const std::string& parent,
                                                             const std::string& child) const;
 
   std::vector<std::string> frames() const;  // by name
-  /// What the frame hangs on in the end; itself, where nothing is known of it.
+  /// The root above the frame; itself, if nothing is known of it.
   std::string rootAbove(const std::string& frame) const;
-  /// A pair that changes, with its newest stamp.
+  /// A dynamic pair with its newest stamp.
   struct Newest {
     std::string parent, child;
     double stamp_s = 0;
   };
   std::vector<Newest> newest() const;      // the oldest first
-  std::vector<std::string> roots() const;  // those with children and no parent, by name
+  std::vector<std::string> roots() const;  // frames with children but no parent, by name
 
-  /// The pairs that were refused because they would close a loop, and have not been taken since.
+  /// The pairs rejected because of loops and not accepted since.
   const std::vector<Missing>& loops() const { return loops_; }
-  /// How many transforms were refused, of all kinds.
+  /// How many transforms were rejected, for any reason.
   std::size_t refused() const { return refused_; }
 
  private:
@@ -105,10 +106,10 @@ class Transforms {
     std::string name;
     Index parent = kNone;
     bool is_static = false;
-    std::deque<Stamped> history;  // by time, newest last; of a static one a single entry
+    std::deque<Stamped> history;  // by time, newest last; a single entry for a static one
   };
   struct Chain {
-    std::vector<Index> up, down;  // pairs from child, and from parent, to what both have above them
+    std::vector<Index> up, down;  // pairs from child and from parent to their common ancestor
   };
 
   Index indexOf(const std::string& name) const;

@@ -1,4 +1,4 @@
-// Where whoever keeps what a robot delivers sits, and what was said before he came.
+// The current tap of a robot's deliveries, with a memory of earlier messages.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,8 @@
 
 namespace mapwright::robot::wire {
 
-/// Thread-safe: set on one thread, passed through on others. Holds the last parcel of every slot, since a
-/// robot says some things once; of more than fits, those go first that come most often.
+/// Thread-safe: set on one thread, called on others. Keeps the last message of every slot, since a robot
+/// sends some only once; if there are too many, the most frequent ones are dropped first.
 class DeliveryPlace {
  public:
   static constexpr std::size_t kMostHeldBytes = std::size_t(96) << 20;
@@ -24,23 +24,23 @@ class DeliveryPlace {
     Delivery::Kind kind = Delivery::Kind::Message;
     std::string name, schema;
     const char* encoding = "";
-    std::string slot;                   // the next one of the same replaces it; empty: it is not held
+    std::string slot;                   // the next one with the same slot replaces it; empty: it is not kept
     std::shared_ptr<const void> keeps;  // what `bytes` look into
     std::string_view bytes;
-    /// Instead of `bytes`, where finding them costs something; nullopt: there are none after all.
+    /// Instead of `bytes`, if getting them is expensive; nullopt: there are none after all.
     std::function<std::optional<std::string_view>()> find = {};
-    std::size_t held_bytes = 0;  // that holding it takes
+    std::size_t held_bytes = 0;  // memory for keeping it
     map::SubmapKey submap = {};
     double received_s = 0;
     std::optional<double> said_s = {};
   };
 
-  /// Returns once the tap of before is not being called any more.
+  /// Returns when the previous tap is no longer being called.
   void set(DeliveryTap tap);
   void pass(Parcel parcel);
   /// Whether anybody sits there.
   bool taken() const;
-  /// Another connection: what was said on the last one is not to be had again.
+  /// A new connection: drops the messages of the last one.
   void forget();
 
  private:

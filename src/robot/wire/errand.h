@@ -1,4 +1,4 @@
-// A question while its robot's link works on it.
+// A request while the robot's link works on it.
 #pragma once
 
 #include <functional>
@@ -9,18 +9,18 @@
 
 namespace mapwright::robot::wire {
 
-/// What is under way for one question, so that it can be stopped together. Belongs to the thread of the link;
-/// may be made and let go of anywhere.
+/// Everything in progress for one request, so that it can be cancelled together. Belongs to the thread of the
+/// link; may be created and destroyed anywhere.
 class Errand {
  public:
   using Told = std::function<void(Progress)>;
   explicit Errand(Told told = {}) : told_(std::move(told)) {}
 
-  /// Something has been begun that `stop` ends early, from within cancel(). Once cancelled, `stop` is called
+  /// Something was started that `stop` cancels, from within cancel(). If already cancelled, `stop` is called
   /// at once. The number is for ended().
   int begun(std::function<void()> stop);
   void ended(int number) { under_way_.erase(number); }
-  /// Ends what is under way, and whatever is begun later.
+  /// Cancels everything in progress, and everything started later.
   void cancel();
   void tell(Progress progress) const {
     if (told_) told_(progress);

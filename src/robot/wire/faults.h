@@ -19,7 +19,7 @@ inline constexpr FaultCode PointsAreNoList{
     "wire", QT_TRANSLATE_NOOP("wire", "The robot's list of points is not a list.")};
 /// how many
 inline constexpr FaultCode PointsUnplaced{
-    "wire", QT_TRANSLATE_N_NOOP("wire", "%1 points without a place were left out.")};
+    "wire", QT_TRANSLATE_N_NOOP("wire", "%1 points without a position were left out.")};
 
 // Map files.
 /// id
@@ -28,6 +28,6 @@ inline constexpr FaultCode WaypointIdTwice{"wire",
 
 // Live messages.
 inline constexpr FaultCode PointsWithoutFields{
-    "wire", QT_TRANSLATE_NOOP("wire", "Its fields name no x and y, or a type that is not known.")};
+    "wire", QT_TRANSLATE_NOOP("wire", "It has no fields x and y, or their type is unknown.")};
 
 }  // namespace mapwright::robot::wire::fault

@@ -1,4 +1,4 @@
-// The HTTP requests of an errand.
+// HTTP requests that are part of an errand.
 #pragma once
 
 #include "net/http_client.h"
@@ -6,9 +6,8 @@
 
 namespace mapwright::robot::wire {
 
-/// Sends `request` for `errand`; once that is cancelled, it is not sent, and the reply comes with
-/// net::HttpAnswer::Kind::Cancelled. `http` outlives the request. `tells`: how far it is, is how far the
-/// errand is.
+/// Sends `request` for `errand`; if that is cancelled, the reply is net::HttpAnswer::Kind::Cancelled. `http`
+/// outlives the request. `tells`: its progress is that of the errand.
 void send(const ErrandPtr& errand, net::HttpClient& http, net::HttpRequest request,
           net::HttpClient::Reply reply, bool tells = false);
 

@@ -30,7 +30,7 @@ map::Applied appliedOf(const net::HttpAnswer& answer) {
   if (!answer.sent) return Applied::No;
   if (answer.status == 0) return Applied::Maybe;
   if (answer.status >= 200 && answer.status < 300) return Applied::Yes;  // even if the body broke off
-  // Who sends on to another address has not done it himself.
+  // A redirecting server has not done it itself.
   if (answer.status == 307 || answer.status == 308) return Applied::No;
   return answer.status >= 400 && answer.status < 500 ? Applied::No : Applied::Maybe;
 }

@@ -1,4 +1,4 @@
-// What became of an HTTP request, in the words of the port. Pure.
+// Results of HTTP requests as failures of the port. Pure.
 #pragma once
 
 #include "map/failure.h"
@@ -11,25 +11,25 @@ inline std::string_view view(const QByteArray& bytes) {
   return {bytes.constData(), std::size_t(bytes.size())};
 }
 
-/// None for a 2xx; 401 and 403 are refusals like those of the link itself.
+/// None for a 2xx; 401 and 403 count as refused, like on the connection itself.
 map::FailureKind failureOf(const net::HttpAnswer& answer);
 
-/// Whether a request that was to change something did so, as far as its answer tells.
+/// Whether a changing request took effect, as far as its answer tells.
 map::Applied appliedOf(const net::HttpAnswer& answer);
 
-/// The request for `subject` that ended in `answer`, which is no 2xx.
+/// The failure for `subject` after `answer`, which is not a 2xx.
 map::Failure failed(const net::HttpAnswer& answer, map::Subject subject,
                     map::AskedFor asked_for = map::AskedFor::All);
-/// The answer came (2xx) and cannot be read; `cause` is what is wrong with it.
+/// The answer (2xx) cannot be parsed; `cause` is the reason.
 map::Failure misread(const net::HttpAnswer& answer, map::Subject subject, Fault cause,
                      map::FailureReason reason = map::FailureReason::Told,
                      map::AskedFor asked_for = map::AskedFor::All);
-/// Of an answer that came (2xx) but cannot be read: a web page is not what a robot sends.
+/// For an answer (2xx) that cannot be parsed: a web page does not come from a robot.
 map::FailureKind unreadable(const net::HttpAnswer& answer);
 
-/// The same certificate in the words of the port.
+/// The same certificate as a value of the port.
 UntrustedCertificate untrusted(const net::CertificateFault& fault);
-/// It answers, and knows no such place or not this use of it.
+/// The server answers, but does not know this path or method.
 inline bool isUnknownThere(const net::HttpAnswer& answer) {
   return answer.kind == net::HttpAnswer::Kind::Answered && (answer.status == 404 || answer.status == 405);
 }

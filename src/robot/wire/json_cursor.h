@@ -1,6 +1,6 @@
-// Walking over JSON that is written plainly, faster than a tree can be made of it. Nothing here repairs or
-// guesses: whatever is not in the plainest form of the grammar (RFC 8259) ends the walk, and the caller reads
-// the text with a parser instead. Pure functions, any thread.
+// Scans simply formatted JSON, faster than building a tree. It repairs and guesses nothing: anything but the
+// plainest form of the grammar (RFC 8259) ends the scan, and the caller uses a parser instead. Pure
+// functions, any thread.
 #pragma once
 
 #include <charconv>
@@ -11,8 +11,8 @@
 
 namespace mapwright::robot::wire {
 
-/// A place in a text that ends with a zero byte which is part of no value. Functions that answer false leave
-/// it anywhere up to that byte.
+/// A position in a text that ends with a zero byte outside of any value. After false the position is
+/// undefined, at most at that byte.
 class JsonCursor {
  public:
   explicit JsonCursor(const char* at) : at_(at) {}
@@ -22,7 +22,7 @@ class JsonCursor {
   void skipSpace() {
     while (*at_ == ' ' || *at_ == '\n' || *at_ == '\r' || *at_ == '\t') ++at_;
   }
-  /// `c`, and the space around it.
+  /// `c` with surrounding white space.
   bool take(char c) {
     skipSpace();
     if (*at_ != c) return false;
@@ -49,10 +49,9 @@ class JsonCursor {
     truth = *at_ == 't';
     return takeText(truth ? "true" : "false");
   }
-  /// The double that is next to what is written; false for what is too large, and for whole numbers of more
-  /// digits than any integer has.
+  /// The nearest double; false for numbers that are too large, and for integers with too many digits.
   bool takeNumber(double& number);
-  /// A string, number, truth value or null.
+  /// A string, number, boolean or null.
   bool takeScalar();
 
  private:
@@ -63,13 +62,13 @@ class JsonCursor {
   const char* at_;
 };
 
-/// Where the list or object that begins at `at` ends: behind its last bracket. Brackets in strings do not
-/// count; whether it is JSON is not looked at. nullptr: it does not end before `end`.
+/// The end of the list or object that begins at `at`: after its last bracket. Ignores brackets in strings and
+/// does not validate the rest. nullptr: it does not end before `end`.
 const char* endOfNested(const char* at, const char* end);
 
 inline bool JsonCursor::takeNumber(double& number) {
-  // Of a few digits, as robots write positions, it is a whole number by a power of ten: both are doubles, so
-  // the quotient is the double next to what is written.
+  // With few digits, as robots write positions, it is an integer divided by a power of ten: both are exact
+  // doubles, so the quotient is the nearest double.
   constexpr double kPowers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14};
   constexpr int kMostDigits = 14;
   const char* const begin = at_;

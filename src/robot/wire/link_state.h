@@ -1,4 +1,4 @@
-// How a WebSocket to a robot stands, in the words of the port. Pure.
+// The state of a WebSocket to a robot as a value of the port. Pure.
 #pragma once
 
 #include "net/web_socket_link.h"
@@ -6,10 +6,10 @@
 
 namespace mapwright::robot::wire {
 
-/// What a link that does not work is a case of; None of one that does.
+/// The failure kind of a broken connection; None if it works.
 map::FailureKind failureOf(net::WebSocketLink::Failure fault);
 
-/// `wanted`: somebody has asked to be connected, so a closed link is one that was refused.
+/// `wanted`: a connection was requested, so a closed link means that it was refused.
 ConnectionState stateOf(const net::WebSocketLink& link, bool wanted);
 
 }  // namespace mapwright::robot::wire

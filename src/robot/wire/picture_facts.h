@@ -1,4 +1,4 @@
-// What can be told of a picture file without decoding it.
+// Facts about a picture file that need no decoding.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace mapwright::robot::wire {
 /// and for sizes of 0 or beyond 2^31 - 1.
 std::optional<std::pair<int, int>> pngSize(std::string_view bytes);
 
-/// A name of exactly these bytes: their SHA-1 in hexadecimal.
+/// Identifies exactly these bytes: their SHA-1 in hexadecimal.
 std::string fingerprint(std::string_view bytes);
 
 }  // namespace mapwright::robot::wire

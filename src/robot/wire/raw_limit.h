@@ -1,4 +1,4 @@
-// How many raw messages a window is handed.
+// Rate limit for raw messages shown in a window.
 #pragma once
 
 #include <algorithm>
@@ -7,12 +7,12 @@
 
 namespace mapwright::robot::wire {
 
-/// Lets no more through than a window can take: kMessages and kBytes in each second.
+/// Allows at most kMessages and kBytes per second.
 class RawLimit {
  public:
   static constexpr int kMessages = 200;
   static constexpr qint64 kBytes = qint64(32) << 20;
-  /// Whether a message of this size may pass at `now_ms` of any clock that does not run backwards.
+  /// Whether a message of this size may pass at `now_ms` of any monotonic clock.
   bool allow(qint64 now_ms, qint64 bytes) {
     if (now_ms / 1000 != second_) {
       second_ = now_ms / 1000;

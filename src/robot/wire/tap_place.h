@@ -1,4 +1,4 @@
-// Where whoever wants every frame of a robot sits.
+// The current tap for a robot's frames.
 #pragma once
 
 #include <mutex>
@@ -8,10 +8,10 @@
 
 namespace mapwright::robot::wire {
 
-/// Thread-safe: set on one thread, passed through on another.
+/// Thread-safe: set on one thread, called on another.
 class TapPlace {
  public:
-  /// Returns once the tap of before is not being called any more.
+  /// Returns when the previous tap is no longer being called.
   void set(FrameTap tap) {
     const std::lock_guard lock(mutex_);
     tap_ = std::move(tap);

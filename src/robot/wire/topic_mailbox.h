@@ -1,4 +1,4 @@
-// Large messages on their way from the link's thread to the one that shows them.
+// Passes large messages from the link's thread to the one that shows them.
 #pragma once
 
 #include <map>
@@ -10,16 +10,16 @@
 
 namespace mapwright::robot::wire {
 
-/// Holds the latest message of each topic until it is taken: what comes faster than it can be shown replaces
-/// what was not taken yet. Thread-safe.
+/// Keeps the latest message of each topic until it is taken: messages that arrive faster than they are shown
+/// replace each other. Thread-safe.
 class TopicMailbox {
  public:
-  static constexpr std::size_t kTopics = 64;  // of more than these nothing is held
+  static constexpr std::size_t kTopics = 64;  // further topics are dropped
 
-  /// Whether messages of this kind go by mail: large, and of no use once a newer one is there.
+  /// Whether messages of this kind use the mailbox: large, and useless once there is a newer one.
   static bool takes(const map::TopicMessage& message);
 
-  /// True when the box was empty: the taker has to be woken.
+  /// True if the box was empty: the receiver has to be woken.
   bool put(map::StampedMessage message);
   /// Empties the box.
   std::vector<map::StampedMessage> take();

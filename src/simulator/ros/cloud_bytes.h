@@ -1,4 +1,4 @@
-// Clouds of points as senders of all kinds lay them down (sensor_msgs/PointCloud2).
+// Clouds in all layouts used by senders (sensor_msgs/PointCloud2).
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace mapwright::simulator::ros {
 
-/// `header` goes into it as it is.
+/// `header` is included unchanged.
 Value cloudMessage(Value header, const std::vector<Building::Point>& points, bool colored,
                    const CloudOddities& odd);
 

@@ -1,5 +1,5 @@
-// A map dispatcher of REP 130 beside the simulated ROS robot (docs/protocols/rep130-map-dispatcher.md):
-// regions of a Building as grids and clouds, its projections, and what dispatchers do differently.
+// A REP 130 map dispatcher next to the simulated ROS robot (docs/protocols/rep130-map-dispatcher.md): regions
+// of a Building as grids and clouds, its projections, and the variations between dispatchers.
 #pragma once
 
 #include <mutex>
@@ -17,7 +17,7 @@ namespace mapwright::simulator::ros {
 
 struct CallOutcome;
 
-/// Safe from any thread. What it says has the stamp 0: it does not change with time.
+/// Safe from any thread. Its messages have the stamp 0: they do not change with time.
 class Dispatcher {
  public:
   Dispatcher(const Options& options, const FaultPlan& faults);
@@ -25,21 +25,21 @@ class Dispatcher {
   struct Row {
     std::string_view name, type;
   };
-  /// Its services; none when it is not there.
+  /// Its services; none if it is disabled.
   std::vector<Row> services() const;
-  /// Its topics that exist now.
+  /// Its present topics.
   std::vector<Row> topics() const;
   bool has(std::string_view service) const;
   CallOutcome call(std::string_view service, const Value& request);
   std::optional<Value> messageOf(std::string_view topic) const;
 
-  /// Rises when a topic has something else to say.
+  /// Increases when a topic has new content.
   struct Edits {
     int projections = 0, map = 0;
     bool operator==(const Edits&) const = default;
   };
   Edits edits() const;
-  /// Every topic that there may ever be.
+  /// All topics that may ever exist.
   static const std::vector<std::string_view>& projectedTopics();
 
  private:

@@ -1,4 +1,4 @@
-// Long texts in pieces, as rosbridge servers cut them.
+// Splits long texts like rosbridge servers do.
 #pragma once
 
 #include <map>
@@ -11,16 +11,15 @@
 
 namespace mapwright::simulator::ros {
 
-/// The text itself when it has no more than `size` characters or `size` is 0; else {"op":"fragment"} messages
-/// of `size` characters each. Their id is that of the message, 0 for those without one; their total is a
-/// fraction.
+/// The text itself if it has at most `size` characters or `size` is 0; otherwise {"op":"fragment"} messages
+/// of `size` characters each. Their id is that of the message, 0 if it has none; their total is a fraction.
 std::vector<std::string> fragmentsOf(std::string text, std::size_t size, const Value& id, RosWriter writer);
 
-/// What a client sends in pieces ({"op":"fragment","id","num","total","data"}, rosbridge v2), as the servers
-/// join it: by id, whatever order it comes in.
+/// Joins fragments sent by a client ({"op":"fragment","id","num","total","data"}, rosbridge v2), like the
+/// servers do: by id, in any order.
 class FragmentShelf {
  public:
-  /// The whole text, once its last piece has come. `complaint`: why a piece was left out.
+  /// The whole text after its last fragment. `complaint`: why a fragment was ignored.
   std::optional<std::string> take(const Value& piece, std::string& complaint);
 
  private:

@@ -1,4 +1,4 @@
-// Frames that are no messages, or none that anybody could mean.
+// Frames that are not valid messages.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ struct Garbage {
   bool binary = false;
 };
 
-/// The `number`th of a round that comes again.
+/// The `number`th of a repeating sequence.
 Garbage garbageOf(std::size_t number);
 
 }  // namespace mapwright::simulator::ros

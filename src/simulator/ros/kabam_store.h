@@ -1,5 +1,4 @@
-// The maps and waypoints of the simulated KABAM MapManagerV2, and the state that it is in
-// (docs/protocols/kabam-map-manager.md).
+// The maps, waypoints and state of the simulated KABAM MapManagerV2 (docs/protocols/kabam-map-manager.md).
 #pragma once
 
 #include <cstdint>
@@ -21,21 +20,21 @@ enum class ManagerState { Idle, Mapping, Active };
 
 struct KabamWaypoint {
   std::string name, id, frame_id;
-  Value pose;  // geometry_msgs/Pose, whole, as it was sent
+  Value pose;  // geometry_msgs/Pose, complete, as received
   std::vector<std::string> tags;
 };
 
 struct KabamMap {
   std::string id, name, label;
-  double created_s = 0, updated_s = 0;  // simulated; what was there before is negative
+  double created_s = 0, updated_s = 0;  // simulated; initial ones are negative
   bool archived = false;
-  PictureSpec spec;                          // what the raster is drawn from,
-  std::shared_ptr<const GrayPicture> image;  // or what was handed in: as large, 0 = occupied, 255 = free
-  std::uint64_t picture_edits = 0;           // with the id it names a raster
+  PictureSpec spec;                          // how to draw the raster,
+  std::shared_ptr<const GrayPicture> image;  // or an uploaded one: same size, 0 = occupied, 255 = free
+  std::uint64_t picture_edits = 0;           // identifies a raster together with the id
   std::vector<KabamWaypoint> waypoints;
 };
 
-/// What a robot's map is drawn from now.
+/// The present source of a robot's map.
 struct RasterSource {
   std::string map_id;  // empty while mapping
   std::uint64_t picture_edits = 0;
@@ -58,13 +57,13 @@ enum class WaypointResult {
   Failed = 6
 };
 
-/// What a topic must be told again for.
+/// Which topics have to be sent again.
 struct KabamEdits {
   std::uint64_t info = 0, lists = 0, waypoints = 0, picture = 0;
   bool operator==(const KabamEdits&) const = default;
 };
 
-/// Safe from any thread. A pure function of the scene, the seed, the clock and of what was asked of it.
+/// Safe from any thread. A pure function of scene, seed, clock and the requests so far.
 class KabamStore {
  public:
   KabamStore(const RobotState& state, MapPictures& pictures, const RosOptions& options, std::uint32_t seed);
@@ -73,10 +72,10 @@ class KabamStore {
   std::optional<KabamMap> current() const;  // none unless Active
   std::vector<KabamMap> maps() const;       // archived ones among them
   KabamEdits edits() const;
-  /// nullopt when the robot has no map at all.
+  /// nullopt if the robot has no map at all.
   std::optional<RasterSource> raster() const;
 
-  /// false when the state does not allow it.
+  /// false if the state does not allow it.
   bool startMapping();
   bool stopMapping();
   SaveResult save(const std::string& name, std::string& id);
@@ -84,18 +83,18 @@ class KabamStore {
   UpdateResult remove(const std::string& id, bool flag);
   UpdateResult archive(const std::string& id, bool archived);
   UpdateResult relabel(const std::string& id, const std::string& label);
-  /// `image` is a whole sensor_msgs/Image.
+  /// `image` is a complete sensor_msgs/Image.
   UpdateResult replaceImage(const std::string& id, const Value& image);
 
-  /// `info` and the answer are a whole kabam_msgs/MapWaypoint.
+  /// `info` and the answer are a complete kabam_msgs/MapWaypoint.
   WaypointResult create(const Value& info, Value& answer);
   WaypointResult removeWaypoint(const Value& info, bool flag, Value& answer);
   WaypointResult rename(const Value& info, Value& answer);
   WaypointResult reposition(const Value& info, Value& answer);
 
-  /// Somebody else changes something: each time something else, in turn.
+  /// Another client changes something different each time.
   void otherOperator();
-  /// Somebody else paints a spot on the current map: each time somewhere else.
+  /// Another client paints a spot on the current map, each time elsewhere.
   void otherPainter();
 
  private:
@@ -121,7 +120,7 @@ class KabamStore {
   std::vector<KabamMap> maps_;
   std::string current_;  // id; empty unless Active
   ManagerState state_ = ManagerState::Idle;
-  std::optional<double> mapping_since_s_;  // of what is mapped, or has been and is not saved
+  std::optional<double> mapping_since_s_;  // of an active or unsaved mapping
   double mapping_until_s_ = 0;             // once stopped
   std::uint64_t ids_ = 0, turns_ = 0, spots_ = 0, picture_edits_ = 0;
   KabamEdits edits_;

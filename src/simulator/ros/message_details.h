@@ -1,4 +1,4 @@
-// What the messages of the simulated robot's topics are made of, as rosapi tells it.
+// The message definitions of the simulated robot's topics, as reported by rosapi.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace mapwright::simulator::ros {
 
-/// The answer of /rosapi/message_details; without a type that nobody here knows its list is empty.
+/// The answer of /rosapi/message_details; the list is empty for an unknown type.
 Value messageDetails(std::string_view type, RosDialect dialect);
 
 }  // namespace mapwright::simulator::ros

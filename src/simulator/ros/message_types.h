@@ -1,5 +1,5 @@
-// The types of messages and requests that the simulated robot takes, and how strictly it reads them
-// (docs/protocols/rosbridge.md, "Calls").
+// The message types of the simulated robot, and how strictly it checks them (docs/protocols/rosbridge.md,
+// "Calls").
 #pragma once
 
 #include <map>
@@ -14,16 +14,16 @@
 
 namespace mapwright::simulator::ros {
 
-/// Immutable, safe from any thread. Types are named without the word in the middle: "nav_msgs/Path".
+/// Immutable, safe from any thread. Types are named without the middle part: "nav_msgs/Path".
 class MessageTypes {
  public:
   explicit MessageTypes(RosDialect dialect);
 
   bool knows(std::string_view type) const { return types_.find(type) != types_.end(); }
-  /// `given` as a whole message of `type`: what was omitted is zero, and every number is of its field's kind.
+  /// `given` as a complete message of `type`: omitted members are zero, and numbers have their field's type.
   /// The error is the server's sentence.
   tl::expected<Value, std::string> complete(std::string_view type, const Value& given) const;
-  /// The same from the values of its first fields, in their order.
+  /// The same from the values of its first fields, in order.
   tl::expected<Value, std::string> fromList(std::string_view type, const Value::List& given) const;
 
  private:
@@ -43,7 +43,7 @@ class MessageTypes {
 /// The type as this dialect names it: "nav_msgs/msg/Path" with `kind` "msg" on ROS 2.
 std::string typeName(std::string_view plain, std::string_view kind, RosDialect dialect);
 
-/// Whether a client that says `named` means `plain`. ROS 1 does not understand the word in the middle.
+/// Whether the type `named` by a client means `plain`. ROS 1 does not accept the middle part.
 bool sameType(std::string_view named, std::string_view plain, std::string_view kind, RosDialect dialect);
 
 }  // namespace mapwright::simulator::ros

@@ -1,4 +1,4 @@
-// What the simulated ROS robot says on its topics: functions of the robot's clock, its maps and its faults.
+// The topics of the simulated ROS robot: functions of the robot's clock, maps and faults.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace mapwright::simulator::ros {
 
-/// What every message is made from, at one moment.
+/// The input for all messages at one time.
 struct Moment {
   const RobotState& robot;
   const Options& options;
@@ -51,7 +51,7 @@ struct OccupancyCells {
 };
 OccupancyCells occupancyOf(const FloorCells& floor, const GrayPicture* image);
 OccupancyCells occupancyOf(const GrayPicture& costs, const GridPlace& place);
-/// The part of `of` within `reach_m` of a point; empty when there is none.
+/// The part of `of` within `reach_m` of a point; empty if there is none.
 Value gridPatchMessage(const Moment& moment, std::string_view frame, const OccupancyCells& of,
                        const Eigen::Vector2d& around_m, double reach_m);
 Value gridMessage(const Moment& moment, std::string_view frame, OccupancyCells grid);
@@ -63,7 +63,7 @@ class Messages {
            MapPictures& pictures)
       : robot_(robot), options_(options), faults_(faults), kabam_(kabam), pictures_(pictures) {}
 
-  /// nullopt when there is nothing to say: no map, nothing that grows.
+  /// nullopt if there is nothing to send: no map, nothing that grows.
   std::optional<Value> messageOf(std::string_view topic);
   /// What nav_msgs/GetMap answers.
   std::optional<Value> mapMessage();
@@ -88,7 +88,7 @@ class Messages {
   std::optional<KeptCosts> costs_;
 };
 
-/// The waypoint as these faults show it: the `index`th has the odd pose.
+/// The waypoint with the effects of the faults: the `index`th has the invalid pose.
 Value shownWaypoint(const KabamWaypoint& waypoint, std::string_view map_id, std::size_t index,
                     const RosFaults& faults);
 /// kabam_msgs/MapWaypointList.

@@ -1,4 +1,4 @@
-// The simulated ROS robot's port and its threads.
+// The port and the threads of the simulated ROS robot.
 #pragma once
 
 #include <atomic>
@@ -23,8 +23,8 @@ namespace mapwright::simulator::ros {
 
 class RosSession;
 
-/// Serves from start() to destruction. One thread does all that has to do with sockets; a worker makes what
-/// takes many milliseconds. What is encoded keeps everybody waiting, as it does on real servers.
+/// Runs from start() to destruction. One thread handles all sockets; a worker does slow tasks. Encoding
+/// blocks everyone, as on real servers.
 class RosServer {
  public:
   RosServer(const Options& options, const RobotState& robot, const FaultPlan& faults, RequestLog& log,
@@ -33,17 +33,17 @@ class RosServer {
   RosServer(const RosServer&) = delete;
   RosServer& operator=(const RosServer&) = delete;
 
-  /// Opens the port of 127.0.0.1 (0 = a free one) and starts the thread. nullopt when it runs.
+  /// Opens the port of 127.0.0.1 (0 = a free one) and starts the thread. nullopt on success.
   std::optional<std::string> start(std::uint16_t port);
   std::uint16_t port() const { return port_; }
   int openLinks() const { return links_.open(); }
 
-  // From any thread; they return when it is done.
+  // From any thread; return when done.
   void dropLinks();
-  /// While it is on nothing is read, written or accepted; what is asked of this server meanwhile is done
-  /// afterwards, and nobody waits for it.
+  /// While it is on nothing is read, written or accepted; other requests to this server are done afterwards,
+  /// without waiting.
   void stall(bool on);
-  void refresh();  // every topic says how things are
+  void refresh();  // every topic sends its present state
   void otherOperator();
   void otherPainter();
 
@@ -54,13 +54,13 @@ class RosServer {
   Loop& loop() { return loop_; }
   void note(std::string_view method, std::string_view target, int status, std::size_t bytes);
   CallOutcome call(const std::string& service, const Value& args) { return services_.call(service, args); }
-  /// Publishes what a call has changed.
+  /// Publishes the changes of a call.
   void publishChanges();
-  /// Whether a subscription will ever be delivered.
+  /// Whether a subscription will ever get a message.
   bool mayDeliver(std::string_view topic, std::string_view type) const;
   void deliverLatched(const std::shared_ptr<RosSession>& session, const std::string& topic);
   void advertise(const std::string& topic, const std::string& type);
-  /// What a client publishes reaches all who have subscribed. A sentence when it is refused.
+  /// Forwards a client's message to all subscribers. Returns a sentence if it is refused.
   std::string publishFrom(const std::string& topic, const Value& msg);
 
  private:
@@ -98,7 +98,7 @@ class RosServer {
   Links<RosSession> links_;
   std::map<std::string, PublicationPtr, std::less<>> last_;                            // of latched topics
   std::deque<std::pair<std::chrono::steady_clock::time_point, PublicationPtr>> late_;  // of waypoints
-  std::map<std::string, bool> making_;  // true: once more when it is done
+  std::map<std::string, bool> making_;  // true: once more afterwards
   KabamEdits published_;
   Dispatcher::Edits dispatched_;
   std::chrono::steady_clock::time_point tick_at_, restarted_at_, edited_at_, painted_at_, garbage_at_;

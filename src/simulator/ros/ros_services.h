@@ -13,7 +13,7 @@
 
 namespace mapwright::simulator::ros {
 
-/// What a call came to. Where the call itself did not work, `values` is a text.
+/// The result of a call. If the call itself failed, `values` is a text.
 struct CallOutcome {
   bool worked = false;
   Value values;
@@ -32,7 +32,7 @@ class Services {
         types_(options.ros.dialect) {}
 
   bool has(std::string_view service) const;
-  /// `args` as the client sent them: an object, a list in the order of the fields, or nothing.
+  /// `args` as sent by the client: an object, a list in the order of the fields, or nothing.
   CallOutcome call(std::string_view name, const Value& args);
   const MessageTypes& types() const { return types_; }
 

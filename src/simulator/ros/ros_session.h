@@ -18,10 +18,9 @@ class RosSession : public WebSocketLink {
   RosSession(Connection& connection, RosServer& server);
 
   bool wants(std::string_view topic) const { return subscriptions_.has(topic); }
-  /// A message of a topic; what is not subscribed to is left out. `at_once`: without waiting for its
-  /// throttle.
+  /// A message of a topic; ignored without a subscription. `at_once`: ignores the throttle.
   void deliver(const PublicationPtr& message, bool at_once);
-  /// Sends what has waited long enough.
+  /// Sends messages that have waited long enough.
   void tick(Subscriptions::Time now);
 
  private:
@@ -44,7 +43,7 @@ class RosSession : public WebSocketLink {
   Subscriptions subscriptions_;
   std::size_t fragment_size_ = 0;
   FragmentShelf shelf_;
-  std::string status_level_;  // "error" and the like: told of mistakes
+  std::string status_level_;  // level of status messages, such as "error"
   bool authenticated_ = false;
   std::uint64_t calls_ = 0;
 };

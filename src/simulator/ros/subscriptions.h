@@ -1,4 +1,4 @@
-// What one client has subscribed to, and when it gets which message (docs/protocols/rosbridge.md, "Topics").
+// The subscriptions of a client, and when it gets which message (docs/protocols/rosbridge.md, "Topics").
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@ namespace mapwright::simulator::ros {
 
 enum class Compression { None, Png, Cbor };
 
-/// A message of a topic, encoded once for all who get it. Of the server's thread.
+/// A message of a topic, encoded once for all receivers. Of the server's thread.
 class Publication {
  public:
   Publication(std::string topic, Value msg, RosWriter writer);
@@ -25,7 +25,7 @@ class Publication {
   const std::string& topic() const { return topic_; }
   const std::string& json() const;
   const std::string& png() const;
-  /// nullopt: lost on the way, as servers lose it.
+  /// nullopt: lost, as servers do.
   const std::optional<std::string>& cbor() const;
 
  private:
@@ -40,26 +40,26 @@ using PublicationPtr = std::shared_ptr<const Publication>;
 struct Subscription {
   std::string type;  // may be empty
   std::chrono::milliseconds throttle{0};
-  std::size_t queue_length = 0;  // 0: what comes too early is dropped
+  std::size_t queue_length = 0;  // 0: early messages are dropped
   Compression compression = Compression::None;
 };
 
-/// Pure: time is handed in.
+/// Pure: time is passed in.
 class Subscriptions {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// false when there are too many.
+  /// false if there are too many.
   bool add(const std::string& topic, const std::string& id, Subscription wanted);
   /// Without an id: all of the topic.
   void remove(const std::string& topic, const std::optional<std::string>& id);
   bool has(std::string_view topic) const { return topics_.find(topic) != topics_.end(); }
-  /// nullopt when it is not subscribed to. Of several, the least throttle and queue.
+  /// nullopt if it is not subscribed. Of several, the smallest throttle and queue.
   std::optional<Subscription> of(std::string_view topic) const;
 
-  /// Whether a message is to be sent now; if not, it waits as far as the queue goes.
+  /// Whether to send a message now; otherwise it waits as far as the queue allows.
   bool take(const PublicationPtr& message, Time now);
-  /// What has waited long enough.
+  /// Messages that have waited long enough.
   std::vector<PublicationPtr> due(Time now);
 
  private:

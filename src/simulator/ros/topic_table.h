@@ -1,4 +1,4 @@
-// What the simulated ROS robot publishes, how often, and of which type.
+// The topics of the simulated ROS robot, with their rates and types.
 #pragma once
 
 #include <string_view>

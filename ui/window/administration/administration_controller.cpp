@@ -26,11 +26,12 @@ AdministrationController::AdministrationController(WindowContext& context, QObje
     action->setProperty("tip", action->toolTip());
     mapping_.push_back({change, action});
   };
-  add(MapChange::StartMapping, "startMapping", tr("Start &mapping…"), tr("Let the robot begin a new map"),
+  add(MapChange::StartMapping, "startMapping", tr("Start &mapping…"), tr("Make the robot start a new map"),
       10);
-  add(MapChange::StopMapping, "stopMapping", tr("S&top mapping…"), tr("Let the robot end its new map"), 20);
+  add(MapChange::StopMapping, "stopMapping", tr("S&top mapping…"), tr("Make the robot finish its new map"),
+      20);
   add(MapChange::Save, "saveNewMap", tr("Save the &new map…"),
-      tr("Keep what the robot has mapped, under a name"), 30);
+      tr("Store the map that the robot has made, under a name"), 30);
   connect(&context_.current, &CurrentSession::stateChanged, this, &AdministrationController::refresh);
   refresh();
 }
@@ -41,7 +42,7 @@ robot::MapAdministration* AdministrationController::maps() const {
 }
 
 void AdministrationController::setSession(session::Session* session) {
-  delete dialog_;  // what it asked belongs to the robot that is left
+  delete dialog_;  // its question concerns the robot that is left
   if (session) {
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &AdministrationController::refresh);
     connect(&session->robot(), &robot::Robot::mapsChanged, this, &AdministrationController::refresh);
@@ -73,7 +74,7 @@ void AdministrationController::fillMenu(QMenu* menu, const map::MapKey& key) {
   for (const Entry& entry :
        {Entry{MapChange::Load, tr("Load on the robot…")},
         Entry{MapChange::Rename, tr("Rename on the robot…")}, Entry{MapChange::Archive, tr("Archive…")},
-        Entry{MapChange::Unarchive, tr("Take out of the archive…")},
+        Entry{MapChange::Unarchive, tr("Restore from the archive…")},
         Entry{MapChange::Delete, tr("Delete from the robot…")}}) {
     const auto obstacle = robots->obstacle(entry.change, map);
     const bool pointless = obstacle == Obstacle::NotOffered || obstacle == Obstacle::IsNotArchived ||
@@ -101,7 +102,7 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
   dialog_ = new ChangeDialog(
       std::move(question),
       [this](const robot::MapOrder& order, robot::OutcomeTo<map::CatalogueEntry> reply) {
-        // It may have gone since the question was asked; then its answer says so, later, as always.
+        // It may have disappeared since the question was asked; then its answer says so, later, as always.
         if (robot::MapAdministration* const now = maps()) return now->carryOut(order, std::move(reply));
         QMetaObject::invokeMethod(
             this,
@@ -120,7 +121,7 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
           [this, change](const map::CatalogueEntry&, const QString& said, bool as_asked) {
             context_.overlay.toasts()->add(as_asked ? Mark::Good : Mark::Warning, said);
             if (session::Session* const now = context_.current.session()) now->catalogue().refresh();
-            // Who stops mapping wants to keep the map, as a rule; not within this call, its dialog is
+            // After mapping the user usually wants to save the map; not within this call, since its dialog is
             // closing.
             if (change == MapChange::StopMapping) {
               QMetaObject::invokeMethod(

@@ -1,5 +1,4 @@
-// The maps that the robot keeps, changed: renamed, loaded, archived, deleted; mapping started, stopped and
-// saved.
+// Changes of the maps stored on the robot: rename, load, archive, delete; start, stop and save mapping.
 #pragma once
 
 #include <QPointer>
@@ -18,7 +17,8 @@ class AdministrationController : public Controller {
   explicit AdministrationController(WindowContext& context, QObject* parent = nullptr);
 
   void setSession(session::Session* session) override;
-  /// Puts what can be done with this map into its menu; what cannot be done now is greyed and says why.
+  /// Adds the possible changes of this map to its menu; those that are impossible now are disabled with the
+  /// reason.
   void fillMenu(QMenu* menu, const map::MapKey& key);
   /// The question that is open; null = none.
   ChangeDialog* dialog() const { return dialog_; }

@@ -99,7 +99,7 @@ void ChangeDialog::setPlaces(const std::vector<std::string>& names) {
   if (!typed.isEmpty()) places_->setEditText(typed);
 }
 
-/// Empty: nobody has said it.
+/// Empty: not stated.
 std::string ChangeDialog::place() const {
   const QString text = places_->currentText();
   const int chosen = places_->currentIndex();
@@ -114,7 +114,7 @@ QString ChangeDialog::whyNot() const {
   if (name_) {
     if (QString why = jobs::whyNoMapName(name_->text()); !why.isEmpty()) return why;
     if (question_.order.change == robot::MapChange::Rename && name_->text() == *question_.name)
-      return tr("It is called so already.");
+      return tr("It already has this name.");
   }
   if (typed_ && typed_->text() != question_.typed) return tr("Type the name of the map to delete it.");
   return {};
@@ -122,7 +122,7 @@ QString ChangeDialog::whyNot() const {
 
 void ChangeDialog::check() {
   const QString why = whyNot();
-  // What is still as it was at first is no error yet.
+  // The initial text is not an error yet.
   const bool touched = (name_ && name_->isModified()) || (typed_ && !typed_->text().isEmpty());
   QPalette palette = error_->palette();
   palette.setColor(QPalette::WindowText, appColors().secondary_text);
@@ -139,7 +139,7 @@ void ChangeDialog::send() {
   for (QWidget* field :
        {static_cast<QWidget*>(name_), static_cast<QWidget*>(typed_), static_cast<QWidget*>(places_)})
     if (field) field->setEnabled(false);
-  call_.emplace();  // before the robot is asked: nothing is sent twice
+  call_.emplace();  // before the request: nothing is sent twice
   *call_ = ask_(order, [self = QPointer<ChangeDialog>(this)](const Outcome& outcome) {
     if (self) self->take(outcome);
   });
@@ -170,10 +170,10 @@ void ChangeDialog::take(const Outcome& outcome) {
 }
 
 void ChangeDialog::reject() {
-  // What became of it is told by the robot: the dialog goes when it has.
+  // The robot reports the result: the dialog closes then.
   if (waiting()) {
     call_->cancel();
-    error_->setText(tr("Giving up: waiting for what became of it…"));
+    error_->setText(tr("Cancelling: checking whether the change took effect…"));
     return;
   }
   QDialog::reject();

@@ -1,5 +1,5 @@
-// Asks before a map of the robot is changed, and stays until the robot has answered: what was typed is not
-// lost.
+// Asks before a map of the robot is changed, and stays open until the robot has answered, so that typed text
+// is not lost.
 #pragma once
 
 #include <functional>
@@ -22,10 +22,10 @@ class ChangeDialog : public QDialog {
   using Outcome = robot::Outcome<map::CatalogueEntry>;
   using Ask = std::function<robot::Call(const robot::MapOrder&, robot::OutcomeTo<map::CatalogueEntry>)>;
 
-  /// `ask` is called once for every time that the button is pressed, never while an answer is awaited.
+  /// `ask` is called once for every press of the button, never while an answer is pending.
   ChangeDialog(ChangeQuestion question, Ask ask, QWidget* parent = nullptr);
 
-  /// Where the robot may stand, the likeliest first. None of them is chosen before somebody does.
+  /// Where the robot may be, most likely first. None is preselected.
   void setPlaces(const std::vector<std::string>& names);
 
   QLineEdit* nameEdit() const { return name_; }    // null: not asked for
@@ -39,7 +39,7 @@ class ChangeDialog : public QDialog {
   void reject() override;
 
  Q_SIGNALS:
-  /// `as_asked`: false when the robot took it, but says something else of the map.
+  /// `as_asked`: false if the robot accepted it but reports something else.
   void done(const mapwright::map::CatalogueEntry& now, const QString& said, bool as_asked);
 
  private:

@@ -26,25 +26,25 @@ void askToLoad(ChangeQuestion& question, const map::CatalogueEntry* map, const m
   question.ends_something = true;
   question.title = ChangeQuestionText::tr("Load on the robot");
   question.accept = ChangeQuestionText::tr("Load");
-  question.done = ChangeQuestionText::tr("The robot works with %1 now.");
+  question.done = ChangeQuestionText::tr("The robot now uses %1.");
   const QString name = called(map);
   question.text =
       current
-          ? ChangeQuestionText::tr("The robot will work with %1 instead of %2. What it is doing now may end.")
+          ? ChangeQuestionText::tr("The robot will switch from %2 to %1. Its current task may be aborted.")
                 .arg(name, called(current))
-          : ChangeQuestionText::tr("The robot will work with %1. What it is doing now may end.").arg(name);
+          : ChangeQuestionText::tr("The robot will switch to %1. Its current task may be aborted.").arg(name);
 }
 
 void askToDelete(ChangeQuestion& question, const map::CatalogueEntry* map) {
   question.ends_something = true;
   question.title = ChangeQuestionText::tr("Delete from the robot");
   question.accept = ChangeQuestionText::tr("Delete");
-  question.done = ChangeQuestionText::tr("%1 is deleted.");
+  question.done = ChangeQuestionText::tr("%1 was deleted.");
   question.text =
-      ChangeQuestionText::tr("%1 will be deleted from the robot, with its waypoints. It cannot be had back.")
+      ChangeQuestionText::tr("This deletes %1 and its waypoints from the robot. It cannot be undone.")
           .arg(called(map));
   if (map && map->is_current) {
-    question.text += QLatin1Char(' ') + ChangeQuestionText::tr("The robot works with it now.");
+    question.text += QLatin1Char(' ') + ChangeQuestionText::tr("The robot is using it now.");
     question.typed = called(map);
   }
 }
@@ -59,26 +59,27 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
   switch (change) {
     case MapChange::Rename:
       question.title = ChangeQuestionText::tr("Rename on the robot");
-      question.text = ChangeQuestionText::tr("What is %1 called from now on?").arg(called(map));
+      question.text = ChangeQuestionText::tr("What should %1 be called?").arg(called(map));
       question.accept = ChangeQuestionText::tr("Rename");
       question.name = map ? QString::fromStdString(map->name) : QString();
-      question.done = ChangeQuestionText::tr("It is called %1 now.");
+      question.done = ChangeQuestionText::tr("It is now called %1.");
       break;
     case MapChange::Load:
       askToLoad(question, map, current);
       break;
     case MapChange::Archive:
       question.title = ChangeQuestionText::tr("Archive on the robot");
-      question.text = ChangeQuestionText::tr("%1 will be put away. It is kept, and can be taken out again.")
+      question.text = ChangeQuestionText::tr("%1 will be archived. It is not deleted and can be restored.")
                           .arg(called(map));
       question.accept = ChangeQuestionText::tr("Archive");
-      question.done = ChangeQuestionText::tr("%1 is archived.");
+      question.done = ChangeQuestionText::tr("%1 was archived.");
       break;
     case MapChange::Unarchive:
-      question.title = ChangeQuestionText::tr("Take out of the archive");
-      question.text = ChangeQuestionText::tr("%1 will be among the robot's maps again.").arg(called(map));
-      question.accept = ChangeQuestionText::tr("Take out");
-      question.done = ChangeQuestionText::tr("%1 is out of the archive.");
+      question.title = ChangeQuestionText::tr("Restore from the archive");
+      question.text =
+          ChangeQuestionText::tr("%1 will be listed among the robot's maps again.").arg(called(map));
+      question.accept = ChangeQuestionText::tr("Restore");
+      question.done = ChangeQuestionText::tr("%1 was restored from the archive.");
       break;
     case MapChange::Delete:
       askToDelete(question, map);
@@ -88,8 +89,8 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       question.title = ChangeQuestionText::tr("Start mapping");
       question.text =
           current
-              ? ChangeQuestionText::tr("The robot will begin a new map and leave %1.").arg(called(current))
-              : ChangeQuestionText::tr("The robot will begin a new map.");
+              ? ChangeQuestionText::tr("The robot will leave %1 and start a new map.").arg(called(current))
+              : ChangeQuestionText::tr("The robot will start a new map.");
       question.accept = ChangeQuestionText::tr("Start mapping");
       question.done = ChangeQuestionText::tr("The robot is mapping.");
       break;
@@ -97,16 +98,16 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       question.ends_something = true;
       question.title = ChangeQuestionText::tr("Stop mapping");
       question.text =
-          ChangeQuestionText::tr("The robot will end mapping. Save the map afterwards, or it may be lost.");
+          ChangeQuestionText::tr("The robot will stop mapping. Save the map afterwards, or it may be lost.");
       question.accept = ChangeQuestionText::tr("Stop mapping");
-      question.done = ChangeQuestionText::tr("Mapping is stopped.");
+      question.done = ChangeQuestionText::tr("Mapping has stopped.");
       break;
     case MapChange::Save:
       question.title = ChangeQuestionText::tr("Save the new map");
-      question.text = ChangeQuestionText::tr("What is the map called that has just been made?");
+      question.text = ChangeQuestionText::tr("What should the new map be called?");
       question.accept = ChangeQuestionText::tr("Save");
       question.name = QString();
-      question.done = ChangeQuestionText::tr("The map is kept as %1.");
+      question.done = ChangeQuestionText::tr("The map was saved as %1.");
       break;
   }
   return question;

@@ -33,28 +33,28 @@ QString cloudSumsText(const scene::CloudSums& sums) {
   }
   if (sums.left_out > 0) {
     lines << sentences::counted(
-        CloudTextText::tr("%1 more are no numbers, or absurdly far away. They are left out.", nullptr,
+        CloudTextText::tr("%1 more have invalid or absurdly large coordinates and were left out.", nullptr,
                           count(sums.left_out)),
         qint64(sums.left_out));
   }
   if (sums.thinned > 0) {
-    lines << sentences::counted(
-        CloudTextText::tr("%1 points are left out evenly, to save memory.", nullptr, count(sums.thinned)),
-        qint64(sums.thinned));
+    lines << sentences::counted(CloudTextText::tr("%1 points, evenly spread, are not shown, to save memory.",
+                                                  nullptr, count(sums.thinned)),
+                                qint64(sums.thinned));
   }
   if (sums.forgotten > 0) {
-    lines << sentences::counted(CloudTextText::tr("%1 older clouds have been let go, to save memory.",
-                                                  nullptr, count(sums.forgotten)),
-                                qint64(sums.forgotten));
+    lines << sentences::counted(
+        CloudTextText::tr("%1 older clouds were discarded to save memory.", nullptr, count(sums.forgotten)),
+        qint64(sums.forgotten));
   }
-  if (sums.without_z) lines << CloudTextText::tr("Some came without heights: they lie at 0 m.");
+  if (sums.without_z) lines << CloudTextText::tr("Some points have no height: they are drawn at 0 m.");
   if (sums.voxels) {
     lines << (sums.voxel_m
-                  ? CloudTextText::tr("The cells look %1 m large.").arg(metres(*sums.voxel_m, 3))
-                  : CloudTextText::tr("How large the cells are cannot be told from where they lie."));
+                  ? CloudTextText::tr("The cell size appears to be %1 m.").arg(metres(*sums.voxel_m, 3))
+                  : CloudTextText::tr("The cell size cannot be told from the positions of the cells."));
   }
   if (sums.frames.size() > 1) {
-    lines << CloudTextText::tr("They come in different frames (%1) and may not fit together.")
+    lines << CloudTextText::tr("They are in different frames (%1) and may not align.")
                  .arg(sums.frames.join(QStringLiteral(", ")));
   }
   lines << CloudTextText::tr("%1 of memory").arg(megabytesText(std::int64_t(sums.bytes)));
@@ -62,14 +62,14 @@ QString cloudSumsText(const scene::CloudSums& sums) {
 }
 
 QString sectionText(const scene::CloudSection& section) {
-  if (section.points == 0) return CloudTextText::tr("No points lie in the strip.");
+  if (section.points == 0) return CloudTextText::tr("There are no points in the strip.");
   QString text =
       sentences::counted(CloudTextText::tr("%1 points", nullptr, sentences::formOf(qint64(section.points))),
                          qint64(section.points));
   text = CloudTextText::tr("%1, from %2 m to %3 m")
              .arg(text, metres(section.low_m, 2), metres(section.high_m, 2));
   if (section.one_of > 1)
-    text = CloudTextText::tr("%1; one of %2 is drawn").arg(text, grouped(section.one_of));
+    text = CloudTextText::tr("%1; one in %2 is drawn").arg(text, grouped(section.one_of));
   return text;
 }
 

@@ -1,4 +1,4 @@
-// What is said about clouds. Pure functions.
+// Texts about clouds. Pure functions.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace mapwright::window {
 
-/// "5,000,000 points shown of 6,000,000", what is missing and why, a line each.
+/// "5,000,000 points shown of 6,000,000", and what is missing and why, one line each.
 QString cloudSumsText(const scene::CloudSums& sums);
 /// "12,480 points, from 0.02 m to 3.11 m".
 QString sectionText(const scene::CloudSection& section);

@@ -29,7 +29,7 @@
 namespace mapwright::window {
 namespace {
 
-constexpr int kSectionPx = 280;  // a storey and its ceiling can be told apart
+constexpr int kSectionPx = 280;  // enough for a storey and its ceiling
 
 const QString kWidthKey = QStringLiteral("clouds/section_width_m");
 const QString kCloudsFolderKey = QStringLiteral("clouds/folder");
@@ -60,7 +60,7 @@ CloudsController::CloudsController(WindowContext& context, QObject* parent)
                      context_.actions.add({.id = "cloudSection",
                                            .text = tr("S&ection"),
                                            .icon = "line",
-                                           .tip = tr("Drag a line to see a cloud from its side"),
+                                           .tip = tr("Drag a line to see a cross-section of a cloud"),
                                            .toggle = true,
                                            .needs_session = true,
                                            .menu = {MenuGroup::Tools, 70}}));
@@ -141,7 +141,7 @@ robot::MapDispatch* CloudsController::dispatch() const {
 }
 
 void CloudsController::setSession(session::Session* session) {
-  // The scene has let go of the clouds; what was asked for is nobody's any more.
+  // The scene has dropped the clouds; pending requests are void.
   ++asked_;
   call_ = {};
   unsaved_ = false;
@@ -159,7 +159,7 @@ void CloudsController::refreshOffer() {
   const robot::MapDispatch* const offered = dispatch();
   QString absence;
   if (!session) {
-    absence = tr("Connect to a robot with a map dispatcher to see its map in space.");
+    absence = tr("Connect to a robot with a map dispatcher to see its 3D map.");
   } else if (!offered) {
     absence = sentences::whyAbsent(robot::Capability::Dispatch,
                                    session->robot().whyNot(robot::Capability::Dispatch));
@@ -167,10 +167,10 @@ void CloudsController::refreshOffer() {
   dock_->setAbsence(absence);
   using robot::DispatchService;
   CloudOffer offer;
-  offer.why_not = dock_->voxels() ? tr("This robot does not offer that of its occupied cells.")
-                                  : tr("This robot does not offer that of its points.");
+  offer.why_not = dock_->voxels() ? tr("This robot does not offer a cloud of its occupied cells.")
+                                  : tr("This robot does not offer a cloud of its points.");
   if (offered) {
-    // It may have come only now.
+    // It may have appeared only now.
     connect(offered, &robot::MapDispatch::offersChanged, this, &CloudsController::refreshOffer,
             Qt::UniqueConnection);
     offer.whole = offered->offered(dock_->voxels() ? DispatchService::Occupancy : DispatchService::Cloud);
@@ -186,7 +186,7 @@ void CloudsController::fetchBox(const geometry::WorldRect& box) {
   region.centre_m = {box.center().x(), box.center().y(), (heights.low_m + heights.high_m) / 2};
   region.size_m = {box.width(), box.height(), heights.high_m - heights.low_m};
   if (!(region.size_m.z() > 0)) {
-    dock_->setOutcome(tr("The heights to fetch begin and end in one place."), true);
+    dock_->setOutcome(tr("The lowest and the highest height to fetch are the same."), true);
     context_.panels.open(dock_);
     return;
   }
@@ -198,7 +198,7 @@ void CloudsController::fetch(const std::optional<map::CloudRegion>& region) {
   robot::MapDispatch* const offered = dispatch();
   if (!offered) return refreshOffer();
   if (!call_.over()) {
-    dock_->setOutcome(tr("One cloud is being fetched already."), true);
+    dock_->setOutcome(tr("A cloud is already being fetched."), true);
     return;
   }
   const auto kind = dock_->voxels() ? robot::CloudKind::Occupancy : robot::CloudKind::Points;
@@ -231,10 +231,10 @@ void CloudsController::take(robot::CloudKind kind, const std::optional<map::Clou
   if (outcome->elsewhere()) {
     said << tr("The robot answered with another region.");
   } else if (cloud.points.empty()) {
-    said << tr("The robot has no points there.");
+    said << tr("The robot has no points in this region.");
   } else {
     const auto points = qint64(cloud.points.size());
-    said << sentences::counted(tr("%1 points have come.", nullptr, sentences::formOf(points)), points);
+    said << sentences::counted(tr("%1 points were received.", nullptr, sentences::formOf(points)), points);
   }
   said << outcome->notes();
   dock_->setOutcome(said.join(QLatin1Char('\n')), outcome->elsewhere() || !outcome->complete());
@@ -246,7 +246,7 @@ void CloudsController::take(robot::CloudKind kind, const std::optional<map::Clou
     context_.scene.setLayerVisible(scene::Layer::DispatchedCloud, true);
   }
   if (!first || region) return;
-  // The whole map, and nothing was on screen before: it is what one wants to look at.
+  // The whole map, and nothing was on screen before: show all of it.
   connect(
       &clouds_, &scene::MapClouds::summed, this,
       [this] {
@@ -269,13 +269,12 @@ void CloudsController::cut() {
   });
 }
 
-/// Its dock takes the place of others below the map, which may be low; once it is open its height is the
-/// user's.
+/// Its dock replaces others below the map, which may be low; once it is open the user controls its height.
 void CloudsController::openSection() {
   const bool was_open = section_dock_->isVisible() && !section_dock_->visibleRegion().isEmpty();
   context_.panels.open(section_dock_);
   if (was_open || section_dock_->isFloating()) return;
-  // The height that it got is known once it has been laid out.
+  // Its height is known once it has been laid out.
   QTimer::singleShot(0, section_dock_, [this] {
     const int wanted = std::max(kSectionPx, context_.window.height() / 4);
     if (section_dock_->height() < wanted)
@@ -298,7 +297,7 @@ std::vector<Fetched> CloudsController::fetched() {
 void CloudsController::askAndSave(std::function<void()> then) {
   const QString folder = folderToWriteInto({context_.settings.value(kCloudsFolderKey).toString()});
   const QString proposed = QDir(folder).filePath(QStringLiteral("cloud.pcd"));
-  QString path = QFileDialog::getSaveFileName(&context_.window, tr("Save the cloud that is shown"), proposed,
+  QString path = QFileDialog::getSaveFileName(&context_.window, tr("Save the displayed cloud"), proposed,
                                               tr("Clouds (*.pcd *.ply *.csv)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1String(".pcd");
@@ -310,7 +309,7 @@ void CloudsController::saveTo(const QString& path, std::function<void()> then) {
   const QString end = QFileInfo(path).suffix().toLower();
   if (end != QLatin1String("pcd") && end != QLatin1String("ply") && end != QLatin1String("csv")) {
     context_.overlay.toasts()->add(Mark::Bad,
-                                   tr("A cloud is saved as .pcd, .ply or .csv. Choose one of these."));
+                                   tr("A cloud can be saved as .pcd, .ply or .csv. Choose one of these."));
     return;
   }
   clouds_.write(path, [this, path, asked = asked_,
@@ -320,7 +319,7 @@ void CloudsController::saveTo(const QString& path, std::function<void()> then) {
       return;
     }
     context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)));
-    if (asked == asked_) unsaved_ = false;  // nothing has been asked for since
+    if (asked == asked_) unsaved_ = false;  // nothing has been requested since
     if (then) then();
   });
 }

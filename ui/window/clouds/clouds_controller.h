@@ -1,4 +1,4 @@
-// Clouds of the robot's map: fetched by region, shown, cut, saved.
+// Clouds of the robot's map: fetch by region, show, cut, save.
 #pragma once
 
 #include "jobs/fetch_cloud.h"
@@ -30,10 +30,9 @@ class CloudsController : public Controller {
   void reset() override;
   std::vector<Fetched> fetched() override;
 
-  /// nullopt: the whole map. One request is under way at a time.
+  /// nullopt: the whole map. Only one request at a time.
   void fetch(const std::optional<map::CloudRegion>& region);
-  /// Writes what is shown; the end of the name says how.
-  /// `then`: once it is written.
+  /// Writes what is shown; the extension selects the format. `then`: called when it is written.
   void saveTo(const QString& path, std::function<void()> then = {});
 
  private:
@@ -55,8 +54,8 @@ class CloudsController : public Controller {
   SectionTool* section_tool_;
   RegionTool* region_tool_;
   robot::Call call_;
-  bool unsaved_ = false;     // something has come since all of it was written
-  std::uint64_t asked_ = 0;  // counts the requests: an answer to an older one is of no use
+  bool unsaved_ = false;     // data has arrived since everything was last written
+  std::uint64_t asked_ = 0;  // counts the requests: answers to older ones are ignored
   std::optional<scene::CloudCut> cut_;
   std::shared_ptr<const scene::CloudSection> section_;
 };

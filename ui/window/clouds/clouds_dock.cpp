@@ -45,7 +45,7 @@ QDoubleSpinBox* metresBox(double low, double high, int decimals, const QString& 
   box->setDecimals(decimals);
   box->setSingleStep(0.1);
   box->setSuffix(CloudsDock::tr(" m"));
-  // What is typed counts when it is finished: half a number would be a height of its own.
+  // Typed numbers count when complete: half a number would be a height of its own.
   box->setKeyboardTracking(false);
   box->setAccessibleName(name);
   box->setMinimumWidth(70);
@@ -98,10 +98,10 @@ void CloudsDock::buildAsking(QVBoxLayout* column) {
   auto* const form = new QFormLayout;
   kind_ = new QComboBox(asking_);
   kind_->addItems({tr("Points"), tr("Occupied cells")});
-  kind_->setAccessibleName(tr("What is fetched"));
+  kind_->setAccessibleName(tr("What to fetch"));
   form->addRow(tr("What"), kind_);
-  ask_low_ = metresBox(-kFarthestM, kFarthestM, 2, tr("Fetched from this height"), asking_);
-  ask_high_ = metresBox(-kFarthestM, kFarthestM, 2, tr("Fetched up to this height"), asking_);
+  ask_low_ = metresBox(-kFarthestM, kFarthestM, 2, tr("Lowest height to fetch"), asking_);
+  ask_high_ = metresBox(-kFarthestM, kFarthestM, 2, tr("Highest height to fetch"), asking_);
   ask_low_->setValue(-50);
   ask_high_->setValue(50);
   form->addRow(tr("Heights"), fromTo(ask_low_, ask_high_, asking_));
@@ -121,9 +121,10 @@ void CloudsDock::buildAsking(QVBoxLayout* column) {
   auto* const ask = new QVBoxLayout(question_);
   ask->setContentsMargins(0, 0, 0, 0);
   auto* const text = cloudText(question_);
-  text->setText(tr("The robot does not say how large its whole cloud is. It may take long and much memory."));
+  text->setText(tr(
+      "The robot does not report the size of its whole cloud. Fetching it may need much time and memory."));
   sure_ = cloudButton(tr("Fetch everything"), question_);
-  auto* const no = cloudButton(tr("Do not"), question_);
+  auto* const no = cloudButton(tr("Cancel"), question_);
   auto* const answers = new QHBoxLayout;
   answers->addWidget(sure_);
   answers->addWidget(no);
@@ -176,13 +177,13 @@ void CloudsDock::buildLook(QVBoxLayout* column) {
   form->addRow(tr("Point size"), size_);
   voxel_ = metresBox(0, 10, 3, tr("Size of the cells"), body_);
   voxel_->setSingleStep(0.01);
-  voxel_->setSpecialValueText(tr("as found"));
+  voxel_->setSpecialValueText(tr("detected"));
   form->addRow(tr("Cell size"), voxel_);
   column->addLayout(form);
   slider_ = new HeightSlider(body_);
   column->addWidget(slider_);
-  low_ = metresBox(-1e7, 1e7, 2, tr("Shown from this height"), body_);
-  high_ = metresBox(-1e7, 1e7, 2, tr("Shown up to this height"), body_);
+  low_ = metresBox(-1e7, 1e7, 2, tr("Lowest height to show"), body_);
+  high_ = metresBox(-1e7, 1e7, 2, tr("Highest height to show"), body_);
   column->addLayout(fromTo(low_, high_, body_));
   auto* const all = cloudButton(tr("All heights"), body_);
   column->addWidget(all, 0, Qt::AlignLeft);
@@ -216,7 +217,7 @@ scene::CloudRange CloudsDock::askedHeights() const {
 
 void CloudsDock::typedRange() {
   if (low_->value() > high_->value()) {
-    // The other end gives way to the one that was typed.
+    // The other end gives way to the typed one.
     QDoubleSpinBox* const typed = qobject_cast<QDoubleSpinBox*>(sender());
     QDoubleSpinBox* const other = typed == low_ ? high_ : low_;
     const QSignalBlocker quiet(other);
@@ -271,7 +272,7 @@ void CloudsDock::setClouds(const scene::CloudSums& sums, const scene::CloudHeigh
   slider_->setHeights(heights);
   slider_->setRange(range);
   const QSignalBlocker quiet_low(low_), quiet_high(high_);
-  // Rounded outwards: what is at the very end is not to be lost by two decimals.
+  // Rounded outwards, so that the two decimals do not cut off the ends.
   low_->setValue(range ? range->low_m : std::floor(heights.low_m * 100) / 100);
   high_->setValue(range ? range->high_m : std::ceil(heights.high_m * 100) / 100);
   low_->setEnabled(has_clouds_);
@@ -282,7 +283,7 @@ void CloudsDock::setClouds(const scene::CloudSums& sums, const scene::CloudHeigh
 
 void CloudsDock::setScale(const std::optional<scene::CloudScale>& scale) { scale_->setScale(scale); }
 
-void CloudsDock::setSorting() { counts_->setText(tr("What has come is being put in order…")); }
+void CloudsDock::setSorting() { counts_->setText(tr("Preparing the cloud…")); }
 
 void CloudsDock::setStyle(const scene::LayerStyle& style) {
   const QSignalBlocker quiet(size_);

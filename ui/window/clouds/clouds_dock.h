@@ -1,4 +1,4 @@
-// What clouds of the robot's map are fetched, and how they are shown.
+// Which clouds of the robot's map to fetch, and how to show them.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ class QVBoxLayout;
 
 namespace mapwright::window {
 
-/// What may be asked for now, by kind; and why not, for a tooltip.
+/// What can be requested now, by kind; and why not, for a tooltip.
 struct CloudOffer {
   bool whole = false, region = false;
   QString why_not;  // what is missing
@@ -31,24 +31,24 @@ class CloudsDock : public QDockWidget {
  public:
   explicit CloudsDock(QWidget* parent = nullptr);
 
-  /// Not empty: there is no robot that gives clouds, and this says why.
+  /// Not empty: why there are no clouds.
   void setAbsence(const QString& sentence);
   void setOffer(const CloudOffer& offer);
-  /// Not empty: something is under way, and how far it is.
+  /// Not empty: the progress of a request.
   void setProgress(const QString& words);
-  /// How the last request ended; empty = nothing to say.
+  /// The result of the last request; empty = none.
   void setOutcome(const QString& sentence, bool bad);
   void setClouds(const scene::CloudSums& sums, const scene::CloudHeights& heights,
                  const std::optional<scene::CloudRange>& range);
-  /// What came is not on the map yet, nor counted: until setClouds().
+  /// New data is being processed and neither shown nor counted: until setClouds().
   void setSorting();
   void setStyle(const scene::LayerStyle& style);
-  /// nullopt: no value gives the colours.
+  /// nullopt: the colours do not depend on a value.
   void setScale(const std::optional<scene::CloudScale>& scale);
 
   bool voxels() const { return kind_->currentIndex() == 1; }
   RegionShape shape() const { return RegionShape(shape_->currentIndex()); }
-  /// The heights that are asked for, low first.
+  /// The heights to request, low first.
   scene::CloudRange askedHeights() const;
 
   QComboBox* kindBox() const { return kind_; }

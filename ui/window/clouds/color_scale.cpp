@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kBarPx = 12, kGapPx = 3, kMostStops = 32;
 
-/// As many decimals as tell the ends apart.
+/// Enough decimals to distinguish the ends.
 QString valueText(double value, double span) {
   const int decimals = span > 0 ? std::clamp(2 - int(std::floor(std::log10(span))), 0, 3) : 2;
   return QLocale::c().toString(value, 'f', decimals);
@@ -75,7 +75,7 @@ void ColorScale::paintEvent(QPaintEvent*) {
   const QStringList all = values();
   painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, all[0]);
   painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, all[2]);
-  // The middle gives way where there is no room for three.
+  // The middle is dropped if there is no room for three.
   const int needed = fontMetrics().horizontalAdvance(all.join(QStringLiteral("    ")));
   if (needed < width()) painter.drawText(text, Qt::AlignHCenter | Qt::AlignVCenter, all[1]);
 }

@@ -1,4 +1,4 @@
-// Which colour of a cloud means which value.
+// Shows which colour of a cloud means which value.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace mapwright::window {
 
-/// A bar of the colours with the values at its ends and in its middle. Hidden while there is no scale.
+/// A bar of the colours with the values at its ends and in its middle. Hidden without a scale.
 class ColorScale : public QWidget {
   Q_OBJECT
  public:

@@ -37,7 +37,7 @@ void HeightSlider::setRange(std::optional<scene::CloudRange> range) {
 }
 
 void HeightSlider::tell() {
-  setAccessibleName(tr("Heights that are shown"));
+  setAccessibleName(tr("Visible heights"));
   const scene::CloudRange now = shown();
   setAccessibleDescription(
       usable() ? tr("from %1 m to %2 m")
@@ -68,7 +68,7 @@ void HeightSlider::moveHandle(Handle handle, double z_m) {
   } else {
     next.high_m = std::clamp(z_m, std::min(next.low_m, heights_.usual_high_m), heights_.usual_high_m);
   }
-  // From end to end is all, with what lies beyond.
+  // From end to end means everything, including values beyond.
   const bool all = next.low_m <= heights_.usual_low_m && next.high_m >= heights_.usual_high_m;
   const std::optional<scene::CloudRange> chosen = all ? std::nullopt : std::optional(next);
   if (chosen == range_) return;
@@ -81,7 +81,7 @@ void HeightSlider::mousePressEvent(QMouseEvent* event) {
   const double x = event->position().x();
   const scene::CloudRange now = shown();
   const double low = xOf(now.low_m), high = xOf(now.high_m);
-  // Of two that lie in one place the one that can go to where the hand is.
+  // If both are in one place, the one that can move towards the cursor.
   active_ = dragged_ =
       std::abs(x - low) < std::abs(x - high) || (low == high && x < low) ? Handle::Low : Handle::High;
   moveHandle(dragged_, zAt(x));
@@ -147,7 +147,8 @@ void HeightSlider::paintEvent(QPaintEvent*) {
   if (!usable()) return;
   const scene::CloudRange now = shown();
   const double low = xOf(now.low_m), high = xOf(now.high_m);
-  // Roots: a floor has a hundred times as many points as what stands on it, and both are to be seen.
+  // Square roots: a floor has a hundred times as many points as the objects on it, and both should be
+  // visible.
   const auto most = *std::max_element(heights_.bins.begin(), heights_.bins.end());
   const double bin_px = field.width() / double(heights_.bins.size());
   for (std::size_t i = 0; i < heights_.bins.size(); ++i) {

@@ -1,4 +1,4 @@
-// A range of heights between two handles, over a histogram of how many points lie where.
+// A range slider for heights, over a histogram of the points.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace mapwright::window {
 
-/// Heights run from left to right. The keys move one handle: Left and Right a hundredth of the width, with
-/// Shift a tenth, Home and End as far as it goes; Up and Down choose the upper or the lower handle. Double
+/// Heights increase from left to right. The keys move one handle: Left and Right by a hundredth of the width,
+/// with Shift a tenth, Home and End to the limit; Up and Down select the upper or the lower handle. Double
 /// click: all.
 class HeightSlider : public QWidget {
   Q_OBJECT
@@ -21,7 +21,7 @@ class HeightSlider : public QWidget {
   /// nullopt = all.
   void setRange(std::optional<scene::CloudRange> range);
   const std::optional<scene::CloudRange>& range() const { return range_; }
-  /// Where a height lies, pixels from the left.
+  /// The position of a height, pixels from the left.
   double xOf(double z_m) const;
 
   QSize sizeHint() const override { return {220, 72}; }

@@ -64,8 +64,8 @@ bool RegionTool::keyPressed(const MapKeyPress& press) {
 QString RegionTool::hint() const {
   if (!from_ || !to_) {
     return shape_ == RegionShape::Box
-               ? tr("Drag a box: its cloud is asked for. Esc leaves.")
-               : tr("Drag from the middle of a sphere to its edge: its cloud is asked for. Esc leaves.");
+               ? tr("Drag a box to fetch its cloud. Esc leaves.")
+               : tr("Drag from the centre of a sphere to its edge to fetch its cloud. Esc leaves.");
   }
   if (shape_ == RegionShape::Sphere) return tr("Radius %1").arg(lengthText((*to_ - *from_).norm()));
   return tr("%1 x %2").arg(lengthText(std::abs(to_->x() - from_->x())),

@@ -1,4 +1,4 @@
-// A box or a sphere on the map, from above, whose cloud is asked for.
+// Selects a box or a sphere on the map to fetch its cloud.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace mapwright::window {
 
 enum class RegionShape { Box, Sphere };
 
-/// Box: drag from corner to corner (its sides lie along the axes of the map, however the view is turned).
-/// Sphere: drag from the middle to its edge. Esc leaves.
+/// Box: drag from corner to corner (its sides are parallel to the axes of the map, however the view is
+/// rotated). Sphere: drag from the centre to its edge. Esc leaves.
 class RegionTool : public MapTool {
   Q_OBJECT
  public:

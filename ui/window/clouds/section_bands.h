@@ -1,4 +1,4 @@
-// Ranges of height that lie as bands over a section, and their edges, which can be taken hold of.
+// Height ranges shown as bands over a section, with edges that can be dragged.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 namespace mapwright::window {
 
 struct SectionBand {
-  int index = 0;  // as it is called
+  int index = 0;  // the displayed number
   double low_m = 0, high_m = 0;
   bool chosen = false;
   bool movable = false;
@@ -19,10 +19,10 @@ struct BandEdge {
   bool low = false;
 };
 
-/// The edge nearest to a height, no farther than `reach_m`; that of the chosen band where several are. Of
-/// movable bands only.
+/// The edge nearest to a height, within `reach_m`; of several that of the selected band. Only of movable
+/// bands.
 std::optional<BandEdge> edgeNear(const std::vector<SectionBand>& bands, double height_m, double reach_m);
-/// The band with that edge at a height, its ends in their order and never in one place.
+/// The band with that edge at a height; its ends stay in order and apart.
 SectionBand withEdgeAt(SectionBand band, bool low, double height_m);
 
 }  // namespace mapwright::window

@@ -32,8 +32,8 @@ SectionDock::SectionDock(std::shared_ptr<work::Workers> workers, QWidget* parent
   auto* const fit = new QToolButton(body);
   fit->setIcon(themedIcon(QStringLiteral("fit")));
   fit->setAutoRaise(true);
-  fit->setToolTip(tr("All of the section (F)"));
-  fit->setAccessibleName(tr("All of the section"));
+  fit->setToolTip(tr("Show the whole section (F)"));
+  fit->setAccessibleName(tr("The whole section"));
   told_->setSecondary(true);
   bar->addWidget(label);
   bar->addWidget(width_);

@@ -1,4 +1,4 @@
-// The section of a cloud, with the width of its strip and what is below the cursor.
+// The section of a cloud, with the width of its strip and the values under the cursor.
 #pragma once
 
 #include <QDockWidget>

@@ -78,8 +78,8 @@ void SectionTool::forget() {
 
 QString SectionTool::hint() const {
   if (!line_ || line_->from_m == line_->to_m)
-    return tr("Drag a line to look at the cloud from its side. Esc leaves.");
-  return tr("%1 long. Drag another line, or Esc to forget it.")
+    return tr("Drag a line to see a cross-section of the cloud. Esc leaves.");
+  return tr("%1 long. Drag another line, or press Esc to remove it.")
       .arg(lengthText((line_->to_m - line_->from_m).norm()));
 }
 
@@ -104,7 +104,7 @@ void SectionTool::paint(QPainter& painter) {
   painter.drawLine(from, to);
   painter.setBrush(color);
   painter.drawEllipse(from, 4, 4);
-  // The end has an arrow: left and right in the section are that way round.
+  // The end has an arrow, which gives the direction of the section.
   const QLineF shaft(to, from);
   if (shaft.length() > 1) {
     QLineF wing(to, to + (from - to) * (10 / shaft.length()));

@@ -1,4 +1,4 @@
-// A line on the map along which a cloud is cut.
+// Draws a line on the map along which a cloud is cut.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace mapwright::window {
 
-/// Drag from one end to the other. Esc forgets the line, a second one puts the tool away.
+/// Drag from one end to the other. Esc removes the line, a second Esc leaves the tool.
 class SectionTool : public MapTool {
   Q_OBJECT
  public:
@@ -28,11 +28,11 @@ class SectionTool : public MapTool {
   void paint(QPainter& painter) override;
   QString hint() const override;
 
-  /// Of the strip that is drawn around the line.
+  /// Of the strip drawn around the line.
   void setWidth(double metres);
   void forget();
   const std::optional<Line>& line() const { return line_; }
-  /// A place on the line that somebody looks at elsewhere, metres from its start.
+  /// The position on the line under the cursor elsewhere, metres from its start.
   void setMark(std::optional<double> along_m);
 
  Q_SIGNALS:
@@ -41,7 +41,7 @@ class SectionTool : public MapTool {
 
  private:
   const scene::MapScene* scene_;
-  std::optional<Line> line_, before_;  // before_: what a drag that is not finished replaces
+  std::optional<Line> line_, before_;  // before_: the line replaced by an unfinished drag
   std::optional<double> mark_;
   double width_m_ = 0.5;
 };

@@ -84,7 +84,7 @@ void SectionView::setBands(std::vector<SectionBand> bands) {
   if (bands == bands_) return;
   if (bands.size() != bands_.size()) held_edge_.reset();
   bands_ = std::move(bands);
-  // Without a cloud they are all that there is to see; but not while the hand holds one of them.
+  // Without a cloud they are all there is to see; but not while one of them is dragged.
   if (!section_ && !moved_ && !held_edge_) return fit();
   update();
 }
@@ -177,7 +177,7 @@ void SectionView::leaveEvent(QEvent* event) {
   update();
 }
 
-/// The keys of the section are those of the map's menu, too: where it has the keyboard they are its own.
+/// Some keys of the section are also used by the map's menu: with the focus here they belong to the section.
 bool SectionView::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* const key = static_cast<QKeyEvent*>(event);
@@ -262,7 +262,7 @@ std::vector<QRectF> SectionView::bandLabels() const {
   const QFontMetricsF metrics(font());
   const QRectF room = field();
   std::vector<QRectF> labels(bands_.size());
-  // The chosen one first: it stands at the edge.
+  // The selected one first: it is next to the edge.
   for (const bool chosen : {true, false}) {
     for (std::size_t i = 0; i < bands_.size(); ++i) {
       const SectionBand& band = bands_[i];

@@ -1,4 +1,4 @@
-// A cloud from its side: along the line to the right, heights upwards, both in metres and to the same scale.
+// A cloud seen from its side: along the line to the right, heights upwards, both in metres at the same scale.
 #pragma once
 
 #include <memory>
@@ -12,33 +12,33 @@
 
 namespace mapwright::window {
 
-/// Wheel: zoom at the cursor. Drag: pan; at the edge of a band: moves that. Double click or F: all of it.
-/// Keys: arrows pan, + and - zoom.
+/// Wheel: zoom at the cursor. Drag: pan; at the edge of a band: move it. Double click or F: show all. Keys:
+/// arrows pan, + and - zoom.
 class SectionView : public QWidget {
   Q_OBJECT
  public:
   SectionView(std::shared_ptr<work::Workers> workers, QWidget* parent = nullptr);
 
-  /// null = none. `painter` draws it; another one for the same section keeps the view.
+  /// null = none. `painter` draws it; a new one for the same section keeps the view.
   void showSection(std::shared_ptr<const scene::CloudSection> section, render::TilePainter painter);
   const std::shared_ptr<const scene::CloudSection>& section() const { return section_; }
   void fit();
-  /// Ranges of height that lie over it.
+  /// Height ranges shown over it.
   void setBands(std::vector<SectionBand> bands);
   const std::vector<SectionBand>& bands() const { return bands_; }
-  /// (along, height) of a place in the widget, and back.
+  /// Converts between (along, height) and widget positions.
   Eigen::Vector2d placeAt(const QPointF& px) const;
   QPointF pxOf(const Eigen::Vector2d& place) const;
   const geometry::ViewTransform& view() const { return view_; }
-  /// What is below the cursor, if it is there: the place, and the point nearest to it.
+  /// The position under the cursor, if it is there, and the point nearest to it.
   struct Reading {
     Eigen::Vector2d at{0, 0};
     std::optional<Eigen::Vector2d> nearest;
   };
   const std::optional<Reading>& reading() const { return reading_; }
   bool settled() const { return tiles_.settled(); }
-  /// Where the number of each band stands, in their order, side by side where bands cover each other; empty:
-  /// there is no room, or the band is out of sight.
+  /// Where the number of each band is drawn, in order, side by side if bands overlap; empty: no room, or out
+  /// of sight.
   std::vector<QRectF> bandLabels() const;
 
   QSize sizeHint() const override { return {500, 240}; }
@@ -46,7 +46,7 @@ class SectionView : public QWidget {
 
  Q_SIGNALS:
   void readingChanged();
-  /// The hand has moved an edge of a band, by the name that it has.
+  /// The user moved an edge of a band, given by its number.
   void bandMoved(int index, double low_m, double high_m);
 
  protected:
@@ -62,7 +62,7 @@ class SectionView : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  QRect field() const;  // where the section is, beside its axes
+  QRect field() const;  // the area of the section, without its axes
   void setView(const geometry::ViewTransform& view);
   void sendView();
   void read(const QPointF& px);
@@ -77,7 +77,7 @@ class SectionView : public QWidget {
   std::optional<BandEdge> held_edge_;
   std::optional<QPointF> grabbed_;
   std::optional<Reading> reading_;
-  bool moved_ = false;  // by hand: it is not fitted any more by itself
+  bool moved_ = false;  // by the user: no longer fitted automatically
 };
 
 }  // namespace mapwright::window

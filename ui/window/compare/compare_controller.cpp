@@ -23,7 +23,7 @@ CompareController::CompareController(WindowContext& context, PicturePlacing& pla
                         .text = tr("Com&pare…"),
                         .icon = "compare",
                         .keys = {"Ctrl+Shift+D"},
-                        .tip = tr("Set the open map against another one"),
+                        .tip = tr("Compare the open map with another one"),
                         .needs_session = true,
                         .menu = {MenuGroup::WholeMap, 10},
                         .bar = {BarGroup::Maps, 40}},
@@ -67,7 +67,7 @@ void CompareController::compareWithAddress(const QString& address) {
   auto reader = read_(address);
   robot::WholeMapSource* const source = reader && *reader ? (*reader)->wholeMapSource() : nullptr;
   if (!source) {
-    context_.overlay.toasts()->add(Mark::Bad, reader ? tr("This is no map file.") : reader.error());
+    context_.overlay.toasts()->add(Mark::Bad, reader ? tr("This is not a map file.") : reader.error());
     return;
   }
   source_ = std::move(*reader);

@@ -1,4 +1,4 @@
-// The open map set against another one.
+// Compares the open map with another one.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ class CompareControl;
 class CompareController : public Controller {
   Q_OBJECT
  public:
-  /// `read`: makes what reads the map at an address; the error is a sentence.
+  /// `read`: returns a reader for the map at an address; the error is a sentence.
   using Read = std::function<tl::expected<std::unique_ptr<robot::Robot>, QString>(const QString& address)>;
 
   CompareController(WindowContext& context, PicturePlacing& placing, Read read, QObject* parent = nullptr);
@@ -27,7 +27,7 @@ class CompareController : public Controller {
 
   CompareControl* control() const { return control_; }
   void compareWith(const map::MapKey& key);
-  /// The open map as it is kept beside what is being made of it; ends such a comparison.
+  /// Compares the edited map with the saved one; if that comparison is on, ends it.
   void compareWithSaved();
   void setSession(session::Session* session) override;
   bool escape() override;

@@ -75,13 +75,13 @@ void ConnectionController::addActions() {
                                  .text = tr("&Retry now"),
                                  .icon = "retry",
                                  .keys = {"F5"},
-                                 .tip = tr("Reconnect, and ask again for everything that failed"),
+                                 .tip = tr("Reconnect, and repeat every request that failed"),
                                  .menu = {MenuGroup::Link, 10}},
                                 this, &ConnectionController::retry);
   disconnect_ = context_.actions.add({.id = "disconnect",
                                       .text = tr("D&isconnect"),
                                       .icon = "disconnect",
-                                      .tip = tr("Leave this robot"),
+                                      .tip = tr("Disconnect from this robot"),
                                       .menu = {MenuGroup::Link, 20}},
                                      this, &ConnectionController::leave);
 }
@@ -101,10 +101,10 @@ void ConnectionController::wireCard() {
 std::optional<QString> ConnectionController::connectTo(const QString& address, const QByteArray& secret) {
   auto robot = make_robot_(address, secret);
   if (!robot) return robot.error();
-  if (!*robot) return tr("This address gives no robot.");
+  if (!*robot) return tr("No robot supports this address.");
   secret_of_ = (*robot)->address();
   secret_ = secret;
-  // Shared, because what is called later has to be copyable.
+  // Shared, because the callback has to be copyable.
   context_.unsaved.whenMayLeaveRobot(
       [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot)), address] {
         begin(std::move(*made), address);
@@ -115,7 +115,7 @@ std::optional<QString> ConnectionController::connectTo(const QString& address, c
 tl::expected<std::unique_ptr<robot::Robot>, QString> ConnectionController::another(
     const QString& address) const {
   auto robot = make_robot_(address, address == secret_of_ ? secret_ : QByteArray());
-  if (robot && !*robot) return tl::make_unexpected(tr("This address gives no robot."));
+  if (robot && !*robot) return tl::make_unexpected(tr("No robot supports this address."));
   return robot;
 }
 
@@ -173,7 +173,7 @@ void ConnectionController::enterSecret() {
       &context_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
-  // Once it is shown, so that the focus stays.
+  // After showing it, so that the focus stays.
   dialog->askForSecret(context_.current.address(), sentences::wordsOf(session->connection().reason));
 }
 
@@ -186,7 +186,7 @@ std::optional<robot::UntrustedCertificate> ConnectionController::certificateBesi
 void ConnectionController::openCertificate() {
   const session::Session* const session = context_.current.session();
   if (!session || context_.window.findChild<CertificateDialog*>()) return;
-  // Its own goes before that of the server beside it.
+  // Its own certificate comes before that of the second server.
   const auto own = session->connection().certificate, certificate = own ? own : certificateBeside();
   if (!certificate) return;
   auto* const dialog = new CertificateDialog(*certificate, &context_.window);
@@ -215,7 +215,7 @@ void ConnectionController::noteSettings() {
   if (settings.status() == QSettings::NoError || std::exchange(settings_told_, true)) return;
   context_.overlay.toasts()->add(
       Mark::Warning,
-      tr("The layout and the recent robots cannot be kept: %1 cannot be written. Is the disk full?")
+      tr("The layout and the recent robots cannot be saved: %1 is not writable. Is the disk full?")
           .arg(QDir::toNativeSeparators(settings.fileName())));
 }
 
@@ -234,7 +234,7 @@ void ConnectionController::noteRestart() {
   if (uuid == last_uuid_) return;
   if (!last_uuid_.isEmpty() && !uuid.isEmpty()) {
     context_.overlay.toasts()->add(Mark::Warning,
-                                   tr("The robot started a new SLAM session. The map of before is gone."));
+                                   tr("The robot started a new SLAM session. The previous map is gone."));
   }
   last_uuid_ = uuid;
 }
@@ -249,7 +249,7 @@ void ConnectionController::refresh() {
   disconnect_->setEnabled(session != nullptr);
   const bool stale = session && session->staleSince().has_value();
   context_.scene.setStale(stale);
-  // How long it lasts goes on by itself.
+  // Updates the elapsed time.
   const bool counts = session && valuesAsOf(*session).has_value();
   if (counts && !stale_tick_.isActive()) stale_tick_.start();
   if (!counts) stale_tick_.stop();
@@ -307,7 +307,7 @@ void ConnectionController::refreshNotices() {
   }
   if (const auto beside = certificateBeside(); beside && link.sentence.isEmpty()) {
     link = {Mark::Warning,
-            tr("The certificate of %1 is not trusted: the robot's position and what it sees are missing.")
+            tr("The certificate of %1 is not trusted: the robot's pose and sensor data are missing.")
                 .arg(beside->host),
             tr("Certificate…"), [this] { openCertificate(); }};
   }

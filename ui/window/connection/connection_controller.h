@@ -1,4 +1,4 @@
-// Which robot the window is connected to, and how that stands.
+// Which robot the window is connected to, and the state of the connection.
 #pragma once
 
 #include <functional>
@@ -31,17 +31,17 @@ class ConnectionController : public Controller {
 
   ConnectionController(WindowContext& context, Connect make_robot, QObject* parent = nullptr);
 
-  /// Leaves the present robot and goes to another, once what is not saved is saved or let go of; the error is
-  /// a sentence, then everything stays as it was.
+  /// Switches to another robot after unsaved changes are saved or discarded; the error is a sentence, and
+  /// then nothing has changed.
   std::optional<QString> connectTo(const QString& address, const QByteArray& secret = {});
-  /// A robot of this address, not yet connected, with the secret that was typed for it last. The error is a
+  /// A robot with this address, not yet connected, with the last secret typed for it. The error is a
   /// sentence.
   tl::expected<std::unique_ptr<robot::Robot>, QString> another(const QString& address) const;
-  /// What went wrong becomes a toast.
+  /// Errors are shown as a toast.
   void goTo(const QString& address);
-  /// What went wrong stays above the map.
+  /// Errors stay above the map.
   void startWith(const QString& address);
-  /// Reconnects, and asks again for everything that failed.
+  /// Reconnects, and repeats all requests that failed.
   void retry();
 
   ConnectionChip* chip() const { return chip_; }
@@ -60,7 +60,7 @@ class ConnectionController : public Controller {
   void openDialog();
   void enterSecret();
   void openCertificate();
-  /// That of the robot's second server, if any is in the way.
+  /// That of the robot's second server, if it is a problem.
   std::optional<robot::UntrustedCertificate> certificateBeside() const;
   void noteSettings();
   void noteIdentity();
@@ -80,7 +80,7 @@ class ConnectionController : public Controller {
   QString last_uuid_;
   QString secret_of_;           // an address
   QByteArray secret_;           // was typed for it
-  bool settings_told_ = false;  // that they cannot be kept
+  bool settings_told_ = false;  // it was reported that they cannot be saved
 };
 
 }  // namespace mapwright::window

@@ -12,7 +12,7 @@ namespace mapwright::window {
 
 namespace {
 
-/// Without submenus: their place is the menu bar.
+/// Without submenus, which belong to the menu bar.
 void addGroup(QMenu& menu, const Actions& actions, MenuGroup group) {
   for (const auto& [place, action] : actions.inMenus()) {
     if (place.group == group && !action->menu()) menu.addAction(action);

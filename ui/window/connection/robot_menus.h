@@ -1,4 +1,4 @@
-// The menus of where one can go: that of the chip, and the recent files.
+// Menus of places to go: that of the connection chip, and the recent files.
 #pragma once
 
 #include <QMenu>
@@ -13,7 +13,7 @@ class RecentRobots;
 class RobotMenus : public QObject {
   Q_OBJECT
  public:
-  /// All must outlive this. Stands in the menu Robot by itself.
+  /// All must outlive this. Adds itself to the Robot menu.
   RobotMenus(QWidget& window, Actions& actions, const RecentRobots& recents, const CurrentSession& current,
              QObject* parent = nullptr);
   /// Owned by `owner`.

@@ -26,7 +26,7 @@ QLabel* plain(const QString& text, QWidget* parent) {
   return label;
 }
 
-/// In two lines: 95 characters without a blank fit on none.
+/// In two lines: 95 characters without a blank are too long for one.
 QLabel* fingerprint(const QString& sha256, QWidget* parent) {
   constexpr qsizetype kInALine = kBytesInALine * 3;
   auto* label = plain(sha256.left(kInALine) + QLatin1Char('\n') + sha256.mid(kInALine), parent);
@@ -57,13 +57,12 @@ CertificateDialog::CertificateDialog(const robot::UntrustedCertificate& certific
   heading.setWeight(QFont::DemiBold);
   title->setFont(heading);
   auto* advice = plain(
-      changed
-          ? tr("Somebody may be answering in the place of the robot, or it was given a new certificate. "
-               "Nothing has been sent to it. Trust the new one only if its fingerprint is the one that the "
-               "robot's administrator names.")
-          : tr("Nobody whom this computer believes vouches that this is the robot. Nothing has been sent to "
-               "it. Trust it only if its fingerprint is the one that the robot's administrator names. From "
-               "then on exactly this certificate is accepted, and no other."),
+      changed ? tr("Someone may be impersonating the robot, or it was given a new certificate. Nothing has "
+                   "been sent to it. Trust the new certificate only if its fingerprint matches the one that "
+                   "the robot's administrator gives you.")
+              : tr("No authority that this computer trusts confirms that this is the robot. Nothing has been "
+                   "sent to it. Trust the certificate only if its fingerprint matches the one that the "
+                   "robot's administrator gives you. From then on only this certificate is accepted."),
       this);
   advice->setObjectName(QStringLiteral("advice"));
 
@@ -116,7 +115,7 @@ QWidget* CertificateDialog::buildFacts() {
   row(tr("Issued by"), plain(certificate_.issuer.isEmpty() ? tr("no name") : certificate_.issuer, box));
   row(tr("Valid"),
       plain(tr("%1 to %2").arg(certificateDay(certificate_.from), certificateDay(certificate_.until)), box));
-  if (changed) row(tr("Trusted so far (SHA-256)"), fingerprint(certificate_.pinned_sha256, box));
+  if (changed) row(tr("Trusted until now (SHA-256)"), fingerprint(certificate_.pinned_sha256, box));
   row(changed ? tr("Now (SHA-256)") : tr("Fingerprint (SHA-256)"), fingerprint(certificate_.sha256, box));
   return box;
 }

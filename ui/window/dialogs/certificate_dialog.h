@@ -1,4 +1,4 @@
-// Asks whether a certificate that nobody vouches for is the robot's own.
+// Asks whether to trust a certificate that no authority confirms.
 #pragma once
 
 #include <QDialog>

@@ -53,7 +53,7 @@ std::optional<int> fuzzyScore(const QString& pattern, const QString& text) {
       run = false;
       continue;
     }
-    // The beginning of a word is preferred to the next best letter.
+    // Prefers the beginning of a word to the next matching letter.
     qsizetype found = -1;
     for (qsizetype i = at + 1; i < text.size(); ++i) {
       if (text[i].toLower() != wanted.toLower()) continue;
@@ -114,7 +114,7 @@ void CommandPalette::fill() {
   for (const Actions::Entry& entry : actions_.entries()) {
     if (!entry.action->isVisible()) continue;
     const QString name = plainActionText(*entry.action);
-    // The menu's name finds its actions too, behind those whose own name fits.
+    // A menu's name also finds its actions, after those whose own name matches.
     std::optional<int> score = fuzzyScore(field_->text(), name);
     if (!score) {
       score = fuzzyScore(field_->text(), entry.menu + QLatin1Char(' ') + name);
@@ -129,7 +129,7 @@ void CommandPalette::fill() {
   const QIcon no_icon(nothing);
   for (const Hit& hit : hits) {
     QAction* action = hit.entry->action;
-    // Names stand in one column, with a picture before them or not.
+    // Names are aligned, with or without an icon.
     auto* item = new QListWidgetItem(action->icon().isNull() ? no_icon : action->icon(),
                                      plainActionText(*action), list_);
     item->setData(Qt::UserRole, QVariant::fromValue(static_cast<QObject*>(action)));
@@ -139,7 +139,7 @@ void CommandPalette::fill() {
     if (!action->isEnabled()) item->setFlags(Qt::NoItemFlags);
   }
   if (list_->count() == 0) {
-    auto* item = new QListWidgetItem(tr("No command of that name"), list_);
+    auto* item = new QListWidgetItem(tr("No matching command"), list_);
     item->setFlags(Qt::NoItemFlags);
   } else {
     list_->setCurrentRow(0);

@@ -1,4 +1,4 @@
-// Every action by its name: type a few letters, press Enter.
+// Finds any action by name: type a few letters, press Enter.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@ namespace mapwright::window {
 
 class Actions;
 
-/// How well `pattern` (letters in order, gaps allowed, any case) fits `text`: bigger is better, nullopt = not
-/// at all. Matches at the beginnings of words and unbroken runs count more. An empty pattern fits everything
-/// equally.
+/// How well `pattern` (letters in order, gaps allowed, case-insensitive) matches `text`: higher is better,
+/// nullopt = not at all. Matches at word starts and contiguous runs count more. An empty pattern matches
+/// everything equally.
 std::optional<int> fuzzyScore(const QString& pattern, const QString& text);
 
 class CommandPalette : public QDialog {

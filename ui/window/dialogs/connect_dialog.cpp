@@ -34,12 +34,12 @@ void makeSecondary(QLabel* label) {
   label->setPalette(palette);
 }
 
-/// What may be typed: a host alone, or an address of each kind that there is.
+/// What may be typed: just a host, or an address of each kind.
 QString examplesText(const QStringList& examples) {
   const QString host = ConnectDialog::tr("For example 192.0.2.7 or robot.local:8090.");
   if (examples.isEmpty()) return host;
   return host + QLatin1Char(' ') +
-         ConnectDialog::tr("A whole address looks like %1.").arg(examples.join(QStringLiteral(", ")));
+         ConnectDialog::tr("A full address looks like %1.").arg(examples.join(QStringLiteral(", ")));
 }
 
 }  // namespace
@@ -173,7 +173,7 @@ void ConnectDialog::fillRecents() {
     list_->setItemWidget(item, row);
     connect(remove, &QToolButton::clicked, this, [this, gone = robot.address] {
       recents_.remove(gone);
-      // The button belongs to the row that goes: not from within its own signal.
+      // The button belongs to the removed row: not from within its own signal.
       QMetaObject::invokeMethod(this, &ConnectDialog::fillRecents, Qt::QueuedConnection);
     });
   }

@@ -18,15 +18,14 @@ namespace mapwright::window {
 class ConnectDialog : public QDialog {
   Q_OBJECT
  public:
-  /// Tries to start a connection; the answer is a sentence when it could not even start.
+  /// Starts a connection; returns a sentence if that is impossible.
   using Attempt = std::function<std::optional<QString>(const QString& address, const QByteArray& secret)>;
 
   /// `recents` must outlive the dialog.
   ConnectDialog(RecentRobots& recents, Attempt attempt, QWidget* parent = nullptr);
 
   void setAddress(const QString& address);
-  /// For a robot that refused: its address stands there, `why` beside it, the cursor is where the secret
-  /// goes.
+  /// For a robot that refused: shows its address with `why`, and puts the cursor into the secret field.
   void askForSecret(const QString& address, const QString& why);
   QString errorText() const;
 
@@ -34,7 +33,7 @@ class ConnectDialog : public QDialog {
   QWidget* buildForm();
   QWidget* buildRecents();
   void fillRecents();
-  void check();  // while typing: no complaint about what is not finished
+  void check();  // while typing: does not complain about unfinished input
   void start(const QString& address, const QByteArray& secret);
   void setError(const QString& sentence);
 

@@ -29,11 +29,11 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
       job_(workers),
       map_picture_(new QRadioButton(tr("&Picture of the map (PNG)"), this)),
       map_server_(new QRadioButton(tr("&ROS map (PGM and YAML, for map_server)"), this)),
-      view_picture_(new QRadioButton(tr("Picture of the present &view (PNG)"), this)),
+      view_picture_(new QRadioButton(tr("Picture of the current &view (PNG)"), this)),
       source_(new QComboBox(this)),
       resolution_(new QDoubleSpinBox(this)),
       hidden_(new QCheckBox(this)),
-      world_file_(new QCheckBox(tr("With a &world file (.pgw) that places the picture"), this)),
+      world_file_(new QCheckBox(tr("With a &world file (.pgw) that gives its position"), this)),
       path_(new QLineEdit(this)),
       browse_(new QPushButton(tr("&Browse…"), this)),
       export_(new QPushButton(tr("Export"), this)),
@@ -102,7 +102,7 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   column->addWidget(progress_);
   column->addLayout(buttons);
 
-  // As they stand, and not as they were made.
+  // In visual order, not in order of creation.
   QWidget* const order[] = {map_picture_, map_server_, view_picture_, source_, hidden_, resolution_,
                             path_,        browse_,     world_file_,   cancel_, export_};
   for (std::size_t i = 1; i < std::size(order); ++i) setTabOrder(order[i - 1], order[i]);
@@ -159,14 +159,13 @@ std::vector<render::PlacedTexture> ExportDialog::chosenSubmaps() const {
 }
 
 QString ExportDialog::describeContent() const {
-  if (format() == jobs::ExportFormat::ViewPicture) return tr("What is hidden on the map is not in it.");
-  if (!fromSubmaps()) return offer_.unsaved ? tr("Changes that are not saved are not in it.") : QString();
+  if (format() == jobs::ExportFormat::ViewPicture) return tr("What is hidden on the map is left out.");
+  if (!fromSubmaps()) return offer_.unsaved ? tr("Unsaved changes are left out.") : QString();
   const int all = int(offer_.submaps.size()) + offer_.without_picture;
   const int chosen = int(offer_.submaps.size()) - (withHidden() ? 0 : int(offer_.hidden.size()));
-  const QString kept = tr("%1 of %2 are in it.").arg(countText(chosen), submapsText(all));
+  const QString kept = tr("%1 of %2 are included.").arg(countText(chosen), submapsText(all));
   if (offer_.without_picture == 0) return kept;
-  return kept + QLatin1Char(' ') +
-         tr("Not there yet, or damaged: %1.").arg(countText(offer_.without_picture));
+  return kept + QLatin1Char(' ') + tr("Missing or damaged: %1.").arg(countText(offer_.without_picture));
 }
 
 void ExportDialog::sync() {
@@ -180,7 +179,7 @@ void ExportDialog::sync() {
   content_->setVisible(!content_->text().isEmpty());
   export_->setEnabled(!fromSubmaps() || !chosenSubmaps().empty());
   world_file_->setEnabled(format() != jobs::ExportFormat::MapServer);
-  // The name stays, its ending follows the format.
+  // The name stays, the extension follows the format.
   QString path = path_->text();
   for (const char* suffix : {".png", ".yaml", ".pgm"}) {
     if (path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive)) {
@@ -216,8 +215,7 @@ void ExportDialog::start() {
   };
   if (const QString own = jobs::firstOwnSource(files, offer_.sources); !own.isEmpty() && !source_confirmed_) {
     confirmed_ = source_confirmed_ = true;
-    askAgain(tr("%1 is a file that this map is read from. Press Export again to replace it, or choose "
-                "another name.")
+    askAgain(tr("The map was read from %1. Press Export again to replace the file, or choose another name.")
                  .arg(QDir::toNativeSeparators(own)));
     return;
   }
@@ -225,7 +223,8 @@ void ExportDialog::start() {
       std::find_if(files.begin(), files.end(), [](const QString& file) { return QFileInfo::exists(file); });
   if (present != files.end() && !confirmed_) {
     confirmed_ = true;
-    askAgain(tr("%1 exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(*present)));
+    askAgain(
+        tr("%1 already exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(*present)));
     return;
   }
   jobs::ExportRequest request;

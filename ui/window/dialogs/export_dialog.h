@@ -1,4 +1,4 @@
-// Asks what to write of the map on screen, and where; stays until it is written.
+// Asks what to export of the map on screen, and where; stays open until it is written.
 #pragma once
 
 #include <functional>
@@ -19,19 +19,19 @@ class QRadioButton;
 
 namespace mapwright::window {
 
-/// What there is to export at present.
+/// What can be exported at present.
 struct ExportOffer {
-  QString name;                                // of the map, for the proposed file
+  QString name;                                // of the map, for the proposed file name
   std::optional<jobs::WholeMapExport> whole;   // nullopt: none is complete
   QString why_not_whole;                       // the sentence then
   std::vector<render::PlacedTexture> submaps;  // hidden ones too
-  std::set<map::SubmapId> hidden;              // those of them that the user has hidden
-  int without_picture = 0;                     // listed, and not among them
-  bool unsaved = false;                        // on screen `whole` has changes that are not saved
+  std::set<map::SubmapId> hidden;              // of these, the ones hidden by the user
+  int without_picture = 0;                     // listed, but without a picture
+  bool unsaved = false;                        // `whole` has unsaved changes on screen
   double submap_resolution_m = 0.05;           // of the finest one
-  bool prefers_submaps = false;                // they are what is on screen
+  bool prefers_submaps = false;                // submaps are on screen
   std::function<jobs::ViewExport()> view;
-  std::vector<std::string> sources;  // the files that what is on screen was read from
+  std::vector<std::string> sources;  // the files from which the map on screen was read
   QString folder;
 };
 
@@ -42,7 +42,7 @@ class ExportDialog : public QDialog {
 
   QRadioButton* formatButton(jobs::ExportFormat format) const;
   QComboBox* sourceBox() const { return source_; }
-  /// Shown where submaps are hidden.
+  /// Visible if submaps are hidden.
   QCheckBox* hiddenBox() const { return hidden_; }
   QCheckBox* worldFileBox() const { return world_file_; }
   QLineEdit* pathEdit() const { return path_; }
@@ -80,7 +80,7 @@ class ExportDialog : public QDialog {
   QProgressBar* progress_;
   QLabel *content_, *error_, *source_label_, *resolution_label_;
   bool confirmed_ = false;         // overwriting
-  bool source_confirmed_ = false;  // overwriting what the map is read from
+  bool source_confirmed_ = false;  // confirmed overwriting a source file
 };
 
 }  // namespace mapwright::window

@@ -16,7 +16,7 @@ namespace mapwright::window {
 
 std::optional<Eigen::Vector2d> parsePoint(const QString& text) {
   QString plain = text.trimmed().toLower();
-  // A comma between digits is a decimal one only where a semicolon parts the numbers.
+  // A comma between digits is a decimal comma only if a semicolon separates the numbers.
   if (plain.contains(QLatin1Char(';'))) plain.replace(QLatin1Char(','), QLatin1Char('.'));
   static const QRegularExpression pattern(QStringLiteral(
       "^(?:x\\s*[=:]?\\s*)?([+-]?(?:\\d+\\.?\\d*|\\.\\d+)(?:e[+-]?\\d+)?)\\s*m?\\s*(?:[,;]|\\s)\\s*"
@@ -41,7 +41,8 @@ GoToDialog::GoToDialog(const Eigen::Vector2d& present, QWidget* parent)
   field_->selectAll();
   error_->setTextFormat(Qt::PlainText);
   error_->setWordWrap(true);
-  // Room for the sentence from the start: it comes and goes while typing, and the dialog must not jump.
+  // Room for the sentence from the start: it appears and disappears while typing, and the dialog must not
+  // jump.
   error_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   error_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   QPalette red = error_->palette();
@@ -77,7 +78,7 @@ void GoToDialog::check() {
   const bool fine = point().has_value();
   go_->setEnabled(fine);
   const bool complain = !fine && !field_->text().trimmed().isEmpty();
-  error_->setText(complain ? tr("Two numbers in metres are needed, for example 12.5, -3.2.") : QString());
+  error_->setText(complain ? tr("Enter two numbers in metres, for example 12.5, -3.2.") : QString());
 }
 
 }  // namespace mapwright::window

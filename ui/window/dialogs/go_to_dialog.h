@@ -1,4 +1,4 @@
-// Asks for a point to go to.
+// Asks for coordinates to go to.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ class QPushButton;
 
 namespace mapwright::window {
 
-/// Reads "12.3, -4.5", "12.3 -4.5", "x 12.3 y -4.5 m", "12,3; -4,5". Metres; nullopt when it is no point
+/// Parses "12.3, -4.5", "12.3 -4.5", "x 12.3 y -4.5 m", "12,3; -4,5". Metres; nullopt if it is not a point
 /// within a million metres.
 std::optional<Eigen::Vector2d> parsePoint(const QString& text);
 

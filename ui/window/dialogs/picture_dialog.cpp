@@ -38,12 +38,13 @@ std::optional<PicturePlacement> placementFrom(const QString& resolution, const Q
 QString whyNoPlacement(const QString& resolution, const QString& x, const QString& y,
                        const QString& yaw_deg) {
   const auto cell = numberIn(resolution);
-  if (!cell) return PictureDialog::tr("The resolution has to be a number of metres, for example 0.05.");
+  if (!cell) return PictureDialog::tr("The resolution must be a number in metres, for example 0.05.");
   if (*cell <= 0)
-    return PictureDialog::tr("The resolution has to be greater than 0: it is the edge of a cell in metres.");
+    return PictureDialog::tr(
+        "The resolution must be greater than 0: it is the edge length of a cell in metres.");
   const auto placement = placementFrom(resolution, x, y, yaw_deg);
   if (!placement)
-    return PictureDialog::tr("The origin takes three numbers: x and y in metres, yaw in degrees.");
+    return PictureDialog::tr("The origin needs three numbers: x and y in metres, yaw in degrees.");
   map::GridReference grid;
   grid.resolution_m = placement->resolution_m;
   grid.origin = placement->origin;
@@ -55,7 +56,7 @@ namespace {
 
 QString intro(const QString& picture, const QStringList& named_by) {
   const QString question =
-      PictureDialog::tr("How large is a cell, and where in the world is its lower-left corner?");
+      PictureDialog::tr("How large is a cell, and where is the lower-left corner of the picture?");
   if (named_by.isEmpty())
     return PictureDialog::tr("%1 is a picture without a map.yaml. %2").arg(picture, question);
   constexpr qsizetype kMostNames = 4;
@@ -63,8 +64,7 @@ QString intro(const QString& picture, const QStringList& named_by) {
   for (const QString& path : named_by.mid(0, kMostNames)) names << QFileInfo(path).fileName().left(60);
   if (named_by.size() > kMostNames) names << QStringLiteral("…");
   return PictureDialog::tr(
-             "%1 is named by more than one map.yaml: %2. Open the right one of them instead, or say it "
-             "here. %3")
+             "Several map.yaml files name %1: %2. Open the right one instead, or enter the values here. %3")
       .arg(picture, names.join(QStringLiteral(", ")), question);
 }
 
@@ -80,7 +80,7 @@ PictureDialog::PictureDialog(const QString& path, const QStringList& named_by, c
       intro_(new QLabel(this)),
       error_(new QLabel(this)),
       open_(new QPushButton(accept_text, this)) {
-  setWindowTitle(tr("Where the picture lies"));
+  setWindowTitle(tr("Position of the picture"));
   setMinimumWidth(440);
   intro_->setTextFormat(Qt::PlainText);
   intro_->setWordWrap(true);

@@ -1,4 +1,4 @@
-// Asks how a picture without a map.yaml lies in the world.
+// Asks for the position of a picture without a map.yaml.
 #pragma once
 
 #include <optional>
@@ -16,11 +16,11 @@ namespace mapwright::window {
 class PictureDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `named_by`: the map.yaml files that name it as theirs, none or several. `accept_text`: what the button
-  /// says, "Open".
+  /// `named_by`: the map.yaml files that name it as their image, none or several. `accept_text`: the text of
+  /// the button, "Open".
   PictureDialog(const QString& path, const QStringList& named_by, const QString& accept_text,
                 QWidget* parent = nullptr);
-  /// nullopt while a field holds nothing usable.
+  /// nullopt while a field is invalid.
   std::optional<PicturePlacement> placement() const;
   QString errorText() const;
   QString introText() const;
@@ -32,7 +32,7 @@ class PictureDialog : public QDialog {
   QPushButton* open_;
 };
 
-/// The sentence that refuses what was typed; empty when it is fine.
+/// Why the input is invalid; empty if it is valid.
 QString whyNoPlacement(const QString& resolution, const QString& x, const QString& y, const QString& yaw_deg);
 
 }  // namespace mapwright::window

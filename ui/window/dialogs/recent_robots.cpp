@@ -24,7 +24,7 @@ QVector<RecentRobot> RecentRobots::list() const {
     RecentRobot robot{settings_.value(QStringLiteral("address")).toString(),
                       settings_.value(QStringLiteral("name")).toString().left(kNameLimit),
                       settings_.value(QStringLiteral("last")).toDateTime()};
-    // The file may have been edited: what is no address is left out.
+    // The file may have been edited: invalid addresses are skipped.
     if (addresses_.parse(robot.address)) robots << robot;
   }
   settings_.endArray();
@@ -57,7 +57,7 @@ void RecentRobots::remove(const QString& address) {
   QVector<RecentRobot> robots = list();
   robots.removeIf([&address](const RecentRobot& robot) { return robot.address == address; });
   save(robots);
-  // A robot that is forgotten is not trusted either.
+  // A forgotten robot is no longer trusted.
   if (const auto parsed = addresses_.parse(address)) {
     TrustedCertificates(settings_).forget(robot::hostOf(*parsed));
   }

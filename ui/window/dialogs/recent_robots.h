@@ -1,4 +1,4 @@
-// The robots that were connected to lately. Addresses only: secrets are never stored.
+// The recently used robots. Only addresses: secrets are never stored.
 #pragma once
 
 #include <QDateTime>
@@ -13,7 +13,7 @@ namespace mapwright::window {
 
 struct RecentRobot {
   QString address;  // normalised, never with a secret
-  QString name;     // what the robot called itself; may be empty. Untrusted plain text
+  QString name;     // the robot's own name; may be empty. Untrusted plain text
   QDateTime last;
 };
 
@@ -22,7 +22,7 @@ class RecentRobots {
   static constexpr int kLimit = 12;
   /// The settings must outlive this.
   RecentRobots(QSettings& settings, robot::Addresses addresses);
-  /// Those that are understood.
+  /// The supported ones.
   const robot::Addresses& addresses() const { return addresses_; }
   QVector<RecentRobot> list() const;  // newest first
   void add(const QString& address, const QDateTime& now);

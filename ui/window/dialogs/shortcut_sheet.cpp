@@ -37,16 +37,16 @@ QList<Group> groupsOf(const Actions& actions) {
                    {QCoreApplication::translate("window", "Pan (touchpad)"),
                     QCoreApplication::translate("window", "two fingers")},
                    {QCoreApplication::translate("window", "Pan"),
-                    QCoreApplication::translate("window", "arrows, Shift = far")},
+                    QCoreApplication::translate("window", "arrows, Shift = faster")},
                    {QCoreApplication::translate("window", "Zoom at the cursor"),
                     QCoreApplication::translate("window", "wheel, pinch")},
                    {QCoreApplication::translate("window", "Zoom finely"),
                     QCoreApplication::translate("window", "Ctrl+wheel")},
-                   {QCoreApplication::translate("window", "Turn the view"),
+                   {QCoreApplication::translate("window", "Rotate the view"),
                     QCoreApplication::translate("window", "Shift+wheel")},
                    {QCoreApplication::translate("window", "Centre and zoom in"),
                     QCoreApplication::translate("window", "double click")},
-                   {QCoreApplication::translate("window", "Out of anything"),
+                   {QCoreApplication::translate("window", "Leave the tool or dialog"),
                     QCoreApplication::translate("window", "Esc")}}};
   for (const Actions::Entry& entry : actions.entries()) {
     const QString keys = shortcutsText(*entry.action);
@@ -160,7 +160,7 @@ QDialog* makeAboutBox(QWidget* parent) {
   text->setText(QCoreApplication::translate("window",
                                             "Shows what a mobile robot's SLAM sees, submap by submap, live.\n"
                                             "Licensed under the Apache License 2.0."));
-  auto* used = new QLabel(QCoreApplication::translate("window", "It stands on"), dialog);
+  auto* used = new QLabel(QCoreApplication::translate("window", "Built with"), dialog);
   QFont bold = used->font();
   bold.setWeight(QFont::DemiBold);
   used->setFont(bold);

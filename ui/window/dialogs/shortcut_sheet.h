@@ -1,4 +1,4 @@
-// All keys and mouse gestures on one page, and the box about the program.
+// All keys and mouse gestures on one page, and the About box.
 #pragma once
 
 class QDialog;

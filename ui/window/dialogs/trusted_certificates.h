@@ -1,4 +1,4 @@
-// The certificates that the user decided to trust, one for a robot.
+// The certificates that the user decided to trust, one per robot.
 #pragma once
 
 #include <QString>
@@ -7,7 +7,7 @@ class QSettings;
 
 namespace mapwright::window {
 
-/// By "host:port", as SHA-256 ("AB:CD:…"): fingerprints are no secrets.
+/// By "host:port", as SHA-256 ("AB:CD:…"): fingerprints are not secret.
 class TrustedCertificates {
  public:
   /// The settings must outlive this.

@@ -25,7 +25,7 @@ class DockTitle : public QWidget {
     close->setIcon(themedIcon(QStringLiteral("close")));
     close->setIconSize({14, 14});
     close->setFixedSize(22, 22);
-    close->setToolTip(QCoreApplication::translate("window", "Close. Open it again from the View menu"));
+    close->setToolTip(QCoreApplication::translate("window", "Close. To open it again, use the View menu"));
     close->setAccessibleName(QCoreApplication::translate("window", "Close %1").arg(dock->windowTitle()));
     close->setFocusPolicy(Qt::NoFocus);
     QObject::connect(close, &QToolButton::clicked, dock, &QDockWidget::close);

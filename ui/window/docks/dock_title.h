@@ -1,4 +1,4 @@
-// The title of a dock: its name and a close button in the style of the window.
+// The title of a dock: its name and a close button in the window's style.
 #pragma once
 
 #include <QWidget>
@@ -7,7 +7,7 @@ class QDockWidget;
 
 namespace mapwright::window {
 
-/// Replaces the title bar of `dock`. Dragging and double clicking stay the dock's own.
+/// Replaces the title bar of `dock`. Dragging and double-clicking still work.
 void giveTitle(QDockWidget* dock);
 
 }  // namespace mapwright::window

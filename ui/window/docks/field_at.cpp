@@ -85,7 +85,7 @@ std::optional<FieldAt> fieldAt(const QString& text, qsizetype place, const QStri
     } else if (c.isSpace() || c == QLatin1Char(':')) {
       ++i;
     } else {
-      // A value; of a long string what was left out is told after it.
+      // A value; a truncated string is followed by a note.
       qsizetype end = c == QLatin1Char('"') ? endOfString(text, i) : i;
       while (end < text.size() && !QStringView(u",]}\n").contains(text[end])) ++end;
       const bool here = place >= i && place < end;

@@ -1,4 +1,4 @@
-// Which field of a message a place in its text is about. Pure.
+// Finds the field of a message at a position in its text. Pure.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@ namespace mapwright::window {
 
 struct FieldAt {
   series::FieldPath path;
-  qsizetype from = 0, until = 0;  // where its value stands in the text
+  qsizetype from = 0, until = 0;  // range of its value in the text
 };
 
-/// `text` is JSON as prettyJson() lays it out: strings may be cut, and so may be its end. nullopt: there is
-/// no number, no true or false and no null at `place`, nor a key of one.
+/// `text` is JSON formatted by prettyJson(): strings and its end may be truncated. nullopt: there is no
+/// number, boolean or null at `place`, nor the key of one.
 std::optional<FieldAt> fieldAt(const QString& text, qsizetype place, const QString& topic);
 
 }  // namespace mapwright::window

@@ -28,13 +28,13 @@ InspectorControls::InspectorControls(QAction* show_ids, QAction* show_outlines, 
   filter_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   filter_->setToolTip(
       tr("Trajectory and index (12-3), index (592), version (v70), frozen, active, incremental, nearby, "
-         "hidden,\n"
-         "shown, updating, queued, fetching, missing, failed, corrupt. Several words must all fit."));
+         "hidden,\nshown, updating, queued, fetching, missing, failed, corrupt. Separate several terms with "
+         "spaces: all must match."));
   filter_->setAccessibleName(tr("Filter submaps"));
   colors_->addItem(tr("Normal"));
   colors_->addItem(tr("Incremental"));
   colors_->addItem(tr("Active"));
-  colors_->setToolTip(tr("Colours: Incremental tints incremental submaps, Active dims what is frozen"));
+  colors_->setToolTip(tr("Colours: Incremental tints incremental submaps, Active dims frozen ones"));
   colors_->setAccessibleName(tr("Colours"));
   slice_->setRange(0, 0);
   slice_->setPrefix(tr("Slice "));
@@ -67,7 +67,7 @@ InspectorControls::InspectorControls(QAction* show_ids, QAction* show_outlines, 
   column->addLayout(first);
 
   connect(filter_, &QLineEdit::textChanged, this, &InspectorControls::filterChanged);
-  // clicked and not toggled: only the user's doing, and a partly checked box becomes checked.
+  // clicked and not toggled: only for user actions, and a partially checked box becomes checked.
   connect(nearby_, &QCheckBox::clicked, this,
           [this] { Q_EMIT nearbyWanted(nearby_->checkState() != Qt::Unchecked); });
   connect(incremental_, &QCheckBox::clicked, this,
@@ -106,8 +106,8 @@ void InspectorControls::setSlices(int present, int how_many) {
   slice_->setRange(0, last);
   slice_->setValue(present);
   slice_->setEnabled(last > 0);
-  slice_->setToolTip(how_many > 1 ? tr("Which slice of every submap is drawn: 0 to %1").arg(how_many - 1)
-                                  : tr("Which slice of every submap is drawn; these have one"));
+  slice_->setToolTip(how_many > 1 ? tr("Slice to draw of every submap: 0 to %1").arg(how_many - 1)
+                                  : tr("Slice to draw of every submap; these have only one"));
 }
 
 void InspectorControls::setColorMode(render::ColorMode mode) {

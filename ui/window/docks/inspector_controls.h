@@ -1,4 +1,4 @@
-// The middle of the SLAM inspector: filter, groups, what to draw.
+// The middle part of the SLAM inspector: filter, groups, what to draw.
 #pragma once
 
 #include <QWidget>

@@ -42,7 +42,7 @@ InspectorDock::InspectorDock(scene::MapScene* scene, QAction* show_ids, QAction*
   details_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   details_->setContentsMargins(8, 6, 8, 6);
   details_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  // A fixed height: a selection that moves through the rows must not make the tree jump.
+  // A fixed height: moving the selection through the rows must not make the tree jump.
   details_->setFixedHeight(fontMetrics().lineSpacing() * 4 + 14);
 
   auto* body = new QWidget(this);
@@ -73,7 +73,7 @@ InspectorDock::InspectorDock(scene::MapScene* scene, QAction* show_ids, QAction*
 }
 
 InspectorDock::~InspectorDock() {
-  // The children go after this object's own part is gone: they must not report to it any more.
+  // The children are destroyed after this object's own part: they must not report to it any more.
   tree_->selectionModel()->disconnect(this);
   tree_->disconnect(this);
   tree_->viewport()->removeEventFilter(this);
@@ -121,7 +121,7 @@ void InspectorDock::buildTree() {
     }
   });
   connect(tree_, &QTreeView::customContextMenuRequested, this, &InspectorDock::showMenu);
-  // The selection and not the current row: that one moves by itself to a neighbour of a row that goes.
+  // The selection and not the current row: that one moves by itself to a neighbour of a removed row.
   connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &InspectorDock::takeSelection);
 }
@@ -135,7 +135,7 @@ void InspectorDock::setSession(session::Session* session) {
   model_->setSession(session);
   tree_->expand(filtered_->index(0, 0));
   if (session) {
-    // New rows are looked at even while the dock is closed: they may belong to a group that was switched off.
+    // New rows are processed even while the dock is closed: they may belong to a group that was switched off.
     connect(session, &session::Session::listChanged, this, &InspectorDock::keepHiddenGroups);
     connect(session, &session::Session::rowsTouched, this, &InspectorDock::takeRows);
     connect(session, &session::Session::connectionChanged, this, [this] { summary_->refresh(session_); });
@@ -144,7 +144,7 @@ void InspectorDock::setSession(session::Session* session) {
     });
     connect(session, &session::Session::sessionRestarted, this, [this] {
       known_.clear();
-      clearSelection();  // what has the same id now is another submap
+      clearSelection();  // the same id now means another submap
     });
   }
   refresh();
@@ -200,7 +200,7 @@ void InspectorDock::takeRows(const session::TouchedRows& rows) {
   const QModelIndex all = filtered_->index(0, 0);
   if (first_rows) {
     tree_->expand(all);
-    // A single trajectory is all there is to see; several stay closed as an overview.
+    // A single trajectory is expanded; several stay collapsed as an overview.
     if (filtered_->rowCount(all) == 1) tree_->expand(filtered_->index(0, 0, all));
   }
   summary_->refresh(session_);
@@ -337,7 +337,7 @@ void InspectorDock::refreshDetails() {
     text = sentences::whyAbsent(robot::Capability::Submaps,
                                 session_->robot().whyNot(robot::Capability::Submaps));
   } else {
-    text = tr("Select a submap to see where it is and how it stands. Double click shows it on the map.");
+    text = tr("Select a submap to see its pose and state. Double-click one to show it on the map.");
   }
   if (const QString plain = words::plainText(text); plain != details_->text()) details_->setText(plain);
 }

@@ -1,4 +1,4 @@
-// The SLAM inspector: what the robot's SLAM holds, submap by submap.
+// The SLAM inspector: the content of the robot's SLAM, submap by submap.
 #pragma once
 
 #include <set>
@@ -29,11 +29,11 @@ class InspectorDock : public QDockWidget {
   /// Not owned; null = none.
   void setSession(session::Session* session);
   void setColorMode(render::ColorMode mode);
-  /// Selects a submap in the tree, as if clicked (without moving the map). What is selected is framed on the
+  /// Selects a submap in the tree, as if clicked (without moving the map). Selected ones are framed on the
   /// map.
   void select(map::SubmapId id);
   void clearSelection();
-  std::optional<map::SubmapId> selected() const;  // when it is one alone
+  std::optional<map::SubmapId> selected() const;  // if exactly one is selected
 
   QTreeView* tree() const { return tree_; }
   SubmapTreeModel* model() const { return model_; }
@@ -45,7 +45,8 @@ class InspectorDock : public QDockWidget {
   void locateWanted(mapwright::map::SubmapId id);
   void colorModeWanted(mapwright::render::ColorMode mode);
   void copyWanted(const QString& text, const QString& what);
-  /// The submaps were counted outside of the session's own rhythm: whoever shows counts too counts with it.
+  /// The counters were updated outside the session's usual rhythm: other displays of counters should update,
+  /// too.
   void counted();
 
  protected:
@@ -67,7 +68,7 @@ class InspectorDock : public QDockWidget {
   void showMenu(const QPoint& at);
   std::optional<map::SubmapId> idAt(const QModelIndex& proxy_index) const;
   std::set<map::SubmapId> selectedLeaves() const;
-  std::vector<map::SubmapId> selectedIds() const;  // with those below selected groups
+  std::vector<map::SubmapId> selectedIds() const;  // including those in selected groups
 
   scene::MapScene* scene_;
   QPointer<session::Session> session_;
@@ -77,13 +78,13 @@ class InspectorDock : public QDockWidget {
   InspectorControls* controls_;
   QTreeView* tree_;
   QLabel* details_;
-  // Groups that were switched off as such: newcomers that belong to one start hidden.
+  // Groups that were switched off as a whole: new members start hidden.
   bool nearby_off_ = false, incremental_off_ = false;
   std::set<map::SubmapId> known_;
-  bool missed_rows_ = true;  // changes that came while nobody could see them
+  bool missed_rows_ = true;  // changes while it was invisible
 };
 
-/// Everything to say about one submap in two or three lines. Plain text.
+/// Details of one submap in two or three lines. Plain text.
 QString submapDetails(const session::Session& session, map::SubmapId id);
 
 }  // namespace mapwright::window

@@ -24,8 +24,8 @@ QString slamStateText(const session::Session& session) {
         text = QCoreApplication::translate("window", "positioning");
         break;
       case map::SlamState::Invalid:
-        // Or not told, or not in words that are known.
-        text = QCoreApplication::translate("window", "not told");
+        // Not reported, or in unknown words.
+        text = QCoreApplication::translate("window", "not reported");
         break;
     }
   } else if (text == QLatin1String("slam")) {
@@ -70,7 +70,7 @@ PlainLabel* InspectorSummary::addRow(QGridLayout* grid, const QString& name, int
   label->setSecondary(true);
   auto* value = new PlainLabel(this);
   value->setObjectName(name.toLower());
-  value->setSample(QStringLiteral("x"));  // as wide as the dock lets it be, whatever it says
+  value->setSample(QStringLiteral("x"));  // as wide as the dock allows, whatever the text
   value->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   grid->addWidget(label, row, 0);
   grid->addWidget(value, row, 1, 1, columns);
@@ -87,7 +87,7 @@ void InspectorSummary::refresh(const session::Session* session) {
   }
   const session::SubmapCounts counts = session->counts();
   state_->setText(slamStateText(*session));
-  // What the robot said last is not what it says now.
+  // Old values are not present ones.
   const auto stale = valuesAsOf(*session);
   if (stale) {
     state_->setText(

@@ -28,7 +28,7 @@ class InspectorSummary : public QWidget {
   QToolButton* copy_;
 };
 
-/// "positioning, reliable": what the robot says of its SLAM, in words.
+/// "positioning, reliable": the SLAM state reported by the robot, in words.
 QString slamStateText(const session::Session& session);
 
 }  // namespace mapwright::window

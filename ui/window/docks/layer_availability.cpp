@@ -30,20 +30,20 @@ QString whyLayerStaysEmpty(Layer layer, session::Session* session) {
     case Layer::Regions: {
       const robot::MapDispatch* const dispatch = robot.mapDispatch();
       if (!dispatch) return why(robot::Capability::Dispatch);
-      // Of one that is gone what came stays.
+      // If it has disappeared, received data stays.
       const auto offers = dispatch->offers();
       const bool gone =
           std::none_of(offers.begin(), offers.end(), [](const auto& offer) { return offer.offered; });
       if (gone) return {};
       return dispatch->offered(robot::DispatchService::GridRegion)
                  ? QString()
-                 : QCoreApplication::translate("window", "This robot gives its map only as a whole.");
+                 : QCoreApplication::translate("window", "This robot only sends its map as a whole.");
     }
     case Layer::Overlays:
     case Layer::Landmarks:
     case Layer::Trajectory:
       return whole || live ? QString()
-                           : QCoreApplication::translate("window", "This robot tells nothing of the kind.");
+                           : QCoreApplication::translate("window", "This robot does not provide this.");
     case Layer::Waypoints:
       return robot.waypointSource() || robot.waypointStore() ? QString() : why(robot::Capability::Waypoints);
     case Layer::DispatchedCloud:
@@ -54,10 +54,10 @@ QString whyLayerStaysEmpty(Layer layer, session::Session* session) {
     default:
       break;
   }
-  // All that is left is seen, planned or driven by the robot just now.
+  // Everything else is the robot's present sensor data, plans or motion.
   return live || submaps ? QString()
                          : QCoreApplication::translate(
-                               "window", "Nothing live comes from here, so this layer stays empty.");
+                               "window", "There is no live data here, so this layer stays empty.");
 }
 
 }  // namespace mapwright::window

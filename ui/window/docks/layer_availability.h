@@ -1,4 +1,4 @@
-// Which layers a robot can fill at all.
+// Which layers a robot has data for.
 #pragma once
 
 #include <QString>
@@ -8,8 +8,7 @@
 
 namespace mapwright::window {
 
-/// Why the robot of `session` can never fill this layer, as a sentence; empty when it can, or without a
-/// robot.
+/// Why the robot of `session` has no data for this layer, as a sentence; empty if it has, or without a robot.
 QString whyLayerStaysEmpty(scene::Layer layer, session::Session* session);
 
 }  // namespace mapwright::window

@@ -21,7 +21,7 @@ QString key(Layer layer, const char* what) {
   return QStringLiteral("layers/%1/%2").arg(scene::layerName(layer), QLatin1String(what));
 }
 
-/// Addresses hold slashes, which would make groups.
+/// Addresses contain slashes, which would create groups.
 QString topicsKey(const QString& address) {
   return QStringLiteral("topics/") + QString::fromLatin1(QUrl::toPercentEncoding(address));
 }
@@ -70,7 +70,7 @@ void restoreLayers(scene::MapScene& scene, const QSettings& settings) {
       if (scene::layerName(layer) == name) order.push_back(layer);
     }
   }
-  // Layers that came with a newer version take their own place, not one on top of everything.
+  // Layers of a newer version get their own position, not one on top of everything.
   for (const Layer layer : scene::allLayers()) {
     if (std::find(order.begin(), order.end(), layer) != order.end()) continue;
     const auto above = std::find_if(order.begin(), order.end(), [&](Layer other) { return other > layer; });

@@ -1,4 +1,4 @@
-// What is remembered of the layers: order, visibility, opacity, styles.
+// Saves the layers' settings: order, visibility, opacity, styles.
 #pragma once
 
 #include "robot/offers_topics.h"
@@ -9,12 +9,12 @@ class QSettings;
 namespace mapwright::window {
 
 void saveLayers(const scene::MapScene& scene, QSettings& settings);
-/// What the settings do not hold, or hold badly, gets its default.
+/// Missing or invalid settings get their defaults.
 void restoreLayers(scene::MapScene& scene, const QSettings& settings);
-/// Which topics were chosen for the robot of that address; without any it is forgotten.
+/// The chosen topics for the robot with that address; without any it is removed.
 void saveTopics(const robot::TopicChoices& choices, const QString& address, QSettings& settings);
 robot::TopicChoices savedTopics(const QString& address, const QSettings& settings);
-/// Order, opacity and styles as at first; what is visible stays.
+/// Restores the original order, opacity and styles; visibility stays.
 void resetOrderAndStyles(scene::MapScene& scene);
 /// Visibility as at first.
 void resetVisibility(scene::MapScene& scene);

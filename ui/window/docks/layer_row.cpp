@@ -42,7 +42,7 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
   eye_->setFocusPolicy(Qt::TabFocus);
   eye_->setAccessibleName(tr("Show %1").arg(title));
   name_->setFixedHeight(kLayerRowPx);
-  name_->setSample(QStringLiteral("xxxx"));  // the row must not force the dock's width
+  name_->setSample(QStringLiteral("xxxx"));  // the row must not determine the dock's width
   name_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   opacity_->setObjectName(QStringLiteral("opacity-") + scene::layerName(layer));
   opacity_->setAccessibleName(tr("Opacity of %1").arg(title));
@@ -61,8 +61,8 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
     settings_->setIconSize({14, 14});
     settings_->setFixedSize(22, 22);
     settings_->setFocusPolicy(Qt::TabFocus);
-    settings_->setToolTip(scene::chosenStream(layer) ? tr("Colour, topic and the like")
-                                                     : tr("Colour, size and the like"));
+    settings_->setToolTip(scene::chosenStream(layer) ? tr("Colour, topic and more")
+                                                     : tr("Colour, size and more"));
     QSizePolicy place = settings_->sizePolicy();
     place.setRetainSizeWhenHidden(true);
     settings_->setSizePolicy(place);

@@ -1,4 +1,4 @@
-// One layer in the list: eye, name, opacity, and a row of settings that folds out.
+// One layer in the list: eye, name, opacity, and a row of settings that can be expanded.
 #pragma once
 
 #include <QFrame>
@@ -21,11 +21,11 @@ class LayerRow : public QFrame {
   scene::Layer layer() const { return layer_; }
   QToolButton* eye() const { return eye_; }
   QSlider* opacity() const { return opacity_; }
-  QToolButton* settings() const { return settings_; }   // null: there is nothing to set, with any robot
-  LayerStyleEditor* editor() const { return editor_; }  // null until folded out
+  QToolButton* settings() const { return settings_; }   // null: there is nothing to set for any robot
+  LayerStyleEditor* editor() const { return editor_; }  // null until expanded
   /// Shows what the scene says.
   void sync();
-  /// A reason greys the row; empty = it can be filled.
+  /// A reason greys the row; empty = it is available.
   void setUnavailable(const QString& reason);
   QString unavailable() const { return reason_; }
   /// See LayerStyleEditor.

@@ -51,7 +51,7 @@ LayerStyleEditor::LayerStyleEditor(scene::MapScene* scene, scene::Layer layer, Q
     color_reset_ = new QToolButton(this);
     color_reset_->setIcon(themedIcon(QStringLiteral("reset")));
     color_reset_->setIconSize({14, 14});
-    color_reset_->setToolTip(tr("Back to the colour of the theme"));
+    color_reset_->setToolTip(tr("Reset to the theme's colour"));
     line->addWidget(color_);
     line->addWidget(color_reset_);
     line->addStretch();
@@ -99,12 +99,12 @@ LayerStyleEditor::LayerStyleEditor(scene::MapScene* scene, scene::Layer layer, Q
 void LayerStyleEditor::setTopics(const QStringList& choices, const QString& chosen, const QString& usual) {
   if (!topic_) return;
   topic_->clear();
-  const QString as_usual = tr("As usual");
+  const QString as_usual = tr("Default");
   topic_->addItem(
-      chosen.isEmpty() && !usual.isEmpty() ? tr("As usual (%1)").arg(words::plainName(usual)) : as_usual,
+      chosen.isEmpty() && !usual.isEmpty() ? tr("Default (%1)").arg(words::plainName(usual)) : as_usual,
       QString());
   QStringList all = choices;
-  if (!chosen.isEmpty() && !all.contains(chosen)) all.prepend(chosen);  // it is waited for
+  if (!chosen.isEmpty() && !all.contains(chosen)) all.prepend(chosen);  // it may still appear
   for (const QString& topic : all) topic_->addItem(words::plainName(topic), topic);
   topic_->setCurrentIndex(std::max(0, topic_->findData(chosen)));
   topic_->setToolTip(plainToolTip(chosen.isEmpty() ? usual : chosen));

@@ -1,4 +1,4 @@
-// The settings of one layer: colour, size and choice, as far as the layer has them.
+// The settings of one layer: colour, size and choice, if it has them.
 #pragma once
 
 #include <QPointer>
@@ -18,13 +18,13 @@ class LayerStyleEditor : public QWidget {
  public:
   LayerStyleEditor(scene::MapScene* scene, scene::Layer layer, QWidget* parent = nullptr);
   void sync();
-  /// Null where the layer has no such setting.
+  /// Null if the layer has no such setting.
   QToolButton* colorButton() const { return color_; }
   QDoubleSpinBox* sizeBox() const { return size_; }
   QComboBox* choiceBox() const { return choice_; }
   QComboBox* topicBox() const { return topic_; }
-  /// From which topics the layer can be taken; none: there is nothing to choose. `chosen`, empty: the one
-  /// that is usual, which is called `usual` (empty: there is none).
+  /// The topics to choose from; none: no choice. `chosen`, empty: the default one, whose name is `usual`
+  /// (empty: none).
   void setTopics(const QStringList& choices, const QString& chosen, const QString& usual);
   void setColor(const QColor& color);  // invalid: the theme's
 

@@ -161,7 +161,7 @@ void LayersDock::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
   menu.addAction(themedIcon(QStringLiteral("reset")), tr("Reset order and styles"), this,
                  [this] { resetOrderAndStyles(*scene_); });
-  menu.addAction(tr("Show the layers of the first start"), this, [this] { resetVisibility(*scene_); });
+  menu.addAction(tr("Restore the original layers and styles"), this, [this] { resetVisibility(*scene_); });
   menu.exec(event->globalPos());
 }
 

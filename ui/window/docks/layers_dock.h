@@ -18,13 +18,13 @@ namespace mapwright::window {
 
 class LayerRow;
 
-/// The list reads like the map: what lies on top stands on top. Rows are dragged to another place, or moved
-/// by Ctrl+Up and Ctrl+Down.
+/// The list matches the map: the top layer is at the top. Rows are moved by dragging, or with Ctrl+Up and
+/// Ctrl+Down.
 class LayersDock : public QDockWidget {
   Q_OBJECT
  public:
   explicit LayersDock(scene::MapScene* scene, QWidget* parent = nullptr);
-  /// Layers that this robot cannot fill are greyed. Null: no robot.
+  /// Layers without data from this robot are greyed. Null: no robot.
   void setSession(session::Session* session);
   /// Shows what the scene says.
   void sync();
@@ -34,7 +34,7 @@ class LayersDock : public QDockWidget {
   QSlider* opacity(scene::Layer layer) const;
 
  Q_SIGNALS:
-  /// People want other topics of this robot.
+  /// The user wants other topics from this robot.
   void topicsChosen(const mapwright::robot::TopicChoices& choices);
 
  protected:

@@ -13,7 +13,7 @@ namespace mapwright::window {
 namespace {
 
 constexpr int kMapRowPx = 56, kMapSectionPx = 24, kMapPad = 4;
-// Names from robots keep to the left whatever script they are in: the eye runs down one edge.
+// Names from robots are left-aligned in any script, so that all rows begin at the same edge.
 constexpr int kLeft = int(Qt::AlignLeft) | int(Qt::AlignAbsolute) | int(Qt::AlignVCenter);
 
 MapsModel::RowKind kindOf(const QModelIndex& index) {
@@ -58,7 +58,7 @@ void MapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   QRect text = option.rect.adjusted(2 * kMapPad + edge + 2, 4, -kMapPad, -4);
   const QFontMetrics metrics(option.font);
 
-  // The marks stand at the right end of the first line; the name takes what is left.
+  // The badges are at the right end of the first line; the name takes the rest.
   const QStringList badges = index.data(MapsModel::BadgesRole).toStringList();
   QFont small = option.font;
   small.setPointSizeF(small.pointSizeF() * 0.8);

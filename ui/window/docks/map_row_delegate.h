@@ -1,4 +1,4 @@
-// Paints a row of the catalogue: thumbnail, name, marks, and what is known of the map.
+// Paints a row of the catalogue: thumbnail, name, badges and details.
 #pragma once
 
 #include <QStyledItemDelegate>

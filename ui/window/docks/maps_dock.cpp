@@ -128,7 +128,7 @@ void MapsDock::refresh() {
                                               session_->robot().whyNot(robot::Capability::Catalogue)))
           : QString();
   search_->setToolTip(why_not);
-  refresh_->setToolTip(why_not.isEmpty() ? tr("Ask the robot again which maps it keeps") : why_not);
+  refresh_->setToolTip(why_not.isEmpty() ? tr("Ask the robot for its maps again") : why_not);
   empty_->setText(emptyText());
   empty_->setVisible(!empty_->text().isEmpty());
   retry_->setVisible(!error.isEmpty() && !loading);
@@ -158,8 +158,8 @@ QString MapsDock::emptyText() const {
   }
   if (session_->catalogue().loading() || session_->catalogue().failure()) return {};
   if (model_->maps() == 0) {
-    return session_->catalogue().asOf() ? tr("The robot keeps no maps.")
-                                        : tr("The list comes as soon as the robot is connected.");
+    return session_->catalogue().asOf() ? tr("The robot has no stored maps.")
+                                        : tr("The list appears as soon as the robot is connected.");
   }
   return model_->found() == 0 ? tr("No map matches the search.") : QString();
 }
@@ -173,7 +173,7 @@ void MapsDock::showMenu(const QPoint& at) {
   QMenu menu(this);
   menu.setToolTipsVisible(true);
   if (model_->isFetched(list_->indexAt(at))) {
-    menu.addAction(themedIcon(QStringLiteral("map")), tr("Look at it"), this,
+    menu.addAction(themedIcon(QStringLiteral("map")), tr("Preview"), this,
                    [this, key] { Q_EMIT openWanted(*key); });
     menu.addAction(themedIcon(QStringLiteral("export")), tr("Export…"), this,
                    [this, key] { Q_EMIT exportWanted(*key); });
@@ -181,13 +181,13 @@ void MapsDock::showMenu(const QPoint& at) {
     QAction* const forget = menu.addAction(themedIcon(QStringLiteral("remove")), tr("Remove"), this,
                                            [this, key] { Q_EMIT forgetWanted(*key); });
     forget->setObjectName(QStringLiteral("forgetFetched"));
-    forget->setToolTip(tr("Shows the map by regions again. Nothing changes on the robot."));
+    forget->setToolTip(tr("Show the map by regions again. This changes nothing on the robot."));
     menu.exec(list_->viewport()->mapToGlobal(at));
     return;
   }
   QAction* open = menu.addAction(themedIcon(QStringLiteral("map")), tr("Open"), this,
                                  [this, key] { Q_EMIT openWanted(*key); });
-  open->setToolTip(tr("Shows it here. Nothing is loaded or changed on the robot."));
+  open->setToolTip(tr("Show it here. This loads and changes nothing on the robot."));
   menu.addAction(themedIcon(QStringLiteral("compare")), tr("Compare with the open map"), this,
                  [this, key] { Q_EMIT compareWanted(*key); });
   menu.addAction(themedIcon(QStringLiteral("export")), tr("Export…"), this,

@@ -1,4 +1,4 @@
-// The maps that the robot keeps: search, look, compare. Opening one changes nothing on the robot.
+// The maps stored on the robot: search, view, compare. Opening one changes nothing on the robot.
 #pragma once
 
 #include <QDockWidget>
@@ -30,19 +30,19 @@ class MapsDock : public QDockWidget {
   QLineEdit* search() const { return search_; }
   QToolButton* refreshButton() const { return refresh_; }
   QPushButton* retryButton() const { return retry_; }
-  /// The sentence under the list: as of when, or what is wrong.
+  /// The sentence under the list: its time, or what is wrong.
   QString statusShown() const;
-  /// What stands in the place of rows; empty while there are some.
+  /// The text shown instead of rows; empty while there are rows.
   QString emptyShown() const;
 
  Q_SIGNALS:
   void openWanted(const mapwright::map::MapKey& key);
   void compareWanted(const mapwright::map::MapKey& key);
   void exportWanted(const mapwright::map::MapKey& key);
-  /// What was fetched is not needed any more.
+  /// The fetched map is no longer needed.
   void forgetWanted(const mapwright::map::MapKey& key);
   void copyWanted(const QString& text, const QString& what);
-  /// The menu of this map is about to be shown: others put entries into it.
+  /// The menu of this map is about to open: others may add entries.
   void menuOpening(QMenu* menu, const mapwright::map::MapKey& key);
 
  protected:

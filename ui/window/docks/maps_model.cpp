@@ -48,7 +48,7 @@ QString mapDetail(const map::CatalogueEntry& entry) {
     parts << QCoreApplication::translate("window", "id %1").arg(id);
   if (entry.map_version) parts << QStringLiteral("v%1").arg(*entry.map_version);
   const auto date = entry.modified_s ? entry.modified_s : entry.created_s;
-  // Beyond these years it is a clock gone wrong, not a date.
+  // Beyond these years the clock is wrong.
   if (date && *date > 0 && *date < 4e9) {
     parts << QDateTime::fromSecsSinceEpoch(qint64(*date)).toString(QStringLiteral("yyyy-MM-dd"));
   }
@@ -111,7 +111,7 @@ std::vector<MapsModel::Row> MapsModel::build() {
     row.open = open(row.key);
     if (passes(row.title)) rows.push_back(row);
   }
-  // What was fetched of a map by regions is in no list of the robot's; it is here for as long as it is shown.
+  // Maps fetched by region are not listed by the robot; they are here as long as they are shown.
   if (slot.cells() && slot.shown().state_of) {
     Row row;
     row.kind = RowKind::Fetched;
@@ -189,10 +189,11 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       if (row.kind == RowKind::Section) return {};
       if (row.kind == RowKind::Fetched)
-        return plainToolTip(tr("%1\n%2\nKept until another map is shown. Double click looks at it.")
+        return plainToolTip(tr("%1\n%2\nKept until another map is shown. Double-click to preview it.")
                                 .arg(row.title, row.detail));
-      return plainToolTip(tr("%1\n%2\nDouble click opens it here. Nothing is loaded or changed on the robot.")
-                              .arg(row.title, row.detail));
+      return plainToolTip(
+          tr("%1\n%2\nDouble-click to open it here. This loads and changes nothing on the robot.")
+              .arg(row.title, row.detail));
     case Qt::AccessibleTextRole:
       return QStringLiteral("%1, %2%3%4")
           .arg(row.title, row.detail, row.current ? tr(", current") : QString(),

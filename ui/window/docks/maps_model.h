@@ -1,5 +1,4 @@
-// The rows of the catalogue: the live map, what was fetched of it, sections, maps; filtered by what was
-// typed.
+// The rows of the catalogue: the live map, maps fetched from it, sections, maps; filtered by the search text.
 #pragma once
 
 #include <map>
@@ -20,10 +19,10 @@ class MapsModel : public QAbstractListModel {
   enum Role {
     KindRole = Qt::UserRole,  // RowKind
     DetailRole,               // second line
-    BadgesRole,               // QStringList of words: first that it is the current one, then that it is open
+    BadgesRole,               // QStringList of words: first "current", then "open"
     CurrentRole,              // bool: the robot works with it
     ThumbnailRole,            // QPixmap, null while there is none
-    NamelessRole,             // bool: the name is ours, not the robot's
+    NamelessRole,             // bool: the name is a placeholder, not the robot's
   };
   static constexpr int kThumbnailPx = 48;
 
@@ -31,9 +30,9 @@ class MapsModel : public QAbstractListModel {
 
   /// Not owned; null = none.
   void setSession(session::Session* session);
-  /// Shows names, ids and details that hold all words of `text`.
+  /// Shows maps whose name, id or details contain all words of `text`.
   void setFilter(const QString& text);
-  /// Takes over what the catalogue holds and which map is open.
+  /// Updates from the catalogue and the open map.
   void sync();
   void thumbnailArrived(const map::MapKey& key);
 
@@ -43,11 +42,11 @@ class MapsModel : public QAbstractListModel {
 
   /// nullopt for sections.
   std::optional<map::MapKey> key(const QModelIndex& index) const;
-  /// It was fetched of the robot's map, and is nowhere on the robot.
+  /// It was fetched from the robot's map and is not stored on the robot.
   bool isFetched(const QModelIndex& index) const;
   QModelIndex indexOf(const map::MapKey& key) const;
   int maps() const { return maps_; }    // of the robot
-  int found() const { return found_; }  // that pass the filter
+  int found() const { return found_; }  // rows that match the filter
 
  private:
   struct Row {
@@ -67,11 +66,11 @@ class MapsModel : public QAbstractListModel {
   mutable std::map<map::MapKey, QPixmap> thumbnails_;
 };
 
-/// "id 12 · v9 · 2022-02-11 · 2,898 x 2,603", as far as it is known.
+/// "id 12 · v9 · 2022-02-11 · 2,898 x 2,603", as far as known.
 QString mapDetail(const map::CatalogueEntry& entry);
-/// A name as one line of plain text, cut where no row could show more; "(no name)" when there is none.
+/// A name as one line of plain text, truncated to what a row can show; "(no name)" if there is none.
 QString mapTitle(const std::string& name);
-/// A small picture out of bytes that a robot sent; null when they are none, or too large for one.
+/// A thumbnail from a robot's bytes; null if they are invalid or too large.
 QPixmap thumbnailFrom(const QByteArray& png, int edge_px);
 
 }  // namespace mapwright::window

@@ -17,7 +17,7 @@ MessageView::MessageView(QWidget* parent) : QPlainTextEdit(parent) { viewport()-
 std::optional<FieldAt> MessageView::fieldBelow(const QPoint& at) const {
   if (topic_.isEmpty()) return std::nullopt;
   const QTextCursor cursor = cursorForPosition(at);
-  // Beyond the end of a line the nearest place is told.
+  // Beyond the end of a line, cursorForPosition() returns the nearest place.
   const QRect place = cursorRect(cursor);
   if (std::abs(place.center().x() - at.x()) > 2 * fontMetrics().maxWidth() || at.y() < place.top() ||
       at.y() > place.bottom())
@@ -28,7 +28,7 @@ std::optional<FieldAt> MessageView::fieldBelow(const QPoint& at) const {
 }
 
 void MessageView::mousePressEvent(QMouseEvent* event) {
-  // With Shift text is chosen as everywhere, from a number on, too.
+  // With Shift text is selected as usual, even from a number on.
   const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
   pressed_ = plain ? fieldBelow(event->pos()) : std::nullopt;
   pressed_at_ = event->pos();

@@ -1,4 +1,4 @@
-// The text of a message. A number in it can be dragged into a plot, or sent there by the menu.
+// The text of a message. Numbers in it can be dragged into a plot, or added by the menu.
 #pragma once
 
 #include <functional>
@@ -18,11 +18,11 @@ class MessageView : public QPlainTextEdit {
  public:
   explicit MessageView(QWidget* parent = nullptr);
 
-  /// Of which the message is; empty = nothing can be plotted.
+  /// The topic of the message; empty = nothing can be plotted.
   void setTopic(const QString& topic) { topic_ = topic; }
-  /// The field below a point of the viewport.
+  /// The field at a point of the viewport.
   std::optional<FieldAt> fieldBelow(const QPoint& at) const;
-  /// What carries a field away; for tests. None = the system.
+  /// Performs the drag; for tests. None = the system.
   std::function<void(std::unique_ptr<QMimeData>)> carry;
 
  Q_SIGNALS:

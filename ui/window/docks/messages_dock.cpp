@@ -95,7 +95,7 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
     updateWatching();
     if (visible) refresh();
   });
-  // Behind another tab the topics stay asked for; closing the dock lets go of them.
+  // In a hidden tab the topics stay subscribed; closing the dock unsubscribes.
   connect(toggleViewAction(), &QAction::toggled, this, [this](bool open) {
     if (open || asked_.isEmpty()) return;
     asked_.clear();
@@ -118,19 +118,19 @@ QWidget* MessagesDock::buildControls() {
   filter_->setPlaceholderText(tr("Filter topics"));
   filter_->setClearButtonEnabled(true);
   filter_->setAccessibleName(tr("Filter topics"));
-  topic_->setPlaceholderText(tr("/topic to listen to"));
-  topic_->setAccessibleName(tr("Topic to listen to"));
+  topic_->setPlaceholderText(tr("/topic to subscribe to"));
+  topic_->setAccessibleName(tr("Topic to subscribe to"));
   topic_->setMaxLength(300);
   auto* completer = new QCompleter(known_, topic_);
   completer->setFilterMode(Qt::MatchContains);
   completer->setCaseSensitivity(Qt::CaseInsensitive);
   topic_->setCompleter(completer);
-  add_->setToolTip(tr("Ask the robot for this topic as long as this panel is open"));
+  add_->setToolTip(tr("Subscribe to this topic while this panel is open"));
   pause_->setCheckable(true);
-  pause_->setToolTip(tr("Keep what is shown; nothing is received meanwhile"));
+  pause_->setToolTip(tr("Freeze the display; nothing is received meanwhile"));
   clear_->setIcon(themedIcon(QStringLiteral("trash")));
   copy_->setIcon(themedIcon(QStringLiteral("copy")));
-  copy_->setToolTip(tr("Copy the message as it came"));
+  copy_->setToolTip(tr("Copy the message as it was received"));
   for (QPushButton* button : {add_, pause_, clear_, copy_}) button->setObjectName(QStringLiteral("compact"));
   row->addWidget(filter_, 2);
   row->addWidget(topic_, 2);
@@ -220,7 +220,7 @@ void MessagesDock::setSession(session::Session* session) {
     if (const replay::ReplayRobot* const replayed = replayOf(session))
       connect(replayed, &replay::ReplayRobot::jumped, this, [this] {
         expectAgain();
-        if (now() == shown_ms_) return;  // it has only learnt more of the same time
+        if (now() == shown_ms_) return;  // only more data of the same time arrived
         shown_ms_ = now();
         log_.beginRatesAnew(shown_ms_);
       });
@@ -264,8 +264,8 @@ void MessagesDock::refresh() {
   model_->sync(log_, shown_ms_);
   clear_->setEnabled(model_->rowCount() > 0);
   showMessage(false);
-  // Rates fall although nothing comes: looked at again as long as there are rows. Those of a recording stand
-  // still with it.
+  // Rates decrease even without messages: updated as long as there are rows. Those of a recording pause with
+  // it.
   if (watching_ && model_->rowCount() > 0 && !replayOf(session_)) refresh_timer_.start(kIdleMs);
 }
 
@@ -293,7 +293,7 @@ void MessagesDock::showMessage(bool force) {
     } else if (!session_->robot().liveTopics()) {
       hint = sentences::whyAbsent(robot::Capability::Live, session_->robot().whyNot(robot::Capability::Live));
     } else if (tally) {
-      hint = tr("Nothing has come on %1 yet.").arg(chosen_.left(100));
+      hint = tr("Nothing has arrived on %1 yet.").arg(chosen_.left(100));
     } else {
       hint = tr("Choose a topic to see its last message.");
     }
@@ -305,7 +305,7 @@ void MessagesDock::showMessage(bool force) {
   message_->setTopic(tally->binary ? QString() : chosen_);
   caption_->setText(QStringLiteral("%1  %2, %3%4")
                         .arg(chosen_.left(100), tally->last.toString(QStringLiteral("HH:mm:ss.zzz")),
-                             bytesText(tally->last_bytes), tally->cut ? tr(", cut") : QString()));
+                             bytesText(tally->last_bytes), tally->cut ? tr(", truncated") : QString()));
   const int down = message_->verticalScrollBar()->value();
   const int across = message_->horizontalScrollBar()->value();
   message_->setPlainText(prettyJson(tally->text));
@@ -348,7 +348,7 @@ void MessagesDock::showMenu(const QPoint& at) {
   menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy topic"), this,
                  [this, topic] { Q_EMIT copyWanted(topic, tr("Topic copied")); });
   if (asked_.contains(topic))
-    menu.addAction(tr("Stop listening to it"), this, [this, topic] { dropTopic(topic); });
+    menu.addAction(tr("Unsubscribe from it"), this, [this, topic] { dropTopic(topic); });
   menu.exec(table_->viewport()->mapToGlobal(at));
 }
 

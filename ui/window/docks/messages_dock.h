@@ -1,4 +1,4 @@
-// Every message of the robot as it comes: what arrives how often, and what is in it.
+// The messages of the robot: how often they arrive, and their content.
 #pragma once
 
 #include <functional>
@@ -23,11 +23,11 @@ namespace mapwright::window {
 class MessageView;
 class PlainLabel;
 
-/// Keeps what comes only while it is on screen and not paused.
+/// Collects messages only while it is visible and not paused.
 class MessagesDock : public QDockWidget {
   Q_OBJECT
  public:
-  /// `monotonic`: milliseconds of a clock that never goes back.
+  /// `monotonic`: milliseconds of a monotonic clock.
   explicit MessagesDock(std::function<qint64()> monotonic = {}, QWidget* parent = nullptr);
   ~MessagesDock() override;
   void setSession(session::Session* session);
@@ -44,7 +44,7 @@ class MessagesDock : public QDockWidget {
   QString chosenTopic() const { return chosen_; }
   bool watching() const { return watching_; }
   void chooseTopic(const QString& topic);
-  /// Somebody else needs the messages of the robot as they come: they do although nobody looks here.
+  /// Somebody else needs the raw messages, so they are subscribed even if this is not visible.
   void setWantedElsewhere(bool wanted);
   /// Shows now what has come.
   void refresh();
@@ -60,9 +60,9 @@ class MessagesDock : public QDockWidget {
   void dropTopic(const QString& topic);
   void updateWatching();
   void showMessage(bool force);
-  /// What rates are reckoned by: of a replay the time in the recording, which stands still with it.
+  /// The clock for rates: for a replay the recorded time, which stops with it.
   qint64 now() const;
-  /// A replay tells at once what was said last before its time.
+  /// A replay sends the last messages before its present time at once.
   void expectAgain();
   void showMenu(const QPoint& at);
 
@@ -71,8 +71,8 @@ class MessagesDock : public QDockWidget {
   TopicLog log_;
   QStringList asked_;
   QString chosen_;
-  qint64 shown_ms_ = 0;     // of now(), when it was looked at last
-  bool retelling_ = false;  // what was said last before
+  qint64 shown_ms_ = 0;     // now() at the last update
+  bool retelling_ = false;  // the last messages before are being sent
   bool watching_ = false, on_screen_ = false, dirty_ = false, wanted_elsewhere_ = false, asks_ = false;
   quint64 shown_count_ = 0;
   QTimer refresh_timer_;

@@ -46,7 +46,7 @@ void OpacitySlider::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons() & Qt::LeftButton) follow(event->position());
 }
 
-// The list scrolls; whoever wheels through it must not change what lies under the cursor.
+// The list scrolls; the wheel must not change the slider under the cursor.
 void OpacitySlider::wheelEvent(QWheelEvent* event) { event->ignore(); }
 
 void OpacitySlider::follow(const QPointF& at) {

@@ -1,4 +1,4 @@
-// A slider of the height of a row with its percentage written on it.
+// A slider as high as a row, showing its percentage.
 #pragma once
 
 #include <QSlider>

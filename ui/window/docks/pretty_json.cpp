@@ -11,8 +11,7 @@ namespace {
 
 constexpr qsizetype kShortList = 100;
 
-/// The end (past the bracket) of a list or object from `at` on that holds no other and is short; -1 = it is
-/// not so.
+/// The end (after the bracket) of a short list or object at `at` without nested ones; -1 = it is not one.
 qsizetype endOfShort(const QString& text, qsizetype at) {
   const QChar close = text[at] == QLatin1Char('[') ? QLatin1Char(']') : QLatin1Char('}');
   bool quoted = false;
@@ -49,7 +48,7 @@ QString prettyJson(const QByteArray& bytes, qsizetype limit, qsizetype longest_s
   const QString text = QString::fromUtf8(words::escapedJson(bytes)).trimmed();
   const auto cutNote = [&] {
     return QLatin1Char('\n') +
-           QCoreApplication::translate("window", "… cut here: %1 in all").arg(bytesText(bytes.size()));
+           QCoreApplication::translate("window", "… truncated: %1 in total").arg(bytesText(bytes.size()));
   };
   if (!text.startsWith(QLatin1Char('{')) && !text.startsWith(QLatin1Char('['))) {
     return text.size() <= limit ? text : text.left(limit) + cutNote();

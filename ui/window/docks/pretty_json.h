@@ -1,4 +1,4 @@
-// JSON laid out for reading, without parsing it: numbers and the order of keys stay as they were sent.
+// Formats JSON for reading without parsing it: numbers and the order of keys stay as sent.
 #pragma once
 
 #include <QByteArray>
@@ -6,8 +6,8 @@
 
 namespace mapwright::window {
 
-/// Indented by two spaces; short lists stay on one line; strings longer than `longest_string` are cut with a
-/// note of their length. Stops at `limit` characters, with a note. Text that is no JSON comes out as it is,
+/// Indented by two spaces; short lists stay on one line; strings longer than `longest_string` are truncated
+/// with a note of their length. Stops at `limit` characters, with a note. Text that is not JSON is unchanged,
 /// up to the limit.
 QString prettyJson(const QByteArray& text, qsizetype limit = 32'768, qsizetype longest_string = 400);
 

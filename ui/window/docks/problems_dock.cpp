@@ -50,7 +50,7 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   retry_->setIcon(themedIcon(QStringLiteral("retry")));
   copy_all_->setIcon(themedIcon(QStringLiteral("copy")));
   clear_->setIcon(themedIcon(QStringLiteral("trash")));
-  retry_->setToolTip(tr("Ask again for everything that failed or was missing"));
+  retry_->setToolTip(tr("Repeat the requests for everything that failed or was missing"));
   for (QPushButton* button : {retry_, copy_selected_, copy_all_, clear_}) {
     button->setObjectName(QStringLiteral("compact"));
     row->addWidget(button);
@@ -78,7 +78,7 @@ ProblemsDock::ProblemsDock(QWidget* parent)
 }
 
 ProblemsDock::~ProblemsDock() {
-  // As in the inspector: the table goes later than what it reports to.
+  // As in the inspector: the table is destroyed later than the object it reports to.
   table_->selectionModel()->disconnect(this);
   table_->removeEventFilter(this);
 }

@@ -1,4 +1,4 @@
-// The list of what went wrong, at the bottom of the window.
+// The list of problems, at the bottom of the window.
 #pragma once
 
 #include <QDockWidget>

@@ -25,7 +25,7 @@ QString subjectText(const session::LoggedProblem& problem) {
   return words::plainName(sentences::nameOf(problem.problem.subject));
 }
 
-/// What lasts has no length yet; what was met once and recovered at once has none worth a word.
+/// A persisting problem has no length yet; one that recovered at once has none worth showing.
 QString durationText(const session::LoggedProblem& problem) {
   if (!problem.resolved) return {};
   return session::spanText(problem.lastedMs(*problem.resolved));
@@ -75,7 +75,7 @@ QVariant severityPicture(const session::LoggedProblem& problem) {
 }  // namespace
 
 void ProblemsModel::sync(const session::ProblemLog::Rows& fresh) {
-  // The log only grows at its end, drops at its front and now and then moves a row: a greedy walk is enough.
+  // The log only appends, removes at its front and sometimes moves a row: a greedy walk is enough.
   std::size_t row = 0;
   for (; row < fresh.size(); ++row) {
     if (row < rows_.size() && same(rows_[row], fresh[row])) continue;

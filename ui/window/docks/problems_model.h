@@ -1,4 +1,4 @@
-// The problems of a session as a table; follows the log by differences, so that a selection holds still.
+// The problems of a session as a table; updates by differences, so that the selection is stable.
 #pragma once
 
 #include <vector>

@@ -47,7 +47,7 @@ QLabel* selectable(QWidget* parent) {
   return label;
 }
 
-/// The names of the fields: as long as these are the same, only the values change.
+/// The names of the fields: while these are the same, only the values change.
 bool sameShape(const std::vector<StatusSection>& a, const std::vector<StatusSection>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
     return x.title == y.title && std::equal(x.fields.begin(), x.fields.end(), y.fields.begin(),
@@ -110,7 +110,7 @@ void RobotDock::setSession(session::Session* session) {
   if (session) {
     connect(session, &session::Session::liveChanged, this, [this](int what) {
       using map::topicIndex;
-      // Poses and points come many times a second and show nowhere here.
+      // Poses and points arrive many times a second and are not shown here.
       if (what == topicIndex<map::TrackedPose>() || what == topicIndex<map::PointCloudMessage>() ||
           what == topicIndex<map::GridMessage>())
         return;

@@ -1,4 +1,4 @@
-// How the robot is: link, battery, wheels, positioning, plan, alerts.
+// The state of the robot: connection, battery, wheels, localization, plan, alerts.
 #pragma once
 
 #include <vector>
@@ -26,7 +26,7 @@ class RobotDock : public QDockWidget {
   explicit RobotDock(QWidget* parent = nullptr);
   void setSession(session::Session* session);
 
-  /// Everything that is shown, one line each, for the clipboard and for tests.
+  /// Everything shown, one line each, for the clipboard and for tests.
   QString shownText() const;
   bool greyed() const { return greyed_; }
   QString limitsShown() const;
@@ -42,7 +42,7 @@ class RobotDock : public QDockWidget {
 
   QPointer<session::Session> session_;
   QTimer refresh_timer_;
-  QTimer tick_;  // how long nothing has come goes on by itself
+  QTimer tick_;  // updates the time since the last message
   bool greyed_ = false;
   bool alerts_known_ = false;
   std::optional<bool> drawn_alerts_known_;

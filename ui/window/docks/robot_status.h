@@ -1,4 +1,4 @@
-// What the Robot panel says, as plain values: sections of fields with words, marks and units.
+// The content of the Robot panel as plain values: sections of fields with words, marks and units.
 #pragma once
 
 #include <optional>
@@ -31,11 +31,11 @@ struct AlertLine {
   bool operator==(const AlertLine&) const = default;
 };
 
-/// What the robot has told so far; sections that nothing is known of are left out.
+/// What the robot has reported so far; unknown sections are left out.
 std::vector<StatusSection> statusSections(const map::LiveState& live);
 /// Worst first, then oldest first.
 std::vector<AlertLine> alertLines(const std::vector<map::Alert>& alerts, const QDateTime& now);
-/// "excellent", "good", …; "quality 5" for a number that nobody explained.
+/// "excellent", "good", …; "quality 5" for an unknown number.
 QString qualityWord(int quality);
 
 }  // namespace mapwright::window

@@ -1,4 +1,4 @@
-// How the tables of panels and dialogs look and are used, where a row is one thing.
+// The common look and behaviour of tables whose rows are objects.
 #pragma once
 
 #include <QString>
@@ -8,7 +8,7 @@ class QTableView;
 
 namespace mapwright::window {
 
-/// Whole rows are selected, there is no grid, Tab leaves the table. `name`: for assistive technology.
+/// Selects whole rows, has no grid, Tab leaves the table. `name`: for assistive technology.
 void showRows(QTableView& table, QAbstractItemModel* model, const QString& name, int row_px = 24);
 
 }  // namespace mapwright::window

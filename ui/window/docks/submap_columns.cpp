@@ -12,7 +12,7 @@ ColumnWidths shareColumns(int available, const ColumnNeeds& needs) {
   widths.locate = needs.locate;
   widths.badges = std::clamp(room - status_wanted, needs.badges_least, badges_wanted);
   widths.status = std::clamp(room - widths.badges, needs.status_least, status_wanted);
-  // A total is wider than both may be: rather an empty stretch beside the words than a cut number.
+  // A total may be wider than both: rather empty space than a truncated number.
   widths.status = std::max(widths.status, needs.total - widths.badges);
   widths.name = std::max(needs.name, available - widths.badges - widths.status - widths.locate);
   return widths;

@@ -1,10 +1,10 @@
-// How the columns of the tree of submaps share its width. Pure.
+// Distributes the width of the submap tree over its columns. Pure.
 #pragma once
 
 namespace mapwright::window {
 
-/// Widths in pixels. `name` and `total` are never cut: `total` ("244 of 300") stands on a group's row across
-/// the two columns after the name.
+/// Widths in pixels. `name` and `total` are never truncated: `total` ("244 of 300") is shown on a group's row
+/// across the two columns after the name.
 struct ColumnNeeds {
   int name = 0, total = 0, locate = 0;
   int badges_wanted = 0, badges_least = 0;
@@ -17,8 +17,8 @@ struct ColumnWidths {
   bool operator==(const ColumnWidths&) const = default;
 };
 
-/// Where there is not room for all, the badges give way first, then the words of the status; what they may
-/// not give up goes beyond `available`, and the tree can be scrolled. Room to spare goes to the name.
+/// If there is not enough room, the badges are reduced first, then the status; if that is not enough the tree
+/// scrolls beyond `available`. Extra room goes to the name.
 ColumnWidths shareColumns(int available, const ColumnNeeds& needs);
 
 }  // namespace mapwright::window

@@ -1,4 +1,4 @@
-// What the inspector says about the selected submap.
+// The inspector's text about the selected submap.
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -26,7 +26,7 @@ QString submapDetails(const session::Session& session, map::SubmapId id) {
   facts.nearby = row->entry.is_nearby;
   QStringList lines{QStringLiteral("%1  %2").arg(name, badges(facts).join(QLatin1String(" ")).toLower())};
   const auto pose = geometry::toIsometry(row->entry.pose);
-  QString where = InspectorDock::tr("no usable pose");
+  QString where = InspectorDock::tr("no valid pose");
   if (pose && row->pose_usable) {
     const geometry::Pose2 flat = geometry::projectToPlane(*pose);
     where = QStringLiteral("x %1 y %2 m, %3")

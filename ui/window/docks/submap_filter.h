@@ -1,4 +1,4 @@
-// What the filter field of the inspector understands. Pure.
+// The filter language of the inspector. Pure.
 #pragma once
 
 #include <vector>
@@ -10,24 +10,24 @@
 
 namespace mapwright::window {
 
-/// All that a row of the inspector shows of one submap.
+/// Everything that a row of the inspector shows about one submap.
 struct SubmapFacts {
   map::SubmapId id;
   int version = 0;         // as listed
   int shown_version = -1;  // on screen, -1 = none
   bool frozen = false, incremental = false, nearby = false;
   bool visible = true;  // by the user's choice
-  bool shown = false;   // held and not hidden
+  bool shown = false;   // loaded and not hidden
   session::SubmapStatus status = session::SubmapStatus::Queued;
   bool operator==(const SubmapFacts&) const = default;
 };
 
-/// "FROZEN" or "ACTIVE", then "INC", "NEARBY" where they apply.
+/// "FROZEN" or "ACTIVE", then "INC", "NEARBY" if they apply.
 QStringList badges(const SubmapFacts& facts);
 
-/// Words, all of which must fit: "12-3" (trajectory and the beginning of the index), "12-" (a trajectory),
-/// "592" or "#592" (the index, its beginning), "v70" (version), "frozen", "active", "incremental", "nearby",
-/// "hidden", "visible" or a status word; words may be cut short ("fro"). A word that means nothing fits
+/// Words, all of which must match: "12-3" (trajectory and the beginning of the index), "12-" (a trajectory),
+/// "592" or "#592" (the beginning of the index), "v70" (version), "frozen", "active", "incremental",
+/// "nearby", "hidden", "visible" or a status word; words may be abbreviated ("fro"). An unknown word matches
 /// nothing.
 class SubmapFilter {
  public:

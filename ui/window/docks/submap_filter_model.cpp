@@ -17,7 +17,7 @@ void SubmapFilterModel::setFilter(const SubmapFilter& filter) {
 bool SubmapFilterModel::filterAcceptsRow(int source_row, const QModelIndex& source_parent) const {
   if (filter_.empty() || !source_parent.isValid()) return true;  // "All" is always there
   const auto facts = tree_->facts(tree_->index(source_row, 0, source_parent));
-  return facts && filter_.matches(*facts);  // groups: only for the sake of what is in them
+  return facts && filter_.matches(*facts);  // groups are only kept for their content
 }
 
 }  // namespace mapwright::window

@@ -1,4 +1,4 @@
-// The tree of submaps, reduced to what the filter lets through (with the groups above it).
+// The submap tree, reduced to what matches the filter (with the groups above).
 #pragma once
 
 #include <QSortFilterProxyModel>

@@ -146,7 +146,7 @@ void SubmapRowDelegate::paintBadges(QPainter* painter, const QStyleOptionViewIte
   };
   const double right = option.rect.right() + 1;
   const bool all_fit = x + badgesWidth(option.font, names) - kBadgeGap <= right;
-  // What has no room becomes a count; the details below the tree name them all.
+  // Badges without room become a count; the details below the tree list them all.
   const double room = all_fit ? right : right - badgeWidth(metrics, QStringLiteral("+9")) - kBadgeGap;
   for (qsizetype i = 0; i < names.size(); ++i) {
     if (x + badgeWidth(metrics, names[i]) > room) {
@@ -167,10 +167,10 @@ void SubmapRowDelegate::paintStatus(QPainter* painter, const QStyleOptionViewIte
   paintIcon(painter, QRectF(text.left(), text.center().y() - 6.5, 14, 14), statusIcon(status), mark);
   text.setLeft(text.left() + kStatusIconPx);
   const QString word = index.data().toString();
-  // Half a word says less than the shape beside it; the tooltip has it whole.
+  // A truncated word says less than the shape next to it; the tooltip has it in full.
   if (QFontMetrics(option.font).horizontalAdvance(word) > text.width()) return;
   painter->setFont(option.font);
-  // A healthy row stays quiet; the word takes a colour only where it asks for attention.
+  // A normal row is unobtrusive; the status is only coloured if it needs attention.
   painter->setPen(kind == Mark::Warning || kind == Mark::Bad ? mark : colors.secondary_text);
   painter->drawText(text, int(Qt::AlignLeft | Qt::AlignVCenter), word);
 }

@@ -13,7 +13,7 @@ class SubmapTreeModel;
 
 inline constexpr int kRowPx = 24;
 
-/// What the columns need so that nothing that counts is cut, in the font of the tree.
+/// The widths that the columns need so that nothing important is truncated, in the font of the tree.
 ColumnNeeds columnNeeds(const QTreeView& tree, const SubmapTreeModel& model);
 
 class SubmapRowDelegate : public QStyledItemDelegate {

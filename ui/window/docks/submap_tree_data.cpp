@@ -1,4 +1,4 @@
-// SubmapTreeModel: what a row shows, and its check box.
+// SubmapTreeModel: the content of a row, and its check box.
 #include "sentences/fault_sentence.h"
 #include "window/docks/submap_tree_model.h"
 #include "window/look/plain_label.h"
@@ -23,7 +23,7 @@ QString SubmapTreeModel::widestGroup() const {
 }
 
 QString SubmapTreeModel::widestTotal() const {
-  // A group never shows more than it has, nor has it more than all.
+  // A group never shows more than it has, nor has more than all.
   return totalText(total_, total_);
 }
 
@@ -69,7 +69,7 @@ QVariant SubmapTreeModel::leafData(const SubmapFacts& leaf, int column, int role
       if (column == NameColumn) return int(leaf.visible ? Qt::Checked : Qt::Unchecked);
       return {};
     case Qt::ToolTipRole: {
-      if (column == LocateColumn) return tr("Show this submap in the middle of the map");
+      if (column == LocateColumn) return tr("Centre the map on this submap");
       QStringList lines{
           tr("Submap %1, version %2").arg(QString::fromStdString(map::toText(leaf.id))).arg(leaf.version)};
       if (leaf.visible && leaf.shown_version >= 0 && leaf.shown_version != leaf.version) {
@@ -116,7 +116,7 @@ Qt::ItemFlags SubmapTreeModel::flags(const QModelIndex& index) const {
 bool SubmapTreeModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (role != Qt::CheckStateRole || index.column() != NameColumn || !session_) return false;
   session_->setVisible(submapsBelow(index), value.toInt() == Qt::Checked);
-  syncVisibility();  // the boxes follow at once, not with the next tick
+  syncVisibility();  // the boxes follow at once, not with the next update
   return true;
 }
 

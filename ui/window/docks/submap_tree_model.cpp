@@ -13,9 +13,9 @@ namespace mapwright::window {
 
 namespace {
 
-// What an index stands for is in its id: 0 = All, 1 = a trajectory, 2 + trajectory = a submap of it.
-// Trajectories are named by number and not by row, so the ids of leaves survive rows that come and go above
-// them.
+// The id of an index tells what it is: 0 = All, 1 = a trajectory, 2 + trajectory = a submap of it.
+// Trajectories are identified by number, not by row, so the ids of leaves stay valid when rows are added or
+// removed above them.
 constexpr quintptr kAllId = 0;
 constexpr quintptr kBranchId = 1;
 constexpr quintptr kFirstLeafId = 2;
@@ -75,7 +75,7 @@ void SubmapTreeModel::noteWidth(const SubmapFacts& facts) {
     return QString::number(b).size() > QString::number(a).size() ? b : a;
   };
   std::int32_t index = longest_index_, version = longest_version_;
-  // Looked at by the number first: a text for each of ten thousand rows would be felt.
+  // Compares the number first: creating a text for each of ten thousand rows would be slow.
   if (facts.id.index > index || facts.id.index < 0) index = longer(index, facts.id.index);
   if (facts.version > version || facts.version < 0) version = longer(version, facts.version);
   if (!widest_leaf_.isEmpty() && index == longest_index_ && version == longest_version_) return;
@@ -96,7 +96,7 @@ void SubmapTreeModel::syncRows(const std::vector<map::SubmapId>& ids) {
   }
   if (others > kManyOthers) return sync();
   std::vector<int> touched;   // rows of branches
-  int first = -1, last = -1;  // changed leaves that are neighbours, of touched.back()
+  int first = -1, last = -1;  // adjacent changed leaves, of touched.back()
   const auto tell = [&] {
     if (first < 0) return;
     const quintptr id = leafId(branches_[std::size_t(touched.back())].trajectory);
@@ -199,7 +199,7 @@ void SubmapTreeModel::syncLeaves(int branch_row, const std::vector<SubmapFacts>&
   std::vector<SubmapFacts>& leaves = branches_[std::size_t(branch_row)].leaves;
   const QModelIndex parent = createIndex(branch_row, 0, kBranchId);
   const auto before = [](const SubmapFacts& a, const SubmapFacts& b) { return a.id < b.id; };
-  // Gone: in runs, from the end, so that the rows before stay what they are.
+  // Removed: in runs, from the end, so that earlier rows keep their numbers.
   for (int last = int(leaves.size()) - 1; last >= 0;) {
     const auto gone = [&](int row) {
       return !std::binary_search(fresh.begin(), fresh.end(), leaves[std::size_t(row)], before);
@@ -215,7 +215,7 @@ void SubmapTreeModel::syncLeaves(int branch_row, const std::vector<SubmapFacts>&
     endRemoveRows();
     last = first - 1;
   }
-  // New: in runs. What is left of `leaves` is a subset of `fresh` in the same order.
+  // New: in runs. The rest of `leaves` is a subset of `fresh` in the same order.
   for (std::size_t row = 0; row < fresh.size(); ++row) {
     if (row < leaves.size() && leaves[row].id == fresh[row].id) continue;
     std::size_t end = row + 1;

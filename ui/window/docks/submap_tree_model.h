@@ -1,5 +1,5 @@
-// The submaps as a tree: All -> Trajectory N -> "#592 v70". Follows a session by differences: never a reset
-// while the session stays, so selection and expansion hold still and ten thousand rows cost only what
+// The submaps as a tree: All -> Trajectory N -> "#592 v70". Follows a session by differences: never resets
+// while the session stays, so selection and expansion are stable and ten thousand rows only cost what
 // changed.
 #pragma once
 
@@ -29,26 +29,26 @@ class SubmapTreeModel : public QAbstractItemModel {
 
   /// Not owned; null = none.
   void setSession(session::Session* session);
-  /// Takes over everything anew, as the differences to what was there.
+  /// Updates everything, as differences to the present rows.
   void sync();
-  /// Takes over these submaps (ascending), also new ones and such as are gone. Costs what they are.
+  /// Updates these submaps (ascending), including new and removed ones. The cost depends on their number.
   void syncRows(const std::vector<map::SubmapId>& ids);
-  /// Takes over who is hidden and nothing else: the boxes follow the hand at once, while the counts stay
-  /// those of the moment at which the status bar counted too.
+  /// Updates only the visibility: the check boxes follow at once, while the counts stay in step with the
+  /// status bar.
   void syncVisibility();
 
   std::optional<SubmapFacts> facts(const QModelIndex& index) const;
-  std::optional<std::int32_t> trajectory(const QModelIndex& index) const;  // of a trajectory row only
+  std::optional<std::int32_t> trajectory(const QModelIndex& index) const;  // only of a trajectory row
   QModelIndex indexOf(map::SubmapId id) const;
   /// Every submap at or below the index.
   std::vector<map::SubmapId> submapsBelow(const QModelIndex& index) const;
   std::vector<map::SubmapId> submapsWhere(bool SubmapFacts::*flag) const;
-  /// The longest name of a leaf and of a group, digits as zeros: room that holds them holds every row.
+  /// The longest name of a leaf and of a group, with digits as zeros: width for these fits every row.
   QString widestLeaf() const { return widest_leaf_; }
   QString widestGroup() const;
   /// The longest count of a group: "10,000 of 10,000".
   QString widestTotal() const;
-  /// Checked, unchecked or partly; of no submaps: unchecked.
+  /// Checked, unchecked or partial; of no submaps: unchecked.
   Qt::CheckState visibility(const std::vector<map::SubmapId>& ids) const;
   /// Of the nearby or the incremental ones.
   Qt::CheckState visibilityWhere(bool SubmapFacts::*flag, int* count = nullptr) const;
@@ -72,7 +72,7 @@ class SubmapTreeModel : public QAbstractItemModel {
     int total = 0, visible = 0;
   };
   int branchRow(std::int32_t trajectory) const;        // -1 = none
-  using Rows = std::vector<std::vector<SubmapFacts>>;  // one list a trajectory, none of them empty
+  using Rows = std::vector<std::vector<SubmapFacts>>;  // one list per trajectory, none of them empty
   void takeOver(const Rows& fresh);
   void syncBranches(const Rows& fresh);
   void syncLeaves(int branch_row, const std::vector<SubmapFacts>& fresh);

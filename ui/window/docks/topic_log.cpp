@@ -5,7 +5,7 @@
 namespace mapwright::window {
 
 namespace {
-constexpr qint64 kShortestSpanMs = 1'000;  // one message just now is not a thousand a second
+constexpr qint64 kShortestSpanMs = 1'000;  // a single message just now does not mean a thousand per second
 }
 
 void TopicLog::note(const robot::RawMessage& message, qint64 now_ms, Telling telling) {
@@ -38,7 +38,7 @@ void TopicLog::note(const robot::RawMessage& message, qint64 now_ms, Telling tel
 void TopicLog::setAskedFor(const QStringList& topics) {
   for (auto it = topics_.begin(); it != topics_.end();) {
     it->second.asked_for = topics.contains(it->first);
-    // A row that never held anything has no reason to stay.
+    // A row without any messages is removed.
     it = !it->second.asked_for && it->second.count == 0 ? topics_.erase(it) : std::next(it);
   }
   for (const QString& topic : topics) {
@@ -74,7 +74,7 @@ double TopicLog::perSecond(const QString& topic, qint64 now_ms, Sum sum) const {
     const bool within = when > now_ms - kRateSpanMs && (!recorded_ || (when > since && when <= now_ms));
     if (within) total += sum(bytes);
   }
-  // So many came that the oldest ones of the span are no longer held.
+  // There were so many that the oldest ones are no longer stored.
   if (found->second.recent.size() >= kMaxRecent) since = found->second.recent.front().first;
   const qint64 span = std::clamp(now_ms - since, kShortestSpanMs, kRateSpanMs);
   return total * 1000.0 / double(span);

@@ -1,4 +1,4 @@
-// What came on which topic: counts, rates, the last message. Bounded, whatever a robot sends.
+// Statistics of messages by topic: counts, rates, the last message. Bounded.
 #pragma once
 
 #include <deque>
@@ -21,7 +21,7 @@ struct TopicTally {
   QDateTime last;   // invalid: nothing came yet
   QByteArray text;  // of the last message, at most TopicLog::kMaxText
   bool cut = false;
-  bool asked_for = false;  // enabled by the user
+  bool asked_for = false;  // requested by the user
 };
 
 class TopicLog {
@@ -32,26 +32,26 @@ class TopicLog {
 
   enum class Telling {
     New,
-    Again,  // it holds still; one that was the last before, too, counts once
+    Again,  // a replay is paused; a message that was already the last one counts once
   };
-  /// `now_ms` runs monotonously. Of a recording it is the time of the message there; where it jumps to,
+  /// `now_ms` is monotonic. For a recording it is the time of the message; after a jump call
   /// beginRatesAnew().
   void note(const robot::RawMessage& message, qint64 now_ms, Telling telling = Telling::New);
-  /// The messages are those of a recording, and so are their rates.
+  /// The messages and rates are those of a recording.
   void setRecorded(bool recorded) { recorded_ = recorded; }
-  /// What was told until then counts in no rate of a recording.
+  /// Messages before this do not count for the rates of a recording.
   void beginRatesAnew(qint64 now_ms) { rates_from_ms_ = now_ms; }
-  /// These have rows even before anything came.
+  /// These have rows even before a message arrives.
   void setAskedFor(const QStringList& topics);
-  /// Counts and messages go; what was asked for keeps its row.
+  /// Clears counts and messages; requested topics keep their rows.
   void clear();
 
   /// By name.
   const std::map<QString, TopicTally>& topics() const { return topics_; }
   const TopicTally* find(const QString& topic) const;
-  /// Of a recording not as long as less than a second of it has been played.
+  /// False for a recording until a second of it has been played.
   bool ratesKnown(const QString& topic, qint64 now_ms) const;
-  /// Over the last five seconds, or since the first message when that is less long ago.
+  /// Over the last five seconds, or since the first message if that is more recent.
   double messagesPerSecond(const QString& topic, qint64 now_ms) const;
   double bytesPerSecond(const QString& topic, qint64 now_ms) const;
   /// Messages of topics beyond kMaxTopics.
@@ -59,7 +59,7 @@ class TopicLog {
 
  private:
   struct Arrivals {
-    std::deque<std::pair<qint64, qint64>> recent;  // when, bytes; at most kMaxRecent
+    std::deque<std::pair<qint64, qint64>> recent;  // time, bytes; at most kMaxRecent
     qint64 first_ms = 0;
   };
   static constexpr std::size_t kMaxRecent = 5'000;

@@ -29,7 +29,7 @@ void TopicsModel::sync(const TopicLog& log, qint64 now_ms) {
     }
     return;
   }
-  // Both are sorted by name: one walk, so that the selection and the scroll bar stay where they are.
+  // Both are sorted by name: one walk, so that selection and scroll position are stable.
   std::size_t at = 0;
   for (Row& row : fresh) {
     while (at < rows_.size() && rows_[at].topic < row.topic) {

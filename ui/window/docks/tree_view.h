@@ -1,5 +1,5 @@
-// The lists of the docks: single letters are left to the shortcuts of the window, since every list has a
-// search field of its own, and a selected row is told by a bar at its edge and not by its tint alone.
+// The lists of the docks: single letters are left to the window's shortcuts, since every list has its own
+// search field, and a selected row is marked by a bar at its edge and not only by colour.
 #pragma once
 
 #include <QHeaderView>
@@ -14,7 +14,7 @@
 
 namespace mapwright::window {
 
-/// The bar of a selected row, or the frame of the current one that is not selected. `row` spans the view.
+/// The bar of a selected row, or the frame of the current one if it is not selected. `row` spans the view.
 inline void paintRowState(QPainter* painter, const QRect& row, bool selected, bool current) {
   const UiColors colors = appColors();
   if (selected) painter->fillRect(QRect(row.left(), row.top(), 3, row.height()), colors.focus);
@@ -26,7 +26,7 @@ inline void paintRowState(QPainter* painter, const QRect& row, bool selected, bo
   painter->restore();
 }
 
-/// A tree view that tells when Enter is pressed on a row and lets Esc through.
+/// A tree view that reports Enter on a row and ignores Esc.
 class TreeView : public QTreeView {
   Q_OBJECT
  public:
@@ -59,7 +59,7 @@ class TreeView : public QTreeView {
   }
 };
 
-/// Of a list or a table.
+/// For a list or a table.
 template <typename View>
 class QuietView : public View {
  public:
@@ -78,7 +78,7 @@ class QuietView : public View {
 using QuietListView = QuietView<QListView>;
 using QuietTableView = QuietView<QTableView>;
 
-/// Paints the bar of a table's row with its first column.
+/// Paints the bar of a table's row in its first column.
 class TableRowDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;

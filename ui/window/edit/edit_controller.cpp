@@ -12,13 +12,14 @@ namespace mapwright::window {
 
 namespace {
 
-/// The names of commands hold names of others: no mnemonics in them.
+/// Command names may contain other names: escapes mnemonics.
 QString withName(const QString& verb, QString command) {
   command.replace(QLatin1Char('&'), QLatin1String("&&"));
   return command.isEmpty() ? verb : QStringLiteral("%1 %2").arg(verb, command);
 }
 
-/// Steps of what is being edited; a click goes back, or forth, to one. Single letters are left to the window.
+/// The steps of the edited document; a click goes back or forth to one. Single letters are left to the
+/// window.
 class History : public QUndoView {
  public:
   using QUndoView::QUndoView;
@@ -39,7 +40,7 @@ EditController::EditController(WindowContext& context, QObject* parent)
                                 .text = tr("&Undo"),
                                 .icon = "undo",
                                 .keys = {"Ctrl+Z"},
-                                .tip = tr("Take the last change back"),
+                                .tip = tr("Undo the last change"),
                                 .menu = {MenuGroup::Undo, 10},
                                 .bar = {BarGroup::Edit, 10}},
                                &group, &QUndoGroup::undo);
@@ -47,7 +48,7 @@ EditController::EditController(WindowContext& context, QObject* parent)
                                 .text = tr("&Redo"),
                                 .icon = "redo",
                                 .keys = {"Ctrl+Shift+Z", "Ctrl+Y"},
-                                .tip = tr("Make the change again that was taken back last"),
+                                .tip = tr("Redo the change that was undone last"),
                                 .menu = {MenuGroup::Undo, 20},
                                 .bar = {BarGroup::Edit, 20}},
                                &group, &QUndoGroup::redo);
@@ -55,7 +56,7 @@ EditController::EditController(WindowContext& context, QObject* parent)
                                 .text = tr("&Save"),
                                 .icon = "save",
                                 .keys = {"Ctrl+S"},
-                                .tip = tr("Write what has been changed where it is kept"),
+                                .tip = tr("Save the changes"),
                                 .menu = {MenuGroup::Save, 10},
                                 .bar = {BarGroup::Edit, 30}},
                                &context_.unsaved, &UnsavedChanges::save);
@@ -76,7 +77,7 @@ void EditController::addHistory() {
   history_ = new QDockWidget(tr("History"), &context_.window);
   history_->setObjectName(QStringLiteral("history"));
   auto* const steps = new History(&context_.undo, history_);
-  steps->setEmptyLabel(tr("As it was opened"));
+  steps->setEmptyLabel(tr("Original state"));
   steps->setAccessibleName(tr("Steps that can be undone"));
   steps->setUniformItemSizes(true);
   history_->setWidget(steps);

@@ -1,4 +1,4 @@
-// Undoing, making it again and saving, whatever is being edited; the history of it as a dock.
+// Undo, redo and save for whatever is being edited; the history as a dock.
 #pragma once
 
 #include "window/controller.h"

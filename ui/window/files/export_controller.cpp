@@ -33,7 +33,7 @@ namespace {
 const QString kExportFolderKey = QStringLiteral("export/folder");
 const QString kPictureFolderKey = QStringLiteral("screenshot/folder");
 
-/// Where the pixels of the view lie in the world.
+/// The position of the view's pixels in the world.
 map::GridReference referenceOf(const geometry::ViewTransform& view, const QSize& pixels) {
   map::GridReference reference;
   reference.width = pixels.width();
@@ -54,7 +54,7 @@ ExportController::ExportController(WindowContext& context,
                         .text = tr("E&xport…"),
                         .icon = "export",
                         .keys = {"Ctrl+E"},
-                        .tip = tr("Write the map on screen into a file"),
+                        .tip = tr("Write the map on screen to a file"),
                         .needs_session = true,
                         .menu = {MenuGroup::WholeMap, 20},
                         .map_menu = {MapMenuGroup::Copies, 30}},
@@ -97,8 +97,7 @@ QImage ExportController::mapPicture() const {
 
 std::optional<QString> ExportController::saveMapPicture(const QString& path) {
   if (!jobs::firstOwnSource({path}, sourceFiles()).isEmpty()) {
-    return tr("%1 is a file that this map is read from. Choose another name.")
-        .arg(QDir::toNativeSeparators(path));
+    return tr("The map was read from %1. Choose another name.").arg(QDir::toNativeSeparators(path));
   }
   const auto problem = jobs::writePicture(mapPicture(), path);
   return problem ? std::optional(sentences::wordsOf(*problem)) : std::nullopt;
@@ -161,8 +160,8 @@ void ExportController::exportMap() {
     const auto on_screen = context_.scene.wholeMap();
     offer.unsaved = on_screen && on_screen->cells != slot.cells();
   } else {
-    offer.why_not_whole = slot.cells() ? tr("The map is still being read.")
-                                       : tr("No whole map is open, and no submaps are there.");
+    offer.why_not_whole = slot.cells() ? tr("The map is still loading.")
+                                       : tr("There is no open map, and there are no submaps.");
   }
   offer.prefers_submaps = !offer.whole || !context_.scene.layerVisible(scene::Layer::WholeMap);
   offer.name = slot.cells() && !offer.prefers_submaps ? mapCalled(slot.name(), slot.key())

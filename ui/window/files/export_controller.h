@@ -1,4 +1,4 @@
-// What is on screen, written into files or copied as a picture.
+// Exports what is on screen to files, or copies it as a picture.
 #pragma once
 
 #include <functional>
@@ -32,13 +32,13 @@ class ExportController : public Controller {
   std::optional<QString> saveMapPicture(const QString& path);
 
  Q_SIGNALS:
-  /// The whole map on screen is in a file now.
+  /// The whole map on screen has been written to a file.
   void wholeExported();
 
  private:
   void askAndSavePicture();
   void copyPicture();
-  /// The local files that the map on screen was read from.
+  /// The local files from which the map on screen was read.
   std::vector<std::string> sourceFiles() const;
 
   WindowContext& context_;

@@ -23,7 +23,7 @@ FilesController::FilesController(WindowContext& context, PicturePlacing& placing
                         .tip = tr("Open a map.yaml, a picture of a map or a recording from this computer"),
                         .menu = {MenuGroup::Places, 20}},
                        this, &FilesController::choose);
-  // What is dropped on the map is dropped on the window.
+  // Drops on the map are handled by the window.
   context_.window.setAcceptDrops(true);
   context_.view.setAcceptDrops(false);
   context_.view.viewport()->setAcceptDrops(false);
@@ -44,14 +44,14 @@ void FilesController::open(const QString& path) {
     context_.overlay.toasts()->add(Mark::Bad, sentence);
   };
   if (!info.exists()) {
-    refuse(tr("%1 is not there.").arg(QDir::toNativeSeparators(path)));
+    refuse(tr("%1 does not exist.").arg(QDir::toNativeSeparators(path)));
   } else if (info.isDir() || isMapYaml(path) || isRecordingFile(path)) {
     Q_EMIT addressWanted(fileAddress(path));
   } else if (isBarePicture(path)) {
     placing_.place(path, tr("Open"), [this](const QString& address) { Q_EMIT addressWanted(address); });
   } else {
-    refuse(tr("%1 is no map and no recording: a map.yaml, a picture (PNG, PGM, BMP), an MCAP or a bag is "
-              "needed.")
+    refuse(tr("%1 is neither a map nor a recording. Choose a map.yaml, a picture (PNG, PGM, BMP), an MCAP "
+              "file or a bag.")
                .arg(info.fileName().left(120)));
   }
 }

@@ -1,4 +1,4 @@
-// Map files and recordings of this computer: chosen, dropped on the window.
+// Map files and recordings on this computer: chosen in a dialog, or dropped on the window.
 #pragma once
 
 #include "window/controller.h"
@@ -13,8 +13,7 @@ class FilesController : public Controller {
   FilesController(WindowContext& context, PicturePlacing& placing, QObject* parent = nullptr);
 
   void choose();
-  /// A map.yaml, a recording, a picture (asks how it lies) or a folder. What cannot be opened becomes a
-  /// toast.
+  /// A map.yaml, a recording, a picture (asks for its position) or a folder. Errors are shown as a toast.
   void open(const QString& path);
 
  Q_SIGNALS:

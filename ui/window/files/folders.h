@@ -1,4 +1,4 @@
-// Folders to propose in dialogs. Looks at the disk.
+// Default folders for dialogs. Accesses the disk.
 #pragma once
 
 #include <QSettings>
@@ -6,13 +6,13 @@
 
 namespace mapwright::window {
 
-/// The first of the wishes that is a folder which can be written to; else the home folder, else that for
-/// temporary files. Empty wishes are passed over.
+/// The first of the wishes that is a writable folder; otherwise the home folder, or that for temporary files.
+/// Empty wishes are skipped.
 QString folderToWriteInto(const QStringList& wishes);
-/// The first that is a folder which can be looked into; empty where there is none.
+/// The first that is a readable folder; empty if there is none.
 QString folderToReadFrom(const QStringList& wishes);
 
-/// Where map files were last chosen, for file dialogs.
+/// Where the user last chose map files, for file dialogs.
 QString lastMapFolder(const QSettings& settings);
 void rememberMapFolder(QSettings& settings, const QString& folder);
 

@@ -37,7 +37,7 @@ QString droppedMap(const QList<QUrl>& urls) {
   for (const QUrl& url : urls) {
     if (!url.isLocalFile()) continue;
     const QString path = url.toLocalFile();
-    // Whoever drops a map.yaml with its picture means the map.
+    // Dropping a map.yaml together with its picture means the map.
     if (isMapYaml(path) || isRecordingFile(path) || QFileInfo(path).isDir()) return path;
     if (picture.isEmpty() && isBarePicture(path)) picture = path;
   }

@@ -1,5 +1,4 @@
-// Map files and recordings as people open them: which ones there are, and their addresses. Pure but for a
-// look at the disk.
+// Map files and recordings that can be opened, and their addresses. Pure except for a look at the disk.
 #pragma once
 
 #include <optional>
@@ -12,7 +11,7 @@
 
 namespace mapwright::window {
 
-/// How a bare picture lies in the world.
+/// The position of a plain picture in the world.
 struct PicturePlacement {
   double resolution_m = 0.05;  // metres per cell
   geometry::Pose2 origin;      // of the lower-left corner
@@ -20,12 +19,11 @@ struct PicturePlacement {
 
 bool isMapYaml(const QString& path);
 bool isBarePicture(const QString& path);
-/// By its name: MCAP, or a bag of ROS 1.
+/// By its extension: MCAP, or ROS 1 bag.
 bool isRecordingFile(const QString& path);
 /// "file:/maps/a.yaml", "file:/maps/a.png?resolution=0.05&origin=-1,2,0".
 QString fileAddress(const QString& path, const std::optional<PicturePlacement>& placement = {});
-/// The one thing among what was dropped that can be opened: a map.yaml, a recording, a picture or a folder.
-/// Empty = none.
+/// The one dropped file that can be opened: a map.yaml, a recording, a picture or a folder. Empty = none.
 QString droppedMap(const QList<QUrl>& urls);
 /// For file dialogs: maps and recordings.
 QString mapFileFilter();

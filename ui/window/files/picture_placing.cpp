@@ -17,7 +17,7 @@ void PicturePlacing::place(const QString& path, const QString& accept_text, cons
     yamls.size() == 1 ? then(fileAddress(yamls.front())) : ask(path, yamls, accept_text, then);
   };
   if (!yamls_naming_) return know({});
-  // A folder on a slow share must not hold the window.
+  // A folder on a slow network drive must not block the window.
   share_.startLong([this, know, path] {
     QMetaObject::invokeMethod(
         this, [know, yamls = yamls_naming_(path)] { know(yamls); }, Qt::QueuedConnection);

@@ -1,4 +1,4 @@
-// Where a picture lies in the world: from the map.yaml beside it, or by asking.
+// Finds the position of a picture: from the map.yaml in its folder, or by asking.
 #pragma once
 
 #include <functional>
@@ -21,13 +21,12 @@ class PicturePlacing : public QObject {
  public:
   using Then = std::function<void(const QString& address)>;
 
-  /// `yamls_naming`: the map.yaml files beside a picture that name it as theirs; looks at the disk, called on
-  /// any thread. Null: it is always asked.
+  /// `yamls_naming`: returns the map.yaml files that name a picture as their image; accesses the disk, called
+  /// on any thread. Null: always asks.
   PicturePlacing(QWidget* window, std::function<QStringList(const QString& picture)> yamls_naming,
                  std::shared_ptr<work::Workers> workers);
 
-  /// Goes on with the address of the map that the picture is. Only the last one that was wanted is gone on
-  /// with.
+  /// Continues with the address of the map. Only the last request counts.
   void place(const QString& path, const QString& accept_text, const Then& then);
   PictureDialog* dialog() const;  // null: not open
 
@@ -38,7 +37,7 @@ class PicturePlacing : public QObject {
   std::function<QStringList(const QString& picture)> yamls_naming_;
   QPointer<PictureDialog> dialog_;
   quint64 asked_ = 0;
-  work::Share share_;  // last: it waits for what looks
+  work::Share share_;  // last member: waits for the look-up
 };
 
 }  // namespace mapwright::window

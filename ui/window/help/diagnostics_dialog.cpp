@@ -46,7 +46,7 @@ Table memoryOf(const Diagnostics& now) {
       {QCoreApplication::translate("window", "Kept in memory, MiB"),
        QCoreApplication::translate("window", "Held"), QCoreApplication::translate("window", "Allowed")},
       {row(QCoreApplication::translate("window", "Cells of submaps"), held.textures, allowed.textures),
-       row(QCoreApplication::translate("window", "Cells of submaps, laid out for drawing"), held.dense,
+       row(QCoreApplication::translate("window", "Cells of submaps, prepared for drawing"), held.dense,
            allowed.dense),
        row(QCoreApplication::translate("window", "Tiles of submaps"), held.tiles, allowed.tiles),
        row(QCoreApplication::translate("window", "Tiles of maps and costmaps"), held.grid_tiles,
@@ -61,12 +61,12 @@ Table messagesOf(const robot::Reception& now) {
            QCoreApplication::translate("window", "Count")},
           {{QCoreApplication::translate("window", "Came"), countText(now.came)},
            {QCoreApplication::translate("window", "Dropped for newer ones"), countText(now.dropped)},
-           {QCoreApplication::translate("window", "Late by more than a second"), countText(now.late)}}};
+           {QCoreApplication::translate("window", "More than a second late"), countText(now.late)}}};
 }
 
 Table transformsOf(const robot::Reception& now) {
   constexpr int kMost = 8;
-  Table table{{QCoreApplication::translate("window", "Transforms, the oldest first"),
+  Table table{{QCoreApplication::translate("window", "Transforms, oldest first"),
                QCoreApplication::translate("window", "Age, s")},
               {}};
   for (const robot::Reception::TransformAge& one : now.transforms) {
@@ -113,17 +113,17 @@ DiagnosticsDialog::DiagnosticsDialog(std::function<Diagnostics()> look, QSetting
 
   const KeptWorkSettings kept = workSettingsIn(settings_);
   threads_->setRange(0, WorkSettings::kMostThreads);
-  threads_->setSpecialValueText(tr("One a processor"));
+  threads_->setSpecialValueText(tr("One per processor"));
   threads_->setValue(kept.settings.threads);
-  // One below the least stands for the usual.
+  // One below the minimum means the default.
   memory_->setRange(WorkSettings::kLeastMb - 1, WorkSettings::kMostMb);
   memory_->setSingleStep(64);
   memory_->setSuffix(tr(" MiB"));
-  memory_->setSpecialValueText(tr("Usual (%1 MiB)").arg(WorkSettings::kUsualMb));
+  memory_->setSpecialValueText(tr("Default (%1 MiB)").arg(WorkSettings::kUsualMb));
   if (kept.settings.budget_mb > 0) memory_->setValue(kept.settings.budget_mb);
   auto* const form = new QGridLayout;
   form->setHorizontalSpacing(24);
-  auto* const from_next = new PlainLabel(tr("From the next start on"), this);
+  auto* const from_next = new PlainLabel(tr("Takes effect at the next start"), this);
   from_next->setSecondary(true);
   form->addWidget(from_next, 0, 0, 1, 2);
   int row = 1;

@@ -1,5 +1,4 @@
-// What the program takes of the computer: threads and memory, now; and how much it may take from the next
-// start on.
+// The program's use of threads and memory; and the limits for the next start.
 #pragma once
 
 #include <functional>
@@ -20,15 +19,15 @@ namespace mapwright::window {
 class PlainLabel;
 
 struct Diagnostics {
-  int threads = 0, running = 0, waiting = 0;  // of the crew; what runs beyond it counts, too
+  int threads = 0, running = 0, waiting = 0;  // of the thread pool; includes work outside of it
   work::Budgets held, allowed;
-  std::optional<robot::Reception> reception = {};  // of a robot that counts
+  std::optional<robot::Reception> reception = {};  // for a robot with statistics
 };
 
-/// All tables as lines of words and figures between tabs.
+/// All tables as tab-separated lines.
 QString textOf(const Diagnostics& diagnostics);
 
-/// Looks again once a second as long as it is open.
+/// Updates once a second while it is open.
 class DiagnosticsDialog : public QDialog {
   Q_OBJECT
  public:
@@ -46,7 +45,7 @@ class DiagnosticsDialog : public QDialog {
 
  private:
   void refresh();
-  /// Cells for tables of so many rows each, in place of those before.
+  /// Lays out cells for tables with this many rows each, replacing the old ones.
   void layOut();
   void keep();
 

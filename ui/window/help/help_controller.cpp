@@ -18,7 +18,7 @@ HelpController::HelpController(WindowContext& context, QObject* parent)
                .text = tr("&Commands…"),
                .icon = "palette",
                .keys = {"Ctrl+K"},
-               .tip = tr("Find any command by its name"),
+               .tip = tr("Search all commands by name"),
                .menu = {MenuGroup::Finding, 10},
                .bar = {BarGroup::FarEnd, 10}},
               window, [&actions, window] {
@@ -31,13 +31,13 @@ HelpController::HelpController(WindowContext& context, QObject* parent)
                .icon = "keyboard",
                .keys = {"?", "F1"},
                .reach = Reach::OutsideText,
-               .tip = tr("All keys on one page"),
+               .tip = tr("All keyboard shortcuts and gestures on one page"),
                .menu = {MenuGroup::Finding, 20}},
               window, [&actions, window] { makeShortcutSheet(actions, window)->open(); });
   actions.add({.id = "diagnostics",
                .text = tr("&Diagnostics"),
                .icon = "settings",
-               .tip = tr("Threads, memory and messages: what is taken, what may be, what comes"),
+               .tip = tr("Threads, memory and messages: usage, limits and rates"),
                .menu = {MenuGroup::About, 5}},
               this, &HelpController::showDiagnostics);
   actions.add({.id = "about",
@@ -51,7 +51,7 @@ HelpController::HelpController(WindowContext& context, QObject* parent)
 HelpController::~HelpController() { delete diagnostics_; }
 
 void HelpController::showDiagnostics() {
-  // Beside the window, not in front of it: one looks at it while something is done there.
+  // Non-modal, so that it can be watched while working.
   if (!diagnostics_) {
     const auto look = [&context = context_] {
       Diagnostics now{context.workers->threads(), context.workers->running(), context.workers->waiting(),

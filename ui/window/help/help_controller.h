@@ -1,4 +1,4 @@
-// Finding one's way: commands by name, keys, what this program is.
+// Help: commands by name, keyboard shortcuts, about the program.
 #pragma once
 
 #include <QPointer>

@@ -22,10 +22,9 @@ int numberIn(const QSettings& settings, const QString& key, int least, int most,
   bool whole = false;
   const int number = value.toString().toInt(&whole);
   if (whole && (number == 0 || (number >= least && number <= most))) return number;
-  nonsense << QCoreApplication::translate(
-                  "window",
-                  "%1 in %2 is \"%3\". It has to be a whole number from %4 to %5, or 0 for the "
-                  "usual. The usual is taken.")
+  nonsense << QCoreApplication::translate("window",
+                                          "%1 in %2 is \"%3\". It must be a whole number from %4 to %5, or 0 "
+                                          "for the default. The default is used.")
                   .arg(key, settings.fileName(), spoken(value))
                   .arg(least)
                   .arg(most);

@@ -1,4 +1,4 @@
-// How much of the computer the program takes: threads and memory, as kept in the settings.
+// Limits for threads and memory, stored in the settings.
 #pragma once
 
 #include <QSettings>
@@ -9,7 +9,7 @@
 
 namespace mapwright::window {
 
-/// 0 = as usual: a thread a processor, work::kUsualBudget.
+/// 0 = default: one thread per processor, work::kUsualBudget.
 struct WorkSettings {
   int threads = 0;
   int budget_mb = 0;
@@ -22,7 +22,7 @@ struct WorkSettings {
   bool operator==(const WorkSettings&) const = default;
 };
 
-/// What is kept there. Of what makes no sense the usual is taken, and a sentence says so.
+/// The stored settings. Invalid ones get their defaults, with a sentence about it.
 struct KeptWorkSettings {
   WorkSettings settings;
   QStringList nonsense;

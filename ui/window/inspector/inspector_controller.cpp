@@ -65,7 +65,7 @@ void InspectorController::clickedOnMap(const Eigen::Vector2d& world_m) {
 void InspectorController::setSession(session::Session* session) {
   dock_->setSession(session);
   if (!session) return;
-  // A robot without submaps has put another panel before it.
+  // A robot without submaps has put another panel in front of it.
   const bool has_submaps = session->robot().submapSource() != nullptr;
   if (std::exchange(behind_, !has_submaps) && has_submaps) context_.panels.suggest(dock_);
 }
@@ -81,9 +81,9 @@ void InspectorController::locate(map::SubmapId id) {
   if (!session) return;
   const geometry::WorldRect bounds = session->book().bounds(id, session->slice());
   if (!bounds.empty()) return context_.viewpoint.lookAt(bounds);
-  context_.overlay.toasts()->add(
-      Mark::Warning,
-      tr("Submap %1 has no usable pose, so it lies nowhere.").arg(QString::fromStdString(map::toText(id))));
+  context_.overlay.toasts()->add(Mark::Warning,
+                                 tr("Submap %1 has no valid pose, so it cannot be placed on the map.")
+                                     .arg(QString::fromStdString(map::toText(id))));
 }
 
 void InspectorController::goToFilter() {

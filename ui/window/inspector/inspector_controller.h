@@ -1,4 +1,4 @@
-// The SLAM inspector, and what the map has to say about single submaps.
+// The SLAM inspector, and submaps on the map.
 #pragma once
 
 #include "window/controller.h"
@@ -11,13 +11,13 @@ class InspectorDock;
 class InspectorController : public Controller {
   Q_OBJECT
  public:
-  /// The two actions are those that switch the ids and the outlines of the submaps.
+  /// The two actions switch the ids and the outlines of the submaps.
   InspectorController(WindowContext& context, QAction* show_ids, QAction* show_outlines,
                       QObject* parent = nullptr);
 
   InspectorDock* dock() const { return dock_; }
   void setColorMode(render::ColorMode mode);
-  /// A click on the map that is about nothing in particular.
+  /// A click on the map that nothing else handles.
   void clickedOnMap(const Eigen::Vector2d& world_m);
   void setSession(session::Session* session) override;
   bool escape() override;
@@ -32,7 +32,7 @@ class InspectorController : public Controller {
 
   WindowContext& context_;
   InspectorDock* dock_;
-  bool behind_ = false;  // the robot of before had no submaps
+  bool behind_ = false;  // the previous robot had no submaps
 };
 
 }  // namespace mapwright::window

@@ -82,7 +82,7 @@ QAction* LayersController::addSwitch(const ActionSpec& spec, scene::Layer layer)
 }
 
 void LayersController::addModes() {
-  // Neither is possible too: both layers can be hidden in the list.
+  // Neither is possible, too: both layers can be hidden in the list.
   modes_->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
   const auto mode = [this](ActionSpec spec, ViewMode which, int rank) {
     spec.reach = Reach::OutsideText;
@@ -123,10 +123,10 @@ void LayersController::addColors() {
     action->setData(int(mode));
     colors_->addAction(action);
   };
-  colors("colorsNormal", tr("Normal colours"), render::ColorMode::Normal, 10, tr("Grey as usual"));
-  colors("colorsIncremental", tr("Incremental submaps tinted"), render::ColorMode::Incremental, 20,
+  colors("colorsNormal", tr("Normal colours"), render::ColorMode::Normal, 10, tr("Plain grey"));
+  colors("colorsIncremental", tr("Tint incremental submaps"), render::ColorMode::Incremental, 20,
          tr("Incremental submaps in blue and red"));
-  colors("colorsActive", tr("Frozen submaps dimmed"), render::ColorMode::Active, 30,
+  colors("colorsActive", tr("Dim frozen submaps"), render::ColorMode::Active, 30,
          tr("Only active submaps at full strength"));
 }
 
@@ -162,7 +162,7 @@ void LayersController::recall(const QSettings& settings) {
 
 void LayersController::remember(QSettings& settings) {
   settings.setValue(QStringLiteral("view/colors"), colorModeName(context_.scene.colorMode()));
-  // A robot that has no submaps must not decide what the next one shows.
+  // A robot without submaps must not determine what the next one shows.
   const bool forced = mode_before_.has_value();
   endMode();
   saveLayers(context_.scene, settings);

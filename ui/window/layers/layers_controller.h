@@ -47,7 +47,7 @@ class LayersController : public Controller {
   LayersDock* dock_;
   std::vector<Switch> switches_;
   QActionGroup *modes_, *colors_;
-  /// What was on screen before a robot without submaps left no choice.
+  /// The mode before a robot without submaps left no choice.
   std::optional<ViewMode> mode_before_;
 };
 

@@ -1,4 +1,4 @@
-// What dialogs have in common: which button is which, and how progress looks.
+// The common look of dialogs: roles of buttons, progress.
 #pragma once
 
 #include <initializer_list>
@@ -8,13 +8,13 @@ class QPushButton;
 
 namespace mapwright::window {
 
-/// `main` is what Enter presses; `others` stand beside it.
+/// `main` is triggered by Enter; `others` are next to it.
 void giveRoles(QPushButton& main, std::initializer_list<QPushButton*> others);
-/// The same for what cannot be had back: it is pressed by hand, and Enter presses `safe`.
+/// The same for an action that cannot be undone: it needs a click, and Enter triggers `safe`.
 void giveCarefulRoles(QPushButton& main, QPushButton& safe);
-/// Whether Enter presses it: not while that would destroy something, whatever has the keyboard.
+/// Whether Enter triggers it: not while that would destroy something.
 void letEnterPress(QPushButton& button, bool lets);
-/// A thin line from 0 to 1000 that is hidden at first, and keeps its room while it is.
+/// A thin line from 0 to 1000, initially hidden but with its space reserved.
 void makeLine(QProgressBar& progress);
 
 }  // namespace mapwright::window

@@ -11,7 +11,7 @@
 
 #include "window/look/ui_colors.h"
 
-// Must stand outside of any namespace: the macro declares a function of the global one.
+// Must be outside of any namespace: the macro declares a function in the global one.
 static void initResources() { Q_INIT_RESOURCE(mapwright); }
 
 namespace mapwright::window {

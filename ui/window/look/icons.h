@@ -1,4 +1,4 @@
-// The icons of the window: one SVG each in resources/icons, coloured by the palette when painted.
+// The icons of the window: one SVG each in resources/icons, coloured by the palette.
 #pragma once
 
 #include <QColor>
@@ -8,11 +8,11 @@
 
 namespace mapwright::window {
 
-/// An icon from resources/icons/NAME.svg. It follows the application's palette: text colour, greyed when
-/// disabled, accent when checked. Sharp at every size and device pixel ratio.
+/// An icon from resources/icons/NAME.svg. It follows the application's palette: text colour, greyed if
+/// disabled, accent if checked. Sharp at every size and device pixel ratio.
 QIcon themedIcon(const QString& name);
 
-/// One picture of that icon in a colour of one's own.
+/// A pixmap of that icon in another colour.
 QPixmap iconPixmap(const QString& name, int size_px, double device_pixel_ratio, const QColor& color);
 
 /// The same, painted into `rect`.

@@ -61,7 +61,7 @@ QStringList PlainLabel::linesIn(int width) const {
          blank = rest.indexOf(QLatin1Char(' '), blank + 1)) {
       end = blank;
     }
-    if (end <= 0) break;  // not even a word has room
+    if (end <= 0) break;  // there is no room for even a word
     lines << rest.left(end);
     rest = rest.mid(end + 1);
   }

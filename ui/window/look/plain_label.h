@@ -1,4 +1,4 @@
-// Plain text, one line as a rule, that does not change the layout around it.
+// Plain text, usually one line, that does not change the layout around it.
 #pragma once
 
 #include <QColor>
@@ -7,9 +7,9 @@
 
 namespace mapwright::window {
 
-/// Shows text as it is (no markup, no mnemonics), elided when there is no room, with the whole text as
-/// tooltip then. Its size comes from a sample, so texts that change ten times a second relayout nothing.
-/// Digits keep their places because numbers are right-aligned where wanted.
+/// Shows text literally (no markup, no mnemonics), elided if there is no room, then with the whole text as
+/// tooltip. Its size comes from a sample, so texts that change ten times a second cause no relayout. Digits
+/// keep their places because numbers are right-aligned where wanted.
 class PlainLabel : public QWidget {
   Q_OBJECT
   Q_PROPERTY(QString text READ text WRITE setText)
@@ -23,7 +23,7 @@ class PlainLabel : public QWidget {
   void setElideMode(Qt::TextElideMode mode);
   /// The preferred width is that of `sample` (empty: of the text).
   void setSample(const QString& sample);
-  /// What has no room in one line may take so many; it asks for as much height then.
+  /// Text that does not fit into one line may take this many; the height grows accordingly.
   void setMostLines(int lines);
   void setSecondary(bool secondary);
   bool secondary() const { return secondary_; }
@@ -42,7 +42,7 @@ class PlainLabel : public QWidget {
 
  private:
   int iconWidth() const { return icon_.isEmpty() ? 0 : 20; }
-  /// As they are painted in so much room, the last one elided.
+  /// The lines as painted at this width, the last one elided.
   QStringList linesIn(int width) const;
   QString text_, sample_, icon_, hint_;
   QColor icon_color_;
@@ -52,7 +52,7 @@ class PlainLabel : public QWidget {
   int most_lines_ = 1;
 };
 
-/// Plain text made safe for places that guess at rich text (tooltips).
+/// Plain text escaped for places that may interpret rich text (tooltips).
 QString plainToolTip(const QString& text);
 
 }  // namespace mapwright::window

@@ -15,8 +15,8 @@ namespace {
 
 constexpr const char* kSystemDark = "mapwright_system_dark";
 
-// Fusion draws the rest; this only gives spacing on the 4 px grid, flat tool buttons and one look for docks
-// and cards.
+// Fusion draws the rest; this only gives spacing on the 4 px grid, flat tool buttons and a common look for
+// docks and cards.
 QString styleSheet(const UiColors& c) {
   QString css = QStringLiteral(R"(
 QToolTip { color: %text%; background: %tooltip%; border: 1px solid %border%; padding: 4px 6px; }
@@ -169,7 +169,7 @@ bool applyTheme(QApplication& app, ThemeChoice choice) {
   const bool system_dark = systemIsDark(app);
   const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && system_dark);
   const UiColors colors = uiColors(dark);
-  // A style sheet wraps the style and takes its name away, so the sheet of before goes first.
+  // A style sheet wraps the style and hides its name, so the previous one is removed first.
   app.setStyleSheet(QString());
   if (app.style()->name() != QLatin1String("fusion"))
     app.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

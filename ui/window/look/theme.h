@@ -1,4 +1,4 @@
-// Light, dark or as the system has it: palette and style sheet of the whole application.
+// Light, dark or system theme: palette and style sheet of the whole application.
 #pragma once
 
 #include <QString>
@@ -12,8 +12,8 @@ enum class ThemeChoice { System, Light, Dark };
 QString themeName(ThemeChoice choice);           // "system", "light", "dark": as in the settings
 ThemeChoice themeFromName(const QString& name);  // anything else: System
 
-/// What the desktop wanted before any theme was applied. Remembered in the application object, so it survives
-/// palettes of our own.
+/// The desktop's preference before any theme was applied. Stored in the application object, so our own
+/// palettes do not change it.
 bool systemIsDark(QApplication& app);
 
 /// Sets Fusion, the palette and the style sheet. Returns whether it is dark now.

@@ -6,32 +6,31 @@
 
 namespace mapwright::window {
 
-/// Semantic colours. The plain ones are for shapes (dots, icons, bars, frames) and keep a contrast of at
-/// least 3:1 against the window, the base and a row that is selected or under the cursor; the `_text` ones
-/// keep 4.5:1, so words may use them. `accent` also lies under white words; `border` only parts areas and
-/// says nothing.
+/// Semantic colours. The plain ones are for shapes (dots, icons, bars, frames) with a contrast of at least
+/// 3:1 against the window, the base and a selected or hovered row; the `_text` ones have 4.5:1, for text.
+/// `accent` is also a background for white text; `border` only separates areas.
 struct UiColors {
   bool dark = false;
   QColor accent, ok, warning, error;
   QColor accent_text, ok_text, warning_text, error_text;
   QColor window, base, text, secondary_text, border, hover, tooltip, selection;
   QColor neutral;   // shapes that say nothing special
-  QColor focus;     // the frame of what has the keyboard, the bar of what is selected
-  QColor outline;   // the edge of what can be typed into, ticked or pressed
-  QColor disabled;  // words and marks of what cannot be used now
+  QColor focus;     // the frame of the focused widget, the bar of selected rows
+  QColor outline;   // the edge of input fields, check boxes and buttons
+  QColor disabled;  // text and marks of disabled items
 };
 
 UiColors uiColors(bool dark);
-/// The colours of the theme that the application has now. To be asked while painting: a widget's own palette
-/// may have been bent by the style sheet.
+/// The colours of the application's present theme. Call it while painting: the style sheet may have changed a
+/// widget's own palette.
 UiColors appColors();
-/// The colours that belong to a palette made by themePalette() (or any other): told by its lightness.
+/// The colours for a palette from themePalette() (or any other), chosen by its lightness.
 UiColors uiColors(const QPalette& palette);
 QPalette themePalette(const UiColors& colors);
-/// The same with a soft selection: in lists, marks and words keep their own colours on a selected row.
+/// The same with a soft selection: in lists, marks and text keep their own colours on a selected row.
 QPalette listPalette(const QPalette& theme, const UiColors& colors);
 
-/// The same for what is no longer live: shapes and words keep their forms, not their colours.
+/// The same for data that is no longer live: without colours.
 UiColors greyed(UiColors colors);
 
 /// Contrast ratio of WCAG 2, 1..21.

@@ -12,7 +12,7 @@ double ladderScale(double scale_m_per_px, double steps) {
   using geometry::kMinScaleMPerPx;
   double rung = std::log(kNativeScaleMPerPx / scale_m_per_px) / std::log(kLadder);
   if (steps == std::round(steps)) {
-    // From between two rungs, the first step goes to the next rung in its direction.
+    // Between two rungs, the first step goes to the next rung in its direction.
     const double near = std::round(rung);
     if (std::abs(rung - near) < 1e-6) rung = near;
     rung = steps > 0 ? std::floor(rung) : std::ceil(rung);

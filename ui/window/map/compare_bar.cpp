@@ -26,7 +26,7 @@ namespace {
 
 using scene::CompareMode;
 
-/// A swatch in the very colour of the difference, with its words.
+/// A swatch in the colour of the difference, with its label.
 class LegendEntry : public QWidget {
  public:
   LegendEntry(render::Difference what, const QString& text, QWidget* parent)
@@ -71,7 +71,7 @@ CompareBar::CompareBar(QWidget* parent)
   second_->setMinimumContentsLength(16);
   second_->setMaxVisibleItems(16);
   second_->setAccessibleName(tr("Second map"));
-  second_->setToolTip(tr("What the open map is compared with"));
+  second_->setToolTip(tr("The map to compare the open one with"));
   auto* modes = new QButtonGroup(this);
   for (QToolButton* button : {swipe_, difference_}) {
     button->setCheckable(true);
@@ -79,12 +79,12 @@ CompareBar::CompareBar(QWidget* parent)
     modes->addButton(button);
   }
   swipe_->setText(tr("Swipe"));
-  swipe_->setToolTip(tr("One map left, the other right of a line that can be dragged"));
+  swipe_->setToolTip(tr("One map to the left of a divider, the other to the right; drag it"));
   difference_->setText(tr("Difference"));
   close_->setIcon(themedIcon(QStringLiteral("close")));
   close_->setIconSize({16, 16});
-  close_->setToolTip(tr("End comparing (Esc)"));
-  close_->setAccessibleName(tr("End comparing"));
+  close_->setToolTip(tr("Stop comparing (Esc)"));
+  close_->setAccessibleName(tr("Stop comparing"));
   status_->setSecondary(true);
   status_->setSample(tr("Fetching the map"));
   status_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -96,9 +96,9 @@ CompareBar::CompareBar(QWidget* parent)
     legend_row->addWidget(new LegendEntry(what, text, legend_));
   };
   entry(render::Difference::Appeared, tr("new in the second"));
-  entry(render::Difference::Vanished, tr("vanished in it"));
+  entry(render::Difference::Vanished, tr("gone in the second"));
   entry(render::Difference::OnlyFirst, tr("known in the first only"));
-  entry(render::Difference::OnlySecond, tr("in the second only"));
+  entry(render::Difference::OnlySecond, tr("known in the second only"));
   legend_row->addStretch();
 
   auto* line = new QHBoxLayout;
@@ -135,7 +135,7 @@ void CompareBar::fill(session::Session* session, const std::optional<SecondMap>&
     offers.push_back(what);
     titles << title;
   };
-  if (session->robot().submapSource()) offer(SubmapsAside{}, tr("the submaps (they lie on the left)"));
+  if (session->robot().submapSource()) offer(SubmapsAside{}, tr("the submaps (they are on the left)"));
   if (robot::sendsItsMap(session->robot())) offer(map::MapKey{map::MapKind::Live, {}}, tr("Live map"));
   for (const map::CatalogueEntry& entry : session->catalogue().entries()) {
     QString title =
@@ -145,7 +145,7 @@ void CompareBar::fill(session::Session* session, const std::optional<SecondMap>&
     offer(entry.key, title);
   }
   if (session->wholeMap().source() || (chosen && std::holds_alternative<KeptState>(*chosen)))
-    offer(KeptState{}, tr("Keep the present state"));
+    offer(KeptState{}, tr("Keep the current state"));
   const bool file = chosen && std::holds_alternative<FileAside>(*chosen);
   offer(FileAside{}, file ? comparedNames(*session).right : tr("File…"));
   if (offers != offers_ || titles != titles_) {
@@ -175,7 +175,7 @@ void CompareBar::sync(session::Session* session, CompareMode mode, const std::op
   difference_->setChecked(mode == CompareMode::Difference);
   difference_->setEnabled(!submaps);
   difference_->setToolTip(submaps ? tr("Only two whole maps can be subtracted from each other")
-                                  : tr("What the one has and the other has not, in colours"));
+                                  : tr("Show the differences in colour"));
   legend_->setVisible(mode == CompareMode::Difference);
   QString status;
   if (second.phase() == session::MapSlot::Phase::Failed) {
@@ -183,7 +183,7 @@ void CompareBar::sync(session::Session* session, CompareMode mode, const std::op
   } else if (!second.settled()) {
     status = mapProgressText(second);
   } else if (!chosen) {
-    status = tr("Choose what to compare the open map with.");
+    status = tr("Choose a map to compare the open one with.");
   } else if (first.phase() == session::MapSlot::Phase::Failed) {
     status = sentences::sentenceOf(first.remark());
   } else if (!first.settled()) {

@@ -15,7 +15,7 @@ namespace mapwright::window {
 
 class PlainLabel;
 
-/// What the second map of a comparison may be.
+/// What the second map of a comparison can be.
 struct KeptState {
   bool operator==(const KeptState&) const = default;
 };
@@ -32,7 +32,7 @@ class CompareBar : public QFrame {
  public:
   explicit CompareBar(QWidget* parent = nullptr);
 
-  /// Fills the list of second maps and says how both stand. `chosen`: what the second one is now.
+  /// Fills the list of second maps and shows the state of both. `chosen`: the present second map.
   void sync(session::Session* session, scene::CompareMode mode, const std::optional<SecondMap>& chosen);
 
   QComboBox* second() const { return second_; }

@@ -60,7 +60,7 @@ void CompareControl::startWith(map::WholeMap map) {
 void CompareControl::choose(const SecondMap& second) {
   if (!session_) return;
   if (std::holds_alternative<FileAside>(second) && active() && sender() == bar_) {
-    sync();  // the list goes back to what is compared until a file has been chosen
+    sync();  // the list shows the present comparison until a file has been chosen
     Q_EMIT fileWanted();
     return;
   }

@@ -1,4 +1,4 @@
-// Comparing two maps: what is compared, how, and the line between them.
+// Comparing two maps: which, how, and the divider between them.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ class CompareControl : public QObject {
 
   void setSession(session::Session* session);
   bool active() const { return scene_->compareMode() != scene::CompareMode::Off; }
-  /// Begins, or goes on with another second map; nullopt: it is chosen in the bar.
+  /// Starts, or switches to another second map; nullopt: the user chooses it in the bar.
   void start(const std::optional<SecondMap>& second = {});
   /// Compares with a map from elsewhere.
   void startWith(map::WholeMap map);

@@ -28,13 +28,13 @@ using robot::ConnectionPhase;
 
 namespace {
 
-/// Under *Maps* there is one to be opened.
+/// There is a map to open under *Maps*.
 bool storesMaps(const session::Catalogue& catalogue) {
   return std::any_of(catalogue.entries().begin(), catalogue.entries().end(),
                      [](const map::CatalogueEntry& entry) { return entry.key.kind != map::MapKind::Live; });
 }
 
-/// Its map is had in space, and not in the plane.
+/// It has a 3D map but no 2D map.
 bool givesCloudsOnly(robot::Robot& robot) {
   using robot::DispatchService;
   const robot::MapDispatch* const dispatch = robot.mapDispatch();
@@ -48,9 +48,9 @@ EmptyState cloudsInstead() {
   EmptyState state;
   state.kind = EmptyState::Kind::NoMap;
   state.icon = QStringLiteral("map");
-  state.title = QCoreApplication::translate("window", "No map in the plane");
+  state.title = QCoreApplication::translate("window", "No 2D map");
   state.text = QCoreApplication::translate(
-      "window", "This robot gives clouds of points. Should it send a map, that appears by itself.");
+      "window", "This robot provides point clouds. If it sends a map, the map appears automatically.");
   state.offers_clouds = true;
   return state;
 }
@@ -63,16 +63,16 @@ std::optional<EmptyState> emptyState(session::Session* session, const MapsInView
   const session::MapSlot& slot = session->wholeMap();
   if (in_view.whole && slot.cells()) return std::nullopt;
   if (in_view.regions_held || in_view.clouds_held || in_view.scans) return std::nullopt;
-  // What is not there yet is marked on the map.
+  // Missing regions are marked on the map.
   if (in_view.regions && session->connection().phase == ConnectionPhase::Online) return std::nullopt;
-  // Its waypoints are to be seen: the notice says what is missing.
+  // Its waypoints are visible: the notice says what is missing.
   if (in_view.whole && session::lacksPicture(slot) && session->robot().waypointStore()) return std::nullopt;
   const auto of_submaps = emptyState(session->robot().address(), session->connection(), &counts);
   const bool has_submaps = session->robot().submapSource() != nullptr;
   if (in_view.submaps && has_submaps) return of_submaps;
-  if (!in_view.whole) return std::nullopt;  // nothing is wanted
+  if (!in_view.whole) return std::nullopt;  // nothing is requested
   using Phase = session::MapSlot::Phase;
-  // While nothing was asked for, how the link stands says more than that no map is open.
+  // Before any request, the connection state is more informative than that no map is open.
   const bool online = session->connection().phase == ConnectionPhase::Online;
   if (!online && (slot.phase() == Phase::Empty || slot.key().kind == map::MapKind::Live)) {
     if (of_submaps) return of_submaps;
@@ -110,19 +110,19 @@ std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool store
   }
   if (live) {
     state.kind = EmptyState::Kind::LoadingMap;
-    state.title = QCoreApplication::translate("window", "Waiting for the map of the robot");
-    state.text = stored
-                     ? QCoreApplication::translate(
-                           "window", "It appears as soon as the robot sends it. Stored maps are under Maps.")
-                     : QCoreApplication::translate("window", "It appears as soon as the robot sends it.");
+    state.title = QCoreApplication::translate("window", "Waiting for the robot's map");
+    state.text =
+        stored ? QCoreApplication::translate(
+                     "window", "It appears as soon as the robot sends it. Stored maps are listed under Maps.")
+               : QCoreApplication::translate("window", "It appears as soon as the robot sends it.");
     return state;
   }
   state.kind = EmptyState::Kind::NoMap;
   state.title = QCoreApplication::translate("window", "No map is open");
-  state.text = stored
-                   ? QCoreApplication::translate(
-                         "window", "Double click one under Maps. Nothing is loaded or changed on the robot.")
-                   : QCoreApplication::translate("window", "None comes from here, and none is stored here.");
+  state.text =
+      stored ? QCoreApplication::translate(
+                   "window", "Double-click one under Maps. This loads and changes nothing on the robot.")
+             : QCoreApplication::translate("window", "The robot sends no map, and none is stored here.");
   return state;
 }
 
@@ -133,14 +133,13 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
     state.kind = EmptyState::Kind::NoRobot;
     state.icon = QStringLiteral("robot");
     state.title = QCoreApplication::translate("window", "No robot connected");
-    state.text = QCoreApplication::translate(
-        "window",
-        "Connect to a robot by its address, look around with the simulated one, or open a map file: it can "
-        "also be dropped here.");
+    state.text = QCoreApplication::translate("window",
+                                             "Connect to a robot by its address, try the simulated one, or "
+                                             "open a map file (you can also drop it here).");
     state.offers_connect = state.offers_demo = state.offers_file = true;
     return state;
   }
-  // Whatever was received stays on the map; the notice above it tells of a lost link.
+  // Received data stays on the map; the notice above reports a lost connection.
   if (counts->shown > 0) return std::nullopt;
   switch (connection.phase) {
     case ConnectionPhase::Offline:
@@ -163,14 +162,14 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
       state.icon = QStringLiteral("error");
       state.offers_secret = wantsSecret(connection);
       state.title = connection.phase == ConnectionPhase::Refused
-                        ? QCoreApplication::translate("window", "The robot refused")
+                        ? QCoreApplication::translate("window", "The robot refused the connection")
                         : QCoreApplication::translate("window", "Cannot reach the robot");
       state.text = connection.reason.any()
                        ? QStringLiteral("%1\n%2").arg(address, sentences::wordsOf(connection.reason))
                        : address;
       state.offers_retry = state.offers_connect = true;
       if (connection.certificate) {
-        // The fingerprint is in the dialog: it fits on no card.
+        // The fingerprint is in the dialog: it does not fit on a card.
         const bool changed = !connection.certificate->pinned_sha256.isEmpty();
         state.title = changed ? EmptyStateCard::tr("The certificate of the robot has changed")
                               : EmptyStateCard::tr("The certificate of the robot is not trusted");
@@ -197,7 +196,7 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
     state.title = QCoreApplication::translate("window", "This robot lists no submaps");
     state.text = QCoreApplication::translate(
         "window",
-        "They appear here as soon as it maps or positions itself. Start mapping or load a map on the robot.");
+        "They appear here as soon as the robot maps or localizes. Start mapping or load a map on the robot.");
     return state;
   }
   if (counts->pending > 0) {
@@ -301,7 +300,7 @@ void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
   progress_->setVisible(state->busy);
   connect_->setVisible(state->offers_connect);
   const bool second =
-      state->offers_retry || state->offers_certificate;  // the first offer is about this robot
+      state->offers_retry || state->offers_certificate;  // the first button is about this robot
   connect_->setText(second ? tr("Other robot…") : tr("Connect…"));
   secret_->setVisible(state->offers_secret);
   setRole(connect_, !second);

@@ -1,4 +1,4 @@
-// What stands in the middle of the map while there is no map to see: what is going on and what to do.
+// The card in the middle of an empty map: what is happening and what to do.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace mapwright::window {
 
-/// What the card says. `title` and `text` may hold names from a robot: plain text.
+/// The content of the card. `title` and `text` may contain names from a robot: plain text.
 struct EmptyState {
   enum class Kind {
     NoRobot,
@@ -31,28 +31,27 @@ struct EmptyState {
   Kind kind = Kind::NoRobot;
   QString icon, title, text;
   bool busy = false;
-  bool offers_secret = false;  // the robot refused for want of the right one
+  bool offers_secret = false;  // the robot refused because the secret is wrong or missing
   bool offers_connect = false, offers_demo = false, offers_retry = false, offers_cancel = false;
   bool offers_file = false, offers_certificate = false;
   bool offers_clouds = false;
   bool operator==(const EmptyState&) const = default;
 };
 
-/// Which maps the view is to show.
+/// Which maps the view should show.
 struct MapsInView {
   bool submaps = true, whole = false;
-  bool regions = false;       // a map by regions is there, and wanted
-  bool regions_held = false;  // some of it has come
+  bool regions = false;       // there is a map by regions, and it is shown
+  bool regions_held = false;  // some of it has arrived
   bool clouds_held = false;   // clouds of points lie there
-  bool scans = false;         // what the robot scans, or did, is drawn
+  bool scans = false;         // sensor data of the robot is drawn
 };
 
 /// nullopt while there is something on the map. `session` may be null.
 std::optional<EmptyState> emptyState(session::Session* session, const MapsInView& in_view);
-/// How it stands with the whole map alone. `stored`: there are others to choose from; `live`: the robot sends
-/// one.
+/// The state of the whole map alone. `stored`: there are others to choose from; `live`: the robot sends one.
 std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool stored, bool live);
-/// How it stands with the submaps alone; `counts` null = no robot.
+/// The state of the submaps alone; `counts` null = no robot.
 std::optional<EmptyState> emptyState(const QString& address, const robot::ConnectionState& connection,
                                      const session::SubmapCounts* counts);
 

@@ -1,4 +1,4 @@
-// What lies under the hand: the things of all layers that can be taken, nearest first.
+// Finds the objects under the cursor on all layers, nearest first.
 #pragma once
 
 #include <functional>
@@ -13,16 +13,15 @@
 
 namespace mapwright::window {
 
-/// Points in the world by key, found by place: in an R-tree, so that a large map costs no more than a small
-/// one.
+/// Points in the world by key, in an R-tree, so that the size of the map does not matter.
 class PointIndex {
  public:
   PointIndex();
   ~PointIndex();
   void clear();
-  /// All anew, at a fraction of what it takes one by one; not finite ones are left out.
+  /// Replaces all points, much faster than one by one; non-finite ones are skipped.
   void reset(const std::vector<std::pair<std::string, Eigen::Vector2d>>& points);
-  /// Adds or moves. A place that is not finite is none: the key is forgotten.
+  /// Adds or moves. A non-finite position removes the key.
   void put(const std::string& key, const Eigen::Vector2d& world_m);
   void remove(const std::string& key);
   std::size_t size() const;
@@ -45,11 +44,11 @@ class HitList {
  public:
   /// `scene` must outlive this.
   explicit HitList(const scene::MapScene& scene) : scene_(scene) {}
-  /// The things of a layer that can be hit while it is shown. Not owned; must outlive this.
+  /// The objects of a layer that can be hit while it is shown. Not owned; must outlive this.
   void add(scene::Layer layer, const PointIndex* points) { sources_.push_back({layer, points}); }
   /// All within `reach_px`, nearest first.
   std::vector<Hit> at(const Eigen::Vector2d& world_m, double reach_px) const;
-  /// All in a rectangle, in no order, with the distance 0.
+  /// All in a rectangle, in no particular order, with distance 0.
   void within(const geometry::WorldRect& area, const std::function<void(const Hit&)>& found) const;
 
  private:

@@ -38,7 +38,7 @@ void NorthArrow::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(rect(), 4, 4);
   }
   painter.translate(width() / 2.0, height() / 2.0);
-  // Turning the picture counter-clockwise turns the painter (y down) by minus that.
+  // Rotating the picture counter-clockwise rotates the painter (y down) by the negative angle.
   painter.rotate(-geometry::degreesFromRadians(rotation_));
   QPainterPath north, south;
   north.moveTo(0, -12);

@@ -1,4 +1,4 @@
-// The buttons that float over the map: zoom, fit and the north arrow.
+// The buttons on top of the map: zoom, fit and the north arrow.
 #pragma once
 
 #include <QAbstractButton>
@@ -9,7 +9,8 @@ class QToolButton;
 
 namespace mapwright::window {
 
-/// A needle that points to the map's north (world +y) and turns with the view; a click turns north up.
+/// A needle that points to the map's north (world +y) and rotates with the view; a click rotates the view
+/// north up.
 class NorthArrow : public QAbstractButton {
   Q_OBJECT
  public:

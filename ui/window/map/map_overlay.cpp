@@ -41,7 +41,7 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
   row->addWidget(hint_);
   hint_->setAlignment(Qt::AlignCenter);
   hint_frame_->hide();
-  // The map goes on working under the hint.
+  // The map stays usable under the hint.
   hint_frame_->setAttribute(Qt::WA_TransparentForMouseEvents);
   for (QWidget* widget : std::initializer_list<QWidget*>{view_, card_, safety_notice_, notice_, place_notice_,
                                                          edit_notice_, compare_bar_}) {

@@ -1,4 +1,4 @@
-// Places what floats over the map: furniture, card, notice, hint of the tool, toasts.
+// Places the widgets on top of the map: buttons, card, notices, tool hint, toasts.
 #pragma once
 
 #include <QFrame>
@@ -23,11 +23,11 @@ class MapOverlay : public QObject {
   EmptyStateCard* card() const { return card_; }
   CompareBar* compareBar() const { return compare_bar_; }
   NoticeBar* notice() const { return notice_; }
-  /// What is dangerous or wrong with the robot: above all other notices.
+  /// Safety conditions of the robot: above all other notices.
   NoticeBar* safetyNotice() const { return safety_notice_; }
-  /// Where the robot is, when it is not in the map on screen.
+  /// Where the robot is, if it is not in the map on screen.
   NoticeBar* placeNotice() const { return place_notice_; }
-  /// What has to be decided about what is being edited.
+  /// Decisions about what is being edited.
   NoticeBar* editNotice() const { return edit_notice_; }
   ToastStack* toasts() const { return toasts_; }
   MapFurniture* furniture() const { return furniture_; }

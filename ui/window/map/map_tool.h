@@ -1,5 +1,5 @@
-// What the hand does on the map: clicks, drags, keys. A tool gets every point in world metres and in viewport
-// pixels; a drag that it does not take pans.
+// Mouse and keyboard input on the map: clicks, drags, keys. A tool gets positions in world metres and
+// viewport pixels; drags that it does not take pan the map.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ class QPainter;
 
 namespace mapwright::window {
 
-/// Where the hand is, and which modifiers it holds.
+/// The cursor position and modifiers.
 struct MapPoint {
   Eigen::Vector2d world_m{0, 0};
   QPointF px;  // of the viewport
@@ -22,52 +22,52 @@ struct MapPoint {
 struct MapKeyPress {
   int key = 0;
   Qt::KeyboardModifiers modifiers = Qt::NoModifier;
-  bool repeats = false;  // it is still held
+  bool repeats = false;  // auto-repeat of a held key
 };
 
 class MapTool : public QObject {
   Q_OBJECT
  public:
-  /// Things are hit when they are no farther than this from the hand.
+  /// Objects within this distance of the cursor are hit.
   static constexpr double kReachPx = 9;
 
   using QObject::QObject;
 
   virtual QString name() const = 0;  // as remembered in the settings
   virtual QCursor cursor() const = 0;
-  /// Every press begins something, however quickly it follows the one before: there are no double clicks.
+  /// Every press counts, however fast it follows the previous one: there are no double clicks.
   virtual bool takesEveryPress() const { return false; }
   virtual void activate() {}
   virtual void deactivate() {}
 
-  /// The left button went down. True: what follows, if it becomes a drag, is the tool's; else it pans.
+  /// The left button was pressed. True: a following drag belongs to the tool; otherwise it pans.
   virtual bool pressed(const MapPoint& /*at*/) { return false; }
-  /// A drag that the tool took goes on; its first word comes when the hand has moved a few pixels.
+  /// A drag of the tool; first called after the cursor has moved a few pixels.
   virtual void dragged(const MapPoint& /*at*/) {}
-  /// It ends here.
+  /// The drag ended.
   virtual void released(const MapPoint& /*at*/) {}
-  /// It ends without having been (another window came, another tool).
+  /// The drag was cancelled (another window or tool).
   virtual void dragCancelled() {}
-  /// Pressed and let go in one place, whether the tool took the press or not.
+  /// Pressed and released in one place, whether or not the tool took the press.
   virtual void clicked(const MapPoint& /*at*/) {}
   virtual void hovered(const MapPoint& /*at*/) {}
   virtual void left() {}  // the cursor left the map
-  /// True when the tool took the double click; else the map centres there and zooms in.
+  /// True if the tool handled the double click; otherwise the map centres there and zooms in.
   virtual bool doubleClicked(const MapPoint& /*at*/) { return false; }
   /// True when the tool took the key.
   virtual bool keyPressed(const MapKeyPress& /*press*/) { return false; }
-  /// Paints over the map, in viewport pixels; changed() asks for it.
+  /// Paints over the map, in viewport pixels; triggered by changed().
   virtual void paint(QPainter& /*painter*/) {}
-  /// One line on what is going on and what can be done; empty = nothing to say.
+  /// One line about the state of the tool and the possible actions; empty = none.
   virtual QString hint() const { return {}; }
 
  Q_SIGNALS:
   void hintChanged();
   void changed();   // what it paints, or its cursor
-  void finished();  // the tool has nothing more to do: back to panning
+  void finished();  // the tool is done: back to panning
 };
 
-/// The tool to start with: only drags; what a click means is for others to say.
+/// The initial tool: only drags; others handle its clicks.
 class PanTool : public MapTool {
   Q_OBJECT
  public:

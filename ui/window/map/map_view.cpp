@@ -37,7 +37,7 @@ MapView::MapView(scene::MapScene* scene, QWidget* parent) : QGraphicsView(parent
   setAccessibleName(tr("Map"));
   viewport()->setAttribute(Qt::WA_AcceptTouchEvents);
   viewport()->grabGesture(Qt::PinchGesture);
-  // Desktops that want no motion say so through the style's own animations.
+  // The style reports whether the desktop wants no animations.
   animation_ms_ =
       style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, this) > 0 ? kAnimationMs : 0;
   motion_timer_.setTimerType(Qt::PreciseTimer);
@@ -87,7 +87,7 @@ void MapView::zoomSteps(double steps, std::optional<QPointF> anchor) {
   const geometry::ViewTransform goal = destination();
   const double scale = ladderScale(goal.scale_m_per_px, steps);
   const QPointF at = anchor.value_or(middle());
-  // From where the camera is, not where it was going: the point under the cursor must not slide.
+  // From the camera's present state, not its destination: the point under the cursor must not move.
   const geometry::ViewTransform now = scene_->view();
   geometry::ViewTransform to = now.zoomedAt(vector(at), now.scale_m_per_px / scale);
   if (motion_ && goal.rotation_rad != now.rotation_rad) {
@@ -143,7 +143,7 @@ geometry::ViewTransform MapView::fittedTo(const geometry::WorldRect& world, doub
   to.rotation_rad = destination().rotation_rad;
   to.width_px = std::max(1, viewport()->width());
   const int height = std::max(1, viewport()->height());
-  // Where strips would leave hardly anything there is nothing to be gained by them.
+  // If strips leave hardly any room it is useless to avoid them.
   const double covered = std::min(scene_->coveredTop(), height / 2.0);
   to.height_px = std::max(1, int(height - covered));
   to = to.fitted(world, std::min(48.0, 0.06 * std::min(to.width_px, to.height_px)));
@@ -167,7 +167,7 @@ bool MapView::fitAgain() {
 
 void MapView::setCoveredTop(int px) {
   scene_->setCoveredTop(px);
-  // What a strip that goes leaves free is no reason to move the map.
+  // A disappearing strip is no reason to move the map.
   if (kept_fit_ && px > kept_fit_->covered_px) fitAgain();
 }
 
@@ -210,7 +210,7 @@ void MapView::setFollowing(bool following) {
 void MapView::centreOnRobot() {
   const auto pose = scene::poseDrawn(*scene_);
   if (!following_ || !pose) return;
-  // Where it is not drawn there is nothing to follow.
+  // If it is not drawn there is nothing to follow.
   if (scene_->robotPlace().drawn == scene::ScreenPart::None) return;
   const Eigen::Vector2d robot(pose->x_m, pose->y_m);
   if (motion_) {
@@ -271,8 +271,8 @@ void MapView::resizeEvent(QResizeEvent* event) {
     motion_->from.width_px = motion_->to.width_px = std::max(1, viewport()->width());
     motion_->from.height_px = motion_->to.height_px = std::max(1, viewport()->height());
   }
-  // A panel that takes room, or gives it back, leaves the map where it is on the screen: somebody may be
-  // about to click on it. With the window itself it grows around the middle.
+  // A panel that opens or closes leaves the map where it is on the screen: the user may be about to click on
+  // it. With the window itself it grows around the middle.
   const QPoint corner = mapTo(window(), QPoint());
   const QSize window_size = window()->size();
   const bool by_panel = event->oldSize().isValid() && window_size == window_size_ && !following_;

@@ -1,5 +1,4 @@
-// The map on screen: turns what hands do into movements of the camera. The picture itself is
-// scene::MapScene's.
+// The map on screen: turns input into camera moves. scene::MapScene paints the picture.
 #pragma once
 
 #include <optional>
@@ -24,14 +23,14 @@ class MapView : public QGraphicsView {
   explicit MapView(scene::MapScene* scene, QWidget* parent = nullptr);
 
   scene::MapScene* mapScene() const { return scene_; }
-  /// Where the camera is, or is going while it moves.
+  /// The camera, or its destination while it moves.
   geometry::ViewTransform destination() const { return motion_ ? motion_->to : scene_->view(); }
   bool moving() const { return motion_.has_value(); }
 
   /// 0 = jump. The default is 120 ms, or 0 where the desktop asks for reduced motion.
   void setAnimationMs(int ms) { animation_ms_ = ms; }
 
-  /// Goes there, from wherever a movement under way has got to.
+  /// Moves there, from the present point of an animation in progress.
   void moveTo(const geometry::ViewTransform& view, bool animated, std::optional<QPointF> anchor = {});
   void stopMoving();
   void zoomSteps(double steps, std::optional<QPointF> anchor = {});  // default anchor: the middle
@@ -39,22 +38,22 @@ class MapView : public QGraphicsView {
   void rotateBy(double rad, std::optional<QPointF> anchor = {});
   void setRotation(double rad);
   void lookAt(const Eigen::Vector2d& world_m, bool animated = true);
-  /// Shows a rectangle as a whole, below the strips that lie over the map; small ones are not magnified
-  /// beyond `closest_m_per_px`.
+  /// Shows the whole rectangle, below the strips on top of the map; small ones are not magnified beyond
+  /// `closest_m_per_px`.
   void fit(const geometry::WorldRect& world, bool animated, double closest_m_per_px = 0.005);
-  /// The same at once, and again when strips or panels take room or give it back: until the camera is moved
-  /// in another way, and never under the cursor.
+  /// The same at once, and again when strips or panels change: until the camera is moved otherwise, and never
+  /// under the cursor.
   void keepFitted(const geometry::WorldRect& world, double closest_m_per_px);
-  /// So much of its top lies under strips.
+  /// The height of the strips at its top.
   void setCoveredTop(int px);
 
-  /// While following, the robot's pose is kept in the middle; panning by hand ends it.
+  /// While following, the robot is kept in the centre; manual panning stops it.
   void setFollowing(bool following);
   bool following() const { return following_; }
 
   void setTool(MapTool* tool);  // not owned; must not be null
   MapTool* tool() const { return tool_; }
-  /// The tool in the hand: the chosen one, or panning while Space is held.
+  /// The active tool: the chosen one, or panning while Space is held.
   MapTool* activeTool() { return space_held_ ? &pan_tool_ : tool_; }
 
   /// World point under the cursor, while it is over the map.
@@ -110,7 +109,7 @@ class MapView : public QGraphicsView {
   };
   std::optional<Fit> kept_fit_;
   QSize window_size_;  // at the last resize
-  QPoint corner_px_;   // of the map in the window, then
+  QPoint corner_px_;   // of the map in the window, at that time
   QElapsedTimer motion_clock_;
   QTimer motion_timer_;
   int animation_ms_;
@@ -119,8 +118,8 @@ class MapView : public QGraphicsView {
   std::optional<QPointF> press_;  // where the button went down
   QPointF drag_last_;
   bool dragging_ = false;
-  bool tool_takes_ = false;     // what follows the press is the tool's
-  bool tool_dragging_ = false;  // and has become a drag
+  bool tool_takes_ = false;     // the tool took the press
+  bool tool_dragging_ = false;  // and it became a drag
   std::optional<QPointF> cursor_px_;
 };
 

@@ -21,7 +21,7 @@ constexpr double kDragStartPx = 4;
 constexpr double kFineZoom = 0.2;                               // part of a rung with Ctrl
 constexpr double kWheelTurn = geometry::radiansFromDegrees(5);  // one notch with Shift
 constexpr double kArrowPx = 64;
-constexpr double kNotch = 120;  // eighths of a degree, QWheelEvent
+constexpr double kNotch = 120;  // eighths of a degree, see QWheelEvent
 
 }  // namespace
 
@@ -126,7 +126,7 @@ void MapView::wheelEvent(QWheelEvent* event) {
     panBy(pixels);
     return;
   }
-  // Shift and Alt make some platforms report the wheel sideways.
+  // With Shift and Alt some platforms report the wheel sideways.
   const int angle = event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
   if (angle == 0) return;
   const double notches = angle / kNotch;
@@ -141,7 +141,7 @@ void MapView::wheelEvent(QWheelEvent* event) {
 
 void MapView::keyPressEvent(QKeyEvent* event) {
   if (tool_->keyPressed({event->key(), event->modifiers(), event->isAutoRepeat()})) {
-    // A drag that a key has ended goes on as nothing.
+    // A drag that was ended by a key is ignored from then on.
     if (event->key() == Qt::Key_Escape && std::exchange(tool_dragging_, false)) press_.reset();
     updateCursor();
     event->accept();

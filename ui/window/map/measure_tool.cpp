@@ -56,7 +56,7 @@ void MeasureTool::left() {
 }
 
 bool MeasureTool::doubleClicked(const MapPoint&) {
-  // The first click of the two has set the point already.
+  // The first click of the two has already set the point.
   end();
   return true;
 }
@@ -106,7 +106,7 @@ void MeasureTool::show() {
 QString MeasureTool::hint() const {
   if (points_.empty()) return tr("Click where to start measuring. Esc leaves.");
   if (ended_) {
-    return tr("Total %1. Click to measure anew, Esc leaves.").arg(lengthText(total()));
+    return tr("Total %1. Click to start a new measurement, Esc leaves.").arg(lengthText(total()));
   }
   if (!live_) return tr("Total %1. Backspace removes the last point, Esc ends.").arg(lengthText(total()));
   const double leg = (*live_ - points_.back()).norm();

@@ -14,8 +14,8 @@ double polylineLength(const std::vector<Eigen::Vector2d>& points);
 /// "12.345 m", "1.204 km": three decimals below 100 m, then fewer.
 QString lengthText(double metres);
 
-/// Click adds a point, the leg to the cursor is live, Backspace removes the last point, Enter, double click
-/// or Esc ends it and keeps the result; the next click begins a new one, a second Esc puts the tool away.
+/// Click adds a point, the leg to the cursor is updated live, Backspace removes the last point, Enter, double
+/// click or Esc ends it and keeps the result; the next click starts a new one, a second Esc leaves the tool.
 class MeasureTool : public MapTool {
   Q_OBJECT
  public:

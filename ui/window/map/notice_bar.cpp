@@ -92,7 +92,7 @@ QString lengthText(qint64 seconds) {
 QString lostConnectionSentence(const QDateTime& since, const QDateTime& now) {
   const QString format =
       since.date() == now.date() ? QStringLiteral("HH:mm:ss") : QStringLiteral("yyyy-MM-dd HH:mm:ss");
-  return QCoreApplication::translate("window", "No connection since %1, %2. Showing what was received.")
+  return QCoreApplication::translate("window", "No connection since %1, %2. Showing the last data received.")
       .arg(QLocale::c().toString(since, format), lengthText(since.secsTo(now)));
 }
 

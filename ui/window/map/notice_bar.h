@@ -1,5 +1,4 @@
-// A strip above the map for what lasts until it is over or decided: a lost connection, a map that
-// failed.
+// A strip above the map for lasting conditions: a lost connection, a map that failed.
 #pragma once
 
 #include <QFrame>
@@ -18,12 +17,11 @@ class NoticeBar : public QFrame {
   Q_OBJECT
  public:
   explicit NoticeBar(QWidget* parent = nullptr);
-  /// Shows the sentence (plain text) with an offer; an empty sentence hides the bar. A closable one can be
-  /// sent away by the user: closed().
-  /// `greyed`: what it tells of is no longer live.
+  /// Shows the sentence (plain text) with a button; an empty sentence hides the bar. If closable, the user
+  /// can dismiss it: closed(). `greyed`: it is about data that is no longer live.
   void setNotice(Mark mark, const QString& sentence, const QString& offer, bool closable = false,
                  bool greyed = false);
-  /// A second offer beside the first, until the next setNotice(); empty = none.
+  /// A second button, until the next setNotice(); empty = none.
   void setSecondOffer(const QString& offer);
   QString sentence() const;
   Mark mark() const { return mark_; }
@@ -50,7 +48,7 @@ class NoticeBar : public QFrame {
 
 /// "12 s", "1 min 48 s", "26 h 3 min".
 QString lengthText(qint64 seconds);
-/// "No connection since 14:03:12, 1 min 48 s. Showing what was received."
+/// "No connection since 14:03:12, 1 min 48 s. Showing the last data received."
 QString lostConnectionSentence(const QDateTime& since, const QDateTime& now);
 
 }  // namespace mapwright::window

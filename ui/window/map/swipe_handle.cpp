@@ -16,7 +16,7 @@ SwipeHandle::SwipeHandle(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("swipe"));
   setCursor(Qt::SplitHCursor);
   setFocusPolicy(Qt::StrongFocus);
-  setToolTip(tr("Drag, or press Left and Right, to uncover the one map or the other"));
+  setToolTip(tr("Drag it, or press Left and Right, to reveal one map or the other"));
   setAccessibleName(tr("Divider between the compared maps"));
   hide();
 }
@@ -62,7 +62,7 @@ void SwipeHandle::mouseMoveEvent(QMouseEvent* event) {
 void SwipeHandle::mouseReleaseEvent(QMouseEvent*) { grab_px_.reset(); }
 
 void SwipeHandle::wheelEvent(QWheelEvent* event) {
-  // The map below goes on zooming.
+  // The map below can still be zoomed.
   auto* view = qobject_cast<QGraphicsView*>(parentWidget());
   if (!view) return;
   const QPointF at = mapToParent(event->position().toPoint());

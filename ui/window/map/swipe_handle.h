@@ -1,4 +1,4 @@
-// The grip on the line between two compared maps.
+// The handle on the divider between two compared maps.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace mapwright::window {
 
-/// As high as the map, a few pixels wide; dragging and the arrow keys move the line.
+/// As high as the map, a few pixels wide; dragging and the arrow keys move the divider.
 class SwipeHandle : public QWidget {
   Q_OBJECT
  public:
@@ -35,7 +35,7 @@ class SwipeHandle : public QWidget {
   void moveTo(double fraction);
 
   double at_ = 0.5;
-  std::optional<double> grab_px_;  // from the line to where it was taken
+  std::optional<double> grab_px_;  // from the divider to where it was grabbed
 };
 
 }  // namespace mapwright::window

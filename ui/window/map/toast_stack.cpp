@@ -21,7 +21,7 @@ constexpr int kAtMost = 4;
 constexpr int kWidestText = 380;
 constexpr QChar kMayBreak(0x200b);
 
-/// Words that are wider than a line (paths, names of others) may be broken anywhere.
+/// Words wider than a line (paths, names) may be broken anywhere.
 QString breakable(const QString& text, const QFontMetrics& metrics) {
   QStringList words = text.split(QLatin1Char(' '));
   for (QString& word : words) {
@@ -71,7 +71,7 @@ ToastStack::ToastStack(QWidget* parent) : QWidget(parent), column_(new QVBoxLayo
 }
 
 void ToastStack::add(Mark mark, const QString& text, ToastOffer offer) {
-  // What is said again is counted, and stands where the newest does.
+  // A repeated message is counted and moves to the newest position.
   int times = 1;
   const QString same = QStringLiteral("%1\n%2\n%3").arg(QString::number(int(mark)), offer.words, text);
   for (int i = column_->count() - 1; i >= 0; --i) {

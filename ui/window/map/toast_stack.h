@@ -1,4 +1,4 @@
-// Short messages about what succeeded (or did not), in the corner of the map; they go by themselves.
+// Short messages about results in the corner of the map; they disappear by themselves.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ class QVBoxLayout;
 
 namespace mapwright::window {
 
-/// What can be done about it; empty words = nothing.
+/// An action for it; empty text = none.
 struct ToastOffer {
   QString words = {};
   std::function<void()> take = {};
@@ -23,11 +23,11 @@ class ToastStack : public QWidget {
   Q_OBJECT
  public:
   explicit ToastStack(QWidget* parent = nullptr);
-  /// Plain text; one that is there already is counted. Good ones go after `lifetime_ms`, warnings, errors and
-  /// those with an offer after three times that, or by a click.
+  /// Plain text; repeated ones are counted. Good ones disappear after `lifetime_ms`, warnings, errors and
+  /// those with an action after three times that, or on a click.
   void add(Mark mark, const QString& text, ToastOffer offer = {});
   void setLifetimeMs(int ms) { lifetime_ms_ = ms; }
-  /// What is shown at present, oldest first.
+  /// The present messages, oldest first.
   QStringList texts() const;
 
  Q_SIGNALS:

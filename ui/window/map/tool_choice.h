@@ -1,4 +1,4 @@
-// Which tool is in the hand: one of them, each with its action. Leaving one gives back the first.
+// Which tool is active: one of them, each with its action. Leaving one returns to the first.
 #pragma once
 
 #include <vector>
@@ -18,11 +18,11 @@ class ToolChoice : public QObject {
  public:
   /// Both must outlive this.
   ToolChoice(MapView* view, MapOverlay* overlay, QObject* parent = nullptr);
-  /// Neither is owned. Triggering the checkable action takes the tool; triggering it again puts it away. The
-  /// first tool is the one that the view has already.
+  /// Neither is owned. Triggering the checkable action activates the tool; triggering it again leaves it. The
+  /// first tool is the one that the view already has.
   void add(MapTool* tool, QAction* action);
   void choose(MapTool* tool);
-  /// Names of tools that are not there (or may not be used) give the first.
+  /// Unknown or disabled tools select the first.
   void choose(const QString& name);
   void putAway() { choose(tools_.front().tool); }
   MapTool* chosen() const;

@@ -11,7 +11,7 @@ enum class ViewMode { Submaps, Whole, Both };
 
 /// nullopt: neither is visible.
 std::optional<ViewMode> viewMode(const scene::MapScene& scene);
-/// Both: the whole map is put below the submaps.
+/// Both: the whole map is moved below the submaps.
 void setViewMode(scene::MapScene& scene, ViewMode mode);
 
 }  // namespace mapwright::window

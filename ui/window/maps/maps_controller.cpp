@@ -62,14 +62,14 @@ void MapsController::open(const map::MapKey& key) {
     context_.scene.setLayerVisible(scene::Layer::WholeMap, true);
     return context_.viewpoint.fit(slot.reference().bounds());
   }
-  if (slot.cells() && slot.shown().key == key) return show(key);  // nothing is left
+  if (slot.cells() && slot.shown().key == key) return show(key);  // nothing to do
   context_.unsaved.whenMayLeave([this, key] { show(key); });
 }
 
 void MapsController::show(const map::MapKey& key) {
   session::Session* const session = context_.current.session();
   if (!session) return;
-  // Of a robot that gives its map by region that is what it is now.
+  // For a robot that sends its map by region that is its live map.
   const regions::RegionMap* const by_region = scene::RegionsOnMap::of(context_.scene).map();
   if (key.kind == map::MapKind::Live && by_region && by_region->offered()) return Q_EMIT regionsWanted();
   fit_next_ = true;
@@ -119,7 +119,7 @@ void MapsController::noteOtherFile() {
   const session::MapSlot& slot = session->wholeMap();
   if (slot.phase() == session::MapSlot::Phase::Empty) return;
   context_.overlay.toasts()->add(
-      Mark::Good, tr("%1 changed on disk and is read again.").arg(mapCalled(slot.name(), slot.key())));
+      Mark::Good, tr("%1 changed on disk and is being reloaded.").arg(mapCalled(slot.name(), slot.key())));
 }
 
 void MapsController::fitNew() {
@@ -129,7 +129,7 @@ void MapsController::fitNew() {
   if (fitted_ == shown || !context_.scene.layerVisible(scene::Layer::WholeMap)) return;
   if (!fit_next_ && (context_.viewpoint.chosen() || context_.scene.layerVisible(scene::Layer::Submaps)))
     return;
-  if (fit_next_ && shown != session->wholeMap().key()) return;  // still the one of before
+  if (fit_next_ && shown != session->wholeMap().key()) return;  // still the previous one
   fitted_ = shown;
   fit_next_ = false;
   context_.viewpoint.fit(context_.scene.contentBounds());
@@ -143,7 +143,7 @@ void MapsController::refreshNotice() {
   const QString sentence =
       QStringLiteral("%1: %2").arg(mapCalled(slot.name(), slot.key()), sentences::sentenceOf(slot.remark()));
   const auto retry = [this] { Q_EMIT retryWanted(); };
-  // While there is nothing else on screen the card says it.
+  // While there is nothing else on screen the card shows it.
   if (session::lacksPicture(slot) && !emptyState(session, in_view)) {
     context_.notices.set(
         NoticeRank::Map,

@@ -1,4 +1,4 @@
-// The maps that the robot keeps, and the one that is open here.
+// The maps stored on the robot, and the one that is open here.
 #pragma once
 
 #include <optional>
@@ -19,21 +19,21 @@ class MapsController : public Controller {
   void setSession(session::Session* session) override;
   /// Shows a map of the catalogue without loading it on the robot.
   void open(const map::MapKey& key);
-  /// The next change of the maps is one that was made here.
+  /// The next change of the maps was made here.
   void expectOwnChange() { own_change_ = true; }
 
  Q_SIGNALS:
   void compareWanted(const mapwright::map::MapKey& key);
-  /// The open map is read, and is to be exported.
+  /// The open map has been read; export it.
   void exportWanted();
   void retryWanted();
-  /// The live map of a robot that gives it by region is to be shown.
+  /// Show the live map of a robot that sends it by region.
   void regionsWanted();
 
  private:
   bool catalogueComesFirst() const;
   void show(const map::MapKey& key);
-  /// Fetched of the robot's map, and on screen: nobody else can be asked for it.
+  /// Fetched from the robot's map, and only on screen.
   bool isFetched(const map::MapKey& key) const;
   void forget(const map::MapKey& key);
   void openToExport(const map::MapKey& key);
@@ -44,7 +44,7 @@ class MapsController : public Controller {
 
   WindowContext& context_;
   MapsDock* dock_;
-  /// The next whole map is one that the user asked for: look at it.
+  /// The next whole map was requested by the user: show all of it.
   bool fit_next_ = false;
   bool own_change_ = false;
   std::optional<map::MapKey> fitted_;

@@ -1,4 +1,4 @@
-// Every message of the robot as it comes.
+// The robot's raw messages.
 #pragma once
 
 #include "window/controller.h"

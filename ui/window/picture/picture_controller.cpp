@@ -69,7 +69,7 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
     if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
   });
   connect(dock_, &PictureDock::lookWanted, this, [this](Tidying what, int cells) {
-    // Its keys are those of the tool, on the map.
+    // Its keys belong to the tool, on the map.
     if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
     editing_.lookFor(what, cells);
     context_.view.setFocus();
@@ -93,7 +93,7 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
 
 PictureController::~PictureController() {
   setSession(nullptr);
-  delete dock_;  // it looks at what is here
+  delete dock_;  // it refers to members of this object
 }
 
 QMessageBox* PictureController::question() const { return question_; }
@@ -104,7 +104,7 @@ void PictureController::addActions() {
                                        .icon = "edit-map",
                                        .keys = {"B"},
                                        .reach = Reach::OutsideText,
-                                       .tip = tr("Paint free, occupied and unknown ground"),
+                                       .tip = tr("Paint free, occupied and unknown areas"),
                                        .toggle = true,
                                        .menu = {MenuGroup::Waypoints, 30},
                                        .bar = {BarGroup::Tools, 40}});
@@ -218,26 +218,26 @@ void PictureController::watchDrafts() {
           [this](const QString& sentence) { context_.overlay.toasts()->add(Mark::Warning, sentence); });
 }
 
-/// What is not saved stays as a draft; where that is impossible somebody has to know.
+/// Unsaved changes stay as a draft; if that is impossible the user has to know.
 void PictureController::keepDraft() {
   if (!drafts_) return;
   const bool unsaved = editing_.unsaved();
   if (const auto trouble = drafts_->keep(); trouble && unsaved)
     context_.overlay.toasts()->add(
-        Mark::Bad, tr("The changes of the map are lost. %1").arg(sentences::wordsOf(*trouble)));
+        Mark::Bad, tr("The changes to the map are lost. %1").arg(sentences::wordsOf(*trouble)));
   drafts_.reset();
 }
 
-/// The same map has come with another picture: what was saved here, or what somebody else has made of it.
+/// The same map has arrived with another picture: saved here, or changed by someone else.
 void PictureController::takeOther(const MapSlot& slot) {
   seen_ = slot.cells();
   const bool fits = picture::sameShape(*editing_.grid(), *seen_) && slot.reference() == editing_.reference();
   if (fits && editing_.touched()) {
     const std::string& revision = slot.shown().fingerprint;
-    // What was saved here comes back, and may be overtaken by what was saved after it.
+    // A picture saved here comes back, possibly after a later save.
     const bool known = revision == revision_ || own_revisions_.contains(revision);
     if (known && !editing_.merging()) return again_ ? noteMerged(0, revision_) : void();
-    own_revisions_.clear();  // what is like one of them from now on has been made so
+    own_revisions_.clear();  // an equal one from now on is someone else's change
     editing_.takeIn(seen_, revision);
     return;
   }
@@ -248,11 +248,9 @@ void PictureController::takeOther(const MapSlot& slot) {
   trouble_.clear();
   openMap(slot);
   if (lost > 0)
-    context_.overlay.toasts()->add(
-        Mark::Bad,
-        tr("The map has been replaced by one of another size or place. What was not saved fits it no "
-           "more and is gone: %1.")
-            .arg(cellsText(lost)));
+    context_.overlay.toasts()->add(Mark::Bad, tr("The map was replaced by one of another size or position. "
+                                                 "The unsaved changes do not fit it and were discarded: %1.")
+                                                  .arg(cellsText(lost)));
 }
 
 void PictureController::showCells() {
@@ -274,7 +272,7 @@ std::optional<map::MapKey> PictureController::mapInstead() const {
   return current->key;
 }
 
-/// It is on its way.
+/// It is loading.
 bool PictureController::opening() const {
   if (!session_ || editing_.isOpen()) return false;
   const MapSlot& slot = session_->wholeMap();
@@ -286,8 +284,9 @@ bool PictureController::opening() const {
 
 void PictureController::noteForgotten() {
   if (std::exchange(forgetting_told_, true)) return;
-  context_.overlay.toasts()->add(Mark::Warning, tr("The oldest changes of this map cannot be undone any "
-                                                   "more: undoing them would take too much memory."));
+  context_.overlay.toasts()->add(
+      Mark::Warning,
+      tr("The oldest changes to this map can no longer be undone: that would take too much memory."));
 }
 
 QString PictureController::whyNot() const {
@@ -296,19 +295,18 @@ QString PictureController::whyNot() const {
   constexpr auto kEditing = robot::Capability::PictureEditing;
   if (!store) return sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing));
   if (editing_.isOpen()) return {};
-  if (opening()) return tr("The map is being read.");
+  if (opening()) return tr("The map is loading.");
   if (const auto key = mapInstead()) {
     const map::CatalogueEntry* const entry = session_->catalogue().find(*key);
-    return tr("This is the map as the robot sends it now. The tool (B) edits \"%1\", the stored map that it "
-              "works with.")
+    return tr("This is the robot's live map. The tool (B) edits \"%1\", the stored map that the robot uses.")
         .arg(entry ? QString::fromStdString(entry->name) : QString::fromStdString(key->id));
   }
   const MapSlot& slot = session_->wholeMap();
-  if (!slot.cells()) return tr("Pictures belong to a whole map. Open one in the panel Maps.");
+  if (!slot.cells()) return tr("Only a whole map has a picture to edit. Open one in the Maps panel.");
   if (const auto obstacle = store->obstacle(slot.shown())) return obstacleText(*obstacle);
   if (looked_.between && looked_.cells == slot.cells()) return cellBetweenText(*looked_.between);
-  if (slot.broken()) return tr("Parts of this map could not be read, so it cannot be saved again.");
-  return tr("The map is being read.");
+  if (slot.broken()) return tr("Parts of this map could not be read, so it cannot be saved.");
+  return tr("The map is loading.");
 }
 
 void PictureController::refresh() {

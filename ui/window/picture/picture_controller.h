@@ -1,5 +1,5 @@
-// The picture of the map on screen, edited in the window: the tool, the dock, saving, what others change
-// meanwhile, and what is asked before the map is left.
+// Editing the picture of the map on screen: the tool, the dock, saving, changes by others, and the questions
+// before the map is left.
 #pragma once
 
 #include <atomic>
@@ -38,17 +38,17 @@ class PictureController : public Controller {
   PictureEditing* editing() { return &editing_; }
   PictureTool* tool() const { return tool_; }
   PictureDock* dock() const { return dock_; }
-  PictureDrafts* drafts() const { return drafts_.get(); }  // null: none are kept
+  PictureDrafts* drafts() const { return drafts_.get(); }  // null: there are none
   QMessageBox* question() const;                           // null: nothing is asked
   QMessageBox* sendingQuestion() const;                    // the same, before a robot's map is overwritten
   bool saving() const { return saving_; }
 
  Q_SIGNALS:
-  /// What is saved beside what it is now.
+  /// Compare the saved map with the edited one.
   void compareWanted();
-  /// The picture has been written from here.
+  /// The picture was written from here.
   void written();
-  /// A local map is to be opened.
+  /// Open a local map.
   void fileWanted(const QString& path);
 
  private:
@@ -75,7 +75,7 @@ class PictureController : public Controller {
   void watchDrafts();
   void keepDraft();
   void answer(int button);
-  /// The map that is kept, of which what is sent now is on screen: it would be edited instead.
+  /// The stored map that corresponds to the live map on screen: it can be edited instead.
   std::optional<map::MapKey> mapInstead() const;
   bool opening() const;
   QString mapName() const;
@@ -87,24 +87,24 @@ class PictureController : public Controller {
   PictureDock* dock_;
   QAction* tool_action_ = nullptr;
   std::optional<map::MapKey> open_map_;
-  std::optional<map::MapKey> wanted_map_;  // that the tool has asked for
+  std::optional<map::MapKey> wanted_map_;  // requested by the tool
   robot::Call write_call_;
   bool forgetting_told_ = false;
-  std::shared_ptr<const grids::GridPyramid> seen_;  // what came with the map last
+  std::shared_ptr<const grids::GridPyramid> seen_;  // of the last map received
   std::string revision_;                            // of what is saved
-  std::set<std::string> own_revisions_;             // that were saved from here since somebody else did
-  bool shown_ = false;                              // the edited cells are what is drawn
-  bool saving_ = false, again_ = false;             // again: saved once more when theirs has been taken in
+  std::set<std::string> own_revisions_;             // saved from here since the last change by someone else
+  bool shown_ = false;                              // the edited cells are drawn
+  bool saving_ = false, again_ = false;             // again: saves once more after merging theirs
   bool was_unsaved_ = false;
-  bool conflicts_told_ = false;  // once, however often others paint there
+  bool conflicts_told_ = false;  // only once, however often others paint there
   std::unique_ptr<PictureDrafts> drafts_;
-  bool may_leave_ = false;  // the draft is to be kept as it is
-  quint64 opened_ = 0;      // counts maps: answers about earlier ones are of no use
+  bool may_leave_ = false;  // keeps the draft and leaves
+  quint64 opened_ = 0;      // counts maps: results about earlier ones are ignored
   QString trouble_;         // of saving
-  QString copy_;            // of what the robot has; empty: none is kept
+  QString copy_;            // of the robot's picture; empty: none
   QPointer<QMessageBox> question_, sending_question_;
   std::function<void()> when_left_, when_saved_, when_reverted_;
-  /// Whether the cells of a map can all be written again is known before anything is painted.
+  /// Whether all cells of a map can be written is checked before painting starts.
   struct Looked {
     std::shared_ptr<const grids::GridPyramid> cells;
     std::shared_ptr<std::atomic<bool>> stop;

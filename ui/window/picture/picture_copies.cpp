@@ -12,7 +12,7 @@ namespace mapwright::window {
 
 namespace {
 
-/// In the order of their times, by the names that copyPath() gave them.
+/// Sorted by time, according to the names from copyPath().
 QStringList copiesIn(const QDir& folder) {
   static const QRegularExpression made(
       QStringLiteral("^\\d{4}-\\d\\d-\\d\\d_\\d\\d-\\d\\d-\\d\\d-\\d{3}\\.yaml$"));
@@ -35,7 +35,7 @@ QString copyPath(const QString& folder, const QDateTime& now) {
 std::optional<Fault> keepCopy(const grids::GridPyramid& cells, const map::GridReference& reference,
                               const QString& path) {
   const QDir folder = QFileInfo(path).dir();
-  QDir().mkpath(folder.path());  // where that fails, so does what follows, and says why
+  QDir().mkpath(folder.path());  // if that fails, the next step fails, too, and reports why
   if (auto trouble = grids::writeMapServer(cells, reference, QFile::encodeName(path).toStdString()))
     return trouble;
   const QStringList copies = copiesIn(folder);

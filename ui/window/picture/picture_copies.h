@@ -1,5 +1,5 @@
-// The picture that a robot has, kept as a local map before it is overwritten: the newest few of each map.
-// Pure functions over the disk; any thread.
+// Backups of a robot's picture as local maps before it is overwritten: the newest few of each map. Functions
+// of the disk; any thread.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,15 @@
 
 namespace mapwright::window {
 
-/// So many of each map stay; the oldest go.
+/// The oldest beyond this number are deleted.
 inline constexpr int kMostCopies = 10;
 
-/// Where those of one map lie, beside the drafts; empty: nothing is kept at all. The names may be anything.
+/// The folder for one map, next to the drafts; empty: no backups. Names are sanitised.
 QString copiesFolder(const QString& drafts_folder, const QString& robot, const QString& map);
-/// The map.yaml of a copy of that time; its picture lies beside it.
+/// The map.yaml of a backup at that time; its picture is in the same folder.
 QString copyPath(const QString& folder, const QDateTime& now);
-/// Writes it, whole or not at all, and lets the oldest of its folder go; nullopt = it is there, else why not.
+/// Writes it completely or not at all, and deletes the oldest in its folder; nullopt = success, otherwise why
+/// not.
 std::optional<Fault> keepCopy(const grids::GridPyramid& cells, const map::GridReference& reference,
                               const QString& path);
 

@@ -42,7 +42,7 @@ QPushButton* pictureButton(const QString& text, QWidget* parent) {
   return button;
 }
 
-/// How a cell of this kind is marked on the map.
+/// The mark of cells of this kind on the map.
 QPixmap signOf(picture::Kind kind, double ratio) {
   constexpr int kEdgePx = 14;
   QPixmap sign(QSize(kEdgePx, kEdgePx) * ratio);
@@ -166,7 +166,7 @@ void PictureDock::buildKinds(QVBoxLayout* column) {
   size_->setRange(1, picture::kWidestBrush);
   size_->setSuffix(tr(" cells"));
   size_->setAccessibleName(tr("Size of the brush"));
-  size_->setToolTip(tr("How wide brush, eraser and line are (comma and full stop, on the map)"));
+  size_->setToolTip(tr("Width of brush, eraser and line (on the map: comma and full stop)"));
   size_m_ = new QLabel(body_);
   connect(size_, &QSpinBox::valueChanged, editing_, &PictureEditing::setAcross);
   auto* sizes = new QHBoxLayout;
@@ -183,7 +183,7 @@ void PictureDock::buildKinds(QVBoxLayout* column) {
 
 void PictureDock::buildTidying(QVBoxLayout* column) {
   column->addSpacing(6);
-  column->addWidget(pictureHeading(tr("Tidy up"), body_));
+  column->addWidget(pictureHeading(tr("Clean up"), body_));
   tidy_where_ = pictureText(body_);
   column->addWidget(tidy_where_);
   auto* grid = new QGridLayout;
@@ -202,8 +202,8 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
     label->setBuddy(spin);
     spin->setAccessibleName(tidyName(what));
     auto* look = pictureButton(tr("Look"), body_);
-    look->setToolTip(tr("Shows how it would be; nothing is changed yet"));
-    look->setAccessibleName(tr("Look: %1").arg(tidyName(what)));
+    look->setToolTip(tr("Preview the result without changing anything"));
+    look->setAccessibleName(tr("Preview: %1").arg(tidyName(what)));
     connect(look, &QPushButton::clicked, this,
             [this, what, spin] { Q_EMIT lookWanted(what, spin->value()); });
     grid->addWidget(label, i, 0);
@@ -268,13 +268,13 @@ void PictureDock::buildDecision(QVBoxLayout* column) {
 void PictureDock::buildEnd(QVBoxLayout* column) {
   status_ = pictureText(body_);
   compare_ = pictureButton(tr("Before…"), body_);
-  compare_->setToolTip(tr("What is saved beside what it is now, divided by a line that can be dragged"));
+  compare_->setToolTip(tr("Compare the saved map with the current one, with a divider that can be dragged"));
   discard_ = pictureButton(tr("Discard"), body_);
-  discard_->setToolTip(tr("All as it is saved; can be undone"));
+  discard_->setToolTip(tr("Restore the saved map; can be undone"));
   save_ = pictureButton(tr("Save"), body_);
   save_->setIcon(themedIcon(QStringLiteral("save")));
   stop_ = pictureButton(tr("Stop"), body_);
-  stop_->setToolTip(tr("The rest of it is not sent, and the robot keeps the picture that it has"));
+  stop_->setToolTip(tr("Stop sending; the robot keeps its current picture"));
   auto* row = new QHBoxLayout;
   row->setSpacing(6);
   row->addWidget(compare_);
@@ -311,14 +311,14 @@ void PictureDock::setTravelled(std::optional<double> part) {
 
 void PictureDock::setLocal(bool local) {
   save_->setToolTip(
-      local ? tr("Write the picture of the map (Ctrl+S). Its map.yaml stays as it is")
-            : tr("Send the picture to the robot (Ctrl+S). Its place, size and resolution stay as they are"));
+      local ? tr("Save the picture of the map (Ctrl+S). Its map.yaml is not changed")
+            : tr("Send the picture to the robot (Ctrl+S). Its position, size and resolution stay the same"));
 }
 
 QString PictureDock::savingText() const {
-  if (!travelled_) return tr("Being saved …");
-  if (*travelled_ < 100) return tr("Being sent: %1 %").arg(*travelled_);
-  return tr("Sent. Waiting for the robot to show it …");
+  if (!travelled_) return tr("Saving…");
+  if (*travelled_ < 100) return tr("Sending: %1 %").arg(*travelled_);
+  return tr("Sent. Waiting for the robot to show it…");
 }
 
 QStringList PictureDock::legend() const {
@@ -344,7 +344,7 @@ void PictureDock::refresh() {
     button->setEnabled(editing_->holds(kind));
     button->setToolTip(editing_->holds(kind)
                            ? kindTip(kind)
-                           : tr("No shade of this picture means unknown, by its map.yaml and its grays."));
+                           : tr("According to its map.yaml, no gray level of this picture means unknown."));
     if (kind == editing_->kind()) button->setChecked(true);
   }
   {
@@ -354,16 +354,16 @@ void PictureDock::refresh() {
   size_m_->setText(
       tr("%1 m").arg(QLocale::c().toString(editing_->across() * editing_->reference().resolution_m, 'g', 3)));
   tidy_where_->setText(editing_->selection().empty()
-                           ? tr("In the whole map. Select a part to tidy up only that.")
-                           : tr("In the selection."));
+                           ? tr("Applies to the whole map. To clean up only a part, select it.")
+                           : tr("Applies to the selection."));
   colour(tidy_where_, appColors().secondary_text);
   const bool reckoning = editing_->reckoning();
   const bool previewing = editing_->preview().has_value() || editing_->looking() || reckoning;
   for (QPushButton* button : tidy_buttons_) button->setEnabled(!saving_);
   preview_row_->setVisible(previewing);
-  found_->setText(reckoning             ? tr("Being reckoned …")
+  found_->setText(reckoning             ? tr("Computing…")
                   : editing_->preview() ? previewText(*editing_->preview())
-                                        : tr("Looking …"));
+                                        : tr("Preparing the preview…"));
   for (int i = 0; i < picture::kKinds; ++i) {
     const auto& preview = editing_->preview();
     const std::int64_t cells = preview ? preview->changes.become[std::size_t(i)] : 0;

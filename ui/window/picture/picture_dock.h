@@ -1,4 +1,4 @@
-// The dock "Edit map": which tool, what it paints, tidying up, and how much is changed.
+// The dock "Edit map": tools, what to paint, clean-up, and how much has changed.
 #pragma once
 
 #include <array>
@@ -23,13 +23,13 @@ class PictureDock : public QDockWidget {
   /// Both must outlive this.
   PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* parent = nullptr);
 
-  /// Why nothing can be edited; empty = it can be.
+  /// Why nothing can be edited; empty = it can.
   void setWhyNot(const QString& sentence);
-  /// What is under way or has gone wrong with saving; empty = nothing.
+  /// The progress or problem of saving; empty = none.
   void setSaving(bool saving, const QString& trouble);
-  /// How much of what is saved has travelled, 0 .. 1; nullopt = it does not travel, or nobody knows.
+  /// The share of the upload done, 0 .. 1; nullopt = no upload, or unknown.
   void setTravelled(std::optional<double> part);
-  /// Where it is kept: files beside a map.yaml, or a robot.
+  /// Where it is stored: files with a map.yaml, or a robot.
   void setLocal(bool local);
 
   QToolButton* modeButton(PaintMode mode) const { return modes_[std::size_t(mode)]; }
@@ -40,12 +40,12 @@ class PictureDock : public QDockWidget {
   QPushButton* applyButton() const { return apply_; }
   QPushButton* keepMineButton() const { return mine_; }
   QPushButton* takeTheirsButton() const { return theirs_; }
-  /// A draft that was left behind; empty = none.
+  /// An earlier draft; empty = none.
   void setOffer(const QString& sentence);
   QPushButton* restoreButton() const { return restore_; }
   QPushButton* stopButton() const { return stop_; }
   QString status() const;
-  /// What the colours of the preview mean, as far as it has them.
+  /// The meaning of the preview's colours.
   QStringList legend() const;
 
  Q_SIGNALS:

@@ -9,7 +9,7 @@ namespace {
 constexpr int kEdge = picture::Canvas::kEdge;
 constexpr qsizetype kTileBytes = qsizetype(kEdge) * kEdge;
 constexpr int kQuickly = 1;  // how hard it is packed
-// The first row says what picture it is of.
+// The first row identifies the picture.
 constexpr auto kWidth = QLatin1String("width"), kHeight = QLatin1String("height"),
                kCode = QLatin1String("code"), kX = QLatin1String("x"), kY = QLatin1String("y"),
                kWas = QLatin1String("was"), kIs = QLatin1String("is");
@@ -19,7 +19,7 @@ QString packed(const grids::GridTile& tile) {
   return QString::fromLatin1(qCompress(bytes, kQuickly).toBase64());
 }
 
-/// Exactly a tile, or nothing: how much it says that it unpacks to is looked at before it is unpacked.
+/// Exactly a tile, or nothing: checks the stated size before unpacking.
 std::optional<QByteArray> unpacked(const QString& text) {
   const QByteArray bytes = QByteArray::fromBase64(text.toLatin1());
   if (bytes.size() < 5) return std::nullopt;

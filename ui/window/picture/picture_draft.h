@@ -1,5 +1,5 @@
-// What of a map's picture is not saved yet, as bytes: each changed tile as it was saved and as it is. Pure
-// functions, any thread.
+// The unsaved changes of a map's picture, as bytes: each changed tile before and after. Pure functions, any
+// thread.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace mapwright::window {
 
-/// "picture": the kind of such a draft (edit::DraftIdentity).
+/// "picture": the kind of these drafts (edit::DraftIdentity).
 inline const QString kPictureDraft = QStringLiteral("picture");
 
 struct PictureDraft {
@@ -28,14 +28,15 @@ struct PictureDraft {
 
 QByteArray pictureDraftBytes(const edit::DraftIdentity& of, const QDateTime& made,
                              const picture::EditedGrid& now, const picture::EditedGrid& saved);
-/// nullopt: it is no such draft, or a broken one. Nothing of it is larger than a tile.
+/// nullopt: not such a draft, or damaged. Contains nothing larger than a tile.
 std::optional<PictureDraft> pictureDraftFrom(const QByteArray& bytes);
 
-/// What it makes of a grid of its size and code: its cells, where they differ from what was saved then.
+/// The draft applied to a grid of its size and code: its cells where they differ from those saved at that
+/// time.
 struct TakenDraft {
   picture::Patch patch;
   std::int64_t cells = 0;      // that become others
-  std::int64_t elsewhere = 0;  // of these, those that somebody else has changed meanwhile, differently
+  std::int64_t elsewhere = 0;  // of these, the ones that others have changed differently since
 };
 std::optional<TakenDraft> takeDraft(const PictureDraft& draft, const picture::EditedGrid& grid);
 

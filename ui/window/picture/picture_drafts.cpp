@@ -51,7 +51,7 @@ PictureDrafts::Found PictureDrafts::look(const QString& folder, const edit::Draf
     if (!taken) {
       found.remarks << sentences::wordsOf(edit::setAside(std::move(file)));
     } else if (taken->cells == 0) {
-      edit::removeDraft(std::move(file));  // it has been saved all the same
+      edit::removeDraft(std::move(file));  // it has been saved after all
     } else {
       file.bytes.clear();
       found.drafts.push_back({std::move(file), std::move(*draft), taken->cells});
@@ -66,7 +66,7 @@ QString PictureDrafts::offer() const {
 
 QString PictureDrafts::trouble() const {
   if (!keeper_.trouble().any()) return {};
-  return tr("Changes of the map are not kept safe: save them soon. %1")
+  return tr("Changes to the map are not backed up: save them soon. %1")
       .arg(sentences::wordsOf(keeper_.trouble()));
 }
 
@@ -77,7 +77,7 @@ std::optional<Fault> PictureDrafts::keep() {
 }
 
 void PictureDrafts::forgetTakenUp() {
-  // Only when it is kept elsewhere.
+  // Only when it is saved elsewhere.
   if (keeper_.trouble().any()) return;
   for (edit::LeftDraft& file : std::exchange(taken_up_, {})) edit::removeDraft(std::move(file));
 }
@@ -88,10 +88,10 @@ void PictureDrafts::takeUp() {
   left_.erase(left_.begin());
   if (auto taken = takeDraft(left.draft, *editing_->grid())) {
     taken_up_.push_back(std::move(left.file));
-    editing_->takeUp(std::move(taken->patch), tr("take up the draft"));
+    editing_->takeUp(std::move(taken->patch), tr("restore the draft"));
     if (taken->elsewhere > 0)
-      Q_EMIT remarked(tr("Since this draft somebody else has changed the map where you had: %1. Yours are "
-                         "shown; undo takes them back.")
+      Q_EMIT remarked(tr("Since this draft was made, someone else has also changed these parts of the map: "
+                         "%1. Your changes are shown; use undo to see the others.")
                           .arg(cellsText(taken->elsewhere)));
   }
   Q_EMIT changed();

@@ -1,5 +1,5 @@
-// The drafts of one map's picture: kept while it is not saved, and those that were left behind offered.
-// GUI-thread object; the disk is touched on threads beyond the crew.
+// The drafts of one map's picture: saves unsaved changes and offers earlier drafts. GUI-thread object; disk
+// access is on separate threads.
 #pragma once
 
 #include <memory>
@@ -17,20 +17,20 @@ namespace mapwright::window {
 class PictureDrafts : public QObject {
   Q_OBJECT
  public:
-  /// Looks for what was left behind at once. `editing` must outlive this, with its map open.
+  /// Looks for earlier drafts at once. `editing` must outlive this, with its map open.
   PictureDrafts(PictureEditing* editing, edit::DraftIdentity of, edit::EditOptions options,
                 const std::shared_ptr<work::Workers>& workers, QObject* parent = nullptr);
   ~PictureDrafts() override;
 
   /// Something has changed.
   void touch() { keeper_.touch(); }
-  /// What is not saved is on disk now; else why not.
+  /// Writes the draft to disk; otherwise returns why not.
   std::optional<Fault> keep();
   /// Why it is not on disk; empty = nothing is wrong.
   QString trouble() const;
 
   bool offered() const { return !left_.empty(); }
-  /// What is offered, a sentence; empty = nothing.
+  /// The offer as a sentence; empty = none.
   QString offer() const;
   void takeUp();
   void turnDown();
@@ -56,7 +56,7 @@ class PictureDrafts : public QObject {
   edit::DraftIdentity of_;
   edit::EditOptions options_;
   std::vector<Left> left_;
-  std::vector<edit::LeftDraft> taken_up_;  // until what came of them is on disk, too
+  std::vector<edit::LeftDraft> taken_up_;  // until their content is in a new draft on disk
   edit::DraftKeeper keeper_;
   work::Share share_;  // last
 };

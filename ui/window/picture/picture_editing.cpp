@@ -119,7 +119,7 @@ void PictureEditing::endStroke() {
   if (step.patch.empty()) return;
   step.before = count_.of(step.patch);
   step.after = picture::DifferenceCount::counted(*grid_, *saved_, step.patch);
-  // What was saved meanwhile holds a part of it: what came before is not known then.
+  // A save in between contains a part of it: the former counts are unknown then.
   step.of_saved = stroke_of_saved_ == saved_number_ ? saved_number_ : 0;
   count_.set(step.after);
   recountConflicts();

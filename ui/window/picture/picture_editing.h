@@ -1,5 +1,5 @@
-// The picture of the map on screen while it is edited: its cells, what is undone, what is saved, and what is
-// chosen to paint with. GUI-thread object; what takes long happens on the crew.
+// The picture of the map on screen while it is edited: its cells, undo history, saved state, and painting
+// options. GUI-thread object; slow work is done on the thread pool.
 #pragma once
 
 #include <atomic>
@@ -23,22 +23,22 @@ namespace mapwright::window {
 
 enum class Tidying { Specks, Gaps, Edges };
 
-/// A change to be made, and undone, and what it makes of the count of changed cells: reckoned with it where
-/// that takes long.
+/// A change with its undo data and its effect on the count of changed cells, computed together if that is
+/// slow.
 struct PictureStep {
   picture::Patch patch;
   picture::DifferenceCount::Tiles before, after;
-  quint64 of_saved = 0;  // which saved state they were counted against; 0 = they are not known
+  quint64 of_saved = 0;  // the saved state it was counted against; 0 = unknown
 };
 
-/// What tidying up would change, to be looked at before it is done.
+/// What a clean-up would change, shown before it is applied.
 struct TidyPreview {
   Tidying what = Tidying::Specks;
   picture::Tidied found;
   PictureStep step;
   std::shared_ptr<const picture::EditedGrid> cells;  // as they would be
   picture::Changes changes;                          // as far as they can be marked
-  /// What the step, which is complete, makes of the grid as it is now.
+  /// Computes the effect of the step, which is complete, on the present grid.
   void show(const picture::EditedGrid& now);
 };
 
@@ -48,7 +48,7 @@ class PictureEditing : public QObject {
   explicit PictureEditing(const std::shared_ptr<work::Workers>& workers, QObject* parent = nullptr);
   ~PictureEditing() override;
 
-  /// `cells`: complete. Nothing is changed yet. `holds_unknown`: unknown ground can be kept in its picture.
+  /// `cells`: complete. Not changed yet. `holds_unknown`: unknown can be stored in its picture.
   void open(std::shared_ptr<const grids::GridPyramid> cells, const map::GridReference& reference,
             bool holds_unknown);
   void close();
@@ -57,16 +57,16 @@ class PictureEditing : public QObject {
   const map::GridReference& reference() const { return reference_; }
   QUndoStack& undoStack() { return undo_; }
 
-  // What is painted with.
+  // What to paint with.
   picture::Kind kind() const { return kind_; }
   void setKind(picture::Kind kind);
   bool holds(picture::Kind kind) const;
   int across() const { return across_; }  // of the brush, cells
   void setAcross(int cells);
 
-  // Painting. Positions are world metres; each of them is one change to undo, a stroke as a whole. What may
-  // touch very many cells is reckoned on the crew: reckoning() until it is on the map. What is asked for
-  // meanwhile waits for it, strokes as well; undoing anything, and stop(), end it.
+  // Painting. Positions are world metres; each call is one undo step, a stroke as a whole. Changes that may
+  // touch many cells are computed on the thread pool: reckoning() until they are on the map. Further input
+  // waits for them, including strokes; undo and stop() cancel them.
   void beginStroke(bool eraser);
   void strokeTo(const Eigen::Vector2d& world_m);
   void endStroke();
@@ -74,10 +74,10 @@ class PictureEditing : public QObject {
   void drawLine(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m);
   void drawRectangle(const picture::CellRect& rect);
   void drawPolygon(const std::vector<Eigen::Vector2d>& corners_m);
-  /// tooLarge(): it would reach too far.
+  /// tooLarge(): it would extend too far.
   void fill(const Eigen::Vector2d& at_m);
   bool reckoning() const { return reckoning_ != nullptr; }
-  /// Nothing comes of what is under way, nor of what waits for it.
+  /// Cancels the work in progress and everything that waits for it.
   void stop();
 
   // The selection: a rectangle of cells.
@@ -86,18 +86,18 @@ class PictureEditing : public QObject {
   bool hasCopy() const { return clip_ != nullptr; }
   bool copySelection();
   void pasteAt(int left, int top);
-  /// Where it was becomes unknown (free, where the picture holds no unknown).
+  /// Its old place becomes unknown (free, if the picture cannot contain unknown).
   void moveSelection(int columns, int rows, bool leaves_copy);
   void paintSelection();
 
-  // Tidying up, in the selection or everywhere: looked for on the crew, then shown, then done.
+  // Clean-up, in the selection or everywhere: computed on the thread pool, previewed, then applied.
   void lookFor(Tidying what, int cells);
   bool looking() const { return looking_ != nullptr; }
   const std::optional<TidyPreview>& preview() const { return preview_; }
   void applyPreview();
   void dropPreview();
 
-  /// What undoing may take, bytes: of more the oldest steps are forgotten, never the last one.
+  /// Memory limit of the undo history in bytes: the oldest steps are dropped, but never the last one.
   void setUndoBudget(std::size_t bytes) { undo_budget_ = bytes; }
   std::size_t undoBytes() const { return held_.bytes(); }
 
@@ -106,21 +106,20 @@ class PictureEditing : public QObject {
   bool unsaved() const { return count_.cells > 0; }
   std::shared_ptr<const picture::EditedGrid> snapshot() const;
   const std::shared_ptr<const picture::EditedGrid>& saved() const { return saved_; }
-  /// A change that was made elsewhere for the grid as it stands.
+  /// A change made elsewhere to the present grid.
   void takeUp(picture::Patch patch, const QString& text);
-  /// What is kept is this now (snapshot()).
+  /// This is the stored state now (snapshot()).
   void noteSaved(const std::shared_ptr<const picture::EditedGrid>& saved);
-  /// All as it is saved; can be undone.
+  /// Restores the saved state; can be undone.
   void revert();
-  /// Somebody else has made `theirs` of what is saved, which makes it that revision. Looked at on the crew,
-  /// and put together once the hand is up and nothing is being reckoned; mergeDone() follows. Of several that
-  /// come meanwhile the last one counts. It lies under all that was done here: undoing takes back nothing of
-  /// it.
+  /// Someone else has changed the saved state to `theirs`, with that revision. It is compared on the thread
+  /// pool and merged when no stroke or computation is in progress; mergeDone() follows. Of several only the
+  /// last one counts. It lies below all local changes: undo does not revert it.
   void takeIn(std::shared_ptr<const grids::GridPyramid> theirs, std::string revision);
   bool merging() const { return merging_ != nullptr; }
-  /// Something of it is from here, or under way: it cannot simply be opened anew.
+  /// There are local changes, or some in progress: it cannot simply be reloaded.
   bool touched() const;
-  /// Cells that both have changed, differently, and nobody has decided about.
+  /// Cells changed differently by both and not decided yet.
   std::int64_t conflicts() const { return conflicts_; }
   geometry::WorldRect whereConflicts() const;
   void decide(bool take_theirs);
@@ -132,15 +131,15 @@ class PictureEditing : public QObject {
  Q_SIGNALS:
   void cellsChanged(const mapwright::geometry::WorldRect& where);
   void stateChanged();    // choices, counts, selection, preview, conflicts
-  void previewChanged();  // another grid is to be shown
+  void previewChanged();  // another grid should be shown
   void mergeDone(qint64 taken, const std::string& revision);  // takeIn() has ended
   void tooLarge();
-  void stepsForgotten(int steps);  // they took more than setUndoBudget()
+  void stepsForgotten(int steps);  // they exceeded setUndoBudget()
 
  private:
   class Command;
   using StopFlag = std::shared_ptr<std::atomic<bool>>;
-  /// On the crew: what it writes is one change. False: it would reach too far.
+  /// On the thread pool: everything it writes is one change. False: it would extend too far.
   using Make = std::function<bool(picture::Canvas& canvas, const std::atomic<bool>& stop)>;
   struct Taken;
   struct Coming {
@@ -181,16 +180,16 @@ class PictureEditing : public QObject {
   std::shared_ptr<const picture::Clip> clip_;
   picture::DifferenceCount count_;
   std::optional<TidyPreview> preview_;
-  picture::CellSet met_;  // that both have changed; of these, those that are not as they are saved:
+  picture::CellSet met_;  // changed by both; of these, the ones that differ from the saved state:
   std::int64_t conflicts_ = 0;
   picture::CellRect where_conflicts_;
-  StopFlag looking_, merging_, reckoning_;  // set to stop it; null: nothing of the kind is under way
-  std::optional<Coming> coming_;            // theirs, to be looked at next
-  std::shared_ptr<Taken> taken_;            // looked at, and not on the map yet
+  StopFlag looking_, merging_, reckoning_;  // set to cancel; null: nothing in progress
+  std::optional<Coming> coming_;            // theirs, compared next
+  std::shared_ptr<Taken> taken_;            // compared, but not on the map yet
   std::vector<std::function<void()>> waiting_;
-  quint64 saved_number_ = 1;  // of states that were saved
+  quint64 saved_number_ = 1;  // counts saved states
   std::size_t undo_budget_ = std::size_t(256) << 20;
-  picture::PatchMemory held_;  // by the steps; goes after them
+  picture::PatchMemory held_;  // memory of the steps; destroyed after them
   QUndoStack undo_;
   work::Share share_;  // last
 };

@@ -1,4 +1,4 @@
-// PictureEditing: tidying up beside the window, what is saved, and what others have changed.
+// PictureEditing: clean-up in the background, saved state, and changes by others.
 #include <atomic>
 #include <numeric>
 #include <tuple>
@@ -67,7 +67,7 @@ void PictureEditing::lookFor(Tidying what, int cells) {
     QMetaObject::invokeMethod(
         this,
         [this, stop, made = std::move(made)]() mutable {
-          if (stop != looking_) return;  // the cells are others now, or something else is looked for
+          if (stop != looking_) return;  // the cells have changed, or something else was requested
           looking_.reset();
           landMergeSoon();
           preview_ = std::move(made);
@@ -102,7 +102,7 @@ std::shared_ptr<const EditedGrid> PictureEditing::snapshot() const { return grid
 void PictureEditing::noteSaved(const std::shared_ptr<const EditedGrid>& saved) {
   if (!grid_ || saved->base() != grid_->base()) return;
   setSaved(saved);
-  met_ = {};  // what was not decided was not saved
+  met_ = {};  // undecided conflicts were not saved
   recountConflicts();
   count_ = picture::DifferenceCount::between(*grid_, *saved_);
   Q_EMIT stateChanged();
@@ -124,9 +124,9 @@ void PictureEditing::revert() {
          });
 }
 
-/// What others have made of the saved picture, put together with what is here.
+/// Changes by others to the saved picture, merged with the local ones.
 struct PictureEditing::Taken {
-  std::shared_ptr<const EditedGrid> base, saved;  // what was saved before, and what is now
+  std::shared_ptr<const EditedGrid> base, saved;  // the former and the new saved state
   Patch theirs;
   picture::Merge merge;
   quint64 of_grid = 0;  // the revision of the grid that it was made for
@@ -155,7 +155,7 @@ void PictureEditing::mergeNext() {
     picture::Rebase rebase(theirs, base);
     picture::Merge merge = picture::mergeCells(*mine, theirs, *base);
     rebase.know(merge);
-    for (Patch& patch : steps) rebase.apply(patch);  // it remembers what came of them
+    for (Patch& patch : steps) rebase.apply(patch);  // it remembers their results
     const auto saved = base->snapshot();
     saved->apply(theirs);
     const auto taken = std::make_shared<Taken>(Taken{base, saved, std::move(theirs), std::move(merge),
@@ -171,13 +171,13 @@ void PictureEditing::mergeNext() {
   });
 }
 
-/// Not at once: whoever calls is in the middle of a change.
+/// Not at once: the caller is in the middle of a change.
 void PictureEditing::landMergeSoon() {
   if (taken_) QMetaObject::invokeMethod(this, &PictureEditing::landMerge, Qt::QueuedConnection);
 }
 
 void PictureEditing::landMerge() {
-  // A stroke goes on from where it is, and what is reckoned is made for the cells as they are.
+  // A stroke in progress, and computations, refer to the present cells.
   if (!taken_ || stroking() || reckoning() || looking()) return;
   Taken& taken = *taken_;
   if (grid_->revision() != taken.of_grid) {

@@ -1,4 +1,4 @@
-// PictureController: saving, what comes of it, and leaving.
+// PictureController: saving, its result, and leaving.
 #include <utility>
 
 #include <QDir>
@@ -20,14 +20,13 @@
 namespace mapwright::window {
 
 namespace {
-constexpr int kKeep = -1;  // the answer that QMessageBox has no name for
+constexpr int kKeep = -1;  // the answer for which QMessageBox has no name
 }
 
 void PictureController::askToDecide() {
   when_saved_ = nullptr;
-  context_.overlay.toasts()->add(
-      Mark::Warning,
-      tr("The map is not saved yet: some cells were changed here and elsewhere. Choose which are right."));
+  context_.overlay.toasts()->add(Mark::Warning, tr("The map is not saved yet: some cells were changed both "
+                                                   "here and elsewhere. Choose which ones to keep."));
   context_.panels.open(dock_);
 }
 
@@ -47,15 +46,13 @@ void PictureController::askToSend() {
                       QMessageBox::Cancel, &context_.window);
   sending_question_->setTextFormat(Qt::PlainText);
   const QString copies = copiesHere();
-  QString about = tr("%1 changed. The robot goes on with the new picture, and the one of before cannot be "
-                     "had back from it.")
+  QString about = tr("%1 changed. The robot will use the new picture. It does not keep the old one.")
                       .arg(cellsText(editing_.changedCells()));
   if (!copies.isEmpty())
-    about +=
-        QLatin1Char('\n') + tr("A copy of the one of before is kept in %1, as a local map. The newest %2 "
-                               "of each map stay there.")
-                                .arg(QDir::toNativeSeparators(copies))
-                                .arg(kMostCopies);
+    about += QLatin1Char('\n') + tr("A copy of the old picture is saved in %1 as a local map. The latest %2 "
+                                    "copies of each map are kept.")
+                                     .arg(QDir::toNativeSeparators(copies))
+                                     .arg(kMostCopies);
   sending_question_->setInformativeText(about);
   sending_question_->setAttribute(Qt::WA_DeleteOnClose);
   QPushButton* const send_button = sending_question_->addButton(tr("Send"), QMessageBox::AcceptRole);
@@ -80,7 +77,7 @@ void PictureController::send() {
   if (saving_ || !editing_.unsaved() || !session_ || !open_map_) return;
   if (editing_.conflicts() > 0) return askToDecide();
   if (editing_.merging()) {
-    again_ = true;  // it would be refused: what is kept is another picture already
+    again_ = true;  // it would be refused: the stored picture has already changed
     return;
   }
   if (!session_->robot().pictureStore()) return;
@@ -104,12 +101,12 @@ QString PictureController::copiesHere() const {
   return copiesFolder(context_.edit.drafts_folder, session_->robot().address(), mapName());
 }
 
-/// Without it nothing is overwritten.
+/// Without a backup nothing is overwritten.
 void PictureController::noteCopied(const std::optional<Fault>& trouble) {
   if (!saving_) return;
   if (!trouble) return write();
   saving_ = false;
-  noteNotWritten(tr("Nothing was sent, because no copy of the robot's map could be kept: %1")
+  noteNotWritten(tr("Nothing was sent, because the robot's map could not be backed up: %1")
                      .arg(sentences::wordsOf(*trouble)));
   syncMap();
 }
@@ -117,7 +114,7 @@ void PictureController::noteCopied(const std::optional<Fault>& trouble) {
 void PictureController::noteNotWritten(const QString& sentence) {
   when_saved_ = nullptr;
   trouble_ = sentence;
-  context_.overlay.toasts()->add(Mark::Bad, tr("The map is not saved. %1").arg(trouble_));
+  context_.overlay.toasts()->add(Mark::Bad, tr("The map was not saved. %1").arg(trouble_));
 }
 
 void PictureController::write() {
@@ -151,22 +148,22 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
       context_.overlay.toasts()->add(Mark::Good, tr("%1 saved").arg(mapName()));
     } else {
       context_.overlay.toasts()->add(
-          Mark::Good, tr("%1 saved. What it was before: %2").arg(mapName(), QDir::toNativeSeparators(copy_)),
+          Mark::Good, tr("%1 saved. Previous version: %2").arg(mapName(), QDir::toNativeSeparators(copy_)),
           {tr("Open it"), [this, copy = copy_] { Q_EMIT fileWanted(copy); }});
     }
-    // Leaving ends the session, and it is its robot that is speaking.
+    // Leaving ends the session, and its robot is emitting this signal.
     if (const auto then = std::exchange(when_saved_, nullptr))
       QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
   } else if (outcome.error().kind == map::FailureKind::Conflict) {
     again_ = true;
-    trouble_ = tr("It has changed elsewhere meanwhile, and is being read again.");
+    trouble_ = tr("It was changed elsewhere in the meantime and is being reloaded.");
   } else if (outcome.error().kind == map::FailureKind::Cancelled &&
              outcome.error().applied == map::Applied::No) {
     when_saved_ = nullptr;
   } else {
     noteNotWritten(QString::fromStdString(sentences::sentenceOf(outcome.error())));
   }
-  // What came while it was being written was not looked at.
+  // Changes that arrived during the write were ignored.
   syncMap();
 }
 
@@ -184,8 +181,8 @@ void PictureController::noteMerged(qint64 taken, const std::string& revision) {
       QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
     }
   } else if (taken > 0) {
-    const QString told = tr("%1 has changed elsewhere. Both are put together.").arg(mapName());
-    // Somebody who paints there comes with every stroke.
+    const QString told = tr("%1 was changed elsewhere. The two versions were merged.").arg(mapName());
+    // Someone painting there causes this with every stroke.
     if (!context_.overlay.toasts()->texts().contains(told))
       context_.overlay.toasts()->add(Mark::Warning, told);
   }
@@ -203,7 +200,7 @@ void PictureController::beforeLeaving(std::function<void()> then) {
   if (question_) return question_->raise();
   question_ = new QMessageBox(
       QMessageBox::Question, tr("The map is not saved"),
-      tr("Changes of %1 are not saved: %2.").arg(mapName(), cellsText(editing_.changedCells())),
+      tr("Changes to %1 are not saved: %2.").arg(mapName(), cellsText(editing_.changedCells())),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &context_.window);
   question_->setTextFormat(Qt::PlainText);
   question_->setAttribute(Qt::WA_DeleteOnClose);
@@ -211,7 +208,7 @@ void PictureController::beforeLeaving(std::function<void()> then) {
   if (drafts_) {
     QPushButton* const keep = question_->addButton(tr("Keep as draft"), QMessageBox::ActionRole);
     keep->setObjectName(QStringLiteral("keepDraft"));
-    keep->setToolTip(tr("They are offered again when this map is opened"));
+    keep->setToolTip(tr("They will be offered when you open this map again"));
   }
   connect(question_, &QMessageBox::finished, this, [this] {
     QMessageBox* const asked = std::exchange(question_, nullptr);

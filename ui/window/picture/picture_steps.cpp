@@ -1,4 +1,4 @@
-// PictureEditing: steps that are made, undone, redone and forgotten, and those that are reckoned on the crew.
+// PictureEditing: steps that are made, undone, redone and dropped, and those computed on the thread pool.
 #include <utility>
 
 #include <QUndoCommand>
@@ -13,12 +13,12 @@ using picture::Patch;
 
 namespace {
 
-/// Of so many cells at most a change is made at once: some milliseconds.
+/// Changes of at most this many cells are made at once: some milliseconds.
 constexpr std::int64_t kMostAtOnce = std::int64_t(1) << 21;
 
 }  // namespace
 
-/// What it does has been done when it is pushed.
+/// Its effect is already applied when it is pushed.
 class PictureEditing::Command : public QUndoCommand {
  public:
   Command(PictureEditing& editing, PictureStep step, const QString& text)
@@ -30,7 +30,7 @@ class PictureEditing::Command : public QUndoCommand {
   void redo() override {
     if (!std::exchange(done_, false)) exchange(true);
   }
-  /// Which what comes from elsewhere changes, too, though the stack shows its commands as constants.
+  /// Merges change it, too, although the stack treats its commands as constants.
   PictureStep& step() const { return *step_; }
 
  private:
@@ -68,12 +68,12 @@ void PictureEditing::setSaved(std::shared_ptr<const picture::EditedGrid> saved) 
 
 void PictureEditing::push(PictureStep step, const QString& text) {
   if (step.patch.empty()) return;
-  endStroke();  // what it has done is on the grid that this was made for
+  endStroke();  // its effect is on the grid that this was made for
   exchange(step, true);
   note(std::move(step), text);
 }
 
-/// The grid has it already.
+/// Already applied to the grid.
 void PictureEditing::note(PictureStep step, const QString& text) {
   undo_.push(new Command(*this, std::move(step), text));
   forgetOldest();
@@ -85,7 +85,7 @@ void PictureEditing::takeUp(Patch patch, const QString& text) {
 }
 
 void PictureEditing::exchange(PictureStep& step, bool forward) {
-  // What is under way was made for the cells as they were: it never was.
+  // Work in progress was made for the former cells: drops it.
   if (stroke_) grid_->revert(stroke_->finish());
   stroke_.reset();
   landMergeSoon();
@@ -110,7 +110,7 @@ void PictureEditing::exchange(PictureStep& step, bool forward) {
   Q_EMIT stateChanged();
 }
 
-/// A stack gives up its commands from the top only, so those that stay are put on it once more.
+/// A stack removes commands only from the top, so those that stay are pushed again.
 void PictureEditing::forgetOldest() {
   if (held_.bytes() <= undo_budget_) return;
   int forgotten = 0;
@@ -123,7 +123,7 @@ void PictureEditing::forgetOldest() {
   std::vector<std::pair<PictureStep, QString>> stays;
   for (int i = forgotten; i < undo_.count(); ++i) stays.emplace_back(stepAt(i), undo_.text(i));
   {
-    const QSignalBlocker quiet(undo_);  // what can be undone next, and whether, stays the same
+    const QSignalBlocker quiet(undo_);  // what can be undone next stays the same
     undo_.clear();
     for (auto& [step, text] : stays) undo_.push(new Command(*this, std::move(step), text));
   }

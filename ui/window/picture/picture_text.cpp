@@ -37,9 +37,9 @@ QString modeName(PaintMode mode) {
 QString modeTip(PaintMode mode) {
   switch (mode) {
     case PaintMode::Brush:
-      return PictureModeText::tr("Brush: paint by hand");
+      return PictureModeText::tr("Brush: paint freehand");
     case PaintMode::Eraser:
-      return PictureModeText::tr("Eraser: take changes back where it goes, to what is saved");
+      return PictureModeText::tr("Eraser: restore the saved map where you paint");
     case PaintMode::Line:
       return PictureModeText::tr("Line: a straight wall, as wide as the brush");
     case PaintMode::Rectangle:
@@ -47,9 +47,9 @@ QString modeTip(PaintMode mode) {
     case PaintMode::Polygon:
       return PictureModeText::tr("Polygon: filled, corner by corner");
     case PaintMode::Fill:
-      return PictureModeText::tr("Fill: all of one kind that hangs together");
+      return PictureModeText::tr("Fill: a connected area of the same kind");
     case PaintMode::Select:
-      return PictureModeText::tr("Select: a part to copy, move, paint or tidy up");
+      return PictureModeText::tr("Select: a part to copy, move, paint or clean up");
   }
   return {};
 }
@@ -91,11 +91,11 @@ QString kindTip(picture::Kind kind) {
     case picture::Kind::Free:
       return PictureModeText::tr("Free: where robots may drive");
     case picture::Kind::Occupied:
-      return PictureModeText::tr("Occupied: walls and all that stands");
+      return PictureModeText::tr("Occupied: walls and other obstacles");
     case picture::Kind::Unknown:
       break;
   }
-  return PictureModeText::tr("Unknown: what nobody has seen");
+  return PictureModeText::tr("Unknown: not observed yet");
 }
 
 QString tidyName(Tidying what) {
@@ -107,21 +107,21 @@ QString tidyName(Tidying what) {
     case Tidying::Edges:
       break;
   }
-  return PictureModeText::tr("Frayed edges up to");
+  return PictureModeText::tr("Ragged edges up to");
 }
 
 QString tidyTip(Tidying what) {
   switch (what) {
     case Tidying::Specks:
       return PictureModeText::tr(
-          "Removes pieces of at most this many occupied cells: they become what is around them");
+          "Removes groups of at most this many occupied cells: they become like their surroundings");
     case Tidying::Gaps:
       return PictureModeText::tr("Closes gaps of at most this many cells between occupied cells");
     case Tidying::Edges:
       break;
   }
   return PictureModeText::tr(
-      "Smooths spikes and notches of at most this width where free ground meets unknown ground");
+      "Smooths spikes and notches of at most this width between free and unknown areas");
 }
 
 QString cellsText(std::int64_t cells) {
@@ -129,13 +129,13 @@ QString cellsText(std::int64_t cells) {
 }
 
 QString previewText(const TidyPreview& preview) {
-  if (preview.step.patch.empty()) return PictureModeText::tr("There is nothing to tidy up.");
+  if (preview.step.patch.empty()) return PictureModeText::tr("There is nothing to clean up.");
   if (preview.what != Tidying::Specks)
     return PictureModeText::tr("%1 would change.").arg(cellsText(preview.found.cells));
   const QString specks =
       sentences::counted(PictureModeText::tr("%1 specks", nullptr, sentences::formOf(preview.found.pieces)),
                          preview.found.pieces);
-  return PictureModeText::tr("%1 of %2 would go.").arg(specks, cellsText(preview.found.cells));
+  return PictureModeText::tr("%1 of %2 would be removed.").arg(specks, cellsText(preview.found.cells));
 }
 
 QString becomesText(picture::Kind kind, std::int64_t cells) {
@@ -163,7 +163,7 @@ BecomesLook becomesLook(picture::Kind kind) {
 }
 
 QString changedText(std::int64_t cells) {
-  if (cells == 0) return PictureModeText::tr("Nothing is changed.");
+  if (cells == 0) return PictureModeText::tr("Nothing was changed.");
   return PictureModeText::tr("Changed: %1.").arg(cellsText(cells));
 }
 
@@ -172,31 +172,31 @@ QString draftText(const QDateTime& made, const QDateTime& now, std::int64_t cell
   const QString when = made.date() == now.date()
                            ? PictureModeText::tr("today %1").arg(c.toString(made, QStringLiteral("HH:mm:ss")))
                            : c.toString(made, QStringLiteral("d MMMM yyyy HH:mm"));
-  return PictureModeText::tr("There is a draft of this map of %1 that was not saved: %2.")
+  return PictureModeText::tr("There is an unsaved draft of this map from %1: %2.")
       .arg(when, cellsText(cells));
 }
 
 QString conflictText(std::int64_t cells) {
-  return PictureModeText::tr("Changed here and elsewhere, differently: %1. Which is right?")
+  return PictureModeText::tr("Changed differently here and elsewhere: %1. Which version do you want to keep?")
       .arg(cellsText(cells));
 }
 
 QString obstacleText(robot::PictureObstacle obstacle) {
   switch (obstacle) {
     case robot::PictureObstacle::NotStored:
-      return PictureModeText::tr("Only maps that are kept can be edited, not what is sent at present.");
+      return PictureModeText::tr("Only stored maps can be edited, not the live one.");
     case robot::PictureObstacle::FormatNotWritten:
       break;
   }
   return PictureModeText::tr(
-      "Pictures of this format are only read. Export the map as PGM and YAML, and edit that.");
+      "Pictures of this format are read-only. Export the map as PGM and YAML and edit that.");
 }
 
 QString cellBetweenText(int percent) {
   return PictureModeText::tr(
              "Some cells of this map are neither free, occupied nor unknown but in between (%1 of 100), and "
-             "for these the robot's map manager names no shade: it could not be sent back. Export the map to "
-             "edit it as files.")
+             "the robot's map manager has no gray level for these, so the map could not be sent back. Export "
+             "the map to edit it as files.")
       .arg(percent);
 }
 

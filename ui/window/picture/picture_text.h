@@ -1,4 +1,4 @@
-// What the window says about editing pictures of maps.
+// Texts about editing pictures of maps.
 #pragma once
 
 #include <QColor>
@@ -21,11 +21,11 @@ QString tidyTip(Tidying what);
 QString previewText(const TidyPreview& preview);
 /// "becomes free: 12 cells"
 QString becomesText(picture::Kind kind, std::int64_t cells);
-/// How a cell that would become of this kind is marked: told apart by lightness and by lines, too, not by the
-/// colour alone.
+/// How to mark a cell that would become this kind: distinguishable by lightness and hatching, not only by
+/// colour.
 struct BecomesLook {
   QColor color;
-  Qt::BrushStyle lines;  // over the colour, where there is room
+  Qt::BrushStyle lines;  // over the colour, if there is room
 };
 BecomesLook becomesLook(picture::Kind kind);
 /// "1,204 cells are changed." "Nothing is changed."

@@ -15,10 +15,10 @@ namespace mapwright::window {
 namespace {
 
 constexpr double kLeastMarkPx = 3;
-constexpr double kLinesFromPx = 6;     // a cell this wide has room for lines
-constexpr double kLeastCornersPx = 9;  // a click this near to the first corner closes a polygon
+constexpr double kLinesFromPx = 6;     // a cell this wide has room for hatching
+constexpr double kLeastCornersPx = 9;  // a click this close to the first corner closes a polygon
 
-/// A line that is seen on any ground.
+/// A line that is visible on any background.
 void strokeTwice(QPainter& painter, const auto& draw) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(QColor(255, 255, 255, 220), 3));
@@ -36,7 +36,8 @@ PictureTool::PictureTool(PictureEditing* editing, scene::MapScene* scene, QObjec
     Q_EMIT hintChanged();
   });
   connect(editing_, &PictureEditing::tooLarge, this, [this] {
-    Q_EMIT refused(tr("This is too large to be changed at once. Fence it off, then change the parts."));
+    Q_EMIT refused(
+        tr("This area is too large to change at once. Draw lines to divide it, then change the parts."));
   });
 }
 
@@ -259,7 +260,7 @@ void PictureTool::paint(QPainter& painter) {
   paintBrush(painter);
 }
 
-/// A mark over every cell that would change, wide enough to be seen when the cells are not.
+/// A mark on every cell that would change, visible even if the cells are not.
 void PictureTool::paintPreview(QPainter& painter) const {
   if (!editing_->preview()) return;
   const map::GridReference& grid = editing_->reference();
@@ -292,7 +293,7 @@ void PictureTool::paintPreview(QPainter& painter) const {
     painter.drawRects(marks[std::size_t(i)]);
     if (cell_px < kLinesFromPx) continue;
     QBrush lines(QColor(0, 0, 0, 150), look.lines);
-    lines.setTransform(of_cells.inverted());  // in pixels, however large the cells are
+    lines.setTransform(of_cells.inverted());  // in pixels, whatever the size of the cells
     painter.setBrush(lines);
     painter.drawRects(marks[std::size_t(i)]);
   }
@@ -342,29 +343,32 @@ void PictureTool::paintBrush(QPainter& painter) const {
 
 QString PictureTool::hint() const {
   if (!editing_->isOpen()) return {};
-  if (editing_->reckoning()) return tr("Being reckoned … Esc stops. What you draw meanwhile comes after it.");
-  if (editing_->looking()) return tr("Looking … Esc stops.");
-  if (editing_->preview()) return tr("This is how it would be. Enter changes it, Esc leaves it as it is.");
+  if (editing_->reckoning())
+    return tr("Computing… Esc cancels. Anything you draw meanwhile is applied afterwards.");
+  if (editing_->looking()) return tr("Preparing the preview… Esc cancels.");
+  if (editing_->preview()) return tr("This is a preview. Enter applies it, Esc discards it.");
   switch (mode_) {
     case PaintMode::Brush:
       return tr(
           "Drag to paint. Comma and full stop change the size; Space and drag moves the map. Esc leaves.");
     case PaintMode::Eraser:
-      return tr("Drag over what is to be as it was saved. Esc leaves.");
+      return tr("Drag over the parts to restore to the saved map. Esc leaves.");
     case PaintMode::Line:
       return tr("Drag from one end to the other. Esc leaves.");
     case PaintMode::Rectangle:
       return tr("Drag from corner to corner. Esc leaves.");
     case PaintMode::Polygon:
-      if (corners_.empty()) return tr("Click the corners of what is to be painted. Esc leaves.");
-      return tr("Click the next corner; the first one again, or Enter, paints. Backspace takes one back.");
+      if (corners_.empty()) return tr("Click the corners of the area to paint. Esc leaves.");
+      return tr(
+          "Click the next corner. Click the first one or press Enter to paint. Backspace removes the last "
+          "corner.");
     case PaintMode::Fill:
-      return tr("Click where everything of one kind is to become another. Esc leaves.");
+      return tr("Click an area to fill it. Esc leaves.");
     case PaintMode::Select:
       if (editing_->selection().empty())
-        return tr("Drag around what is to be copied, moved or tidied up. Esc leaves.");
+        return tr("Drag around the part to copy, move or clean up. Esc leaves.");
       return tr(
-          "Drag it elsewhere (Ctrl: a copy), Ctrl+C copies, Ctrl+V pastes at the cursor, Delete paints it.");
+          "Drag to move it (Ctrl: copy it), Ctrl+C copies, Ctrl+V pastes at the cursor, Delete paints it.");
   }
   return {};
 }

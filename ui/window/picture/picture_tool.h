@@ -42,7 +42,7 @@ class PictureTool : public MapTool {
  Q_SIGNALS:
   void modeChanged();
   void activated();
-  /// It cannot be done; a sentence.
+  /// It is impossible; a sentence.
   void refused(const QString& why);
 
  private:
@@ -51,7 +51,7 @@ class PictureTool : public MapTool {
   void giveUp();
   bool busy() const { return from_.has_value() || !corners_.empty(); }
   bool moving() const { return from_ && taken_hold_; }
-  /// Whole cells that the hand has moved the selection by.
+  /// Whole cells by which the selection has been dragged.
   std::pair<int, int> movedBy() const;
   QPointF px(const Eigen::Vector2d& world_m) const;
   QPolygonF outline(const picture::CellRect& rect) const;
@@ -63,10 +63,10 @@ class PictureTool : public MapTool {
   PictureEditing* editing_;
   scene::MapScene* scene_;
   PaintMode mode_ = PaintMode::Brush;
-  std::optional<Eigen::Vector2d> from_, hand_;  // where it went down; where it is. World metres
+  std::optional<Eigen::Vector2d> from_, hand_;  // where the drag began, and the cursor. World metres
   std::vector<Eigen::Vector2d> corners_;        // of the polygon
   bool taken_hold_ = false;                     // of the selection
-  bool copies_ = false;                         // and leaves what was there
+  bool copies_ = false;                         // and leaves the original
 };
 
 }  // namespace mapwright::window

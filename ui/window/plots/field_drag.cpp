@@ -12,7 +12,7 @@ std::unique_ptr<QMimeData> mimeOf(const PlotWish& wish) {
 std::optional<PlotWish> wishFromMime(const QMimeData& mime) {
   if (mime.hasFormat(QLatin1String(kFieldMime)))
     return plotFromWord(QString::fromUtf8(mime.data(QLatin1String(kFieldMime))));
-  // Any word is a topic of some kind; only what begins like one is meant.
+  // Any text could be a topic; only one that begins like a path counts.
   const QString text = mime.hasText() ? mime.text().trimmed() : QString();
   if (!text.startsWith(QLatin1Char('/')) && !text.startsWith(QLatin1String("\"/"))) return std::nullopt;
   auto path = series::FieldPath::parse(text.toStdString());

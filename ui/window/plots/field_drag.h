@@ -1,4 +1,4 @@
-// A field of a message on its way from the inspector of messages to a plot.
+// Drags a field of a message from the inspector to a plot.
 #pragma once
 
 #include <memory>
@@ -12,9 +12,9 @@ namespace mapwright::window {
 
 inline constexpr const char* kFieldMime = "application/x-mapwright-field";
 
-/// The field, and its path as text for everybody else.
+/// The field, with its path as text for other programs.
 std::unique_ptr<QMimeData> mimeOf(const PlotWish& wish);
-/// A field of ours, or a text that is the path of one.
+/// A field of ours, or a text with the path of one.
 std::optional<PlotWish> wishFromMime(const QMimeData& mime);
 
 }  // namespace mapwright::window

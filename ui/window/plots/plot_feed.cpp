@@ -135,7 +135,7 @@ void PlotFeed::takePoses(const replay::Digest& digest, const Wishes& wishes) {
     x_.insert(from_s, until_s, samplesOf(Quantity::X));
     y_.insert(from_s, until_s, samplesOf(Quantity::Y));
     series.insert(from_s, until_s, series::speeds(x_, y_, from_s, until_s));
-    // What comes soon after may have been read before: its speeds were not known then.
+    // Later samples may have been read before: their speeds were not known then.
     const double known_s = std::prev(x_.covered().upper_bound(until_s))->second;
     const double end_s = std::min(until_s + series::kSpeedReach_s, known_s);
     if (end_s > until_s) series.insert(until_s, end_s, series::speeds(x_, y_, until_s, end_s));

@@ -1,5 +1,5 @@
-// Where the samples of plots come from: the ranges of a bag as they are read, or a robot as it speaks.
-// GUI-thread object; messages of bags are read in the background.
+// The samples for plots: from the ranges of a bag as they are read, or from a live robot. GUI-thread object;
+// messages of bags are parsed in the background.
 #pragma once
 
 #include <functional>
@@ -25,35 +25,35 @@ class PlotFeed : public QObject {
   Q_OBJECT
  public:
   using SeriesPtr = std::shared_ptr<series::Series>;
-  static constexpr double kLive_s = 30 * 60;              // of a live robot so much is kept
-  static constexpr std::size_t kMostSamples = 1'000'000;  // of each; eight hours at 30 Hz
+  static constexpr double kLive_s = 30 * 60;              // how much to keep of a live robot
+  static constexpr std::size_t kMostSamples = 1'000'000;  // of each curve; eight hours at 30 Hz
 
   /// `wall`: seconds since the epoch; none = the system's.
   explicit PlotFeed(std::shared_ptr<work::Workers> workers, std::function<double()> wall = {},
                     QObject* parent = nullptr);
   ~PlotFeed() override;
 
-  /// A bag that is open; null = none. All that was there goes.
+  /// An open bag; null = none. Drops all earlier data.
   void setReading(replay::Reading* reading);
   bool replays() const { return reading_ != nullptr; }
-  /// The robot; null = none. One that replays a bag says nothing here: setReading() does.
+  /// The robot; null = none. For one that replays a bag use setReading() instead.
   void setSession(session::Session* session);
-  /// A robot that speaks by itself is there.
+  /// There is a live robot.
   bool live() const { return live_ != nullptr && !replays(); }
 
-  /// The samples of it, from now on until it is let go of as often as it was wanted. What was read already is
-  /// read once more where it has to be.
+  /// Its samples, from now on until it is released as often as it was requested. Reads data again if
+  /// necessary.
   SeriesPtr want(const PlotWish& wish);
   void letGo(const PlotWish& wish);
 
-  /// Paths that could be plotted, for completion; of what is held just now.
+  /// Paths that can be plotted, for completion; from the messages in memory.
   QStringList fields() const;
   double now() const { return wall_(); }
 
  Q_SIGNALS:
   /// Samples have come or gone.
   void changed();
-  /// Raw messages of the robot are needed, or no more.
+  /// Raw messages of the robot are needed, or no longer.
   void rawWanted(bool wanted);
 
  private:
@@ -85,7 +85,7 @@ class PlotFeed : public QObject {
 
   std::function<double()> wall_;
   std::map<PlotWish, Entry> entries_;
-  series::Series x_, y_;  // of which speeds are made
+  series::Series x_, y_;  // to compute speeds
   QPointer<replay::Reading> reading_;
   QPointer<session::Session> session_;
   robot::Robot* live_ = nullptr;

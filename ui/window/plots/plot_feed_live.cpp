@@ -1,4 +1,4 @@
-// The samples of a robot that speaks by itself: the last half hour of them.
+// The samples of a live robot: the last half hour.
 #include <algorithm>
 #include <cmath>
 
@@ -40,7 +40,7 @@ void PlotFeed::setSession(session::Session* session) {
 
 void PlotFeed::listen() {
   const bool online = live_ && live_->connection().phase == robot::ConnectionPhase::Online;
-  // From here on nothing is missed; what was before is another stretch.
+  // From here on there are no gaps; earlier data is a separate stretch.
   if (!online) live_since_s_.reset();
   if (online && !live_since_s_) live_since_s_ = now();
 }
@@ -63,7 +63,7 @@ void PlotFeed::tellWishes() {
     topics.removeDuplicates();
     if (session_) session_->want(kPlotsOwner, streams, topics);
   }
-  // What nobody looks at needs no clock.
+  // Without viewers no clock is needed.
   if (!live_ || replays() || entries_.empty()) {
     tick_.stop();
   } else if (!tick_.isActive()) {
@@ -118,7 +118,7 @@ void PlotFeed::heardRaw(const robot::RawMessage& message) {
 
 void PlotFeed::coverLive() {
   if (!live_since_s_ || replays()) return;
-  // Messages may carry stamps of just now or a moment later.
+  // Messages may have stamps of the present or slightly later.
   const double until_s = now() + 1, oldest_s = until_s - kLive_s;
   const auto keep = [&](series::Series& series) {
     series.forgetBefore(oldest_s);

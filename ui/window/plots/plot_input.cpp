@@ -1,4 +1,4 @@
-// What the hand does with a plot.
+// Mouse and keyboard in a plot.
 #include <cmath>
 
 #include <QApplication>
@@ -125,9 +125,9 @@ void PlotWidget::fillMenu(QMenu& menu) {
   }
   menu.addAction(tr("Remove this plot"), this, &PlotWidget::plotUnwanted);
   menu.addSeparator();
-  menu.addAction(tr("Show all of the time"), this, &PlotWidget::allWanted);
+  menu.addAction(tr("Show the whole time range"), this, &PlotWidget::allWanted);
   QAction* const fits =
-      menu.addAction(tr("Values: fit what is shown"), this, [this] { setFixedValues(std::nullopt); });
+      menu.addAction(tr("Values: fit automatically"), this, [this] { setFixedValues(std::nullopt); });
   fits->setCheckable(true);
   fits->setChecked(!fixed_);
   QAction* const stays =
@@ -164,7 +164,7 @@ void PlotWidget::askForValues() {
   auto* const until = field(tr("&To"), greatest, "until");
   auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, dialog);
   form->addRow(buttons);
-  // Both ways of writing a number.
+  // Accepts decimal points and commas.
   const auto number = [](const QLineEdit* edit) -> std::optional<double> {
     bool sound = false;
     double value = edit->text().trimmed().toDouble(&sound);

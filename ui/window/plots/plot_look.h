@@ -1,4 +1,4 @@
-// How the curves of a plot are told apart: by colour, and by the shape of the marks on them.
+// The look of curves in a plot: colours, and shapes of their marks.
 #pragma once
 
 #include <QColor>
@@ -8,8 +8,8 @@ namespace mapwright::window {
 
 inline constexpr int kPlotLooks = 8;
 
-/// Of curve `look` (any number; they repeat). At least 3:1 against the ground of either theme, and apart from
-/// each other for those who see no red or no green. After Okabe and Ito, "Color Universal Design" (2008).
+/// Of curve `look` (any number; they repeat). At least 3:1 against the background of both themes, and
+/// distinguishable for colour-blind people. After Okabe and Ito, "Color Universal Design" (2008).
 QColor plotColor(int look, bool dark);
 
 /// Its mark: a disc, a square, a triangle … around `at`.

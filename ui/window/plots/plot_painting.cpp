@@ -1,4 +1,4 @@
-// What a plot looks like.
+// Painting of a plot.
 #include <algorithm>
 #include <cmath>
 
@@ -69,11 +69,11 @@ void PlotWidget::paintAxes(QPainter& painter) const {
   for (const PlotTick& tick : value_ticks) {
     QRect place(0, int(yOf(tick.at)) - metrics.height() / 2, area.left() - 6, metrics.height());
     place.moveTop(std::clamp(place.top(), 0, area.bottom() - metrics.height() + metrics.height() / 2));
-    if (place.bottom() > above) continue;  // they would cover each other
+    if (place.bottom() > above) continue;  // they would overlap
     painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter, tick.text);
     above = place.top();
   }
-  // Others say theirs in UTC: whose times these are stands beside them.
+  // Other places use UTC: the time zone is shown next to the times.
   const QString zone = since_s_ ? tr("s") : zoneText(span_.first);
   painter.drawText(QRect(0, area.bottom() + 4, area.left() - 6, metrics.height()), Qt::AlignRight, zone);
   int right = area.left() - 2;
@@ -103,7 +103,7 @@ void PlotWidget::paintCurve(QPainter& painter, const PlotCurve& curve) const {
     if (line.size() > 1) painter.drawPolyline(line);
     line.clear();
   };
-  // What lies far outside would only cost the painter time.
+  // Points far outside would only cost time.
   const auto clampedY = [&](double value) { return std::clamp(yOf(value), -1e5, 1e5); };
   const auto clampedX = [&](double at_s) { return std::clamp(xOf(at_s), -1e5, 1e5); };
   for (const series::Stroke& stroke : curve.series->strokes(span_.first, span_.second, area.width())) {
@@ -111,7 +111,7 @@ void PlotWidget::paintCurve(QPainter& painter, const PlotCurve& curve) const {
     double before = stroke.front().value;
     for (const series::Sample& point : stroke) {
       const QPointF at(clampedX(point.at_s), clampedY(point.value));
-      // A heading that goes through half a turn is no leap.
+      // A heading that passes half a turn does not jump.
       if (turns && std::abs(point.value - before) > kFullTurn / 2) flush();
       if (stepped && !line.isEmpty()) line << QPointF(at.x(), line.last().y());
       line << at;
@@ -121,7 +121,7 @@ void PlotWidget::paintCurve(QPainter& painter, const PlotCurve& curve) const {
         last_mark_px = at.x();
       }
     }
-    // A value that holds until the next one says so up to the end of what is known.
+    // A value that holds until the next one is drawn to the end of the known range.
     if (stepped && !line.isEmpty()) {
       const double until_s = std::min(span_.second, bounds_.second);
       if (curve.series->isCovered(stroke.back().at_s, until_s) && stroke.back().at_s < until_s &&
@@ -130,7 +130,7 @@ void PlotWidget::paintCurve(QPainter& painter, const PlotCurve& curve) const {
     }
   }
   flush();
-  // Not in the same places for all: curves that lie on each other show both.
+  // At different positions: overlapping curves are both visible.
   for (const QPointF& mark : marks) paintPlotMark(painter, curve.look, color, mark, kMark_px);
 }
 
@@ -195,7 +195,7 @@ void PlotWidget::paintMoving(QPainter& painter) const {
     painter.setPen(colors.text);
     painter.drawText(rect.adjusted(18 + metrics.horizontalAdvance(name) + 8, 0, 0, 0),
                      Qt::AlignLeft | Qt::AlignVCenter, value);
-    // Where the curve is met.
+    // The intersection with the curve.
     if (!at_s || !curve.series) continue;
     const auto sample = curve.series->at(*at_s);
     const QPointF met(xOf(*at_s), sample ? yOf(sample->value) : 0);

@@ -51,7 +51,7 @@ QDateTime dateTime(double at_s) { return QDateTime::fromMSecsSinceEpoch(qint64(s
 std::vector<PlotTick> valueTicks(double least, double greatest, int most) {
   if (!(least < greatest) || !std::isfinite(greatest - least)) return {};
   const double step = roundStep((greatest - least) / std::max(most, 1));
-  // Numbers so close together that a double cannot tell them apart.
+  // Numbers too close together for a double.
   if (!(step > 0) || std::max(std::abs(least), std::abs(greatest)) / step > 1e14) return {};
   return roundTicks(least, greatest, step, 0);
 }
@@ -62,7 +62,7 @@ std::vector<PlotTick> timeTicks(double from_s, double until_s, int most, std::op
   if (since_s) return roundTicks(from_s, until_s, std::max(roundStep(least), 0.001), *since_s);
   const auto found = std::lower_bound(kSteps_s.begin(), kSteps_s.end(), least * 0.9999);
   const double step = found == kSteps_s.end() ? std::ceil(least / kSteps_s.back()) * kSteps_s.back() : *found;
-  // Whole parts of the local day.
+  // Round local times.
   const double local_s = double(dateTime(from_s).offsetFromUtc());
   std::vector<PlotTick> ticks;
   for (double n = std::ceil((from_s + local_s) / step - 1e-9);

@@ -1,4 +1,4 @@
-// Where the marks of axes stand and what they say. Pure.
+// Positions and labels of axis ticks. Pure.
 #pragma once
 
 #include <optional>
@@ -13,18 +13,18 @@ struct PlotTick {
   QString text = {};
 };
 
-/// At round numbers, `most` of them or fewer, within least..greatest.
+/// At round numbers, at most `most` of them, within least..greatest.
 std::vector<PlotTick> valueTicks(double least, double greatest, int most);
 
-/// Times in seconds since the epoch, at whole parts of local time: "14:03:20", "14:03:20.250", a date where a
-/// day begins. With `since_s` they are seconds after that, at round ones: "120", "0.25".
+/// Times in seconds since the epoch, at round local times: "14:03:20", "14:03:20.250", a date at the start of
+/// a day. With `since_s` they are seconds after that, at round ones: "120", "0.25".
 std::vector<PlotTick> timeTicks(double from_s, double until_s, int most, std::optional<double> since_s = {});
 
-/// A time as it is said beside a cursor: finer than any tick.
+/// A time as shown at the cursor: finer than any tick.
 QString timeText(double at_s, std::optional<double> since_s = {});
-/// What local time is at that time: "UTC", "UTC+2", "UTC+5:30".
+/// The local time zone at that time: "UTC", "UTC+2", "UTC+5:30".
 QString zoneText(double at_s);
-/// With as many digits as say something.
+/// With a sensible number of digits.
 QString valueText(double value);
 
 }  // namespace mapwright::window

@@ -77,12 +77,12 @@ PlotWidget::Range PlotWidget::autoValues() const {
     if (!curve.series) continue;
     if (const auto extent = curve.series->extent(span_.first, span_.second))
       add(extent->first, extent->second);
-    // The line comes in from the sample before.
+    // The line begins at the sample before.
     if (const auto before = curve.series->at(span_.first)) add(before->value, before->value);
   }
   if (!all) return {0, 1};
   double high = all->second - all->first;
-  // One value: something around it.
+  // A single value: a range around it.
   if (!(high > std::max(std::abs(all->first), std::abs(all->second)) * 1e-9))
     high = std::max(std::abs(all->first) * 0.2, 1.0);
   if (!std::isfinite(high)) return {-1e300, 1e300};
@@ -117,8 +117,8 @@ QString PlotWidget::valueAtCursor(std::size_t curve) const {
   const std::optional<double> at_s = pointed_s_ ? pointed_s_ : cursor_s_ ? cursor_s_ : present_s_;
   const PlotCurve& of = curves_[curve];
   const auto sample = at_s && of.series ? of.series->at(*at_s) : std::nullopt;
-  // Nothing here, or nothing anywhere: a name that is none must not look like a gap.
-  if (!sample && of.series && of.series->empty() && !of.series->covered().empty()) return tr("none so far");
+  // No value here, or none anywhere: an invalid name must not look like a gap.
+  if (!sample && of.series && of.series->empty() && !of.series->covered().empty()) return tr("none yet");
   if (!sample) return QStringLiteral("–");
   const QString unit = plotUnit(of.wish);
   return unit.isEmpty() ? valueText(sample->value) : valueText(sample->value) + QChar(QChar::Nbsp) + unit;
@@ -137,7 +137,7 @@ void PlotWidget::zoomTime(double factor, double about_s) {
 }
 
 void PlotWidget::moveTime(double by_s) {
-  // Something of the bag stays in view.
+  // Part of the bag stays visible.
   const double keep_s = (span_.second - span_.first) / 10;
   by_s = std::clamp(by_s, std::min(bounds_.first - span_.second + keep_s, 0.0),
                     std::max(bounds_.second - span_.first - keep_s, 0.0));

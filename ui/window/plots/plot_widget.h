@@ -1,8 +1,7 @@
-// One plot: curves over time, painted here. It knows no robot and no bag: what it is to show it is told, and
-// what the hand wants of others it says.
-//
-// Wheel: zoom about the pointer (on the value axis, or with Ctrl: the values). Drag: move. Click: go to that
-// time. Double click: all of it. Keys: + - Left Right Up Down Home End, F for all, Delete for the last curve.
+// One plot: curves over time, painted here. It knows no robot and no bag: data is set from outside, and user
+// actions are signals.
+// Wheel: zoom around the pointer (on the value axis, or with Ctrl: the values). Drag: move. Click: go to that
+// time. Double click: show all. Keys: + - Left Right Up Down Home End, F for all, Delete for the last curve.
 #pragma once
 
 #include <memory>
@@ -36,26 +35,26 @@ class PlotWidget : public QWidget {
 
   void setCurves(std::vector<PlotCurve> curves);
   const std::vector<PlotCurve>& curves() const { return curves_; }
-  /// What of them has changed is drawn.
+  /// Their data has changed: repaints.
   void refresh();
   /// The time that is shown; seconds since the epoch.
   void setSpan(Range span);
   Range span() const { return span_; }
-  /// As far as one can go: the bag's.
+  /// The limits: those of the bag.
   void setBounds(Range bounds) { bounds_ = bounds; }
-  /// Where the replay is; nullopt = nowhere.
+  /// The present time of the replay; nullopt = none.
   void setCurrent(std::optional<double> at_s);
-  /// Of a robot that speaks: what is now; nullopt = nothing does.
+  /// The present time of a live robot; nullopt = none.
   void setPresent(std::optional<double> at_s);
-  /// Where the pointer is, in this plot or another one.
+  /// The time under the pointer, in this plot or another one.
   void setPointed(std::optional<double> at_s);
-  /// The values that are shown; nullopt: those that there are.
+  /// The value range; nullopt: fit automatically.
   void setFixedValues(std::optional<Range> values);
   std::optional<Range> fixedValues() const { return fixed_; }
   Range values() const;
-  /// Seconds after this instead of the time of day.
+  /// Shows seconds after this instead of the time of day.
   void setSince(std::optional<double> since_s);
-  /// What is said where nothing is to be seen.
+  /// Shown if there is nothing to see.
   void setHint(const QString& hint);
 
   /// Where curves are drawn.
@@ -63,7 +62,7 @@ class PlotWidget : public QWidget {
   double timeAt(double x_px) const;
   double xOf(double at_s) const;
   double yOf(double value) const;
-  /// What the legend says of a curve: its value where the pointer is, else at the cursor, else at present.
+  /// The legend's value of a curve: under the pointer, otherwise at the cursor or at present.
   QString valueAtCursor(std::size_t curve) const;
   /// What the menu offers. `menu` is empty.
   void fillMenu(QMenu& menu);
@@ -109,7 +108,7 @@ class PlotWidget : public QWidget {
   };
   Legend legend() const;
   Range autoValues() const;
-  void paintStill(QPainter& painter) const;  // all but what follows the cursor
+  void paintStill(QPainter& painter) const;  // everything that does not follow the cursor
   void paintAxes(QPainter& painter) const;
   void paintCurve(QPainter& painter, const PlotCurve& curve) const;
   void paintMoving(QPainter& painter) const;
@@ -126,7 +125,7 @@ class PlotWidget : public QWidget {
   std::optional<double> cursor_s_, pointed_s_, present_s_, since_s_;
   std::optional<Range> fixed_;
   QString hint_;
-  mutable std::optional<Range> auto_;  // as it was last reckoned
+  mutable std::optional<Range> auto_;  // as last computed
   QPixmap still_;
   bool stale_ = true;
   struct Grip {

@@ -24,7 +24,7 @@ class PlotWishText {
       case Quantity::Speed:
         return tr("Speed");
       case Quantity::PositionQuality:
-        return tr("Position quality");
+        return tr("Localization quality");
       case Quantity::MatchingScore:
         return tr("Matching score");
       case Quantity::Battery:

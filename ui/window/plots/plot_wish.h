@@ -1,4 +1,4 @@
-// What is plotted: a quantity of any robot, or a field of the messages of a topic.
+// What to plot: a quantity of any robot, or a field of the messages of a topic.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,13 @@ namespace mapwright::window {
 
 using PlotWish = std::variant<series::Quantity, series::FieldPath>;
 
-/// As people read it; one line, harmless.
+/// The displayed name; one line, harmless.
 QString plotName(const PlotWish& wish);
-/// "m/s"; empty = it has none, or nobody knows.
+/// "m/s"; empty = none, or unknown.
 QString plotUnit(const PlotWish& wish);
 /// For settings and for dragging: "speed", "/tracked_pose.pos[0]".
 QString plotWord(const PlotWish& wish);
-/// Either of them; nullopt: it is neither.
+/// The reverse; nullopt: invalid.
 std::optional<PlotWish> plotFromWord(const QString& word);
 
 }  // namespace mapwright::window

@@ -31,7 +31,7 @@ PlotsController::PlotsController(WindowContext& context, ReplayClock& clock, QOb
   connect(&clock, &ReplayClock::timeChanged, dock_, &PlotsDock::setCurrent);
   connect(&clock, &ReplayClock::rangesChanged, this, [this] { dock_->extendBag(clock_->end()); });
   connect(dock_, &PlotsDock::seekWanted, &clock, &ReplayClock::seek);
-  // It is the same choice as in the menu.
+  // It is the same setting as in the menu.
   if (QAction* const whole = context.actions.find(QStringLiteral("replayReadAll"))) {
     dock_->wholeButton()->setChecked(whole->isChecked());
     connect(dock_, &PlotsDock::wholeWanted, whole, &QAction::setChecked);

@@ -1,4 +1,4 @@
-// Plots of what a bag or a robot says.
+// Plots of data from a bag or a robot.
 #pragma once
 
 #include <QPointer>
@@ -23,11 +23,11 @@ class PlotsController : public Controller {
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
   void reset() override;
-  /// A field that somebody chose elsewhere: in the plot at hand, and the dock comes to the front.
+  /// A field chosen elsewhere: adds it to the active plot and shows the dock.
   void plot(const PlotWish& wish);
 
  Q_SIGNALS:
-  /// Raw messages of the robot are needed, or no more.
+  /// Raw messages of the robot are needed, or no longer.
   void rawWanted(bool wanted);
 
  private:

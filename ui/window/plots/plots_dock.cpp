@@ -66,7 +66,7 @@ PlotsDock::PlotsDock(PlotFeed& feed, QWidget* parent)
   sourceChanged();
 }
 
-// The feed may have gone before.
+// The feed may already be gone.
 PlotsDock::~PlotsDock() { disconnect(); }
 
 QWidget* PlotsDock::buildControls() {
@@ -80,7 +80,7 @@ QWidget* PlotsDock::buildControls() {
     each->setSpacing(6);
     rows->addLayout(each);
   }
-  path_->setPlaceholderText(tr("Field, as in /topic.member[0]"));
+  path_->setPlaceholderText(tr("Field, for example /topic.member[0]"));
   path_->setAccessibleName(tr("Field to plot"));
   path_->setMaxLength(int(series::FieldPath::kLongest));
   path_->setClearButtonEnabled(true);
@@ -91,11 +91,11 @@ QWidget* PlotsDock::buildControls() {
   completer->setMaxVisibleItems(12);
   path_->setCompleter(completer);
   add_->setToolTip(tr("Plot this field of the messages of a topic"));
-  new_plot_->setToolTip(tr("One more plot below the others"));
+  new_plot_->setToolTip(tr("Add another plot below"));
   whole_->setCheckable(true);
-  whole_->setToolTip(tr("Read all of the bag, and not only what is needed for the time that is shown"));
+  whole_->setToolTip(tr("Read the whole bag, not only the part that is shown"));
   quantities_->setText(tr("Quantity"));
-  quantities_->setToolTip(tr("Plot pose, speed and the like"));
+  quantities_->setToolTip(tr("Plot pose, speed and more"));
   quantities_->setPopupMode(QToolButton::InstantPopup);
   auto* const menu = new QMenu(quantities_);
   menu->addAction(tr("Pose: x, y and heading"), this, [this] {
@@ -126,7 +126,7 @@ QWidget* PlotsDock::buildControls() {
 }
 
 bool PlotsDock::eventFilter(QObject* watched, QEvent* event) {
-  // What can be completed changes with what is held: looked for when somebody begins to type.
+  // Completions depend on the messages in memory: updated when typing begins.
   if (watched == path_ && event->type() == QEvent::FocusIn) paths_->setStringList(feed_.fields());
   return QDockWidget::eventFilter(watched, event);
 }
@@ -153,7 +153,7 @@ void PlotsDock::wire(PlotWidget* plot) {
     if (bag_) Q_EMIT seekWanted(std::clamp(at_s, bag_->first, bag_->second));
   });
   connect(plot, &PlotWidget::spanWanted, this, [this](double from_s, double until_s) {
-    // Of a live robot the present stays in view as long as it is.
+    // For a live robot the present stays visible if it was.
     follows_ = feed_.now() <= until_s + (until_s - from_s) / 20;
     setSpan({from_s, until_s});
   });
@@ -209,14 +209,14 @@ bool PlotsDock::addCurve(PlotWidget* plot, const PlotWish& wish) {
   int all = 0;
   for (const PlotWidget* const each : plots_) all += int(each->curves().size());
   if (int(curves.size()) >= kPlotLooks || all >= kMostCurves) {
-    say(tr("There are as many curves as can be told apart. Remove one first: right click on the plot."));
+    say(tr("There are already as many curves as can be told apart. Remove one first: right-click the plot."));
     return false;
   }
   if (std::any_of(curves.begin(), curves.end(), [&](const PlotCurve& each) { return each.wish == wish; })) {
-    say(tr("%1 is in this plot already.").arg(plotName(wish).left(100)));
+    say(tr("%1 is already in this plot.").arg(plotName(wish).left(100)));
     return false;
   }
-  // The first look that is free: one that was removed does not change the others.
+  // The first free look: removing a curve does not change the others.
   int look = 0;
   while (std::any_of(curves.begin(), curves.end(), [&](const PlotCurve& each) { return each.look == look; }))
     ++look;
@@ -253,19 +253,19 @@ void PlotsDock::addTyped() {
   if (text.isEmpty()) return;
   auto path = series::FieldPath::parse(text.toStdString());
   if (!path) {
-    say(tr("\"%1\" names no field. Write a topic and what to take of its messages, as in /topic.member[0].")
+    say(tr("\"%1\" is not a field. Enter a topic and a member of its messages, for example /topic.member[0].")
             .arg(words::plainName(text.left(100))));
     return;
   }
   if (!addCurve(atHand(), *path)) return;
   path_->clear();
-  // Only where other numbers of the topic are known is it likely to be a slip.
+  // It is only likely to be a typo if other numbers of the topic are known.
   const QStringList known = feed_.fields();
   const QString word = QString::fromStdString(path->text()), topic = QString::fromStdString(path->topic);
   const bool of_topic = std::any_of(known.begin(), known.end(),
                                     [&](const QString& each) { return each.startsWith(topic + u'.'); });
   if (of_topic && !known.contains(word))
-    say(tr("The messages at hand have no number %1. It is drawn where one has it.")
+    say(tr("No message so far has a number %1. It will be drawn as soon as one does.")
             .arg(words::plainName(word.left(100))));
 }
 
@@ -300,7 +300,7 @@ void PlotsDock::closeBag() {
 void PlotsDock::setCurrent(double at_s) {
   current_s_ = at_s;
   for (PlotWidget* const plot : plots_) plot->setCurrent(current_s_);
-  // While it plays, the time goes with it.
+  // During playback the view follows the time.
   const double long_s = span_.second - span_.first;
   if (bag_ && span_ != *bag_ && on_screen_ && at_s > span_.second && at_s < span_.second + long_s / 4)
     setSpan({at_s - long_s / 10, at_s + long_s * 9 / 10});
@@ -345,13 +345,13 @@ void PlotsDock::refresh() {
   for (PlotWidget* const plot : plots_) {
     QString hint;
     if (plot->curves().empty()) {
-      hint = tr("Drop a number of a message here, type its name above, or choose a quantity.");
+      hint = tr("Drop a number from a message here, type its name above, or choose a quantity.");
     } else if (bag_) {
-      hint = tr("Nothing of it is in what has been read of the bag so far.");
+      hint = tr("The part of the bag that has been read so far has no such data.");
     } else if (feed_.live()) {
-      hint = tr("Nothing of it has come yet.");
+      hint = tr("No data has arrived yet.");
     } else {
-      hint = tr("Open a recording or connect to a robot to see its curves.");
+      hint = tr("Open a recording or connect to a robot to see curves.");
     }
     plot->setHint(hint);
     plot->refresh();

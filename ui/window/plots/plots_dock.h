@@ -1,4 +1,4 @@
-// The plots beside the map: one below the other, over the same time.
+// The plots next to the map: one below the other, with the same time axis.
 #pragma once
 
 #include <optional>
@@ -27,29 +27,29 @@ class PlotsDock : public QDockWidget {
  public:
   static constexpr int kMostPlots = 6, kMostCurves = 32;  // curves of all plots together
 
-  /// `feed` is there as long as anything is done with it.
+  /// `feed` must outlive its use here.
   explicit PlotsDock(PlotFeed& feed, QWidget* parent = nullptr);
   ~PlotsDock() override;
 
-  /// A bag of this time (seconds since the epoch) is open: all of it is shown.
+  /// A bag with this time range (seconds since the epoch) was opened: shows all of it.
   void openBag(double start_s, double end_s);
   /// It has become longer.
   void extendBag(double end_s);
-  /// From now on the plots are of the robot, if there is one.
+  /// From now on the plots are about the robot, if there is one.
   void closeBag();
   /// Where the replay is.
   void setCurrent(double at_s);
-  /// Who gives the samples has another robot.
+  /// The feed has another robot.
   void sourceChanged();
 
   const std::vector<PlotWidget*>& plots() const { return plots_; }
-  /// Empty, below the others; null: there are as many as there may be.
+  /// Empty, below the others; null: the maximum is reached.
   PlotWidget* addPlot();
   void removePlot(PlotWidget* plot);
-  /// False: it is there already, or there are as many as there may be; a sentence says so.
+  /// False: it exists already, or the maximum is reached; a sentence explains it.
   bool addCurve(PlotWidget* plot, const PlotWish& wish);
   void removeCurve(PlotWidget* plot, int curve);
-  /// In the plot at hand if it fits there by its unit, else in one of its own.
+  /// In the active plot if its unit fits, otherwise in a new one.
   void addQuantity(series::Quantity quantity);
   /// What the user typed.
   void addTyped();
@@ -59,18 +59,18 @@ class PlotsDock : public QDockWidget {
   QToolButton* quantitiesButton() const { return quantities_; }
   QPushButton* newPlotButton() const { return new_plot_; }
   QPushButton* wholeButton() const { return whole_; }
-  /// What was wrong last; empty = nothing.
+  /// The last error; empty = none.
   QString saidText() const;
 
   /// What is plotted, for settings.
   QString layout() const;
-  /// False: that was none, and nothing has changed.
+  /// False: invalid, and nothing has changed.
   bool restoreLayout(const QString& layout);
   void clearPlots();
 
  Q_SIGNALS:
   void seekWanted(double at_s);
-  /// All of the bag is to be read, or what is needed only.
+  /// Read the whole bag, or only what is needed.
   void wholeWanted(bool whole);
 
  protected:

@@ -17,7 +17,7 @@ namespace mapwright::window {
 
 namespace {
 
-/// An error that still holds; what is wrong with the robot itself has its own notice.
+/// An active error; problems of the robot itself have their own notice.
 bool isError(const session::LoggedProblem& row, const std::vector<map::SafetyCondition>& safety) {
   if (row.resolved || row.problem.severity != map::Severity::Error) return false;
   return std::none_of(safety.begin(), safety.end(), [&](const map::SafetyCondition& condition) {
@@ -44,8 +44,8 @@ void ProblemsController::setSession(session::Session* session) {
 }
 
 void ProblemsController::tellFirstError() {
-  // So that nobody overlooks it; after that the count in the status bar is enough. The panel does not open by
-  // itself: it would lie where somebody is about to click.
+  // So that it is noticed; after that the count in the status bar is enough. The panel does not open by
+  // itself: it could appear where the user is about to click.
   session::Session* const session = context_.current.session();
   if (told_ || !session) return;
   const auto& rows = session->problems().rows();

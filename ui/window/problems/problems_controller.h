@@ -24,7 +24,7 @@ class ProblemsController : public Controller {
 
   WindowContext& context_;
   ProblemsDock* dock_;
-  bool told_ = false;  // that there is an error, of this session
+  bool told_ = false;  // an error of this session has been reported
 };
 
 }  // namespace mapwright::window

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kLeastSizeM = 0.1;
 
-/// One side of an interval moved: the ends in their order, never in one place.
+/// Moves one end of an interval; the ends stay in order and apart.
 void pull(double& low, double& high, bool moves_low, double step) {
   (moves_low ? low : high) += step;
   if (low > high) std::swap(low, high);
@@ -72,7 +72,7 @@ RectGrip gripAt(const map::Projection& projection, const Eigen::Vector2d& at_m, 
   }
   const bool left = std::abs(at_m.x() - low.x()) <= reach_m, right = std::abs(at_m.x() - high.x()) <= reach_m;
   const bool bottom = std::abs(at_m.y() - low.y()) <= reach_m, top = std::abs(at_m.y() - high.y()) <= reach_m;
-  // The farther corner wins where a rectangle is smaller than the reach: it can be made larger again.
+  // If a rectangle is smaller than the reach the far corner wins, so that it can be enlarged.
   if (right && top) return RectGrip::TopRight;
   if (right && bottom) return RectGrip::BottomRight;
   if (left && top) return RectGrip::TopLeft;

@@ -1,4 +1,4 @@
-// What a robot is to lay on the plane, edited beside what it says that it does. Pure.
+// The projections of a robot, edited next to the ones it reports. Pure.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@ class ProjectionDraft {
  public:
   using List = std::vector<map::Projection>;
 
-  /// What the robot says. It is taken over, unless something was edited: then it is what revert() leads to.
-  /// True: it was taken over.
+  /// The reported list. It replaces the draft unless that was edited: then revert() returns to it. True: it
+  /// was replaced.
   bool tell(List told);
-  /// What the robot made of the list that it was sent: taken over, whatever was edited.
+  /// The robot's answer to the list that was sent: replaces the draft in any case.
   void settle(List told);
   void forget();
   void revert();
 
-  const std::optional<List>& told() const { return told_; }  // nullopt = the robot has said nothing
+  const std::optional<List>& told() const { return told_; }  // nullopt = nothing reported yet
   const List& wanted() const { return wanted_; }
   bool changed() const { return told_ ? wanted_ != *told_ : !wanted_.empty(); }
   /// The first one that cannot be sent.
@@ -30,7 +30,7 @@ class ProjectionDraft {
   const map::Projection* selectedOne() const {
     return selected_ ? &wanted_[std::size_t(*selected_)] : nullptr;
   }
-  /// Anything that is not there is none.
+  /// An invalid index selects none.
   void select(std::optional<int> index);
   /// At the end, selected.
   void add(const map::Projection& projection);
@@ -43,12 +43,13 @@ class ProjectionDraft {
   std::optional<int> selected_;
 };
 
-/// What of a rectangle on the map the hand has hold of.
+/// The part of a rectangle that is being dragged.
 enum class RectGrip { None, Inside, Left, Right, Bottom, Top, BottomLeft, BottomRight, TopLeft, TopRight };
 
-/// What is at `at_m`: an edge or a corner that is nearer than `reach_m`, else the inside.
+/// The part at `at_m`: an edge or corner within `reach_m`, otherwise the inside.
 RectGrip gripAt(const map::Projection& projection, const Eigen::Vector2d& at_m, double reach_m);
-/// `before` with that part moved by `step_m`; pulled over the other side it turns round, and has size always.
+/// `before` with that part moved by `step_m`; dragging across the opposite side flips it, and it never
+/// becomes empty.
 map::Projection moved(const map::Projection& before, RectGrip grip, const Eigen::Vector2d& step_m);
 
 }  // namespace mapwright::window

@@ -43,7 +43,7 @@ QCursor ProjectionTool::cursor() const {
     case RectGrip::TopRight:
       break;
   }
-  return Qt::PointingHandCursor;  // the view may be turned: an arrow would point elsewhere
+  return Qt::PointingHandCursor;  // the view may be rotated: an arrow would point in a wrong direction
 }
 
 void ProjectionTool::setEditable(bool editable, bool takes) {
@@ -72,7 +72,7 @@ RectGrip ProjectionTool::gripOnChosen(const MapPoint& at) const {
   return one ? gripAt(*one, at.world_m, kReachPx * scene_->view().scale_m_per_px) : RectGrip::None;
 }
 
-/// The one below the chosen one where they lie on each other: clicking again goes through them.
+/// Where they overlap, the one below the selected one: repeated clicks cycle through them.
 std::optional<int> ProjectionTool::indexAt(const MapPoint& at) const {
   const auto& all = draft_->wanted();
   const int count = int(all.size());
@@ -155,20 +155,20 @@ bool ProjectionTool::keyPressed(const MapKeyPress& press) {
 
 QString ProjectionTool::hint() const {
   if (!editable_ && draft_->wanted().empty()) {
-    return takes_ ? tr("The robot is waited for. Esc leaves.")
-                  : tr("There is no robot here that takes projections, and none to choose. Esc leaves.");
+    return takes_ ? tr("Waiting for the robot. Esc leaves.")
+                  : tr("Projections cannot be set on this robot, and there are none to select. Esc leaves.");
   }
-  if (!takes_) return tr("This robot takes no projections: click in one to choose it. Esc leaves.");
-  if (!editable_) return tr("Click in a projection to choose it. Esc leaves.");
+  if (!takes_) return tr("Projections cannot be set on this robot: click one to select it. Esc leaves.");
+  if (!editable_) return tr("Click a projection to select it. Esc leaves.");
   if (hold_ && hold_->index < 0 && hold_->from_m != hold_->to_m) {
     return tr("%1 x %2").arg(lengthText(std::abs(hold_->to_m.x() - hold_->from_m.x())),
                              lengthText(std::abs(hold_->to_m.y() - hold_->from_m.y())));
   }
   if (const map::Projection* const one = draft_->selectedOne()) {
-    return tr("%1 x %2. Drag it or its edges; Delete takes it out. Esc leaves.")
+    return tr("%1 x %2. Drag it or its edges; Delete removes it. Esc leaves.")
         .arg(lengthText(one->size_m.x()), lengthText(one->size_m.y()));
   }
-  return tr("Drag a rectangle for a new projection, click in one to choose it. Esc leaves.");
+  return tr("Drag a rectangle for a new projection, or click one to select it. Esc leaves.");
 }
 
 void ProjectionTool::paint(QPainter& painter) {
@@ -195,7 +195,7 @@ void ProjectionTool::paint(QPainter& painter) {
     const QFontMetricsF metrics(painter.font());
     QRectF plate(corners[3].x() + 6, corners[3].y() + 6, metrics.horizontalAdvance(tag) + 2 * kTagPadPx,
                  metrics.height() + 2 * kTagPadPx);
-    // Those of one place stand side by side.
+    // Overlapping labels are placed side by side.
     while (std::any_of(plates.begin(), plates.end(),
                        [&plate](const QRectF& other) { return other.intersects(plate); }))
       plate.translate(plate.width() + 2, 0);

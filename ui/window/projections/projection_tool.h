@@ -1,4 +1,4 @@
-// The rectangles of the projections on the map: drawn, chosen, moved, made larger.
+// The rectangles of the projections on the map: draw, select, move, resize.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@
 
 namespace mapwright::window {
 
-/// Drag on bare map: a new one. Click in one: it is chosen. Drag its edge, corner or inside: it changes.
-/// Delete takes the chosen one out. Esc leaves.
+/// Drag on an empty part of the map: a new one. Click one: select it. Drag its edge, corner or inside: change
+/// it. Delete removes the selected one. Esc leaves.
 class ProjectionTool : public MapTool {
   Q_OBJECT
  public:
-  /// Both must outlive this. Who changes the draft tells it by refresh().
+  /// Both must outlive this. Call refresh() after changing the draft.
   ProjectionTool(const scene::MapScene* scene, const ProjectionDraft* draft, QObject* parent = nullptr);
 
   QString name() const override { return QStringLiteral("projections"); }
@@ -30,7 +30,7 @@ class ProjectionTool : public MapTool {
   void paint(QPainter& painter) override;
   QString hint() const override;
 
-  /// Not editable: they are only looked at, for now, or because the robot does not take any.
+  /// Not editable: read-only for now, or because the robot cannot set them.
   void setEditable(bool editable, bool takes);
   void refresh();
 

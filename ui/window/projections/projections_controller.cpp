@@ -22,7 +22,7 @@ using robot::DispatchService;
 
 namespace {
 
-/// As far as grids of cells can be what they were made of.
+/// Within the precision of grid cells.
 bool isAbout(const map::Projection& told, const robot::ProjectedPart& part) {
   constexpr double kNearM = 0.5;
   const geometry::WorldRect bounds = part.part.grid.bounds();
@@ -39,13 +39,14 @@ ProjectionsController::ProjectionsController(WindowContext& context, QObject* pa
       dock_(new ProjectionsDock(&draft_, &context.window)),
       tool_(new ProjectionTool(&context.scene, &draft_, this)) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 56, .menu_rank = 44, .open = false});
-  QAction* const action = context_.actions.add({.id = "projections",
-                                                .text = tr("Edit pro&jections"),
-                                                .icon = "rectangle",
-                                                .tip = tr("Draw what a robot is to lay on the plane"),
-                                                .toggle = true,
-                                                .needs_session = true,
-                                                .menu = {MenuGroup::Tools, 80}});
+  QAction* const action =
+      context_.actions.add({.id = "projections",
+                            .text = tr("Edit pro&jections"),
+                            .icon = "rectangle",
+                            .tip = tr("Draw the regions that the robot projects to 2D maps"),
+                            .toggle = true,
+                            .needs_session = true,
+                            .menu = {MenuGroup::Tools, 80}});
   context_.tools.add(tool_, action);
   connect(action, &QAction::toggled, this, [this](bool on) {
     dock_->setDrawing(on);
@@ -63,7 +64,7 @@ ProjectionsController::ProjectionsController(WindowContext& context, QObject* pa
   connect(dock_, &ProjectionsDock::sendWanted, this, &ProjectionsController::send);
   connect(dock_, &ProjectionsDock::addWanted, this, [this] {
     const geometry::WorldRect seen = context_.view.destination().visibleWorld();
-    // The middle half of what is in view: its edges can be seen and taken hold of.
+    // The middle half of the visible area: its edges can be seen and dragged.
     add(seen.grown(-std::min(seen.width(), seen.height()) / 4));
   });
   const auto take_out = [this] {
@@ -116,8 +117,7 @@ void ProjectionsController::beforeLeavingRobot(std::function<void()> then) {
   if (!unsaved()) return then();
   if (question_) return;
   question_ = new QMessageBox(QMessageBox::Question, tr("Projections"),
-                              tr("The projections have been edited and are not set on the robot. Leave it "
-                                 "without setting them?"),
+                              tr("The edited projections have not been set on the robot. Discard them?"),
                               QMessageBox::Cancel, &context_.window);
   question_->setTextFormat(Qt::PlainText);
   question_->setAttribute(Qt::WA_DeleteOnClose);
@@ -146,11 +146,11 @@ void ProjectionsController::follow() {
       connect(offered, &robot::MapDispatch::projectedChanged, this, &ProjectionsController::followProjected);
     }
   }
-  // Another robot may answer once it is back, or the same one with another list.
+  // After a reconnect it may be another robot, or the same one with another list.
   if (session && session->connection().phase != robot::ConnectionPhase::Online) tried_ = false;
   QString absence;
   if (!session) {
-    absence = tr("Connect to a robot with a map dispatcher to see what it projects.");
+    absence = tr("Connect to a robot with a map dispatcher to see its projections.");
   } else if (!offered) {
     absence = sentences::whyAbsent(robot::Capability::Dispatch,
                                    session->robot().whyNot(robot::Capability::Dispatch));
@@ -166,7 +166,7 @@ void ProjectionsController::follow() {
   refresh();
 }
 
-/// A projected map has come or gone. What the list says already is no news.
+/// A projected map was added or removed. Ignored if the list already says so.
 void ProjectionsController::followProjected(int index) {
   const robot::MapDispatch* const offered = dispatch();
   if (!offered || !draft_.told() || !call_.over()) return;
@@ -237,14 +237,14 @@ void ProjectionsController::take(const robot::Outcome<ProjectionDraft::List>& ou
   if (!outcome) {
     dock_->setOutcome(QString::fromStdString(sentences::sentenceOf(outcome.error())), true);
   } else if (!draft_.tell(*outcome)) {
-    dock_->setOutcome(tr("The robot has answered. What is edited here is kept; Revert shows what it says."),
+    dock_->setOutcome(tr("The robot has answered. Your edits are kept; Revert shows the robot's answer."),
                       false);
   } else if (const robot::MapDispatch* const offered = dispatch(); offered && !offered->silent().empty()) {
     QStringList names;
     for (const std::string& topic : offered->silent()) names << words::plainName(topic);
-    dock_->setOutcome(
-        tr("The robot has more, but nothing has come of it: %1.").arg(names.join(QStringLiteral(", "))),
-        true);
+    dock_->setOutcome(tr("The robot has more projections, but nothing has arrived for them: %1.")
+                          .arg(names.join(QStringLiteral(", "))),
+                      true);
   }
   refresh();
   askWhenSeen();  // there may be news since
@@ -266,7 +266,7 @@ void ProjectionsController::send() {
 void ProjectionsController::takeSet(const ProjectionDraft::List& wanted,
                                     const robot::Outcome<ProjectionDraft::List>& outcome) {
   call_ = {};
-  tried_ = true;  // it has just been told
+  tried_ = true;  // it has just been reported
   dock_->setBusy(false);
   if (!outcome) {
     dock_->setOutcome(QString::fromStdString(sentences::sentenceOf(outcome.error())), true);
@@ -275,15 +275,13 @@ void ProjectionsController::takeSet(const ProjectionDraft::List& wanted,
   draft_.settle(*outcome);
   const qint64 others = map::differing(wanted, *outcome);
   if (others == 0) {
-    dock_->setOutcome(tr("The robot has taken it."), false);
+    dock_->setOutcome(tr("The robot accepted the projections."), false);
   } else {
-    dock_->setOutcome(
-        sentences::counted(
-            tr("The robot has answered, but %1 projections are not what it was sent. The table shows what it "
-               "says.",
-               nullptr, sentences::formOf(others)),
-            others),
-        true);
+    dock_->setOutcome(sentences::counted(tr("The robot has answered, but %1 projections differ from what was "
+                                            "sent. The table shows its answer.",
+                                            nullptr, sentences::formOf(others)),
+                                         others),
+                      true);
   }
   refresh();
 }

@@ -1,5 +1,4 @@
-// What a map dispatcher lays on the plane: asked for, edited on the map, in the section and in a table, and
-// set.
+// The projections of a map dispatcher: read, edited on the map, in the section and in a table, and set.
 #pragma once
 
 #include <QMessageBox>
@@ -36,7 +35,7 @@ class ProjectionsController : public Controller {
   void setHeights(int index, double low_m, double high_m);
 
  Q_SIGNALS:
-  /// The heights of the projections, as a section shows them.
+  /// The heights of the projections, for the section.
   void bandsChanged(const std::vector<mapwright::window::SectionBand>& bands);
 
  private:
@@ -57,8 +56,8 @@ class ProjectionsController : public Controller {
   QPointer<QMessageBox> question_;
   QPointer<robot::MapDispatch> followed_;
   robot::Call call_;
-  std::uint64_t asked_ = 0;  // counts the requests: an answer to an older one is of no use
-  bool tried_ = false;       // it was asked by itself, and nothing else is known since
+  std::uint64_t asked_ = 0;  // counts the requests: answers to older ones are ignored
+  bool tried_ = false;       // it was requested automatically, and nothing new is known since
 };
 
 }  // namespace mapwright::window

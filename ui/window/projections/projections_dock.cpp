@@ -32,7 +32,7 @@ QPushButton* smallButton(const QString& text, const QString& tip, QWidget* paren
   return button;
 }
 
-/// Metres are typed into a box that knows its bounds; the frame into a line.
+/// Metres are typed into a box with limits; the frame into a line.
 class NumberDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -62,12 +62,12 @@ ProjectionsDock::ProjectionsDock(const ProjectionDraft* draft, QWidget* parent)
       body_(new QWidget(this)),
       table_(new QTableView(body_)) {
   setObjectName(QStringLiteral("projections"));
-  ask_ = smallButton(tr("Ask again"), tr("Ask the robot what it projects now"), body_);
-  add_ = smallButton(tr("Add"), tr("One more projection, of what is in view"), body_);
-  draw_ = smallButton(tr("On the map"), tr("Draw, choose and drag the rectangles on the map"), body_);
+  ask_ = smallButton(tr("Reload"), tr("Ask the robot for its current projections"), body_);
+  add_ = smallButton(tr("Add"), tr("Add a projection of the visible area"), body_);
+  draw_ = smallButton(tr("On the map"), tr("Draw, select and move the rectangles on the map"), body_);
   draw_->setCheckable(true);
-  remove_ = smallButton(tr("Take out"), tr("Take the chosen projection out of the list (Delete)"), body_);
-  revert_ = smallButton(tr("Revert"), tr("Back to what the robot says"), body_);
+  remove_ = smallButton(tr("Remove"), tr("Remove the selected projection from the list (Delete)"), body_);
+  revert_ = smallButton(tr("Revert"), tr("Back to the robot's projections"), body_);
   send_ = smallButton(tr("Set on the robot"), {}, body_);
 
   table_->setModel(model_);
@@ -77,7 +77,7 @@ ProjectionsDock::ProjectionsDock(const ProjectionDraft* draft, QWidget* parent)
   table_->setAccessibleName(tr("Projections"));
   table_->setTabKeyNavigation(false);
   table_->setWordWrap(false);
-  // All of a row is to be seen at once: the frame, mostly the same, takes what is left.
+  // A whole row should be visible: the frame, usually the same, gets the remaining width.
   table_->horizontalHeader()->setMinimumSectionSize(kLeastColumnPx);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(ProjectionsModel::Frame, QHeaderView::Stretch);
@@ -89,7 +89,7 @@ ProjectionsDock::ProjectionsDock(const ProjectionDraft* draft, QWidget* parent)
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(6);
   auto* const unit = plainLines(body_);
-  unit->setText(tr("Metres; X and Y of the lower left corner."));
+  unit->setText(tr("In metres; X and Y are those of the lower left corner."));
   column->addWidget(unit);
   column->addWidget(table_, 1);
   auto* const edits = new QHBoxLayout;
@@ -118,7 +118,7 @@ ProjectionsDock::ProjectionsDock(const ProjectionDraft* draft, QWidget* parent)
   connect(remove_, &QPushButton::clicked, this, &ProjectionsDock::removeWanted);
   connect(revert_, &QPushButton::clicked, this, &ProjectionsDock::revertWanted);
   connect(send_, &QPushButton::clicked, this, [this] {
-    // It is greyed at once, and the keyboard would go on to another dock.
+    // It is disabled at once, and the focus would move to another dock.
     table_->setFocus();
     Q_EMIT sendWanted();
   });
@@ -177,29 +177,29 @@ void ProjectionsDock::refresh() {
   revert_->setEnabled(editable && draft_->told() && draft_->changed());
   ask_->setEnabled(offer_.online && offer_.reads && !busy_);
   send_->setEnabled(editable && offer_.online && draft_->changed() && !flawed);
-  send_->setToolTip(!offer_.changes  ? tr("This robot takes no projections.")
+  send_->setToolTip(!offer_.changes  ? tr("Projections cannot be set on this robot.")
                     : !offer_.online ? tr("The robot is not connected.")
                     : flawed         ? flawText(map::flawOf(draft_->wanted()[std::size_t(*flawed)]))
-                                     : tr("Send the whole list; what the robot then says is shown"));
+                                     : tr("Send the whole list; the robot's answer is shown afterwards"));
   QString state;
   if (busy_) {
     state = tr("Waiting for the robot…");
   } else if (!draft_->told() && !draft_->changed()) {
-    state = offer_.reads ? tr("The robot has not said yet what it projects.")
-                         : tr("This robot does not tell what it projects.");
+    state = offer_.reads ? tr("The robot has not reported its projections yet.")
+                         : tr("This robot does not report its projections.");
   } else if (flawed) {
     state = tr("Projection %1 cannot be sent. %2")
                 .arg(QString::number(*flawed), flawText(map::flawOf(draft_->wanted()[std::size_t(*flawed)])));
   } else if (draft_->changed()) {
-    state = tr("Edited here: it is not what the robot says.");
+    state = tr("Edited here, not set on the robot yet.");
   } else if (draft_->wanted().empty()) {
-    state = tr("The robot projects nothing.");
+    state = tr("The robot has no projections.");
   } else {
     const auto count = qint64(draft_->wanted().size());
-    state = sentences::counted(tr("The robot projects %1 maps.", nullptr, sentences::formOf(count)), count);
+    state = sentences::counted(tr("The robot has %1 projections.", nullptr, sentences::formOf(count)), count);
   }
   if (!offer_.changes && offer_.reads) {
-    state += QLatin1Char(' ') + tr("They can only be read here: its service takes none.");
+    state += QLatin1Char(' ') + tr("They are read-only here: the robot offers no service to set them.");
   }
   state_->setText(state);
 }

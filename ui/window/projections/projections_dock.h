@@ -1,4 +1,4 @@
-// What a robot lays on the plane of a map in space: a table to read and to edit.
+// The projections of a robot's 3D map: a table to read and edit.
 #pragma once
 
 #include <QDockWidget>
@@ -10,7 +10,7 @@
 
 namespace mapwright::window {
 
-/// What can be done now.
+/// The actions possible now.
 struct ProjectionsOffer {
   bool online = false, reads = false, changes = false;
 };
@@ -18,14 +18,14 @@ struct ProjectionsOffer {
 class ProjectionsDock : public QDockWidget {
   Q_OBJECT
  public:
-  /// The draft must outlive this; who changes it says so by refresh().
+  /// The draft must outlive this; call refresh() after changing it.
   explicit ProjectionsDock(const ProjectionDraft* draft, QWidget* parent = nullptr);
 
-  /// Not empty: there is nothing to be read or edited, and this says why.
+  /// Not empty: why there is nothing to read or edit.
   void setAbsence(const QString& sentence);
   void setOffer(const ProjectionsOffer& offer);
   void setBusy(bool busy);
-  /// How the last request ended; empty = nothing to say.
+  /// The result of the last request; empty = none.
   void setOutcome(const QString& sentence, bool bad);
   void setDrawing(bool drawing);
   void refresh();
@@ -60,7 +60,7 @@ class ProjectionsDock : public QDockWidget {
   QPushButton *ask_, *add_, *draw_, *remove_, *revert_, *send_;
   ProjectionsOffer offer_;
   bool busy_ = false;
-  bool selecting_ = false;  // by refresh(), not by hand
+  bool selecting_ = false;  // by refresh(), not by the user
 };
 
 }  // namespace mapwright::window

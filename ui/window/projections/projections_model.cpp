@@ -46,7 +46,7 @@ void setNumber(map::Projection& one, int column, double value) {
   }
 }
 
-/// To the centimetre, without zeros that say nothing: all columns are to be seen side by side.
+/// To the centimetre, without trailing zeros, so that all columns fit.
 QString shortNumber(double value) {
   QString text = QString::number(value, 'f', 2);
   while (text.contains(QLatin1Char('.')) &&
@@ -65,13 +65,13 @@ QString flawText(map::ProjectionFlaw flaw) {
     case map::ProjectionFlaw::None:
       break;
     case map::ProjectionFlaw::NotFinite:
-      return ProjectionsModel::tr("One of its numbers is none.");
+      return ProjectionsModel::tr("One of its values is not a number.");
     case map::ProjectionFlaw::TooFar:
-      return ProjectionsModel::tr("It lies farther away than 10,000 km.");
+      return ProjectionsModel::tr("It is more than 10,000 km away.");
     case map::ProjectionFlaw::WithoutSize:
-      return ProjectionsModel::tr("Its width and its height must be more than 0.");
+      return ProjectionsModel::tr("Its width and height must be greater than 0.");
     case map::ProjectionFlaw::HeightsCrossed:
-      return ProjectionsModel::tr("Its lower height must be below its upper one.");
+      return ProjectionsModel::tr("Its lower height must be below its upper height.");
   }
   return {};
 }
@@ -102,7 +102,7 @@ QVariant ProjectionsModel::data(const QModelIndex& index, int role) const {
       return flaw.isEmpty() ? QVariant() : flaw.toHtmlEscaped();
     }
     case Qt::FontRole: {
-      // What the robot does not say is not there yet.
+      // Not confirmed by the robot yet.
       const auto& told = draft_->told();
       const bool known = told && index.row() < int(told->size()) && (*told)[std::size_t(index.row())] == one;
       QFont font;

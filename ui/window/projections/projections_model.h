@@ -12,7 +12,7 @@ class ProjectionsModel : public QAbstractTableModel {
  public:
   enum Column { X, Y, Width, Height, MinZ, MaxZ, Frame, kColumns };
 
-  /// The draft must outlive this; who changes it says so by refresh().
+  /// The draft must outlive this; call refresh() after changing it.
   explicit ProjectionsModel(const ProjectionDraft* draft, QObject* parent = nullptr);
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -30,7 +30,7 @@ class ProjectionsModel : public QAbstractTableModel {
 
  private:
   const ProjectionDraft* draft_;
-  int rows_ = 0;  // as the view knows them
+  int rows_ = 0;  // as known to the view
   bool editable_ = false;
 };
 

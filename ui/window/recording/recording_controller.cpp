@@ -30,7 +30,7 @@ const QString kRecordingFolderKey = QStringLiteral("recording/folder");
 const QString kWish = QStringLiteral("recording");
 constexpr int kIconPx = 20;
 
-/// The scheme of an address without what joins it: "axbot".
+/// The scheme of an address without its separator: "axbot".
 std::string kindOf(const robot::Addresses& addresses, const QString& address) {
   const auto parsed = addresses.parse(address);
   QString scheme = parsed ? parsed->scheme : QString();
@@ -47,7 +47,7 @@ QString recordedFor(double seconds) {
   return QStringLiteral("%1:%2:%3").arg(whole / 3'600).arg(whole / 60 % 60, 2, 10, zero).arg(last);
 }
 
-/// What the user named the robot, as far as it can be part of a file's name.
+/// The robot's name, as far as it can be part of a file name.
 QString fileNameFor(const robot::RobotIdentity& identity) {
   QString name;
   for (const QChar c : identity.name.isEmpty() ? identity.serial : identity.name)
@@ -63,9 +63,9 @@ QString fileNameFor(const robot::RobotIdentity& identity) {
 RecordingController::RecordingController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context), label_(new PlainLabel(&context.bar)) {
   action_ = context_.actions.add({.id = "record",
-                                  .text = tr("R&ecord into a file…"),
+                                  .text = tr("R&ecord to a file…"),
                                   .icon = "record",
-                                  .tip = tr("Record what the robot sends into a file; again to stop"),
+                                  .tip = tr("Record what the robot sends to a file; again to stop"),
                                   .toggle = true,
                                   .menu = {MenuGroup::Link, 30},
                                   .bar = {BarGroup::Robot, 20}},
@@ -82,7 +82,7 @@ RecordingController::~RecordingController() {
 
 void RecordingController::setSession(session::Session* session) {
   if (recorder_) {
-    // The robot is being left: what came until now is finished first.
+    // The robot is being left: first finishes the file.
     recorder_->disconnect(this);
     recorder_->finish();
     delete conclude();
@@ -109,7 +109,7 @@ void RecordingController::askAndStart() {
   if (!session_) return;
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   const QDir folder(folderToWriteInto({context_.settings.value(kRecordingFolderKey).toString(), documents}));
-  QString path = QFileDialog::getSaveFileName(&context_.window, tr("Record into a file"),
+  QString path = QFileDialog::getSaveFileName(&context_.window, tr("Record to a file"),
                                               folder.filePath(fileNameFor(session_->robot().identity())),
                                               tr("Recordings (*.mcap)"));
   if (path.isEmpty()) return;
@@ -119,7 +119,7 @@ void RecordingController::askAndStart() {
 }
 
 std::optional<QString> RecordingController::startInto(const QString& path) {
-  if (!session_ || recorder_) return tr("There is no robot to record.");
+  if (!session_ || recorder_) return tr("There is no robot to record from.");
   auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
   if (!target) return sentences::wordsOf(disk::notWritten(target.error()));
   recorder::Recorder::Options options;
@@ -133,13 +133,13 @@ std::optional<QString> RecordingController::startInto(const QString& path) {
   interruptions_ = not_had_ = 0;
   away_ = false;
   connect(recorder_.get(), &recorder::Recorder::progressed, this, &RecordingController::tellProgress);
-  // It may not go while it is telling.
+  // It must not be destroyed while it emits a signal.
   connect(recorder_.get(), &recorder::Recorder::finished, this, [this] { conclude()->deleteLater(); });
   connect(recorder_.get(), &recorder::Recorder::notHad, this, [this](const map::Failure& failure) {
     ++not_had_;
     if (session_) session_->report(map::problemOf(failure, map::Severity::Warning));
   });
-  // Whatever it can send, not only what is on screen.
+  // Everything it can send, not only what is on screen.
   session_->want(kWish, recorder::everyStream());
   map::SubmapList listed;
   listed.uuid = session_->book().uuid();
@@ -171,11 +171,11 @@ recorder::Recorder* RecordingController::conclude() {
     toasts->add(Mark::Bad, sentences::wordsOf(disk::notWritten(fault)));
   } else if (const QStringList lacks = this->lacks(done); !lacks.isEmpty()) {
     toasts->add(Mark::Warning,
-                tr("Recorded into %1, which is not complete: %2")
+                tr("Recorded to %1, but it is incomplete: %2")
                     .arg(file, lacks.join(QStringLiteral("; ")) + QLatin1Char('.')),
                 play);
   } else {
-    toasts->add(Mark::Good, tr("Recorded into %1").arg(file), play);
+    toasts->add(Mark::Good, tr("Recorded to %1").arg(file), play);
   }
   refresh();
   return recorder;
@@ -185,12 +185,12 @@ QStringList RecordingController::lacks(const recorder::Recorder::Progress& done)
   QStringList lacks;
   if (interruptions_ > 0) {
     QString lost = tr("the connection was lost, times: %1").arg(interruptions_);
-    if (away_) lost += tr(", the last time until the end");
+    if (away_) lost += tr(", and not restored at the end");
     lacks << lost;
   }
   if (done.written.lost > 0)
     lacks << tr("messages lost because the disk or this computer was too slow: %1").arg(done.written.lost);
-  if (not_had_ > 0) lacks << tr("maps, lists or places that could not be had: %1").arg(not_had_);
+  if (not_had_ > 0) lacks << tr("maps, lists or waypoints that could not be loaded: %1").arg(not_had_);
   return lacks;
 }
 
@@ -209,7 +209,7 @@ void RecordingController::takeLink() {
   } else if (away_ && link.phase == robot::ConnectionPhase::Online) {
     away_ = false;
     context_.overlay.toasts()->add(Mark::Neutral,
-                                   tr("Connected again after %1: the recording goes on.").arg(after));
+                                   tr("Reconnected after %1: recording continues.").arg(after));
   }
   tellProgress();
 }
@@ -218,7 +218,7 @@ void RecordingController::wantOpenMaps() {
   if (!recording() || !session_) return;
   for (const session::MapSlot* const slot : {&session_->wholeMap(), &session_->comparedMap()}) {
     const map::MapKey& key = slot->key();
-    // What was kept for comparing is no map of the robot's.
+    // A map kept for comparing is not one of the robot's maps.
     const bool kept = slot->shown().key == key && slot->shown().state_of;
     if (slot->phase() != session::MapSlot::Phase::Empty && key.kind != map::MapKind::Live && !kept)
       recorder_->fetches().wantMap(key);
@@ -231,12 +231,12 @@ QString RecordingController::shown() const {
 
 void RecordingController::refresh() {
   const bool can = session_ && robot::deliversOf(session_->robot()) != nullptr;
-  // One that is under way goes on when the link is lost; none begins then.
+  // A recording in progress continues when the connection is lost; a new one cannot be started.
   const bool online = session_ && session_->connection().phase == robot::ConnectionPhase::Online;
   action_->setEnabled(can && (recorder_ ? !recorder_->stopped() : online));
   action_->setToolTip(can && !online && !recorder_
-                          ? tr("The robot cannot be reached at present.")
-                          : tr("Record what the robot sends into a file; again to stop"));
+                          ? tr("The robot cannot be reached at the moment.")
+                          : tr("Record what the robot sends to a file; again to stop"));
   action_->setChecked(recording());
   const QColor red = appColors().error;
   QIcon icon = themedIcon(QStringLiteral("record"));
@@ -259,11 +259,10 @@ void RecordingController::tellProgress() {
   if (now.written.fault && now.written.fault != told_) {
     disk::FileError fault = *now.written.fault;
     if (fault.path.empty()) fault.path = path_.toStdString();
-    toasts->add(
-        Mark::Bad,
-        tr("%1 Recording goes on when there is room.").arg(sentences::wordsOf(disk::notWritten(fault))));
+    toasts->add(Mark::Bad, tr("%1 Recording continues when there is enough disk space.")
+                               .arg(sentences::wordsOf(disk::notWritten(fault))));
   } else if (!now.written.fault && told_) {
-    toasts->add(Mark::Good, tr("The recording is being written again."));
+    toasts->add(Mark::Good, tr("Recording to the file continues."));
   }
   told_ = now.written.fault;
 }

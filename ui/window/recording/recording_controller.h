@@ -1,4 +1,5 @@
-// The red button: what the robot sends goes into a file, until it is pressed again or the robot is left.
+// The record button: writes what the robot sends to a file, until it is pressed again or the robot is
+// disconnected.
 #pragma once
 
 #include <memory>
@@ -38,13 +39,13 @@ class RecordingController : public Controller {
   void askAndStart();
   void refresh();
   void tellProgress();
-  /// How the link stands: a recording has a gap where it was away.
+  /// The connection state: a recording has a gap while it is lost.
   void takeLink();
-  /// Whole maps that are on screen belong to the recording.
+  /// Adds the whole maps on screen to the recording.
   void wantOpenMaps();
-  /// Why the file is not all that was sent; empty: it is.
+  /// Why the file is incomplete; empty: it is not.
   QStringList lacks(const recorder::Recorder::Progress& done) const;
-  /// The file is complete, or as complete as it can be: says so, and gives away its recorder.
+  /// The file is as complete as possible: reports it and releases its recorder.
   recorder::Recorder* conclude();
 
   WindowContext& context_;
@@ -56,7 +57,7 @@ class RecordingController : public Controller {
   std::optional<disk::FileError> told_;  // why nothing is being written
   bool away_ = false;                    // the link is lost
   int interruptions_ = 0;
-  int not_had_ = 0;  // what was asked for besides
+  int not_had_ = 0;  // additional requests that failed
 };
 
 }  // namespace mapwright::window

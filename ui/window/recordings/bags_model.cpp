@@ -115,7 +115,7 @@ QString BagsModel::text(const robot::BagEntry& entry, int column) const {
       return entry.size_bytes ? bytesText(*entry.size_bytes) : plainWords(entry.size_text, 20);
     case DurationColumn: {
       const auto known = durations_.find(entry.key);
-      // Robots tell whole seconds.
+      // Robots give whole seconds.
       return known == durations_.end() ? QStringLiteral("—") : elapsedText(known->second).chopped(2);
     }
     case EndColumn:
@@ -150,7 +150,7 @@ QVariant BagsModel::data(const QModelIndex& index, int role) const {
       return sortValue(*entry, index.column());
     case Qt::ToolTipRole:
       if (index.column() == DurationColumn && !durations_.contains(entry->key))
-        return tr("How long it is the robot tells when it is opened.");
+        return tr("The robot reports the length when the bag is opened.");
       return plainToolTip(text(*entry, index.column()));
     case Qt::TextAlignmentRole:
       return int(isFigure(index.column()) ? Qt::AlignRight | Qt::AlignVCenter

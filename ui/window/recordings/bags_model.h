@@ -1,4 +1,4 @@
-// The bags and recordings of a robot as a table, each with what is going on with it.
+// The bags and recordings of a robot as a table, each with its progress.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace mapwright::window {
 
-/// What is said of a row besides what the robot lists.
+/// Additional text for a row.
 struct BagNote {
   enum class Kind {
     None,
@@ -37,11 +37,11 @@ class BagsModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Notes of bags that are listed again stay.
+  /// Notes of bags that are still listed are kept.
   void setRows(std::vector<robot::BagEntry> rows);
   void clear();
   void setNote(const robot::BagKey& key, BagNote note);
-  /// Robots tell it of one bag only, when that is asked for. Stays when the list is cleared.
+  /// Robots report it for one bag on request. Kept when the list is cleared.
   void setDuration(const robot::BagKey& key, double length_s);
   void forgetDurations() { durations_.clear(); }
   BagNote note(const robot::BagKey& key) const;

@@ -34,7 +34,7 @@ RecordDialog::RecordDialog(QWidget* parent)
   said_->setTextFormat(Qt::PlainText);
   said_->setWordWrap(true);
   duration_->setRange(0, kLongestS);
-  duration_->setSpecialValueText(tr("as the robot thinks right"));
+  duration_->setSpecialValueText(tr("robot's default"));
   duration_->setSuffix(tr(" s"));
   auto* const form = new QFormLayout;
   form->addRow(tr("&Suffix of the name"), suffix_);
@@ -68,10 +68,10 @@ void RecordDialog::say(const QString& sentence, bool bad) {
 }
 
 void RecordDialog::check() {
-  // It becomes part of a file name on the robot. What cannot be in it is told, not swallowed.
+  // It becomes part of a file name on the robot. Invalid characters are reported, not removed.
   static const QRegularExpression fits(QStringLiteral("^[A-Za-z0-9_-]*$"));
   const bool good = fits.match(suffix_->text()).hasMatch();
-  say(good ? QString() : tr("A suffix has letters from A to Z, digits, - and _ only."), !good);
+  say(good ? QString() : tr("A suffix may only contain letters from A to Z, digits, - and _."), !good);
   record_->setEnabled(good && !asking_);
 }
 

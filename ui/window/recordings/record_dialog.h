@@ -1,4 +1,5 @@
-// What the robot is to record: a suffix of the name, and how long. Stays until the robot has said yes.
+// What the robot should record: a suffix for the name, and the length. Stays open until the robot has
+// accepted.
 #pragma once
 
 #include <functional>
@@ -22,9 +23,9 @@ class RecordDialog : public QDialog {
   QLineEdit* suffix() const { return suffix_; }
   QSpinBox* duration() const { return duration_; }
   QPushButton* recordButton() const { return record_; }
-  /// What is wrong; empty = nothing.
+  /// The error; empty = none.
   QString errorShown() const;
-  /// The robot is being asked.
+  /// The request is in progress.
   void setAsking(bool asking);
   void fail(const QString& sentence);
 

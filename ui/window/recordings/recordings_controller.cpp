@@ -33,7 +33,7 @@ const QString kRecordingsFolderKey = QStringLiteral("recordings/folder");
 
 QString sentence(const map::Failure& failure) { return words::plainName(sentences::sentenceOf(failure)); }
 
-/// A file name of a name from a robot.
+/// A file name from a robot's name.
 QString fileNameOf(const BagKey& key) {
   return words::fileName(bagCalled(key), QStringLiteral("recording.bag"));
 }
@@ -46,7 +46,7 @@ RecordingsController::RecordingsController(WindowContext& context, QObject* pare
   context_.actions.add({.id = "showRecordings",
                         .text = tr("Reco&rdings…"),
                         .icon = "recordings",
-                        .tip = tr("What the robot has recorded, to be replayed"),
+                        .tip = tr("The robot's recordings, which can be replayed"),
                         .menu = {MenuGroup::Link, 35}},
                        this, [this] { context_.panels.open(dock_); });
   connect(dock_, &RecordingsDock::refreshWanted, this, &RecordingsController::refresh);
@@ -74,9 +74,8 @@ robot::BagLibrary* RecordingsController::library() const {
 
 void RecordingsController::setSession(session::Session* session) {
   if (!downloads_.empty())
-    context_.overlay.toasts()->add(
-        Mark::Warning,
-        tr("The downloads stopped because the robot was left. Download again to the same file to go on."));
+    context_.overlay.toasts()->add(Mark::Warning, tr("The downloads stopped when the robot was disconnected. "
+                                                     "Download to the same file again to resume them."));
   downloads_.clear();
   delete question_;
   delete recordDialog();
@@ -147,7 +146,7 @@ void RecordingsController::open(const BagKey& key) {
     if (!outcome) return fail(key, outcome.error());
     dock_->model()->setNote(key, {});
     dock_->model()->setDuration(key, outcome->end_s - outcome->start_s);
-    // The robot that answers here is left then: not from within its answer.
+    // This leaves the robot that is answering: not from within its answer.
     QMetaObject::invokeMethod(
         this, [this, key] { Q_EMIT openWanted(key); }, Qt::QueuedConnection);
   });
@@ -194,9 +193,9 @@ void RecordingsController::takeDownload(const BagKey& key, const QString& path,
     dock_->model()->setNote(
         key, {BagNote::Kind::Downloaded, tr("downloaded to %1").arg(words::plainName(where)), path});
     context_.overlay.toasts()->add(
-        Mark::Good, tr("%1 is downloaded, %2.").arg(bagCalled(key), bytesText(outcome->bytes)));
+        Mark::Good, tr("%1 was downloaded, %2.").arg(bagCalled(key), bytesText(outcome->bytes)));
   } else if (outcome.error().kind == map::FailureKind::Cancelled) {
-    dock_->model()->setNote(key, {BagNote::Kind::Stopped, tr("stopped; goes on where it was"), path});
+    dock_->model()->setNote(key, {BagNote::Kind::Stopped, tr("stopped; can be resumed"), path});
   } else {
     fail(key, outcome.error(), path);
   }
@@ -214,20 +213,21 @@ void RecordingsController::record(RecordDialog* asked) {
   robot::BagLibrary* const library = this->library();
   if (!library) return;
   asked->setAsking(true);
-  library->record(asked->order(), [this, asking = QPointer<QDialog>(asked)](
-                                      const robot::Outcome<robot::BagEntry>& outcome) {
-    auto* const dialog = qobject_cast<RecordDialog*>(asking.data());
-    // Who has closed it is told all the same.
-    const bool open = dialog && dialog->isVisible();
-    if (outcome) {
-      context_.overlay.toasts()->add(Mark::Good, tr("The robot records %1.").arg(bagCalled(outcome->key)));
-      if (open) dialog->accept();
-    } else {
-      const QString why = tr("Nothing was recorded: %1").arg(sentence(outcome.error()));
-      open ? dialog->fail(why) : context_.overlay.toasts()->add(Mark::Bad, why);
-    }
-    refresh();
-  });
+  library->record(asked->order(),
+                  [this, asking = QPointer<QDialog>(asked)](const robot::Outcome<robot::BagEntry>& outcome) {
+                    auto* const dialog = qobject_cast<RecordDialog*>(asking.data());
+                    // If it was closed, the result is reported anyway.
+                    const bool open = dialog && dialog->isVisible();
+                    if (outcome) {
+                      context_.overlay.toasts()->add(
+                          Mark::Good, tr("The robot is recording %1.").arg(bagCalled(outcome->key)));
+                      if (open) dialog->accept();
+                    } else {
+                      const QString why = tr("Nothing was recorded: %1").arg(sentence(outcome.error()));
+                      open ? dialog->fail(why) : context_.overlay.toasts()->add(Mark::Bad, why);
+                    }
+                    refresh();
+                  });
 }
 
 void RecordingsController::askToDelete(const BagKey& key) {
@@ -237,7 +237,7 @@ void RecordingsController::askToDelete(const BagKey& key) {
   if (question_) return question_->raise();
   const QString size = index.siblingAtColumn(BagsModel::SizeColumn).data().toString();
   question_ = new QMessageBox(QMessageBox::Warning, tr("Delete from the robot"),
-                              tr("Delete the %1 %2 (%3) from the robot? It cannot be brought back.")
+                              tr("Delete the %1 %2 (%3) from the robot? This cannot be undone.")
                                   .arg(kindWord(key.kind), bagCalled(key), size),
                               QMessageBox::Cancel, &context_.window);
   question_->setTextFormat(Qt::PlainText);
@@ -258,7 +258,7 @@ void RecordingsController::remove(const BagKey& key) {
       return dock_->model()->setNote(
           key, {BagNote::Kind::Failed, tr("not deleted: %1").arg(sentence(outcome.error()))});
     dock_->model()->setNote(key, {});
-    context_.overlay.toasts()->add(Mark::Good, tr("%1 is deleted.").arg(bagCalled(key)));
+    context_.overlay.toasts()->add(Mark::Good, tr("%1 was deleted.").arg(bagCalled(key)));
     refresh();
   });
 }

@@ -1,4 +1,4 @@
-// The bags and recordings of the robot: listed, opened, downloaded, recorded and deleted.
+// The bags and recordings of the robot: list, open, download, record and delete.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,14 @@ class RecordingsController : public Controller {
   explicit RecordingsController(WindowContext& context, QObject* parent = nullptr);
 
   RecordingsDock* dock() const { return dock_; }
-  QMessageBox* question() const { return question_; }  // null: none is asked
+  QMessageBox* question() const { return question_; }  // null: none is open
   RecordDialog* recordDialog() const;                  // null: not open
   void setSession(session::Session* session) override;
   void refresh();
-  /// Asks the robot for its times first: one that is missing or damaged says so on its row, and what is on
-  /// screen stays.
+  /// Requests its times from the robot first: a missing or damaged one shows the error on its row, and the
+  /// screen stays as it is.
   void open(const robot::BagKey& key);
-  /// Into this file; what an earlier attempt left of it is gone on with where the robot can do that.
+  /// To this file; resumes an earlier attempt if the robot supports it.
   void download(const robot::BagKey& key, const QString& path);
 
  Q_SIGNALS:
@@ -50,10 +50,10 @@ class RecordingsController : public Controller {
 
   WindowContext& context_;
   RecordingsDock* dock_;
-  QString durations_of_;  // the address of the robot whose bags the model knows how long
+  QString durations_of_;  // the address of the robot whose bag lengths the model knows
   bool loading_ = false, listed_ = false;
   QString error_;
-  std::uint64_t asked_ = 0;  // tells the last question for the list from earlier ones
+  std::uint64_t asked_ = 0;  // identifies the latest request for the list
   std::map<robot::BagKey, robot::Call> downloads_;
   QPointer<QMessageBox> question_;
 };

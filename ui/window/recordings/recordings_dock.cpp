@@ -46,10 +46,10 @@ RecordingsDock::RecordingsDock(QWidget* parent)
   refresh_->setIcon(themedIcon(QStringLiteral("retry")));
   refresh_->setIconSize({16, 16});
   refresh_->setAccessibleName(tr("Refresh the list of recordings"));
-  refresh_->setToolTip(tr("Ask the robot again what it has recorded"));
+  refresh_->setToolTip(tr("Ask the robot for its recordings again"));
   showRows(*table_, sorted_, tr("Recordings"));
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  // The ends of names tell them apart.
+  // The ends of names distinguish them.
   table_->setTextElideMode(Qt::ElideMiddle);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->installEventFilter(this);
@@ -93,7 +93,7 @@ RecordingsDock::RecordingsDock(QWidget* parent)
 }
 
 RecordingsDock::~RecordingsDock() {
-  // The table goes later than what it reports to.
+  // The table is destroyed later than the object it reports to.
   table_->selectionModel()->disconnect(this);
   model_->disconnect(this);
   table_->removeEventFilter(this);
@@ -140,13 +140,13 @@ void RecordingsDock::setState(const RecordingsState& state) {
 }
 
 QString RecordingsDock::emptyText() const {
-  if (!state_.connected) return tr("Connect to a robot to see what it has recorded.");
+  if (!state_.connected) return tr("Connect to a robot to see its recordings.");
   if (!state_.why_not.isEmpty()) return state_.why_not;
   if (model_->rowCount() == 0) {
     if (state_.loading) return tr("Asking the robot…");
     if (!state_.error.isEmpty()) return state_.error;
-    return state_.listed ? tr("The robot keeps no bags and no recordings.")
-                         : tr("The list comes as soon as the robot is connected.");
+    return state_.listed ? tr("The robot has no bags or recordings.")
+                         : tr("The list appears as soon as the robot is connected.");
   }
   return sorted_->rowCount() == 0 ? tr("No recording matches the search.") : QString();
 }
@@ -184,11 +184,11 @@ void RecordingsDock::refreshButtons() {
       kind == BagNote::Kind::Downloading || kind == BagNote::Kind::Opening || kind == BagNote::Kind::Deleting;
   const bool offered = state_.connected && state_.why_not.isEmpty();
   const QString why_not =
-      state_.replaying ? tr("While a bag is replayed nothing is changed on the robot.") : QString();
+      state_.replaying ? tr("While a bag is replayed, nothing can be changed on the robot.") : QString();
   open_->setEnabled(key && !busy);
   download_->setEnabled(key && !busy);
-  download_->setText(kind == BagNote::Kind::Stopped ? tr("Go on") : tr("Download…"));
-  // One stands in the place of the other: a row has no use for both.
+  download_->setText(kind == BagNote::Kind::Stopped ? tr("Resume") : tr("Download…"));
+  // One replaces the other: a row does not need both.
   const bool downloading = kind == BagNote::Kind::Downloading;
   stop_->setEnabled(downloading);
   stop_->setVisible(downloading);
@@ -197,8 +197,8 @@ void RecordingsDock::refreshButtons() {
   delete_->setToolTip(why_not);
   record_->setEnabled(offered && state_.online && !state_.replaying);
   record_->setToolTip(state_.replaying            ? why_not
-                      : offered && !state_.online ? tr("The robot cannot be reached at present.")
-                                                  : tr("Let the robot record"));
+                      : offered && !state_.online ? tr("The robot cannot be reached at the moment.")
+                                                  : tr("Make the robot record a bag"));
 }
 
 std::optional<robot::BagKey> RecordingsDock::keyAt(const QModelIndex& index) const {
@@ -234,7 +234,7 @@ void RecordingsDock::showMenu(const QPoint& at) {
     Q_EMIT copyWanted(bagCalled(*key), tr("Copied %1").arg(bagCalled(*key).left(80)));
   });
   if (const BagNote note = model_->note(*key); note.kind == BagNote::Kind::Failed)
-    menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy why it failed"), this,
+    menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy the error"), this,
                    [this, note] { Q_EMIT copyWanted(note.text, tr("Copied %1").arg(note.text.left(80))); });
   menu.addSeparator();
   add(delete_, &RecordingsDock::deleteWanted);

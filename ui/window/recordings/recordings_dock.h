@@ -1,4 +1,4 @@
-// What the robot has recorded: search, replay, download, delete.
+// The robot's recordings: search, replay, download, delete.
 #pragma once
 
 #include <optional>
@@ -18,14 +18,14 @@ namespace mapwright::window {
 
 class PlainLabel;
 
-/// How it stands with the list.
+/// The state of the list.
 struct RecordingsState {
   bool connected = false;  // there is a robot
   bool online = false;     // and it can be reached
-  QString why_not;         // it keeps no bags; empty = it does
+  QString why_not;         // why it has none; empty = it has
   bool loading = false, listed = false;
   QString error;           // it could not be listed
-  bool replaying = false;  // a bag is on screen: nothing is changed on the robot
+  bool replaying = false;  // a bag is on screen: nothing can be changed on the robot
 };
 
 class RecordingsDock : public QDockWidget {
@@ -45,7 +45,7 @@ class RecordingsDock : public QDockWidget {
   QPushButton* deleteButton() const { return delete_; }
   QPushButton* recordButton() const { return record_; }
   QPushButton* retryButton() const { return retry_; }
-  /// What stands in the place of rows; empty while there are some.
+  /// The text shown instead of rows; empty while there are rows.
   QString emptyShown() const;
   QString summaryShown() const;
   void select(const robot::BagKey& key);

@@ -49,7 +49,7 @@ Notice MapErrand::notice() {
   if (fetch_) {
     const regions::RegionCounts counts = fetch_->counts();
     return {Mark::Busy,
-            tr("The region is being fetched: %1 of %2 parts are there.")
+            tr("Fetching the region: %1 of %2 parts received.")
                 .arg(countText(counts.answered), countText(counts.in_view)),
             tr("Cancel"), [this] { stop(); }};
   }
@@ -69,7 +69,7 @@ void MapErrand::stop() {
   whole_ = {};
   whole_under_way_ = false;
   every_second_.stop();
-  if (fetch_) fetch_.release()->deleteLater();  // it may be telling just now
+  if (fetch_) fetch_.release()->deleteLater();  // it may be emitting just now
   export_.reset();
   Q_EMIT changed();
 }
@@ -80,7 +80,7 @@ void MapErrand::fetchWhole() {
   if (const QString why = whyNotWhole(extent); !why.isEmpty()) return refuseWhole(why);
   question_ = new QMessageBox(
       QMessageBox::Question, tr("Fetch the whole map"),
-      tr("Fetch all of the map at once? %1").arg(wholeSizeText(map_ ? &map_->regions() : nullptr, extent)),
+      tr("Fetch the whole map at once? %1").arg(wholeSizeText(map_ ? &map_->regions() : nullptr, extent)),
       QMessageBox::Cancel, &context_.window);
   question_->setTextFormat(Qt::PlainText);
   question_->setAttribute(Qt::WA_DeleteOnClose);
@@ -142,13 +142,13 @@ void MapErrand::endWhole(const robot::Outcome<map::GridPart>& outcome) {
 
 void MapErrand::show(std::function<std::string()> picture, const map::GridReference& grid,
                      const QString& name) {
-  // Another one is another map, be it as large.
+  // Another one is another map, even if equally large.
   const QString id = tr("fetched %1").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")));
-  // Laying out hundreds of millions of cells takes a while.
+  // Writing hundreds of millions of cells takes a while.
   share_.startLong([this, picture = std::move(picture), grid, name, id, job = job_] {
     map::WholeMap map;
     map.key = {map::MapKind::Stored, id.toStdString()};
-    // What its dispatcher gives is the map that the robot is in.
+    // Its dispatcher's map is the map that the robot is in.
     map.state_of = map::MapKey{map::MapKind::Live, {}};
     map.name = name.toStdString();
     map.grid = grid;
@@ -219,17 +219,18 @@ void MapErrand::endRectangle() {
   const regions::RegionCounts counts = fetch->counts();
   const regions::FetchedGrid fetched = regions::cutOut(fetch->map().regions().sheets(), fetch->rect());
   if (!fetched.cells) {
-    return toast(Mark::Bad, why.isEmpty() ? tr("There is nothing in this region.")
+    return toast(Mark::Bad, why.isEmpty() ? tr("The map is empty in this region.")
                                           : tr("The region was not fetched: %1").arg(why));
   }
   if (!fetch->complete() && counts.smaller == 0) {
-    toast(Mark::Warning, tr("Parts of the region are missing and shown as unknown (%1 of %2 came): %3")
+    toast(Mark::Warning, tr("Parts of the region are missing and shown as unknown (%1 of %2 arrived): %3")
                              .arg(countText(counts.answered), countText(counts.in_view), why));
   } else if (counts.smaller > 0) {
-    toast(Mark::Warning,
-          tr("The robot's answers are smaller than the regions asked for: what is missing is unknown."));
+    toast(Mark::Warning, tr("The robot's answers are smaller than the requested regions: the missing parts "
+                            "are shown as unknown."));
   } else if (fetched.other_lattices > 0) {
-    toast(Mark::Warning, tr("Some of it came with cells of another size or direction, and is left out."));
+    toast(Mark::Warning,
+          tr("Some of the answers have cells of another size or orientation and were left out."));
   }
   if (then_ == Then::Save) return write({fetched.cells, fetched.reference}, path_, {});
   show([cells = fetched.cells] { return regions::pgmOf(*cells); }, fetched.reference,
@@ -265,7 +266,7 @@ void MapErrand::saveKept(const std::function<void()>& then) {
   const session::Session* const session = context_.current.session();
   if (!session || !session->wholeMap().cells()) return;
   const session::MapSlot& slot = session->wholeMap();
-  if (!slot.cells()->complete()) return toast(Mark::Warning, tr("The map is still being read."));
+  if (!slot.cells()->complete()) return toast(Mark::Warning, tr("The map is still loading."));
   if (const QString path = askWhere(); !path.isEmpty()) {
     write({slot.cells(), slot.reference()}, path, [this, then] {
       noteSaved();

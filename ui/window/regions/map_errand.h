@@ -1,4 +1,4 @@
-// What is fetched of a large map once: the whole, or a rectangle. One at a time; the questions go with it.
+// Fetches the whole of a large map, or a rectangle, once. One at a time; includes the questions.
 #pragma once
 
 #include <functional>
@@ -28,17 +28,17 @@ class MapErrand : public QObject {
   explicit MapErrand(WindowContext& context, QObject* parent = nullptr);
   ~MapErrand() override;
 
-  /// Whom to ask, and what is known of its map; both null: nobody. What is under way ends.
+  /// The dispatcher, and what is known of its map; both null: none. Cancels the request in progress.
   void setDispatch(robot::MapDispatch* dispatch, const regions::RegionMap* map);
 
   bool busy() const { return fetch_ || whole_under_way_; }
-  /// What is to be said of it; an empty sentence while nothing is fetched.
+  /// The notice about it; an empty sentence while nothing is fetched.
   Notice notice();
-  QMessageBox* question() const { return question_; }  // null = none is asked
+  QMessageBox* question() const { return question_; }  // null = none is open
 
-  /// Asks first, with the size that is known.
+  /// Asks first, showing the known size.
   void fetchWhole();
-  /// Asks what is to become of it.
+  /// Asks what to do with it.
   void takeRectangle(const geometry::WorldRect& rect);
   /// Fetches the rectangle and writes `path`.pgm and .yaml, or shows it as a map.
   void saveRectangle(const geometry::WorldRect& rect, const QString& path);
@@ -46,14 +46,14 @@ class MapErrand : public QObject {
   void stop();
   void closeQuestion();
 
-  /// What was fetched, is shown as a map, and has not been written; empty = nothing, or nothing any more.
+  /// What was fetched, is shown as a map and not saved; empty = nothing.
   std::vector<Fetched> fetched();
-  /// What is shown has been written.
+  /// What is shown has been saved.
   void noteSaved() { kept_.reset(); }
 
  Q_SIGNALS:
   void changed();       // busy(), notice()
-  void regionWanted();  // a rectangle of it, as the whole cannot be had
+  void regionWanted();  // a rectangle of it, as the whole is not available
 
  private:
   enum class Then { Show, Save };
@@ -77,13 +77,13 @@ class MapErrand : public QObject {
   QString path_;
   robot::Call whole_;
   bool whole_under_way_ = false;
-  qint64 whole_bytes_ = 0;  // so much of it has come
+  qint64 whole_bytes_ = 0;  // received so far
   QElapsedTimer whole_began_;
   QTimer every_second_;
-  std::uint64_t job_ = 0;  // what still comes of an older one is not taken
+  std::uint64_t job_ = 0;  // results of older ones are ignored
   std::unique_ptr<jobs::ExportJob> export_;
   std::optional<map::MapKey> kept_;  // on screen, and not written
-  work::Share share_;                // the last: it waits for what runs
+  work::Share share_;                // last member: waits for running work
 };
 
 }  // namespace mapwright::window

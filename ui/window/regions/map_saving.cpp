@@ -27,20 +27,20 @@ void MapSaving::ask(robot::MapDispatch* dispatch) {
     Q_EMIT changed();
   });
   connect(dialog_, &SaveMapDialog::saveWanted, this, [this](const QString& filename) {
-    if (!dispatch_) return dialog_->refuse(tr("The robot is not there any more."));
+    if (!dispatch_) return dialog_->refuse(tr("The robot is no longer connected."));
     if (const QString why = jobs::whyNoFilename(filename); !why.isEmpty()) return dialog_->refuse(why);
     dialog_->wait();
-    saving_ = dispatch_->save(filename.toStdString(), [self = QPointer(this)](
-                                                          const robot::Outcome<std::string>& outcome) {
-      if (!self || !self->dialog_) return;
-      if (!outcome) {
-        return self->dialog_->refuse(QString::fromStdString(sentences::sentenceOf(outcome.error())));
-      }
-      self->toast_(
-          Mark::Good,
-          tr("The robot has saved its map as %1.").arg(words::plainName(QString::fromStdString(*outcome))));
-      self->dialog_->accept();
-    });
+    saving_ = dispatch_->save(
+        filename.toStdString(), [self = QPointer(this)](const robot::Outcome<std::string>& outcome) {
+          if (!self || !self->dialog_) return;
+          if (!outcome) {
+            return self->dialog_->refuse(QString::fromStdString(sentences::sentenceOf(outcome.error())));
+          }
+          self->toast_(
+              Mark::Good,
+              tr("The robot saved its map as %1.").arg(words::plainName(QString::fromStdString(*outcome))));
+          self->dialog_->accept();
+        });
   });
   dialog_->open();
   Q_EMIT changed();

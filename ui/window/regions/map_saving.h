@@ -1,4 +1,4 @@
-// The robot writes its map into a file of its own: what it is to be called is asked here.
+// Lets the robot write its map to a file on its own disk: asks for the file name.
 #pragma once
 
 #include <functional>
@@ -16,11 +16,11 @@ class SaveMapDialog;
 class MapSaving : public QObject {
   Q_OBJECT
  public:
-  /// `parent_of_dialog` outlives this; `toast` tells what came of it.
+  /// `parent_of_dialog` outlives this; `toast` shows the result.
   MapSaving(QWidget& parent_of_dialog, std::function<void(Mark, const QString&)> toast,
             QObject* parent = nullptr);
 
-  /// Asks for a name first. Does nothing while that is asked.
+  /// Asks for a name first. Does nothing while the question is open.
   void ask(robot::MapDispatch* dispatch);
   bool asking() const { return !dialog_.isNull(); }
   void close();

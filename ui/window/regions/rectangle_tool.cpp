@@ -67,7 +67,7 @@ void RectangleTool::paint(QPainter& painter) {
     const Eigen::Vector2d at = view.pixelFromWorld({x, y});
     shape << QPointF(at.x(), at.y());
   }
-  // Seen on any ground.
+  // Visible on any background.
   painter.setBrush(QColor(255, 255, 255, 40));
   painter.setPen(QPen(QColor(255, 255, 255), 3));
   painter.drawPolygon(shape);
@@ -78,7 +78,7 @@ void RectangleTool::paint(QPainter& painter) {
 
 QString RectangleTool::hint() const {
   const geometry::WorldRect rect = this->rect();
-  if (rect.empty()) return tr("Drag a rectangle over what is to be fetched. Esc: back");
+  if (rect.empty()) return tr("Drag a rectangle over the region to fetch. Esc: back");
   return describe_(rect);
 }
 

@@ -1,4 +1,4 @@
-// A rectangle drawn by hand, along the axes of the map.
+// Draws an axis-aligned rectangle on the map.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@
 
 namespace mapwright::window {
 
-/// A drag draws it; where the hand lets go it is told once. Esc gives it up.
+/// A drag draws it; it is reported once when the button is released. Esc cancels.
 class RectangleTool : public MapTool {
   Q_OBJECT
  public:
-  /// `view`: the camera as it is now. `describe`: one line about a rectangle.
+  /// `view`: the present camera. `describe`: one line about a rectangle.
   RectangleTool(std::function<geometry::ViewTransform()> view,
                 std::function<QString(const geometry::WorldRect&)> describe, QObject* parent = nullptr);
 

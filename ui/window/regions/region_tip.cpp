@@ -22,7 +22,7 @@ bool RegionTip::eventFilter(QObject* watched, QEvent* event) {
     QToolTip::hideText();
     return QObject::eventFilter(watched, event);
   }
-  // It goes with the place: a little way on there may be another reason.
+  // It depends on the position: nearby the reason may differ.
   constexpr int kAroundPx = 24;
   const QRect around(help->pos() - QPoint(kAroundPx, kAroundPx), QSize(2 * kAroundPx, 2 * kAroundPx));
   QToolTip::showText(help->globalPos(), plainToolTip(words), view_.viewport(), around);

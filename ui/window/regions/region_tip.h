@@ -1,4 +1,4 @@
-// Why a place on the map is blank or old: said where the cursor rests.
+// A tooltip saying why a place on the map is blank or old.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace mapwright::window {
 class RegionTip : public QObject {
   Q_OBJECT
  public:
-  /// `words`: plain text about a place in the world; empty = there is nothing to say, and no tip.
+  /// `words`: plain text about a position in the world; empty = no tooltip.
   RegionTip(MapView& view, std::function<QString(const Eigen::Vector2d& world_m)> words,
             QObject* parent = nullptr);
 

@@ -41,7 +41,7 @@ regions::RegionMap::Options mapOptions(const work::Budgets& budgets) {
   regions::RegionMap::Options options;
   const double bytes = double(budgets.regions);
   options.regions.budget_bytes = std::size_t(bytes);
-  // What is in view is never given up, so it must fit.
+  // Visible regions are never dropped, so they must fit.
   options.regions.plan.most_in_view =
       int(std::clamp(bytes / kBytesOfRegion / 2, double(kLeastInView), double(kMostInView)));
   return options;
@@ -95,14 +95,14 @@ RegionsController::~RegionsController() {
 
 void RegionsController::addActions() {
   refresh_ = context_.actions.add({.id = "refreshRegions",
-                                   .text = tr("&Fetch the regions anew"),
+                                   .text = tr("Re&fetch the regions"),
                                    .icon = "retry",
-                                   .tip = tr("Ask for all regions in view once more"),
+                                   .tip = tr("Fetch all visible regions again"),
                                    .menu = {MenuGroup::WholeMap, 30}},
                                   this, [this] {
                                     if (map_) map_->refresh();
                                   });
-  auto* const menu = new QMenu(tr("Fetch regions anew b&y itself"), &context_.window);
+  auto* const menu = new QMenu(tr("Refetch regions automaticall&y"), &context_.window);
   menu->menuAction()->setObjectName(QStringLiteral("refreshRegionsEvery"));
   const std::array titles{tr("Never"), tr("Every 10 seconds"), tr("Every minute"), tr("Every 10 minutes")};
   for (std::size_t at = 0; at < kEveryS.size(); ++at) {
@@ -117,21 +117,22 @@ void RegionsController::addActions() {
   fetch_whole_ = context_.actions.add({.id = "fetchWholeMap",
                                        .text = tr("Fetch the &whole map…"),
                                        .icon = "download",
-                                       .tip = tr("Ask the robot for all of its map at once"),
+                                       .tip = tr("Fetch the robot's whole map at once"),
                                        .menu = {MenuGroup::WholeMap, 50}},
                                       errand_.get(), &MapErrand::fetchWhole);
   save_map_ = context_.actions.add({.id = "saveMapOnRobot",
                                     .text = tr("&Save the map on the robot…"),
                                     .icon = "download",
-                                    .tip = tr("The robot writes its map into a file of its own"),
+                                    .tip = tr("The robot writes its map to a file on its own disk"),
                                     .menu = {MenuGroup::WholeMap, 60}},
                                    this, [this] { saving_->ask(dispatch_); });
-  fetch_region_ = context_.actions.add({.id = "fetchRegion",
-                                        .text = tr("Fetch a regi&on…"),
-                                        .icon = "rectangle",
-                                        .tip = tr("Draw a rectangle, fetch it, save it or keep it on screen"),
-                                        .toggle = true,
-                                        .menu = {MenuGroup::Tools, 30}});
+  fetch_region_ =
+      context_.actions.add({.id = "fetchRegion",
+                            .text = tr("Fetch a regi&on…"),
+                            .icon = "rectangle",
+                            .tip = tr("Draw a rectangle to fetch it, then save it or keep it on screen"),
+                            .toggle = true,
+                            .menu = {MenuGroup::Tools, 30}});
   context_.tools.add(tool_, fetch_region_);
   setRefreshEvery(0);
 }
@@ -144,7 +145,7 @@ void RegionsController::setSession(session::Session* session) {
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &RegionsController::follow);
     was_online_ = online();
     connect(session, &session::Session::connectionChanged, this, [this] {
-      // How long an answer takes is told again and again; only the link itself is of interest.
+      // Answer times are reported all the time; only the connection state matters here.
       if (std::exchange(was_online_, online()) == online()) return;
       if (map_ && online()) map_->retryNow();
       look();
@@ -230,7 +231,7 @@ QString RegionsController::statusShown() const { return status_ && map_ ? status
 void RegionsController::tell() {
   const bool by_region = map_ && map_->offered();
   const bool left = map_ && !by_region && online() && map_->regions().bytes() > 0;
-  // Of a robot that never gave a region nothing is missing on the ground.
+  // If the robot never sent a region nothing is missing on the map.
   const bool on_map = map_ && (map_->offered() || map_->regions().bytes() > 0);
   scene::RegionsOnMap::of(context_.scene).show(on_map ? map_.get() : nullptr);
   const bool whole = dispatch_ && dispatch_->offered(DispatchService::Grid);
@@ -250,8 +251,8 @@ void RegionsController::tell() {
   if (busy) return context_.notices.set(NoticeRank::Regions, errand_->notice());
   const RegionsNotice notice =
       by_region ? regionsNotice(map_->regions(), whole, extent)
-      : left    ? RegionsNotice{Mark::Warning, tr("The robot gives no regions of its map any more. "
-                                                     "What came of it stays.")}
+      : left    ? RegionsNotice{Mark::Warning, tr("The robot no longer sends its map by region. The regions "
+                                                     "received so far stay.")}
                 : RegionsNotice{};
   using Offer = RegionsNotice::Offer;
   const bool too_far = notice.offer == Offer::Whole || notice.offer == Offer::Region;

@@ -1,4 +1,4 @@
-// A map too large to be moved whole: fetched by the regions in view, as a whole, or as a rectangle.
+// A map too large to be sent whole: fetched by the visible regions, as a whole, or as a rectangle.
 #pragma once
 
 #include <memory>
@@ -31,33 +31,33 @@ class RegionsController : public Controller {
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
   std::vector<Fetched> fetched() override;
-  /// The whole map on screen has been written into a file.
+  /// The whole map on screen was written to a file.
   void noteExported();
 
-  /// Null while no robot gives its map by regions.
+  /// Null while no robot sends its map by region.
   regions::RegionMap* map() const { return map_.get(); }
-  QMessageBox* question() const;  // null = none is asked
-  /// The map by regions instead of any other.
+  QMessageBox* question() const;  // null = none is open
+  /// Shows the map by regions instead of any other.
   void showRegions();
-  /// One line; empty while there is no map by regions.
+  /// One line; empty without a map by regions.
   QString statusShown() const;
   RectangleTool* tool() const { return tool_; }
 
   /// Fetches the whole map or a rectangle of it, once.
   MapErrand& errand() const { return *errand_; }
-  /// Seconds; 0 = never by itself.
+  /// Seconds; 0 = never automatically.
   void setRefreshEvery(int seconds);
   int refreshEvery() const { return refresh_every_s_; }
 
  private:
   void addActions();
-  void follow();  // the dispatcher has come or gone
-  void look();    // at what is in view now
+  void follow();  // the dispatcher has appeared or disappeared
+  void look();    // updates the visible area
   void tell();
   bool online() const;
   void drawRectangle();
   QString reasonAt(const Eigen::Vector2d& world_m) const;
-  /// The first view is where the robot is: there is map.
+  /// The first view is around the robot, where there is map.
   void lookAtRobot();
 
   WindowContext& context_;
@@ -70,7 +70,7 @@ class RegionsController : public Controller {
   QTimer look_soon_, refresh_timer_;
   int refresh_every_s_ = 0;
   bool looked_at_robot_ = false, was_online_ = false;
-  // The last: they go first, and what they tell is taken by what stands above.
+  // Last members: destroyed first, as their signals are handled by the members above.
   std::unique_ptr<MapErrand> errand_;
   std::unique_ptr<MapSaving> saving_;
 };

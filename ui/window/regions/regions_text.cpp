@@ -15,18 +15,18 @@ class MapByRegionsText {
   Q_DECLARE_TR_FUNCTIONS(MapByRegions)
 };
 
-constexpr double kMostCells = 1e15;  // more is no map
+constexpr double kMostCells = 1e15;  // larger values are invalid
 
 QString metres(double value) { return QLocale::c().toString(value, 'f', value < 100 ? 1 : 0); }
 
-/// Along its own axes, whichever way it lies.
+/// Along its own axes, whatever its rotation.
 geometry::WorldRect extentOf(const robot::MapExtent& extent) {
   return {0, 0, extent.grid.width * extent.grid.resolution_m, extent.grid.height * extent.grid.resolution_m};
 }
 
 qint64 whole(double value) { return qint64(std::clamp(value, 0.0, kMostCells)); }
 
-/// "8,000 × 8,000 cells, about 224 MB"; empty where nothing is known.
+/// "8,000 × 8,000 cells, about 224 MB"; empty if unknown.
 QString shortSizeText(const regions::MapRegions& map, const std::optional<robot::MapExtent>& extent) {
   const auto cells = [](double wide, double high, qint64 bytes) {
     return MapByRegionsText::tr("%1 × %2 cells, about %3")
@@ -46,7 +46,7 @@ QString regionsStatus(const regions::MapRegions& map) {
   const regions::RegionCounts counts = map.counts();
   const QString bytes = bytesText(qint64(map.bytes()));
   if (counts.in_view == 0 && !map.plan().tooFar() && map.bytes() > 0)
-    return MapByRegionsText::tr("regions: %1 held").arg(bytes);
+    return MapByRegionsText::tr("regions: %1 loaded").arg(bytes);
   if (map.plan().tooFar()) return MapByRegionsText::tr("regions: zoom in, %1").arg(bytes);
   return MapByRegionsText::tr("%1 of %2 regions, %3")
       .arg(countText(counts.answered), countText(counts.in_view), bytes);
@@ -67,46 +67,48 @@ QString rectangleText(const regions::MapRegions& map, const geometry::WorldRect&
 QString wholeSizeText(const regions::MapRegions* map, const std::optional<robot::MapExtent>& extent) {
   const geometry::WorldRect reach = map ? map->reach() : geometry::WorldRect{};
   if (!extent) {
-    if (reach.empty()) return MapByRegionsText::tr("How large it is, is not known: the robot does not say.");
-    return MapByRegionsText::
-        tr("What is known of it reaches over %1. It may be larger: the robot does not say how large it is.")
-            .arg(rectangleText(*map, reach));
+    if (reach.empty()) return MapByRegionsText::tr("Its size is unknown: the robot does not report it.");
+    return MapByRegionsText::tr(
+               "The known part covers %1. It may be larger: the robot does not report its size.")
+        .arg(rectangleText(*map, reach));
   }
-  QString text = MapByRegionsText::tr("The robot says that it is %1: %2 × %3 cells, about %4 over the link.")
-                     .arg(areaText(extentOf(*extent)), countText(extent->grid.width),
-                          countText(extent->grid.height), bytesText(extent->about_bytes));
+  QString text =
+      MapByRegionsText::tr("The robot reports its size as %1: %2 × %3 cells, about %4 over the network.")
+          .arg(areaText(extentOf(*extent)), countText(extent->grid.width), countText(extent->grid.height),
+               bytesText(extent->about_bytes));
   const geometry::WorldRect told = extent->grid.bounds().grown(extent->grid.resolution_m);
   if (!reach.empty() && !(told.contains(Eigen::Vector2d(reach.min_x, reach.min_y)) &&
                           told.contains(Eigen::Vector2d(reach.max_x, reach.max_y))))
-    text += QLatin1Char(' ') + MapByRegionsText::tr("Regions beyond that have come: it is larger.");
+    text +=
+        QLatin1Char(' ') + MapByRegionsText::tr("Regions outside of that have been received: it is larger.");
   if (extent->most_bytes > 0 && extent->about_bytes > extent->most_bytes) {
-    text += QLatin1Char(' ') +
-            MapByRegionsText::tr("The link takes %1 at once: it may break off, and nothing comes then.")
-                .arg(bytesText(extent->most_bytes));
+    text +=
+        QLatin1Char(' ') +
+        MapByRegionsText::tr(
+            "The link accepts at most %1 per message: the transfer may fail, and then nothing is received.")
+            .arg(bytesText(extent->most_bytes));
   }
   return text;
 }
 
 QString whyNotWhole(const std::optional<robot::MapExtent>& extent) {
   if (!extent || !extent->beyondLink()) return {};
-  return MapByRegionsText::
-      tr("The whole map is too large to be fetched at once: its %1 × %2 cells are %3 over the link at least, "
-         "which takes %4. Fetch a region of it.")
-          .arg(countText(extent->grid.width), countText(extent->grid.height), bytesText(extent->least_bytes),
-               bytesText(extent->most_bytes));
+  return MapByRegionsText::tr(
+             "The whole map is too large to be fetched at once: its %1 × %2 cells are at least %3 over the "
+             "network, but the limit is %4. Fetch a region instead.")
+      .arg(countText(extent->grid.width), countText(extent->grid.height), bytesText(extent->least_bytes),
+           bytesText(extent->most_bytes));
 }
 
 QString wholeProgressText(qint64 bytes, qint64 seconds, const std::optional<robot::MapExtent>& extent) {
   const QString time = countText(seconds);
   if (bytes <= 0)
-    return MapByRegionsText::tr("The whole map is being fetched, for %1 s. Nothing of it has come yet.")
-        .arg(time);
+    return MapByRegionsText::tr("Fetching the whole map, for %1 s. Nothing has arrived yet.").arg(time);
   if (extent && bytes < extent->about_bytes) {
-    return MapByRegionsText::tr("The whole map is being fetched: %1 of about %2 so far, for %3 s.")
+    return MapByRegionsText::tr("Fetching the whole map: %1 of about %2 so far, for %3 s.")
         .arg(bytesText(bytes), bytesText(extent->about_bytes), time);
   }
-  return MapByRegionsText::tr("The whole map is being fetched: %1 so far, for %2 s.")
-      .arg(bytesText(bytes), time);
+  return MapByRegionsText::tr("Fetching the whole map: %1 so far, for %2 s.").arg(bytesText(bytes), time);
 }
 
 QString regionReason(const regions::MapRegions& map, const Eigen::Vector2d& world_m, bool offered,
@@ -121,25 +123,24 @@ QString regionReason(const regions::MapRegions& map, const Eigen::Vector2d& worl
   const QString why = region ? sentences::sentenceOf(region->trouble) : QString();
   if (region && region->state == RegionState::Held) {
     if (region->trouble.kind == kNone) return {};
-    return MapByRegionsText::tr("Old: this region could not be fetched anew. %1").arg(why);
+    return MapByRegionsText::tr("Old: this region could not be fetched again. %1").arg(why);
   }
   if (region && region->state == RegionState::Nothing)
-    return MapByRegionsText::tr("Nothing here: the robot says that its map has nothing in this region.");
+    return MapByRegionsText::tr("Empty: the robot says that its map has nothing in this region.");
   if (!online) return MapByRegionsText::tr("Not fetched: there is no connection to the robot.");
-  if (!offered) return MapByRegionsText::tr("Not fetched: the robot gives no regions of its map any more.");
+  if (!offered) return MapByRegionsText::tr("Not fetched: the robot no longer sends its map by region.");
   if (map.plan().tooFar())
-    return MapByRegionsText::tr("Not fetched: too much of the map is in view. Zoom in.");
+    return MapByRegionsText::tr("Not fetched: too much of the map is visible. Zoom in.");
   if (region && region->state == RegionState::Failed)
-    return MapByRegionsText::tr("This region could not be fetched, and is asked for again by itself. %1")
+    return MapByRegionsText::tr("This region could not be fetched and will be tried again automatically. %1")
         .arg(why);
   if (region && region->state == RegionState::Fetching)
     return MapByRegionsText::tr("This region is being fetched.");
-  if (region)
-    return MapByRegionsText::tr("Not fetched yet: this region waits until those before it have come.");
+  if (region) return MapByRegionsText::tr("Not fetched yet: this region is waiting for the ones before it.");
   if (const auto& trouble = map.plan().probeTrouble(); !map.plan().resolution() && trouble.kind != kNone)
     return MapByRegionsText::tr("No region of the map could be fetched: %1")
         .arg(sentences::sentenceOf(trouble));
-  return MapByRegionsText::tr("Not fetched yet: the first answer of the robot is waited for.");
+  return MapByRegionsText::tr("Not fetched yet: waiting for the robot's first answer.");
 }
 
 RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
@@ -147,21 +148,19 @@ RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
   using Offer = RegionsNotice::Offer;
   if (map.plan().tooFar()) {
     if (extent && extent->beyondLink()) {
-      return {
-          Mark::Neutral,
-          MapByRegionsText::tr(
-              "Too much of the map is in view, and all of it too large to come at once. Zoom in, or fetch "
-              "a region."),
-          Offer::Region};
+      return {Mark::Neutral,
+              MapByRegionsText::tr("Too much of the map is visible, and the whole map is too large to fetch "
+                                   "at once. Zoom in, or fetch a region."),
+              Offer::Region};
     }
     if (!whole)
-      return {Mark::Neutral, MapByRegionsText::tr("Too much of the map is in view to be fetched. Zoom in.")};
-    // The strip is one line; the question says more.
+      return {Mark::Neutral, MapByRegionsText::tr("Too much of the map is visible to be fetched. Zoom in.")};
+    // The strip is one line; the question has more detail.
     const QString size = shortSizeText(map, extent);
     return {Mark::Neutral,
             size.isEmpty()
-                ? MapByRegionsText::tr("Too much of the map is in view. Zoom in, or fetch all of it.")
-                : MapByRegionsText::tr("Too much of the map is in view. Zoom in, or fetch all of it: %1.")
+                ? MapByRegionsText::tr("Too much of the map is visible. Zoom in, or fetch the whole map.")
+                : MapByRegionsText::tr("Too much of the map is visible. Zoom in, or fetch the whole map: %1.")
                       .arg(size),
             Offer::Whole};
   }
@@ -174,10 +173,9 @@ RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
   }
   const int failed = map.counts().failed;
   if (failed == 0 && map.counts().smaller > 0) {
-    return {Mark::Warning,
-            MapByRegionsText::tr("The robot's answers are smaller than the regions asked for (%1 of %2): "
-                                 "what is missing is blank.")
-                .arg(countText(map.counts().smaller), countText(map.counts().in_view))};
+    return {Mark::Warning, MapByRegionsText::tr("The robot's answers are smaller than the requested regions "
+                                                "(%1 of %2): the missing parts are blank.")
+                               .arg(countText(map.counts().smaller), countText(map.counts().in_view))};
   }
   if (failed == 0) return {};
   QString why;
@@ -185,7 +183,8 @@ RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
     if (why.isEmpty()) why = sentences::sentenceOf(region.trouble);
   }
   return {Mark::Warning,
-          MapByRegionsText::tr("Not every region in view could be fetched (%1 of %2 are missing or old): %3")
+          MapByRegionsText::tr(
+              "Some of the visible regions could not be fetched (%1 of %2 are missing or old): %3")
               .arg(countText(failed), countText(map.counts().in_view), why),
           Offer::Retry};
 }

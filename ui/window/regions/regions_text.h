@@ -1,4 +1,4 @@
-// What the window says of a map by regions. Pure functions.
+// Texts about a map by regions. Pure functions.
 #pragma once
 
 #include <optional>
@@ -15,22 +15,22 @@ namespace mapwright::window {
 QString regionsStatus(const regions::MapRegions& map);
 /// "1,024 × 512 m".
 QString areaText(const geometry::WorldRect& rect);
-/// "60.0 × 24.0 m: 1,200 × 480 cells, about 576 KB"; without cells where their size is not known.
+/// "60.0 × 24.0 m: 1,200 × 480 cells, about 576 KB"; without cells if their size is unknown.
 QString rectangleText(const regions::MapRegions& map, const geometry::WorldRect& rect);
-/// How large the whole map would be: as the robot says (`extent`), else as far as that can be told of what
-/// came. `map` may be null.
+/// The size of the whole map: as reported (`extent`), otherwise estimated from what arrived. `map` may be
+/// null.
 QString wholeSizeText(const regions::MapRegions* map, const std::optional<robot::MapExtent>& extent);
-/// Why the whole map cannot come at once; empty = nothing is known to stand against it.
+/// Why the whole map cannot be fetched at once; empty = no known reason.
 QString whyNotWhole(const std::optional<robot::MapExtent>& extent);
-/// What is said while it comes: `bytes` of it are there after `seconds`.
+/// The progress text: `bytes` have arrived after `seconds`.
 QString wholeProgressText(qint64 bytes, qint64 seconds, const std::optional<robot::MapExtent>& extent);
 
-/// Why there is nothing of the map at a place, or only what is old; empty = what is there is the newest.
-/// `offered`: regions can be asked for. `online`: the robot can be.
+/// Why a place on the map is blank or old; empty = it is up to date. `offered`: the robot sends regions.
+/// `online`: it is connected.
 QString regionReason(const regions::MapRegions& map, const Eigen::Vector2d& world_m, bool offered,
                      bool online);
 
-/// What is to be said above the map; an empty sentence: nothing is.
+/// The notice above the map; an empty sentence: none.
 struct RegionsNotice {
   enum class Offer { None, Whole, Region, Retry };
   Mark mark = Mark::None;
@@ -38,7 +38,7 @@ struct RegionsNotice {
   Offer offer = Offer::None;
   bool operator==(const RegionsNotice&) const = default;
 };
-/// `whole`: the whole map can be asked for.
+/// `whole`: the whole map can be requested.
 RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
                             const std::optional<robot::MapExtent>& extent);
 

@@ -25,10 +25,9 @@ SaveMapDialog::SaveMapDialog(QWidget* parent)
   name_->setMaxLength(kLongestFilename);
   name_->setText(QStringLiteral("map.png"));
   name_->setSelection(0, 3);
-  auto* const about = new QLabel(tr("The robot writes its map into a file of its own. The extension of the "
-                                    "name tells it what to write: most "
-                                    "know .png, .pgm or .yaml of grids and .pcd, .ply or .vtk of clouds. A "
-                                    "file of that name may be replaced."),
+  auto* const about = new QLabel(tr("The robot writes its map to a file on its own disk. The extension of "
+                                    "the name selects the format: most know .png, .pgm or .yaml for grids "
+                                    "and .pcd, .ply or .vtk for clouds. An existing file may be replaced."),
                                  this);
   about->setTextFormat(Qt::PlainText);
   about->setWordWrap(true);
@@ -53,7 +52,7 @@ SaveMapDialog::SaveMapDialog(QWidget* parent)
   column->addWidget(state_);
   column->addStretch();
   column->addLayout(buttons);
-  // What is wrapped needs less height than it asks for while nobody knows how wide it is.
+  // Wrapped text needs less height than requested before the width is known.
   resize(kWidthPx, column->totalHeightForWidth(kWidthPx));
   connect(name_, &QLineEdit::textChanged, this, &SaveMapDialog::look);
   connect(save_, &QPushButton::clicked, this, [this] { Q_EMIT saveWanted(filename()); });

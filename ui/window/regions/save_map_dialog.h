@@ -1,4 +1,4 @@
-// Asks what the robot is to call the file into which it saves its map.
+// Asks for the name of the file to which the robot saves its map.
 #pragma once
 
 #include <QDialog>
@@ -9,7 +9,7 @@ class QPushButton;
 
 namespace mapwright::window {
 
-/// The question stays open until the robot has answered: what it says is seen beside what was asked.
+/// Stays open until the robot has answered, and shows the answer next to the input.
 class SaveMapDialog : public QDialog {
   Q_OBJECT
  public:
@@ -18,7 +18,7 @@ class SaveMapDialog : public QDialog {
   QString filename() const;
   /// The robot has been asked.
   void wait();
-  /// It has not saved it.
+  /// It was not saved.
   void refuse(const QString& why);
 
  Q_SIGNALS:

@@ -1,4 +1,4 @@
-// The marks of events, for the time line and the list.
+// The marks of events, for the timeline and the list.
 #pragma once
 
 #include <QPainter>
@@ -15,7 +15,7 @@ inline constexpr double kEventMarkPx = 4.5;
 QColor eventMarkColor(Mark mark, const UiColors& colors);
 /// Around `at`, in the colours of the present theme.
 void paintEventMark(QPainter& painter, const QPointF& at, const EventMark& mark, const UiColors& colors);
-/// A square of `px` with the mark in its middle; transparent around it.
+/// A square of `px` with the mark in its centre; transparent around it.
 QPixmap eventMarkPixmap(const EventMark& mark, int px, double pixel_ratio);
 
 }  // namespace mapwright::window

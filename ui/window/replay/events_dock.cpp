@@ -63,7 +63,7 @@ EventsDock::EventsDock(ReplayClock& clock, QWidget* parent)
   group_->addItem(tr("All kinds"));
   for (const replay::EventGroup group : replay::kEventGroups) group_->addItem(groupName(group), int(group));
   group_->setAccessibleName(tr("Kind of event"));
-  group_->setToolTip(tr("Which events are listed"));
+  group_->setToolTip(tr("Which kinds of events to list"));
   group_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   group_->setMinimumContentsLength(14);
   follow_->setIcon(themedIcon(QStringLiteral("follow")));
@@ -72,9 +72,9 @@ EventsDock::EventsDock(ReplayClock& clock, QWidget* parent)
   follow_->setChecked(true);
   follow_->setAutoRaise(true);
   follow_->setAccessibleName(tr("Follow the time"));
-  follow_->setToolTip(tr("Scroll to the event of the present time"));
-  read_->setToolTip(tr("Read on to the end, so that all events are found"));
-  retry_->setToolTip(tr("Ask again for what could not be had"));
+  follow_->setToolTip(tr("Scroll to the event at the current time"));
+  read_->setToolTip(tr("Read to the end to find all events"));
+  retry_->setToolTip(tr("Retry what could not be loaded"));
   save_->setToolTip(tr("Save the listed events as CSV"));
   layOut();
 
@@ -128,7 +128,7 @@ void EventsDock::layOut() {
 void EventsDock::setEvents(const std::vector<replay::Event>& events) {
   if (!isVisible()) {
     waiting_ = events;
-    // Of a bag that is gone nothing stays.
+    // Nothing of a closed bag stays.
     if (events.empty()) model_->setEvents({}, clock_.start());
     return;
   }
@@ -137,7 +137,7 @@ void EventsDock::setEvents(const std::vector<replay::Event>& events) {
   model_->setEvents(events, clock_.start());
   takeState();
   takeTime();
-  // What is found before it pushes it away.
+  // Earlier events found later push it away.
   if (in_view) scrollToPresent();
 }
 
@@ -165,7 +165,7 @@ QString EventsDock::summaryText() const {
   QString found = sentences::counted(tr("%1 events", nullptr, total), total);
   if (listed < total) found = tr("%1 of %2").arg(QString::number(listed), found);
   const double share = clock_.readShare();
-  if (share >= 1) return tr("%1: all of the bag has been read").arg(found);
+  if (share >= 1) return tr("%1: the whole bag has been read").arg(found);
   return tr("%1 found so far: %2 % of the bag has been read")
       .arg(found, QString::number(int(std::floor(share * 100))));
 }
@@ -186,10 +186,9 @@ void EventsDock::takeState() {
   summary_->setText(summaryText());
   QString why;
   if (!open) {
-    why = tr("What happened in a bag is listed here while it is replayed.");
+    why = tr("The events of a bag are listed here while it is replayed.");
   } else if (model_->total() == 0) {
-    why =
-        missing ? tr("No event has been found so far.") : tr("Nothing that is marked happened in this bag.");
+    why = missing ? tr("No events found so far.") : tr("This bag has no events.");
   } else if (model_->rowCount() == 0) {
     why = tr("No event matches the search.");
   }
@@ -212,7 +211,7 @@ void EventsDock::takeTime() {
   if (!isVisible()) return;
   model_->setAt(clock_.isOpen() ? std::optional(clock_.at()) : std::nullopt);
   const replay::Event* const now = model_->event(model_->presentRow());
-  // Who scrolls away while nothing happens is let go.
+  // Scrolling away stops following until something happens.
   if (!now || now_ == *now) return;
   now_ = *now;
   scrollToPresent();

@@ -1,4 +1,4 @@
-// The panel that lists what happened in a bag, as far as it has been read.
+// The panel that lists the events of a bag, as far as it has been read.
 #pragma once
 
 #include <vector>
@@ -27,9 +27,9 @@ class EventsDock : public QDockWidget {
   explicit EventsDock(ReplayClock& clock, QWidget* parent = nullptr);
   ~EventsDock() override;
 
-  /// By time; those of the open bag, as far as it has been read.
+  /// By time; of the open bag, as far as it has been read.
   void setEvents(const std::vector<replay::Event>& events);
-  /// The rest of the bag is being read by itself.
+  /// The rest of the bag is being read automatically.
   void setReadsAll(bool all);
   bool follows() const;
   void setFollows(bool follows);
@@ -42,9 +42,9 @@ class EventsDock : public QDockWidget {
   QPushButton* readButton() const { return read_; }
   QPushButton* retryButton() const { return retry_; }
   QPushButton* saveButton() const { return save_; }
-  /// How many there are, and how much of the bag has been read for that.
+  /// How many there are, and how much of the bag has been read.
   QString summaryShown() const;
-  /// In the place of the list; empty = the list.
+  /// Shown instead of the list; empty = the list.
   QString emptyShown() const;
 
  Q_SIGNALS:
@@ -78,7 +78,7 @@ class EventsDock : public QDockWidget {
   QToolButton* follow_;
   QPushButton *read_, *retry_, *save_;
   std::vector<replay::Event> waiting_;  // while nobody sees the list
-  replay::Event now_;                   // the present one, as it was scrolled to
+  replay::Event now_;                   // the present one, to which it was scrolled
   bool reads_all_ = true;
 };
 

@@ -17,7 +17,7 @@ using replay::Event;
 
 namespace {
 
-// As with the steps from event to event: who has gone to one has it behind him.
+// As with steps from event to event: the one just reached counts as past.
 constexpr double kHairS = 1e-6;
 constexpr int kMarkPx = 14;
 

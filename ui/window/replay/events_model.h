@@ -1,4 +1,4 @@
-// What happened in a bag as rows, by time; as many as there are.
+// The events of a bag as rows, by time.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace mapwright::window {
 /// Which events are rows.
 struct EventFilter {
   std::optional<replay::EventGroup> group;  // nullopt: of all
-  QString text;                             // within the words of kind and event, in any case; empty: all
+  QString text;                             // in the texts of kind and event, case-insensitive; empty: all
   bool operator==(const EventFilter&) const = default;
 };
 
@@ -25,18 +25,18 @@ class EventsModel : public QAbstractTableModel {
   enum Column { TimeColumn, SinceColumn, KindColumn, TextColumn, kColumns };
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// `events` by time, of a bag that begins at `start_s`. Rows that stay what they were keep their selection.
+  /// `events` by time, of a bag that begins at `start_s`. Unchanged rows stay selected.
   void setEvents(std::vector<replay::Event> events, double start_s);
   void setFilter(const EventFilter& filter);
-  /// Which row is the present one: the last that has happened by then. nullopt: none.
+  /// The present time; the last event before it is marked. nullopt: none.
   void setAt(std::optional<double> at_s);
   /// -1: none.
   int presentRow() const { return present_; }
 
   const replay::Event* event(int row) const;
-  /// With those that the filter leaves out.
+  /// Including those that the filter hides.
   std::size_t total() const { return events_.size(); }
-  /// Their cells with tabs between them, a line each.
+  /// Tab-separated cells, one line per row.
   QString copied(const QModelIndexList& rows) const;
   /// All rows, for tables: stamp_s, time_utc, since_start_s, kind, event. Lines end in "\r\n" (RFC 4180).
   std::string csv() const;

@@ -59,7 +59,7 @@ QString fileNameOf(const QString& bag) {
   return name.isEmpty() ? QStringLiteral("bag") : name;
 }
 
-/// One word of a shell, whatever is in it.
+/// Quotes any text as one word of a shell.
 QString shellWord(const QString& text) {
   QString word = words::plainLine(text);
   word.replace(QLatin1Char('\''), QStringLiteral("'\\''"));
@@ -99,11 +99,11 @@ RangeExportDialog::RangeExportDialog(RangeOffer offer, QWidget* parent)
       said_(new QLabel(this)) {
   setWindowTitle(tr("Export a range of the bag"));
   setMinimumWidth(560);
-  kind_->addItem(tr("Messages, to be played again (MCAP)"), int(excerpt::Kind::Mcap));
-  kind_->addItem(tr("Messages, one a line (JSON lines)"), int(excerpt::Kind::Lines));
-  kind_->addItem(tr("Way of the robot (GeoJSON)"), int(excerpt::Kind::TrackGeoJson));
-  kind_->addItem(tr("Way of the robot (CSV)"), int(excerpt::Kind::TrackCsv));
-  kind_->addItem(tr("Way of the robot (TUM)"), int(excerpt::Kind::TrackTum));
+  kind_->addItem(tr("Messages, can be replayed (MCAP)"), int(excerpt::Kind::Mcap));
+  kind_->addItem(tr("Messages, one per line (JSON lines)"), int(excerpt::Kind::Lines));
+  kind_->addItem(tr("Path of the robot (GeoJSON)"), int(excerpt::Kind::TrackGeoJson));
+  kind_->addItem(tr("Path of the robot (CSV)"), int(excerpt::Kind::TrackCsv));
+  kind_->addItem(tr("Path of the robot (TUM)"), int(excerpt::Kind::TrackTum));
   from_s_ = offer_.loop ? offer_.loop->from_s : offer_.first_s;
   to_s_ = offer_.loop ? offer_.loop->until_s : offer_.last_s;
   from_shown_ = shownDayTime(from_s_);
@@ -116,7 +116,7 @@ RangeExportDialog::RangeExportDialog(RangeOffer offer, QWidget* parent)
   from_->setToolTip(how);
   to_->setToolTip(how);
   film_->setReadOnly(true);
-  film_->setAccessibleName(tr("Command that makes a film of this range"));
+  film_->setAccessibleName(tr("Command that makes a video of this range"));
   path_->setText(QDir(offer_.folder).filePath(fileNameOf(offer_.name)));
   layOut();
 
@@ -151,7 +151,7 @@ void RangeExportDialog::layOut() {
   auto* const path_label = new QLabel(tr("&File"), this);
   path_label->setBuddy(path_);
   form->addRow(path_label, path_row);
-  form->addRow(tr("Film by &command"), film_);
+  form->addRow(tr("Video by &command"), film_);
   auto* const buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addStretch();
@@ -188,7 +188,7 @@ std::optional<double> RangeExportDialog::time(const QLineEdit* edit, const QStri
 }
 
 std::optional<excerpt::TimeSpan> RangeExportDialog::span() const {
-  // All of a bag is more than the times that it tells.
+  // The whole bag is more than its stated times.
   const bool all = !offer_.loop && from_->text() == from_shown_ && to_->text() == to_shown_;
   if (all) return excerpt::TimeSpan{};
   const auto from_s = time(from_, from_shown_, from_s_), to_s = time(to_, to_shown_, to_s_);
@@ -205,7 +205,7 @@ void RangeExportDialog::takeRange() {
 }
 
 void RangeExportDialog::takeKind() {
-  // The name stays, its ending follows the kind.
+  // The name stays, the extension follows the kind.
   QString path = path_->text();
   for (const char* const suffix : kSuffixes) {
     if (!path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive)) continue;
@@ -225,7 +225,7 @@ void RangeExportDialog::browse() {
   if (!named) path += suffix;
   path_->setText(path);
   say({});
-  if (named) asked_ = path;  // by the file dialog
+  if (named) asked_ = path;  // the file dialog has asked
 }
 
 std::optional<QString> RangeExportDialog::whyNot(const QString& path) const {
@@ -233,15 +233,14 @@ std::optional<QString> RangeExportDialog::whyNot(const QString& path) const {
   if (!wanted)
     return tr("From and to must be times between %1 and %2.")
         .arg(shownDayTime(offer_.first_s), shownDayTime(offer_.last_s));
-  if (wanted->from_s && *wanted->to_s < *wanted->from_s) return tr("The end lies before the beginning.");
-  if (path_->text().trimmed().isEmpty()) return tr("Say which file it is to be.");
+  if (wanted->from_s && *wanted->to_s < *wanted->from_s) return tr("The end is before the start.");
+  if (path_->text().trimmed().isEmpty()) return tr("Enter a file name.");
   const QFileInfo about(path);
-  if (about.isDir())
-    return tr("%1 is a folder. Say which file it is to be.").arg(QDir::toNativeSeparators(path));
+  if (about.isDir()) return tr("%1 is a folder. Enter a file name.").arg(QDir::toNativeSeparators(path));
   if (!about.dir().exists())
-    return tr("There is no folder %1.").arg(QDir::toNativeSeparators(about.absolutePath()));
+    return tr("The folder %1 does not exist.").arg(QDir::toNativeSeparators(about.absolutePath()));
   if (!offer_.source.recording.empty() && !jobs::firstOwnSource({path}, {offer_.source.recording}).isEmpty())
-    return tr("%1 is the recording that is played. Choose another name.").arg(QDir::toNativeSeparators(path));
+    return tr("%1 is the recording being played. Choose another name.").arg(QDir::toNativeSeparators(path));
   return std::nullopt;
 }
 
@@ -250,7 +249,7 @@ void RangeExportDialog::start() {
   const QString path = QFileInfo(path_->text().trimmed()).absoluteFilePath();
   if (const auto why = whyNot(path)) return say(*why);
   if (QFileInfo::exists(path) && asked_ != path) {
-    say(tr("%1 exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(path)));
+    say(tr("%1 already exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(path)));
     asked_ = path;
     letEnterPress(*export_, false);
     return;
@@ -283,7 +282,7 @@ void RangeExportDialog::setRunning(bool running) {
 
 void RangeExportDialog::take(const excerpt::Ended& ended) {
   const QString path = path_->text().trimmed();
-  // It is the one that is telling.
+  // It is emitting this signal.
   job_.release()->deleteLater();
   setRunning(false);
   if (ended.not_read) {
@@ -306,7 +305,7 @@ void RangeExportDialog::take(const excerpt::Ended& ended) {
     const QString sentence = tr("Exported %1 to %2").arg(what, QDir::toNativeSeparators(path));
     QStringList lacks;
     if (done.odd > 0)
-      lacks << tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(done.odd);
+      lacks << tr("Messages left out because they have no time stamp or cannot be read: %1.").arg(done.odd);
     for (const Fault& loss : done.losses) lacks << sentences::sentenceOf(loss);
     Q_EMIT exported(QFileInfo(path).absoluteFilePath(), sentence);
     if (lacks.isEmpty()) return accept();
@@ -322,8 +321,8 @@ void RangeExportDialog::leaveBag() {
   job_.reset();
   setRunning(false);
   film_->setEnabled(false);
-  say(was_running ? tr("The bag was closed before the export was done. Nothing was written.")
-                  : tr("The bag is not open any more."));
+  say(was_running ? tr("The bag was closed before the export finished. Nothing was written.")
+                  : tr("The bag is no longer open."));
 }
 
 void RangeExportDialog::reject() {

@@ -1,5 +1,4 @@
-// Asks which part of the open bag goes into a file, as what and where; stays until it is written. The window
-// goes on meanwhile.
+// Asks which part of the open bag to export, as what and where; stays open until it is written. Non-modal.
 #pragma once
 
 #include <memory>
@@ -18,18 +17,18 @@ class QPushButton;
 
 namespace mapwright::window {
 
-/// The bag as it is open.
+/// The open bag.
 struct RangeOffer {
   excerpt::ExcerptJob::Source source;
   QString address;                           // of the robot, or the file
   QString name;                              // of the bag; untrusted
-  double first_s = 0, last_s = 0;            // its times
+  double first_s = 0, last_s = 0;            // its time range
   std::optional<replay::Player::Loop> loop;  // proposed, where there is one
   QString folder;
   std::shared_ptr<work::Workers> workers;
 };
 
-/// "mapwright bags film …": what makes pictures of the same range. For a shell: names are quoted.
+/// "mapwright bags film …" for the same range. For a shell: names are quoted.
 QString filmCommand(const RangeOffer& offer, double from_s, double to_s);
 
 class RangeExportDialog : public QDialog {
@@ -38,7 +37,7 @@ class RangeExportDialog : public QDialog {
   explicit RangeExportDialog(RangeOffer offer, QWidget* parent = nullptr);
   ~RangeExportDialog() override;
 
-  /// The bag is no longer open: what is under way ends, and nothing more can be begun.
+  /// The bag is no longer open: cancels work in progress, and nothing more can be started.
   void leaveBag();
 
   QLineEdit* fromEdit() const { return from_; }
@@ -48,7 +47,7 @@ class RangeExportDialog : public QDialog {
   QLineEdit* filmEdit() const { return film_; }
   QPushButton* exportButton() const { return export_; }
   QPushButton* closeButton() const { return close_; }
-  /// What went wrong, what was left out, what is asked; empty = nothing.
+  /// Errors, omissions or a question; empty = nothing.
   QString said() const;
   bool running() const { return job_ != nullptr; }
 
@@ -69,10 +68,10 @@ class RangeExportDialog : public QDialog {
   void say(const QString& sentence, bool bad = true);
   void setRunning(bool running);
   void take(const excerpt::Ended& ended);
-  /// What is wrong with what is typed; nullopt: nothing.
+  /// Why the input is invalid; nullopt: it is valid.
   std::optional<QString> whyNot(const QString& path) const;
   std::optional<double> time(const QLineEdit* edit, const QString& shown, double meant_s) const;
-  /// nullopt: one of both is no time.
+  /// nullopt: one of them is not a time.
   std::optional<excerpt::TimeSpan> span() const;
 
   RangeOffer offer_;
@@ -81,7 +80,7 @@ class RangeExportDialog : public QDialog {
   QPushButton *browse_, *export_, *close_;
   QProgressBar* progress_;
   QLabel* said_;
-  QString from_shown_, to_shown_;  // as proposed: those mean the exact times
+  QString from_shown_, to_shown_;  // as proposed: these texts mean the exact times
   double from_s_ = 0, to_s_ = 0;   // the proposed ones
   QString asked_;                  // whether this file may be replaced
   bool left_ = false;

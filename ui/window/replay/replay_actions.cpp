@@ -31,19 +31,18 @@ ReplayActions::ReplayActions(WindowContext& context, ReplayClock& clock, Timelin
       menu_(new QMenu(tr("Re&play"), &context.window)) {
   menu_->setToolTipsVisible(true);
   context_.actions.place({MenuGroup::Link, 40}, menu_->menuAction());
-  entry("replayPlay", tr("&Play or pause"), "play", "Ctrl+Space", tr("Play the bag, or stand still"),
+  entry("replayPlay", tr("&Play or pause"), "play", "Ctrl+Space", tr("Play or pause the bag"),
         [this] { clock_.togglePlaying(); });
-  entry("replayBackwards", tr("&Backwards or forwards"), "", "", tr("Play in the other direction"),
+  entry("replayBackwards", tr("&Backwards or forwards"), "", "", tr("Reverse the direction"),
         [this] { clock_.setSpeed(-clock_.speed()); });
-  entry("replayFaster", tr("&Faster"), "", "", tr("Play at the next speed up"), [this] { dock_.faster(1); });
-  entry("replaySlower", tr("&Slower"), "", "", tr("Play at the next speed down"),
-        [this] { dock_.faster(-1); });
+  entry("replayFaster", tr("&Faster"), "", "", tr("Play faster"), [this] { dock_.faster(1); });
+  entry("replaySlower", tr("&Slower"), "", "", tr("Play slower"), [this] { dock_.faster(-1); });
   menu_->addSeparator();
-  entry("replayMessageBack", tr("Previous &message"), "message-back", "", tr("To the message before"),
+  entry("replayMessageBack", tr("Previous &message"), "message-back", "", tr("To the previous message"),
         [this] { clock_.stepMessage(-1); });
   entry("replayMessageForward", tr("Next m&essage"), "message-forward", "", tr("To the next message"),
         [this] { clock_.stepMessage(1); });
-  entry("replayEventBack", tr("Previous e&vent"), "event-back", "", tr("To the event before"),
+  entry("replayEventBack", tr("Previous e&vent"), "event-back", "", tr("To the previous event"),
         [this] { dock_.goToNextEvent(-1); });
   entry("replayEventForward", tr("&Next event"), "event-forward", "", tr("To the next event"),
         [this] { dock_.goToNextEvent(1); });
@@ -52,17 +51,16 @@ ReplayActions::ReplayActions(WindowContext& context, ReplayClock& clock, Timelin
     dock_.askForTime();
   });
   menu_->addSeparator();
-  end_loop_ = entry("replayEndLoop", tr("End the &loop"), "", "", tr("Play on beyond the loop"),
+  end_loop_ = entry("replayEndLoop", tr("End the &loop"), "", "", tr("Continue playing beyond the loop"),
                     [this] { clock_.setLoop(std::nullopt); });
-  read_all_ = context_.actions.addToggle(tr("Replay"), QStringLiteral("replayReadAll"),
-                                         tr("&Read all of the bag"), {}, {}, Reach::Everywhere,
-                                         tr("Read on to the end, so that all events are marked"));
+  read_all_ =
+      context_.actions.addToggle(tr("Replay"), QStringLiteral("replayReadAll"), tr("&Read the whole bag"), {},
+                                 {}, Reach::Everywhere, tr("Read to the end to find all events"));
   read_all_->setChecked(true);
   menu_->addAction(read_all_);
   connect(read_all_, &QAction::toggled, this, &ReplayActions::readsAllChanged);
   entry("replayExport", tr("E&xport a range…"), "export", "",
-        tr("Write a part of the bag, or the way of the robot, into a file"),
-        [this] { Q_EMIT exportWanted(); });
+        tr("Write a part of the bag or the path of the robot to a file"), [this] { Q_EMIT exportWanted(); });
   menu_->addSeparator();
   back_ = context_.actions.add(tr("Replay"), QStringLiteral("replayBack"), tr("Back to the r&obot"),
                                QStringLiteral("robot"), {}, Reach::Everywhere, tr("End the replay"));

@@ -1,4 +1,4 @@
-// What can be done with a replay, as actions: a menu of its own in the menu Robot.
+// The actions of a replay: a submenu of the Robot menu.
 #pragma once
 
 #include <vector>
@@ -21,10 +21,10 @@ class ReplayActions : public QObject {
   /// All must outlive it.
   ReplayActions(WindowContext& context, ReplayClock& clock, TimelineDock& dock, QObject* parent = nullptr);
 
-  /// A bag is read to its end by itself.
+  /// Bags are read to their end automatically.
   bool readsAll() const;
   void setReadsAll(bool all);
-  /// There is a replay, opened or not; `back`: where "back" leads to.
+  /// There is a replay, opened or not; `back`: where "back" leads.
   void setReplay(bool is_replay, const QString& back);
 
  Q_SIGNALS:

@@ -14,7 +14,7 @@ using replay::Player;
 namespace {
 
 constexpr Millis kReplayFrameMs = 16;
-// Moves take what they take; at least as much time is left for everything else.
+// Moves may be slow; at least as much time is left for everything else.
 constexpr Millis kLongestPauseMs = 250;
 
 }  // namespace
@@ -35,7 +35,7 @@ void ReplayClock::attach(replay::ReplayRobot& robot, session::Session& session) 
   session_ = &session;
   connect(&robot, &replay::ReplayRobot::jumped, &session,
           [&session](const map::World& world, Knowledge knowledge) {
-            // While it is looked back for more, the submaps of before are nearer to it than none.
+            // While looking back, the former submaps are better than none.
             session.reset(world, knowledge == Knowledge::Exact);
           });
   connect(&robot, &robot::Robot::connectionChanged, this, &ReplayClock::open);
@@ -169,8 +169,8 @@ void ReplayClock::stepMessage(int direction) {
   auto cell = cells.find(here->from);
   while (true) {
     const replay::ChunkPtr chunk = reading->chunkAt(cell->first);
-    if (!chunk && cell->first == here->from) return;  // it comes
-    // What is not here yet is gone to: there it goes on.
+    if (!chunk && cell->first == here->from) return;  // it is being read
+    // Go to missing data: playback continues there.
     if (!chunk)
       return step((direction > 0 ? replay::secondsOf(cell->second.from)
                                  : std::min(replay::secondsOf(cell->second.until), end())) -
@@ -196,9 +196,9 @@ void ReplayClock::proceed() {
   const double at_s = at();
   const bool moved = std::exchange(gone_to_, at_s) != at_s;
   const Millis began = clock_.elapsed();
-  // The time must not run on while what it leads to is being shown.
+  // The time must not advance while the state is being shown.
   if (moved) robot_->goTo(at_s);
-  if (!player_) return;  // closed by what came of it
+  if (!player_) return;  // closed by a slot of this signal
   if (moved) Q_EMIT timeChanged(at_s);
   went_ = clock_.elapsed();
   pause_ms_ = std::clamp(went_ - began, kReplayFrameMs, kLongestPauseMs);

@@ -1,5 +1,5 @@
-// Which time of a bag the window shows: plays, seeks, steps and loops, and brings the session there. What
-// follows the time of a replay (timeline, plots) holds on to this alone. GUI-thread object.
+// Which time of a bag the window shows: plays, seeks, steps and loops, and updates the session. Everything
+// that follows the time of a replay (timeline, plots) depends only on this. GUI-thread object.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@ namespace mapwright::window {
 class ReplayClock : public QObject {
   Q_OBJECT
  public:
-  /// `now`: milliseconds that only go forward; none = the system's.
+  /// `now`: a monotonic clock in milliseconds; none = the system's.
   explicit ReplayClock(std::function<replay::Millis()> now = {}, QObject* parent = nullptr);
   ~ReplayClock() override;
 
@@ -29,25 +29,25 @@ class ReplayClock : public QObject {
   void attach(replay::ReplayRobot& robot, session::Session& session);
   void detach();
 
-  /// The bag is opened: all below speaks of it. Else times are 0 and reading() is null.
+  /// The bag is open, and everything below is about it. Otherwise times are 0 and reading() is null.
   bool isOpen() const { return player_.has_value(); }
   /// Seconds since the epoch.
   double at() const;
   double start() const { return player_ ? player_->start_s() : 0; }
   double end() const { return player_ ? player_->end_s() : 0; }
   replay::Reading* reading() const;
-  /// How much of the world of at() is known.
+  /// How much of the state at at() is known.
   replay::Knowledge knowledge() const;
-  /// How much of what lies before at() has been read, 0..1.
+  /// The share of the data before at() that has been read, 0..1.
   double lookedBack() const;
-  /// How much of all of the bag has been read, 0..1; 1 exactly when nothing is missing, beyond its told times
-  /// too.
+  /// The share of the whole bag that has been read, 0..1; 1 exactly if nothing is missing, including data
+  /// beyond its stated times.
   double readShare() const;
 
   bool playing() const;
   double speed() const { return player_ ? player_->speed() : 1; }
   std::optional<replay::Player::Loop> loop() const;
-  /// Where the robot is between two samples; nullopt: where the session says.
+  /// The interpolated pose between two samples; nullopt: use the session's.
   std::optional<geometry::Pose2> poseBetween() const;
 
   void play();
@@ -63,27 +63,27 @@ class ReplayClock : public QObject {
   void retry();
 
  public Q_SLOTS:
-  /// The last wish wins. timeChanged() comes at once, the world as soon as it can.
+  /// The last call counts. timeChanged() is emitted at once, the world follows as soon as possible.
   void seek(double at_s);
 
  Q_SIGNALS:
   void timeChanged(double at_s);
   void opened();
   void closed();
-  /// Something of the bag was read, failed or let go; end() may have grown.
+  /// Ranges of the bag were read, failed or were dropped; end() may have grown.
   void rangesChanged();
   /// Playing, speed, loop or knowledge.
   void stateChanged();
 
  private:
-  /// Of what begins until then.
+  /// Of the ranges that begin until then.
   double readShareUntil(double until_s) const;
   void open();
   void proceed();
   void goSoon();
   void noteState();
   void noteRead();
-  /// A bag is shown from its first message on: before it there is nothing to be seen.
+  /// A bag is shown from its first message on: before that there is nothing to see.
   void goToFirstMessage();
   replay::Millis now() const { return now_ ? now_() : clock_.elapsed(); }
 
@@ -93,9 +93,9 @@ class ReplayClock : public QObject {
   QPointer<session::Session> session_;
   std::optional<replay::Player> player_;
   std::optional<double> gone_to_;
-  bool untouched_ = false;  // nobody has wanted another time than the one that it opened with
+  bool untouched_ = false;  // the user has not chosen another time since it was opened
   QTimer timer_;
-  replay::Millis went_ = 0, pause_ms_ = 0;  // after the last move, so that the window stays free
+  replay::Millis went_ = 0, pause_ms_ = 0;  // after the last move, so that the window stays responsive
   struct State {
     bool playing = false, waiting = false;
     replay::Knowledge knowledge = replay::Knowledge::Buffering;

@@ -47,7 +47,7 @@ const QString kRangeFolderKey = QStringLiteral("replay/exportFolder");
 const QString kEventsFolderKey = QStringLiteral("replay/eventsFolder");
 const QString kHiddenEventsKey = QStringLiteral("replay/hiddenEvents");
 constexpr double kNearTrackPx = 10, kRoomAroundTrackM = 8;
-constexpr double kOnePassS = 3;  // poses so near in time belong to one pass by a place
+constexpr double kOnePassS = 3;  // poses within this time belong to one pass of a place
 
 }  // namespace
 
@@ -161,7 +161,7 @@ void ReplayController::open(std::unique_ptr<robot::Robot> origin, const std::str
 }
 
 void ReplayController::show(std::unique_ptr<robot::Robot> replay) {
-  // Shared, because what is called later has to be copyable.
+  // Shared, because the callback has to be copyable.
   context_.unsaved.whenMayLeaveRobot(
       [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(replay))] {
         if (!replayOf(context_.current.session())) live_address_ = context_.current.address();
@@ -186,7 +186,7 @@ void ReplayController::back() {
 
 void ReplayController::setSession(session::Session* session) {
   const bool was_replay = clock_->isOpen() || !dock_was_open_;
-  // What reads of the bag must not outlive its robot.
+  // Readers of the bag must not outlive its robot.
   if (range_dialog_) range_dialog_->leaveBag();
   clock_->detach();
   scene::PoseBetween::of(context_.scene).show(std::nullopt);
@@ -203,7 +203,7 @@ void ReplayController::setSession(session::Session* session) {
     dock_->hide();
   }
   if (!robot) dock_->setOpening({});
-  // Without a replay it has nothing to say.
+  // Without a replay it is empty.
   if (session && !robot && events_->toggleViewAction()->isChecked()) {
     events_wanted_ = true;
     events_->hide();
@@ -257,7 +257,7 @@ void ReplayController::fitAtFirst() {
     for (const replay::Digest::Pose& sample : digest.poses) bounds.extend(replay::placeOf(sample).position_m);
   }
   if (bounds.empty()) return;
-  // The map comes while it plays: it must not move what somebody looks at.
+  // The map arrives during playback: it must not move the view.
   context_.viewpoint.choose();
   context_.viewpoint.fitOnce(bounds.grown(kRoomAroundTrackM));
 }
@@ -275,7 +275,8 @@ void ReplayController::chooseMode() {
     return;
   mode_before_ = mode;
   setViewMode(context_.scene, ViewMode::Whole);
-  context_.overlay.toasts()->add(Mark::Neutral, tr("This bag lists no submaps: the whole map is shown."));
+  context_.overlay.toasts()->add(Mark::Neutral,
+                                 tr("This bag contains no submap list: the whole map is shown."));
 }
 
 QString ReplayController::backWords() const {
@@ -294,22 +295,21 @@ void ReplayController::refresh() {
     const session::MapSlot& slot = context_.current.session()->wholeMap();
     const bool of_now = slot.cells() && slot.shown().key.kind != map::MapKind::Live && !robot->isLocal();
     if (mapsInView(context_.scene).whole && of_now)
-      notice.sentence += QLatin1Char(' ') + tr("The map is that of now.");
+      notice.sentence += QLatin1Char(' ') + tr("The map is the robot's present one.");
     if (hasToldNoMap(context_.current.session(), mapsInView(context_.scene)))
-      notice.sentence += QLatin1Char(' ') + tr("The bag has not told a map yet at this time.");
+      notice.sentence += QLatin1Char(' ') + tr("The bag contains no map up to this time.");
     const std::optional<robot::BagInfo>& info = clock_->reading()->info();
     if (const robot::BagAway* const away = info ? info->awayAt(clock_->at()) : nullptr)
       notice.sentence +=
-          QLatin1Char(' ') + tr("No connection to the robot since %1: nothing came at this time.")
+          QLatin1Char(' ') + tr("No connection to the robot since %1: nothing was recorded at this time.")
                                  .arg(clockText(away->from_s, 0));
     if (info && info->interrupted)
       notice.sentence +=
-          QLatin1Char(' ') + tr("The recording was interrupted at %1, or is still being written.")
-                                 .arg(clockText(info->end_s, 0));
-    if (info && info->repair && info->repair->broke_off_s)
-      notice.sentence +=
           QLatin1Char(' ') +
-          tr("The recording broke off at %1 and was repaired.").arg(clockText(*info->repair->broke_off_s, 0));
+          tr("The recording was interrupted at %1, or is still going on.").arg(clockText(info->end_s, 0));
+    if (info && info->repair && info->repair->broke_off_s)
+      notice.sentence += QLatin1Char(' ') + tr("The recording was cut off at %1 and has been repaired.")
+                                                .arg(clockText(*info->repair->broke_off_s, 0));
     notice.offer = backWords();
     notice.take = [this] { back(); };
     notice.closable = true;
@@ -335,7 +335,7 @@ void ReplayController::clickedOnMap(const Eigen::Vector2d& world_m) {
     }
   }
   if (hits.empty()) return;
-  // Of several passes the one that is nearest in time, and of that the nearest place.
+  // Of several passes the one nearest in time, and of that the nearest position.
   const auto pass = std::min_element(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
     return std::abs(a.at_s - now_s) < std::abs(b.at_s - now_s);
   });
@@ -360,7 +360,7 @@ void ReplayController::remember(QSettings& settings) {
 }
 
 bool ReplayController::eventFilter(QObject* watched, QEvent* event) {
-  // Space held while the mouse drags moves the map; pressed and let go of alone it plays.
+  // Space with a mouse drag moves the map; Space alone plays.
   if (event->type() == QEvent::MouseButtonPress) space_pressed_ = false;
   if (watched == &context_.view &&
       (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)) {

@@ -1,4 +1,4 @@
-// A bag on screen, in the place of the live robot: its time, its panel, and the way back.
+// A bag on screen instead of the live robot: its time, its panel, and the way back.
 #pragma once
 
 #include <functional>
@@ -25,7 +25,7 @@ class TimelineDock;
 class ReplayController : public Controller {
   Q_OBJECT
  public:
-  /// Makes a robot of this address, not yet connected, as the present one was made. The error is a sentence.
+  /// Makes a robot with this address, not yet connected, like the present one. The error is a sentence.
   using MakeRobot =
       std::function<tl::expected<std::unique_ptr<robot::Robot>, QString>(const QString& address)>;
 
@@ -36,19 +36,19 @@ class ReplayController : public Controller {
   TimelineDock* dock() const { return dock_; }
   EventsDock* eventsDock() const { return events_; }
 
-  /// A bag of the present robot, or of the one whose bag is shown. What went wrong becomes a toast.
+  /// A bag of the present robot, or of the one whose bag is shown. Errors are shown as a toast.
   void openBag(const robot::BagKey& key);
-  /// A bag of `origin`, which is not connected to; leaves what is on screen, once what is not saved is saved
-  /// or let go of.
+  /// A bag of `origin`, which is not connected; replaces what is on screen after unsaved changes are saved or
+  /// discarded.
   void open(std::unique_ptr<robot::Robot> origin, const robot::BagKey& key);
   /// The bag of this name, or else the recording.
   void open(std::unique_ptr<robot::Robot> origin, const std::string& name);
   /// Ends the replay; connects to the robot that was on screen before, if there was one.
   void back();
-  /// Asks which part of the open bag goes into a file.
+  /// Asks which part of the open bag to export.
   void exportRange();
   RangeExportDialog* rangeDialog() const;  // null: not open
-  /// A click on the way that the robot took goes to the time when it was there.
+  /// A click on the robot's path goes to the time when it was there.
   void clickedOnMap(const Eigen::Vector2d& world_m);
 
   void setSession(session::Session* session) override;
@@ -65,7 +65,7 @@ class ReplayController : public Controller {
   void showPose();
   /// Whether the robot was connected at this time of its recording.
   void noteLink();
-  /// Once all of the first moment is known.
+  /// Once the state at the first time is known.
   void chooseMaps();
   void chooseMode();
   void fitAtFirst();
@@ -81,12 +81,12 @@ class ReplayController : public Controller {
   EventsDock* events_;
   QPointer<RangeExportDialog> range_dialog_;
   ReplayActions* actions_;
-  QString live_address_;        // of the robot that was left for the replay; empty = none
-  bool space_pressed_ = false;  // on the map, and nothing else since
+  QString live_address_;        // of the robot that was on screen before; empty = none
+  bool space_pressed_ = false;  // on the map, without other input since
   bool dock_was_open_ = true;
-  bool events_wanted_ = false;  // the list stands open with the next replay
+  bool events_wanted_ = false;  // opens the list with the next replay
   bool maps_chosen_ = false;
-  bool away_ = false;                    // the link was, at this time of the recording
+  bool away_ = false;                    // disconnected at this time of the recording
   std::optional<ViewMode> mode_before_;  // a bag without submaps
 };
 

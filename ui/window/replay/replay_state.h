@@ -1,4 +1,4 @@
-// How it stands with a replay, in words.
+// Texts about the state of a replay.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@
 
 namespace mapwright::window {
 
-/// What is replayed in this session; null: it shows a robot as it is.
+/// The replay of this session; null: it shows a live robot.
 const replay::ReplayRobot* replayOf(const session::Session* session);
-/// How the window reads bags: a file that is still being written is played as far as it goes.
+/// How the window reads bags: follows a file that is still being written.
 replay::Reading::Options followedReading();
-/// What the bag is called: one line of plain text.
+/// The name of the bag: one line of plain text.
 QString bagCalled(const replay::ReplayRobot& robot, int limit = 60);
-/// All of its time is known, and until then the bag has told none of the maps that are to be seen.
+/// All of the state is known, and the bag contains none of the maps to show up to this time.
 bool hasToldNoMap(session::Session* session, const MapsInView& in_view);
-/// Instead of how the link stands; nullopt: it is no replay, or the bag is not opened.
+/// Shown instead of the connection state; nullopt: it is not a replay, or the bag is not open.
 std::optional<StateText> replayText(const session::Session* session);
 
 }  // namespace mapwright::window

@@ -21,14 +21,14 @@ constexpr std::array kSteps{0.001,  0.002,   0.005,   0.01,    0.02,    0.05,   
 constexpr std::size_t kMostTicks = 2'000;
 constexpr double kEpochFromS = 1e8;  // smaller numbers count from the start
 constexpr double kDayS = 86'400;
-constexpr double kFarthestS = 1e11;  // what QDateTime is asked for
+constexpr double kFarthestS = 1e11;  // limit for QDateTime
 
 QDateTime utc(double at_s) {
   return QDateTime::fromMSecsSinceEpoch(
       qint64(std::floor(std::clamp(at_s, -kFarthestS, kFarthestS) * 1000 + 1e-3)), Qt::UTC);
 }
 
-/// "90", "1:30", "1:02:03.5" as a length; nullopt: it is none.
+/// "90", "1:30", "1:02:03.5" as a length; nullopt: invalid.
 std::optional<double> lengthTyped(const QString& text) {
   static const QRegularExpression pattern(
       QStringLiteral("^(?:(?:(\\d{1,4}):)?(\\d{1,2}):)?(\\d{1,10}(?:\\.\\d*)?|\\.\\d+)\\s*s?$"));
@@ -48,7 +48,7 @@ std::optional<double> clockTyped(const QString& text, double first_s, double las
   if (hours > 23 || minutes > 59 || seconds >= 60) return std::nullopt;
   const double of_day_s = hours * 3600 + minutes * 60 + seconds;
   const double first_day_s = std::floor(first_s / kDayS) * kDayS;
-  // "14:36" of a bag that begins at 14:36:17 is its start.
+  // "14:36" of a bag that begins at 14:36:17 means its start.
   const double slack_s = match.captured(3).isEmpty() ? 60 : 1;
   for (double day_s = first_day_s; day_s <= last_s; day_s += kDayS) {
     const double at_s = day_s + of_day_s;
@@ -80,7 +80,7 @@ TimelineAxis TimelineAxis::movedBy(double by_s, double first_s, double last_s) c
 TimelineAxis TimelineAxis::showing(double at_s, double first_s, double last_s) const {
   if (at_s >= from_s && at_s <= until_s) return *this;
   const double length_s = until_s - from_s;
-  // It came from the other side: most of the page is where it is headed.
+  // It entered from the other side: most of the page is ahead.
   const double into_s = at_s > until_s ? length_s / 20 : length_s * 19 / 20;
   return movedBy(at_s - into_s - from_s, first_s, last_s);
 }
@@ -131,7 +131,7 @@ std::optional<double> timeTyped(const QString& typed, double first_s, double las
   QString text = typed.trimmed().toLower();
   text.replace(QLatin1Char(','), QLatin1Char('.'));
   const auto within = [&](std::optional<double> at_s) {
-    // What is shown is cut to milliseconds: the very start may be typed a little too early.
+    // Displayed times are truncated to milliseconds: the start may be typed slightly too early.
     if (!at_s || !std::isfinite(*at_s) || *at_s < first_s - 0.001 || *at_s > last_s + 0.001)
       return std::optional<double>();
     return std::optional(std::clamp(*at_s, first_s, last_s));

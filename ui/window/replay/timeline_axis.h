@@ -1,5 +1,5 @@
-// A stretch of time on a row of pixels, and times in words. Pure. Seconds since the epoch; people read and
-// type them in UTC, like robots tell the times of their bags.
+// Maps a time range to pixels, and formats times. Pure. Seconds since the epoch; displayed and typed in UTC,
+// like the times of robots' bags.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace mapwright::window {
 
-/// What of a bag is in view, and how wide.
+/// The visible part of a bag, and its width.
 struct TimelineAxis {
   double from_s = 0, until_s = 1;  // until_s > from_s
   double left_px = 0, width_px = 1;
@@ -18,12 +18,11 @@ struct TimelineAxis {
   double timeOf(double px) const { return from_s + (px - left_px) * secondsPerPixel(); }
   double secondsPerPixel() const { return (until_s - from_s) / (width_px > 0 ? width_px : 1); }
 
-  /// Nearer (factor below 1) or farther, `at_s` stays where it is; never beyond first_s..last_s, never nearer
-  /// than kNearestS.
+  /// Zooms in (factor below 1) or out around `at_s`; within first_s..last_s, and not closer than kNearestS.
   TimelineAxis zoomed(double factor, double at_s, double first_s, double last_s) const;
-  /// The same stretch elsewhere, within first_s..last_s.
+  /// The same length elsewhere, within first_s..last_s.
   TimelineAxis movedBy(double by_s, double first_s, double last_s) const;
-  /// The same stretch where `at_s` is in view: unchanged, or a page on.
+  /// The same length with `at_s` visible: unchanged, or a page further.
   TimelineAxis showing(double at_s, double first_s, double last_s) const;
 
   static constexpr double kNearestS = 0.2;
@@ -33,7 +32,7 @@ struct AxisTick {
   double at_s = 0;
   QString label;  // empty: a small one
 };
-/// Round times, at least `label_px` apart where they have labels.
+/// Round times, at least `label_px` apart if they have labels.
 std::vector<AxisTick> axisTicks(const TimelineAxis& axis, double label_px);
 
 /// "14:36:17.250".
@@ -50,7 +49,7 @@ std::optional<double> timeTyped(const QString& text, double first_s, double last
 
 /// A speed: "2x", "-0.5x".
 QString speedText(double speed);
-/// "2", "0.5x", "-1 x"; nullopt: it is none, or out of replay::Player's bounds.
+/// "2", "0.5x", "-1 x"; nullopt: invalid, or outside of replay::Player's limits.
 std::optional<double> speedTyped(const QString& text);
 
 }  // namespace mapwright::window

@@ -30,7 +30,7 @@ using replay::Knowledge;
 namespace {
 
 constexpr std::array kSpeeds{20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, -0.1, -0.5, -1.0, -2.0, -5.0, -20.0};
-// Events of a long bag are looked for anew whenever a range is read: not for each of them.
+// The events of a long bag are not collected again for each range read.
 constexpr int kContentEveryMs = 150;
 
 TimelineRange rangeOf(const replay::Cell& cell) {
@@ -53,32 +53,32 @@ TimelineRange rangeOf(const replay::Cell& cell) {
 TimelineDock::TimelineDock(ReplayClock& clock, QWidget* parent)
     : QDockWidget(tr("Timeline"), parent), clock_(clock), view_(new TimelineView(this)) {
   setObjectName(QStringLiteral("timeline"));
-  event_back_ = button("event-back", tr("Previous event"), tr("To the event before (Page up)"));
-  message_back_ = button("message-back", tr("Previous message"), tr("To the message before (,)"));
+  event_back_ = button("event-back", tr("Previous event"), tr("To the previous event (Page up)"));
+  message_back_ = button("message-back", tr("Previous message"), tr("To the previous message (,)"));
   play_ = button("play", tr("Play"), {});
   message_forward_ = button("message-forward", tr("Next message"), tr("To the next message (.)"));
   event_forward_ = button("event-forward", tr("Next event"), tr("To the next event (Page down)"));
-  events_ = button("filter", tr("Which events"), {});
+  events_ = button("filter", tr("Kinds of events"), {});
   makeEventsMenu();
-  list_ = button("list", tr("List of events"), tr("List what happened in the bag"));
+  list_ = button("list", tr("List of events"), tr("List the events of the bag"));
   speed_ = new QComboBox(this);
   speed_->setEditable(true);
   speed_->setInsertPolicy(QComboBox::NoInsert);
   for (const double speed : kSpeeds) speed_->addItem(speedText(speed));
   speed_->setAccessibleName(tr("Speed"));
-  speed_->setToolTip(tr("How fast it is played, 0.1x to 20x; below zero backwards"));
+  speed_->setToolTip(tr("Playback speed, 0.1x to 20x; negative plays backwards"));
   speed_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0.25x")) + 44);
   time_ = new QLineEdit(this);
   time_->setAccessibleName(tr("Time"));
   time_->setToolTip(
-      plainToolTip(tr("The time (UTC). Type one and press Enter to go there, Ctrl+Enter to play until then:\n"
-                      "14:36:17.5, 2023-10-31 14:36:17, +1:30 after the start, -10 before the end")));
+      plainToolTip(tr("The time (UTC). Type a time and press Enter to go there, Ctrl+Enter to play until "
+                      "then:\n14:36:17.5, 2023-10-31 14:36:17, +1:30 after the start, -10 before the end")));
   time_->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("00:00:00.000")) + 26);
   length_ = new PlainLabel(this);
   length_->setSecondary(true);
   const QString longest = tr("%1 of %2").arg(QStringLiteral("00:00:00.0"), QStringLiteral("00:00:00.0"));
   length_->setSample(longest);
-  // How far it is stands nowhere else: what is beside it gives way.
+  // It is the only place with the total length: its neighbours give way.
   length_->setMinimumWidth(length_->sizeHint().width());
   state_ = new StateLabel(this);
   retry_ = new QPushButton(tr("Retry"), this);
@@ -126,7 +126,7 @@ void TimelineDock::makeEventsMenu() {
     shown->setData(int(group));
     connect(shown, &QAction::toggled, this, &TimelineDock::takeGroups);
   }
-  // How many there are of each is told when it is opened.
+  // The counts are updated when it is opened.
   connect(menu, &QMenu::aboutToShow, this, [this, menu] {
     std::map<replay::EventGroup, int> counts;
     for (const replay::Event& event : view_->content().events) ++counts[replay::groupOf(event.kind)];
@@ -149,8 +149,8 @@ void TimelineDock::takeGroups() {
   QStringList names;
   for (const replay::EventGroup group : hidden) names << groupName(group);
   events_->setToolTip(
-      hidden.empty() ? tr("Which events are marked and gone to")
-                     : plainToolTip(tr("Events that are hidden: %1").arg(names.join(QStringLiteral("; ")))));
+      hidden.empty() ? tr("Which events to mark on the timeline")
+                     : plainToolTip(tr("Hidden kinds of events: %1").arg(names.join(QStringLiteral("; ")))));
   events_->setIcon(hidden.empty() ? themedIcon(QStringLiteral("filter"))
                                   : QIcon(iconPixmap(QStringLiteral("filter"), 18, devicePixelRatioF(),
                                                      appColors().accent)));
@@ -235,7 +235,7 @@ void TimelineDock::showMenu(const QPoint& global_pos, double at_s) {
   menu.addAction(themedIcon(QStringLiteral("export")),
                  clock_.loop() ? tr("Export the loop…") : tr("Export a range…"), this,
                  &TimelineDock::exportWanted);
-  menu.addAction(themedIcon(QStringLiteral("fit")), tr("Show all of the bag"), view_, &TimelineView::showAll);
+  menu.addAction(themedIcon(QStringLiteral("fit")), tr("Show the whole bag"), view_, &TimelineView::showAll);
   menu.exec(global_pos);
 }
 
@@ -255,8 +255,8 @@ void TimelineDock::setBack(const QString& text) {
 void TimelineDock::fitBack() {
   const int icon_px = back_->iconSize().width() + 16;
   const int words_px = fontMetrics().horizontalAdvance(back_words_) + icon_px + 12;
-  // It must not come and go with what is said while the bag is read.
-  int others_px = fontMetrics().horizontalAdvance(tr("looking back %1 %").arg(100)) + 24;
+  // Its visibility must not depend on the text while the bag is read.
+  int others_px = fontMetrics().horizontalAdvance(tr("reading earlier data: %1 %").arg(100)) + 24;
   for (int i = 0; i < row_->count(); ++i) {
     const QLayoutItem* const item = row_->itemAt(i);
     if (item->isEmpty() || item->widget() == back_ || item->widget() == state_) continue;
@@ -264,7 +264,7 @@ void TimelineDock::fitBack() {
   }
   const QMargins margins = row_->contentsMargins();
   const int room_px = widget()->width() - margins.left() - margins.right() - others_px;
-  // The strip above the map has the same button with its words.
+  // The strip above the map has the same button with its text.
   back_->setText(words_px <= room_px ? back_words_ : QString());
 }
 
@@ -308,8 +308,8 @@ void TimelineDock::takeClosed() {
   view_->setContent({});
   view_->setLoop(std::nullopt);
   view_->setNotice(!opening_.isEmpty() ? opening_
-                                       : tr("A bag that is opened in the panel Recordings is played here."));
-  time_->setText({});  // clear() would count as typed, and what is typed stays
+                                       : tr("Bags opened in the Recordings panel are played here."));
+  time_->setText({});  // clear() would count as typed, and typed text stays
   length_->setText({});
   takeState();
 }
@@ -325,7 +325,7 @@ void TimelineDock::takeContent() {
   content.silences = replay::silencesIn(reading->chunks(), reading->index().digests());
   const bool empty = content.ranges.empty();
   view_->setContent(std::move(content));
-  view_->setNotice(empty ? tr("This bag holds no messages.") : QString());
+  view_->setNotice(empty ? tr("This bag contains no messages.") : QString());
   takeTime(clock_.at());
   Q_EMIT eventsChanged();
 }
@@ -333,7 +333,7 @@ void TimelineDock::takeContent() {
 void TimelineDock::takeTime(double at_s) {
   if (!clock_.isOpen()) return;
   view_->setAt(at_s);
-  // What somebody is about to type over stays selected.
+  // A selection that the user is about to overwrite stays.
   const bool typing = time_->isModified() || (time_->hasFocus() && time_->hasSelectedText());
   if (const QString text = clockText(at_s); !typing && text != time_->text()) time_->setText(text);
   length_->setText(
@@ -352,7 +352,7 @@ void TimelineDock::takeState() {
   const bool playing = clock_.playing();
   play_->setIcon(themedIcon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
   play_->setAccessibleName(playing ? tr("Pause") : tr("Play"));
-  play_->setToolTip(playing ? tr("Stand still (Space)") : tr("Play (Space)"));
+  play_->setToolTip(playing ? tr("Pause (Space)") : tr("Play (Space)"));
   if (!speed_->lineEdit()->isModified()) speed_->setEditText(speedText(clock_.speed()));
   view_->setLoop(clock_.loop());
   StateText state;
@@ -366,7 +366,7 @@ void TimelineDock::takeState() {
   } else if (open && clock_.knowledge() == Knowledge::LookingBack) {
     state.mark = Mark::Busy;
     const int percent = int(std::floor(clock_.lookedBack() * 100));
-    state.text = percent < 100 ? tr("looking back %1 %").arg(percent) : tr("looking back…");
+    state.text = percent < 100 ? tr("reading earlier data: %1 %").arg(percent) : tr("reading earlier data…");
   }
   state_->setState(state);
   state_->setToolTip(gap ? plainToolTip(rangeOf(*gap).why) : QString());
@@ -380,11 +380,10 @@ void TimelineDock::takeState() {
 void TimelineDock::takeTyped(bool play_until) {
   const auto at_s = timeTyped(time_->text(), clock_.start(), clock_.end());
   if (!at_s) {
-    QToolTip::showText(
-        time_->mapToGlobal(QPoint(0, -time_->height())),
-        plainToolTip(
-            tr("This is no time between %1 and %2.").arg(clockText(clock_.start()), clockText(clock_.end()))),
-        time_);
+    QToolTip::showText(time_->mapToGlobal(QPoint(0, -time_->height())),
+                       plainToolTip(tr("This is not a time between %1 and %2.")
+                                        .arg(clockText(clock_.start()), clockText(clock_.end()))),
+                       time_);
     time_->selectAll();
     return;
   }

@@ -25,13 +25,13 @@ class TimelineDock : public QDockWidget {
   explicit TimelineDock(ReplayClock& clock, QWidget* parent = nullptr);
   ~TimelineDock() override;
 
-  /// What the panel says while nothing is open: "Opening …"; empty = how to open a bag.
+  /// The text while nothing is open: "Opening …"; empty = how to open a bag.
   void setOpening(const QString& sentence);
-  /// Where "back" leads to: the words of its button.
+  /// The text of the button "back".
   void setBack(const QString& text);
   void goToNextEvent(int direction);
   void faster(int direction);
-  /// The keyboard goes where a time is typed.
+  /// Moves the focus to the time field.
   void askForTime();
 
   TimelineView* view() const { return view_; }
@@ -40,22 +40,22 @@ class TimelineDock : public QDockWidget {
   QLineEdit* timeField() const { return time_; }
   QPushButton* retryButton() const { return retry_; }
   QPushButton* backButton() const { return back_; }
-  /// "buffering", "looking back 40 %", what could not be read; empty = all is known.
+  /// "buffering", "reading earlier data 40 %", what could not be read; empty = all is known.
   QString stateShown() const;
   QString lengthShown() const;
   QToolButton* eventsButton() const { return events_; }
   QToolButton* listButton() const { return list_; }
-  /// Which events are shown, by the words of their groups; for the settings.
+  /// The hidden groups of events, by their words; for the settings.
   QStringList hiddenGroups() const;
   void setHiddenGroups(const QStringList& words);
 
  Q_SIGNALS:
   void backWanted();
-  /// A part of the bag is to go into a file.
+  /// Export a part of the bag.
   void exportWanted();
   /// The panel that lists the events.
   void listWanted();
-  /// Those of the view have been found anew.
+  /// Those in view have been collected again.
   void eventsChanged();
 
  protected:
@@ -76,7 +76,7 @@ class TimelineDock : public QDockWidget {
   void takeContent();
   void takeTyped(bool play_until);
   void takeSpeed();
-  /// Its words, where there is room for them beside everything else.
+  /// Its text, if there is room for it.
   void fitBack();
 
   ReplayClock& clock_;

@@ -18,7 +18,7 @@ class TimelineEventsText {
 };
 
 constexpr qsizetype kTextLength = 120;
-// Steps by hand end at an event, not a hair before it.
+// Manual steps end exactly at an event.
 constexpr double kSameInstantS = 1e-6;
 
 QString said(const std::string& text) { return words::plainName(text).left(kTextLength); }
@@ -65,13 +65,13 @@ QString eventText(const Event& event) {
     case EventKind::PositionJump:
       return TimelineEventsText::tr("The position jumped by %1 m").arg(event.metres, 0, 'f', 1);
     case EventKind::MapChanged:
-      return TimelineEventsText::tr("Another map: %1").arg(text);
+      return TimelineEventsText::tr("Map changed: %1").arg(text);
     case EventKind::SessionChanged:
-      return TimelineEventsText::tr("A new SLAM session");
+      return TimelineEventsText::tr("New SLAM session");
     case EventKind::QualityLow:
-      return TimelineEventsText::tr("The position is poor or lost");
+      return TimelineEventsText::tr("Localization is poor or lost");
     case EventKind::QualityGood:
-      return TimelineEventsText::tr("The position is good again");
+      return TimelineEventsText::tr("Localization is good again");
     case EventKind::EmergencyStopOn:
       return TimelineEventsText::tr("Emergency stop pressed");
     case EventKind::EmergencyStopOff:
@@ -95,9 +95,9 @@ QString kindName(EventKind kind) {
     case EventKind::SessionChanged:
       return TimelineEventsText::tr("SLAM session");
     case EventKind::QualityLow:
-      return TimelineEventsText::tr("Position poor");
+      return TimelineEventsText::tr("Localization poor");
     case EventKind::QualityGood:
-      return TimelineEventsText::tr("Position good");
+      return TimelineEventsText::tr("Localization good");
     case EventKind::EmergencyStopOn:
       return TimelineEventsText::tr("Emergency stop");
     case EventKind::EmergencyStopOff:
@@ -113,7 +113,7 @@ QString groupName(replay::EventGroup group) {
     case replay::EventGroup::Planner:
       return TimelineEventsText::tr("States of the planner");
     case replay::EventGroup::Position:
-      return TimelineEventsText::tr("Position: jumps, poor and good again");
+      return TimelineEventsText::tr("Localization: jumps, poor and good again");
     case replay::EventGroup::Maps:
       return TimelineEventsText::tr("Maps and SLAM sessions");
     case replay::EventGroup::Stops:
@@ -143,7 +143,7 @@ std::vector<EventCluster> clustersOf(std::span<const Event> events, const Timeli
   for (auto event = first; event != events.end() && event->at_s <= until_s; ++event) {
     const double px = axis.pixelOf(event->at_s);
     open.push_back({{std::size_t(event - events.begin()), 1, px, reach(1), markOf(*event)}, px, px});
-    // Two that have become one may reach the one before.
+    // A merged one may overlap the one before.
     while (open.size() > 1) {
       Open& before = open[open.size() - 2];
       const Open& last = open.back();

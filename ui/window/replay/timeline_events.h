@@ -1,4 +1,4 @@
-// What happened in a bag as marks and words. Pure.
+// Marks and texts for the events of a bag. Pure.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace mapwright::window {
 
 enum class EventShape { Triangle, Ring, Tick, Diamond, Square, Disc };
 
-/// How it is marked: by shape and colour.
+/// Its mark: shape and colour.
 struct EventMark {
   EventShape shape = EventShape::Tick;
   Mark mark = Mark::Neutral;
@@ -26,13 +26,13 @@ QString eventText(const replay::Event& event);
 /// "Alert ended".
 QString kindName(replay::EventKind kind);
 
-/// What the kinds of a group are called: "Alerts".
+/// The name of a group: "Alerts".
 QString groupName(replay::EventGroup group);
 
-/// Events that would lie on top of each other are one mark, which tells how many they are.
+/// Events that would overlap become one mark with their number.
 struct EventCluster {
-  std::size_t first = 0, count = 0;  // among the events, in the order of time
-  double px = 0, half_px = 0;        // where its middle lies, and how far it reaches
+  std::size_t first = 0, count = 0;  // among the events, in order of time
+  double px = 0, half_px = 0;        // centre and half width
   EventMark mark;                    // of the gravest
 };
 struct ClusterSizes {
@@ -41,7 +41,7 @@ struct ClusterSizes {
   double digit_px = 4;   // half of a digit
   double gap_px = 1;
 };
-/// Of those within the axis and a little beside it; side by side.
+/// For those within the axis and slightly beyond; side by side.
 std::vector<EventCluster> clustersOf(std::span<const replay::Event> events, const TimelineAxis& axis,
                                      const ClusterSizes& sizes = {});
 
@@ -52,7 +52,7 @@ struct Stretch {
   double from_s = 0, until_s = 0;
   bool operator==(const Stretch&) const = default;
 };
-/// Where the position was lost or poor; what does not end goes on to `last_s`.
+/// Where localization was lost or poor; an open end extends to `last_s`.
 std::vector<Stretch> poorStretches(std::span<const replay::Event> events, double last_s);
 
 }  // namespace mapwright::window

@@ -1,4 +1,4 @@
-// The timeline: how it looks.
+// The timeline: painting.
 #include <algorithm>
 #include <cmath>
 
@@ -77,7 +77,7 @@ void TimelineView::paintTicks(QPainter& painter, const Rows& rows) const {
     painter.setPen(with(colors.neutral, 40));
     painter.drawLine(QPointF(x, rows.labels_bottom), QPointF(x, height()));
     const double wide = metrics.horizontalAdvance(tick.label);
-    // Those at the edges stay whole.
+    // Those at the edges stay complete.
     const double left = std::clamp(x - wide / 2, 2.0, std::max(2.0, width() - wide - 2));
     painter.setPen(colors.secondary_text);
     painter.drawText(QPointF(left, metrics.ascent() + 1), tick.label);
@@ -121,7 +121,7 @@ void TimelineView::paintRanges(QPainter& painter, const Rows& rows) const {
     }
   }
   for (const replay::Silence& silence : content_.silences) {
-    // The band has a hole there: it has been read, and there is nothing.
+    // The band has a hole there: it was read, and it is empty.
     QRectF part = bar(silence.from_s, silence.until_s);
     if (silence.until_s < axis.from_s || silence.from_s > axis.until_s) continue;
     part.setWidth(std::max(part.width(), 2.0));
@@ -204,7 +204,7 @@ void TimelineView::paintCursor(QPainter& painter, const Rows& rows) const {
   }
   const double x = axis.pixelOf(at_s_);
   if (x < -8 || x > width() + 8) return;
-  // In the colour of words: all others mean something here.
+  // In the text colour: all others have a meaning here.
   const QColor color = QGuiApplication::palette().color(QPalette::WindowText);
   painter.setPen(QPen(color, 2));
   painter.drawLine(QPointF(x, rows.labels_bottom - 2), QPointF(x, height() - 1));

@@ -1,4 +1,4 @@
-// The timeline: what hands and keys do. How it looks: timeline_painting.cpp.
+// The timeline: mouse and keyboard. Painting: timeline_painting.cpp.
 #include "window/replay/timeline_view.h"
 
 #include <algorithm>
@@ -254,7 +254,7 @@ void TimelineView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_0:
       return showAll();
     case Qt::Key_Escape:
-      // The loop is left first, then whatever Esc means elsewhere.
+      // First ends the loop, then does what Esc means elsewhere.
       if (loop_) return Q_EMIT loopWanted(std::nullopt);
       break;
     default:
@@ -278,7 +278,7 @@ bool TimelineView::event(QEvent* event) {
     return true;
   }
   if (event->type() == QEvent::ShortcutOverride) {
-    // These keys mean something else on the map; here they are the timeline's.
+    // These keys mean something else on the map; here they belong to the timeline.
     switch (static_cast<QKeyEvent*>(event)->key()) {
       case Qt::Key_Space:
       case Qt::Key_Comma:

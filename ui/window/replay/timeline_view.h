@@ -1,5 +1,5 @@
-// The axis of a bag: what of it is read, what happened, where one is. Painted here; drags and keys become
-// wishes.
+// The axis of a bag: what has been read, its events, and the present time. Painted here; user input becomes
+// signals.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ struct TimelineRange {
 };
 
 struct TimelineContent {
-  double first_s = 0, last_s = 0;  // equal: there is nothing
+  double first_s = 0, last_s = 0;  // equal: empty
   std::vector<TimelineRange> ranges;
   std::vector<replay::Event> events;      // in the order of time
   std::vector<replay::Silence> silences;  // nothing was recorded there
@@ -38,24 +38,24 @@ class TimelineView : public QWidget {
  public:
   explicit TimelineView(QWidget* parent = nullptr);
 
-  /// Keeps what is in view, unless that was all of it.
+  /// Keeps the visible range, unless that was everything.
   void setContent(TimelineContent content);
   const TimelineContent& content() const { return content_; }
-  /// Which events are marked, pointed at and gone to; all of them at first.
+  /// Which events to mark, hover and step to; initially all.
   void setHiddenGroups(std::set<replay::EventGroup> hidden);
   const std::set<replay::EventGroup>& hiddenGroups() const { return hidden_; }
-  /// Those that are not hidden, in the order of time.
+  /// Those that are not hidden, in order of time.
   const std::vector<replay::Event>& shownEvents() const { return shown_; }
   void setAt(double at_s);
   void setLoop(std::optional<replay::Player::Loop> loop);
-  /// Something to say in the place of the axis; empty = the axis.
+  /// Shown instead of the axis; empty = the axis.
   void setNotice(const QString& sentence);
   QString notice() const { return notice_; }
 
   TimelineAxis axis() const;
   void showAll();
   void zoomBy(double factor, double at_s);
-  /// The events within a few pixels, and what else is to be known of a place; empty = nothing.
+  /// The events within a few pixels, and other information about a position; empty = nothing.
   QString wordsAt(const QPointF& px) const;
 
   QSize sizeHint() const override { return {640, 84}; }
@@ -103,7 +103,7 @@ class TimelineView : public QWidget {
   std::set<replay::EventGroup> hidden_;
   std::vector<replay::Event> shown_;
   QString notice_;
-  double from_s_ = 0, until_s_ = 0;  // in view; equal = all
+  double from_s_ = 0, until_s_ = 0;  // visible; equal = all
   double at_s_ = 0;
   std::optional<replay::Player::Loop> loop_;
   std::optional<double> hovered_px_;

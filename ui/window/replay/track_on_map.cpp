@@ -10,7 +10,7 @@
 namespace mapwright::window {
 namespace {
 
-// Of a long bag it takes a moment: the longer it takes, the more rarely it is made while the bag is read.
+// For a long bag it takes a moment: the longer, the less often it is repeated while the bag is read.
 constexpr int kSoonMs = 300, kTimesAsLong = 40, kAtMostMs = 10'000;
 
 }  // namespace

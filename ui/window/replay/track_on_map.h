@@ -1,4 +1,4 @@
-// Lays the way that the robot took through the bag on the map, as far as it has been read. GUI-thread object.
+// Shows the robot's path through the bag on the map, as far as it has been read. GUI-thread object.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace mapwright::window {
 
 class ReplayClock;
 
-/// All that has been read of it.
+/// The path as far as it has been read.
 std::shared_ptr<const scene::Track> trackOfBag(const replay::Reading& reading);
 
 class TrackOnMap : public QObject {

@@ -33,7 +33,7 @@ RobotController::RobotController(WindowContext& context, QObject* parent)
 }
 
 bool RobotController::comesFirst(session::Session* session) const {
-  // What the inspector lists is not there, and of files nothing is live.
+  // The inspector has nothing to list, and files have no live data.
   return session && !session->robot().submapSource() && !session->robot().isLocal();
 }
 
@@ -69,30 +69,31 @@ void RobotController::refreshPlace() {
   const auto& live = session->live();
   const QString its = plainWords(map::currentMapName(live, session->catalogue().entries()), 40);
   const bool drawn = place.drawn != scene::ScreenPart::None;
-  const QString show = tr("Show it all the same"), hide = tr("Hide it");
+  const QString show = tr("Show it anyway"), hide = tr("Hide it");
   using map::Whereabouts;
   if (place.where == Whereabouts::Elsewhere && !drawn) {
-    return sayPlace(its.isEmpty()
-                        ? tr("The robot is not in this map. It and what it sees are hidden.")
-                        : tr("The robot is in %1, not in this map. It and what it sees are hidden.").arg(its),
-                    show, false);
+    return sayPlace(
+        its.isEmpty()
+            ? tr("The robot is not in this map. The robot and its sensor data are hidden.")
+            : tr("The robot is in %1, not in this map. The robot and its sensor data are hidden.").arg(its),
+        show, false);
   }
   if (place.where == Whereabouts::Elsewhere && place.by_choice) {
-    return sayPlace(its.isEmpty()
-                        ? tr("The robot is not in this map. It is drawn all the same.")
-                        : tr("The robot is in %1, not in this map. It is drawn all the same.").arg(its),
+    return sayPlace(its.isEmpty() ? tr("The robot is not in this map. It is shown anyway.")
+                                  : tr("The robot is in %1, not in this map. It is shown anyway.").arg(its),
                     hide, false, Mark::Warning);
   }
   if (place.where == Whereabouts::Unknown && live.robot_pose) {
-    return drawn ? sayPlace(tr("The robot does not say which map it is in. It may not be this one."), hide,
+    return drawn ? sayPlace(tr("The robot does not report which map it is in. It may not be this one."), hide,
                             true)
-                 : sayPlace(tr("The robot does not say which map it is in. It is hidden."), show, false);
+                 : sayPlace(tr("The robot does not report which map it is in. It is hidden."), show, false);
   }
   const bool overlays = live.map_info && !live.map_info->overlays.empty();
   if (!place.overlays_fit && overlays && context_.scene.layerVisible(scene::Layer::Overlays)) {
-    return sayPlace(tr("The robot makes a new map. The overlays of %1 do not belong there and are hidden.")
-                        .arg(its.isEmpty() ? tr("its last map") : its),
-                    tr("Show them all the same"), false);
+    return sayPlace(
+        tr("The robot is making a new map. The overlays of %1 do not belong to it and are hidden.")
+            .arg(its.isEmpty() ? tr("its last map") : its),
+        tr("Show them anyway"), false);
   }
   sayPlace({}, {}, false);
 }

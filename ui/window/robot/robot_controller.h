@@ -1,4 +1,4 @@
-// How the robot is, what nobody may overlook of it, and whether it is in the map on screen.
+// The state of the robot, its safety conditions, and whether it is in the map on screen.
 #pragma once
 
 #include <QSet>

@@ -59,7 +59,7 @@ int ConnectionChip::safetyRoom() const {
 QSize ConnectionChip::sizeHint() const {
   const QFontMetrics metrics = fontMetrics();
   const int name = qMin(metrics.horizontalAdvance(name_), kNameLimitPx);
-  // As wide as the longest word, so that the tool bar does not jump with the link.
+  // As wide as the longest word, so that the tool bar does not move.
   const int word = word_.isEmpty() ? 0 : metrics.horizontalAdvance(QStringLiteral("reconnecting")) + 8;
   return {10 + 12 + 8 + name + word + safety_room_ + 8 + 16 + 6, 30};
 }

@@ -1,4 +1,4 @@
-// The robot and its link, always visible at the left of the tool bar; opens the menu of robots.
+// The robot and its connection, always visible at the left of the tool bar; opens the menu of robots.
 #pragma once
 
 #include <QToolButton>
@@ -14,7 +14,7 @@ class ConnectionChip : public QToolButton {
   explicit ConnectionChip(QWidget* parent = nullptr);
   /// `name` may come from a robot: plain text. `detail` is for the tooltip.
   void setRobot(const QString& name, Mark mark, const QString& word, const QString& detail);
-  /// Shown beside the name until it is over; `text` with Mark::None shows nothing.
+  /// Shown next to the name while it lasts; `text` with Mark::None shows nothing.
   void setSafety(const SafetyText& text);
   const SafetyText& safety() const { return safety_; }
   QString name() const { return name_; }
@@ -30,7 +30,7 @@ class ConnectionChip : public QToolButton {
 
   QString name_, word_, detail_;
   SafetyText safety_;
-  // The widest so far of this robot: the tools beside it stay where they are when an alert goes.
+  // The widest so far for this robot: the tools next to it do not move when an alert ends.
   int safety_room_ = 0;
   Mark mark_ = Mark::Neutral;
 };

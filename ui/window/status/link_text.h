@@ -1,4 +1,4 @@
-// How the link to the robot stands, where it may have gone silent without being lost.
+// The state of the connection, including silence before it is lost.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace mapwright::window {
 
-/// What is on screen is of then: the link is lost, or nothing has come since.
+/// The data on screen is from then: the connection is lost, or nothing has arrived since.
 std::optional<QDateTime> valuesAsOf(const session::Session& session);
-/// Since when an open link says nothing; nullopt = it speaks, or it is not open.
+/// Since when an open connection is silent; nullopt = it is not silent, or not open.
 std::optional<QDateTime> silentOnline(const session::Session& session);
-/// As connectionText(), and "nothing for 4 s" of a silent one.
+/// Like connectionText(), and "nothing for 4 s" for a silent one.
 StateText linkText(const robot::ConnectionState& state, const std::optional<QDateTime>& silent_since,
                    qint64 waited_ms = 0, const QDateTime& now = QDateTime::currentDateTime());
-/// One word of the same.
+/// The same in one word.
 QString linkWord(const robot::ConnectionState& state, const std::optional<QDateTime>& silent_since);
 
 }  // namespace mapwright::window

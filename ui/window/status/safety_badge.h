@@ -1,4 +1,4 @@
-// What is dangerous or wrong with the robot, as a small field of its own: a shape, a colour and words.
+// A small badge for safety conditions: a shape, a colour and text.
 #pragma once
 
 #include <QAbstractButton>
@@ -10,12 +10,12 @@ class QPainter;
 
 namespace mapwright::window {
 
-/// How wide paintSafety() wants to be, height aside; 0 when there is nothing to say.
+/// The preferred width of paintSafety(); 0 if there is nothing to say.
 int safetyWidth(const SafetyText& text, const QFont& font);
-/// Words that do not fit are elided; shape and colour always stay.
+/// Text that does not fit is elided; shape and colour always stay.
 void paintSafety(QPainter* painter, const QRect& rect, const SafetyText& text, const UiColors& colors);
 
-/// The field in the status bar. Hidden while there is nothing to say.
+/// The badge in the status bar. Hidden if there is nothing to say.
 class SafetyBadge : public QAbstractButton {
   Q_OBJECT
  public:

@@ -39,14 +39,14 @@ QString state(const map::SafetyCondition& condition) {
     case SafetyKind::PositionUncertain:
       return SafetyBadgeText::tr("Position uncertain");
     case SafetyKind::WheelsSlipping:
-      return SafetyBadgeText::tr("Wheels slip");
+      return SafetyBadgeText::tr("Wheels slipping");
     case SafetyKind::Alert:
       break;
   }
   return safetyWord(condition);
 }
 
-/// The robot's words may end a sentence, or not.
+/// The robot's text may or may not end with a full stop.
 QString withoutStop(QString sentence) {
   while (sentence.endsWith(QLatin1Char('.'))) sentence.chop(1);
   return sentence;
@@ -73,7 +73,7 @@ QString safetyWord(const map::SafetyCondition& condition) {
 
 QString safetySentence(const map::SafetyCondition& condition, const QDateTime& now) {
   QString sentence = state(condition);
-  // A robot whose state came without a time, or a clock far off, has no "since" worth reading.
+  // Without a time, or with a wrong clock, "since" is omitted.
   if (condition.since_s > 0 && condition.since_s < 4e9) {
     const QDateTime since = QDateTime::fromMSecsSinceEpoch(qint64(condition.since_s * 1000), now.timeZone());
     sentence = SafetyBadgeText::tr("%1 since %2").arg(sentence, clock(since, now));

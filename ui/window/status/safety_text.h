@@ -1,4 +1,4 @@
-// The words for what is dangerous or wrong with the robot: for chip, status bar, notice and tooltip alike.
+// Texts for safety conditions: for chip, status bar, notice and tooltip.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace mapwright::window {
 
-/// What is known, and whether it still comes from the robot.
+/// What is known, and whether it is still live.
 struct SafetyState {
   std::vector<map::SafetyCondition> conditions;  // the gravest first
-  std::optional<QDateTime> as_of;                // the link is lost since then
+  std::optional<QDateTime> as_of;                // disconnected since then
   bool operator==(const SafetyState&) const = default;
 };
 
@@ -23,7 +23,7 @@ struct SafetyText {
   Mark mark = Mark::None;  // None: nothing to say
   bool greyed = false;     // no longer live
   QString badge;           // "Emergency stop +2"
-  QString sentence;        // one line for the notice; empty when nothing is an error
+  QString sentence;        // one line for the notice; empty if nothing is an error
   QString detail;          // one line each, for the tooltip
   bool operator==(const SafetyText&) const = default;
 };

@@ -1,5 +1,4 @@
-// The little shape in front of a state: a disc, a ring, a triangle, a cross; one shape and one colour for
-// each.
+// The small shape in front of a state: a disc, a ring, a triangle, a cross; each has its colour.
 #pragma once
 
 #include <QColor>
@@ -13,7 +12,7 @@ class QPainter;
 namespace mapwright::window {
 
 QColor markColor(Mark mark, const UiColors& colors);
-/// The same for words: readable on the window's and the lists' ground.
+/// The same for text: readable on the background of windows and lists.
 QColor markTextColor(Mark mark, const UiColors& colors);
 /// Good: filled disc. Busy: half disc. Neutral: ring. Warning: triangle. Bad: cross in an octagon.
 void paintMark(QPainter* painter, const QRectF& rect, Mark mark, const UiColors& colors);

@@ -21,7 +21,7 @@ void StatusController::refresh() {
   session::Session* const session = context_.current.session();
   const MapsInView in_view = mapsInView(context_.scene);
   auto state = emptyState(session, in_view);
-  // What a bag does not hold by this time is not on its way: nothing hides the rest of it.
+  // Data that a bag does not contain by this time is not on its way: the rest is shown.
   const bool waits =
       state && (state->kind == EmptyState::Kind::WaitingForList || hasToldNoMap(session, in_view));
   if (waits && replayOf(session) && session->connection().phase == robot::ConnectionPhase::Online)

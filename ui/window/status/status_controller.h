@@ -1,4 +1,4 @@
-// How things stand, for those who look: the status bar, the title, the card in the middle of an empty map.
+// Shows the state in the status bar, the title, and the card of an empty map.
 #pragma once
 
 #include "window/controller.h"

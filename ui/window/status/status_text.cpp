@@ -109,7 +109,7 @@ QString trafficText(const session::SubmapCounts& counts) {
 }
 
 QString plainWords(const std::string& words, int limit) {
-  // Only the beginning is looked at: a robot may send megabytes.
+  // Only the beginning matters: a robot may send megabytes.
   QString line =
       QString::fromUtf8(words.data(), qsizetype(std::min<std::size_t>(words.size(), 8 * std::size_t(limit))));
   line = words::plainName(line);
@@ -144,7 +144,7 @@ QString mapProgressText(const session::MapSlot& slot) {
                  ? QCoreApplication::translate("window", "Waiting for %1").arg(name)
                  : QCoreApplication::translate("window", "Fetching %1").arg(name);
     case session::MapSlot::Phase::Reading:
-      // A newer state of the whole map on screen, as some robots send it several times a second.
+      // A newer version of the whole map on screen, as some robots send it several times a second.
       if (slot.cells() && slot.shown().key == slot.key() && slot.cells()->complete()) return {};
       return QCoreApplication::translate("window", "Reading %1 %2 %")
           .arg(name, QString::number(int(slot.progress() * 100)));
@@ -173,7 +173,7 @@ QString mapShownText(const session::MapSlot& slot) {
 
 QString coordinatesText(const Eigen::Vector2d& world_m, double scale_m_per_px) {
   if (!world_m.allFinite() || !(scale_m_per_px > 0)) return QStringLiteral("x ? y ? m");
-  // The last digit is never finer than about a pixel: 2 cm and 5 cm a pixel give centimetres, 2 mm gives
+  // The last digit is never finer than about a pixel: 2 cm and 5 cm per pixel give centimetres, 2 mm gives
   // millimetres.
   const int decimals = std::clamp(int(std::ceil(-std::log10(scale_m_per_px) - 1e-9)), 0, 3);
   return QStringLiteral("x %1 y %2 m").arg(decimal(world_m.x(), decimals), decimal(world_m.y(), decimals));
@@ -193,7 +193,7 @@ QString occupancyText(std::optional<int> occupied_percent) {
 QString scaleText(double scale_m_per_px, double dots_per_inch) {
   if (!(scale_m_per_px > 0) || !std::isfinite(scale_m_per_px)) return {};
   const double denominator = scale_m_per_px * dots_per_inch / 0.0254;
-  // Three significant digits say all that a screen's resolution is good for.
+  // Three significant digits are enough for a screen's resolution.
   const double step = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(1.0, denominator))) - 2));
   const double shown = std::round(denominator / step) * step;
   const QString ratio = denominator >= 1

@@ -1,4 +1,4 @@
-// The sentences that tell how things stand. Pure functions, so that they can be checked.
+// Texts about the state. Pure functions, so that they can be tested.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace mapwright::window {
 
-/// How a state is marked next to its words: a shape and a colour, never the colour alone.
+/// The mark of a state next to its text: a shape and a colour, never only the colour.
 enum class Mark { None, Neutral, Busy, Good, Warning, Bad };
 
 struct StateText {
@@ -27,24 +27,24 @@ struct StateText {
 /// The robot refused for want of the right secret, and waits for a better one.
 bool wantsSecret(const robot::ConnectionState& state);
 StateText connectionText(const robot::ConnectionState& state, qint64 waited_ms = 0);
-/// One or two words of the same: "connected", "reconnecting".
+/// The same in one or two words: "connected", "reconnecting".
 QString connectionWord(robot::ConnectionPhase phase);
 
 /// "312 of 480 submaps, 2 missing".
 QString loadingText(const session::SubmapCounts& counts);
-/// "4 in flight, 18 queued"; empty when nothing is under way.
+/// "4 in flight, 18 queued"; empty if nothing is in progress.
 QString trafficText(const session::SubmapCounts& counts);
 
-/// What the map on screen is called; one that is still on its way while nothing is on screen.
+/// The name of the map on screen, or of one that is loading while nothing is on screen.
 QString mapOnScreen(const session::MapSlot& slot, int limit = 60);
 /// "Ground floor, 1,240 x 980 cells" once it is read, mapProgressText() until then.
 QString mapShownText(const session::MapSlot& slot);
-/// "Fetching Ground floor", "Reading Ground floor 42 %"; empty when there is nothing to wait for.
+/// "Fetching Ground floor", "Reading Ground floor 42 %"; empty if nothing is loading.
 QString mapProgressText(const session::MapSlot& slot);
-/// What a map is called: its name, or its id where it has none. One line, not longer than `limit`.
+/// The displayed name of a map: its name, or its id if it has none. One line, at most `limit` characters.
 QString mapCalled(const QString& name, const map::MapKey& key, int limit = 60);
 
-/// "x 12.345 y -3.210 m": as many decimals as a pixel is worth, millimetres at the most.
+/// "x 12.345 y -3.210 m": with the precision of a pixel, at most millimetres.
 QString coordinatesText(const Eigen::Vector2d& world_m, double scale_m_per_px);
 /// For the clipboard: always millimetres, "12.345, -3.210".
 QString coordinatesForClipboard(const Eigen::Vector2d& world_m);
@@ -56,8 +56,8 @@ QString scaleText(double scale_m_per_px, double dots_per_inch);
 /// "38°", -180 < degrees <= 180.
 QString rotationText(double rotation_rad);
 
-/// A robot's words as one line: no control or invisible characters (some turn the writing direction of what
-/// follows), not longer than `limit`.
+/// A robot's text as one line: no control or invisible characters (some change the writing direction of what
+/// follows), at most `limit` characters.
 QString plainWords(const std::string& words, int limit);
 
 /// "1.5 KB", "42.1 MB".

@@ -112,7 +112,7 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
   coordinates_->setAlignment(Qt::AlignRight);
   coordinates_->setHint(tr("World coordinates under the cursor"));
   occupancy_->setSample(QStringLiteral("occupied 100 %"));
-  occupancy_->setHint(tr("What the map says under the cursor"));
+  occupancy_->setHint(tr("Map value under the cursor"));
   scale_->setSample(QStringLiteral("1:100,000  12.5 cm/px"));
   scale_->setAlignment(Qt::AlignRight);
   scale_->setHint(tr("Scale of the map on this screen"));
@@ -137,7 +137,7 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
   line->addWidget(problems_, 0);
   line->addStretch(1);
   for (PlainLabel* label : {coordinates_, occupancy_, scale_, rotation_}) {
-    // Where the bar is crowded they give way before the window has to grow.
+    // If the bar is crowded they shrink before the window has to grow.
     const int width = label->sizeHint().width();
     label->setMinimumWidth(width * 6 / 10);
     label->setMaximumWidth(width);
@@ -205,11 +205,11 @@ void WindowStatusBar::refreshRows() {
   const session::SubmapCounts counts = session_ ? session_->counts() : session::SubmapCounts{};
   loading_->setText(session_ && submaps_in_view_ ? loadingText(counts) : QString());
   loading_->setHidden(loading_->text().isEmpty());
-  // Counts are never cut: the reason beside them has a tooltip, and the notice, to be whole in.
+  // Counts are never truncated: the reason next to them is complete in the tooltip and the notice.
   loading_->setMinimumWidth(loading_->sizeHint().width());
   traffic_->setText(trafficText(counts));
   traffic_->setHidden(traffic_->text().isEmpty());
-  // The bar is there only while there is something to wait for.
+  // The bar is only visible while something is loading.
   const bool loading = submaps_in_view_ && counts.listed > 0 && counts.pending + counts.updating > 0;
   if (bar_->isHidden() == loading) bar_->setVisible(loading);
   if (loading) bar_->setFraction(1.0 - double(counts.pending + counts.updating) / double(counts.listed));
@@ -222,7 +222,7 @@ void WindowStatusBar::refreshMap() {
   const bool named = whole_in_view_ || (text.isEmpty() && submaps_in_view_);
   if (session_ && text.isEmpty() && submaps_in_view_ && !whole_in_view_) text = submaps_of_;
   map_->setText(text);
-  // Of all that can be cut short the name of the map is the last.
+  // The map's name is truncated last.
   map_->setMinimumWidth(named ? qMin(kMapNamePx, map_->sizeHint().width()) : 0);
   if (map_->isHidden() != text.isEmpty()) map_->setVisible(!text.isEmpty());
   const bool reading = session_ && session_->wholeMap().phase() == session::MapSlot::Phase::Reading;

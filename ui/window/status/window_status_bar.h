@@ -1,4 +1,4 @@
-// The status bar: link, loading, problems, cursor, scale, rotation. All fields keep their places.
+// The status bar: connection, loading, problems, cursor, scale, rotation. All fields keep their places.
 #pragma once
 
 #include <QElapsedTimer>
@@ -16,7 +16,7 @@ namespace mapwright::window {
 class PlainLabel;
 class SafetyBadge;
 
-/// A bar of 4 px: how much of something is there.
+/// A bar of 4 px showing progress.
 class ThinBar : public QWidget {
   Q_OBJECT
  public:
@@ -32,14 +32,14 @@ class ThinBar : public QWidget {
   double fraction_ = 0;
 };
 
-/// A state's shape with its words.
+/// A state's shape with its text.
 class StateLabel : public QWidget {
   Q_OBJECT
  public:
   explicit StateLabel(QWidget* parent = nullptr);
   void setState(const StateText& state);
   const StateText& state() const { return state_; }
-  /// In bold and in the colour of its mark: for what nobody may overlook.
+  /// In bold and in the colour of its mark: for important states.
   void setStrong(bool strong);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -60,8 +60,7 @@ class WindowStatusBar : public QStatusBar {
 
   void setSession(session::Session* session);
   void recount() { refreshRows(); }
-  /// Only what is on screen is counted.
-  /// `submaps_of`: the name of the map that the submaps belong to, where it is known.
+  /// Only counts what is on screen. `submaps_of`: the name of the map that the submaps belong to, if known.
   void setInView(bool submaps, bool whole, const QString& submaps_of);
   void showCursor(const QString& coordinates, const QString& occupancy);
   void showView(const geometry::ViewTransform& view);

@@ -30,7 +30,7 @@ ToolsController::ToolsController(WindowContext& context, QObject* parent)
                                                      .icon = "measure",
                                                      .keys = {"M"},
                                                      .reach = Reach::OutsideText,
-                                                     .tip = tr("Measure distances along clicked points"),
+                                                     .tip = tr("Measure distances between clicked points"),
                                                      .toggle = true,
                                                      .needs_session = true,
                                                      .menu = {MenuGroup::Tools, 20},

@@ -1,4 +1,4 @@
-// The tools that every map has: the hand, and the tape measure.
+// The tools of every map: pan and measure.
 #pragma once
 
 #include "window/controller.h"
@@ -19,7 +19,7 @@ class ToolsController : public Controller {
   void reset() override;
 
  Q_SIGNALS:
-  /// A click on the map with the hand, world metres.
+  /// A click on the map with the pan tool, world metres.
   void clicked(const Eigen::Vector2d& world_m);
 
  private:

@@ -67,7 +67,7 @@ void AppearanceController::setTheme(ThemeChoice choice) {
 void AppearanceController::remember(QSettings& settings) { settings.setValue(kThemeKey, themeName(theme_)); }
 
 bool AppearanceController::eventFilter(QObject* watched, QEvent* event) {
-  // The desktop may take it in and out of the full screen too.
+  // The desktop may also toggle full screen.
   if (event->type() == QEvent::WindowStateChange && watched == &context_.window)
     full_screen_->setChecked(context_.window.isFullScreen());
   return Controller::eventFilter(watched, event);

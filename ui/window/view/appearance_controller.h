@@ -1,4 +1,4 @@
-// Light or dark, and the full screen.
+// Light or dark theme, and full screen.
 #pragma once
 
 #include "window/controller.h"
@@ -9,8 +9,8 @@ class QActionGroup;
 
 namespace mapwright::window {
 
-/// Gives the program and the map the look that was chosen last. Before any widget is made: they take their
-/// sizes from its style.
+/// Applies the saved theme to the program and the map. Before any widget is made: they take their sizes from
+/// its style.
 void showChosenTheme(const QSettings& settings, scene::MapScene& scene);
 
 class AppearanceController : public Controller {

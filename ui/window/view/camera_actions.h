@@ -1,4 +1,4 @@
-// Moving the camera by commands: zooming, fitting, turning.
+// Camera commands: zoom, fit, rotate.
 #pragma once
 
 namespace mapwright::window {

@@ -19,8 +19,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kCursorMs =
-    40;  // what is under a resting cursor changes with the map: looked at again this often
+constexpr int kCursorMs = 40;  // the map under a resting cursor changes: updated this often
 constexpr double kRoomAroundPosesM = 8;
 constexpr double kRoomAroundScansM = 2;
 
@@ -42,7 +41,7 @@ void ViewController::addRobotActions() {
                                   .icon = "follow",
                                   .keys = {"R"},
                                   .reach = Reach::OutsideText,
-                                  .tip = tr("Keep the robot in the middle; panning ends it"),
+                                  .tip = tr("Keep the robot in the centre; panning stops it"),
                                   .toggle = true,
                                   .needs_session = true,
                                   .menu = {MenuGroup::Look, 10},
@@ -52,17 +51,17 @@ void ViewController::addRobotActions() {
                         .text = tr("&Go to coordinates…"),
                         .icon = "goto",
                         .keys = {"Ctrl+G"},
-                        .tip = tr("Centre the map on a point"),
+                        .tip = tr("Centre the map on given coordinates"),
                         .needs_session = true,
                         .menu = {MenuGroup::Look, 20},
                         .bar = {BarGroup::Places, 10}},
                        this, &ViewController::goTo);
   robot_turn_ = context_.actions.add(
       {.id = "robotTurn",
-       .text = tr("Turn as the robot shows i&t"),
+       .text = tr("Rotate as on the robot's d&isplay"),
        .icon = "north",
        .reach = Reach::OutsideText,
-       .tip = tr("Turn the view as this map's robot shows it to people"),
+       .tip = tr("Rotate the view as on the robot's own display"),
        .menu = {MenuGroup::Turn, 20}},
       this, [this] {
         const session::Session* const session = context_.current.session();
@@ -88,15 +87,15 @@ void ViewController::addOtherActions() {
                                      .icon = "furniture",
                                      .keys = {"H"},
                                      .reach = Reach::OutsideText,
-                                     .tip = tr("Show the buttons that float over the map"),
+                                     .tip = tr("Show the buttons on top of the map"),
                                      .toggle = true,
                                      .menu = {MenuGroup::Drawn, 40}});
   furniture_->setChecked(true);
   connect(furniture_, &QAction::toggled, this, [this](bool on) { context_.overlay.setFurnitureVisible(on); });
   context_.actions.add({.id = "focusMap",
-                        .text = tr("Go to the &map"),
+                        .text = tr("Focus the &map"),
                         .keys = {"F6"},
-                        .tip = tr("Give the keyboard to the map"),
+                        .tip = tr("Move the keyboard focus to the map"),
                         .menu = {MenuGroup::Window, 20}},
                        this, [this] { context_.view.setFocus(); });
 }
@@ -155,10 +154,11 @@ void ViewController::follow(bool on) {
   const session::Session* const session = context_.current.session();
   if (on && context_.scene.robotPlace().drawn == scene::ScreenPart::None) {
     context_.overlay.toasts()->add(
-        Mark::Warning, tr("The robot is not in this map. It is followed again in the map that it is in."));
+        Mark::Warning, tr("The robot is not in this map. The view will follow it again in its own map."));
   } else if (on && session && !session->live().robot_pose) {
-    context_.overlay.toasts()->add(Mark::Neutral,
-                                   tr("The robot has not told its position yet. It will be followed then."));
+    context_.overlay.toasts()->add(
+        Mark::Neutral,
+        tr("The robot has not reported its pose yet. The view will follow it as soon as it does."));
   }
 }
 
@@ -182,7 +182,7 @@ void ViewController::fitAtFirst() {
   const geometry::WorldRect bounds = session->contentBounds();
   if (counts.listed == 0 || bounds.empty()) return;
   if (!fitted_poses_) {
-    // Only the poses are known yet: leave room for what lies around them.
+    // Only the poses are known yet: leave room around them.
     fitted_poses_ = true;
     context_.viewpoint.fit(counts.shown > 0 ? bounds : bounds.grown(kRoomAroundPosesM));
   }
@@ -192,7 +192,7 @@ void ViewController::fitAtFirst() {
   }
 }
 
-/// Of a robot that only scans: a map that comes later is looked at as if nothing had been there.
+/// For a robot with only sensor data: a map that arrives later is shown as if there had been nothing.
 void ViewController::fitScansAtFirst() {
   const session::Session* const session = context_.current.session();
   if (!session || fitted_scans_ || context_.viewpoint.chosen() || !scansInView(context_.scene)) return;
@@ -207,8 +207,8 @@ void ViewController::refresh() {
   const session::Session* const session = context_.current.session();
   const bool turned = session && session->wholeMap().shown().display_rotation_rad.has_value();
   robot_turn_->setEnabled(turned);
-  robot_turn_->setToolTip(plainToolTip(turned ? tr("Turn the view as this map's robot shows it to people")
-                                              : tr("The open map comes without a turn of its own.")));
+  robot_turn_->setToolTip(plainToolTip(turned ? tr("Rotate the view as on the robot's own display")
+                                              : tr("The open map has no rotation of its own.")));
 }
 
 void ViewController::copyCoordinates(const Eigen::Vector2d& world_m) {

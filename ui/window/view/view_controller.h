@@ -1,4 +1,4 @@
-// Where the map is looked at from: following, going to a point, the first look; and what is under the cursor.
+// The view of the map: following, going to a point, the initial view; and what is under the cursor.
 #pragma once
 
 #include <QTimer>

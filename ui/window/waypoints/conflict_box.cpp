@@ -22,13 +22,13 @@ ConflictBox::ConflictBox(QWidget* parent)
   setObjectName(QStringLiteral("details"));
   text_->setTextFormat(Qt::PlainText);
   text_->setWordWrap(true);
-  mine_->setToolTip(tr("What was changed here is right: the filled triangle on the map"));
-  theirs_->setToolTip(tr("What was changed elsewhere is right: the hollow triangle on the map"));
-  previous_->setAccessibleName(tr("The one before"));
-  next_->setAccessibleName(tr("The next one"));
+  mine_->setToolTip(tr("Keep the change made here: the filled triangle on the map"));
+  theirs_->setToolTip(tr("Keep the change made elsewhere: the hollow triangle on the map"));
+  previous_->setAccessibleName(tr("Previous conflict"));
+  next_->setAccessibleName(tr("Next conflict"));
   previous_->setToolTip(previous_->accessibleName());
   next_->setToolTip(next_->accessibleName());
-  locate_->setToolTip(tr("Look at both on the map"));
+  locate_->setToolTip(tr("Show both on the map"));
   auto* row = new QHBoxLayout;
   row->setSpacing(6);
   for (QPushButton* button : {mine_, theirs_, locate_}) {

@@ -1,5 +1,5 @@
-// What was changed here and elsewhere, one waypoint after the other: both sides, and whose is right. GUI
-// thread.
+// Resolves conflicts between changes made here and elsewhere, one waypoint after the other: shows both
+// versions. GUI thread.
 #pragma once
 
 #include <QFrame>
@@ -16,8 +16,7 @@ class ConflictBox : public QFrame {
  public:
   explicit ConflictBox(QWidget* parent = nullptr);
 
-  /// Shows those of `document`, hides where there are none; one that is selected comes to the front. null =
-  /// none.
+  /// Shows those of `document`, hides if there are none; a selected one comes first. null = none.
   void refresh(const edit::WaypointDocument* document, const std::set<edit::Key>& selected);
 
   QPushButton* mineButton() const { return mine_; }

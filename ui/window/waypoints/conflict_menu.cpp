@@ -41,7 +41,7 @@ void fillConflictMenu(QMenu& menu, const edit::WaypointDocument& document, const
   if (found == document.conflicts().end()) return;
   const edit::Conflict<map::Waypoint>& conflict = found->second;
   const auto& any = conflict.mine ? conflict.mine : conflict.theirs;
-  // Names of others: an ampersand in them is no mnemonic.
+  // Untrusted names: an ampersand in them is not a mnemonic.
   const QString which =
       any ? shortWaypointName(*any).replace(QLatin1Char('&'), QLatin1String("&&")) : QString();
   menu.addAction(themedIcon(QStringLiteral("problem")),

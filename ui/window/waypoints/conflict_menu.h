@@ -1,4 +1,4 @@
-// A waypoint that was changed here and elsewhere, decided where it lies: mine, theirs, or both. GUI thread.
+// Resolves the conflict of a waypoint on the map: mine, theirs, or both. GUI thread.
 #pragma once
 
 #include <functional>
@@ -15,18 +15,18 @@ class WaypointEditing;
 enum class ConflictChoice {
   Mine,
   Theirs,
-  Both,  // theirs stays what it is, mine becomes another one with a name of its own
+  Both,  // theirs stays, and mine becomes another one with its own name
 };
 
-/// The conflict of which mine or theirs lies nearest to the hand, within `reach_m`.
+/// The conflict whose version (mine or theirs) is nearest to the cursor, within `reach_m`.
 std::optional<edit::Key> conflictAt(const edit::WaypointDocument& document, const Eigen::Vector2d& world_m,
                                     double reach_m);
-/// Both is nothing where one of them is deleted.
+/// Impossible if one of them is deleted.
 bool mayKeepBoth(const edit::Conflict<map::Waypoint>& conflict);
-/// What it is about, and the choices.
+/// Its description and the choices.
 void fillConflictMenu(QMenu& menu, const edit::WaypointDocument& document, const edit::Key& key,
                       const std::function<void(ConflictChoice)>& decided);
-/// Ends the conflict. Theirs, and what becomes of mine then, can be undone.
+/// Ends the conflict. Taking theirs, with its effect on mine, can be undone.
 void decideConflict(WaypointEditing& editing, const edit::Key& key, ConflictChoice choice);
 
 }  // namespace mapwright::window

@@ -72,7 +72,7 @@ GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
       tags_(new QLabel(this)),
       dx_(number(kFarthestShiftM, 3, 0.05, QStringLiteral(" m"), tr("Shift along x"), this)),
       dy_(number(kFarthestShiftM, 3, 0.05, QStringLiteral(" m"), tr("Shift along y"), this)),
-      yaw_(number(360, 1, 5, QString(QChar(0xb0)), tr("Heading of all"), this)),
+      yaw_(number(360, 1, 5, QString(QChar(0xb0)), tr("Heading of all selected"), this)),
       turn_how_(new QComboBox(this)),
       shift_(new QPushButton(tr("Shift"), this)),
       turn_(new QPushButton(tr("Turn"), this)),
@@ -87,10 +87,10 @@ GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
   turn_how_->addItems({tr("to"), tr("by")});
   turn_how_->setAccessibleName(tr("How the heading changes"));
   add_tags_->setPlaceholderText(tr("add, then Enter"));
-  add_tags_->setAccessibleName(tr("Tags that all get"));
+  add_tags_->setAccessibleName(tr("Tags to add to all selected"));
   remove_tags_->setPlaceholderText(tr("remove, then Enter"));
-  remove_tags_->setAccessibleName(tr("Tags that all lose"));
-  type_->setAccessibleName(tr("Kind of all"));
+  remove_tags_->setAccessibleName(tr("Tags to remove from all selected"));
+  type_->setAccessibleName(tr("Kind of all selected"));
   for (QPushButton* button : {shift_, turn_}) button->setObjectName(QStringLiteral("compact"));
   new TagCompleter(editing_, add_tags_);
   new TagCompleter(editing_, remove_tags_);
@@ -120,7 +120,7 @@ GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
 
   connect(editing_, &WaypointEditing::selectionChanged, this, &GroupForm::refresh);
   connect(editing_, &WaypointEditing::opened, this, [this] {
-    // What is not kept there is not offered.
+    // Fields that the store cannot keep are not offered.
     const robot::KeptFields& keeps = editing_->keeps();
     for (QWidget* of_types : std::initializer_list<QWidget*>{type_label_, type_})
       of_types->setVisible(keeps.type);

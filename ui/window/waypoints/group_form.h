@@ -1,5 +1,4 @@
-// Several waypoints as a form: what is the same of all, what differs, and changes that are made of all. GUI
-// thread.
+// Several waypoints as a form: common values, differences, and changes to all. GUI thread.
 #pragma once
 
 #include <QWidget>

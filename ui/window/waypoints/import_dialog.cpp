@@ -23,7 +23,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kMostRows = 2'000;  // the others are counted
+constexpr int kMostRows = 2'000;  // the others are only counted
 constexpr int kImportRowPx = 24;
 
 QString becomes(exchange::StepKind kind) {
@@ -55,9 +55,9 @@ ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, co
       keeps_(keeps),
       table_(new QTableWidget(0, 3, this)),
       status_(new QLabel(this)),
-      header_(new QCheckBox(tr("First row names the &columns"), this)),
+      header_(new QCheckBox(tr("First row contains the &column names"), this)),
       comma_(new QCheckBox(tr("&Decimal commas"), this)),
-      others_(new QCheckBox(tr("Delete those that are &not in it"), this)),
+      others_(new QCheckBox(tr("Delete waypoints that are &not in it"), this)),
       separator_(new QComboBox(this)),
       turns_(new QComboBox(this)),
       apply_(new QPushButton(tr("&Apply"), this)) {
@@ -70,11 +70,11 @@ ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, co
   separator_->addItem(tr("Tabs"), QChar(u'\t'));
   separator_->addItem(tr("Commas"), QChar(u','));
   separator_->addItem(tr("Semicolons"), QChar(u';'));
-  separator_->setAccessibleName(tr("What stands between columns"));
+  separator_->setAccessibleName(tr("Column separator"));
   turns_->addItem(tr("Headings in degrees"), true);
   turns_->addItem(tr("Headings in radians"), false);
   turns_->setAccessibleName(tr("Unit of headings"));
-  turns_->setToolTip(tr("A column that is called yaw_rad is in radians in either case"));
+  turns_->setToolTip(tr("A column called yaw_rad is always in radians"));
   if (source_.kind == ImportSource::Kind::Table) {
     const exchange::TableShape shape = exchange::shapeOf(source_.text);
     header_->setChecked(shape.header);
@@ -171,9 +171,10 @@ void ImportDialog::look() {
   for (const auto& [kind, count] : counts)
     parts << QStringLiteral("%1 %2").arg(QLocale::c().toString(count), becomes(kind));
   QString text = parts.isEmpty()
-                     ? tr("Nothing changes: all of it is here already.")
-                     : tr("%1. Nothing is sent or saved yet.").arg(parts.join(QStringLiteral(", ")));
-  if (int(steps.size()) > kMostRows) text += QLatin1Char(' ') + tr("The first %1 are shown.").arg(kMostRows);
+                     ? tr("Nothing changes: these waypoints are already here.")
+                     : tr("%1. Nothing has been sent or saved yet.").arg(parts.join(QStringLiteral(", ")));
+  if (int(steps.size()) > kMostRows)
+    text += QLatin1Char(' ') + tr("Only the first %1 are shown.").arg(kMostRows);
   for (const QString& note : notes.mid(0, 3)) text += QLatin1Char('\n') + note;
   status_->setText(text);
 }
@@ -184,7 +185,7 @@ void ImportDialog::fill(const std::vector<exchange::WaypointStep>& steps) {
   namespace field = edit::waypoint_field;
   for (int row = 0; row < rows; ++row) {
     const exchange::WaypointStep& step = steps[std::size_t(row)];
-    // Of this step alone: an edit may be several.
+    // Only of this step: an edit may have several.
     std::optional<map::Waypoint> after = step.after;
     if (step.before && step.after) {
       const edit::FieldMask fields = step.kind == exchange::StepKind::Rename  ? field::kName

@@ -1,5 +1,5 @@
-// What a file or a table that was pasted changes of the waypoints, before it changes them: how it is read can
-// be chosen, and every change is shown. GUI thread.
+// A preview of the changes that a file or a pasted table makes to the waypoints, with options for reading it.
+// GUI thread.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ class QTableWidget;
 
 namespace mapwright::window {
 
-/// What is imported, as it came.
+/// The imported data, unparsed.
 struct ImportSource {
   enum class Kind { Table, GeoJson };
   Kind kind = Kind::Table;
@@ -31,7 +31,7 @@ class ImportDialog : public QDialog {
   Q_OBJECT
  public:
   using Edits = std::vector<exchange::WaypointEdit>;
-  /// `kept`: the waypoints as they are here; `keeps`: what of one can be kept.
+  /// `kept`: the present waypoints; `keeps`: what the store can keep.
   ImportDialog(ImportSource source, exchange::WaypointItems kept, const robot::KeptFields& keeps,
                QWidget* parent = nullptr);
 

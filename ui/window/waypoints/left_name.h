@@ -1,4 +1,4 @@
-// A temporary name that a swap of names has left behind, and what can be done about it. Pure.
+// A temporary name left by an interrupted swap of names, and how to fix it. Pure.
 #pragma once
 
 #include <optional>
@@ -20,9 +20,9 @@ struct LeftName {
   edit::Key key;
   Remedy remedy = Remedy::Ask;
   std::string permanent;
-  QString sentence, offer;  // what to say, and on the button
+  QString sentence, offer;  // the text, and the button
 };
-/// The first one; not those of `accepted`, which may be called so.
+/// The first one; ignores those in `accepted`.
 std::optional<LeftName> leftName(const edit::WaypointDocument& document, const std::set<edit::Key>& accepted);
 
 }  // namespace mapwright::window

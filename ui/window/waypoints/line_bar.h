@@ -1,5 +1,4 @@
-// The strip that floats over the map while waypoints are put along a line: how far apart, how many, make
-// them.
+// The strip over the map for placing waypoints along a line: spacing, number, create.
 #pragma once
 
 #include <QFrame>

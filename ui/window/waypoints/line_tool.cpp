@@ -12,7 +12,7 @@
 namespace mapwright::window {
 namespace {
 constexpr double kTickPx = 11;
-constexpr std::size_t kMostLineTicks = 500;  // more than can be told apart
+constexpr std::size_t kMostLineTicks = 500;  // more could not be distinguished
 }  // namespace
 
 LineTool::LineTool(const scene::MapScene* scene, WaypointSnapping* snapping, QObject* parent)
@@ -59,7 +59,7 @@ Eigen::Vector2d LineTool::caught(const MapPoint& at) {
 }
 
 bool LineTool::pressed(const MapPoint& at) {
-  // The second click of two, or a line that begins anew.
+  // The second of two clicks, or the start of a new line.
   if (!from_ || fixed_) {
     fixed_ = false;
     from_.reset();
@@ -159,7 +159,7 @@ void LineTool::paint(QPainter& painter) {
     painter.drawLine(a, b);
   }
   const std::vector<placing::Spot> spots = this->spots();
-  // Each where it would be, with its heading.
+  // Each at its future position, with its heading.
   if (spots.size() > kMostLineTicks) return;
   for (const placing::Spot& spot : spots) {
     const QPointF at = px(spot.position_m);
@@ -173,9 +173,9 @@ void LineTool::paint(QPainter& painter) {
 }
 
 QString LineTool::hint() const {
-  if (!from_) return tr("Waypoints along a line: click where it begins, or drag. Esc leaves.");
-  if (!fixed_) return tr("Click where it ends. Shift: by 15°, Alt: free, Esc begins anew.");
-  return tr("Enter creates them, Esc begins anew.");
+  if (!from_) return tr("Waypoints along a line: click its start, or drag. Esc leaves.");
+  if (!fixed_) return tr("Click the end. Shift: steps of 15°, Alt: free, Esc starts over.");
+  return tr("Enter creates them, Esc starts over.");
 }
 
 }  // namespace mapwright::window

@@ -1,5 +1,4 @@
-// Waypoints along a line: two clicks, or a drag, say where it runs; what would come of it is shown before it
-// is made.
+// Places waypoints along a line: two clicks or a drag define it, with a preview of the result.
 #pragma once
 
 #include <optional>
@@ -36,9 +35,9 @@ class LineTool : public MapTool {
 
   double spacing() const { return spacing_m_; }
   void setSpacing(double spacing_m);
-  /// What would be made as it is now; empty = nothing, or too many.
+  /// The waypoints for the present line; empty = none, or too many.
   std::vector<placing::Spot> spots() const;
-  /// Both ends are given.
+  /// Both ends are set.
   bool ready() const { return from_ && to_ && fixed_; }
   double length() const { return from_ && to_ ? (*to_ - *from_).norm() : 0; }
   void forget();  // begins anew
@@ -56,8 +55,8 @@ class LineTool : public MapTool {
   WaypointSnapping* snapping_;
   double spacing_m_ = 1;
   std::optional<Eigen::Vector2d> from_, to_;
-  bool fixed_ = false;     // the second end is where it stays
-  bool dragging_ = false;  // from the first to the second
+  bool fixed_ = false;     // the second end is final
+  bool dragging_ = false;  // from the first to the second end
   placing::SnappedPlace landing_;
 };
 

@@ -71,7 +71,7 @@ void NameEditor::keyPressEvent(QKeyEvent* event) {
 
 void NameEditor::focusOutEvent(QFocusEvent* event) {
   QLineEdit::focusOutEvent(event);
-  // Its own context menu is no end, and neither is another window that comes to the front.
+  // Its own context menu does not end it, and neither does switching windows.
   const Qt::FocusReason why = event->reason();
   if (why != Qt::PopupFocusReason && why != Qt::ActiveWindowFocusReason) close(true);
 }

@@ -1,4 +1,4 @@
-// A line to type a name into, on the map beside what it names.
+// A field for typing a name, on the map next to its object.
 #pragma once
 
 #include <functional>
@@ -14,13 +14,13 @@ class NameEditor : public QLineEdit {
   /// Offers `name` for editing beside `at` (viewport pixels). What is typed goes to `then` while it is typed,
   /// and with Enter or when the focus goes elsewhere; after Esc, and where nothing is left, it gets `name`.
   void ask(const QPointF& at, const QString& name, std::function<void(const QString&)> then);
-  /// What it names is there now; typing goes on.
+  /// Its object has moved; typing continues.
   void follow(const QPointF& at);
-  /// Takes what has been typed so far.
+  /// Applies the text typed so far.
   void finish();
 
  Q_SIGNALS:
-  void closed();  // by a key: the focus is nowhere
+  void closed();  // by a key: nothing has the focus
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

@@ -15,7 +15,7 @@
 
 namespace mapwright::window {
 namespace {
-constexpr double kDuplicatePx = 24;  // at least so far from the first ones, to be seen beside them
+constexpr double kDuplicatePx = 24;  // minimum distance from the originals, so that both are visible
 }
 
 PlacingActions::PlacingActions(WindowContext& context, WaypointEditing* editing, WaypointSnapping* snapping,
@@ -57,15 +57,15 @@ QAction* PlacingActions::entry(const char* id, const QString& text, const char* 
 
 void PlacingActions::addCreating() {
   at_robot_ = entry("waypointAtRobot", tr("At the &robot"), "robot", "Ctrl+Shift+R", Reach::Everywhere,
-                    tr("A waypoint where the robot is, headed as it is"));
+                    tr("A waypoint at the robot's position and heading"));
   connect(at_robot_, &QAction::triggered, this, &PlacingActions::createAtRobot);
   at_numbers_ = entry("waypointAtNumbers", tr("At &coordinates…"), "goto", "Ctrl+Shift+N", Reach::Everywhere,
-                      tr("A waypoint by its name, place and heading"));
+                      tr("A waypoint with a given name, position and heading"));
   connect(at_numbers_, &QAction::triggered, this, &PlacingActions::askForNumbers);
   along_line_ = context_.actions.addToggle(
       menuTitle(Menu::Edit).remove(QLatin1Char('&')), QStringLiteral("waypointLine"), tr("Along a &line"),
       QStringLiteral("line"), {QKeySequence(QStringLiteral("L"))}, Reach::OutsideText,
-      tr("Waypoints along a line, evenly apart, headed along it"));
+      tr("Evenly spaced waypoints along a line, heading along it"));
   context_.tools.add(line_, along_line_);
   for (QAction* action : {at_robot_, at_numbers_, along_line_}) creating_menu_->addAction(action);
 }
@@ -75,7 +75,7 @@ void PlacingActions::addSelecting() {
                                      .text = tr("D&uplicate waypoints"),
                                      .icon = "copy",
                                      .keys = {"Ctrl+D"},
-                                     .tip = tr("The same once more, beside what is selected"),
+                                     .tip = tr("Copy the selected waypoints, next to the originals"),
                                      .menu = {MenuGroup::Waypoints, 16}},
                                     this, &PlacingActions::duplicate);
   all_ = context_.actions.add({.id = "selectAllWaypoints",
@@ -85,13 +85,14 @@ void PlacingActions::addSelecting() {
                                .tip = tr("All waypoints of the map"),
                                .menu = {MenuGroup::Waypoints, 17}},
                               editing_, &WaypointEditing::selectAll);
-  invert_ = context_.actions.add({.id = "invertWaypoints",
-                                  .text = tr("&Invert the selection"),
-                                  .keys = {"Ctrl+Shift+A"},
-                                  .reach = Reach::Map,
-                                  .tip = tr("The waypoints that are not selected, instead of those that are"),
-                                  .menu = {MenuGroup::Waypoints, 18}},
-                                 editing_, &WaypointEditing::invertSelection);
+  invert_ =
+      context_.actions.add({.id = "invertWaypoints",
+                            .text = tr("&Invert the selection"),
+                            .keys = {"Ctrl+Shift+A"},
+                            .reach = Reach::Map,
+                            .tip = tr("Select the waypoints that are not selected, and deselect the others"),
+                            .menu = {MenuGroup::Waypoints, 18}},
+                           editing_, &WaypointEditing::invertSelection);
 }
 
 void PlacingActions::addArranging() {
@@ -103,15 +104,15 @@ void PlacingActions::addArranging() {
     arranging_menu_->addAction(action);
     arranging_.push_back(action);
   };
-  add("alignWaypointsX", tr("Align on one &x"), tr("All selected waypoints on the x in their middle"),
+  add("alignWaypointsX", tr("Align on one &x"), tr("Move all selected waypoints to their mean x"),
       &placing::aligned, Axis::X, tr("align %1"));
-  add("alignWaypointsY", tr("Align on one &y"), tr("All selected waypoints on the y in their middle"),
+  add("alignWaypointsY", tr("Align on one &y"), tr("Move all selected waypoints to their mean y"),
       &placing::aligned, Axis::Y, tr("align %1"));
   add("distributeWaypointsX", tr("&Distribute along x"),
-      tr("The selected waypoints evenly between the outermost two"), &placing::distributed, Axis::X,
+      tr("Space the selected waypoints evenly between the outermost two"), &placing::distributed, Axis::X,
       tr("distribute %1"));
   add("distributeWaypointsY", tr("Dis&tribute along y"),
-      tr("The selected waypoints evenly between the outermost two"), &placing::distributed, Axis::Y,
+      tr("Space the selected waypoints evenly between the outermost two"), &placing::distributed, Axis::Y,
       tr("distribute %1"));
 }
 
@@ -119,7 +120,7 @@ std::optional<geometry::Pose2> PlacingActions::robotPose(QString* why_not) const
   const session::Session* const session = context_.current.session();
   const auto& pose = session ? session->live().robot_pose : std::nullopt;
   if (!pose) {
-    *why_not = tr("It is not known where the robot is.");
+    *why_not = tr("The position of the robot is unknown.");
     return std::nullopt;
   }
   if (context_.scene.robotPlace().where == map::Whereabouts::Elsewhere) {
@@ -153,8 +154,8 @@ void PlacingActions::refresh() {
     const bool distributes = i >= 2;
     allow(arranging_[i], editable && selected >= (distributes ? 3U : 2U),
           !editable     ? why
-          : distributes ? tr("Three waypoints or more have to be selected.")
-                        : tr("Two waypoints or more have to be selected."));
+          : distributes ? tr("Select at least three waypoints.")
+                        : tr("Select at least two waypoints."));
   }
 }
 

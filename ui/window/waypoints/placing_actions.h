@@ -1,5 +1,5 @@
-// Creating waypoints otherwise than by a click, and arranging those that are selected: actions, dialogs, the
-// tool that sets them along a line. GUI thread.
+// Other ways of creating waypoints than a click, and arranging the selected ones: actions, dialogs, the tool
+// for lines. GUI thread.
 #pragma once
 
 #include <QObject>
@@ -28,11 +28,11 @@ class PlacingActions : public QObject {
   NewWaypointDialog* dialog() const { return dialog_; }  // null: none is open
   /// What can be done now.
   void refresh();
-  /// The same of what the robot's place allows alone: that comes many times a second.
+  /// Only what depends on the robot's pose, which changes many times a second.
   void refreshRobot();
 
  Q_SIGNALS:
-  /// They were made by number or name: show them where they are.
+  /// They were created by number or name: show them.
   void made();
 
  private:
@@ -47,7 +47,7 @@ class PlacingActions : public QObject {
   void duplicate();
   using Arranging = std::vector<placing::Spot> (*)(std::vector<placing::Spot>, placing::Axis);
   void arrange(Arranging how, placing::Axis axis, const QString& what);
-  /// Where the robot is on the map on screen; nullopt, and why in `why_not`: it is not known.
+  /// The robot's pose on the map on screen; nullopt, with the reason in `why_not`: unknown.
   std::optional<geometry::Pose2> robotPose(QString* why_not) const;
 
   WindowContext& context_;

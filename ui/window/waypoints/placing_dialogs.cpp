@@ -15,7 +15,7 @@ namespace mapwright::window {
 namespace {
 
 constexpr double kFarthestPlaceM = 1e6;
-constexpr double kNoPlaceHeading = -181;  // the least value of its field stands for none
+constexpr double kNoPlaceHeading = -181;  // the minimum of its field means none
 constexpr int kLongestPlaceName = 500;
 
 QDoubleSpinBox* number(double least, double most, int decimals, double step, const QString& suffix,
@@ -111,12 +111,12 @@ PlacingDialog::PlacingDialog(const PlacingNumbers& present, double told_radius_m
   form->addRow(tr("&Grid to snap to"), grid_);
   form->addRow(tr("Distance to &walls"), wall_);
   form->addRow(tr("&Radius of the robot"), radius_);
-  radius_->setSpecialValueText(tr("not looked at"));
+  radius_->setSpecialValueText(tr("not checked"));
   radius_->setEnabled(told_radius_m <= 0);
   auto* const about =
-      new QLabel(told_radius_m > 0 ? tr("The robot tells its shape: that counts.")
-                                   : tr("Waypoints that are closer to a wall are warned of. This "
-                                        "robot does not tell its shape."),
+      new QLabel(told_radius_m > 0 ? tr("The robot reports its own footprint, which is used instead.")
+                                   : tr("Waypoints closer to a wall than this get a warning. This robot does "
+                                        "not report its footprint."),
                  this);
   about->setTextFormat(Qt::PlainText);
   about->setWordWrap(true);

@@ -1,4 +1,4 @@
-// Asks for a waypoint by its numbers, and for the distances that count while they are placed.
+// Dialogs for a waypoint by its numbers, and for the distances used while placing.
 #pragma once
 
 #include <QDialog>
@@ -13,7 +13,7 @@ namespace mapwright::window {
 class NewWaypointDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `present`: what the fields begin with.
+  /// `present`: the initial values.
   explicit NewWaypointDialog(const map::Waypoint& present, QWidget* parent = nullptr);
   /// As typed, without an id.
   map::Waypoint waypoint() const;
@@ -27,7 +27,7 @@ class NewWaypointDialog : public QDialog {
   QDoubleSpinBox *x_, *y_, *heading_;
 };
 
-/// What waypoints are caught by, and when they are warned of, in numbers.
+/// The numbers for snapping and warnings.
 struct PlacingNumbers {
   double grid_m = 0.5, wall_m = 0.5, radius_m = 0.3;
 };
@@ -35,7 +35,7 @@ struct PlacingNumbers {
 class PlacingDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `told_radius_m`: what the robot says of itself, 0 = nothing; then the typed one is not asked for.
+  /// `told_radius_m`: from the robot's footprint, 0 = unknown; then the typed one is hidden.
   PlacingDialog(const PlacingNumbers& present, double told_radius_m, QWidget* parent = nullptr);
   PlacingNumbers numbers() const;
   QDoubleSpinBox* grid() const { return grid_; }

@@ -84,7 +84,7 @@ ReviewModel::Outcome ReviewModel::outcome(int row) const {
   if (!follows_) return {};
   const auto& sent = list_->submission().rows()[std::size_t(row)];
   if (sent.state == State::Waiting) return {Mark::Neutral, tr("waiting")};
-  if (sent.state == State::UnderWay) return {Mark::Busy, tr("under way…")};
+  if (sent.state == State::UnderWay) return {Mark::Busy, tr("in progress…")};
   const exchange::SentOutcome outcome = outcomeOf(*list_, sent);
   switch (outcome.state) {
     case exchange::SentState::Applied:
@@ -95,12 +95,12 @@ ReviewModel::Outcome ReviewModel::outcome(int row) const {
     case exchange::SentState::Failed:
       break;
   }
-  // The state first: a column is narrow, and its tooltip has the whole sentence.
+  // The state first: the column is narrow, and its tooltip has the whole sentence.
   const bool failed = outcome.state == exchange::SentState::Failed;
   const QString sentence = words::plainLine(exchange::sentenceOf(outcome));
   const QString why = outcome.failure ? whyText(*outcome.failure) : sentence;
-  return {failed ? Mark::Bad : Mark::Warning,
-          failed ? tr("failed. %1").arg(why) : tr("not known. %1").arg(why), sentence};
+  return {failed ? Mark::Bad : Mark::Warning, failed ? tr("failed. %1").arg(why) : tr("unknown. %1").arg(why),
+          sentence};
 }
 
 exchange::SentCounts ReviewModel::counts() const {
@@ -118,7 +118,7 @@ std::vector<robot::WaypointRequest> ReviewModel::rest() const {
 
 int ReviewModel::rowCount(const QModelIndex& parent) const {
   if (parent.isValid() || !list_) return 0;
-  // While a submission begins its rows change before it tells so.
+  // When a submission starts, its rows change before it emits the signal.
   return follows_ ? std::min(told_rows_, int(list_->submission().rows().size())) : int(plan_.size());
 }
 int ReviewModel::columnCount(const QModelIndex&) const { return kColumns; }
@@ -143,7 +143,7 @@ QVariant ReviewModel::data(const QModelIndex& index, int role) const {
     case CallColumn: {
       const robot::WaypointCall call = this->call(index.row());
       text = words::plainName(call.service);
-      if (text.isEmpty()) text = tr("write the list");
+      if (text.isEmpty()) text = tr("save the list");
       if (tip)
         text +=
             QLatin1Char('\n') + words::plainText(QString::fromStdString(call.arguments)).left(kLongestTip);

@@ -1,4 +1,4 @@
-// The requests of a review: what each is, what it changes, and what has become of it. GUI thread.
+// The requests of a review: each with its changes and its result. GUI thread.
 #pragma once
 
 #include <vector>
@@ -18,18 +18,18 @@ class ReviewModel : public QAbstractTableModel {
   enum Column { NumberColumn, CallColumn, WaypointColumn, ChangeColumn, OutcomeColumn, kColumns };
 
   using QAbstractTableModel::QAbstractTableModel;
-  /// What is going to be sent.
+  /// The requests to send.
   void showPlan(edit::OpenWaypoints* list, std::vector<edit::PlannedRequest> plan);
-  /// What is being sent, or has been: follows the list's submission.
+  /// The requests sent or being sent: follows the list's submission.
   void showSubmission(edit::OpenWaypoints* list);
   /// Nothing.
   void clear();
   bool showsPlan() const { return list_ && !follows_; }
   const std::vector<edit::PlannedRequest>& plan() const { return plan_; }
 
-  /// How many rows stand so.
+  /// How many rows are in each state.
   exchange::SentCounts counts() const;
-  /// The requests that are not carried out, as far as is known.
+  /// The requests that were not carried out, as far as known.
   std::vector<robot::WaypointRequest> rest() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -41,7 +41,7 @@ class ReviewModel : public QAbstractTableModel {
   struct Outcome {
     Mark mark = Mark::None;
     QString text;
-    QString sentence = {};  // with what has become of it; empty = the text says it
+    QString sentence = {};  // with its result; empty = the text says it
   };
   using State = edit::WaypointSubmission::Row::State;
   const robot::WaypointRequest& request(int row) const;

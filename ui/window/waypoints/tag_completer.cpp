@@ -17,7 +17,7 @@ TagCompleter::TagCompleter(WaypointEditing* editing, QLineEdit* edit)
   setCompletionMode(QCompleter::PopupCompletion);
   edit_->setCompleter(this);
   edit_->installEventFilter(this);
-  // A text that is set is none that was typed; this one was chosen.
+  // Setting the text does not count as typing; this one was chosen.
   connect(
       this, qOverload<const QString&>(&QCompleter::activated), edit_, [this] { edit_->setModified(true); },
       Qt::QueuedConnection);

@@ -1,4 +1,4 @@
-// Completes the last one of several tags that are typed with commas between them.
+// Completes the last one of several comma-separated tags.
 #pragma once
 
 #include <QCompleter>

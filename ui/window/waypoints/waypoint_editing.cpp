@@ -23,7 +23,7 @@ void WaypointEditing::setDocument(edit::WaypointDocument* document, const QStrin
 }
 
 void WaypointEditing::takeChange(const edit::DocumentChange& change) {
-  // What is gone is neither selected nor in the hand.
+  // Removed ones are neither selected nor dragged.
   if (change.removed.empty() && !change.everything) return;
   std::set<edit::Key> left = selected_;
   std::erase_if(left, [this](const edit::Key& key) { return !find(key); });

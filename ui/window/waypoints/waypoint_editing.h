@@ -1,5 +1,4 @@
-// What can be done with the waypoints on screen: the one set of operations behind the tool, the table and the
-// form, and what is selected.
+// The operations on the waypoints on screen, shared by the tool, the table and the form, and the selection.
 #pragma once
 
 #include <functional>
@@ -15,8 +14,7 @@
 
 namespace mapwright::window {
 
-/// Where waypoints are while a hand moves them, before it lets go: their places and headings alone, so that a
-/// step of thousands costs little.
+/// Where waypoints are during a drag: only positions and headings, so that thousands cost little.
 using WaypointPreview = std::map<edit::Key, placing::Spot>;
 
 class WaypointEditing : public QObject {
@@ -24,11 +22,11 @@ class WaypointEditing : public QObject {
  public:
   using QObject::QObject;
 
-  /// The list to work on; null = there is none. `why_not`: why it can only be looked at; empty = it can be
-  /// changed. `keeps`: what of a waypoint is kept there.
+  /// The list to edit; null = none. `why_not`: why it is read-only; empty = it is editable. `keeps`: what the
+  /// store can keep.
   void setDocument(edit::WaypointDocument* document, const QString& why_not,
                    const robot::KeptFields& keeps = {});
-  /// What a nudge is worth.
+  /// The distance of a nudge.
   void setCell(double cell_m) { cell_m_ = cell_m; }
   edit::WaypointDocument* document() const { return document_; }
   bool editable() const { return document_ && why_not_.isEmpty(); }
@@ -45,18 +43,18 @@ class WaypointEditing : public QObject {
   void selectAll();
   void invertSelection();
 
-  /// A hand's movement that becomes one command.
+  /// A drag that becomes one command.
   edit::Gesture newGesture() { return ++last_gesture_; }
 
-  /// A new one with a name that no other has; it is selected.
+  /// A new one with a unique name; it is selected.
   edit::Key add(const Eigen::Vector2d& world_m, edit::Gesture gesture = 0);
-  /// New ones as one command: their ids are ours to give, and a name where one has none. They are selected.
+  /// New ones as one command: assigns ids, and names where missing. They are selected.
   std::set<edit::Key> addAll(std::vector<map::Waypoint> points, const QString& what,
                              edit::Gesture gesture = 0);
   /// The names that are in use.
   std::set<std::string> names() const;
   void rename(const edit::Key& key, const QString& name, edit::Gesture gesture = 0);
-  /// One item as it is to be; `what`: the name of the command.
+  /// The new state of one item; `what`: the name of the command.
   void set(const edit::Key& key, const map::Waypoint& to, const QString& what, edit::Gesture gesture = 0);
   /// The same change of all that are selected, as one command; `what` names it, with %1 for what it is about.
   void changeSelected(const QString& what, const std::function<void(map::Waypoint&)>& change,

@@ -9,7 +9,7 @@ constexpr std::size_t kMostSortKeys = 200'000;
 }
 
 WaypointFilter::WaypointFilter(QObject* parent) : QSortFilterProxyModel(parent) {
-  // The C locale compares bytes, whatever is asked of it.
+  // The C locale always compares bytes.
   if (order_.locale().language() == QLocale::C)
     order_.setLocale(QLocale(QLocale::English, QLocale::UnitedStates));
   order_.setNumericMode(true);

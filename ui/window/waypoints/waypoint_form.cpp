@@ -19,7 +19,7 @@ namespace mapwright::window {
 namespace {
 
 constexpr double kFarthestFieldM = 1e9;
-constexpr double kNoHeading = -181;  // the least value of its field stands for none
+constexpr double kNoHeading = -181;  // the minimum of its field means none
 constexpr int kLongestName = 500;
 
 QDoubleSpinBox* metres(const QString& accessible, QWidget* parent) {
@@ -83,7 +83,7 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
   connect(editing_, &WaypointEditing::selectionChanged, this, &WaypointForm::refresh);
   connect(editing_, &WaypointEditing::previewChanged, this, &WaypointForm::refresh);
   connect(editing_, &WaypointEditing::opened, this, [this] {
-    // None is not offered where every waypoint has a heading.
+    // Not offered if every waypoint must have a heading.
     const bool may_be_none = editing_->keeps().no_heading;
     const QSignalBlocker quiet(yaw_);
     yaw_->setRange(may_be_none ? kNoHeading : -180, 180);
@@ -92,8 +92,7 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
       connect(editing_->document(), &edit::DocumentEvents::changed, this, &WaypointForm::refresh);
     refresh();
   });
-  // What is typed is in the list, and so in the draft, at once; all that is typed without a break is one
-  // step.
+  // Typed text is in the list, and so in the draft, at once; continuous typing is one step.
   connect(name_, &QLineEdit::textEdited, this, &WaypointForm::takeName);
   connect(name_, &QLineEdit::editingFinished, this, [this] {
     if (refreshing_ || !name_->isModified()) return;
@@ -107,7 +106,7 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
     apply(tr("tag %1"), edit::waypoint_field::kTags,
           [this](map::Waypoint& to) { to.tags = tagsFrom(tags_->text()); });
   });
-  // Only what was typed is set: what the other field shows rounded stays as exact as it was.
+  // Only sets the edited field: the other one keeps its exact value, although it shows a rounded one.
   for (const auto& [box, axis] : {std::pair(x_, 0), std::pair(y_, 1)}) {
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, axis = axis](double metres) {
       apply(tr("move %1"), edit::waypoint_field::kPosition,
@@ -150,7 +149,7 @@ void WaypointForm::takeName(const QString& text) {
   }
   last_field_ = edit::waypoint_field::kName;
   typing_ = true;
-  // A name of nothing is none: the one of before stays.
+  // An empty name is invalid: the previous one stays.
   editing_->rename(shown_, text.trimmed().isEmpty() ? name_before_ : text, gesture_);
   typing_ = false;
 }
@@ -174,7 +173,7 @@ void WaypointForm::refresh() {
   const std::optional<placing::Spot> spot = point ? editing_->spotOf(key) : std::nullopt;
   setEnabled(point && editing_->editable());
   const auto show = [this](QLineEdit* edit, const QString& text) {
-    if (edit->isModified() && (typing_ || edit->hasFocus())) return;  // somebody is typing
+    if (edit->isModified() && (typing_ || edit->hasFocus())) return;  // the user is typing
     if (edit->text() != text) edit->setText(text);
   };
   show(name_, point ? QString::fromStdString(point->name) : QString());
@@ -188,7 +187,7 @@ void WaypointForm::refresh() {
   number(yaw_, spot && spot->yaw_rad ? geometry::degreesFromRadians(geometry::normalizeAngle(*spot->yaw_rad))
                                      : kNoHeading);
   if (!point) {
-    for (QDoubleSpinBox* box : {x_, y_, yaw_}) box->clear();  // the text alone
+    for (QDoubleSpinBox* box : {x_, y_, yaw_}) box->clear();  // only the text
   }
   refreshing_ = false;
   showWarnings();

@@ -15,7 +15,7 @@ namespace {
 
 const QString kRadiusKey = QStringLiteral("waypoints/robot_radius_m");
 using placing::kMostRadiusM;
-constexpr double kAroundBareM = 3;  // around waypoints that lie on no picture
+constexpr double kAroundBareM = 3;  // around waypoints without a picture
 
 }  // namespace
 
@@ -59,7 +59,7 @@ QAction* WaypointPlacing::addRule(const char* id, const QString& text, const QSt
     placing::SnapRules rules = snapping_->rules();
     rules.*rule = checked;
     snapping_->setRules(rules);
-    // Whoever chooses what to snap to wants to snap.
+    // Choosing what to snap to also turns snapping on.
     if (checked) snapping_->setOn(true);
   });
   rules_.push_back({action, rule});
@@ -72,16 +72,17 @@ void WaypointPlacing::addSnapping() {
                                 .text = tr("&Snap"),
                                 .keys = {"S"},
                                 .reach = Reach::OutsideText,
-                                .tip = tr("Waypoints are caught while they are placed; Alt suspends it"),
+                                .tip = tr("Placed waypoints snap to what is selected below; Alt suspends it"),
                                 .toggle = true,
                                 .menu = {MenuGroup::Waypoints, 13}},
                                snapping_, &WaypointSnapping::setOn);
   snap_menu_->addAction(addRule("snapWaypoints", tr("Other &waypoints"),
-                                tr("The places of other waypoints, and their lines"), &SnapRules::waypoints));
+                                tr("The positions of other waypoints, and lines through them"),
+                                &SnapRules::waypoints));
   snap_menu_->addAction(
-      addRule("snapGrid", tr("A &grid"), tr("Lines at a fixed distance, see Distances"), &SnapRules::grid));
+      addRule("snapGrid", tr("A &grid"), tr("Lines at a regular distance, see Distances"), &SnapRules::grid));
   snap_menu_->addAction(addRule("snapWalls", tr("A distance to wa&lls"),
-                                tr("Places at a fixed distance from the nearest wall, see Distances"),
+                                tr("Positions at a given distance from the nearest wall, see Distances"),
                                 &SnapRules::walls));
   snap_menu_->addAction(addRule("snapHeadings", tr("&Headings of 15°"),
                                 tr("Headings that are multiples of 15°"), &SnapRules::headings));
@@ -89,7 +90,7 @@ void WaypointPlacing::addSnapping() {
   QAction* const distances =
       context_.actions.add(menuTitle(Menu::Edit).remove(QLatin1Char('&')), QStringLiteral("snapDistances"),
                            tr("&Distances…"), QStringLiteral("settings"), {}, Reach::Everywhere,
-                           tr("How wide the grid is, how far walls are, and how large the robot is"));
+                           tr("Grid spacing, distance to walls, and robot size"));
   connect(distances, &QAction::triggered, this, &WaypointPlacing::askDistances);
   snap_menu_->addAction(distances);
   context_.actions.place({MenuGroup::Waypoints, 13}, snap_menu_->menuAction());
@@ -122,7 +123,7 @@ void WaypointPlacing::setSession(session::Session* session) {
 
 void WaypointPlacing::syncGround() {
   placing::PlacedMap under = mapUnder(context_.scene);
-  // What was fetched of a map does not tell where the map ends.
+  // A fetched part does not tell where the map ends.
   under.is_part = session_ && session_->wholeMap().shown().state_of;
   warnings_->setMap(under);
 }

@@ -23,7 +23,7 @@ void WaypointQuestions::askToDiscard(const QString& sentence, std::function<void
 void WaypointQuestions::askToLeave(const QString& sentence, bool may_keep,
                                    std::function<void(Leaving)> then) {
   if (question_) {
-    // Whatever it was about: what is asked now is what matters.
+    // Only the newest question matters.
     question_->disconnect(this);
     question_->close();
   }
@@ -36,7 +36,7 @@ void WaypointQuestions::askToLeave(const QString& sentence, bool may_keep,
   if (may_keep) {
     keep = question_->addButton(tr("Keep as draft"), QMessageBox::ActionRole);
     keep->setObjectName(QStringLiteral("keepDraft"));
-    keep->setToolTip(tr("They are offered again when this map is opened"));
+    keep->setToolTip(tr("They will be offered when you open this map again"));
   }
   connect(question_, &QMessageBox::finished, this, [this, keep, then = std::move(then)] {
     QMessageBox* const asked = std::exchange(question_, nullptr);

@@ -46,7 +46,7 @@ WaypointReview::WaypointReview(QWidget* parent)
       status_(new QLabel(this)),
       compared_(new QLabel(this)),
       table_(new QuietTableView(this)),
-      go_on_(new QCheckBox(tr("Go on with the others when one fails"), this)),
+      go_on_(new QCheckBox(tr("Continue if one fails"), this)),
       progress_(new QProgressBar(this)),
       send_(new QPushButton(tr("&Send"), this)),
       cancel_(new QPushButton(tr("&Cancel"), this)),
@@ -58,12 +58,12 @@ WaypointReview::WaypointReview(QWidget* parent)
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
   }
-  showRows(*table_, model_, tr("The calls in their order"), kReviewRowPx);
+  showRows(*table_, model_, tr("The requests in their order"), kReviewRowPx);
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   header->setSectionResizeMode(ReviewModel::ChangeColumn, QHeaderView::Stretch);
-  // In letters of middling width: what the longest of our own texts and usual names take.
+  // In average letter widths: room for the longest of our own texts and usual names.
   const auto wide = [&](int letters) { return letters * fontMetrics().averageCharWidth() + 20; };
   header->resizeSection(ReviewModel::NumberColumn, wide(4));
   header->resizeSection(ReviewModel::CallColumn, wide(22));
@@ -95,7 +95,7 @@ WaypointReview::WaypointReview(QWidget* parent)
 }
 
 bool WaypointReview::isWorthIt(const edit::OpenWaypoints& list) {
-  // One of them tells: a robot is called for all of them, or for none.
+  // The first one is representative: either all of them are calls, or none.
   const auto changes = list.document().changes();
   if (changes.empty()) return false;
   const auto& one = changes.front();
@@ -109,7 +109,7 @@ void WaypointReview::review(edit::OpenWaypoints* list, const QString& map) {
     forget();
     list_ = list;
     connect(list, &edit::OpenWaypoints::changed, this, &WaypointReview::refresh);
-    // Whoever goes on editing sees what it takes then; once a turn, however much has changed.
+    // Further edits update the plan; at most once per turn of the event loop.
     connect(&list->document(), &edit::DocumentEvents::changed, this, [this] {
       if (isHidden() || !list_ || list_->saving() || !model_->showsPlan() || std::exchange(waiting_, true))
         return;
@@ -144,7 +144,7 @@ void WaypointReview::forget() {
 }
 
 void WaypointReview::takePlan() {
-  sent_ = false;  // nothing of this has been
+  sent_ = false;  // none of this has been sent
   model_->showPlan(list_, list_->planned());
   refresh();
 }
@@ -152,7 +152,7 @@ void WaypointReview::takePlan() {
 void WaypointReview::send() {
   if (!list_ || list_->saving()) return;
   std::vector<edit::PlannedRequest> planned = list_->planned();
-  // What is sent is what stands here, and nothing else.
+  // Sends exactly what is shown, nothing else.
   if (!model_->showsPlan() && !areCalls(*list_, planned, model_->rest())) {
     overtaken_ = true;
     return takePlan();
@@ -172,14 +172,14 @@ void WaypointReview::refresh() {
   using edit::SubmissionPhase;
   const SubmissionPhase phase = list_->submission().phase();
   if (sent_ && phase == SubmissionPhase::Undecided) {
-    // Nothing has been sent: others were there meanwhile.
+    // Nothing was sent: others have changed something.
     overtaken_ = true;
     return takePlan();
   }
   const bool before_the_first = phase != SubmissionPhase::Looking && phase != SubmissionPhase::Done &&
                                 list_->submission().rows().empty();
   if (sent_ && !list_->saving() && before_the_first) {
-    // How they are kept could not be looked up: what stands here is still what it takes.
+    // The stored state could not be read: the shown plan is still valid.
     unreached_ = true;
     return takePlan();
   }
@@ -188,7 +188,7 @@ void WaypointReview::refresh() {
   const int rows = model_->rowCount();
   heading_->setText(
       tr("Waypoints of %1: %2 in this order.")
-          .arg(map_, sentences::counted(tr("%1 calls", nullptr, sentences::formOf(rows)), rows)));
+          .arg(map_, sentences::counted(tr("%1 requests", nullptr, sentences::formOf(rows)), rows)));
   QStringList lines{statusText(), list_->saving() ? QString() : refusedText()};
   if (model_->showsPlan()) lines << madeUpText();
   lines.removeAll(QString());
@@ -201,7 +201,7 @@ void WaypointReview::refresh() {
   progress_->setValue(int(list_->submission().done()));
   const bool all_done = sent_ && phase == SubmissionPhase::Done;
   send_->setText(sent_ && !all_done ? tr("&Send the rest") : tr("&Send"));
-  // A button that goes leaves the focus to the next one, and Space would press that.
+  // Hiding a button would move the focus to the next one, and Space would press that.
   if (saving ? send_->hasFocus() || close_->hasFocus() : cancel_->hasFocus()) table_->setFocus();
   send_->setVisible(!saving);
   send_->setEnabled(list_->maySave() && (model_->showsPlan() ? rows > 0 : !all_done));
@@ -214,18 +214,16 @@ QString WaypointReview::statusText() const {
   using edit::SubmissionPhase;
   const auto figure = [](std::size_t count) { return QLocale::c().toString(qulonglong(count)); };
   if (!list_->document().conflicts().empty() && !list_->saving())
-    return tr("%1 changed here and elsewhere. Choose which is right in the panel Waypoints: nothing is sent "
-              "before that.")
+    return tr("%1 changed here and elsewhere. Choose which version to keep in the Waypoints panel: nothing "
+              "is sent before that.")
         .arg(waypointsText(qsizetype(list_->document().conflicts().size())));
   if (!sent_) {
     if (const auto why = list_->stoppedBy(); unreached_ && why)
-      return whyText(*why) + QLatin1Char(' ') + tr("Nothing has been sent.");
+      return whyText(*why) + QLatin1Char(' ') + tr("Nothing was sent.");
     if (overtaken_)
       return tr(
-          "Nothing of this has been sent: the list has changed meanwhile, and this is what it takes now. "
-          "Look at it "
-          "and "
-          "send it.");
+          "Nothing was sent: the list has changed in the meantime. These are the requests that are needed "
+          "now. Review them and send them.");
     if (model_->rowCount() > 0) return tr("Nothing has been sent yet.");
     return list_->unsaved() ? QString() : tr("There is nothing to send.");
   }
@@ -233,25 +231,25 @@ QString WaypointReview::statusText() const {
   const auto& submission = list_->submission();
   switch (submission.phase()) {
     case SubmissionPhase::Looking:
-      return tr("Looking how they are kept now…");
+      return tr("Checking the waypoints on the robot…");
     case SubmissionPhase::Sending:
       return tr("Sending: %1 of %2 done.")
           .arg(figure(counts.applied), figure(std::size_t(model_->rowCount())));
     case SubmissionPhase::LookingAgain:
-      return tr("All is sent. Looking what has become of it…");
+      return tr("Everything was sent. Checking the result…");
     case SubmissionPhase::Done:
-      return tr("All calls were carried out.");
+      return tr("All requests succeeded.");
     default:
       break;
   }
-  QString text = tr("Of %1 calls %2 were carried out, %3 failed, %4 are not known and %5 were not sent.")
+  QString text = tr("Of %1 requests %2 succeeded, %3 failed, %4 are unknown and %5 were not sent.")
                      .arg(figure(std::size_t(model_->rowCount())), figure(counts.applied),
                           figure(counts.failed), figure(counts.unknown), figure(counts.not_sent));
-  // Why alone: what has become of each stands in its row.
+  // Only the reason: the result of each is shown in its row.
   if (const auto why = list_->stoppedBy()) text = whyText(*why) + QLatin1Char(' ') + text;
   if (!list_->looked())
     text += QLatin1Char(' ') +
-            tr("What has arrived could not be read yet; that is done as soon as the link is back.");
+            tr("The result could not be read yet; this happens as soon as the connection is back.");
   return text;
 }
 
@@ -267,12 +265,12 @@ QString WaypointReview::madeUpText() const {
       return !change.before && change.after && change.after->yaw_rad == 0.0;
     });
   });
-  return any ? tr("Every waypoint has a heading on this robot: a new one has 0° until it is turned.")
+  return any ? tr("Every waypoint has a heading on this robot: new ones get 0° until you turn them.")
              : QString();
 }
 
 void WaypointReview::keyPressEvent(QKeyEvent* event) {
-  // A key that is held down sends once.
+  // Holding the key down only sends once.
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (!enter || !event->isAutoRepeat()) QDialog::keyPressEvent(event);
 }
@@ -293,9 +291,9 @@ QString WaypointReview::comparedText() const {
   }
   const QLocale c = QLocale::c();
   const QString as_wanted = c.toString(qulonglong(wanted_.size() - differ));
-  if (differ == 0) return tr("Compared with what is kept now: %1 as wanted, 0 differ.").arg(as_wanted);
+  if (differ == 0) return tr("Compared with the robot's waypoints: %1 as intended, 0 differ.").arg(as_wanted);
   if (qsizetype(differ) > names.size()) names << QStringLiteral("…");
-  return tr("Compared with what is kept now: %1 as wanted, %2 differ: %3.")
+  return tr("Compared with the robot's waypoints: %1 as intended, %2 differ: %3.")
       .arg(as_wanted, c.toString(qulonglong(differ)), names.join(QStringLiteral(", ")));
 }
 

@@ -144,7 +144,7 @@ void WaypointSnapping::paint(QPainter& painter, const placing::SnappedPlace& pla
           theme.text);
     }
   }
-  // Where it is held there is a cross.
+  // A cross at the snapped position.
   const QPointF at = px(place.at_m);
   painter.setPen(QPen(theme.measure, 1.5));
   painter.drawLine(at - QPointF(14, 0), at + QPointF(14, 0));

@@ -33,7 +33,7 @@ QString fieldsText(const std::optional<map::Waypoint>& point, edit::FieldMask fi
     parts << (point->tags.empty() ? WaypointsText::tr("no tags")
                                   : WaypointsText::tr("tags %1").arg(tagsText(point->tags)));
   if (fields & kType) parts << WaypointsText::tr("type %1").arg(words::plainName(point->type).left(40));
-  return parts.isEmpty() ? WaypointsText::tr("as it was") : parts.join(QStringLiteral(", "));
+  return parts.isEmpty() ? WaypointsText::tr("unchanged") : parts.join(QStringLiteral(", "));
 }
 
 }  // namespace
@@ -72,7 +72,8 @@ QString changesText(qsizetype count) {
 }
 
 QString stateText(const edit::ItemState& state) {
-  if (state.changed_elsewhere) return WaypointsText::tr("Changed here and elsewhere: choose which is right.");
+  if (state.changed_elsewhere)
+    return WaypointsText::tr("Changed here and elsewhere: choose which version to keep.");
   if (state.sent) return WaypointsText::tr("Sent, not confirmed yet.");
   return state.unsaved ? WaypointsText::tr("Not saved yet.") : QString();
 }
@@ -117,7 +118,7 @@ QString changeText(const std::optional<map::Waypoint>& before, const std::option
     if (changed & field)
       parts << WaypointsText::tr("%1 → %2").arg(fieldsText(before, field), fieldsText(after, field));
   }
-  return parts.isEmpty() ? WaypointsText::tr("as it was") : parts.join(QStringLiteral("; "));
+  return parts.isEmpty() ? WaypointsText::tr("unchanged") : parts.join(QStringLiteral("; "));
 }
 
 QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
@@ -149,13 +150,14 @@ QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stoppe
   const std::size_t sent = counts.applied + counts.failed + counts.unknown, all = sent + counts.not_sent;
   const QString why = whyText(stopped_by);
   if (all < 2 || counts.applied + counts.unknown == 0) {
-    return counts.unknown > 0 ? WaypointsText::tr("Whether it is saved is not known. %1").arg(why)
+    return counts.unknown > 0 ? WaypointsText::tr("Whether it was saved is unknown. %1").arg(why)
                               : WaypointsText::tr("Not saved. %1").arg(why);
   }
   const auto figure = [](std::size_t count) { return QLocale::c().toString(qulonglong(count)); };
-  QString text = WaypointsText::tr("Not all is saved: %1 of %2 requests were carried out")
+  QString text = WaypointsText::tr("Not everything was saved: %1 of %2 requests succeeded")
                      .arg(figure(counts.applied), figure(all));
-  if (counts.unknown > 0) text += WaypointsText::tr(", of %1 it is not known").arg(figure(counts.unknown));
+  if (counts.unknown > 0)
+    text += WaypointsText::tr(", the result of %1 is unknown").arg(figure(counts.unknown));
   return text + QStringLiteral(". ") + why;
 }
 
@@ -168,7 +170,7 @@ QString offerText(const edit::WaypointDraft& draft, const QDateTime& now) {
   const QString when =
       today ? WaypointsText::tr("today %1").arg(QLocale::c().toString(draft.made, QStringLiteral("HH:mm:ss")))
             : QLocale::c().toString(draft.made, QStringLiteral("d MMMM yyyy HH:mm"));
-  return WaypointsText::tr("There is a draft of these waypoints of %1 that was not saved: %2.")
+  return WaypointsText::tr("There is an unsaved draft of these waypoints from %1: %2.")
       .arg(when, changesText(qsizetype(draft.changes.size())));
 }
 

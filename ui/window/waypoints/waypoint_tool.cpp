@@ -122,7 +122,7 @@ void WaypointTool::move(const MapPoint& at) {
     const map::Waypoint& from = *editing_->find(key);
     preview.emplace_hint(preview.end(), key, placing::Spot{from.position_m + by, from.yaw_rad});
   }
-  // Exactly what caught it, without what the sum loses.
+  // Exactly the snapped position, without rounding errors.
   preview.at(grabbed_).position_m = snapped_.at_m;
   editing_->setPreview(std::move(preview));
 }
@@ -164,7 +164,7 @@ void WaypointTool::turnGroup(const MapPoint& at) {
 std::set<edit::Key> WaypointTool::inFrame() const {
   const geometry::ViewTransform& view = scene_->view();
   const QRectF frame = QRectF(press_px_, now_px_).normalized();
-  geometry::WorldRect around;  // of a turned view more than the frame
+  geometry::WorldRect around;  // for a rotated view more than the frame
   for (const QPointF& corner : {frame.topLeft(), frame.topRight(), frame.bottomLeft(), frame.bottomRight()})
     around.extend(view.worldFromPixel({corner.x(), corner.y()}));
   std::set<edit::Key> keys;
@@ -215,8 +215,8 @@ void WaypointTool::clicked(const MapPoint& at) {
       editing_->select({grabbed_});
     return;
   }
-  if (at.modifiers & Qt::ShiftModifier) return;  // a frame of nothing
-  // A handle is for dragging alone: whoever clicks there means what lies below it.
+  if (at.modifiers & Qt::ShiftModifier) return;  // an empty frame
+  // A handle only reacts to drags: a click means what is below it.
   if (const auto key = under(at)) return editing_->select({*key});
   if (!editing_->editable()) {
     editing_->select({});
@@ -270,7 +270,7 @@ bool WaypointTool::nudge(const MapKeyPress& press) {
       screen = {0, -1};
   }
   if (!editing_->editable() || editing_->selected().empty()) return false;
-  // Along the axis of the map that lies nearest to the key's direction.
+  // Along the axis of the map closest to the key's direction.
   const double turned = -scene_->view().rotation_rad;
   Eigen::Vector2d world(std::cos(turned) * screen.x() - std::sin(turned) * screen.y(),
                         std::sin(turned) * screen.x() + std::cos(turned) * screen.y());

@@ -1,4 +1,4 @@
-// WaypointTool: its handles, what it paints over the map, and what it says.
+// WaypointTool: its handles, what it paints over the map, and its hints.
 #include <cmath>
 
 #include <QLocale>
@@ -13,8 +13,8 @@ namespace mapwright::window {
 namespace {
 
 constexpr double kHandleRadiusPx = 6;
-constexpr double kInsidePx = 16;            // handles stay so far from the edge of the map
-constexpr std::size_t kMostTraces = 2'000;  // of more the way of each is not drawn
+constexpr double kInsidePx = 16;            // minimum distance of handles from the edge of the map
+constexpr std::size_t kMostTraces = 2'000;  // with more, individual paths are not drawn
 
 QString metresOf(double value) { return QLocale::c().toString(value, 'f', 2); }
 
@@ -52,7 +52,7 @@ std::optional<QPointF> WaypointTool::groupHandle() const {
     for (const double y : {bounds.min_y, bounds.max_y}) top = std::min(top, view.pixelFromWorld({x, y}).y());
   }
   const QPointF pivot = scene::toPoint(view.pixelFromWorld(group().pivot_m));
-  // In reach whenever the middle is on screen, however far the group goes.
+  // Reachable whenever the middle is on screen, however large the group.
   const double y = std::max(top - kHandlePx, std::min(kInsidePx * 3, pivot.y() - kHandlePx));
   return QPointF(pivot.x(), y);
 }
@@ -113,7 +113,7 @@ void WaypointTool::paintGroup(QPainter& painter, const QPointF& grip) const {
   painter.drawEllipse(pivot, 3, 3);
   painter.setPen(QPen(theme.accent, 2));
   painter.drawEllipse(grip, kHandleRadiusPx + 1, kHandleRadiusPx + 1);
-  // An arrow that goes round: this one turns.
+  // A circular arrow: for rotation.
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(theme.accent, 1.5, Qt::SolidLine, Qt::RoundCap));
   const QRectF ring(grip - QPointF(3.5, 3.5), QSizeF(7, 7));
@@ -142,14 +142,15 @@ QString WaypointTool::hint() const {
         .arg(yawText(editing_->preview().at(grabbed_).yaw_rad));
   if (drag_ == Drag::Move && editing_->preview().contains(grabbed_)) {
     const Eigen::Vector2d at = editing_->preview().at(grabbed_).position_m;
-    return tr("%1, %2 m. Ctrl: to the grid, Alt: free, Esc cancels.").arg(metresOf(at.x()), metresOf(at.y()));
+    return tr("%1, %2 m. Ctrl: snap to the grid, Alt: no snapping, Esc cancels.")
+        .arg(metresOf(at.x()), metresOf(at.y()));
   }
   if (editing_->selected().empty())
-    return tr("Click adds a waypoint, drag moves one, Shift and drag frames several. Esc leaves.");
+    return tr("Click to add a waypoint, drag to move one, Shift and drag to select several. Esc leaves.");
   if (editing_->selected().size() > 1)
-    return tr("%1: drag or arrows move, the handle turns, Delete deletes. Esc lets go.")
+    return tr("%1: drag or use the arrows to move, drag the handle to turn, Delete deletes. Esc deselects.")
         .arg(waypointsText(qsizetype(editing_->selected().size())));
-  return tr("Drag or arrows move, F2 renames, Delete deletes. Esc lets go.");
+  return tr("Drag or use the arrows to move, F2 renames, Delete deletes. Esc deselects.");
 }
 
 }  // namespace mapwright::window

@@ -33,7 +33,7 @@ bool isCsv(const QString& path) {
   return ending == QLatin1String("csv") || ending == QLatin1String("tsv") || ending == QLatin1String("txt");
 }
 
-/// "Dock 2", such that nobody is called so.
+/// "Dock 2", a name that nobody has.
 std::string freeName(const std::string& like, std::set<std::string>& taken,
                      std::map<std::string, int>& numbers) {
   std::string name = like;
@@ -61,19 +61,19 @@ void WaypointTransfer::addActions() {
   copy_ = context_.actions.add({.id = "copyWaypoints",
                                 .text = tr("&Copy waypoints"),
                                 .icon = "copy",
-                                .tip = tr("What is selected: for another map, or for a spreadsheet"),
+                                .tip = tr("Copy the selection, for another map or a spreadsheet"),
                                 .menu = {MenuGroup::Waypoints, 50}},
                                this, &WaypointTransfer::copy);
   paste_ = context_.actions.add({.id = "pasteWaypoints",
                                  .text = tr("&Paste waypoints"),
-                                 .tip = tr("Waypoints that were copied here, or rows of a spreadsheet"),
+                                 .tip = tr("Paste waypoints copied here, or rows of a spreadsheet"),
                                  .menu = {MenuGroup::Waypoints, 52}},
                                 this, &WaypointTransfer::paste);
   import_ =
       context_.actions.add({.id = "importWaypoints",
                             .text = tr("&Import waypoints…"),
                             .icon = "open",
-                            .tip = tr("From a GeoJSON or CSV file, after a look at what it changes"),
+                            .tip = tr("From a GeoJSON or CSV file, with a preview of the changes"),
                             .menu = {MenuGroup::Waypoints, 54}},
                            this, [this] {
                              const QString path = QFileDialog::getOpenFileName(
@@ -85,7 +85,7 @@ void WaypointTransfer::addActions() {
       {.id = "exportWaypoints",
        .text = tr("E&xport waypoints…"),
        .icon = "export",
-       .tip = tr("All of this map as GeoJSON or CSV, as they are here"),
+       .tip = tr("All waypoints of this map as GeoJSON or CSV, including unsaved changes"),
        .menu = {MenuGroup::Waypoints, 56}},
       this, [this] {
         const QString path = QFileDialog::getSaveFileName(
@@ -133,24 +133,25 @@ void WaypointTransfer::paste() {
   if (mime && mime->hasFormat(QLatin1String(kMime)))
     return pasteCopied(mime->data(QLatin1String(kMime)).toStdString());
   if (!mime || mime->text().trimmed().isEmpty())
-    return say(false, tr("The clipboard holds no waypoints and no table. Copy rows of a spreadsheet first."));
+    return say(false,
+               tr("The clipboard contains no waypoints and no table. Copy rows of a spreadsheet first."));
   ask({ImportSource::Kind::Table, {}, mime->text().toStdString()});
 }
 
 void WaypointTransfer::pasteCopied(const std::string& geojson) {
   auto wanted = exchange::wantedFromGeoJson(geojson);
-  if (!wanted) return say(false, tr("What was copied cannot be pasted. %1").arg(wanted.error()));
+  if (!wanted) return say(false, tr("The clipboard cannot be pasted. %1").arg(wanted.error()));
   std::set<std::string> taken;
   std::map<std::string, int> numbers;
   for (const auto& [key, point] : editing_->document()->items()) taken.insert(point.name);
-  // As new ones: in another map these ids mean nothing, in this one they are somebody else.
+  // As new ones: in another map these ids are meaningless, in this one they belong to others.
   for (exchange::WantedWaypoint& one : wanted->points) {
     one.id.clear();
     if (one.name) one.name = freeName(*one.name, taken, numbers);
   }
   exchange::nameNameless(wanted->points, editing_->document()->items(), tr("Waypoint %1"));
   auto edits = exchange::editsFor({}, wanted->points, exchange::Others::Go);
-  if (!edits) return say(false, tr("What was copied cannot be pasted. %1").arg(edits.error()));
+  if (!edits) return say(false, tr("The clipboard cannot be pasted. %1").arg(edits.error()));
   exchange::FittedEdits fitted = exchange::fitted(std::move(*edits), editing_->keeps());
   for (auto& edit : fitted.edits) {
     if (edit.after) edit.after->id = edit.key;

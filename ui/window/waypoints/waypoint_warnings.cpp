@@ -98,10 +98,10 @@ void WaypointWarnings::everythingAnew() {
 }
 
 void WaypointWarnings::take(const edit::DocumentChange& change) {
-  if (sender() != editing_->document()) return;  // that of a list that is closed
+  if (sender() != editing_->document()) return;  // from a closed list
   if (change.everything) return begin();
   std::set<std::string> touched;
-  // Where nothing but places has changed, nothing is known of them before the ground has been looked at.
+  // If only positions have changed, nothing is known about them until the map has been checked.
   using namespace edit::waypoint_field;
   const bool places_alone =
       change.added.empty() && change.removed.empty() && !(change.fields & (kName | kYaw));
@@ -138,7 +138,7 @@ void WaypointWarnings::takePreview() {
       std::equal(previewed_.begin(), previewed_.end(), preview.begin(),
                  [](const edit::Key& key, const auto& moved) { return key == moved.first; });
   if (!same_ones) {
-    // What is let go, or put back, is looked at once more.
+    // Released or restored ones are checked again.
     for (edit::Key& key : std::exchange(previewed_, {})) waiting_.insert(std::move(key));
     previewed_.reserve(preview.size());
     for (const auto& [key, spot] : preview) previewed_.push_back(key);
@@ -171,7 +171,7 @@ void WaypointWarnings::look() {
   }
   if (asked.keys.empty()) return;
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  // In groups: the threads of the crew share them, and none of them holds the window up for long.
+  // In groups: the threads of the pool share them, and the window is not blocked for long.
   for (const std::vector<std::size_t>& group :
        placing::groupsOf(asked.places_m, map_.reference, kMostOfGroup)) {
     auto part = std::make_shared<Asked>();
@@ -200,7 +200,7 @@ void WaypointWarnings::takeGround(const Asked& asked, const placing::GroundWarni
   for (std::size_t i = 0; i < asked.keys.size(); ++i) {
     const edit::Key& key = asked.keys[i];
     const auto spot = editing_->spotOf(key);
-    if (!spot || spot->position_m != asked.places_m[i]) continue;  // it has moved on, and waits again
+    if (!spot || spot->position_m != asked.places_m[i]) continue;  // it has moved since, and is queued again
     if (!found.of[i].empty()) {
       of_ground_[key] = found.of[i];
     } else if (of_ground_.erase(key) == 0) {

@@ -61,7 +61,7 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
   connect(dock_, &WaypointsDock::addWanted, this, [this] { addAt(context_.scene.view().center_m); });
   connect(dock_, &WaypointsDock::copyWanted, transfer_, &WaypointTransfer::copy);
   connect(dock_, &WaypointsDock::pasteWanted, transfer_, &WaypointTransfer::paste);
-  // Nobody waits for it any more.
+  // No longer needed.
   connect(review_, &WaypointReview::givenUp, this, [this] { when_saved_ = nullptr; });
   connect(dock_, &WaypointsDock::saveWanted, this, &WaypointsController::save);
   connect(dock_, &WaypointsDock::cancelWanted, this, [this] {
@@ -83,7 +83,7 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
     if (const auto left = nameLeft()) accepted_names_.insert(left->key);
     refresh();
   });
-  // A camera that moves takes the line along: what is typed on must not become commands of the map.
+  // When the camera moves the line follows: further typing must not trigger commands of the map.
   connect(&context_.scene, &scene::MapScene::viewChanged, this, [this] {
     const map::Waypoint* const point = name_editor_->isHidden() ? nullptr : editing_.find(named_);
     if (point) name_editor_->follow(scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m)));
@@ -94,7 +94,7 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
 
 WaypointsController::~WaypointsController() {
   setSession(nullptr);
-  delete dock_;  // it looks at what is here
+  delete dock_;  // it refers to members of this object
 }
 
 void WaypointsController::addActions() {
@@ -122,9 +122,9 @@ void WaypointsController::addActions() {
                        [this, world_m] { addAt(world_m); });
       });
   revert_action_ = context_.actions.add({.id = "revertWaypoints",
-                                         .text = tr("&Discard changes of waypoints…"),
+                                         .text = tr("&Discard changes to waypoints…"),
                                          .icon = "reset",
-                                         .tip = tr("Everything as it was saved last"),
+                                         .tip = tr("Restore the waypoints as last saved"),
                                          .menu = {MenuGroup::Waypoints, 20}},
                                         this, &WaypointsController::revertAll);
 }
@@ -139,7 +139,7 @@ void WaypointsController::setSession(session::Session* session) {
   session_ = session;
   if (session_) {
     connect(&session_->wholeMap(), &session::MapSlot::changed, this, &WaypointsController::syncMap);
-    // Which map the robot works with, and what can be done with its waypoints.
+    // The robot's current map, and the possible actions on its waypoints.
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &WaypointsController::syncMap);
     connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &WaypointsController::syncMap);
   }
@@ -150,7 +150,7 @@ void WaypointsController::setSession(session::Session* session) {
 }
 
 bool WaypointsController::comesFirst() const {
-  // Of files nothing is live, and there are no submaps to be inspected.
+  // Files have no live data and no submaps.
   return session_ && session_->robot().isLocal() && session_->robot().waypointStore();
 }
 
@@ -161,13 +161,13 @@ void WaypointsController::remember(QSettings& settings) { placing_->remember(set
 void WaypointsController::syncMap() {
   const session::MapSlot* const slot = session_ ? &session_->wholeMap() : nullptr;
   std::optional<map::MapKey> key;
-  // On an empty ground, too: a robot may keep waypoints of maps that it sends no picture of.
+  // Even without a picture: a robot may have waypoints of maps whose picture it does not send.
   const bool bare = slot && session_->robot().waypointStore() &&
                     (session::lacksPicture(*slot) || session::isByRegion(session_->robot(), *slot));
   if (slot && (slot->cells() || bare)) key = session_->placesOf(*slot);
   if (slot && slot->cells()) editing_.setCell(slot->reference().resolution_m);
   const bool store_went = list_ && session_ && !session_->robot().waypointStore();
-  // What is not saved stays on screen; its store may come back.
+  // Unsaved changes stay on screen; the store may come back.
   if (store_went && (list_->unsaved() || list_->saving())) return refresh();
   const bool store_came = !list_ && key && session_->robot().waypointStore();
   if (key != open_map_ || store_went || store_came) {
@@ -192,7 +192,7 @@ void WaypointsController::openList(const map::MapKey& key) {
   connect(list_.get(), &edit::OpenWaypoints::saved, this, [this] {
     if (list_->submission().done() > 0)
       context_.overlay.toasts()->add(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()));
-    // Leaving closes the list, and it is the list that is speaking.
+    // Leaving closes the list, which is emitting this signal.
     if (const auto then = std::exchange(when_saved_, nullptr))
       QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
   });
@@ -239,10 +239,10 @@ void WaypointsController::closeList() {
   shown_only_.reset();
   if (list_) {
     list_->robotGone();
-    // What is not saved stays as a draft; where that is impossible somebody has to know.
+    // Unsaved changes stay as a draft; if that is impossible the user has to know.
     if (const auto trouble = list_->unsaved() ? list_->keepDraft() : std::nullopt)
       context_.overlay.toasts()->add(
-          Mark::Bad, tr("The changes of waypoints are lost. %1").arg(sentences::wordsOf(*trouble)));
+          Mark::Bad, tr("The changes to the waypoints are lost. %1").arg(sentences::wordsOf(*trouble)));
     list_->disconnect(this);
     list_->document().disconnect(this);
     list_.reset();
@@ -251,25 +251,25 @@ void WaypointsController::closeList() {
 }
 
 void WaypointsController::noteSaving() {
-  // The list can be edited from when it has been read.
+  // The list can be edited once it has been read.
   const bool ready = list_ && list_->phase() == edit::OpenWaypoints::Phase::Ready;
   if (ready && editing_.document() != &list_->document())
     editing_.setDocument(&list_->document(), {}, list_->keeps());
   const edit::SubmissionPhase phase = list_->submission().phase();
-  // Without a conflict it is the review that has to be looked at again.
+  // Without a conflict the review has to be checked again.
   const bool to_decide = phase == edit::SubmissionPhase::Undecided && !list_->document().conflicts().empty();
   if (to_decide && !std::exchange(said_decide_, true)) {
     when_saved_ = nullptr;
     context_.overlay.toasts()->add(
         Mark::Warning,
-        tr("Not saved yet: some waypoints were changed here and elsewhere. Choose which is right."));
+        tr("Not saved yet: some waypoints were changed here and elsewhere. Choose which version to keep."));
     context_.panels.open(dock_);
   }
   if (phase != edit::SubmissionPhase::Undecided) said_decide_ = false;
   const auto& failure = list_->submission().failure();
   if (phase == edit::SubmissionPhase::Stopped && failure && failure->kind != map::FailureKind::Conflict &&
       std::exchange(told_failure_, failure) != failure) {
-    // The review says it, and can go on.
+    // The review shows it, and can continue.
     if (!review_->isVisible()) {
       when_saved_ = nullptr;
       context_.overlay.toasts()->add(Mark::Bad, tr("Waypoints: %1").arg(notSavedText(*list_, *failure)));
@@ -287,14 +287,14 @@ void WaypointsController::takeChange() {
 void WaypointsController::refresh() {
   QString sentence;
   if (!session_) {
-    sentence = tr("Open a map file (Ctrl+Shift+O) to see and change its waypoints.");
+    sentence = tr("Open a map file (Ctrl+Shift+O) to see and edit its waypoints.");
   } else if (!session_->robot().waypointStore() && !session_->robot().waypointSource()) {
     sentence = sentences::whyAbsent(robot::Capability::Waypoints,
                                     session_->robot().whyNot(robot::Capability::Waypoints));
   } else if (!open_map_) {
-    sentence = tr("Waypoints belong to a whole map. Open one in the panel Maps.");
+    sentence = tr("Waypoints belong to a whole map. Open one in the Maps panel.");
   } else if (list_ && list_->phase() == edit::OpenWaypoints::Phase::Reading) {
-    sentence = tr("The waypoints are being read.");
+    sentence = tr("Loading the waypoints.");
   } else if (list_ && list_->failure()) {
     sentence = failureText(*list_->failure());
   }
@@ -316,7 +316,7 @@ void WaypointsController::refreshNotice() {
   NoticeBar* const notice = context_.overlay.editNotice();
   if (list_ && list_->draftTrouble().any()) {
     return notice->setNotice(Mark::Bad,
-                             tr("Changes of waypoints are not kept safe: save them soon. %1")
+                             tr("Changes to waypoints are not backed up: save them soon. %1")
                                  .arg(sentences::wordsOf(list_->draftTrouble())),
                              tr("Show"));
   }
@@ -327,13 +327,13 @@ void WaypointsController::refreshNotice() {
   }
   if (list_ && !list_->document().conflicts().empty()) {
     return notice->setNotice(Mark::Warning,
-                             tr("%1 changed here and elsewhere. Choose which is right before saving.")
+                             tr("%1 changed here and elsewhere. Choose which version to keep before saving.")
                                  .arg(waypointsText(qsizetype(list_->document().conflicts().size()))),
                              tr("Show"));
   }
   if (const auto left = nameLeft()) {
     notice->setNotice(Mark::Warning, left->sentence, left->offer);
-    if (left->remedy != LeftName::Remedy::SendRest) notice->setSecondOffer(tr("Leave it so"));
+    if (left->remedy != LeftName::Remedy::SendRest) notice->setSecondOffer(tr("Keep the name"));
     return;
   }
   notice->setNotice(Mark::None, {}, {});
@@ -346,7 +346,7 @@ std::optional<LeftName> WaypointsController::nameLeft() const {
 
 void WaypointsController::takeOffer() {
   if (list_ && !list_->draftTrouble().any()) {
-    if (!list_->offered().empty()) return list_->takeUp(tr("take up the draft"));
+    if (!list_->offered().empty()) return list_->takeUp(tr("restore the draft"));
     const auto left = list_->document().conflicts().empty() ? nameLeft() : std::nullopt;
     if (left && left->remedy == LeftName::Remedy::SendRest) return save();
     if (left && left->remedy == LeftName::Remedy::CallItSo)
@@ -361,7 +361,7 @@ void WaypointsController::takeOffer() {
 
 void WaypointsController::save() {
   name_editor_->finish();
-  // What is still being typed somewhere counts.
+  // Text still being typed counts.
   if (QWidget* const typing = context_.window.focusWidget(); typing && dock_->isAncestorOf(typing))
     typing->clearFocus();
   if (!list_) return;
@@ -374,7 +374,7 @@ void WaypointsController::askName(const edit::Key& key, edit::Gesture gesture) {
   if (!point || !editing_.editable()) return;
   const QPointF at = scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m));
   if (!QRectF(context_.view.viewport()->rect()).contains(at)) context_.view.lookAt(point->position_m, false);
-  // All that is typed is one step, and one with what made the waypoint.
+  // Continuous typing is one step, together with the creation of the waypoint.
   if (gesture == 0) gesture = editing_.newGesture();
   named_ = key;
   name_editor_->ask(scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m)),
@@ -388,7 +388,7 @@ QString WaypointsController::mapName() const {
 
 void WaypointsController::revertAll() {
   if (!unsaved()) return;
-  questions_.askToDiscard(tr("Discard %1 of the waypoints of %2? This cannot be undone.")
+  questions_.askToDiscard(tr("Discard %1 to the waypoints of %2? This cannot be undone.")
                               .arg(changesText(qsizetype(list_->document().unsaved().size())), mapName()),
                           [this] {
                             if (list_) list_->discard();

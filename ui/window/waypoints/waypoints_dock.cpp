@@ -73,9 +73,9 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
     label->setContentsMargins(8, 4, 8, 4);
   }
   for (QLabel* label : {empty_, status_}) label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  add_->setToolTip(tr("A new waypoint in the middle of the view. On the map: press W, then click"));
-  remove_->setToolTip(tr("Delete what is selected (Delete)"));
-  save_->setToolTip(tr("Write the changes where the list is kept (Ctrl+S)"));
+  add_->setToolTip(tr("Add a waypoint in the centre of the view. On the map: press W, then click"));
+  remove_->setToolTip(tr("Delete the selected waypoints (Delete)"));
+  save_->setToolTip(tr("Save the changes (Ctrl+S)"));
   add_->setIcon(themedIcon(QStringLiteral("add")));
   remove_->setIcon(themedIcon(QStringLiteral("trash")));
   save_->setIcon(themedIcon(QStringLiteral("save")));
@@ -123,7 +123,7 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   connect(retry_, &QPushButton::clicked, this, &WaypointsDock::retryWanted);
   connect(conflicts_, &ConflictBox::decided, this, &WaypointsDock::decided);
   connect(conflicts_, &ConflictBox::locateWanted, this, &WaypointsDock::locateWanted);
-  // Rows that are all made anew are selected as before.
+  // When all rows are rebuilt, restores the selection.
   connect(sorted_, &QAbstractItemModel::modelReset, this, &WaypointsDock::showSelection);
   connect(next_warning_, &QToolButton::clicked, this, &WaypointsDock::nextWarningWanted);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
@@ -145,7 +145,7 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
 }
 
 WaypointsDock::~WaypointsDock() {
-  // As in the other docks: the table goes later than what it reports to.
+  // As in the other docks: the table is destroyed later than the object it reports to.
   table_->selectionModel()->disconnect(this);
   table_->removeEventFilter(this);
   filter_->removeEventFilter(this);
@@ -182,7 +182,7 @@ void WaypointsDock::buildFilter() {
   filter_->setClearButtonEnabled(true);
   filter_->setAccessibleName(tr("Filter waypoints"));
   filter_->installEventFilter(this);
-  pending_->setAccessibleName(tr("Filter by what is not saved"));
+  pending_->setAccessibleName(tr("Filter unsaved waypoints"));
   pending_->addItem(tr("All"), 0);
   pending_->addItem(tr("Not saved"), int(kUnsaved));
   pending_->addItem(tr("New"), int(kNew));
@@ -230,7 +230,7 @@ void WaypointsDock::showWarnings() {
   const auto count = qint64(warnings_->count());
   next_warning_->setVisible(count > 0);
   next_warning_->setIcon(iconPixmap(QStringLiteral("problem"), 16, devicePixelRatioF(), appColors().warning));
-  // The number alone: a dock is narrow.
+  // Only the number: a dock is narrow.
   next_warning_->setText(QString::number(count));
   next_warning_->setAccessibleName(
       sentences::counted(tr("%1 warnings", nullptr, sentences::formOf(count)), count));
@@ -239,7 +239,7 @@ void WaypointsDock::showWarnings() {
 void WaypointsDock::showSelection() {
   if (showing_selection_) return;
   showing_selection_ = true;
-  // Rows that lie side by side are one range: thousands of ranges would be compared one by one.
+  // Adjacent rows become one range: thousands of ranges would be compared one by one.
   std::vector<int> rows;
   for (const edit::Key& key : editing_->selected()) {
     const QModelIndex at = sorted_->mapFromSource(model_->indexOf(key));
@@ -297,7 +297,7 @@ void WaypointsDock::refresh() {
   status_bad_ =
       list_ && (list_->failure() || (list_->stoppedBy() && list_->unsaved()) || list_->draftTrouble().any());
   status_->setText(statusText());
-  status_->setToolTip(plainToolTip(status_->text()));  // where there is no room for all of it
+  status_->setToolTip(plainToolTip(status_->text()));  // if there is no room for all of it
   status_->setVisible(!status_->text().isEmpty());
   secondary(status_, status_bad_);
 
@@ -313,7 +313,7 @@ QString WaypointsDock::statusText() const {
   QStringList parts;
   const auto stopped_by = list_->unsaved() ? list_->stoppedBy() : std::nullopt;
   const QString not_saved = stopped_by ? notSavedText(*list_, *stopped_by) : QString();
-  // Where one thing stands in the way of both it is told once.
+  // If both have the same reason it is shown once.
   const bool told = stopped_by && list_->failure() && whyText(*list_->failure()) == whyText(*stopped_by);
   if (list_->failure() && !told) parts << failureText(*list_->failure());
   if (stopped_by) parts << not_saved;

@@ -21,7 +21,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr std::size_t kManyRows = 200;  // more at once are told as a whole
+constexpr std::size_t kManyRows = 200;  // more at once are signalled as a whole
 constexpr int kWaypointMarkPx = 16;
 
 QString metresText(double metres) { return QLocale::c().toString(metres, 'f', 2); }
@@ -58,7 +58,7 @@ void WaypointsModel::setDocument(edit::WaypointDocument* document) {
 void WaypointsModel::setWarnings(const WaypointWarnings* warnings) {
   warnings_ = warnings;
   connect(warnings, &WaypointWarnings::changed, this, [this](const std::vector<std::string>& keys) {
-    // Of many the table is painted anew, and nobody puts the rows in order for the sake of their marks.
+    // With many rows the table is repainted, without sorting them again because of their marks.
     if (keys.size() > kManyRows) return;
     for (const edit::Key& key : keys) {
       const QModelIndex at = indexOf(key, 0);
@@ -128,7 +128,7 @@ void WaypointsModel::take(const edit::DocumentChange& change) {
   }
   if (come.size() + go.size() > kManyRows) return begin();
   if (others > kManyRows) {
-    // One word about all of them, and of no column that is as before: they are put in order by one of these.
+    // One signal for all of them, without unchanged columns, as one of these may be the sort column.
     using namespace edit::waypoint_field;
     const auto tell = [&](edit::FieldMask field, int from, int to) {
       if (change.fields & field || !change.added.empty() || !change.removed.empty())
@@ -204,7 +204,7 @@ QVariant WaypointsModel::data(const QModelIndex& index, int role) const {
       return column == StateColumn ? pendingText(document_->state(at), pending(at)) : QVariant();
     case Qt::FontRole: {
       if (document_->find(at)) return {};
-      QFont struck;  // the rest is the table's
+      QFont struck;  // the rest comes from the table
       struck.setStrikeOut(true);
       return struck;
     }

@@ -10,7 +10,7 @@
 namespace mapwright::window {
 namespace {
 
-constexpr std::size_t kManyMoved = 500;  // of more at once the index is made anew
+constexpr std::size_t kManyMoved = 500;  // with more at once the index is rebuilt
 
 }  // namespace
 
@@ -58,7 +58,7 @@ void WaypointsOnMap::begin() {
 }
 
 void WaypointsOnMap::take(const edit::DocumentChange& change) {
-  if (sender() != editing_->document()) return;  // that of a list that is closed
+  if (sender() != editing_->document()) return;  // from a closed list
   if (change.everything) return begin();
   const bool many = change.added.size() + change.changed.size() + change.removed.size() > kManyMoved;
   for (const auto* keys : {&change.added, &change.changed, &change.removed}) {
@@ -86,7 +86,7 @@ void WaypointsOnMap::takeSelection() {
 
 void WaypointsOnMap::takePreview() {
   const WaypointPreview& preview = editing_->preview();
-  // One step after another moves the same ones: of those nothing but the place is another.
+  // Consecutive steps move the same ones: only their positions change.
   const bool same_ones =
       preview.size() == previewed_.size() &&
       std::equal(previewed_.begin(), previewed_.end(), preview.begin(),
@@ -96,7 +96,7 @@ void WaypointsOnMap::takePreview() {
       const auto known = at_.find(key);
       if (known == at_.end()) continue;
       scene::DrawnWaypoint& drawn = points_[known->second];
-      // Where it is kept is known as long as a line leads there.
+      // The stored position is known as long as a line leads there.
       if (!drawn.from_m || *drawn.from_m == spot.position_m) {
         put(key);
         continue;
@@ -131,7 +131,7 @@ std::optional<scene::DrawnWaypoint> WaypointsOnMap::drawnOf(const edit::Key& key
                : kept                  ? WaypointMark::Unsaved
                                        : WaypointMark::New;
   if (!point) {
-    // Still kept: it goes when it is saved.
+    // Still stored: it is removed by saving.
     if (!kept || !state.unsaved) return std::nullopt;
     point = kept;
     if (!state.changed_elsewhere && !state.sent) drawn.mark = WaypointMark::Deleted;
@@ -194,7 +194,7 @@ void WaypointsOnMap::draw() {
   scene::DrawnWaypoints drawn{*map_, {}};
   drawn.points.reserve(points_.size() + document->conflicts().size());
   drawn.points = points_;
-  // What others have made of it stands beside mine.
+  // The version of others is shown next to mine.
   for (const auto& [key, conflict] : document->conflicts()) {
     if (!conflict.theirs) continue;
     scene::DrawnWaypoint theirs;
