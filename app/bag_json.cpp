@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 
-#include "window/status/status_text.h"
+#include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 

@@ -17,7 +17,7 @@
 #include "app/table.h"
 #include "app/waypoint_list.h"
 #include "robot/axbot/faults.h"
-#include "window/status/status_text.h"
+#include "ui/kit/status_text.h"
 #include "words/file_name.h"
 #include "words/qt_plain.h"
 #include "words/text.h"

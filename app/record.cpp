@@ -32,7 +32,7 @@
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
-#include "window/status/status_text.h"
+#include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 

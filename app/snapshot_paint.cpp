@@ -13,7 +13,7 @@
 #include "app/snapshot_run.h"
 #include "replay/replay_robot.h"
 #include "sentences/fault_sentence.h"
-#include "window/replay/track_on_map.h"
+#include "ui/replay/track_on_map.h"
 
 namespace mapwright::app {
 namespace {

@@ -27,7 +27,7 @@
 #include "robot/delivery.h"
 #include "robot/offers_topics.h"
 #include "sentences/absence_sentence.h"
-#include "window/status/status_text.h"
+#include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 

@@ -17,10 +17,10 @@
 #include "robot/files/picture_yamls.h"
 #include "robot/recorded/recorded_robot.h"
 #include "robot/second_server.h"
-#include "window/dialogs/trusted_certificates.h"
-#include "window/help/work_settings.h"
+#include "ui/robot/trusted_certificates.h"
+#include "ui/view/replay_state.h"
 #include "window/main_window.h"
-#include "window/replay/replay_state.h"
+#include "window/work_settings.h"
 #include "work/workers.h"
 
 namespace mapwright::app {

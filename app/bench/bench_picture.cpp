@@ -22,11 +22,11 @@
 #include "robot/files/file_address.h"
 #include "robot/files/file_robot.h"
 #include "scene/map_scene.h"
+#include "ui/picture/picture_controller.h"
+#include "ui/picture/picture_tool.h"
+#include "ui/view/map_view.h"
+#include "ui/view/tool_choice.h"
 #include "window/main_window.h"
-#include "window/map/map_view.h"
-#include "window/map/tool_choice.h"
-#include "window/picture/picture_controller.h"
-#include "window/picture/picture_tool.h"
 
 namespace {
 

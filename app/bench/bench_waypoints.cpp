@@ -11,11 +11,11 @@
 
 #include "robot/ros/kabam_plan.h"
 #include "scene/map_scene.h"
-#include "window/map/hit_list.h"
-#include "window/waypoints/waypoint_editing.h"
-#include "window/waypoints/waypoint_warnings.h"
-#include "window/waypoints/waypoints_dock.h"
-#include "window/waypoints/waypoints_on_map.h"
+#include "ui/view/hit_list.h"
+#include "ui/waypoints/waypoint_editing.h"
+#include "ui/waypoints/waypoint_warnings.h"
+#include "ui/waypoints/waypoints_dock.h"
+#include "ui/waypoints/waypoints_on_map.h"
 
 namespace {
 

@@ -15,13 +15,13 @@
 #include "robot/recorded/recorded_robot.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
+#include "ui/replay/replay_controller.h"
+#include "ui/shell/replay_clock.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/map_view.h"
+#include "ui/view/replay_state.h"
+#include "ui/view/toast_stack.h"
 #include "window/main_window.h"
-#include "window/map/map_overlay.h"
-#include "window/map/map_view.h"
-#include "window/map/toast_stack.h"
-#include "window/replay/replay_clock.h"
-#include "window/replay/replay_controller.h"
-#include "window/replay/replay_state.h"
 
 namespace test_idle_window {
 

@@ -88,6 +88,7 @@ class TestWalls : public QObject {
   void noTopicAndNoBackEndIsNamedWhereRobotsAreAlike();
   void theDocumentTellsTheSameWalls();
   void thePictureShowsTheSameRooms();
+  void noFeatureOfTheWindowKnowsAnother();
   void noControllerOfTheWindowKnowsAnother();
 };
 
@@ -150,25 +151,39 @@ void TestWalls::noFileStepsAroundTheWalls() {
   }
 }
 
+void TestWalls::noFeatureOfTheWindowKnowsAnother() {
+  const QSet<QString> below{QStringLiteral("ui_kit"), QStringLiteral("ui_view"), QStringLiteral("ui_shell")};
+  int features = 0;
+  for (const Room& room : roomsOfTheBuild()) {
+    if (!room.name.startsWith(QLatin1String("ui_"))) continue;
+    ++features;
+    for (const QString& used : room.uses) {
+      QVERIFY2(!used.startsWith(QLatin1String("ui_")) || below.contains(used),
+               qPrintable(room.name + QStringLiteral(" uses ") + used));
+      QVERIFY2(used != QLatin1String("window"), qPrintable(room.name));
+    }
+  }
+  QVERIFY(features >= 12);
+}
+
 void TestWalls::noControllerOfTheWindowKnowsAnother() {
-  const QDir window(QStringLiteral(MAPWRIGHT_SOURCES "/ui/window"));
+  const QDir ui(QStringLiteral(MAPWRIGHT_SOURCES "/ui"));
   static const QRegularExpression kOfOne(
-      QStringLiteral("#include \"window/((\\w+)/\\w+_control(?:ler)?\\.h)\""));
-  QDirIterator it(window.path(), {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+      QStringLiteral("#include \"(?:ui|window)/(?:\\w+/)?(\\w+)_controller\\.h\""));
+  QDirIterator it(ui.path(), {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
                   QDirIterator::Subdirectories);
   QSet<QString> controllers;
   while (it.hasNext()) {
     const QString path = it.next();
-    const QString inside = window.relativeFilePath(path);
+    const QFileInfo file(path);
     auto matches = kOfOne.globalMatch(QString::fromUtf8(contentOf(path)));
     while (matches.hasNext()) {
-      const QRegularExpressionMatch match = matches.next();
-      if (match.captured(2) == QLatin1String("map"))
-        continue;  // CompareControl is no controller of the window
-      controllers << match.captured(1);
-      const bool knows_all = inside == QLatin1String("main_window.cpp");
-      QVERIFY2(knows_all || inside.startsWith(match.captured(2) + QLatin1Char('/')),
-               qPrintable(inside + QStringLiteral(" knows ") + match.captured(1)));
+      const QString name = matches.next().captured(1);
+      controllers << name;
+      const bool knows_all = file.fileName() == QLatin1String("main_window.cpp");
+      QVERIFY2(knows_all || !file.baseName().endsWith(QLatin1String("_controller")) ||
+                   file.baseName() == name + QLatin1String("_controller"),
+               qPrintable(path + QStringLiteral(" knows ") + name));
     }
   }
   QVERIFY(controllers.size() >= 12);
@@ -206,7 +221,7 @@ void TestWalls::theDocumentTellsTheSameWalls() {
   QMap<QString, QStringList> told;
   const QByteArray document = contentOf(QStringLiteral(MAPWRIGHT_SOURCES "/docs/architecture.md"));
   for (const QString& line : QString::fromUtf8(document).split(QLatin1Char('\n'))) {
-    static const QRegularExpression row(QStringLiteral(R"(^\| `([a-z/]+)` \|.*\| ([a-z, -]+) \|$)"));
+    static const QRegularExpression row(QStringLiteral(R"(^\| `([a-z/]+)` \|.*\| ([a-z_, -]+) \|$)"));
     const auto match = row.match(line);
     if (!match.hasMatch()) continue;
     QStringList uses;
@@ -225,7 +240,7 @@ void TestWalls::theDocumentTellsTheSameWalls() {
 void TestWalls::thePictureShowsTheSameRooms() {
   QMap<QString, QString> drawn;
   const QByteArray picture = contentOf(QStringLiteral(MAPWRIGHT_SOURCES "/docs/rooms.svg"));
-  static const QRegularExpression drawn_room(QStringLiteral("data-room=\"(\\w+)\" data-uses=\"([a-z ]*)\""));
+  static const QRegularExpression drawn_room(QStringLiteral("data-room=\"(\\w+)\" data-uses=\"([a-z_ ]*)\""));
   for (auto it = drawn_room.globalMatch(QString::fromUtf8(picture)); it.hasNext();) {
     const auto match = it.next();
     drawn[match.captured(1)] = match.captured(2);

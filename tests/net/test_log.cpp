@@ -41,7 +41,7 @@ class LogTest : public QObject {
 
   void aFaultIsOneLineOfEnglish() {
     QCOMPARE(inEnglish({}), std::string());
-    QCOMPARE(inEnglish({fault::AnsweredWithStatusSaying, {HttpStatus{404}, "100%1"}}),
+    QCOMPARE(inEnglish({net::fault::AnsweredWithStatusSaying, {HttpStatus{404}, "100%1"}}),
              std::string("the robot answered 404: 100%1"));
     const Fault cause(mapwright::fault::said("why")), other(mapwright::fault::said("and why"));
     QCOMPARE(inEnglish({mapwright::fault::AnswerTooLong, {std::int64_t(7)}, {cause, other}}),

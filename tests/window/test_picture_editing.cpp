@@ -9,7 +9,7 @@
 
 #include "grids/grid_pyramid.h"
 #include "test_program.h"
-#include "window/picture/picture_editing.h"
+#include "ui/picture/picture_editing.h"
 
 namespace test_picture_editing {
 

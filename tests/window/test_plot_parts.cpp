@@ -7,13 +7,13 @@
 
 #include "series/read_fields.h"
 #include "test_program.h"
-#include "window/docks/field_at.h"
-#include "window/docks/message_view.h"
-#include "window/docks/pretty_json.h"
-#include "window/look/ui_colors.h"
-#include "window/plots/field_drag.h"
-#include "window/plots/plot_look.h"
-#include "window/plots/plot_ticks.h"
+#include "ui/kit/plot_ticks.h"
+#include "ui/kit/pretty_json.h"
+#include "ui/kit/ui_colors.h"
+#include "ui/plots/field_at.h"
+#include "ui/plots/field_drag.h"
+#include "ui/plots/message_view.h"
+#include "ui/plots/plot_look.h"
 
 namespace test_plot_parts {
 

@@ -13,7 +13,7 @@
 
 #include "ink.h"
 #include "test_program.h"
-#include "window/plots/plot_widget.h"
+#include "ui/plots/plot_widget.h"
 
 namespace test_plot_widget {
 

@@ -4,8 +4,8 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "window/clouds/section_bands.h"
-#include "window/projections/projection_draft.h"
+#include "ui/clouds/projection_draft.h"
+#include "ui/clouds/section_bands.h"
 
 namespace test_projection_draft {
 

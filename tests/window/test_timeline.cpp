@@ -4,8 +4,8 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "window/replay/timeline_axis.h"
-#include "window/replay/timeline_events.h"
+#include "ui/replay/timeline_axis.h"
+#include "ui/replay/timeline_events.h"
 
 namespace test_timeline {
 

@@ -6,10 +6,10 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "window/administration/administration_controller.h"
-#include "window/docks/maps_dock.h"
-#include "window/map/map_overlay.h"
-#include "window/map/toast_stack.h"
+#include "ui/maps/administration_controller.h"
+#include "ui/maps/maps_dock.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/toast_stack.h"
 #include "window_bench.h"
 
 namespace test_window_administration {

@@ -4,12 +4,12 @@
 
 #include "net/faults.h"
 #include "test_program.h"
-#include "window/dialogs/certificate_dialog.h"
-#include "window/dialogs/recent_robots.h"
-#include "window/dialogs/trusted_certificates.h"
-#include "window/map/empty_state.h"
-#include "window/map/map_overlay.h"
-#include "window/map/notice_bar.h"
+#include "ui/robot/certificate_dialog.h"
+#include "ui/robot/recent_robots.h"
+#include "ui/robot/trusted_certificates.h"
+#include "ui/view/empty_state.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/notice_bar.h"
 #include "window_bench.h"
 
 namespace test_window_certificates {

@@ -12,15 +12,15 @@
 #include "robot/map_dispatch.h"
 #include "scene/map_clouds.h"
 #include "test_program.h"
-#include "window/clouds/clouds_controller.h"
-#include "window/clouds/clouds_dock.h"
-#include "window/clouds/region_tool.h"
-#include "window/clouds/section_dock.h"
-#include "window/clouds/section_tool.h"
+#include "ui/clouds/clouds_controller.h"
+#include "ui/clouds/clouds_dock.h"
+#include "ui/clouds/region_tool.h"
+#include "ui/clouds/section_dock.h"
+#include "ui/clouds/section_tool.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/map_view.h"
+#include "ui/view/toast_stack.h"
 #include "window/main_window.h"
-#include "window/map/map_overlay.h"
-#include "window/map/map_view.h"
-#include "window/map/toast_stack.h"
 
 namespace test_window_clouds {
 
@@ -250,7 +250,7 @@ class TestWindowClouds : public QObject {
     QTRY_VERIFY(desk.held().settled() && desk.held().sums().came == 2);
     QVERIFY(
         desk.dock().outcome().contains(QStringLiteral("4 points that the robot announced did not arrive")));
-    QVERIFY(desk.dock().outcome().contains(QStringLiteral("1 point that came lies beyond the region")));
+    QVERIFY(desk.dock().outcome().contains(QStringLiteral("1 point lies outside the requested region")));
     // Another region than the one that was asked for.
     region.centre_m = {50, 50, 0};
     desk.clouds().fetch(region);

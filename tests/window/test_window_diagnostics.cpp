@@ -9,9 +9,9 @@
 #include <QTest>
 
 #include "test_program.h"
-#include "window/help/diagnostics_dialog.h"
-#include "window/help/work_settings.h"
-#include "window/look/plain_label.h"
+#include "ui/kit/plain_label.h"
+#include "window/diagnostics_dialog.h"
+#include "window/work_settings.h"
 #include "window_bench.h"
 
 namespace test_window_diagnostics {

@@ -11,13 +11,13 @@
 
 #include "known_addresses.h"
 #include "test_program.h"
-#include "window/actions.h"
-#include "window/dialogs/command_palette.h"
-#include "window/dialogs/connect_dialog.h"
-#include "window/dialogs/go_to_dialog.h"
-#include "window/dialogs/shortcut_sheet.h"
-#include "window/look/icons.h"
-#include "window/look/plain_label.h"
+#include "ui/kit/actions.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/plain_label.h"
+#include "ui/robot/connect_dialog.h"
+#include "window/command_palette.h"
+#include "window/go_to_dialog.h"
+#include "window/shortcut_sheet.h"
 
 namespace test_window_dialogs {
 

@@ -9,13 +9,13 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "window/dialogs/export_dialog.h"
-#include "window/dialogs/picture_dialog.h"
-#include "window/dialogs/recent_robots.h"
-#include "window/files/folders.h"
-#include "window/files/map_files.h"
-#include "window/map/map_overlay.h"
-#include "window/map/toast_stack.h"
+#include "ui/kit/folders.h"
+#include "ui/maps/export_dialog.h"
+#include "ui/maps/map_files.h"
+#include "ui/maps/picture_dialog.h"
+#include "ui/robot/recent_robots.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/toast_stack.h"
 #include "window_bench.h"
 
 namespace test_window_files {
@@ -73,7 +73,7 @@ class TestWindowFiles : public QObject {
     window.openPath(bench.folder.filePath(QStringLiteral("gone.yaml")));
     QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("does not exist")));
     window.openPath(touched(bench.folder, "notes.txt"));
-    QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("is no map")));
+    QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("neither a map")));
     QVERIFY(!window.session());
   }
 

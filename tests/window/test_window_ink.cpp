@@ -5,14 +5,14 @@
 
 #include "ink.h"
 #include "test_program.h"
-#include "window/look/plain_label.h"
-#include "window/map/empty_state.h"
-#include "window/map/map_overlay.h"
-#include "window/map/notice_bar.h"
-#include "window/map/toast_stack.h"
-#include "window/status/connection_chip.h"
-#include "window/status/safety_badge.h"
-#include "window/status/window_status_bar.h"
+#include "ui/kit/plain_label.h"
+#include "ui/kit/safety_badge.h"
+#include "ui/robot/connection_chip.h"
+#include "ui/shell/window_status_bar.h"
+#include "ui/view/empty_state.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/notice_bar.h"
+#include "ui/view/toast_stack.h"
 #include "window_bench.h"
 
 namespace test_window_ink {

@@ -6,13 +6,13 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "window/docks/inspector_controls.h"
-#include "window/docks/inspector_dock.h"
-#include "window/docks/submap_columns.h"
-#include "window/docks/submap_row_delegate.h"
-#include "window/map/map_view.h"
-#include "window/status/status_text.h"
-#include "window/status/window_status_bar.h"
+#include "ui/kit/status_text.h"
+#include "ui/shell/window_status_bar.h"
+#include "ui/slam/inspector_controls.h"
+#include "ui/slam/inspector_dock.h"
+#include "ui/slam/submap_columns.h"
+#include "ui/slam/submap_row_delegate.h"
+#include "ui/view/map_view.h"
 #include "window_bench.h"
 
 namespace test_window_inspector {

@@ -9,14 +9,14 @@
 #include "robot/ros/ros_robot.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
+#include "ui/picture/picture_controller.h"
+#include "ui/picture/picture_copies.h"
+#include "ui/picture/picture_dock.h"
+#include "ui/picture/picture_tool.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/map_view.h"
+#include "ui/view/toast_stack.h"
 #include "window/main_window.h"
-#include "window/map/map_overlay.h"
-#include "window/map/map_view.h"
-#include "window/map/toast_stack.h"
-#include "window/picture/picture_controller.h"
-#include "window/picture/picture_copies.h"
-#include "window/picture/picture_dock.h"
-#include "window/picture/picture_tool.h"
 
 namespace test_window_kabam_picture {
 

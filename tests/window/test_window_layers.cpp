@@ -8,9 +8,9 @@
 
 #include "robot/offers_topics.h"
 #include "test_program.h"
-#include "window/docks/layer_row.h"
-#include "window/docks/layer_style_editor.h"
-#include "window/docks/layers_dock.h"
+#include "ui/layers/layer_row.h"
+#include "ui/layers/layer_style_editor.h"
+#include "ui/layers/layers_dock.h"
 #include "window_bench.h"
 
 namespace test_window_layers {

@@ -21,12 +21,12 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "window/docks/opacity_slider.h"
-#include "window/docks/tree_view.h"
-#include "window/look/icons.h"
-#include "window/look/theme.h"
-#include "window/look/ui_colors.h"
-#include "window/status/state_mark.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/opacity_slider.h"
+#include "ui/kit/state_mark.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/tree_view.h"
+#include "ui/kit/ui_colors.h"
 
 namespace test_window_look {
 

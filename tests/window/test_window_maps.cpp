@@ -9,16 +9,16 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "window/docks/layers_dock.h"
-#include "window/docks/maps_dock.h"
-#include "window/docks/robot_dock.h"
-#include "window/map/compare_control.h"
-#include "window/map/empty_state.h"
-#include "window/map/map_overlay.h"
-#include "window/map/notice_bar.h"
-#include "window/map/swipe_handle.h"
-#include "window/on_screen.h"
-#include "window/status/window_status_bar.h"
+#include "ui/layers/layers_dock.h"
+#include "ui/maps/compare_control.h"
+#include "ui/maps/maps_dock.h"
+#include "ui/robot/robot_dock.h"
+#include "ui/shell/window_status_bar.h"
+#include "ui/view/empty_state.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/notice_bar.h"
+#include "ui/view/on_screen.h"
+#include "ui/view/swipe_handle.h"
 #include "window_bench.h"
 
 namespace test_window_maps {

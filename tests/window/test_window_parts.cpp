@@ -11,13 +11,13 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "window/action_bars.h"
-#include "window/controller.h"
-#include "window/current_session.h"
-#include "window/map/notice_bar.h"
-#include "window/notices.h"
-#include "window/panels.h"
-#include "window/unsaved_changes.h"
+#include "ui/kit/action_bars.h"
+#include "ui/kit/controller.h"
+#include "ui/kit/panels.h"
+#include "ui/shell/current_session.h"
+#include "ui/shell/notices.h"
+#include "ui/shell/unsaved_changes.h"
+#include "ui/view/notice_bar.h"
 #include "window_bench.h"
 
 namespace test_window_parts {

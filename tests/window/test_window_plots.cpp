@@ -15,8 +15,8 @@
 #include "ink.h"
 #include "test_program.h"
 #include "text_bag.h"
-#include "window/plots/field_drag.h"
-#include "window/plots/plots_dock.h"
+#include "ui/plots/field_drag.h"
+#include "ui/plots/plots_dock.h"
 
 namespace test_window_plots {
 

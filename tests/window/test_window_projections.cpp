@@ -11,13 +11,13 @@
 #include "known_addresses.h"
 #include "robot/map_dispatch.h"
 #include "test_program.h"
-#include "window/clouds/clouds_controller.h"
-#include "window/clouds/section_dock.h"
+#include "ui/clouds/clouds_controller.h"
+#include "ui/clouds/projection_tool.h"
+#include "ui/clouds/projections_controller.h"
+#include "ui/clouds/projections_dock.h"
+#include "ui/clouds/section_dock.h"
+#include "ui/view/map_view.h"
 #include "window/main_window.h"
-#include "window/map/map_view.h"
-#include "window/projections/projection_tool.h"
-#include "window/projections/projections_controller.h"
-#include "window/projections/projections_dock.h"
 
 namespace test_window_projections {
 

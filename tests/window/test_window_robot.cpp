@@ -7,11 +7,11 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "window/docks/message_view.h"
-#include "window/docks/messages_dock.h"
-#include "window/docks/pretty_json.h"
-#include "window/docks/robot_dock.h"
-#include "window/docks/robot_status.h"
+#include "ui/kit/pretty_json.h"
+#include "ui/plots/message_view.h"
+#include "ui/plots/messages_dock.h"
+#include "ui/robot/robot_dock.h"
+#include "ui/robot/robot_status.h"
 #include "window_bench.h"
 
 namespace test_window_robot {

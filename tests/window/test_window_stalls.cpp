@@ -8,12 +8,12 @@
 #include "robot/silence.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
+#include "ui/shell/window_status_bar.h"
+#include "ui/view/map_view.h"
+#include "ui/waypoints/waypoint_review.h"
+#include "ui/waypoints/waypoints_controller.h"
+#include "ui/waypoints/waypoints_dock.h"
 #include "window/main_window.h"
-#include "window/map/map_view.h"
-#include "window/status/window_status_bar.h"
-#include "window/waypoints/waypoint_review.h"
-#include "window/waypoints/waypoints_controller.h"
-#include "window/waypoints/waypoints_dock.h"
 
 namespace test_window_stalls {
 

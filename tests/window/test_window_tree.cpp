@@ -9,8 +9,8 @@
 #include "fake_robot.h"
 #include "session/session.h"
 #include "test_program.h"
-#include "window/docks/submap_filter_model.h"
-#include "window/docks/submap_tree_model.h"
+#include "ui/slam/submap_filter_model.h"
+#include "ui/slam/submap_tree_model.h"
 
 namespace test_window_tree {
 

@@ -3,8 +3,8 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "window/map/map_view.h"
-#include "window/map/measure_tool.h"
+#include "ui/view/map_view.h"
+#include "ui/view/measure_tool.h"
 
 namespace test_window_view {
 

@@ -7,8 +7,8 @@
 #include <QtTest>
 
 #include "test_program.h"
+#include "ui/waypoints/waypoint_review.h"
 #include "waypoints_desk.h"
-#include "window/waypoints/waypoint_review.h"
 
 namespace test_window_waypoints_review {
 
@@ -69,7 +69,7 @@ class TestWindowWaypointsReview : public QObject {
     QCOMPARE(desk.cell(1, ReviewModel::WaypointColumn), QStringLiteral("Kitchen"));
     QCOMPARE(desk.cell(1, ReviewModel::ChangeColumn),
              QStringLiteral("position 3.000, 2.000 m → position 3.250, 2.000 m"));
-    QVERIFY(desk.review().statusShown().contains(QLatin1String("Nothing was sent")));
+    QVERIFY(desk.review().statusShown().contains(QLatin1String("Nothing has been sent yet")));
     QVERIFY(!desk.review().isModal());
   }
 
@@ -215,7 +215,7 @@ class TestWindowWaypointsReview : public QObject {
     desk.open();
     desk.review().goOnBox()->setChecked(true);  // a lost link stops it all the same
     desk.send();
-    QTRY_COMPARE(desk.outcome(1), QStringLiteral("unknown. The connection is gone."));
+    QTRY_COMPARE(desk.outcome(1), QStringLiteral("unknown. The connection was lost."));
     QVERIFY(desk.review()
                 .model()
                 ->index(1, ReviewModel::OutcomeColumn)
@@ -234,7 +234,7 @@ class TestWindowWaypointsReview : public QObject {
              qPrintable(desk.review().statusShown()));
     QVERIFY2(desk.dock().statusShown().contains(
                  QLatin1String("Not everything was saved: 1 of 3 requests succeeded, the result of 1 is "
-                               "unknown. The connection is gone.")),
+                               "unknown. The connection was lost.")),
              qPrintable(desk.dock().statusShown()));
     QVERIFY(desk.dock().statusIsBad());
     // Who tries again before the link is back has lost sight of none of them.
@@ -252,7 +252,7 @@ class TestWindowWaypointsReview : public QObject {
                                                                 : QLatin1String("1 as intended, 2 differ")),
                  qPrintable(desk.review().comparedShown()));
     QCOMPARE(desk.outcome(1), arrives ? QStringLiteral("done, answer lost")
-                                      : QStringLiteral("unknown. The connection is gone."));
+                                      : QStringLiteral("unknown. The connection was lost."));
     // The link is back: what it did to the others is over.
     QVERIFY2(desk.review().statusShown().startsWith(QLatin1String("Of 3 calls")),
              qPrintable(desk.review().statusShown()));

@@ -18,13 +18,13 @@
 #include <QtTest>
 
 #include "test_program.h"
+#include "ui/waypoints/conflict_box.h"
+#include "ui/waypoints/group_form.h"
+#include "ui/waypoints/import_dialog.h"
+#include "ui/waypoints/waypoint_form.h"
+#include "ui/waypoints/waypoint_text.h"
+#include "ui/waypoints/waypoint_transfer.h"
 #include "waypoints_desk.h"
-#include "window/waypoints/conflict_box.h"
-#include "window/waypoints/group_form.h"
-#include "window/waypoints/import_dialog.h"
-#include "window/waypoints/waypoint_form.h"
-#include "window/waypoints/waypoint_text.h"
-#include "window/waypoints/waypoint_transfer.h"
 
 namespace test_window_waypoints_table {
 

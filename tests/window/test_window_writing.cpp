@@ -9,9 +9,9 @@
 
 #include "grids/export_grid.h"
 #include "test_program.h"
-#include "window/dialogs/export_dialog.h"
-#include "window/map/map_overlay.h"
-#include "window/map/toast_stack.h"
+#include "ui/maps/export_dialog.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/toast_stack.h"
 #include "window_bench.h"
 
 namespace test_window_writing {

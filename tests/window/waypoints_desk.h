@@ -6,13 +6,13 @@
 #include <QTableView>
 
 #include "../edit/fake_waypoint_store.h"
-#include "window/map/map_overlay.h"
-#include "window/map/notice_bar.h"
-#include "window/map/toast_stack.h"
-#include "window/waypoints/name_editor.h"
-#include "window/waypoints/waypoint_tool.h"
-#include "window/waypoints/waypoints_controller.h"
-#include "window/waypoints/waypoints_dock.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/notice_bar.h"
+#include "ui/view/toast_stack.h"
+#include "ui/waypoints/name_editor.h"
+#include "ui/waypoints/waypoint_tool.h"
+#include "ui/waypoints/waypoints_controller.h"
+#include "ui/waypoints/waypoints_dock.h"
 #include "window_bench.h"
 
 namespace mapwright::test {

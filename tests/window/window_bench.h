@@ -10,9 +10,9 @@
 
 #include "fake_robot.h"
 #include "known_addresses.h"
-#include "window/docks/inspector_dock.h"
+#include "ui/slam/inspector_dock.h"
+#include "ui/view/map_view.h"
 #include "window/main_window.h"
-#include "window/map/map_view.h"
 
 namespace mapwright::test {
 

@@ -19,11 +19,11 @@
 #include "robot/robot.h"
 #include "scene/map_scene.h"
 #include "session/session.h"
-#include "window/actions.h"
-#include "window/look/theme.h"
-#include "window/map/hit_list.h"
-#include "window/map/view_mode.h"
-#include "window/window_context.h"
+#include "ui/kit/actions.h"
+#include "ui/kit/theme.h"
+#include "ui/shell/window_context.h"
+#include "ui/view/hit_list.h"
+#include "ui/view/view_mode.h"
 #include "work/workers.h"
 
 namespace mapwright::window {

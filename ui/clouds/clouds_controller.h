@@ -1,0 +1,63 @@
+// Clouds of the robot's map: fetch by region, show, cut, save.
+#pragma once
+
+#include "jobs/fetch_cloud.h"
+#include "robot/call.h"
+#include "robot/map_dispatch.h"
+#include "scene/map_clouds.h"
+#include "ui/kit/controller.h"
+#include "ui/shell/window_context.h"
+
+namespace mapwright::window {
+
+class CloudsDock;
+class RegionTool;
+class SectionDock;
+class SectionTool;
+
+class CloudsController : public Controller {
+  Q_OBJECT
+ public:
+  explicit CloudsController(WindowContext& context, QObject* parent = nullptr);
+
+  CloudsDock* dock() const { return dock_; }
+  SectionDock* sectionDock() const { return section_dock_; }
+  SectionTool* sectionTool() const { return section_tool_; }
+  RegionTool* regionTool() const { return region_tool_; }
+  void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
+  void reset() override;
+  std::vector<Fetched> fetched() override;
+
+  /// nullopt: the whole map. Only one request at a time.
+  void fetch(const std::optional<map::CloudRegion>& region);
+  /// Writes what is shown; the extension selects the format. `then`: called when it is written.
+  void saveTo(const QString& path, std::function<void()> then = {});
+
+ private:
+  void fetchBox(const geometry::WorldRect& box);
+  void take(robot::CloudKind kind, const std::optional<map::CloudRegion>& region,
+            const robot::Outcome<jobs::FetchedCloud>& outcome);
+  robot::MapDispatch* dispatch() const;
+  void refreshOffer();
+  void refreshClouds();
+  void cut();
+  void showSection();
+  void openSection();
+  void askAndSave(std::function<void()> then = {});
+
+  WindowContext& context_;
+  scene::MapClouds& clouds_;
+  CloudsDock* dock_;
+  SectionDock* section_dock_;
+  SectionTool* section_tool_;
+  RegionTool* region_tool_;
+  robot::Call call_;
+  bool unsaved_ = false;     // data has arrived since everything was last written
+  std::uint64_t asked_ = 0;  // counts the requests: answers to older ones are ignored
+  std::optional<scene::CloudCut> cut_;
+  std::shared_ptr<const scene::CloudSection> section_;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,111 @@
+// Which clouds of the robot's map to fetch, and how to show them.
+#pragma once
+
+#include <optional>
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "scene/map_clouds.h"
+#include "ui/clouds/color_scale.h"
+#include "ui/clouds/region_tool.h"
+#include "ui/kit/height_slider.h"
+#include "ui/kit/plain_label.h"
+
+class QVBoxLayout;
+
+namespace mapwright::window {
+
+/// What can be requested now, by kind; and why not, for a tooltip.
+struct CloudOffer {
+  bool whole = false, region = false;
+  QString why_not;  // what is missing
+};
+
+class CloudsDock : public QDockWidget {
+  Q_OBJECT
+ public:
+  explicit CloudsDock(QWidget* parent = nullptr);
+
+  /// Not empty: why there are no clouds.
+  void setAbsence(const QString& sentence);
+  void setOffer(const CloudOffer& offer);
+  /// Not empty: the progress of a request.
+  void setProgress(const QString& words);
+  /// The result of the last request; empty = none.
+  void setOutcome(const QString& sentence, bool bad);
+  void setClouds(const scene::CloudSums& sums, const scene::CloudHeights& heights,
+                 const std::optional<scene::CloudRange>& range);
+  /// New data is being processed and neither shown nor counted: until setClouds().
+  void setSorting();
+  void setStyle(const scene::LayerStyle& style);
+  /// nullopt: the colours do not depend on a value.
+  void setScale(const std::optional<scene::CloudScale>& scale);
+
+  bool voxels() const { return kind_->currentIndex() == 1; }
+  RegionShape shape() const { return RegionShape(shape_->currentIndex()); }
+  /// The heights to request, low first.
+  scene::CloudRange askedHeights() const;
+
+  QComboBox* kindBox() const { return kind_; }
+  QComboBox* shapeBox() const { return shape_; }
+  QComboBox* colorBox() const { return color_; }
+  QDoubleSpinBox* sizeBox() const { return size_; }
+  QDoubleSpinBox* voxelBox() const { return voxel_; }
+  QDoubleSpinBox* lowBox() const { return low_; }
+  QDoubleSpinBox* highBox() const { return high_; }
+  QDoubleSpinBox* askLowBox() const { return ask_low_; }
+  QDoubleSpinBox* askHighBox() const { return ask_high_; }
+  ColorScale* scale() const { return scale_; }
+  HeightSlider* slider() const { return slider_; }
+  QPushButton* viewButton() const { return view_; }
+  QPushButton* regionButton() const { return region_; }
+  QPushButton* wholeButton() const { return whole_; }
+  QPushButton* wholeSureButton() const { return sure_; }
+  QPushButton* cancelButton() const { return cancel_; }
+  QPushButton* saveButton() const { return save_; }
+  QPushButton* clearButton() const { return clear_; }
+  QString counts() const { return counts_->text(); }
+  QString outcome() const { return outcome_->text(); }
+  QString absence() const { return absence_->text(); }
+
+ Q_SIGNALS:
+  void kindChosen();
+  void viewWanted();
+  void regionWanted();
+  void shapeChosen(mapwright::window::RegionShape shape);
+  void wholeWanted();
+  void cancelWanted();
+  void clearWanted();
+  void saveWanted();
+  void rangeChosen(std::optional<mapwright::scene::CloudRange> range);
+  void voxelChosen(std::optional<double> metres);
+  void colorChosen(int choice);
+  void sizeChosen(double px);
+
+ private:
+  void buildAsking(QVBoxLayout* column);
+  void buildLook(QVBoxLayout* column);
+  void buildEnd(QVBoxLayout* column);
+  void typedRange();
+  void refresh();
+
+  QLabel *absence_, *outcome_ = nullptr, *counts_ = nullptr;
+  QWidget *body_, *asking_ = nullptr, *question_ = nullptr, *under_way_ = nullptr;
+  QComboBox *kind_ = nullptr, *shape_ = nullptr, *color_ = nullptr;
+  QDoubleSpinBox *ask_low_ = nullptr, *ask_high_ = nullptr, *low_ = nullptr, *high_ = nullptr,
+                 *size_ = nullptr, *voxel_ = nullptr;
+  QPushButton *view_ = nullptr, *region_ = nullptr, *whole_ = nullptr, *sure_ = nullptr, *cancel_ = nullptr,
+              *save_ = nullptr, *clear_ = nullptr;
+  HeightSlider* slider_ = nullptr;
+  ColorScale* scale_ = nullptr;
+  PlainLabel* progress_ = nullptr;
+  CloudOffer offer_;
+  bool busy_ = false, has_clouds_ = false;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,178 @@
+#include "ui/kit/actions.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include <QCoreApplication>
+#include <QMenu>
+#include <QStringList>
+#include <QWidget>
+
+#include "ui/kit/icons.h"
+#include "ui/kit/plain_label.h"
+
+namespace mapwright::window {
+
+namespace {
+
+/// Items without a place come last.
+template <class Group>
+bool standsBefore(const Place<Group>& one, const Place<Group>& other) {
+  return std::tuple(one.rank == 0, one.group, one.rank) <
+         std::tuple(other.rank == 0, other.group, other.rank);
+}
+
+template <class Group, class What>
+void insert(std::vector<Actions::Placed<Group, What>>& row, const Place<Group>& place, What what) {
+  const auto at = std::upper_bound(row.begin(), row.end(), place, [](const auto& wanted, const auto& other) {
+    return standsBefore(wanted, other.place);
+  });
+  row.insert(at, {place, std::move(what)});
+}
+
+/// "&Robot" is Robot, "R&&D" is R&D.
+QString withoutMnemonic(const QString& text) {
+  QString plain;
+  for (qsizetype i = 0; i < text.size(); ++i) {
+    if (text[i] == QLatin1Char('&') && ++i == text.size()) break;
+    plain += text[i];
+  }
+  return plain;
+}
+
+void makeToggle(QAction& action) {
+  action.setCheckable(true);
+  action.setIconVisibleInMenu(false);  // a check mark is clearer there than a tinted icon
+}
+
+}  // namespace
+
+void Actions::enter(Entry entry) {
+  const auto at = std::upper_bound(
+      entries_.begin(), entries_.end(), entry,
+      [](const Entry& wanted, const Entry& other) { return standsBefore(wanted.place, other.place); });
+  entries_.insert(at, std::move(entry));
+}
+
+QAction* Actions::add(const ActionSpec& spec) {
+  QList<QKeySequence> keys;
+  for (const char* key : spec.keys) keys << QKeySequence(QLatin1String(key));
+  QAction* const action =
+      make(QLatin1String(spec.id), spec.text, QLatin1String(spec.icon), keys, spec.reach, spec.tip);
+  if (spec.toggle) makeToggle(*action);
+  if (spec.needs_session) need_session_.push_back(action);
+  const bool in_menu = spec.menu.rank != 0;
+  enter({in_menu ? withoutMnemonic(menuTitle(menuOf(spec.menu.group))) : QString(), action, spec.reach,
+         spec.menu});
+  if (in_menu) place(spec.menu, action);
+  if (spec.bar.rank != 0) insert(on_bar_, spec.bar, BarItem{action, {}});
+  if (spec.map_menu.rank != 0) {
+    placeOnMapMenu(spec.map_menu, [action](QMenu& menu, const Eigen::Vector2d&) { menu.addAction(action); });
+  }
+  return action;
+}
+
+void Actions::list(const MenuPlace& where, QAction* action) {
+  enter({withoutMnemonic(menuTitle(menuOf(where.group))), action, Reach::Everywhere, where});
+  place(where, action);
+}
+
+void Actions::place(const MenuPlace& where, QAction* action) { insert(in_menus_, where, action); }
+
+void Actions::placeOnBar(const BarPlace& where, WidgetMaker make) {
+  insert(on_bar_, where, BarItem{nullptr, std::move(make)});
+}
+
+void Actions::placeOnMapMenu(const MapMenuPlace& where, MapMenuFiller fill) {
+  insert(on_map_menu_, where, std::move(fill));
+}
+
+QAction* Actions::make(const QString& id, const QString& text, const QString& icon_name,
+                       const QList<QKeySequence>& shortcuts, Reach reach, const QString& tip) {
+  auto* const action = new QAction(text, this);
+  action->setObjectName(id);
+  if (!icon_name.isEmpty()) action->setIcon(themedIcon(icon_name));
+  action->setShortcuts(shortcuts);
+  // Text fields claim the keys that they can type before any shortcut gets them (QEvent::ShortcutOverride).
+  action->setShortcutContext(reach == Reach::Map ? Qt::WidgetWithChildrenShortcut : Qt::WindowShortcut);
+  const QString keys = shortcutsText(*action);
+  action->setToolTip(plainToolTip(keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys)));
+  action->setStatusTip(QString());
+  return action;
+}
+
+QAction* Actions::add(const QString& menu, const QString& id, const QString& text, const QString& icon_name,
+                      const QList<QKeySequence>& shortcuts, Reach reach, const QString& tip) {
+  QAction* const action = make(id, text, icon_name, shortcuts, reach, tip);
+  enter({menu, action, reach});
+  return action;
+}
+
+QAction* Actions::addToggle(const QString& menu, const QString& id, const QString& text,
+                            const QString& icon_name, const QList<QKeySequence>& shortcuts, Reach reach,
+                            const QString& tip) {
+  QAction* const action = add(menu, id, text, icon_name, shortcuts, reach, tip);
+  makeToggle(*action);
+  return action;
+}
+
+QAction* Actions::find(const QString& id) const {
+  for (const Entry& entry : entries_) {
+    if (entry.action->objectName() == id) return entry.action;
+  }
+  return nullptr;
+}
+
+void Actions::setSessionOpen(bool open) {
+  for (QAction* action : need_session_) action->setEnabled(open);
+}
+
+void Actions::attach(QWidget* window, QWidget* map) {
+  for (const Entry& entry : entries_) (entry.reach == Reach::Map ? map : window)->addAction(entry.action);
+}
+
+Menu menuOf(MenuGroup group) {
+  if (group < MenuGroup::Undo) return Menu::Robot;
+  if (group < MenuGroup::Zoom) return Menu::Edit;
+  if (group < MenuGroup::Maps) return Menu::Map;
+  return group < MenuGroup::Finding ? Menu::View : Menu::Help;
+}
+
+QString menuTitle(Menu menu) {
+  switch (menu) {
+    case Menu::Robot:
+      return QCoreApplication::translate("window", "&Robot");
+    case Menu::Edit:
+      return QCoreApplication::translate("window", "&Edit");
+    case Menu::Map:
+      return QCoreApplication::translate("window", "&Map");
+    case Menu::View:
+      return QCoreApplication::translate("window", "&View");
+    case Menu::Help:
+      break;
+  }
+  return QCoreApplication::translate("window", "&Help");
+}
+
+QString submenuTitle(MenuGroup group) {
+  switch (group) {
+    case MenuGroup::Colors:
+      return QCoreApplication::translate("window", "Colours of submaps");
+    case MenuGroup::Theme:
+      return QCoreApplication::translate("window", "Theme");
+    default:
+      return {};
+  }
+}
+
+QString plainActionText(const QAction& action) { return withoutMnemonic(action.text()); }
+
+QString shortcutsText(const QAction& action) {
+  QStringList keys;
+  for (const QKeySequence& shortcut : action.shortcuts()) keys << shortcut.toString(QKeySequence::NativeText);
+  return keys.join(QCoreApplication::translate("window", " or "));
+}
+
+}  // namespace mapwright::window
+
+#include "moc_actions.cpp"

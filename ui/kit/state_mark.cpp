@@ -1,0 +1,85 @@
+#include "ui/kit/state_mark.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+namespace mapwright::window {
+
+QColor markColor(Mark mark, const UiColors& colors) {
+  switch (mark) {
+    case Mark::Good:
+      return colors.ok;
+    case Mark::Busy:
+      return colors.focus;
+    case Mark::Warning:
+      return colors.warning;
+    case Mark::Bad:
+      return colors.error;
+    case Mark::Neutral:
+    case Mark::None:
+      break;
+  }
+  return colors.neutral;
+}
+
+QColor markTextColor(Mark mark, const UiColors& colors) {
+  switch (mark) {
+    case Mark::Good:
+      return colors.ok_text;
+    case Mark::Busy:
+      return colors.accent_text;
+    case Mark::Warning:
+      return colors.warning_text;
+    case Mark::Bad:
+      return colors.error_text;
+    case Mark::Neutral:
+    case Mark::None:
+      break;
+  }
+  return colors.secondary_text;
+}
+
+void paintMark(QPainter* painter, const QRectF& rect, Mark mark, const UiColors& colors) {
+  if (mark == Mark::None) return;
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  const QColor color = markColor(mark, colors);
+  const QRectF r = rect.adjusted(1, 1, -1, -1);
+  painter->setPen(QPen(color, 1.5));
+  switch (mark) {
+    case Mark::Good:
+      painter->setBrush(color);
+      painter->drawEllipse(r);
+      break;
+    case Mark::Busy:
+      painter->setBrush(Qt::NoBrush);
+      painter->drawEllipse(r);
+      painter->setBrush(color);
+      painter->drawChord(r, 90 * 16, 180 * 16);
+      break;
+    case Mark::Warning: {
+      QPainterPath triangle;
+      triangle.moveTo(r.center().x(), r.top());
+      triangle.lineTo(r.right(), r.bottom());
+      triangle.lineTo(r.left(), r.bottom());
+      triangle.closeSubpath();
+      painter->setBrush(color);
+      painter->setPen(QPen(color, 1, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      painter->drawPath(triangle);
+      break;
+    }
+    case Mark::Bad:
+      painter->setPen(QPen(color, 2.2, Qt::SolidLine, Qt::RoundCap));
+      painter->drawLine(r.topLeft(), r.bottomRight());
+      painter->drawLine(r.topRight(), r.bottomLeft());
+      break;
+    case Mark::Neutral:
+    case Mark::None:
+      painter->setBrush(Qt::NoBrush);
+      painter->drawEllipse(r);
+      break;
+  }
+  painter->restore();
+}
+
+}  // namespace mapwright::window

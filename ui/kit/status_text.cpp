@@ -1,0 +1,328 @@
+#include "ui/kit/status_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include "geometry/pose.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/plural.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::window {
+
+namespace {
+
+using robot::ConnectionPhase;
+using session::SubmapStatus;
+
+QString decimal(double value, int decimals) {
+  // No "-0.00".
+  const double unit = std::pow(10.0, -decimals);
+  if (std::abs(value) < unit / 2) value = 0;
+  return QString::number(value, 'f', decimals);
+}
+
+}  // namespace
+
+QString connectionWord(ConnectionPhase phase) {
+  switch (phase) {
+    case ConnectionPhase::Offline:
+      return QCoreApplication::translate("window", "offline");
+    case ConnectionPhase::Connecting:
+      return QCoreApplication::translate("window", "connecting");
+    case ConnectionPhase::Online:
+      return QCoreApplication::translate("window", "connected");
+    case ConnectionPhase::Interrupted:
+      return QCoreApplication::translate("window", "reconnecting");
+    case ConnectionPhase::Refused:
+      return QCoreApplication::translate("window", "refused");
+  }
+  return {};
+}
+
+bool wantsSecret(const robot::ConnectionState& state) {
+  return state.phase == ConnectionPhase::Refused && state.failure == map::FailureKind::Refused;
+}
+
+StateText connectionText(const robot::ConnectionState& state, qint64 waited_ms) {
+  const QString because =
+      state.reason.any() ? QStringLiteral(": ") + sentences::wordsOf(state.reason) : QString();
+  switch (state.phase) {
+    case ConnectionPhase::Offline:
+      return {Mark::Neutral, QCoreApplication::translate("window", "offline")};
+    case ConnectionPhase::Connecting:
+      return {Mark::Busy, QCoreApplication::translate("window", "connecting…")};
+    case ConnectionPhase::Online:
+      return {Mark::Good,
+              state.round_trip_ms
+                  ? QCoreApplication::translate("window", "connected %1 ms").arg(*state.round_trip_ms)
+                  : QCoreApplication::translate("window", "connected")};
+    case ConnectionPhase::Interrupted: {
+      const QString attempt = state.attempt > 0
+                                  ? QCoreApplication::translate("window", " (attempt %1)").arg(state.attempt)
+                                  : QString();
+      if (!state.retry_in_ms)
+        return {Mark::Warning,
+                QCoreApplication::translate("window", "reconnecting%1%2").arg(attempt, because)};
+      const qint64 left = std::max<qint64>(0, *state.retry_in_ms - waited_ms);
+      if (left == 0)
+        return {Mark::Warning,
+                QCoreApplication::translate("window", "reconnecting now%1%2").arg(attempt, because)};
+      return {Mark::Warning, QCoreApplication::translate("window", "reconnecting in %1 s%2%3")
+                                 .arg((left + 999) / 1000)
+                                 .arg(attempt, because)};
+    }
+    case ConnectionPhase::Refused:
+      return {Mark::Bad, QCoreApplication::translate("window", "refused%1").arg(because)};
+  }
+  return {};
+}
+
+QString loadingText(const session::SubmapCounts& counts) {
+  if (!counts.list_received) return {};
+  if (counts.listed == 0) return QCoreApplication::translate("window", "no submaps");
+  QStringList parts;
+  parts << QCoreApplication::translate("window", "%1 of %2 submaps")
+               .arg(countText(counts.shown), countText(counts.listed));
+  const auto add = [&parts](int count, const QString& word) {
+    if (count > 0) parts << QStringLiteral("%1 %2").arg(countText(count), word);
+  };
+  add(counts.hidden, QCoreApplication::translate("window", "hidden"));
+  add(counts.missing, QCoreApplication::translate("window", "missing"));
+  add(counts.failed, QCoreApplication::translate("window", "failed"));
+  add(counts.corrupt, QCoreApplication::translate("window", "corrupt"));
+  add(counts.without_slice, QCoreApplication::translate("window", "without this slice"));
+  return parts.join(QStringLiteral(", "));
+}
+
+QString trafficText(const session::SubmapCounts& counts) {
+  QStringList parts;
+  if (counts.fetching > 0)
+    parts << QCoreApplication::translate("window", "%1 in flight").arg(countText(counts.fetching));
+  if (counts.queued > 0)
+    parts << QCoreApplication::translate("window", "%1 queued").arg(countText(counts.queued));
+  return parts.join(QStringLiteral(", "));
+}
+
+QString plainWords(const std::string& words, int limit) {
+  // Only the beginning matters: a robot may send megabytes.
+  QString line =
+      QString::fromUtf8(words.data(), qsizetype(std::min<std::size_t>(words.size(), 8 * std::size_t(limit))));
+  line = words::plainName(line);
+  if (line.size() <= limit) return line;
+  line.truncate(limit - 1);
+  if (line.back().isHighSurrogate()) line.chop(1);
+  return line + QChar(0x2026);
+}
+
+QString mapTitle(const std::string& name) {
+  const QString title = words::plainName(name).left(300);
+  return title.isEmpty() ? QCoreApplication::translate("window", "(no name)") : title;
+}
+
+QString mapCalled(const QString& name, const map::MapKey& key, int limit) {
+  QString called = plainWords(name.toStdString(), limit);
+  if (called.isEmpty()) {
+    switch (key.kind) {
+      case map::MapKind::Live:
+        called = QCoreApplication::translate("window", "the live map");
+        break;
+      case map::MapKind::File:
+        called = QCoreApplication::translate("window", "the file");
+        break;
+      default:
+        called = plainWords("map " + map::toText(key), limit);
+    }
+  }
+  return called;
+}
+
+QString mapProgressText(const session::MapSlot& slot) {
+  const QString name = mapCalled(slot.name(), slot.key(), 40);
+  switch (slot.phase()) {
+    case session::MapSlot::Phase::Fetching:
+      return slot.key().kind == map::MapKind::Live
+                 ? QCoreApplication::translate("window", "Waiting for %1").arg(name)
+                 : QCoreApplication::translate("window", "Fetching %1").arg(name);
+    case session::MapSlot::Phase::Reading:
+      // A newer version of the whole map on screen, as some robots send it several times a second.
+      if (slot.cells() && slot.shown().key == slot.key() && slot.cells()->complete()) return {};
+      return QCoreApplication::translate("window", "Reading %1 %2 %")
+          .arg(name, QString::number(int(slot.progress() * 100)));
+    case session::MapSlot::Phase::Failed:
+      return QCoreApplication::translate("window", "%1 failed").arg(name);
+    case session::MapSlot::Phase::Empty:
+    case session::MapSlot::Phase::Ready:
+      break;
+  }
+  return {};
+}
+
+QString mapOnScreen(const session::MapSlot& slot, int limit) {
+  const map::WholeMap& shown = slot.shown();
+  const bool other = slot.cells() && !(shown.key == slot.key());
+  return other ? mapCalled(QString::fromStdString(shown.name), shown.key, limit)
+               : mapCalled(slot.name(), slot.key(), limit);
+}
+
+QString mapShownText(const session::MapSlot& slot) {
+  const QString progress = mapProgressText(slot);
+  if (!progress.isEmpty() || !slot.cells()) return progress;
+  return QCoreApplication::translate("mapwright::window::StatusText", "%1, %2 x %3 cells")
+      .arg(mapOnScreen(slot, 40), countText(slot.reference().width), countText(slot.reference().height));
+}
+
+QString coordinatesText(const Eigen::Vector2d& world_m, double scale_m_per_px) {
+  if (!world_m.allFinite() || !(scale_m_per_px > 0)) return QStringLiteral("x ? y ? m");
+  // The last digit is never finer than about a pixel: 2 cm and 5 cm per pixel give centimetres, 2 mm gives
+  // millimetres.
+  const int decimals = std::clamp(int(std::ceil(-std::log10(scale_m_per_px) - 1e-9)), 0, 3);
+  return QStringLiteral("x %1 y %2 m").arg(decimal(world_m.x(), decimals), decimal(world_m.y(), decimals));
+}
+
+QString coordinatesForClipboard(const Eigen::Vector2d& world_m) {
+  return QStringLiteral("%1, %2").arg(decimal(world_m.x(), 3), decimal(world_m.y(), 3));
+}
+
+QString occupancyText(std::optional<int> occupied_percent) {
+  if (!occupied_percent) return QCoreApplication::translate("window", "unknown");
+  const int occupied = std::clamp(*occupied_percent, 0, 100);
+  if (occupied >= 50) return QCoreApplication::translate("window", "occupied %1 %").arg(occupied);
+  return QCoreApplication::translate("window", "free %1 %").arg(100 - occupied);
+}
+
+QString scaleText(double scale_m_per_px, double dots_per_inch) {
+  if (!(scale_m_per_px > 0) || !std::isfinite(scale_m_per_px)) return {};
+  const double denominator = scale_m_per_px * dots_per_inch / 0.0254;
+  // Three significant digits are enough for a screen's resolution.
+  const double step = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(1.0, denominator))) - 2));
+  const double shown = std::round(denominator / step) * step;
+  const QString ratio = denominator >= 1
+                            ? QStringLiteral("1:%1").arg(countText(qint64(shown)))
+                            : QStringLiteral("%1:1").arg(QString::number(1 / denominator, 'g', 3));
+  double value = scale_m_per_px;
+  QString unit = QStringLiteral("m/px");
+  if (value < 0.01 - 1e-12) {
+    value *= 1000;
+    unit = QStringLiteral("mm/px");
+  } else if (value < 1 - 1e-12) {
+    value *= 100;
+    unit = QStringLiteral("cm/px");
+  } else if (value >= 1000) {
+    value /= 1000;
+    unit = QStringLiteral("km/px");
+  }
+  return QStringLiteral("%1  %2 %3").arg(ratio, QString::number(value, 'g', 3), unit);
+}
+
+QString rotationText(double rotation_rad) {
+  if (!std::isfinite(rotation_rad)) return {};
+  double degrees = geometry::degreesFromRadians(geometry::normalizeAngle(rotation_rad));
+  degrees = std::round(degrees * 10) / 10;
+  if (degrees <= -180) degrees += 360;
+  return QStringLiteral("%1°").arg(decimal(degrees, degrees == std::round(degrees) ? 0 : 1));
+}
+
+QString bytesText(qint64 bytes) {
+  const QLocale c = QLocale::c();
+  if (bytes < 1000) return QStringLiteral("%1 B").arg(bytes);
+  double value = double(bytes);
+  for (const auto* unit : {"KB", "MB", "GB"}) {
+    value /= 1000;
+    if (value < 999.95 || qstrcmp(unit, "GB") == 0) {
+      return QStringLiteral("%1 %2").arg(c.toString(value, 'f', value < 99.95 ? 1 : 0), QLatin1String(unit));
+    }
+  }
+  return {};
+}
+
+QString countText(qint64 count) { return QLocale(QLocale::English).toString(count); }
+
+QString problemsText(qint64 count) {
+  return sentences::counted(
+      QCoreApplication::translate("window", "%1 problems", nullptr, sentences::formOf(count)), count);
+}
+
+QString submapsText(qint64 count) {
+  return sentences::counted(
+      QCoreApplication::translate("window", "%1 submaps", nullptr, sentences::formOf(count)), count);
+}
+
+QString statusWord(SubmapStatus status) {
+  switch (status) {
+    case SubmapStatus::OnScreen:
+      return QCoreApplication::translate("window", "shown");
+    case SubmapStatus::Hidden:
+      return QCoreApplication::translate("window", "hidden");
+    case SubmapStatus::Updating:
+      return QCoreApplication::translate("window", "updating");
+    case SubmapStatus::Queued:
+      return QCoreApplication::translate("window", "queued");
+    case SubmapStatus::Fetching:
+      return QCoreApplication::translate("window", "fetching");
+    case SubmapStatus::NoSlice:
+      return QCoreApplication::translate("window", "no slice");
+    case SubmapStatus::Missing:
+      return QCoreApplication::translate("window", "missing");
+    case SubmapStatus::Waiting:
+      return QCoreApplication::translate("window", "failed");
+    case SubmapStatus::Corrupt:
+      return QCoreApplication::translate("window", "corrupt");
+    case SubmapStatus::Unplaced:
+      return QCoreApplication::translate("window", "no pose");
+  }
+  return {};
+}
+
+QString statusIcon(SubmapStatus status) {
+  switch (status) {
+    case SubmapStatus::OnScreen:
+      return QStringLiteral("check");
+    case SubmapStatus::Hidden:
+      return QStringLiteral("eye-off");
+    case SubmapStatus::Updating:
+      return QStringLiteral("updating");
+    case SubmapStatus::Queued:
+      return QStringLiteral("queued");
+    case SubmapStatus::Fetching:
+      return QStringLiteral("fetching");
+    case SubmapStatus::NoSlice:
+      return QStringLiteral("empty");
+    case SubmapStatus::Missing:
+      return QStringLiteral("missing");
+    case SubmapStatus::Waiting:
+      return QStringLiteral("waiting");
+    case SubmapStatus::Corrupt:
+      return QStringLiteral("corrupt");
+    case SubmapStatus::Unplaced:
+      return QStringLiteral("unplaced");
+  }
+  return {};
+}
+
+Mark statusMark(SubmapStatus status) {
+  switch (status) {
+    case SubmapStatus::OnScreen:
+      return Mark::Good;
+    case SubmapStatus::Updating:
+    case SubmapStatus::Fetching:
+      return Mark::Busy;
+    case SubmapStatus::Hidden:
+    case SubmapStatus::Queued:
+    case SubmapStatus::NoSlice:
+      return Mark::Neutral;
+    case SubmapStatus::Missing:
+    case SubmapStatus::Waiting:
+      return Mark::Warning;
+    case SubmapStatus::Corrupt:
+    case SubmapStatus::Unplaced:
+      return Mark::Bad;
+  }
+  return Mark::None;
+}
+
+}  // namespace mapwright::window

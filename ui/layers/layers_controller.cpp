@@ -1,0 +1,219 @@
+#include "ui/layers/layers_controller.h"
+
+#include <QActionGroup>
+
+#include "sentences/absence_sentence.h"
+#include "ui/kit/panels.h"
+#include "ui/kit/plain_label.h"
+#include "ui/layers/layer_memory.h"
+#include "ui/layers/layers_dock.h"
+#include "ui/shell/current_session.h"
+
+namespace mapwright::window {
+
+namespace {
+
+QString colorModeName(render::ColorMode mode) {
+  switch (mode) {
+    case render::ColorMode::Incremental:
+      return QStringLiteral("incremental");
+    case render::ColorMode::Active:
+      return QStringLiteral("active");
+    case render::ColorMode::Normal:
+      break;
+  }
+  return QStringLiteral("normal");
+}
+
+}  // namespace
+
+LayersController::LayersController(WindowContext& context, QObject* parent)
+    : Controller(parent),
+      context_(context),
+      dock_(new LayersDock(&context.scene, &context.window)),
+      modes_(new QActionGroup(this)),
+      colors_(new QActionGroup(this)) {
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Left, .tab = 20, .menu_rank = 20});
+  addModes();
+  addSwitch({.id = "grid",
+             .text = tr("&Grid"),
+             .icon = "grid",
+             .keys = {"G"},
+             .tip = tr("Show the metric grid"),
+             .menu = {MenuGroup::Drawn, 10},
+             .bar = {BarGroup::Drawn, 10}},
+            scene::Layer::Grid);
+  addSwitch({.id = "showIds",
+             .text = tr("Submap &ids"),
+             .icon = "ids",
+             .keys = {"I"},
+             .tip = tr("Show the ids of the submaps on the map"),
+             .menu = {MenuGroup::Drawn, 20},
+             .bar = {BarGroup::Drawn, 20}},
+            scene::Layer::Ids);
+  addSwitch({.id = "showOutlines",
+             .text = tr("Submap &outlines"),
+             .icon = "outlines",
+             .keys = {"O"},
+             .tip = tr("Show the outlines of the submaps on the map"),
+             .menu = {MenuGroup::Drawn, 30},
+             .bar = {BarGroup::Drawn, 30}},
+            scene::Layer::Outlines);
+  addColors();
+  connect(&context_.scene, &scene::MapScene::layersChanged, this, &LayersController::sync);
+  connect(dock_, &LayersDock::topicsChosen, this, [this](const robot::TopicChoices& choices) {
+    if (const session::Session* const session = context_.current.session())
+      saveTopics(choices, session->robot().address(), context_.settings);
+  });
+  connect(&context_.current, &CurrentSession::stateChanged, this, [this] {
+    if (!context_.current.session()) endMode();
+    syncModes();
+  });
+}
+
+QAction* LayersController::addSwitch(const ActionSpec& spec, scene::Layer layer) {
+  ActionSpec whole = spec;
+  whole.reach = Reach::OutsideText;
+  whole.toggle = true;
+  QAction* const action = context_.actions.add(
+      whole, this, [this, layer](bool on) { context_.scene.setLayerVisible(layer, on); });
+  switches_.push_back({action, layer});
+  return action;
+}
+
+void LayersController::addModes() {
+  // Neither is possible, too: both layers can be hidden in the list.
+  modes_->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+  const auto mode = [this](ActionSpec spec, ViewMode which, int rank) {
+    spec.reach = Reach::OutsideText;
+    spec.toggle = true;
+    spec.menu = {MenuGroup::Maps, rank};
+    spec.bar = {BarGroup::Maps, rank};
+    QAction* const action = context_.actions.add(spec, this, [this, which] { setMode(which); });
+    action->setData(int(which));
+    action->setProperty("tip", action->toolTip());
+    modes_->addAction(action);
+  };
+  mode({.id = "modeSubmaps",
+        .text = tr("&Submaps"),
+        .icon = "submaps",
+        .keys = {"1"},
+        .tip = tr("Show the submaps")},
+       ViewMode::Submaps, 10);
+  mode({.id = "modeWhole",
+        .text = tr("&Whole map"),
+        .icon = "map",
+        .keys = {"2"},
+        .tip = tr("Show the whole map")},
+       ViewMode::Whole, 20);
+  mode({.id = "modeBoth",
+        .text = tr("&Both"),
+        .icon = "layers",
+        .keys = {"3"},
+        .tip = tr("Show the whole map below the submaps")},
+       ViewMode::Both, 30);
+}
+
+void LayersController::addColors() {
+  const auto colors = [this](const char* id, const QString& text, render::ColorMode mode, int rank,
+                             const QString& tip) {
+    QAction* const action = context_.actions.add(
+        {.id = id, .text = text, .tip = tip, .toggle = true, .menu = {MenuGroup::Colors, rank}}, this,
+        [this, mode] { setColorMode(mode); });
+    action->setData(int(mode));
+    colors_->addAction(action);
+  };
+  colors("colorsNormal", tr("Normal colours"), render::ColorMode::Normal, 10, tr("Plain grey"));
+  colors("colorsIncremental", tr("Tint incremental submaps"), render::ColorMode::Incremental, 20,
+         tr("Incremental submaps in blue and red"));
+  colors("colorsActive", tr("Dim frozen submaps"), render::ColorMode::Active, 30,
+         tr("Only active submaps at full strength"));
+}
+
+void LayersController::setMode(ViewMode mode) {
+  setViewMode(context_.scene, mode);
+  syncModes();
+}
+
+void LayersController::setColorMode(render::ColorMode mode) {
+  context_.scene.setColorMode(mode);
+  for (QAction* action : colors_->actions()) {
+    if (action->data().toInt() == int(mode)) action->setChecked(true);
+  }
+  Q_EMIT colorModeChanged(mode);
+}
+
+void LayersController::setSession(session::Session* session) {
+  if (robot::OffersTopics* const of = session ? robot::topicsOfferedBy(session->robot()) : nullptr)
+    of->choose(savedTopics(session->robot().address(), context_.settings));
+  dock_->setSession(session);
+  if (session) beginMode(*session);
+}
+
+void LayersController::recall(const QSettings& settings) {
+  restoreLayers(context_.scene, settings);
+  const QString colors = settings.value(QStringLiteral("view/colors")).toString();
+  for (const auto mode :
+       {render::ColorMode::Normal, render::ColorMode::Incremental, render::ColorMode::Active}) {
+    if (colors == colorModeName(mode) || mode == render::ColorMode::Normal) setColorMode(mode);
+  }
+  sync();
+}
+
+void LayersController::remember(QSettings& settings) {
+  settings.setValue(QStringLiteral("view/colors"), colorModeName(context_.scene.colorMode()));
+  // A robot without submaps must not determine what the next one shows.
+  const bool forced = mode_before_.has_value();
+  endMode();
+  saveLayers(context_.scene, settings);
+  if (session::Session* const session = context_.current.session(); forced && session) beginMode(*session);
+}
+
+void LayersController::reset() {
+  resetOrderAndStyles(context_.scene);
+  resetVisibility(context_.scene);
+  if (mode_before_) setMode(ViewMode::Whole);
+  setColorMode(render::ColorMode::Normal);
+}
+
+void LayersController::sync() {
+  for (const Switch& one : switches_) one.action->setChecked(context_.scene.layerVisible(one.layer));
+  syncModes();
+}
+
+void LayersController::syncModes() {
+  const auto mode = viewMode(context_.scene);
+  session::Session* const session = context_.current.session();
+  const bool only_whole = session && !session->robot().submapSource();
+  for (QAction* action : modes_->actions()) {
+    const auto which = ViewMode(action->data().toInt());
+    action->setChecked(mode == which);
+    const bool possible = !only_whole || which == ViewMode::Whole;
+    action->setEnabled(possible);
+    action->setToolTip(
+        possible ? action->property("tip").toString()
+                 : plainToolTip(sentences::whyAbsent(robot::Capability::Submaps,
+                                                     session->robot().whyNot(robot::Capability::Submaps))));
+  }
+}
+
+void LayersController::beginMode(session::Session& session) {
+  if (session.robot().submapSource()) {
+    endMode();
+  } else {
+    if (!mode_before_) mode_before_ = viewMode(context_.scene).value_or(ViewMode::Submaps);
+    setMode(ViewMode::Whole);
+  }
+  syncModes();
+}
+
+void LayersController::endMode() {
+  if (!mode_before_) return;
+  const ViewMode before = *mode_before_;
+  mode_before_.reset();
+  setMode(before);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_layers_controller.cpp"

@@ -1,0 +1,54 @@
+// What is drawn: the layers, which maps are on screen, the colours of the submaps.
+#pragma once
+
+#include <optional>
+
+#include "ui/kit/controller.h"
+#include "ui/shell/window_context.h"
+#include "ui/view/view_mode.h"
+
+class QActionGroup;
+
+namespace mapwright::window {
+
+class LayersDock;
+
+class LayersController : public Controller {
+  Q_OBJECT
+ public:
+  explicit LayersController(WindowContext& context, QObject* parent = nullptr);
+
+  LayersDock* dock() const { return dock_; }
+  void setMode(ViewMode mode);
+  void setColorMode(render::ColorMode mode);
+
+  void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
+  void reset() override;
+
+ Q_SIGNALS:
+  void colorModeChanged(mapwright::render::ColorMode mode);
+
+ private:
+  QAction* addSwitch(const ActionSpec& spec, scene::Layer layer);
+  void addModes();
+  void addColors();
+  void sync();
+  void syncModes();
+  void beginMode(session::Session& session);
+  void endMode();
+
+  struct Switch {
+    QAction* action;
+    scene::Layer layer;
+  };
+  WindowContext& context_;
+  LayersDock* dock_;
+  std::vector<Switch> switches_;
+  QActionGroup *modes_, *colors_;
+  /// The mode before a robot without submaps left no choice.
+  std::optional<ViewMode> mode_before_;
+};
+
+}  // namespace mapwright::window

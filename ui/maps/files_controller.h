@@ -1,0 +1,30 @@
+// Map files and recordings on this computer: chosen in a dialog, or dropped on the window.
+#pragma once
+
+#include "ui/kit/controller.h"
+#include "ui/maps/picture_placing.h"
+#include "ui/shell/window_context.h"
+
+namespace mapwright::window {
+
+class FilesController : public Controller {
+  Q_OBJECT
+ public:
+  FilesController(WindowContext& context, PicturePlacing& placing, QObject* parent = nullptr);
+
+  void choose();
+  /// A map.yaml, a recording, a picture (asks for its position) or a folder. Errors are shown as a toast.
+  void open(const QString& path);
+
+ Q_SIGNALS:
+  void addressWanted(const QString& address);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  WindowContext& context_;
+  PicturePlacing& placing_;
+};
+
+}  // namespace mapwright::window

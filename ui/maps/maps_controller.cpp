@@ -1,0 +1,163 @@
+#include "ui/maps/maps_controller.h"
+
+#include <utility>
+
+#include "regions/region_map.h"
+#include "scene/regions_on_map.h"
+#include "sentences/problem_sentence.h"
+#include "session/lacks_picture.h"
+#include "ui/kit/panels.h"
+#include "ui/maps/map_files.h"
+#include "ui/maps/maps_dock.h"
+#include "ui/shell/current_session.h"
+#include "ui/shell/notices.h"
+#include "ui/shell/unsaved_changes.h"
+#include "ui/shell/viewpoint.h"
+#include "ui/view/clipboard.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/on_screen.h"
+#include "ui/view/toast_stack.h"
+#include "ui/view/view_mode.h"
+
+namespace mapwright::window {
+
+MapsController::MapsController(WindowContext& context, QObject* parent)
+    : Controller(parent), context_(context), dock_(new MapsDock(&context.window)) {
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Left, .tab = 10, .menu_rank = 10});
+  connect(dock_, &MapsDock::openWanted, this, &MapsController::open);
+  connect(dock_, &MapsDock::compareWanted, this, &MapsController::compareWanted);
+  connect(dock_, &MapsDock::exportWanted, this, &MapsController::openToExport);
+  connect(dock_, &MapsDock::forgetWanted, this, &MapsController::forget);
+  connect(dock_, &MapsDock::copyWanted, this,
+          [this](const QString& text, const QString& said) { copyText(context_.overlay, text, said); });
+  connect(&context_.scene, &scene::MapScene::contentChanged, this, &MapsController::fitNew);
+  connect(&context_.scene, &scene::MapScene::layersChanged, this, &MapsController::fitNew);
+  connect(&context_.current, &CurrentSession::stateChanged, this, &MapsController::refreshNotice);
+  connect(&context_.panels, &Panels::arranged, this, [this] {
+    if (catalogueComesFirst()) context_.panels.suggest(dock_);
+  });
+}
+
+bool MapsController::catalogueComesFirst() const {
+  session::Session* const session = context_.current.session();
+  return session && !session->robot().submapSource() && session->catalogue().offered();
+}
+
+void MapsController::setSession(session::Session* session) {
+  dock_->setSession(session);
+  fit_next_ = false;
+  fitted_.reset();
+  export_when_read_.reset();
+  if (!session) return;
+  connect(&session->wholeMap(), &session::MapSlot::changed, this, &MapsController::noteChange);
+  connect(&session->robot(), &robot::Robot::mapsChanged, this, &MapsController::noteOtherFile);
+  if (catalogueComesFirst()) context_.panels.suggest(dock_);
+}
+
+void MapsController::open(const map::MapKey& key) {
+  session::Session* const session = context_.current.session();
+  if (!session) return;
+  const session::MapSlot& slot = session->wholeMap();
+  if (isFetched(key)) {
+    context_.scene.setLayerVisible(scene::Layer::WholeMap, true);
+    return context_.viewpoint.fit(slot.reference().bounds());
+  }
+  if (slot.cells() && slot.shown().key == key) return show(key);  // nothing to do
+  context_.unsaved.whenMayLeave([this, key] { show(key); });
+}
+
+void MapsController::show(const map::MapKey& key) {
+  session::Session* const session = context_.current.session();
+  if (!session) return;
+  // For a robot that sends its map by region that is its live map.
+  const regions::RegionMap* const by_region = scene::RegionsOnMap::of(context_.scene).map();
+  if (key.kind == map::MapKind::Live && by_region && by_region->offered()) return Q_EMIT regionsWanted();
+  fit_next_ = true;
+  fitted_.reset();
+  if (viewMode(context_.scene).value_or(ViewMode::Submaps) == ViewMode::Submaps)
+    setViewMode(context_.scene, ViewMode::Whole);
+  session->openMap(key);
+}
+
+bool MapsController::isFetched(const map::MapKey& key) const {
+  const session::Session* const session = context_.current.session();
+  if (!session) return false;
+  const session::MapSlot& slot = session->wholeMap();
+  return slot.cells() && slot.shown().key == key && slot.shown().state_of;
+}
+
+void MapsController::forget(const map::MapKey& key) {
+  if (isFetched(key)) context_.unsaved.whenMayLeave([this] { Q_EMIT regionsWanted(); });
+}
+
+void MapsController::openToExport(const map::MapKey& key) {
+  const session::Session* const session = context_.current.session();
+  if (!session) return;
+  const session::MapSlot& slot = session->wholeMap();
+  if (slot.key() == key && slot.phase() == session::MapSlot::Phase::Ready) {
+    Q_EMIT exportWanted();
+    return;
+  }
+  export_when_read_ = key;
+  open(key);
+}
+
+void MapsController::noteChange() {
+  const session::Session* const session = context_.current.session();
+  if (!session || !export_when_read_) return;
+  const session::MapSlot& slot = session->wholeMap();
+  if (!slot.settled()) return;
+  const bool wanted = slot.key() == *export_when_read_ && slot.phase() == session::MapSlot::Phase::Ready;
+  export_when_read_.reset();
+  if (wanted) Q_EMIT exportWanted();
+}
+
+void MapsController::noteOtherFile() {
+  if (std::exchange(own_change_, false)) return;
+  const session::Session* const session = context_.current.session();
+  if (!session || !session->robot().isLocal()) return;
+  const session::MapSlot& slot = session->wholeMap();
+  if (slot.phase() == session::MapSlot::Phase::Empty) return;
+  context_.overlay.toasts()->add(
+      Mark::Good, tr("%1 changed on disk and is being reloaded.").arg(mapCalled(slot.name(), slot.key())));
+}
+
+void MapsController::fitNew() {
+  const session::Session* const session = context_.current.session();
+  if (!session || !session->wholeMap().cells()) return;
+  const map::MapKey& shown = session->wholeMap().shown().key;
+  if (fitted_ == shown || !context_.scene.layerVisible(scene::Layer::WholeMap)) return;
+  if (!fit_next_ && (context_.viewpoint.chosen() || context_.scene.layerVisible(scene::Layer::Submaps)))
+    return;
+  if (fit_next_ && shown != session->wholeMap().key()) return;  // still the previous one
+  fitted_ = shown;
+  fit_next_ = false;
+  context_.viewpoint.fit(context_.scene.contentBounds());
+}
+
+void MapsController::refreshNotice() {
+  session::Session* const session = context_.current.session();
+  const MapsInView in_view = mapsInView(context_.scene);
+  if (!session || !in_view.whole) return context_.notices.clear(NoticeRank::Map);
+  const session::MapSlot& slot = session->wholeMap();
+  const QString sentence =
+      QStringLiteral("%1: %2").arg(mapCalled(slot.name(), slot.key()), sentences::sentenceOf(slot.remark()));
+  const auto retry = [this] { Q_EMIT retryWanted(); };
+  // While there is nothing else on screen the card shows it.
+  if (session::lacksPicture(slot) && !emptyState(session, in_view)) {
+    context_.notices.set(
+        NoticeRank::Map,
+        {Mark::Warning, tr("%1 Its waypoints are shown without it.").arg(sentence), {}, {}, true});
+  } else if (slot.phase() == session::MapSlot::Phase::Failed && !emptyState(session, in_view)) {
+    context_.notices.set(NoticeRank::Map, {Mark::Bad, sentence, tr("Retry"), retry});
+  } else if (slot.phase() == session::MapSlot::Phase::Ready && slot.remark()) {
+    context_.notices.set(NoticeRank::Map,
+                         {Mark::Warning, sentence, slot.broken() ? tr("Retry") : QString(), retry, true});
+  } else {
+    context_.notices.clear(NoticeRank::Map);
+  }
+}
+
+}  // namespace mapwright::window
+
+#include "moc_maps_controller.cpp"

@@ -1,0 +1,54 @@
+// The maps stored on the robot, and the one that is open here.
+#pragma once
+
+#include <optional>
+
+#include "ui/kit/controller.h"
+#include "ui/shell/window_context.h"
+
+namespace mapwright::window {
+
+class MapsDock;
+
+class MapsController : public Controller {
+  Q_OBJECT
+ public:
+  explicit MapsController(WindowContext& context, QObject* parent = nullptr);
+
+  MapsDock* dock() const { return dock_; }
+  void setSession(session::Session* session) override;
+  /// Shows a map of the catalogue without loading it on the robot.
+  void open(const map::MapKey& key);
+  /// The next change of the maps was made here.
+  void expectOwnChange() { own_change_ = true; }
+
+ Q_SIGNALS:
+  void compareWanted(const mapwright::map::MapKey& key);
+  /// The open map has been read; export it.
+  void exportWanted();
+  void retryWanted();
+  /// Show the live map of a robot that sends it by region.
+  void regionsWanted();
+
+ private:
+  bool catalogueComesFirst() const;
+  void show(const map::MapKey& key);
+  /// Fetched from the robot's map, and only on screen.
+  bool isFetched(const map::MapKey& key) const;
+  void forget(const map::MapKey& key);
+  void openToExport(const map::MapKey& key);
+  void noteChange();
+  void noteOtherFile();
+  void fitNew();
+  void refreshNotice();
+
+  WindowContext& context_;
+  MapsDock* dock_;
+  /// The next whole map was requested by the user: show all of it.
+  bool fit_next_ = false;
+  bool own_change_ = false;
+  std::optional<map::MapKey> fitted_;
+  std::optional<map::MapKey> export_when_read_;
+};
+
+}  // namespace mapwright::window

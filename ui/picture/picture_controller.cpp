@@ -1,0 +1,326 @@
+#include "ui/picture/picture_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QMessageBox>
+
+#include "sentences/absence_sentence.h"
+#include "sentences/fault_sentence.h"
+#include "ui/kit/panels.h"
+#include "ui/kit/plain_label.h"
+#include "ui/kit/undo_stacks.h"
+#include "ui/picture/picture_dock.h"
+#include "ui/picture/picture_drafts.h"
+#include "ui/picture/picture_text.h"
+#include "ui/picture/picture_tool.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/map_view.h"
+#include "ui/view/toast_stack.h"
+#include "ui/view/tool_choice.h"
+
+namespace mapwright::window {
+
+using session::MapSlot;
+
+namespace {
+const QString kUndoMb = QStringLiteral("picture/undo_mb");
+constexpr unsigned kUsualUndoMb = 256;
+}  // namespace
+
+PictureController::PictureController(WindowContext& context, QObject* parent)
+    : Controller(parent),
+      context_(context),
+      editing_(context.workers),
+      tool_(new PictureTool(&editing_, &context.scene, this)),
+      dock_(new PictureDock(&editing_, tool_, &context.window)),
+      share_(context.workers) {
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 16, .menu_rank = 46, .open = false});
+  joinUndo(context_.undo, editing_.undoStack());
+  addActions();
+  connect(&editing_, &PictureEditing::cellsChanged, this, [this](const geometry::WorldRect& where) {
+    if (!shown_) showCells();
+    context_.scene.editedCellsChanged(where);
+  });
+  connect(&editing_, &PictureEditing::previewChanged, this, &PictureController::showCells);
+  connect(&editing_, &PictureEditing::stateChanged, this, [this] {
+    may_leave_ = false;
+    if (drafts_) drafts_->touch();
+    refresh();
+    if (when_reverted_ && !editing_.reckoning())
+      QMetaObject::invokeMethod(this, std::exchange(when_reverted_, nullptr), Qt::QueuedConnection);
+  });
+  connect(&editing_, &PictureEditing::stepsForgotten, this, &PictureController::noteForgotten);
+  const std::size_t undo_mb =
+      std::clamp<std::size_t>(context_.settings.value(kUndoMb, kUsualUndoMb).toUInt(), 16, 65'536);
+  editing_.setUndoBudget(undo_mb << 20);
+  connect(&editing_, &PictureEditing::mergeDone, this, &PictureController::noteMerged);
+  connect(tool_, &PictureTool::activated, this, [this] {
+    wanted_map_ = mapInstead();
+    if (wanted_map_) session_->openMap(map::MapKey(*wanted_map_));
+    context_.scene.setLayerVisible(scene::Layer::WholeMap, true);
+    context_.undo.setActiveStack(&editing_.undoStack());
+    context_.panels.open(dock_);
+  });
+  connect(tool_, &PictureTool::refused, this,
+          [this](const QString& why) { context_.overlay.toasts()->add(Mark::Warning, why); });
+  connect(dock_, &PictureDock::modeWanted, this, [this](PaintMode mode) {
+    tool_->setMode(mode);
+    if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
+  });
+  connect(dock_, &PictureDock::lookWanted, this, [this](Tidying what, int cells) {
+    // Its keys belong to the tool, on the map.
+    if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
+    editing_.lookFor(what, cells);
+    context_.view.setFocus();
+  });
+  connect(dock_, &PictureDock::saveWanted, this, &PictureController::save);
+  connect(dock_, &PictureDock::stopSavingWanted, this, [this] { write_call_.cancel(); });
+  connect(dock_, &PictureDock::discardWanted, &editing_, &PictureEditing::revert);
+  connect(dock_, &PictureDock::compareWanted, this, &PictureController::compareWanted);
+  connect(dock_, &PictureDock::draftWanted, this, [this] {
+    if (drafts_) drafts_->takeUp();
+  });
+  connect(dock_, &PictureDock::draftNotWanted, this, [this] {
+    if (drafts_) drafts_->turnDown();
+  });
+  connect(dock_, &PictureDock::locateConflictWanted, this, [this] {
+    const geometry::WorldRect where = editing_.whereConflicts();
+    if (!where.empty()) context_.view.fit(where.grown(1), true);
+  });
+  refresh();
+}
+
+PictureController::~PictureController() {
+  setSession(nullptr);
+  delete dock_;  // it refers to members of this object
+}
+
+QMessageBox* PictureController::question() const { return question_; }
+
+void PictureController::addActions() {
+  tool_action_ = context_.actions.add({.id = "pictureTool",
+                                       .text = tr("&Edit map"),
+                                       .icon = "edit-map",
+                                       .keys = {"B"},
+                                       .reach = Reach::OutsideText,
+                                       .tip = tr("Paint free, occupied and unknown areas"),
+                                       .toggle = true,
+                                       .menu = {MenuGroup::Waypoints, 30},
+                                       .bar = {BarGroup::Tools, 40}});
+  tool_action_->setProperty("tip", tool_action_->toolTip());
+  context_.tools.add(tool_, tool_action_);
+}
+
+void PictureController::setSession(session::Session* session) {
+  if (session_) session_->wholeMap().disconnect(this);
+  if (session_) session_->robot().disconnect(this);
+  if (session_) session_->catalogue().disconnect(this);
+  closeMap();
+  session_ = session;
+  wanted_map_.reset();
+  if (looked_.stop) looked_.stop->store(true);
+  looked_ = {};
+  if (session_) {
+    dock_->setLocal(session_->robot().isLocal());
+    connect(&session_->catalogue(), &session::Catalogue::changed, this, &PictureController::refresh);
+    connect(&session_->wholeMap(), &MapSlot::changed, this, &PictureController::syncMap);
+    connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &PictureController::syncMap);
+  }
+  syncMap();
+}
+
+void PictureController::syncMap() {
+  const MapSlot* const slot = session_ ? &session_->wholeMap() : nullptr;
+  std::optional<map::MapKey> key;
+  if (slot && slot->cells() && session_->robot().pictureStore()) key = slot->shown().key;
+  if (key != open_map_) closeMap();
+  const bool whole = key && slot->phase() == MapSlot::Phase::Ready && slot->cells()->complete() &&
+                     !slot->broken() && slot->key() == *key;
+  if (whole && !session_->robot().pictureStore()->obstacle(slot->shown())) {
+    if (!open_map_) {
+      openOnceLookedAt(*slot);
+    } else if (slot->cells() != seen_ && !saving_) {
+      takeOther(*slot);
+    }
+  }
+  refresh();
+}
+
+void PictureController::openOnceLookedAt(const MapSlot& slot) {
+  if (looked_.cells == slot.cells()) {
+    if (looked_.done && !looked_.between) openMap(slot);
+    return;
+  }
+  std::array<bool, 256> held{};
+  for (std::size_t cell = 0; cell < held.size(); ++cell)
+    held[cell] = session_->robot().pictureStore()->holdsCell(slot.shown(), std::uint8_t(cell));
+  if (std::all_of(held.begin(), held.end(), [](bool is_held) { return is_held; })) return openMap(slot);
+  if (looked_.stop) looked_.stop->store(true);
+  looked_ = {slot.cells(), std::make_shared<std::atomic<bool>>(false), false, std::nullopt};
+  share_.startLong([this, held, cells = looked_.cells, stop = looked_.stop] {
+    const auto between = picture::firstOther(*cells, held, *stop);
+    QMetaObject::invokeMethod(
+        this,
+        [this, stop, between] {
+          if (stop != looked_.stop) return;
+          looked_.done = true;
+          looked_.between = between;
+          syncMap();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void PictureController::openMap(const MapSlot& slot) {
+  looked_ = {};
+  open_map_ = slot.shown().key;
+  seen_ = slot.cells();
+  revision_ = slot.shown().fingerprint;
+  own_revisions_.clear();
+  forgetting_told_ = false;
+  ++opened_;
+  editing_.open(seen_, slot.reference(), session_->robot().pictureStore()->holdsUnknown(slot.shown()));
+  watchDrafts();
+}
+
+void PictureController::closeMap() {
+  if (!open_map_) return;
+  editing_.endStroke();  // it is kept with the rest
+  if (shown_) context_.scene.setEditedCells(*open_map_, nullptr);
+  shown_ = saving_ = again_ = false;
+  dock_->setTravelled(std::nullopt);
+  trouble_.clear();
+  copy_.clear();
+  conflicts_told_ = false;
+  seen_.reset();
+  open_map_.reset();
+  ++opened_;
+  when_saved_ = when_reverted_ = nullptr;
+  keepDraft();
+  editing_.close();
+}
+
+void PictureController::watchDrafts() {
+  drafts_.reset();
+  may_leave_ = false;
+  if (context_.edit.drafts_folder.isEmpty()) return;
+  drafts_ = std::make_unique<PictureDrafts>(
+      &editing_,
+      edit::DraftIdentity{session_->robot().address(), QString::fromStdString(map::toText(*open_map_)),
+                          kPictureDraft},
+      context_.edit, context_.workers);
+  connect(drafts_.get(), &PictureDrafts::changed, this, [this] {
+    if (drafts_->offered()) context_.panels.open(dock_);
+    refresh();
+  });
+  connect(drafts_.get(), &PictureDrafts::remarked, this,
+          [this](const QString& sentence) { context_.overlay.toasts()->add(Mark::Warning, sentence); });
+}
+
+/// Unsaved changes stay as a draft; if that is impossible the user has to know.
+void PictureController::keepDraft() {
+  if (!drafts_) return;
+  const bool unsaved = editing_.unsaved();
+  if (const auto trouble = drafts_->keep(); trouble && unsaved)
+    context_.overlay.toasts()->add(
+        Mark::Bad, tr("The changes to the map are lost. %1").arg(sentences::wordsOf(*trouble)));
+  drafts_.reset();
+}
+
+/// The same map has arrived with another picture: saved here, or changed by someone else.
+void PictureController::takeOther(const MapSlot& slot) {
+  seen_ = slot.cells();
+  const bool fits = picture::sameShape(*editing_.grid(), *seen_) && slot.reference() == editing_.reference();
+  if (fits && editing_.touched()) {
+    const std::string& revision = slot.shown().fingerprint;
+    // A picture saved here comes back, possibly after a later save.
+    const bool known = revision == revision_ || own_revisions_.contains(revision);
+    if (known && !editing_.merging()) return again_ ? noteMerged(0, revision_) : void();
+    own_revisions_.clear();  // an equal one from now on is someone else's change
+    editing_.takeIn(seen_, revision);
+    return;
+  }
+  editing_.endStroke();
+  const std::int64_t lost = editing_.changedCells();
+  if (std::exchange(shown_, false)) context_.scene.setEditedCells(*open_map_, nullptr);
+  saving_ = again_ = false;
+  trouble_.clear();
+  openMap(slot);
+  if (lost > 0)
+    context_.overlay.toasts()->add(Mark::Bad, tr("The map was replaced by one of another size or position. "
+                                                 "The unsaved changes do not fit it and were discarded: %1.")
+                                                  .arg(cellsText(lost)));
+}
+
+void PictureController::showCells() {
+  if (!open_map_) return;
+  shown_ = true;
+  const auto& preview = editing_.preview();
+  std::shared_ptr<const grids::GridPyramid> cells = editing_.grid();
+  if (preview) cells = preview->cells;
+  context_.scene.setEditedCells(*open_map_, std::move(cells));
+}
+
+std::optional<map::MapKey> PictureController::mapInstead() const {
+  if (!session_ || editing_.isOpen() || !session_->robot().pictureStore()) return std::nullopt;
+  const MapSlot& slot = session_->wholeMap();
+  const map::CatalogueEntry* const current = session_->catalogue().current();
+  if (!slot.cells() || slot.shown().key.kind != map::MapKind::Live || !current ||
+      current->key.kind != map::MapKind::Stored)
+    return std::nullopt;
+  return current->key;
+}
+
+/// It is loading.
+bool PictureController::opening() const {
+  if (!session_ || editing_.isOpen()) return false;
+  const MapSlot& slot = session_->wholeMap();
+  if (looked_.cells && looked_.cells == slot.cells() && !looked_.done) return true;
+  if (!wanted_map_) return false;
+  const bool on_its_way = slot.phase() == MapSlot::Phase::Fetching || slot.phase() == MapSlot::Phase::Reading;
+  return on_its_way && slot.key() == *wanted_map_;
+}
+
+void PictureController::noteForgotten() {
+  if (std::exchange(forgetting_told_, true)) return;
+  context_.overlay.toasts()->add(
+      Mark::Warning,
+      tr("The oldest changes to this map can no longer be undone: that would take too much memory."));
+}
+
+QString PictureController::whyNot() const {
+  if (!session_) return tr("Open a map file (Ctrl+Shift+O) to edit its picture.");
+  robot::PictureStore* const store = session_->robot().pictureStore();
+  constexpr auto kEditing = robot::Capability::PictureEditing;
+  if (!store) return sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing));
+  if (editing_.isOpen()) return {};
+  if (opening()) return tr("The map is loading.");
+  if (const auto key = mapInstead()) {
+    const map::CatalogueEntry* const entry = session_->catalogue().find(*key);
+    return tr("This is the robot's live map. The tool (B) edits \"%1\", the stored map that the robot uses.")
+        .arg(entry ? QString::fromStdString(entry->name) : QString::fromStdString(key->id));
+  }
+  const MapSlot& slot = session_->wholeMap();
+  if (!slot.cells()) return tr("Only a whole map has a picture to edit. Open one in the Maps panel.");
+  if (const auto obstacle = store->obstacle(slot.shown())) return obstacleText(*obstacle);
+  if (looked_.between && looked_.cells == slot.cells()) return cellBetweenText(*looked_.between);
+  if (slot.broken()) return tr("Parts of this map could not be read, so it cannot be saved.");
+  return tr("The map is loading.");
+}
+
+void PictureController::refresh() {
+  const QString sentence = whyNot();
+  dock_->setWhyNot(sentence);
+  dock_->setSaving(saving_, !trouble_.isEmpty() || !drafts_ ? trouble_ : drafts_->trouble());
+  dock_->setOffer(drafts_ ? drafts_->offer() : QString());
+  const bool usable = sentence.isEmpty() || mapInstead() || opening();
+  tool_action_->setEnabled(usable);
+  tool_action_->setToolTip(usable ? tool_action_->property("tip").toString() : plainToolTip(sentence));
+  if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
+  if (std::exchange(was_unsaved_, unsaved()) != unsaved()) Q_EMIT unsavedChanged();
+}
+
+}  // namespace mapwright::window
+
+#include "moc_picture_controller.cpp"

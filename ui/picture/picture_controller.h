@@ -1,0 +1,118 @@
+// Editing the picture of the map on screen: the tool, the dock, saving, changes by others, and the questions
+// before the map is left.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include <QPointer>
+
+#include "robot/picture_store.h"
+#include "ui/kit/controller.h"
+#include "ui/picture/picture_editing.h"
+#include "ui/shell/window_context.h"
+
+class QMessageBox;
+
+namespace mapwright::window {
+
+class PictureDock;
+class PictureDrafts;
+class PictureTool;
+
+class PictureController : public Controller {
+  Q_OBJECT
+ public:
+  explicit PictureController(WindowContext& context, QObject* parent = nullptr);
+  ~PictureController() override;
+
+  void setSession(session::Session* session) override;
+  bool unsaved() const override { return editing_.unsaved(); }
+  void save() override;
+  void beforeLeaving(std::function<void()> then) override;
+
+  PictureEditing* editing() { return &editing_; }
+  PictureTool* tool() const { return tool_; }
+  PictureDock* dock() const { return dock_; }
+  PictureDrafts* drafts() const { return drafts_.get(); }  // null: there are none
+  QMessageBox* question() const;                           // null: nothing is asked
+  QMessageBox* sendingQuestion() const;                    // the same, before a robot's map is overwritten
+  bool saving() const { return saving_; }
+
+ Q_SIGNALS:
+  /// Compare the saved map with the edited one.
+  void compareWanted();
+  /// The picture was written from here.
+  void written();
+  /// Open a local map.
+  void fileWanted(const QString& path);
+
+ private:
+  void addActions();
+  void syncMap();
+  void noteForgotten();
+  void openOnceLookedAt(const session::MapSlot& slot);
+  void openMap(const session::MapSlot& slot);
+  void closeMap();
+  void takeOther(const session::MapSlot& slot);
+  void showCells();
+  void refresh();
+  QString whyNot() const;
+  void noteWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
+                   const robot::Outcome<robot::PictureReceipt>& outcome);
+  void noteMerged(qint64 taken, const std::string& revision);
+  void askToDecide();
+  void askToSend();
+  void send();
+  void write();
+  void noteCopied(const std::optional<Fault>& trouble);
+  void noteNotWritten(const QString& sentence);
+  QString copiesHere() const;
+  void watchDrafts();
+  void keepDraft();
+  void answer(int button);
+  /// The stored map that corresponds to the live map on screen: it can be edited instead.
+  std::optional<map::MapKey> mapInstead() const;
+  bool opening() const;
+  QString mapName() const;
+
+  WindowContext& context_;
+  QPointer<session::Session> session_;
+  PictureEditing editing_;
+  PictureTool* tool_;
+  PictureDock* dock_;
+  QAction* tool_action_ = nullptr;
+  std::optional<map::MapKey> open_map_;
+  std::optional<map::MapKey> wanted_map_;  // requested by the tool
+  robot::Call write_call_;
+  bool forgetting_told_ = false;
+  std::shared_ptr<const grids::GridPyramid> seen_;  // of the last map received
+  std::string revision_;                            // of what is saved
+  std::set<std::string> own_revisions_;             // saved from here since the last change by someone else
+  bool shown_ = false;                              // the edited cells are drawn
+  bool saving_ = false, again_ = false;             // again: saves once more after merging theirs
+  bool was_unsaved_ = false;
+  bool conflicts_told_ = false;  // only once, however often others paint there
+  std::unique_ptr<PictureDrafts> drafts_;
+  bool may_leave_ = false;  // keeps the draft and leaves
+  quint64 opened_ = 0;      // counts maps: results about earlier ones are ignored
+  QString trouble_;         // of saving
+  QString copy_;            // of the robot's picture; empty: none
+  QPointer<QMessageBox> question_, sending_question_;
+  std::function<void()> when_left_, when_saved_, when_reverted_;
+  /// Whether all cells of a map can be written is checked before painting starts.
+  struct Looked {
+    std::shared_ptr<const grids::GridPyramid> cells;
+    std::shared_ptr<std::atomic<bool>> stop;
+    bool done = false;
+    std::optional<std::uint8_t> between;  // a cell that cannot be
+  };
+  Looked looked_;
+  work::Share share_;  // last
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,102 @@
+// The dock "Edit map": tools, what to paint, clean-up, and how much has changed.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <QDockWidget>
+
+#include "ui/picture/picture_tool.h"
+
+class QButtonGroup;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+class QToolButton;
+class QVBoxLayout;
+
+namespace mapwright::window {
+
+class PictureDock : public QDockWidget {
+  Q_OBJECT
+ public:
+  /// Both must outlive this.
+  PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* parent = nullptr);
+
+  /// Why nothing can be edited; empty = it can.
+  void setWhyNot(const QString& sentence);
+  /// The progress or problem of saving; empty = none.
+  void setSaving(bool saving, const QString& trouble);
+  /// The share of the upload done, 0 .. 1; nullopt = no upload, or unknown.
+  void setTravelled(std::optional<double> part);
+  /// Where it is stored: files with a map.yaml, or a robot.
+  void setLocal(bool local);
+
+  QToolButton* modeButton(PaintMode mode) const { return modes_[std::size_t(mode)]; }
+  QToolButton* kindButton(picture::Kind kind) const { return kinds_[std::size_t(kind)]; }
+  QSpinBox* sizeBox() const { return size_; }
+  QSpinBox* tidySize(Tidying what) const { return tidy_sizes_[std::size_t(what)]; }
+  QPushButton* tidyButton(Tidying what) const { return tidy_buttons_[std::size_t(what)]; }
+  QPushButton* applyButton() const { return apply_; }
+  QPushButton* keepMineButton() const { return mine_; }
+  QPushButton* takeTheirsButton() const { return theirs_; }
+  /// An earlier draft; empty = none.
+  void setOffer(const QString& sentence);
+  QPushButton* restoreButton() const { return restore_; }
+  QPushButton* stopButton() const { return stop_; }
+  QString status() const;
+  /// The meaning of the preview's colours.
+  QStringList legend() const;
+
+ Q_SIGNALS:
+  void draftWanted();
+  void draftNotWanted();
+  void modeWanted(mapwright::window::PaintMode mode);
+  void lookWanted(mapwright::window::Tidying what, int cells);
+  void saveWanted();
+  void discardWanted();
+  void compareWanted();
+  void locateConflictWanted();
+  void stopSavingWanted();
+
+ private:
+  void buildModes(QVBoxLayout* column);
+  void buildKinds(QVBoxLayout* column);
+  void buildTidying(QVBoxLayout* column);
+  void buildOffer(QVBoxLayout* column);
+  void buildDecision(QVBoxLayout* column);
+  void buildEnd(QVBoxLayout* column);
+  void refresh();
+  QString savingText() const;
+
+  PictureEditing* editing_;
+  PictureTool* tool_;
+  QString why_not_, trouble_;
+  bool saving_ = false;
+  QLabel* empty_;
+  QWidget* body_;
+  std::array<QToolButton*, kPaintModes> modes_{};
+  std::array<QToolButton*, picture::kKinds> kinds_{};
+  QSpinBox* size_ = nullptr;
+  QLabel* size_m_ = nullptr;
+  std::array<QSpinBox*, 3> tidy_sizes_{};
+  std::array<QPushButton*, 3> tidy_buttons_{};
+  QLabel* tidy_where_ = nullptr;
+  QLabel* found_ = nullptr;
+  struct LegendRow {
+    QWidget* row = nullptr;
+    QLabel* text = nullptr;
+  };
+  std::array<LegendRow, picture::kKinds> legend_{};
+  QPushButton *apply_ = nullptr, *drop_ = nullptr;
+  QWidget *preview_row_ = nullptr, *decision_ = nullptr;
+  QLabel *conflict_ = nullptr, *offer_ = nullptr;
+  QWidget* offer_box_ = nullptr;
+  QPushButton* restore_ = nullptr;
+  QPushButton *mine_ = nullptr, *theirs_ = nullptr;
+  QLabel* status_ = nullptr;
+  QPushButton *compare_ = nullptr, *discard_ = nullptr, *save_ = nullptr, *stop_ = nullptr;
+  std::optional<int> travelled_;  // percent
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,72 @@
+// Paints on the map: brush, eraser, line, rectangle, polygon, fill, and selecting a rectangle to copy, move
+// or paint.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scene/map_scene.h"
+#include "ui/picture/picture_editing.h"
+#include "ui/view/map_tool.h"
+
+namespace mapwright::window {
+
+enum class PaintMode { Brush, Eraser, Line, Rectangle, Polygon, Fill, Select };
+inline constexpr int kPaintModes = 7;
+
+class PictureTool : public MapTool {
+  Q_OBJECT
+ public:
+  /// Both must outlive this.
+  PictureTool(PictureEditing* editing, scene::MapScene* scene, QObject* parent = nullptr);
+
+  PaintMode mode() const { return mode_; }
+  void setMode(PaintMode mode);
+
+  QString name() const override { return QStringLiteral("picture"); }
+  QCursor cursor() const override { return Qt::CrossCursor; }
+  bool takesEveryPress() const override { return true; }
+  void activate() override;
+  void deactivate() override;
+  bool pressed(const MapPoint& at) override;
+  void dragged(const MapPoint& at) override;
+  void released(const MapPoint& at) override;
+  void dragCancelled() override;
+  void clicked(const MapPoint& at) override;
+  void hovered(const MapPoint& at) override;
+  void left() override;
+  bool keyPressed(const MapKeyPress& press) override;
+  void paint(QPainter& painter) override;
+  QString hint() const override;
+
+ Q_SIGNALS:
+  void modeChanged();
+  void activated();
+  /// It is impossible; a sentence.
+  void refused(const QString& why);
+
+ private:
+  void begin(const MapPoint& at);
+  void end(const MapPoint& at);
+  void giveUp();
+  bool busy() const { return from_.has_value() || !corners_.empty(); }
+  bool moving() const { return from_ && taken_hold_; }
+  /// Whole cells by which the selection has been dragged.
+  std::pair<int, int> movedBy() const;
+  QPointF px(const Eigen::Vector2d& world_m) const;
+  QPolygonF outline(const picture::CellRect& rect) const;
+  void paintPreview(QPainter& painter) const;
+  void paintSelection(QPainter& painter) const;
+  void paintShape(QPainter& painter) const;
+  void paintBrush(QPainter& painter) const;
+
+  PictureEditing* editing_;
+  scene::MapScene* scene_;
+  PaintMode mode_ = PaintMode::Brush;
+  std::optional<Eigen::Vector2d> from_, hand_;  // where the drag began, and the cursor. World metres
+  std::vector<Eigen::Vector2d> corners_;        // of the polygon
+  bool taken_hold_ = false;                     // of the selection
+  bool copies_ = false;                         // and leaves the original
+};
+
+}  // namespace mapwright::window

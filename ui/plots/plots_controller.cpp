@@ -1,0 +1,63 @@
+#include "ui/plots/plots_controller.h"
+
+#include <QPushButton>
+
+#include "ui/kit/panels.h"
+#include "ui/plots/plots_dock.h"
+#include "ui/shell/replay_clock.h"
+
+namespace mapwright::window {
+
+namespace {
+const QString kLayout = QStringLiteral("plots/layout");
+}
+
+PlotsController::PlotsController(WindowContext& context, ReplayClock& clock, QObject* parent)
+    : Controller(parent),
+      context_(context),
+      clock_(&clock),
+      feed_(new PlotFeed(context.workers, {}, this)),
+      dock_(new PlotsDock(*feed_, &context.window)) {
+  context.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 60, .menu_rank = 49, .open = false});
+  connect(&clock, &ReplayClock::opened, this, [this] {
+    feed_->setReading(clock_->reading());
+    dock_->openBag(clock_->start(), clock_->end());
+    dock_->setCurrent(clock_->at());
+  });
+  connect(&clock, &ReplayClock::closed, this, [this] {
+    feed_->setReading(nullptr);
+    dock_->closeBag();
+  });
+  connect(&clock, &ReplayClock::timeChanged, dock_, &PlotsDock::setCurrent);
+  connect(&clock, &ReplayClock::rangesChanged, this, [this] { dock_->extendBag(clock_->end()); });
+  connect(dock_, &PlotsDock::seekWanted, &clock, &ReplayClock::seek);
+  // It is the same setting as in the menu.
+  if (QAction* const whole = context.actions.find(QStringLiteral("replayReadAll"))) {
+    dock_->wholeButton()->setChecked(whole->isChecked());
+    connect(dock_, &PlotsDock::wholeWanted, whole, &QAction::setChecked);
+    connect(whole, &QAction::toggled, dock_->wholeButton(), &QPushButton::setChecked);
+  }
+  connect(feed_, &PlotFeed::rawWanted, this, &PlotsController::rawWanted);
+}
+
+void PlotsController::setSession(session::Session* session) {
+  feed_->setSession(session);
+  dock_->sourceChanged();
+}
+
+void PlotsController::recall(const QSettings& settings) {
+  dock_->restoreLayout(settings.value(kLayout).toString());
+}
+
+void PlotsController::remember(QSettings& settings) { settings.setValue(kLayout, dock_->layout()); }
+
+void PlotsController::reset() { dock_->clearPlots(); }
+
+void PlotsController::plot(const PlotWish& wish) {
+  context_.panels.open(dock_);
+  dock_->addCurve(dock_->plots().back(), wish);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_plots_controller.cpp"

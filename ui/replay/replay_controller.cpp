@@ -1,0 +1,380 @@
+#include "ui/replay/replay_controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QStandardPaths>
+
+#include "disk/file_error.h"
+#include "disk/written_file.h"
+#include "scene/pose_between.h"
+#include "sentences/fault_sentence.h"
+#include "ui/kit/folders.h"
+#include "ui/kit/panels.h"
+#include "ui/replay/events_dock.h"
+#include "ui/replay/range_export_dialog.h"
+#include "ui/replay/replay_actions.h"
+#include "ui/replay/timeline_axis.h"
+#include "ui/replay/timeline_dock.h"
+#include "ui/replay/track_on_map.h"
+#include "ui/shell/current_session.h"
+#include "ui/shell/notices.h"
+#include "ui/shell/replay_clock.h"
+#include "ui/shell/unsaved_changes.h"
+#include "ui/shell/viewpoint.h"
+#include "ui/view/clipboard.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/map_view.h"
+#include "ui/view/on_screen.h"
+#include "ui/view/replay_state.h"
+#include "ui/view/toast_stack.h"
+
+namespace mapwright::window {
+
+using robot::ConnectionPhase;
+
+namespace {
+
+const QString kReadAllKey = QStringLiteral("replay/readAll");
+const QString kFollowEventsKey = QStringLiteral("replay/followEvents");
+const QString kRangeFolderKey = QStringLiteral("replay/exportFolder");
+const QString kEventsFolderKey = QStringLiteral("replay/eventsFolder");
+const QString kHiddenEventsKey = QStringLiteral("replay/hiddenEvents");
+constexpr double kNearTrackPx = 10, kRoomAroundTrackM = 8;
+constexpr double kOnePassS = 3;  // poses within this time belong to one pass of a place
+
+}  // namespace
+
+ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot, QObject* parent)
+    : Controller(parent),
+      context_(context),
+      make_robot_(std::move(make_robot)),
+      clock_(new ReplayClock({}, this)),
+      dock_(new TimelineDock(*clock_, &context.window)),
+      events_(new EventsDock(*clock_, &context.window)) {
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Bottom, .tab = 40, .menu_rank = 48, .open = false});
+  context_.panels.add(events_, {.side = PanelPlace::Side::Bottom, .tab = 45, .menu_rank = 49, .open = false});
+  actions_ = new ReplayActions(context_, *clock_, *dock_, this);
+  connect(actions_, &ReplayActions::backWanted, this, &ReplayController::back);
+  connect(actions_, &ReplayActions::readsAllChanged, this, [this](bool all) {
+    if (replay::Reading* const reading = clock_->reading()) reading->setWhole(all);
+    events_->setReadsAll(all);
+  });
+  connectEvents();
+  connect(dock_, &TimelineDock::backWanted, this, &ReplayController::back);
+  connect(dock_, &TimelineDock::exportWanted, this, &ReplayController::exportRange);
+  connect(actions_, &ReplayActions::exportWanted, this, &ReplayController::exportRange);
+  connect(clock_, &ReplayClock::opened, this, &ReplayController::takeOpened);
+  connect(clock_, &ReplayClock::timeChanged, this, &ReplayController::showPose);
+  connect(clock_, &ReplayClock::timeChanged, this, &ReplayController::noteLink);
+  connect(clock_, &ReplayClock::stateChanged, this, [this] {
+    showPose();
+    chooseMaps();
+    refresh();
+  });
+  connect(&context_.current, &CurrentSession::stateChanged, this, &ReplayController::refresh);
+  new TrackOnMap(*clock_, context_.scene, this);
+  context_.view.installEventFilter(this);
+  context_.view.viewport()->installEventFilter(this);
+}
+
+ReplayController::~ReplayController() {
+  if (range_dialog_) range_dialog_->leaveBag();
+  clock_->detach();
+}
+
+void ReplayController::connectEvents() {
+  connect(dock_, &TimelineDock::listWanted, this, [this] { context_.panels.open(events_); });
+  connect(dock_, &TimelineDock::eventsChanged, this,
+          [this] { events_->setEvents(dock_->view()->content().events); });
+  connect(events_, &EventsDock::readAllWanted, this, [this] { actions_->setReadsAll(true); });
+  connect(events_, &EventsDock::copyWanted, this,
+          [this](const QString& text, const QString& said) { copyText(context_.overlay, text, said); });
+  connect(events_, &EventsDock::saveWanted, this, &ReplayController::saveEvents);
+}
+
+RangeExportDialog* ReplayController::rangeDialog() const { return range_dialog_; }
+
+void ReplayController::exportRange() {
+  const replay::Reading* const reading = clock_->reading();
+  session::Session* const session = context_.current.session();
+  const replay::ReplayRobot* const robot = replayOf(session);
+  if (!reading || !robot || !session->robot().bagLibrary()) return;
+  if (range_dialog_) return range_dialog_->raise();
+  RangeOffer offer;
+  offer.source = {session->robot().bagLibrary(), reading->key(), {}};
+  offer.address = robot->address();
+  const auto address = context_.addresses.parse(offer.address);
+  if (reading->key().kind == robot::BagKind::File && address)
+    offer.source.recording = address->path.toStdString();
+  offer.name = QString::fromStdString(reading->key().name);
+  offer.first_s = clock_->start();
+  offer.last_s = clock_->end();
+  offer.loop = clock_->loop();
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  offer.folder = folderToWriteInto({context_.settings.value(kRangeFolderKey).toString(), documents});
+  offer.workers = context_.workers;
+  range_dialog_ = new RangeExportDialog(std::move(offer), &context_.window);
+  range_dialog_->setAttribute(Qt::WA_DeleteOnClose);
+  connect(range_dialog_, &RangeExportDialog::exported, this,
+          [this](const QString& path, const QString& sentence) {
+            context_.settings.setValue(kRangeFolderKey, QFileInfo(path).absolutePath());
+            context_.overlay.toasts()->add(Mark::Good, sentence);
+          });
+  range_dialog_->show();
+}
+
+void ReplayController::saveEvents() {
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const QDir folder(folderToWriteInto({context_.settings.value(kEventsFolderKey).toString(), documents}));
+  QString path =
+      QFileDialog::getSaveFileName(&context_.window, tr("Save the listed events"),
+                                   folder.filePath(QStringLiteral("events.csv")), tr("Tables (*.csv)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QLatin1String(".csv");
+  context_.settings.setValue(kEventsFolderKey, QFileInfo(path).absolutePath());
+  if (const auto fault = disk::writeFile(path.toStdString(), events_->model()->csv())) {
+    context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(disk::notWritten(*fault)));
+  } else {
+    context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)));
+  }
+}
+
+void ReplayController::openBag(const robot::BagKey& key) {
+  auto origin = make_robot_(context_.current.address());
+  if (!origin) return context_.overlay.toasts()->add(Mark::Bad, origin.error());
+  open(std::move(*origin), key);
+}
+
+void ReplayController::open(std::unique_ptr<robot::Robot> origin, const robot::BagKey& key) {
+  show(std::make_unique<replay::ReplayRobot>(std::move(origin), key, followedReading()));
+}
+
+void ReplayController::open(std::unique_ptr<robot::Robot> origin, const std::string& name) {
+  show(std::make_unique<replay::ReplayRobot>(std::move(origin), name, followedReading()));
+}
+
+void ReplayController::show(std::unique_ptr<robot::Robot> replay) {
+  // Shared, because the callback has to be copyable.
+  context_.unsaved.whenMayLeaveRobot(
+      [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(replay))] {
+        if (!replayOf(context_.current.session())) live_address_ = context_.current.address();
+        context_.current.begin(std::move(*made));
+      });
+}
+
+void ReplayController::back() {
+  if (!replayOf(context_.current.session())) return;
+  if (live_address_.isEmpty()) {
+    context_.unsaved.whenMayLeaveRobot([this] { context_.current.leave(); });
+    return;
+  }
+  auto robot = make_robot_(live_address_);
+  if (!robot) return context_.overlay.toasts()->add(Mark::Bad, robot.error());
+  context_.unsaved.whenMayLeaveRobot(
+      [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot))] {
+        context_.current.begin(std::move(*made));
+        context_.view.setFocus();
+      });
+}
+
+void ReplayController::setSession(session::Session* session) {
+  const bool was_replay = clock_->isOpen() || !dock_was_open_;
+  // Readers of the bag must not outlive its robot.
+  if (range_dialog_) range_dialog_->leaveBag();
+  clock_->detach();
+  scene::PoseBetween::of(context_.scene).show(std::nullopt);
+  auto* const robot = session ? qobject_cast<replay::ReplayRobot*>(&session->robot()) : nullptr;
+  if (robot) {
+    dock_was_open_ = dock_was_open_ && dock_->toggleViewAction()->isChecked();
+    connect(robot, &robot::Robot::connectionChanged, this, &ReplayController::takeConnection);
+    connect(robot, &replay::ReplayRobot::jumped, this, &ReplayController::showPose, Qt::QueuedConnection);
+    dock_->setOpening(tr("Opening %1…").arg(bagCalled(*robot)));
+    clock_->attach(*robot, *session);
+    context_.panels.open(dock_);
+    if (std::exchange(events_wanted_, false)) events_->show();
+  } else if (session && was_replay && !std::exchange(dock_was_open_, true)) {
+    dock_->hide();
+  }
+  if (!robot) dock_->setOpening({});
+  // Without a replay it is empty.
+  if (session && !robot && events_->toggleViewAction()->isChecked()) {
+    events_wanted_ = true;
+    events_->hide();
+  }
+  maps_chosen_ = false;
+  if (session && mode_before_ && viewMode(context_.scene) == ViewMode::Whole)
+    setViewMode(context_.scene, *mode_before_);
+  if (session) mode_before_.reset();
+  refresh();
+}
+
+void ReplayController::takeConnection() {
+  const session::Session* const session = context_.current.session();
+  const replay::ReplayRobot* const robot = replayOf(session);
+  if (robot && robot->connection().phase == ConnectionPhase::Refused)
+    dock_->setOpening(tr("%1 cannot be played: %2")
+                          .arg(bagCalled(*robot), sentences::sentenceOf(robot->connection().reason)));
+  refresh();
+}
+
+void ReplayController::takeOpened() {
+  clock_->reading()->setWhole(actions_->readsAll());
+  dock_->view()->setFocus();
+  refresh();
+}
+
+void ReplayController::showPose() {
+  if (clock_->isOpen()) scene::PoseBetween::of(context_.scene).show(clock_->poseBetween());
+}
+
+void ReplayController::noteLink() {
+  const replay::Reading* const reading = clock_->reading();
+  const bool away = reading && reading->info() && reading->info()->awayAt(clock_->at());
+  if (std::exchange(away_, away) != away) refresh();
+}
+
+void ReplayController::chooseMaps() {
+  session::Session* const session = context_.current.session();
+  if (maps_chosen_ || !session || !clock_->isOpen() || clock_->knowledge() != replay::Knowledge::Exact)
+    return;
+  maps_chosen_ = true;
+  chooseMode();
+  fitAtFirst();
+}
+
+void ReplayController::fitAtFirst() {
+  if (context_.viewpoint.chosen() || !hasToldNoMap(context_.current.session(), mapsInView(context_.scene)))
+    return;
+  geometry::WorldRect bounds;
+  for (const auto& [from, digest] : clock_->reading()->index().digests()) {
+    for (const replay::Digest::Pose& sample : digest.poses) bounds.extend(replay::placeOf(sample).position_m);
+  }
+  if (bounds.empty()) return;
+  // The map arrives during playback: it must not move the view.
+  context_.viewpoint.choose();
+  context_.viewpoint.fitOnce(bounds.grown(kRoomAroundTrackM));
+}
+
+void ReplayController::chooseMode() {
+  session::Session* const session = context_.current.session();
+  const auto& digests = clock_->reading()->index().digests();
+  const bool lists_submaps = std::any_of(digests.begin(), digests.end(), [](const auto& digest) {
+    return std::any_of(digest.second.last.begin(), digest.second.last.end(), [](const auto& last) {
+      return last.first.first == std::size_t(map::topicIndex<map::SubmapList>());
+    });
+  });
+  const auto mode = viewMode(context_.scene);
+  if (lists_submaps || digests.empty() || mode != ViewMode::Submaps || !session->robot().wholeMapSource())
+    return;
+  mode_before_ = mode;
+  setViewMode(context_.scene, ViewMode::Whole);
+  context_.overlay.toasts()->add(Mark::Neutral,
+                                 tr("This bag contains no submap list: the whole map is shown."));
+}
+
+QString ReplayController::backWords() const {
+  return live_address_.isEmpty() ? tr("Close the replay") : tr("Back to the robot");
+}
+
+void ReplayController::refresh() {
+  const replay::ReplayRobot* const robot = replayOf(context_.current.session());
+  actions_->setReplay(robot != nullptr, backWords());
+  dock_->setBack(robot ? backWords() : QString());
+  Notice notice;
+  if (robot && clock_->isOpen()) {
+    notice.mark = Mark::Busy;
+    notice.sentence = tr("Replay of %1, not live. The robot is not changed.").arg(bagCalled(*robot));
+    // Nothing may look as if it had been recorded.
+    const session::MapSlot& slot = context_.current.session()->wholeMap();
+    const bool of_now = slot.cells() && slot.shown().key.kind != map::MapKind::Live && !robot->isLocal();
+    if (mapsInView(context_.scene).whole && of_now)
+      notice.sentence += QLatin1Char(' ') + tr("The map is the robot's present one.");
+    if (hasToldNoMap(context_.current.session(), mapsInView(context_.scene)))
+      notice.sentence += QLatin1Char(' ') + tr("The bag contains no map up to this time.");
+    const std::optional<robot::BagInfo>& info = clock_->reading()->info();
+    if (const robot::BagAway* const away = info ? info->awayAt(clock_->at()) : nullptr)
+      notice.sentence +=
+          QLatin1Char(' ') + tr("No connection to the robot since %1: nothing was recorded at this time.")
+                                 .arg(clockText(away->from_s, 0));
+    if (info && info->interrupted)
+      notice.sentence +=
+          QLatin1Char(' ') +
+          tr("The recording was interrupted at %1, or is still going on.").arg(clockText(info->end_s, 0));
+    if (info && info->repair && info->repair->broke_off_s)
+      notice.sentence += QLatin1Char(' ') + tr("The recording was cut off at %1 and has been repaired.")
+                                                .arg(clockText(*info->repair->broke_off_s, 0));
+    notice.offer = backWords();
+    notice.take = [this] { back(); };
+    notice.closable = true;
+  }
+  context_.notices.set(NoticeRank::Replay, std::move(notice));
+}
+
+void ReplayController::clickedOnMap(const Eigen::Vector2d& world_m) {
+  const replay::Reading* const reading = clock_->reading();
+  const bool seen =
+      context_.scene.layerVisible(scene::Layer::Trail) || context_.scene.layerVisible(scene::Layer::Track);
+  if (!reading || !seen) return;
+  const double near_m = kNearTrackPx * context_.scene.view().scale_m_per_px;
+  const double now_s = clock_->at();
+  struct Hit {
+    double at_s, away_m;
+  };
+  std::vector<Hit> hits;
+  for (const auto& [from, digest] : reading->index().digests()) {
+    for (const replay::Digest::Pose& sample : digest.poses) {
+      const double away_m = std::hypot(sample.pose.x_m - world_m.x(), sample.pose.y_m - world_m.y());
+      if (away_m <= near_m) hits.push_back({sample.stamp_s, away_m});
+    }
+  }
+  if (hits.empty()) return;
+  // Of several passes the one nearest in time, and of that the nearest position.
+  const auto pass = std::min_element(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
+    return std::abs(a.at_s - now_s) < std::abs(b.at_s - now_s);
+  });
+  const double pass_s = pass->at_s;
+  const auto nearest = std::min_element(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
+    const bool a_in = std::abs(a.at_s - pass_s) <= kOnePassS, b_in = std::abs(b.at_s - pass_s) <= kOnePassS;
+    return a_in != b_in ? a_in : a.away_m < b.away_m;
+  });
+  clock_->seek(nearest->at_s);
+}
+
+void ReplayController::recall(const QSettings& settings) {
+  actions_->setReadsAll(settings.value(kReadAllKey, true).toBool());
+  dock_->setHiddenGroups(settings.value(kHiddenEventsKey).toStringList());
+  events_->setFollows(settings.value(kFollowEventsKey, true).toBool());
+}
+
+void ReplayController::remember(QSettings& settings) {
+  settings.setValue(kReadAllKey, actions_->readsAll());
+  settings.setValue(kHiddenEventsKey, dock_->hiddenGroups());
+  settings.setValue(kFollowEventsKey, events_->follows());
+}
+
+bool ReplayController::eventFilter(QObject* watched, QEvent* event) {
+  // Space with a mouse drag moves the map; Space alone plays.
+  if (event->type() == QEvent::MouseButtonPress) space_pressed_ = false;
+  if (watched == &context_.view &&
+      (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)) {
+    const auto* const key = static_cast<QKeyEvent*>(event);
+    const bool space = key->key() == Qt::Key_Space && !key->isAutoRepeat();
+    if (event->type() == QEvent::KeyPress && !key->isAutoRepeat())
+      space_pressed_ = space && !key->modifiers();
+    if (event->type() == QEvent::KeyRelease && space && std::exchange(space_pressed_, false) &&
+        clock_->isOpen())
+      clock_->togglePlaying();
+  }
+  return Controller::eventFilter(watched, event);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_replay_controller.cpp"

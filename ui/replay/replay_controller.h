@@ -1,0 +1,93 @@
+// A bag on screen instead of the live robot: its time, its panel, and the way back.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <Eigen/Core>
+#include <QPointer>
+#include <tl/expected.hpp>
+
+#include "robot/bag_library.h"
+#include "ui/kit/controller.h"
+#include "ui/shell/window_context.h"
+#include "ui/view/view_mode.h"
+
+namespace mapwright::window {
+
+class EventsDock;
+class RangeExportDialog;
+class ReplayActions;
+class ReplayClock;
+class TimelineDock;
+
+class ReplayController : public Controller {
+  Q_OBJECT
+ public:
+  /// Makes a robot with this address, not yet connected, like the present one. The error is a sentence.
+  using MakeRobot =
+      std::function<tl::expected<std::unique_ptr<robot::Robot>, QString>(const QString& address)>;
+
+  ReplayController(WindowContext& context, MakeRobot make_robot, QObject* parent = nullptr);
+  ~ReplayController() override;
+
+  ReplayClock& clock() const { return *clock_; }
+  TimelineDock* dock() const { return dock_; }
+  EventsDock* eventsDock() const { return events_; }
+
+  /// A bag of the present robot, or of the one whose bag is shown. Errors are shown as a toast.
+  void openBag(const robot::BagKey& key);
+  /// A bag of `origin`, which is not connected; replaces what is on screen after unsaved changes are saved or
+  /// discarded.
+  void open(std::unique_ptr<robot::Robot> origin, const robot::BagKey& key);
+  /// The bag of this name, or else the recording.
+  void open(std::unique_ptr<robot::Robot> origin, const std::string& name);
+  /// Ends the replay; connects to the robot that was on screen before, if there was one.
+  void back();
+  /// Asks which part of the open bag to export.
+  void exportRange();
+  RangeExportDialog* rangeDialog() const;  // null: not open
+  /// A click on the robot's path goes to the time when it was there.
+  void clickedOnMap(const Eigen::Vector2d& world_m);
+
+  void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void show(std::unique_ptr<robot::Robot> replay);
+  void takeConnection();
+  void takeOpened();
+  void showPose();
+  /// Whether the robot was connected at this time of its recording.
+  void noteLink();
+  /// Once the state at the first time is known.
+  void chooseMaps();
+  void chooseMode();
+  void fitAtFirst();
+  void connectEvents();
+  void saveEvents();
+  void refresh();
+  QString backWords() const;
+
+  WindowContext& context_;
+  MakeRobot make_robot_;
+  ReplayClock* clock_;
+  TimelineDock* dock_;
+  EventsDock* events_;
+  QPointer<RangeExportDialog> range_dialog_;
+  ReplayActions* actions_;
+  QString live_address_;        // of the robot that was on screen before; empty = none
+  bool space_pressed_ = false;  // on the map, without other input since
+  bool dock_was_open_ = true;
+  bool events_wanted_ = false;  // opens the list with the next replay
+  bool maps_chosen_ = false;
+  bool away_ = false;                    // disconnected at this time of the recording
+  std::optional<ViewMode> mode_before_;  // a bag without submaps
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,65 @@
+#include "ui/replay/track_on_map.h"
+
+#include <algorithm>
+
+#include <QElapsedTimer>
+
+#include "replay/track.h"
+#include "ui/shell/replay_clock.h"
+
+namespace mapwright::window {
+namespace {
+
+// For a long bag it takes a moment: the longer, the less often it is repeated while the bag is read.
+constexpr int kSoonMs = 300, kTimesAsLong = 40, kAtMostMs = 10'000;
+
+}  // namespace
+
+std::shared_ptr<const scene::Track> trackOfBag(const replay::Reading& reading) {
+  const std::vector<replay::TrackPoint> points = replay::trackOf(reading.index().digests());
+  auto track = std::make_shared<scene::Track>();
+  track->reserve(points.size());
+  const double start_s = points.empty() ? 0 : std::min(points.front().stamp_s, reading.chunks().start_s());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const replay::TrackPoint& point = points[i];
+    track->push_back({{point.pose.x_m, point.pose.y_m},
+                      point.stamp_s - start_s,
+                      point.speed_m_s,
+                      point.quality,
+                      i == 0 || points[i - 1].piece != point.piece});
+  }
+  return track;
+}
+
+TrackOnMap::TrackOnMap(ReplayClock& clock, scene::MapScene& scene, QObject* parent)
+    : QObject(parent), clock_(clock), scene_(scene) {
+  soon_.setSingleShot(true);
+  soon_.setInterval(kSoonMs);
+  connect(&soon_, &QTimer::timeout, this, &TrackOnMap::show);
+  connect(&clock_, &ReplayClock::opened, this, &TrackOnMap::showSoon);
+  connect(&clock_, &ReplayClock::rangesChanged, this, &TrackOnMap::showSoon);
+  connect(&clock_, &ReplayClock::closed, this, [this] {
+    soon_.stop();
+    scene::BagTrack::of(scene_).show(nullptr);
+  });
+  connect(&scene_, &scene::MapScene::layersChanged, this, [this] {
+    if (due_) showSoon();
+  });
+}
+
+void TrackOnMap::showSoon() {
+  if (!soon_.isActive()) soon_.start();
+}
+
+void TrackOnMap::show() {
+  due_ = !scene_.layerVisible(scene::Layer::Track);
+  if (due_ || !clock_.reading()) return;
+  QElapsedTimer took;
+  took.start();
+  scene::BagTrack::of(scene_).show(trackOfBag(*clock_.reading()));
+  soon_.setInterval(std::clamp(int(took.elapsed()) * kTimesAsLong, kSoonMs, kAtMostMs));
+}
+
+}  // namespace mapwright::window
+
+#include "moc_track_on_map.cpp"

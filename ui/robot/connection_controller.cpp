@@ -1,0 +1,321 @@
+#include "ui/robot/connection_controller.h"
+
+#include <utility>
+
+#include <QDir>
+
+#include "robot/second_server.h"
+#include "sentences/absence_sentence.h"
+#include "sentences/fault_sentence.h"
+#include "ui/kit/link_text.h"
+#include "ui/robot/certificate_dialog.h"
+#include "ui/robot/connect_dialog.h"
+#include "ui/robot/connection_chip.h"
+#include "ui/robot/robot_menus.h"
+#include "ui/robot/trusted_certificates.h"
+#include "ui/shell/current_session.h"
+#include "ui/shell/notices.h"
+#include "ui/shell/unsaved_changes.h"
+#include "ui/view/empty_state.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/map_view.h"
+#include "ui/view/notice_bar.h"
+#include "ui/view/on_screen.h"
+#include "ui/view/replay_state.h"
+#include "ui/view/toast_stack.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::window {
+
+using robot::ConnectionPhase;
+
+namespace {
+
+constexpr int kTickMs = 1000;
+
+}  // namespace
+
+ConnectionController::ConnectionController(WindowContext& context, Connect make_robot, QObject* parent)
+    : Controller(parent),
+      context_(context),
+      make_robot_(std::move(make_robot)),
+      recents_(context.settings, context.addresses) {
+  menus_ = new RobotMenus(context_.window, context_.actions, recents_, context_.current, this);
+  connect(menus_, &RobotMenus::addressWanted, this, &ConnectionController::goTo);
+  addActions();
+  wireCard();
+  connect(&context_.current, &CurrentSession::stateChanged, this, &ConnectionController::refresh);
+  stale_tick_.setInterval(kTickMs);
+  connect(&stale_tick_, &QTimer::timeout, this, [this] {
+    if (chip_) refreshChip();
+    refreshNotices();
+  });
+  context_.actions.placeOnBar({BarGroup::Robot, 10}, [this](QWidget* parent_widget) {
+    chip_ = new ConnectionChip(parent_widget);
+    chip_->setMenu(menus_->makeChipMenu(chip_));
+    return chip_;
+  });
+}
+
+void ConnectionController::addActions() {
+  context_.actions.add({.id = "connect",
+                        .text = tr("&Connect…"),
+                        .icon = "connect",
+                        .keys = {"Ctrl+O"},
+                        .tip = tr("Connect to a robot"),
+                        .menu = {MenuGroup::Places, 10}},
+                       this, &ConnectionController::openDialog);
+  context_.actions.add({.id = "demo",
+                        .text = tr("Try the &demo robot"),
+                        .icon = "demo",
+                        .tip = tr("Connect to a simulated robot inside this program"),
+                        .menu = {MenuGroup::Places, 40}},
+                       this, [this] { goTo(QStringLiteral("demo:")); });
+  retry_ = context_.actions.add({.id = "retry",
+                                 .text = tr("&Retry now"),
+                                 .icon = "retry",
+                                 .keys = {"F5"},
+                                 .tip = tr("Reconnect, and repeat every request that failed"),
+                                 .menu = {MenuGroup::Link, 10}},
+                                this, &ConnectionController::retry);
+  disconnect_ = context_.actions.add({.id = "disconnect",
+                                      .text = tr("D&isconnect"),
+                                      .icon = "disconnect",
+                                      .tip = tr("Disconnect from this robot"),
+                                      .menu = {MenuGroup::Link, 20}},
+                                     this, &ConnectionController::leave);
+}
+
+void ConnectionController::wireCard() {
+  EmptyStateCard* const card = context_.overlay.card();
+  const auto on = [this, card](auto signal, auto what) { connect(card, signal, this, what); };
+  on(&EmptyStateCard::connectWanted, &ConnectionController::openDialog);
+  on(&EmptyStateCard::secretWanted, &ConnectionController::enterSecret);
+  on(&EmptyStateCard::demoWanted, [this] { goTo(QStringLiteral("demo:")); });
+  on(&EmptyStateCard::retryWanted, &ConnectionController::retry);
+  on(&EmptyStateCard::certificateWanted, &ConnectionController::openCertificate);
+  on(&EmptyStateCard::cancelWanted, &ConnectionController::leave);
+  on(&EmptyStateCard::fileWanted, &ConnectionController::fileWanted);
+}
+
+std::optional<QString> ConnectionController::connectTo(const QString& address, const QByteArray& secret) {
+  auto robot = make_robot_(address, secret);
+  if (!robot) return robot.error();
+  if (!*robot) return tr("No robot supports this address.");
+  secret_of_ = (*robot)->address();
+  secret_ = secret;
+  // Shared, because the callback has to be copyable.
+  context_.unsaved.whenMayLeaveRobot(
+      [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot)), address] {
+        begin(std::move(*made), address);
+      });
+  return std::nullopt;
+}
+
+tl::expected<std::unique_ptr<robot::Robot>, QString> ConnectionController::another(
+    const QString& address) const {
+  auto robot = make_robot_(address, address == secret_of_ ? secret_ : QByteArray());
+  if (robot && !*robot) return tl::make_unexpected(tr("No robot supports this address."));
+  return robot;
+}
+
+void ConnectionController::begin(std::unique_ptr<robot::Robot> robot, const QString& address) {
+  recents_.add(address, QDateTime::currentDateTime());
+  noteSettings();
+  context_.current.begin(std::move(robot));
+  context_.view.setFocus();
+}
+
+void ConnectionController::leave() {
+  context_.unsaved.whenMayLeaveRobot([this] { context_.current.leave(); });
+}
+
+void ConnectionController::goTo(const QString& address) {
+  if (const auto error = connectTo(address)) context_.overlay.toasts()->add(Mark::Bad, *error);
+}
+
+void ConnectionController::startWith(const QString& address) {
+  const auto error = connectTo(address);
+  if (!error) return;
+  context_.notices.set(NoticeRank::Link, {Mark::Bad, QStringLiteral("%1: %2").arg(address, *error),
+                                          tr("Connect…"), [this] { openDialog(); }});
+}
+
+void ConnectionController::retry() {
+  session::Session* const session = context_.current.session();
+  if (!session) return;
+  const session::MapSlot& slot = session->wholeMap();
+  const bool map_failed = slot.phase() == session::MapSlot::Phase::Failed || slot.broken();
+  session->retryNow();
+  if (map_failed) session->openMap(slot.key());
+}
+
+void ConnectionController::openDialog() {
+  ConnectDialog dialog(
+      recents_,
+      [this](const QString& address, const QByteArray& secret) { return connectTo(address, secret); },
+      &context_.window);
+  const QString address = context_.current.address();
+  if (!address.isEmpty() && !address.startsWith(QLatin1String("demo"))) dialog.setAddress(address);
+  dialog.exec();
+}
+
+ConnectDialog* ConnectionController::secretDialog() const {
+  return context_.window.findChild<ConnectDialog*>();
+}
+
+void ConnectionController::enterSecret() {
+  const session::Session* const session = context_.current.session();
+  if (!session || secretDialog()) return;
+  auto* const dialog = new ConnectDialog(
+      recents_,
+      [this](const QString& address, const QByteArray& secret) { return connectTo(address, secret); },
+      &context_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
+  // After showing it, so that the focus stays.
+  dialog->askForSecret(context_.current.address(), sentences::wordsOf(session->connection().reason));
+}
+
+std::optional<robot::UntrustedCertificate> ConnectionController::certificateBeside() const {
+  session::Session* const session = context_.current.session();
+  robot::SecondServer* const second = session ? robot::secondServerOf(session->robot()) : nullptr;
+  return second ? second->certificateBeside() : std::nullopt;
+}
+
+void ConnectionController::openCertificate() {
+  const session::Session* const session = context_.current.session();
+  if (!session || context_.window.findChild<CertificateDialog*>()) return;
+  // Its own certificate comes before that of the second server.
+  const auto own = session->connection().certificate, certificate = own ? own : certificateBeside();
+  if (!certificate) return;
+  auto* const dialog = new CertificateDialog(*certificate, &context_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, decided = *certificate, is_own = own.has_value()] {
+    // The robot may have been left meanwhile, or shows yet another one.
+    session::Session* const present = context_.current.session();
+    if (!present || (is_own ? present->connection().certificate : certificateBeside()) != decided) return;
+    TrustedCertificates(context_.settings).trust(decided.host, decided.sha256);
+    is_own ? present->robot().trustCertificate(decided.sha256)
+           : robot::secondServerOf(present->robot())->trustBeside(decided.sha256);
+  });
+  dialog->open();
+}
+
+void ConnectionController::setSession(session::Session* session) {
+  last_uuid_.clear();
+  if (!session) return;
+  connect(session, &session::Session::identityChanged, this, &ConnectionController::noteIdentity);
+  connect(session, &session::Session::sessionRestarted, this, &ConnectionController::noteRestart);
+}
+
+void ConnectionController::noteSettings() {
+  QSettings& settings = context_.settings;
+  settings.sync();
+  if (settings.status() == QSettings::NoError || std::exchange(settings_told_, true)) return;
+  context_.overlay.toasts()->add(
+      Mark::Warning,
+      tr("The layout and the recent robots cannot be saved: %1 is not writable. Is the disk full?")
+          .arg(QDir::toNativeSeparators(settings.fileName())));
+}
+
+void ConnectionController::noteIdentity() {
+  const session::Session* const session = context_.current.session();
+  if (!session) return;
+  const robot::RobotIdentity identity = session->robot().identity();
+  const QString name = identity.name.isEmpty() ? identity.serial : identity.name;
+  if (!name.isEmpty()) recents_.setName(context_.current.address(), name);
+}
+
+void ConnectionController::noteRestart() {
+  const session::Session* const session = context_.current.session();
+  if (!session) return;
+  const QString uuid = QString::fromStdString(session->book().uuid());
+  if (uuid == last_uuid_) return;
+  if (!last_uuid_.isEmpty() && !uuid.isEmpty()) {
+    context_.overlay.toasts()->add(Mark::Warning,
+                                   tr("The robot started a new SLAM session. The previous map is gone."));
+  }
+  last_uuid_ = uuid;
+}
+
+void ConnectionController::setSafety(const SafetyText& text) {
+  if (chip_) chip_->setSafety(text);
+}
+
+void ConnectionController::refresh() {
+  const session::Session* const session = context_.current.session();
+  retry_->setEnabled(session != nullptr);
+  disconnect_->setEnabled(session != nullptr);
+  const bool stale = session && session->staleSince().has_value();
+  context_.scene.setStale(stale);
+  // Updates the elapsed time.
+  const bool counts = session && valuesAsOf(*session).has_value();
+  if (counts && !stale_tick_.isActive()) stale_tick_.start();
+  if (!counts) stale_tick_.stop();
+  if (chip_) refreshChip();
+  refreshNotices();
+}
+
+void ConnectionController::refreshChip() {
+  const session::Session* const session = context_.current.session();
+  if (!session) {
+    chip_->setRobot(tr("No robot"), Mark::Neutral, {}, tr("Connect to a robot"));
+    return;
+  }
+  const robot::RobotIdentity identity = session->robot().identity();
+  const robot::ConnectionState connection = session->connection();
+  QStringList detail{context_.current.address()};
+  if (!identity.model.isEmpty()) detail << tr("Model %1").arg(identity.model);
+  if (!identity.serial.isEmpty()) detail << tr("Serial number %1").arg(identity.serial);
+  if (!identity.version.isEmpty()) detail << tr("Version %1").arg(identity.version);
+  const StateText state = replayText(session).value_or(linkText(connection, silentOnline(*session)));
+  detail << state.text;
+  if (replayText(session)) {
+    chip_->setRobot(bagCalled(*replayOf(session)), state.mark, tr("replay"), detail.join(QLatin1Char('\n')));
+    return;
+  }
+  if (const auto since = session->staleSince())
+    detail << tr("No connection since %1, %2")
+                  .arg(QLocale::c().toString(*since, QStringLiteral("HH:mm:ss")),
+                       lengthText(since->secsTo(QDateTime::currentDateTime())));
+  chip_->setRobot(robotCalled(session->robot()), state.mark, linkWord(connection, silentOnline(*session)),
+                  detail.join(QLatin1Char('\n')));
+}
+
+void ConnectionController::refreshNotices() {
+  session::Session* const session = context_.current.session();
+  Notice link, limits;
+  const auto since = session ? session->staleSince() : std::nullopt;
+  if (since && (session->counts().held > 0 || session->wholeMap().cells())) {
+    const robot::ConnectionState connection = session->connection();
+    const bool refused = connection.phase == ConnectionPhase::Refused;
+    link.mark = refused ? Mark::Bad : Mark::Warning;
+    link.sentence = lostConnectionSentence(*since, QDateTime::currentDateTime());
+    if (refused && connection.reason.any())
+      link.sentence += QLatin1Char(' ') + sentences::sentenceOf(connection.reason);
+    if (wantsSecret(connection)) {
+      link.offer = tr("Enter secret…");
+      link.take = [this] { enterSecret(); };
+    } else if (connection.certificate) {
+      link.offer = tr("Certificate…");
+      link.take = [this] { openCertificate(); };
+    } else {
+      link.offer = tr("Retry now");
+      link.take = [this] { retry(); };
+    }
+  }
+  if (const auto beside = certificateBeside(); beside && link.sentence.isEmpty()) {
+    link = {Mark::Warning,
+            tr("The certificate of %1 is not trusted: the robot's pose and sensor data are missing.")
+                .arg(beside->host),
+            tr("Certificate…"), [this] { openCertificate(); }};
+  }
+  if (session) limits = {.sentence = sentences::limitsOf(session->robot()), .closable = true};
+  context_.notices.set(NoticeRank::Link, std::move(link));
+  context_.notices.set(NoticeRank::Limits, std::move(limits));
+}
+
+}  // namespace mapwright::window
+
+#include "moc_connection_controller.cpp"

@@ -1,0 +1,86 @@
+// Which robot the window is connected to, and the state of the connection.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <QByteArray>
+#include <QSet>
+#include <QTimer>
+#include <tl/expected.hpp>
+
+#include "robot/robot.h"
+#include "ui/kit/controller.h"
+#include "ui/kit/safety_text.h"
+#include "ui/robot/recent_robots.h"
+#include "ui/shell/window_context.h"
+
+namespace mapwright::window {
+
+class ConnectDialog;
+class ConnectionChip;
+class RobotMenus;
+
+class ConnectionController : public Controller {
+  Q_OBJECT
+ public:
+  /// Makes a robot, not yet connected, from an address (also "demo:"). The error is a sentence.
+  using Connect = std::function<tl::expected<std::unique_ptr<robot::Robot>, QString>(
+      const QString& address, const QByteArray& secret)>;
+
+  ConnectionController(WindowContext& context, Connect make_robot, QObject* parent = nullptr);
+
+  /// Switches to another robot after unsaved changes are saved or discarded; the error is a sentence, and
+  /// then nothing has changed.
+  std::optional<QString> connectTo(const QString& address, const QByteArray& secret = {});
+  /// A robot with this address, not yet connected, with the last secret typed for it. The error is a
+  /// sentence.
+  tl::expected<std::unique_ptr<robot::Robot>, QString> another(const QString& address) const;
+  /// Errors are shown as a toast.
+  void goTo(const QString& address);
+  /// Errors stay above the map.
+  void startWith(const QString& address);
+  /// Reconnects, and repeats all requests that failed.
+  void retry();
+
+  ConnectionChip* chip() const { return chip_; }
+  ConnectDialog* secretDialog() const;  // null: not open
+  void setSafety(const SafetyText& text);
+  void setSession(session::Session* session) override;
+
+ Q_SIGNALS:
+  void fileWanted();
+
+ private:
+  void addActions();
+  void begin(std::unique_ptr<robot::Robot> robot, const QString& address);
+  void leave();
+  void wireCard();
+  void openDialog();
+  void enterSecret();
+  void openCertificate();
+  /// That of the robot's second server, if it is a problem.
+  std::optional<robot::UntrustedCertificate> certificateBeside() const;
+  void noteSettings();
+  void noteIdentity();
+  void noteRestart();
+  void refresh();
+  void refreshChip();
+  void refreshNotices();
+
+  WindowContext& context_;
+  Connect make_robot_;
+  RecentRobots recents_;
+  RobotMenus* menus_;
+  ConnectionChip* chip_ = nullptr;
+  QAction *retry_ = nullptr, *disconnect_ = nullptr;
+  QTimer stale_tick_;  // while the connection is lost
+  SafetyText safety_;
+  QString last_uuid_;
+  QString secret_of_;           // an address
+  QByteArray secret_;           // was typed for it
+  bool settings_told_ = false;  // it was reported that they cannot be saved
+};
+
+}  // namespace mapwright::window

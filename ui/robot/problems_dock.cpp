@@ -1,0 +1,134 @@
+#include "ui/robot/problems_dock.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "sentences/plural.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/plain_label.h"
+#include "ui/kit/row_table.h"
+#include "ui/kit/status_text.h"
+#include "ui/kit/tree_view.h"
+
+namespace mapwright::window {
+
+ProblemsDock::ProblemsDock(QWidget* parent)
+    : QDockWidget(tr("Problems"), parent),
+      model_(new ProblemsModel(this)),
+      table_(new QuietTableView(this)),
+      summary_(new PlainLabel(this)),
+      copy_selected_(new QPushButton(tr("Copy selected"), this)),
+      copy_all_(new QPushButton(tr("Copy all"), this)),
+      clear_(new QPushButton(tr("Clear"), this)),
+      retry_(new QPushButton(tr("Retry"), this)) {
+  setObjectName(QStringLiteral("problems"));
+  showRows(*table_, model_, tr("Problems"));
+  table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  table_->installEventFilter(this);
+  QHeaderView* header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setStretchLastSection(true);
+  header->resizeSection(ProblemsModel::TimeColumn,
+                        fontMetrics().horizontalAdvance(QStringLiteral("00:00:00")) + 40);
+  header->resizeSection(ProblemsModel::CountColumn, 64);
+  header->resizeSection(ProblemsModel::DurationColumn,
+                        fontMetrics().horizontalAdvance(QStringLiteral("59 min 59 s")) + 16);
+  header->resizeSection(ProblemsModel::SubjectColumn, 150);
+
+  auto* body = new QWidget(this);
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(8, 4, 8, 4);
+  row->setSpacing(8);
+  summary_->setSample(QStringLiteral("x"));
+  summary_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  row->addWidget(summary_, 1);
+  retry_->setIcon(themedIcon(QStringLiteral("retry")));
+  copy_all_->setIcon(themedIcon(QStringLiteral("copy")));
+  clear_->setIcon(themedIcon(QStringLiteral("trash")));
+  retry_->setToolTip(tr("Repeat the requests for everything that failed or was missing"));
+  for (QPushButton* button : {retry_, copy_selected_, copy_all_, clear_}) {
+    button->setObjectName(QStringLiteral("compact"));
+    row->addWidget(button);
+  }
+  auto* column = new QVBoxLayout(body);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(table_, 1);
+  column->addLayout(row);
+  setWidget(body);
+
+  connect(retry_, &QPushButton::clicked, this, &ProblemsDock::retryWanted);
+  connect(copy_selected_, &QPushButton::clicked, this, &ProblemsDock::copySelected);
+  connect(copy_all_, &QPushButton::clicked, this, [this] {
+    if (session_)
+      Q_EMIT copyWanted(session_->problems().toText(QDateTime::currentDateTime()), tr("All problems copied"));
+  });
+  connect(clear_, &QPushButton::clicked, this, [this] {
+    if (session_) session_->clearProblems();
+    refresh();
+  });
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          [this] { copy_selected_->setEnabled(table_->selectionModel()->hasSelection()); });
+  refresh();
+}
+
+ProblemsDock::~ProblemsDock() {
+  // As in the inspector: the table is destroyed later than the object it reports to.
+  table_->selectionModel()->disconnect(this);
+  table_->removeEventFilter(this);
+}
+
+void ProblemsDock::setSession(session::Session* session) {
+  if (session_) session_->disconnect(this);
+  session_ = session;
+  if (session) connect(session, &session::Session::problemsChanged, this, &ProblemsDock::refresh);
+  refresh();
+}
+
+void ProblemsDock::refresh() {
+  const QScrollBar* bar = table_->verticalScrollBar();
+  const bool at_end = bar->value() == bar->maximum();
+  static const session::ProblemLog::Rows kNone;
+  model_->sync(session_ ? session_->problems().rows() : kNone);
+  if (at_end) table_->scrollToBottom();
+  const int rows = model_->rowCount();
+  QString text = tr("No problems.");
+  if (rows > 0) {
+    text = tr("%1, %2 unresolved").arg(problemsText(rows), countText(session_->problems().unresolved()));
+    const std::size_t forgotten = session_->problems().forgotten();
+    if (forgotten > 0) text += tr(", %1 older ones dropped").arg(countText(qint64(forgotten)));
+  }
+  summary_->setText(text);
+  copy_all_->setEnabled(rows > 0);
+  clear_->setEnabled(rows > 0);
+  retry_->setEnabled(session_);
+  copy_selected_->setEnabled(table_->selectionModel()->hasSelection());
+}
+
+void ProblemsDock::copySelected() {
+  QStringList lines;
+  QModelIndexList rows = table_->selectionModel()->selectedRows();
+  std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.row() < b.row(); });
+  for (const QModelIndex& row : rows) lines << problemLine(model_->problem(row.row()));
+  if (lines.isEmpty()) return;
+  Q_EMIT copyWanted(lines.join(QLatin1Char('\n')),
+                    sentences::counted(tr("%1 problems copied", nullptr, int(lines.size())), lines.size()));
+}
+
+bool ProblemsDock::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_ && event->type() == QEvent::KeyPress &&
+      static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
+    copySelected();
+    return true;
+  }
+  return QDockWidget::eventFilter(watched, event);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_problems_dock.cpp"

@@ -1,0 +1,109 @@
+#include "ui/robot/robot_controller.h"
+
+#include "map/whereabouts.h"
+#include "ui/kit/link_text.h"
+#include "ui/kit/panels.h"
+#include "ui/kit/safety_badge.h"
+#include "ui/robot/robot_dock.h"
+#include "ui/shell/current_session.h"
+#include "ui/shell/window_status_bar.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/notice_bar.h"
+
+namespace mapwright::window {
+
+RobotController::RobotController(WindowContext& context, QObject* parent)
+    : Controller(parent), context_(context), dock_(new RobotDock(&context.window)) {
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 10, .menu_rank = 40});
+  connect(&context_.panels, &Panels::arranged, this, [this] {
+    if (comesFirst(context_.current.session())) context_.panels.suggest(dock_);
+  });
+  const auto open = [this] { context_.panels.open(dock_); };
+  connect(&context_.bar, &WindowStatusBar::safetyWanted, this, open);
+  connect(context_.overlay.safetyNotice(), &NoticeBar::offerTaken, this, open);
+  NoticeBar* const place = context_.overlay.placeNotice();
+  connect(place, &NoticeBar::offerTaken, this, &RobotController::changePlace);
+  connect(place, &NoticeBar::closed, this, [this, place] {
+    dismissed_.insert(place->sentence());
+    refreshPlace();
+  });
+  connect(&context_.scene, &scene::MapScene::robotPlaceChanged, this, &RobotController::refreshPlace);
+  connect(&context_.current, &CurrentSession::stateChanged, this, &RobotController::refreshSafety);
+  connect(&context_.current, &CurrentSession::stateChanged, this, &RobotController::refreshPlace);
+}
+
+bool RobotController::comesFirst(session::Session* session) const {
+  // The inspector has nothing to list, and files have no live data.
+  return session && !session->robot().submapSource() && !session->robot().isLocal();
+}
+
+void RobotController::setSession(session::Session* session) {
+  dock_->setSession(session);
+  if (comesFirst(session)) context_.panels.suggest(dock_);
+  if (session)
+    connect(&session->safety(), &session::SafetyWatch::changed, this, &RobotController::refreshSafety);
+}
+
+void RobotController::refreshSafety() {
+  SafetyState state;
+  if (session::Session* const session = context_.current.session())
+    state = {session->safety().conditions(), valuesAsOf(*session)};
+  const SafetyText text = safetyText(state, QDateTime::currentDateTime());
+  context_.bar.safety()->setSafety(text);
+  const std::size_t count = state.conditions.size();
+  const QString offer = count > 1 ? tr("Show all %1").arg(countText(qint64(count))) : tr("Show");
+  context_.overlay.safetyNotice()->setNotice(text.mark, text.sentence, offer, false, text.greyed);
+  Q_EMIT safetyChanged(text);
+}
+
+void RobotController::sayPlace(const QString& sentence, const QString& offer, bool closable, Mark mark) {
+  const bool dismissed = dismissed_.contains(sentence);
+  context_.overlay.placeNotice()->setNotice(mark, dismissed ? QString() : sentence, offer, closable);
+}
+
+void RobotController::refreshPlace() {
+  session::Session* const session = context_.current.session();
+  const bool robot = session && (session->robot().liveTopics() || session->robot().submapSource());
+  if (!robot) return sayPlace({}, {}, false);
+  const scene::RobotPlace& place = context_.scene.robotPlace();
+  const auto& live = session->live();
+  const QString its = plainWords(map::currentMapName(live, session->catalogue().entries()), 40);
+  const bool drawn = place.drawn != scene::ScreenPart::None;
+  const QString show = tr("Show it anyway"), hide = tr("Hide it");
+  using map::Whereabouts;
+  if (place.where == Whereabouts::Elsewhere && !drawn) {
+    return sayPlace(
+        its.isEmpty()
+            ? tr("The robot is not in this map. The robot and its sensor data are hidden.")
+            : tr("The robot is in %1, not in this map. The robot and its sensor data are hidden.").arg(its),
+        show, false);
+  }
+  if (place.where == Whereabouts::Elsewhere && place.by_choice) {
+    return sayPlace(its.isEmpty() ? tr("The robot is not in this map. It is shown anyway.")
+                                  : tr("The robot is in %1, not in this map. It is shown anyway.").arg(its),
+                    hide, false, Mark::Warning);
+  }
+  if (place.where == Whereabouts::Unknown && live.robot_pose) {
+    return drawn ? sayPlace(tr("The robot does not report which map it is in. It may not be this one."), hide,
+                            true)
+                 : sayPlace(tr("The robot does not report which map it is in. It is hidden."), show, false);
+  }
+  const bool overlays = live.map_info && !live.map_info->overlays.empty();
+  if (!place.overlays_fit && overlays && context_.scene.layerVisible(scene::Layer::Overlays)) {
+    return sayPlace(
+        tr("The robot is making a new map. The overlays of %1 do not belong to it and are hidden.")
+            .arg(its.isEmpty() ? tr("its last map") : its),
+        tr("Show them anyway"), false);
+  }
+  sayPlace({}, {}, false);
+}
+
+void RobotController::changePlace() {
+  const scene::RobotPlace& place = context_.scene.robotPlace();
+  const bool hidden = place.drawn == scene::ScreenPart::None || !place.overlays_fit;
+  context_.scene.setRobotWanted(hidden);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_robot_controller.cpp"

@@ -1,0 +1,37 @@
+// The state of the robot, its safety conditions, and whether it is in the map on screen.
+#pragma once
+
+#include <QSet>
+
+#include "ui/kit/controller.h"
+#include "ui/kit/safety_text.h"
+#include "ui/shell/window_context.h"
+
+namespace mapwright::window {
+
+class RobotDock;
+
+class RobotController : public Controller {
+  Q_OBJECT
+ public:
+  explicit RobotController(WindowContext& context, QObject* parent = nullptr);
+
+  RobotDock* dock() const { return dock_; }
+  void setSession(session::Session* session) override;
+
+ Q_SIGNALS:
+  void safetyChanged(const mapwright::window::SafetyText& text);
+
+ private:
+  bool comesFirst(session::Session* session) const;
+  void refreshSafety();
+  void refreshPlace();
+  void sayPlace(const QString& sentence, const QString& offer, bool closable, Mark mark = Mark::Neutral);
+  void changePlace();
+
+  WindowContext& context_;
+  RobotDock* dock_;
+  QSet<QString> dismissed_;
+};
+
+}  // namespace mapwright::window

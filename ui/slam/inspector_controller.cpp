@@ -1,0 +1,97 @@
+#include "ui/slam/inspector_controller.h"
+
+#include <utility>
+
+#include <QLineEdit>
+#include <QMenu>
+
+#include "ui/kit/icons.h"
+#include "ui/kit/panels.h"
+#include "ui/shell/current_session.h"
+#include "ui/shell/viewpoint.h"
+#include "ui/shell/window_status_bar.h"
+#include "ui/slam/inspector_controls.h"
+#include "ui/slam/inspector_dock.h"
+#include "ui/view/clipboard.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/toast_stack.h"
+
+namespace mapwright::window {
+
+InspectorController::InspectorController(WindowContext& context, QAction* show_ids, QAction* show_outlines,
+                                         QObject* parent)
+    : Controller(parent),
+      context_(context),
+      dock_(new InspectorDock(&context.scene, show_ids, show_outlines, &context.window)) {
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 20, .menu_rank = 30});
+  context_.actions.add({.id = "filter",
+                        .text = tr("Filter &submaps"),
+                        .icon = "filter",
+                        .keys = {"Ctrl+F"},
+                        .tip = tr("Go to the filter of the SLAM inspector"),
+                        .needs_session = true,
+                        .menu = {MenuGroup::Window, 10}},
+                       this, &InspectorController::goToFilter);
+  addToMapMenu();
+  connect(dock_, &InspectorDock::locateWanted, this, &InspectorController::locate);
+  connect(dock_, &InspectorDock::colorModeWanted, this, &InspectorController::colorModeWanted);
+  connect(dock_, &InspectorDock::counted, &context_.bar, &WindowStatusBar::recount);
+  connect(dock_, &InspectorDock::copyWanted, this,
+          [this](const QString& text, const QString& said) { copyText(context_.overlay, text, said); });
+}
+
+void InspectorController::addToMapMenu() {
+  context_.actions.placeOnMapMenu({MapMenuGroup::Submap, 10}, [this](QMenu& menu,
+                                                                     const Eigen::Vector2d& world) {
+    const auto id = context_.scene.submapAt(world);
+    if (!id || !context_.current.session()) return;
+    const QString name = QString::fromStdString(map::toText(*id));
+    menu.addAction(themedIcon(QStringLiteral("submaps")), tr("Select submap %1").arg(name), this, [this, id] {
+      dock_->show();
+      dock_->select(*id);
+    });
+    menu.addAction(themedIcon(QStringLiteral("eye-off")), tr("Hide submap %1").arg(name), this, [this, id] {
+      if (session::Session* const session = context_.current.session()) session->setVisible({*id}, false);
+    });
+  });
+}
+
+void InspectorController::setColorMode(render::ColorMode mode) { dock_->setColorMode(mode); }
+
+void InspectorController::clickedOnMap(const Eigen::Vector2d& world_m) {
+  if (!context_.scene.highlightedAt(world_m)) dock_->clearSelection();
+}
+
+void InspectorController::setSession(session::Session* session) {
+  dock_->setSession(session);
+  if (!session) return;
+  // A robot without submaps has put another panel in front of it.
+  const bool has_submaps = session->robot().submapSource() != nullptr;
+  if (std::exchange(behind_, !has_submaps) && has_submaps) context_.panels.suggest(dock_);
+}
+
+bool InspectorController::escape() {
+  const bool pointed_at = !context_.scene.highlighted().empty();
+  dock_->clearSelection();
+  return pointed_at;
+}
+
+void InspectorController::locate(map::SubmapId id) {
+  session::Session* const session = context_.current.session();
+  if (!session) return;
+  const geometry::WorldRect bounds = session->book().bounds(id, session->slice());
+  if (!bounds.empty()) return context_.viewpoint.lookAt(bounds);
+  context_.overlay.toasts()->add(Mark::Warning,
+                                 tr("Submap %1 has no valid pose, so it cannot be placed on the map.")
+                                     .arg(QString::fromStdString(map::toText(id))));
+}
+
+void InspectorController::goToFilter() {
+  context_.panels.open(dock_);
+  dock_->controls()->filterEdit()->setFocus();
+  dock_->controls()->filterEdit()->selectAll();
+}
+
+}  // namespace mapwright::window
+
+#include "moc_inspector_controller.cpp"

@@ -1,0 +1,90 @@
+// The SLAM inspector: the content of the robot's SLAM, submap by submap.
+#pragma once
+
+#include <set>
+
+#include <QDockWidget>
+#include <QPointer>
+
+#include "scene/map_scene.h"
+#include "ui/slam/submap_filter_model.h"
+#include "ui/slam/submap_tree_model.h"
+
+class QAction;
+class QLabel;
+class QTreeView;
+
+namespace mapwright::window {
+
+class InspectorControls;
+class InspectorSummary;
+
+class InspectorDock : public QDockWidget {
+  Q_OBJECT
+ public:
+  InspectorDock(scene::MapScene* scene, QAction* show_ids, QAction* show_outlines, QWidget* parent = nullptr);
+
+  ~InspectorDock() override;
+
+  /// Not owned; null = none.
+  void setSession(session::Session* session);
+  void setColorMode(render::ColorMode mode);
+  /// Selects a submap in the tree, as if clicked (without moving the map). Selected ones are framed on the
+  /// map.
+  void select(map::SubmapId id);
+  void clearSelection();
+  std::optional<map::SubmapId> selected() const;  // if exactly one is selected
+
+  QTreeView* tree() const { return tree_; }
+  SubmapTreeModel* model() const { return model_; }
+  SubmapFilterModel* filterModel() const { return filtered_; }
+  InspectorControls* controls() const { return controls_; }
+  QString detailsText() const;
+
+ Q_SIGNALS:
+  void locateWanted(mapwright::map::SubmapId id);
+  void colorModeWanted(mapwright::render::ColorMode mode);
+  void copyWanted(const QString& text, const QString& what);
+  /// The counters were updated outside the session's usual rhythm: other displays of counters should update,
+  /// too.
+  void counted();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void buildTree();
+  void refresh();
+  void takeRows(const session::TouchedRows& rows);
+  void refreshDetails();
+  void refreshGroups();
+  void fitColumns();
+  void takeSelection();
+  void showSubmaps(const std::vector<map::SubmapId>& ids, bool visible);
+  void setGroupVisible(bool SubmapFacts::*flag, bool visible);
+  void keepHiddenGroups();
+  void showMenu(const QPoint& at);
+  std::optional<map::SubmapId> idAt(const QModelIndex& proxy_index) const;
+  std::set<map::SubmapId> selectedLeaves() const;
+  std::vector<map::SubmapId> selectedIds() const;  // including those in selected groups
+
+  scene::MapScene* scene_;
+  QPointer<session::Session> session_;
+  SubmapTreeModel* model_;
+  SubmapFilterModel* filtered_;
+  InspectorSummary* summary_;
+  InspectorControls* controls_;
+  QTreeView* tree_;
+  QLabel* details_;
+  // Groups that were switched off as a whole: new members start hidden.
+  bool nearby_off_ = false, incremental_off_ = false;
+  std::set<map::SubmapId> known_;
+  bool missed_rows_ = true;  // changes while it was invisible
+};
+
+/// Details of one submap in two or three lines. Plain text.
+QString submapDetails(const session::Session& session, map::SubmapId id);
+
+}  // namespace mapwright::window

@@ -1,0 +1,359 @@
+#include "ui/slam/submap_tree_model.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include <QRegularExpression>
+
+#include "ui/kit/plain_label.h"
+#include "ui/kit/status_text.h"
+
+namespace mapwright::window {
+
+namespace {
+
+// The id of an index tells what it is: 0 = All, 1 = a trajectory, 2 + trajectory = a submap of it.
+// Trajectories are identified by number, not by row, so the ids of leaves stay valid when rows are added or
+// removed above them.
+constexpr quintptr kAllId = 0;
+constexpr quintptr kBranchId = 1;
+constexpr quintptr kFirstLeafId = 2;
+
+quintptr leafId(std::int32_t trajectory) { return kFirstLeafId + std::uint32_t(trajectory); }
+std::int32_t trajectoryOf(quintptr id) { return std::int32_t(std::uint32_t(id - kFirstLeafId)); }
+
+SubmapFacts factsOf(const session::Session& session, map::SubmapId id, const submap::SubmapRow& row) {
+  SubmapFacts facts;
+  facts.id = id;
+  facts.version = row.entry.version;
+  facts.shown_version = row.shown_version;
+  facts.frozen = row.entry.is_frozen;
+  facts.incremental = row.entry.is_incremental;
+  facts.nearby = row.entry.is_nearby;
+  facts.visible = row.visible;
+  facts.shown = row.visible && row.drawable(session.slice());
+  facts.status = session.status(id);
+  return facts;
+}
+
+Qt::CheckState checkState(int visible, int total) {
+  return visible == 0 ? Qt::Unchecked : visible == total ? Qt::Checked : Qt::PartiallyChecked;
+}
+
+}  // namespace
+
+SubmapTreeModel::SubmapTreeModel(QObject* parent) : QAbstractItemModel(parent) {}
+
+void SubmapTreeModel::setSession(session::Session* session) {
+  beginResetModel();
+  session_ = session;
+  branches_.clear();
+  recount();
+  widest_leaf_.clear();
+  endResetModel();
+  sync();
+}
+
+void SubmapTreeModel::sync() {
+  Rows fresh;
+  longest_index_ = longest_version_ = 0;
+  widest_leaf_.clear();
+  if (session_) {
+    for (const auto& [id, row] : session_->book().rows()) {
+      if (fresh.empty() || fresh.back().front().id.trajectory != id.trajectory) fresh.emplace_back();
+      fresh.back().push_back(factsOf(*session_, id, row));
+      noteWidth(fresh.back().back());
+    }
+  }
+  if (widest_leaf_.isEmpty()) noteWidth({});
+  takeOver(fresh);
+}
+
+void SubmapTreeModel::noteWidth(const SubmapFacts& facts) {
+  const auto longer = [](std::int32_t a, std::int32_t b) {
+    return QString::number(b).size() > QString::number(a).size() ? b : a;
+  };
+  std::int32_t index = longest_index_, version = longest_version_;
+  // Compares the number first: creating a text for each of ten thousand rows would be slow.
+  if (facts.id.index > index || facts.id.index < 0) index = longer(index, facts.id.index);
+  if (facts.version > version || facts.version < 0) version = longer(version, facts.version);
+  if (!widest_leaf_.isEmpty() && index == longest_index_ && version == longest_version_) return;
+  longest_index_ = index;
+  longest_version_ = version;
+  static const QRegularExpression digit(QStringLiteral("\\d"));
+  widest_leaf_ = leafName({0, index}, version).replace(digit, QStringLiteral("0"));
+}
+
+void SubmapTreeModel::syncRows(const std::vector<map::SubmapId>& ids) {
+  constexpr int kManyOthers = 500;  // rows that come or go, one by one
+  if (!session_) return;
+  const submap::SubmapBook& book = session_->book();
+  int others = 0;
+  for (const map::SubmapId id : ids) {
+    if (branchRow(id.trajectory) < 0) return sync();
+    others += (book.find(id) != nullptr) != indexOf(id).isValid();
+  }
+  if (others > kManyOthers) return sync();
+  std::vector<int> touched;   // rows of branches
+  int first = -1, last = -1;  // adjacent changed leaves, of touched.back()
+  const auto tell = [&] {
+    if (first < 0) return;
+    const quintptr id = leafId(branches_[std::size_t(touched.back())].trajectory);
+    Q_EMIT dataChanged(createIndex(first, 0, id), createIndex(last, kColumns - 1, id));
+    first = -1;
+  };
+  for (const map::SubmapId id : ids) {
+    const submap::SubmapRow* const row = book.find(id);
+    const int branch_row = branchRow(id.trajectory);
+    Branch& branch = branches_[std::size_t(branch_row)];
+    const auto leaf = std::lower_bound(branch.leaves.begin(), branch.leaves.end(), id,
+                                       [](const SubmapFacts& f, map::SubmapId i) { return f.id < i; });
+    const bool known = leaf != branch.leaves.end() && leaf->id == id;
+    const int at = int(leaf - branch.leaves.begin());
+    const SubmapFacts fresh = row ? factsOf(*session_, id, *row) : SubmapFacts{};
+    if (!row && !known) continue;
+    if (row && known && *leaf == fresh) continue;
+    if (first >= 0 && (!row || !known || at != last + 1 || touched.back() != branch_row)) tell();
+    if (touched.empty() || touched.back() != branch_row) touched.push_back(branch_row);
+    if (known) count(branch, *leaf, -1);
+    if (row) {
+      count(branch, fresh, 1);
+      noteWidth(fresh);
+    }
+    if (!row) {
+      beginRemoveRows(createIndex(branch_row, 0, kBranchId), at, at);
+      branch.leaves.erase(leaf);
+      endRemoveRows();
+    } else if (!known) {
+      beginInsertRows(createIndex(branch_row, 0, kBranchId), at, at);
+      branch.leaves.insert(leaf, fresh);
+      endInsertRows();
+    } else {
+      *leaf = fresh;
+      if (first < 0) first = at;
+      last = at;
+    }
+  }
+  tell();
+  if (touched.empty()) return;
+  const auto emptied = [this](int row) { return branches_[std::size_t(row)].leaves.empty(); };
+  if (std::any_of(touched.begin(), touched.end(), emptied)) return sync();
+  for (const int row : touched)
+    Q_EMIT dataChanged(createIndex(row, 0, kBranchId), createIndex(row, kColumns - 1, kBranchId));
+  Q_EMIT dataChanged(allIndex(), createIndex(0, kColumns - 1, kAllId));
+}
+
+void SubmapTreeModel::syncVisibility() {
+  Rows fresh;
+  for (const Branch& branch : branches_) {
+    fresh.push_back(branch.leaves);
+    for (SubmapFacts& facts : fresh.back()) {
+      if (const submap::SubmapRow* row = session_ ? session_->book().find(facts.id) : nullptr)
+        facts.visible = row->visible;
+    }
+  }
+  takeOver(fresh);
+}
+
+void SubmapTreeModel::takeOver(const Rows& fresh) {
+  std::vector<std::pair<int, int>> before;
+  syncBranches(fresh);
+  for (const Branch& branch : branches_) before.emplace_back(branch.visible, branch.shown);
+  const std::tuple all_before(total_, visible_, shown_);
+  for (int row = 0; row < int(branches_.size()); ++row) syncLeaves(row, fresh[std::size_t(row)]);
+  recount();
+  bool changed = false;
+  for (int row = 0; row < int(branches_.size()); ++row) {
+    const Branch& branch = branches_[std::size_t(row)];
+    if (before[std::size_t(row)] == std::pair(branch.visible, branch.shown)) continue;
+    changed = true;
+    Q_EMIT dataChanged(createIndex(row, 0, kBranchId), createIndex(row, kColumns - 1, kBranchId));
+  }
+  if (changed || all_before != std::tuple(total_, visible_, shown_))
+    Q_EMIT dataChanged(allIndex(), createIndex(0, kColumns - 1, kAllId));
+}
+
+void SubmapTreeModel::syncBranches(const Rows& fresh) {
+  const auto listed = [&fresh](std::int32_t trajectory) {
+    return std::any_of(fresh.begin(), fresh.end(), [trajectory](const auto& leaves) {
+      return leaves.front().id.trajectory == trajectory;
+    });
+  };
+  for (int row = int(branches_.size()) - 1; row >= 0; --row) {
+    if (listed(branches_[std::size_t(row)].trajectory)) continue;
+    beginRemoveRows(allIndex(), row, row);
+    branches_.erase(branches_.begin() + row);
+    endRemoveRows();
+  }
+  for (int row = 0; row < int(fresh.size()); ++row) {
+    const std::int32_t wanted = fresh[std::size_t(row)].front().id.trajectory;
+    if (row < int(branches_.size()) && branches_[std::size_t(row)].trajectory == wanted) continue;
+    beginInsertRows(allIndex(), row, row);
+    branches_.insert(branches_.begin() + row, Branch{wanted, {}, 0, 0});
+    endInsertRows();
+  }
+}
+
+void SubmapTreeModel::syncLeaves(int branch_row, const std::vector<SubmapFacts>& fresh) {
+  std::vector<SubmapFacts>& leaves = branches_[std::size_t(branch_row)].leaves;
+  const QModelIndex parent = createIndex(branch_row, 0, kBranchId);
+  const auto before = [](const SubmapFacts& a, const SubmapFacts& b) { return a.id < b.id; };
+  // Removed: in runs, from the end, so that earlier rows keep their numbers.
+  for (int last = int(leaves.size()) - 1; last >= 0;) {
+    const auto gone = [&](int row) {
+      return !std::binary_search(fresh.begin(), fresh.end(), leaves[std::size_t(row)], before);
+    };
+    if (!gone(last)) {
+      --last;
+      continue;
+    }
+    int first = last;
+    while (first > 0 && gone(first - 1)) --first;
+    beginRemoveRows(parent, first, last);
+    leaves.erase(leaves.begin() + first, leaves.begin() + last + 1);
+    endRemoveRows();
+    last = first - 1;
+  }
+  // New: in runs. The rest of `leaves` is a subset of `fresh` in the same order.
+  for (std::size_t row = 0; row < fresh.size(); ++row) {
+    if (row < leaves.size() && leaves[row].id == fresh[row].id) continue;
+    std::size_t end = row + 1;
+    while (end < fresh.size() && !(row < leaves.size() && leaves[row].id == fresh[end].id)) ++end;
+    beginInsertRows(parent, int(row), int(end) - 1);
+    leaves.insert(leaves.begin() + std::ptrdiff_t(row), fresh.begin() + std::ptrdiff_t(row),
+                  fresh.begin() + std::ptrdiff_t(end));
+    endInsertRows();
+    row = end - 1;
+  }
+  // Changed: in runs.
+  const quintptr id = leafId(branches_[std::size_t(branch_row)].trajectory);
+  for (std::size_t row = 0; row < fresh.size(); ++row) {
+    if (leaves[row] == fresh[row]) continue;
+    const std::size_t first = row;
+    while (row < fresh.size() && leaves[row] != fresh[row]) {
+      leaves[row] = fresh[row];
+      ++row;
+    }
+    Q_EMIT dataChanged(createIndex(int(first), 0, id), createIndex(int(row) - 1, kColumns - 1, id));
+  }
+}
+
+void SubmapTreeModel::recount() {
+  total_ = visible_ = shown_ = 0;
+  nearby_ = incremental_ = {};
+  for (Branch& branch : branches_) {
+    branch.visible = branch.shown = 0;
+    for (const SubmapFacts& facts : branch.leaves) count(branch, facts, 1);
+  }
+}
+
+void SubmapTreeModel::count(Branch& branch, const SubmapFacts& facts, int by) {
+  const int visible = facts.visible ? by : 0, shown = facts.shown ? by : 0;
+  total_ += by;
+  visible_ += visible;
+  shown_ += shown;
+  branch.visible += visible;
+  branch.shown += shown;
+  for (const auto& [belongs, group] :
+       {std::pair(facts.nearby, &nearby_), std::pair(facts.incremental, &incremental_)}) {
+    if (!belongs) continue;
+    group->total += by;
+    group->visible += visible;
+  }
+}
+
+int SubmapTreeModel::branchRow(std::int32_t trajectory) const {
+  const auto at = std::lower_bound(branches_.begin(), branches_.end(), trajectory,
+                                   [](const Branch& b, std::int32_t t) { return b.trajectory < t; });
+  return at != branches_.end() && at->trajectory == trajectory ? int(at - branches_.begin()) : -1;
+}
+
+std::optional<SubmapFacts> SubmapTreeModel::facts(const QModelIndex& index) const {
+  if (!index.isValid() || index.internalId() < kFirstLeafId) return std::nullopt;
+  const int row = branchRow(trajectoryOf(index.internalId()));
+  if (row < 0) return std::nullopt;
+  const auto& leaves = branches_[std::size_t(row)].leaves;
+  if (index.row() < 0 || index.row() >= int(leaves.size())) return std::nullopt;
+  return leaves[std::size_t(index.row())];
+}
+
+std::optional<std::int32_t> SubmapTreeModel::trajectory(const QModelIndex& index) const {
+  if (!index.isValid() || index.internalId() != kBranchId || index.row() >= int(branches_.size()))
+    return std::nullopt;
+  return branches_[std::size_t(index.row())].trajectory;
+}
+
+QModelIndex SubmapTreeModel::indexOf(map::SubmapId id) const {
+  const int row = branchRow(id.trajectory);
+  if (row < 0) return {};
+  const auto& leaves = branches_[std::size_t(row)].leaves;
+  const auto at = std::lower_bound(leaves.begin(), leaves.end(), id,
+                                   [](const SubmapFacts& f, map::SubmapId i) { return f.id < i; });
+  if (at == leaves.end() || at->id != id) return {};
+  return createIndex(int(at - leaves.begin()), 0, leafId(id.trajectory));
+}
+
+std::vector<map::SubmapId> SubmapTreeModel::submapsBelow(const QModelIndex& index) const {
+  std::vector<map::SubmapId> ids;
+  if (const auto leaf = facts(index)) return {leaf->id};
+  const auto only = trajectory(index);
+  for (const Branch& branch : branches_) {
+    if (only && *only != branch.trajectory) continue;
+    for (const SubmapFacts& leaf : branch.leaves) ids.push_back(leaf.id);
+  }
+  return ids;
+}
+
+std::vector<map::SubmapId> SubmapTreeModel::submapsWhere(bool SubmapFacts::*flag) const {
+  std::vector<map::SubmapId> ids;
+  for (const Branch& branch : branches_) {
+    for (const SubmapFacts& leaf : branch.leaves) {
+      if (leaf.*flag) ids.push_back(leaf.id);
+    }
+  }
+  return ids;
+}
+
+Qt::CheckState SubmapTreeModel::visibility(const std::vector<map::SubmapId>& ids) const {
+  int visible = 0;
+  for (const map::SubmapId id : ids) {
+    const auto leaf = facts(indexOf(id));
+    visible += leaf && leaf->visible;
+  }
+  return checkState(visible, int(ids.size()));
+}
+
+Qt::CheckState SubmapTreeModel::visibilityWhere(bool SubmapFacts::*flag, int* count) const {
+  const Group& group = flag == &SubmapFacts::nearby ? nearby_ : incremental_;
+  if (count) *count = group.total;
+  return checkState(group.visible, group.total);
+}
+
+QModelIndex SubmapTreeModel::index(int row, int column, const QModelIndex& parent) const {
+  if (row < 0 || column < 0 || column >= kColumns || row >= rowCount(parent)) return {};
+  if (!parent.isValid()) return createIndex(row, column, kAllId);
+  if (parent.internalId() == kAllId) return createIndex(row, column, kBranchId);
+  return createIndex(row, column, leafId(branches_[std::size_t(parent.row())].trajectory));
+}
+
+QModelIndex SubmapTreeModel::parent(const QModelIndex& child) const {
+  if (!child.isValid() || child.internalId() == kAllId) return {};
+  if (child.internalId() == kBranchId) return allIndex();
+  const int row = branchRow(trajectoryOf(child.internalId()));
+  return row < 0 ? QModelIndex() : createIndex(row, 0, kBranchId);
+}
+
+int SubmapTreeModel::rowCount(const QModelIndex& parent) const {
+  if (parent.column() > 0) return 0;
+  if (!parent.isValid()) return 1;
+  if (parent.internalId() == kAllId) return int(branches_.size());
+  if (parent.internalId() == kBranchId && parent.row() < int(branches_.size())) {
+    return int(branches_[std::size_t(parent.row())].leaves.size());
+  }
+  return 0;
+}
+
+}  // namespace mapwright::window
+
+#include "moc_submap_tree_model.cpp"

@@ -1,0 +1,208 @@
+#include "ui/view/compare_bar.h"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "render/grid_palettes.h"
+#include "render/sample_grid.h"
+#include "robot/sends_map.h"
+#include "sentences/problem_sentence.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/plain_label.h"
+#include "ui/kit/status_text.h"
+#include "ui/kit/ui_colors.h"
+#include "ui/view/on_screen.h"
+
+namespace mapwright::window {
+
+namespace {
+
+using scene::CompareMode;
+
+/// A swatch in the colour of the difference, with its label.
+class LegendEntry : public QWidget {
+ public:
+  LegendEntry(render::Difference what, const QString& text, QWidget* parent)
+      : QWidget(parent), what_(what), text_(text) {
+    setFixedSize(fontMetrics().horizontalAdvance(text) + 24, 20);
+    setAccessibleName(text);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const UiColors colors = appColors();
+    QPainter painter(this);
+    painter.setPen(colors.neutral);
+    painter.setBrush(QColor(render::differencePalette(colors.dark)[std::size_t(what_)]));
+    painter.drawRect(QRectF(0.5, 4.5, 12, 11));
+    painter.setPen(colors.text);
+    painter.drawText(rect().adjusted(18, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text_);
+  }
+
+ private:
+  render::Difference what_;
+  QString text_;
+};
+
+}  // namespace
+
+CompareBar::CompareBar(QWidget* parent)
+    : QFrame(parent),
+      first_(new PlainLabel(this)),
+      status_(new PlainLabel(this)),
+      second_(new QComboBox(this)),
+      swipe_(new QToolButton(this)),
+      difference_(new QToolButton(this)),
+      close_(new QToolButton(this)),
+      legend_(new QWidget(this)) {
+  setObjectName(QStringLiteral("compareBar"));
+  setAutoFillBackground(true);
+  first_->setSample(QStringLiteral("Ground floor, east"));
+  first_->setElideMode(Qt::ElideRight);
+  second_->setObjectName(QStringLiteral("second"));
+  second_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  second_->setMinimumContentsLength(16);
+  second_->setMaxVisibleItems(16);
+  second_->setAccessibleName(tr("Second map"));
+  second_->setToolTip(tr("The map to compare the open one with"));
+  auto* modes = new QButtonGroup(this);
+  for (QToolButton* button : {swipe_, difference_}) {
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    modes->addButton(button);
+  }
+  swipe_->setText(tr("Swipe"));
+  swipe_->setToolTip(tr("One map to the left of a divider, the other to the right; drag it"));
+  difference_->setText(tr("Difference"));
+  close_->setIcon(themedIcon(QStringLiteral("close")));
+  close_->setIconSize({16, 16});
+  close_->setToolTip(tr("Stop comparing (Esc)"));
+  close_->setAccessibleName(tr("Stop comparing"));
+  status_->setSecondary(true);
+  status_->setSample(tr("Fetching the map"));
+  status_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+
+  auto* legend_row = new QHBoxLayout(legend_);
+  legend_row->setContentsMargins(0, 0, 0, 0);
+  legend_row->setSpacing(12);
+  const auto entry = [&](render::Difference what, const QString& text) {
+    legend_row->addWidget(new LegendEntry(what, text, legend_));
+  };
+  entry(render::Difference::Appeared, tr("new in the second"));
+  entry(render::Difference::Vanished, tr("gone in the second"));
+  entry(render::Difference::OnlyFirst, tr("known in the first only"));
+  entry(render::Difference::OnlySecond, tr("known in the second only"));
+  legend_row->addStretch();
+
+  auto* line = new QHBoxLayout;
+  line->setSpacing(8);
+  line->addWidget(first_, 1);
+  line->addWidget(new PlainLabel(tr("with"), this));
+  line->addWidget(second_, 2);
+  line->addWidget(swipe_);
+  line->addWidget(difference_);
+  line->addWidget(close_);
+  auto* below = new QHBoxLayout;
+  below->setSpacing(12);
+  below->addWidget(legend_);
+  below->addWidget(status_, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 4, 8, 4);
+  column->setSpacing(2);
+  column->addLayout(line);
+  column->addLayout(below);
+  hide();
+
+  connect(swipe_, &QToolButton::clicked, this, [this] { Q_EMIT modeWanted(CompareMode::Swipe); });
+  connect(difference_, &QToolButton::clicked, this, [this] { Q_EMIT modeWanted(CompareMode::Difference); });
+  connect(close_, &QToolButton::clicked, this, &CompareBar::closed);
+  connect(second_, &QComboBox::activated, this, [this](int row) {
+    if (row >= 0 && row < int(offers_.size())) Q_EMIT secondWanted(offers_[std::size_t(row)]);
+  });
+}
+
+void CompareBar::fill(session::Session* session, const std::optional<SecondMap>& chosen) {
+  std::vector<SecondMap> offers;
+  QStringList titles;
+  const auto offer = [&](const SecondMap& what, const QString& title) {
+    offers.push_back(what);
+    titles << title;
+  };
+  if (session->robot().submapSource()) offer(SubmapsAside{}, tr("the submaps (they are on the left)"));
+  if (robot::sendsItsMap(session->robot())) offer(map::MapKey{map::MapKind::Live, {}}, tr("Live map"));
+  for (const map::CatalogueEntry& entry : session->catalogue().entries()) {
+    QString title =
+        QStringLiteral("%1  (%2)")
+            .arg(mapTitle(entry.name).left(60), QString::fromStdString(map::toText(entry.key)).left(30));
+    if (entry.is_current) title += tr("  current");
+    offer(entry.key, title);
+  }
+  if (session->wholeMap().source() || (chosen && std::holds_alternative<KeptState>(*chosen)))
+    offer(KeptState{}, tr("Keep the current state"));
+  const bool file = chosen && std::holds_alternative<FileAside>(*chosen);
+  offer(FileAside{}, file ? comparedNames(*session).right : tr("File…"));
+  if (offers != offers_ || titles != titles_) {
+    const QSignalBlocker quiet(second_);
+    offers_ = offers;
+    titles_ = titles;
+    second_->clear();
+    second_->addItems(titles);
+  }
+  int row = -1;
+  for (std::size_t i = 0; chosen && i < offers_.size(); ++i) {
+    if (offers_[i] == *chosen) row = int(i);
+  }
+  second_->setCurrentIndex(row);
+  second_->setPlaceholderText(tr("Choose a map"));
+}
+
+void CompareBar::sync(session::Session* session, CompareMode mode, const std::optional<SecondMap>& chosen) {
+  setVisible(session && mode != CompareMode::Off);
+  if (isHidden()) return;
+  fill(session, chosen);
+  const session::MapSlot& first = session->wholeMap();
+  const session::MapSlot& second = session->comparedMap();
+  const bool submaps = chosen && std::holds_alternative<SubmapsAside>(*chosen);
+  first_->setText(comparedNames(*session).left);
+  swipe_->setChecked(mode == CompareMode::Swipe);
+  difference_->setChecked(mode == CompareMode::Difference);
+  difference_->setEnabled(!submaps);
+  difference_->setToolTip(submaps ? tr("Only two whole maps can be subtracted from each other")
+                                  : tr("Show the differences in colour"));
+  legend_->setVisible(mode == CompareMode::Difference);
+  QString status;
+  if (second.phase() == session::MapSlot::Phase::Failed) {
+    status = sentences::sentenceOf(second.remark());
+  } else if (!second.settled()) {
+    status = mapProgressText(second);
+  } else if (!chosen) {
+    status = tr("Choose a map to compare the open one with.");
+  } else if (first.phase() == session::MapSlot::Phase::Failed) {
+    status = sentences::sentenceOf(first.remark());
+  } else if (!first.settled()) {
+    status = mapProgressText(first);
+  }
+  status_->setText(status);
+  status_->setVisible(!status.isEmpty());
+}
+
+QString CompareBar::firstShown() const { return first_->text(); }
+QString CompareBar::statusShown() const { return status_->isHidden() ? QString() : status_->text(); }
+
+void CompareBar::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    Q_EMIT closed();
+    return;
+  }
+  QFrame::keyPressEvent(event);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_compare_bar.cpp"

@@ -1,0 +1,344 @@
+#include "ui/view/empty_state.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include "robot/map_dispatch.h"
+#include "robot/sends_map.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/plural.h"
+#include "sentences/problem_sentence.h"
+#include "session/lacks_picture.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/status_text.h"
+#include "ui/kit/ui_colors.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::window {
+
+using robot::ConnectionPhase;
+
+namespace {
+
+/// There is a map to open under *Maps*.
+bool storesMaps(const session::Catalogue& catalogue) {
+  return std::any_of(catalogue.entries().begin(), catalogue.entries().end(),
+                     [](const map::CatalogueEntry& entry) { return entry.key.kind != map::MapKind::Live; });
+}
+
+/// It has a 3D map but no 2D map.
+bool givesCloudsOnly(robot::Robot& robot) {
+  using robot::DispatchService;
+  const robot::MapDispatch* const dispatch = robot.mapDispatch();
+  if (!dispatch || dispatch->offered(DispatchService::Grid) || dispatch->offered(DispatchService::GridRegion))
+    return false;
+  return dispatch->offered(DispatchService::Cloud) || dispatch->offered(DispatchService::CloudRegion) ||
+         dispatch->offered(DispatchService::Occupancy) || dispatch->offered(DispatchService::OccupancyRegion);
+}
+
+EmptyState cloudsInstead() {
+  EmptyState state;
+  state.kind = EmptyState::Kind::NoMap;
+  state.icon = QStringLiteral("map");
+  state.title = QCoreApplication::translate("window", "No 2D map");
+  state.text = QCoreApplication::translate(
+      "window", "This robot provides point clouds. If it sends a map, the map appears automatically.");
+  state.offers_clouds = true;
+  return state;
+}
+
+}  // namespace
+
+std::optional<EmptyState> emptyState(session::Session* session, const MapsInView& in_view) {
+  if (!session) return emptyState({}, {}, nullptr);
+  const session::SubmapCounts counts = session->counts();
+  const session::MapSlot& slot = session->wholeMap();
+  if (in_view.whole && slot.cells()) return std::nullopt;
+  if (in_view.regions_held || in_view.clouds_held || in_view.scans) return std::nullopt;
+  // Missing regions are marked on the map.
+  if (in_view.regions && session->connection().phase == ConnectionPhase::Online) return std::nullopt;
+  // Its waypoints are visible: the notice says what is missing.
+  if (in_view.whole && session::lacksPicture(slot) && session->robot().waypointStore()) return std::nullopt;
+  const auto of_submaps = emptyState(session->robot().address(), session->connection(), &counts);
+  const bool has_submaps = session->robot().submapSource() != nullptr;
+  if (in_view.submaps && has_submaps) return of_submaps;
+  if (!in_view.whole) return std::nullopt;  // nothing is requested
+  using Phase = session::MapSlot::Phase;
+  // Before any request, the connection state is more informative than that no map is open.
+  const bool online = session->connection().phase == ConnectionPhase::Online;
+  if (!online && (slot.phase() == Phase::Empty || slot.key().kind == map::MapKind::Live)) {
+    if (of_submaps) return of_submaps;
+  }
+  const bool none_chosen = slot.phase() == Phase::Empty || slot.key().kind == map::MapKind::Live;
+  if (online && none_chosen && givesCloudsOnly(session->robot())) return cloudsInstead();
+  return wholeMapState(slot, storesMaps(session->catalogue()), robot::sendsItsMap(session->robot()));
+}
+
+std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool stored, bool live) {
+  using Phase = session::MapSlot::Phase;
+  if (slot.cells()) return std::nullopt;
+  EmptyState state;
+  state.icon = QStringLiteral("map");
+  const QString name = mapCalled(slot.name(), slot.key());
+  switch (slot.phase()) {
+    case Phase::Failed:
+      state.kind = EmptyState::Kind::MapFailed;
+      state.icon = QStringLiteral("error");
+      state.title = QCoreApplication::translate("window", "This map cannot be shown");
+      state.text = QStringLiteral("%1: %2").arg(name, sentences::sentenceOf(slot.remark()));
+      state.offers_retry = true;
+      return state;
+    case Phase::Fetching:
+    case Phase::Reading:
+      if (slot.key().kind == map::MapKind::Live) break;
+      state.kind = EmptyState::Kind::LoadingMap;
+      state.icon = QStringLiteral("fetching");
+      state.title = QCoreApplication::translate("window", "Loading %1").arg(name);
+      state.busy = true;
+      return state;
+    case Phase::Empty:
+    case Phase::Ready:
+      break;
+  }
+  if (live) {
+    state.kind = EmptyState::Kind::LoadingMap;
+    state.title = QCoreApplication::translate("window", "Waiting for the robot's map");
+    state.text =
+        stored ? QCoreApplication::translate(
+                     "window", "It appears as soon as the robot sends it. Stored maps are listed under Maps.")
+               : QCoreApplication::translate("window", "It appears as soon as the robot sends it.");
+    return state;
+  }
+  state.kind = EmptyState::Kind::NoMap;
+  state.title = QCoreApplication::translate("window", "No map is open");
+  state.text =
+      stored ? QCoreApplication::translate(
+                   "window", "Double-click one under Maps. This loads and changes nothing on the robot.")
+             : QCoreApplication::translate("window", "The robot sends no map, and none is stored here.");
+  return state;
+}
+
+std::optional<EmptyState> emptyState(const QString& address, const robot::ConnectionState& connection,
+                                     const session::SubmapCounts* counts) {
+  EmptyState state;
+  if (!counts) {
+    state.kind = EmptyState::Kind::NoRobot;
+    state.icon = QStringLiteral("robot");
+    state.title = QCoreApplication::translate("window", "No robot connected");
+    state.text = QCoreApplication::translate("window",
+                                             "Connect to a robot by its address, try the simulated one, or "
+                                             "open a map file (you can also drop it here).");
+    state.offers_connect = state.offers_demo = state.offers_file = true;
+    return state;
+  }
+  // Received data stays on the map; the notice above reports a lost connection.
+  if (counts->shown > 0) return std::nullopt;
+  switch (connection.phase) {
+    case ConnectionPhase::Offline:
+      state.kind = EmptyState::Kind::Failed;
+      state.icon = QStringLiteral("disconnect");
+      state.title = QCoreApplication::translate("window", "Not connected");
+      state.text = address;
+      state.offers_retry = state.offers_connect = true;
+      return state;
+    case ConnectionPhase::Connecting:
+      state.kind = EmptyState::Kind::Connecting;
+      state.icon = QStringLiteral("connect");
+      state.title = QCoreApplication::translate("window", "Connecting…");
+      state.text = address;
+      state.busy = state.offers_cancel = true;
+      return state;
+    case ConnectionPhase::Interrupted:
+    case ConnectionPhase::Refused: {
+      state.kind = EmptyState::Kind::Failed;
+      state.icon = QStringLiteral("error");
+      state.offers_secret = wantsSecret(connection);
+      state.title = connection.phase == ConnectionPhase::Refused
+                        ? QCoreApplication::translate("window", "The robot refused the connection")
+                        : QCoreApplication::translate("window", "Cannot reach the robot");
+      state.text = connection.reason.any()
+                       ? QStringLiteral("%1\n%2").arg(address, sentences::wordsOf(connection.reason))
+                       : address;
+      state.offers_retry = state.offers_connect = true;
+      if (connection.certificate) {
+        // The fingerprint is in the dialog: it does not fit on a card.
+        const bool changed = !connection.certificate->pinned_sha256.isEmpty();
+        state.title = changed ? EmptyStateCard::tr("The certificate of the robot has changed")
+                              : EmptyStateCard::tr("The certificate of the robot is not trusted");
+        state.text = QStringLiteral("%1\n%2").arg(address, sentences::wordsOf(connection.certificate->why));
+        state.offers_certificate = true;
+        state.offers_retry = false;
+      }
+      return state;
+    }
+    case ConnectionPhase::Online:
+      break;
+  }
+  if (!counts->list_received) {
+    state.kind = EmptyState::Kind::WaitingForList;
+    state.icon = QStringLiteral("submaps");
+    state.title = QCoreApplication::translate("window", "Waiting for the list of submaps");
+    state.text =
+        QCoreApplication::translate("window", "Connected to %1. It has not sent its list yet.").arg(address);
+    return state;
+  }
+  if (counts->listed == 0) {
+    state.kind = EmptyState::Kind::NoSubmaps;
+    state.icon = QStringLiteral("submaps");
+    state.title = QCoreApplication::translate("window", "This robot lists no submaps");
+    state.text = QCoreApplication::translate(
+        "window",
+        "They appear here as soon as the robot maps or localizes. Start mapping or load a map on the robot.");
+    return state;
+  }
+  if (counts->pending > 0) {
+    state.kind = EmptyState::Kind::Loading;
+    state.icon = QStringLiteral("fetching");
+    state.title = sentences::counted(
+        QCoreApplication::translate("window", "Loading %1 submaps", nullptr, counts->listed), counts->listed);
+    state.text = trafficText(*counts);
+    state.busy = true;
+    return state;
+  }
+  state.kind = EmptyState::Kind::NothingDrawable;
+  state.icon = QStringLiteral("error");
+  state.title = QCoreApplication::translate("window", "None of the submaps can be drawn");
+  state.text =
+      loadingText(*counts) + QCoreApplication::translate("window", ". See Problems for the reasons.");
+  state.offers_retry = true;
+  return state;
+}
+
+EmptyStateCard::EmptyStateCard(QWidget* parent)
+    : QFrame(parent),
+      icon_(new QLabel(this)),
+      title_(new QLabel(this)),
+      text_(new QLabel(this)),
+      secret_(new QPushButton(tr("Enter secret…"), this)),
+      progress_(new QProgressBar(this)),
+      connect_(new QPushButton(tr("Connect…"), this)),
+      demo_(new QPushButton(tr("Try the demo robot"), this)),
+      file_(new QPushButton(tr("Open a map file…"), this)),
+      retry_(new QPushButton(tr("Retry"), this)),
+      cancel_(new QPushButton(tr("Cancel"), this)),
+      certificate_(new QPushButton(tr("Certificate…"), this)),
+      clouds_(new QPushButton(tr("Fetch clouds…"), this)) {
+  setObjectName(QStringLiteral("card"));
+  for (QLabel* label : {title_, text_}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setAlignment(Qt::AlignCenter);
+    label->setWordWrap(true);
+  }
+  title_->setObjectName(QStringLiteral("title"));
+  text_->setObjectName(QStringLiteral("text"));
+  QFont heading = title_->font();
+  heading.setPointSizeF(heading.pointSizeF() * 1.3);
+  heading.setWeight(QFont::DemiBold);
+  title_->setFont(heading);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  icon_->setAlignment(Qt::AlignCenter);
+  progress_->setRange(0, 0);
+  progress_->setTextVisible(false);
+  progress_->setFixedHeight(4);
+  connect_->setObjectName(QStringLiteral("primary"));
+  demo_->setObjectName(QStringLiteral("secondary"));
+  file_->setObjectName(QStringLiteral("secondary"));
+  retry_->setObjectName(QStringLiteral("primary"));
+  cancel_->setObjectName(QStringLiteral("secondary"));
+  certificate_->setObjectName(QStringLiteral("primary"));
+  clouds_->setObjectName(QStringLiteral("primary"));
+
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addStretch();
+  for (QPushButton* button : {clouds_, certificate_, retry_, connect_, demo_, file_, cancel_})
+    buttons->addWidget(button);
+  buttons->addStretch();
+  secret_->setObjectName(QStringLiteral("primary"));
+  buttons->insertWidget(1, secret_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(32, 24, 32, 24);
+  column->setSpacing(8);
+  column->addWidget(icon_);
+  column->addWidget(title_);
+  column->addWidget(text_);
+  column->addSpacing(4);
+  column->addWidget(progress_);
+  column->addSpacing(4);
+  column->addLayout(buttons);
+  setFixedWidth(460);
+
+  connect(connect_, &QPushButton::clicked, this, &EmptyStateCard::connectWanted);
+  connect(secret_, &QPushButton::clicked, this, &EmptyStateCard::secretWanted);
+  connect(demo_, &QPushButton::clicked, this, &EmptyStateCard::demoWanted);
+  connect(file_, &QPushButton::clicked, this, &EmptyStateCard::fileWanted);
+  connect(retry_, &QPushButton::clicked, this, &EmptyStateCard::retryWanted);
+  connect(cancel_, &QPushButton::clicked, this, &EmptyStateCard::cancelWanted);
+  connect(clouds_, &QPushButton::clicked, this, &EmptyStateCard::cloudsWanted);
+  connect(certificate_, &QPushButton::clicked, this, &EmptyStateCard::certificateWanted);
+  hide();
+}
+
+void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
+  if (state == state_) return;
+  state_ = state;
+  if (!state) {
+    hide();
+    return;
+  }
+  title_->setText(words::plainText(state->title));
+  text_->setText(words::plainText(state->text));
+  text_->setVisible(!state->text.isEmpty());
+  progress_->setVisible(state->busy);
+  connect_->setVisible(state->offers_connect);
+  const bool second =
+      state->offers_retry || state->offers_certificate;  // the first button is about this robot
+  connect_->setText(second ? tr("Other robot…") : tr("Connect…"));
+  secret_->setVisible(state->offers_secret);
+  setRole(connect_, !second);
+  setRole(retry_, !state->offers_secret);
+  demo_->setVisible(state->offers_demo);
+  file_->setVisible(state->offers_file);
+  retry_->setVisible(state->offers_retry);
+  cancel_->setVisible(state->offers_cancel);
+  certificate_->setVisible(state->offers_certificate);
+  clouds_->setVisible(state->offers_clouds);
+  if (icon_name_ != state->icon) {
+    icon_name_ = state->icon;
+    paintIcon();
+  }
+  setVisible(true);
+  adjustSize();
+}
+
+void EmptyStateCard::setRole(QPushButton* button, bool primary) {
+  const QString role = primary ? QStringLiteral("primary") : QStringLiteral("secondary");
+  if (button->objectName() == role) return;
+  button->setObjectName(role);
+  button->style()->unpolish(button);
+  button->style()->polish(button);
+}
+
+void EmptyStateCard::paintIcon() {
+  const UiColors colors = appColors();
+  const bool bad = icon_name_ == QLatin1String("error");
+  icon_->setPixmap(
+      iconPixmap(icon_name_, 40, devicePixelRatioF(), bad ? colors.error_text : colors.secondary_text));
+}
+
+void EmptyStateCard::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && !icon_name_.isEmpty()) paintIcon();
+  QFrame::changeEvent(event);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_empty_state.cpp"

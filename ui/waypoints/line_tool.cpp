@@ -1,0 +1,183 @@
+#include "ui/waypoints/line_tool.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QLocale>
+#include <QPainter>
+
+#include "scene/layer_item.h"
+#include "ui/waypoints/waypoint_text.h"
+
+namespace mapwright::window {
+namespace {
+constexpr double kTickPx = 11;
+constexpr std::size_t kMostLineTicks = 500;  // more could not be distinguished
+}  // namespace
+
+LineTool::LineTool(const scene::MapScene* scene, WaypointSnapping* snapping, QObject* parent)
+    : MapTool(parent), scene_(scene), snapping_(snapping) {}
+
+void LineTool::activate() {
+  forget();
+  Q_EMIT activated(true);
+}
+
+void LineTool::deactivate() {
+  forget();
+  Q_EMIT activated(false);
+}
+
+void LineTool::tell() {
+  Q_EMIT changed();
+  Q_EMIT hintChanged();
+  Q_EMIT lineChanged();
+}
+
+void LineTool::forget() {
+  from_.reset();
+  to_.reset();
+  fixed_ = dragging_ = false;
+  landing_ = {};
+  tell();
+}
+
+void LineTool::setSpacing(double spacing_m) {
+  const double fit = std::clamp(spacing_m, kLeastSpacingM, kMostSpacingM);
+  if (std::exchange(spacing_m_, fit) != fit) tell();
+}
+
+Eigen::Vector2d LineTool::caught(const MapPoint& at) {
+  landing_ = snapping_->place(at.world_m, at.modifiers, [](const Hit&) { return false; });
+  if (!from_ || fixed_ || !(at.modifiers & Qt::ShiftModifier)) return landing_.at_m;
+  // Shift: in steps of 15 degrees from the first end.
+  const Eigen::Vector2d along = at.world_m - *from_;
+  const double heading = snapping_->heading(std::atan2(along.y(), along.x()), at.modifiers);
+  const Eigen::Vector2d direction(std::cos(heading), std::sin(heading));
+  landing_ = {*from_ + direction * along.dot(direction), {}};
+  return landing_.at_m;
+}
+
+bool LineTool::pressed(const MapPoint& at) {
+  // The second of two clicks, or the start of a new line.
+  if (!from_ || fixed_) {
+    fixed_ = false;
+    from_.reset();
+    to_.reset();
+    from_ = caught(at);
+    dragging_ = true;
+    tell();
+  }
+  return true;
+}
+
+void LineTool::dragged(const MapPoint& at) {
+  if (!from_ || fixed_) return;
+  to_ = caught(at);
+  tell();
+}
+
+void LineTool::released(const MapPoint& at) {
+  if (!from_ || fixed_) return;
+  to_ = caught(at);
+  fixed_ = true;
+  dragging_ = false;
+  landing_ = {};
+  tell();
+}
+
+void LineTool::dragCancelled() {
+  if (dragging_) forget();
+}
+
+void LineTool::clicked(const MapPoint& at) {
+  if (dragging_) {
+    // That was the first of two.
+    dragging_ = false;
+    return;
+  }
+  if (!from_ || fixed_) return;
+  to_ = caught(at);
+  fixed_ = (*to_ - *from_).norm() > 0;
+  landing_ = {};
+  tell();
+}
+
+void LineTool::hovered(const MapPoint& at) {
+  if (fixed_) return;
+  const Eigen::Vector2d there = caught(at);
+  if (from_) {
+    to_ = there;
+    tell();
+  } else {
+    Q_EMIT changed();
+  }
+}
+
+void LineTool::left() {
+  landing_ = {};
+  Q_EMIT changed();
+}
+
+bool LineTool::keyPressed(const MapKeyPress& press) {
+  switch (press.key) {
+    case Qt::Key_Escape:
+      if (from_) {
+        forget();
+      } else {
+        Q_EMIT finished();
+      }
+      return true;
+    case Qt::Key_Backspace:
+      forget();
+      return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (ready()) Q_EMIT madeWanted();
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::vector<placing::Spot> LineTool::spots() const {
+  if (!from_ || !to_) return {};
+  return placing::alongLine(*from_, *to_, spacing_m_);
+}
+
+void LineTool::paint(QPainter& painter) {
+  snapping_->paint(painter, landing_);
+  if (!from_) return;
+  const scene::MapTheme& theme = scene_->theme();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto px = [&](const Eigen::Vector2d& at) {
+    return scene::toPoint(scene_->view().pixelFromWorld(at));
+  };
+  const QPointF a = px(*from_), b = px(to_.value_or(*from_));
+  for (const auto& [color, width] : {std::pair(theme.text_halo, 4.0), std::pair(theme.accent, 2.0)}) {
+    painter.setPen(QPen(color, width, fixed_ ? Qt::SolidLine : Qt::DashLine, Qt::RoundCap));
+    painter.drawLine(a, b);
+  }
+  const std::vector<placing::Spot> spots = this->spots();
+  // Each at its future position, with its heading.
+  if (spots.size() > kMostLineTicks) return;
+  for (const placing::Spot& spot : spots) {
+    const QPointF at = px(spot.position_m);
+    const double heading = *spot.yaw_rad + scene_->view().rotation_rad;
+    const QPointF ahead(std::cos(heading), -std::sin(heading));
+    painter.setPen(QPen(theme.accent, 2));
+    painter.drawLine(at, at + ahead * kTickPx);
+    painter.setBrush(theme.text_halo);
+    painter.drawEllipse(at, 4.5, 4.5);
+  }
+}
+
+QString LineTool::hint() const {
+  if (!from_) return tr("Waypoints along a line: click its start, or drag. Esc leaves.");
+  if (!fixed_) return tr("Click the end. Shift: steps of 15°, Alt: free, Esc starts over.");
+  return tr("Enter creates them, Esc starts over.");
+}
+
+}  // namespace mapwright::window
+
+#include "moc_line_tool.cpp"

@@ -1,0 +1,63 @@
+// Places waypoints along a line: two clicks or a drag define it, with a preview of the result.
+#pragma once
+
+#include <optional>
+
+#include "placing/arrange.h"
+#include "scene/map_scene.h"
+#include "ui/view/map_tool.h"
+#include "ui/waypoints/waypoint_snapping.h"
+
+namespace mapwright::window {
+
+class LineTool : public MapTool {
+  Q_OBJECT
+ public:
+  static constexpr double kLeastSpacingM = 0.05, kMostSpacingM = 100;
+
+  /// Both must outlive this.
+  LineTool(const scene::MapScene* scene, WaypointSnapping* snapping, QObject* parent = nullptr);
+
+  QString name() const override { return QStringLiteral("waypointLine"); }
+  QCursor cursor() const override { return Qt::CrossCursor; }
+  void activate() override;
+  void deactivate() override;
+  bool pressed(const MapPoint& at) override;
+  void dragged(const MapPoint& at) override;
+  void released(const MapPoint& at) override;
+  void dragCancelled() override;
+  void clicked(const MapPoint& at) override;
+  void hovered(const MapPoint& at) override;
+  void left() override;
+  bool keyPressed(const MapKeyPress& press) override;
+  void paint(QPainter& painter) override;
+  QString hint() const override;
+
+  double spacing() const { return spacing_m_; }
+  void setSpacing(double spacing_m);
+  /// The waypoints for the present line; empty = none, or too many.
+  std::vector<placing::Spot> spots() const;
+  /// Both ends are set.
+  bool ready() const { return from_ && to_ && fixed_; }
+  double length() const { return from_ && to_ ? (*to_ - *from_).norm() : 0; }
+  void forget();  // begins anew
+
+ Q_SIGNALS:
+  void activated(bool active);
+  void lineChanged();
+  void madeWanted();  // Enter
+
+ private:
+  Eigen::Vector2d caught(const MapPoint& at);
+  void tell();
+
+  const scene::MapScene* scene_;
+  WaypointSnapping* snapping_;
+  double spacing_m_ = 1;
+  std::optional<Eigen::Vector2d> from_, to_;
+  bool fixed_ = false;     // the second end is final
+  bool dragging_ = false;  // from the first to the second end
+  placing::SnappedPlace landing_;
+};
+
+}  // namespace mapwright::window

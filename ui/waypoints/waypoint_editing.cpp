@@ -1,0 +1,212 @@
+#include "ui/waypoints/waypoint_editing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QUuid>
+
+#include "ui/waypoints/waypoint_text.h"
+
+namespace mapwright::window {
+
+void WaypointEditing::setDocument(edit::WaypointDocument* document, const QString& why_not,
+                                  const robot::KeptFields& keeps) {
+  if (document_) document_->disconnect(this);
+  document_ = document;
+  why_not_ = why_not;
+  keeps_ = keeps;
+  selected_.clear();
+  preview_.clear();
+  if (document_) connect(document_, &edit::DocumentEvents::changed, this, &WaypointEditing::takeChange);
+  Q_EMIT opened();
+  Q_EMIT selectionChanged();
+}
+
+void WaypointEditing::takeChange(const edit::DocumentChange& change) {
+  // Removed ones are neither selected nor dragged.
+  if (change.removed.empty() && !change.everything) return;
+  std::set<edit::Key> left = selected_;
+  std::erase_if(left, [this](const edit::Key& key) { return !find(key); });
+  std::erase_if(preview_, [&](const auto& one) { return !find(one.first); });
+  if (change.everything || left != selected_) select(std::move(left));
+}
+
+void WaypointEditing::select(std::set<edit::Key> keys) {
+  if (keys == selected_) return;
+  selected_ = std::move(keys);
+  Q_EMIT selectionChanged();
+}
+
+void WaypointEditing::toggle(const edit::Key& key) {
+  std::set<edit::Key> keys = selected_;
+  if (keys.erase(key) == 0) keys.insert(key);
+  select(std::move(keys));
+}
+
+void WaypointEditing::selectAll() {
+  std::set<edit::Key> keys;
+  if (document_) {
+    for (const auto& [key, point] : document_->items()) keys.insert(keys.end(), key);
+  }
+  select(std::move(keys));
+}
+
+void WaypointEditing::invertSelection() {
+  std::set<edit::Key> keys;
+  if (document_) {
+    for (const auto& [key, point] : document_->items()) {
+      if (!selected_.contains(key)) keys.insert(keys.end(), key);
+    }
+  }
+  select(std::move(keys));
+}
+
+std::set<std::string> WaypointEditing::names() const {
+  std::set<std::string> names;
+  if (document_) {
+    for (const auto& [key, point] : document_->items()) names.insert(point.name);
+  }
+  return names;
+}
+
+edit::Key WaypointEditing::add(const Eigen::Vector2d& world_m, edit::Gesture gesture) {
+  map::Waypoint point;
+  point.position_m = world_m;
+  const auto keys = addAll({point}, tr("add %1"), gesture);
+  return keys.empty() ? edit::Key() : *keys.begin();
+}
+
+std::set<edit::Key> WaypointEditing::addAll(std::vector<map::Waypoint> points, const QString& what,
+                                            edit::Gesture gesture) {
+  const bool all_finite = std::all_of(
+      points.begin(), points.end(), [](const map::Waypoint& point) { return point.position_m.allFinite(); });
+  if (!editable() || points.empty() || !all_finite) return {};
+  std::set<std::string> taken = names();
+  std::set<edit::Key> keys;
+  std::vector<edit::Change<map::Waypoint>> changes;
+  std::size_t number = 0;
+  for (map::Waypoint& point : points) {
+    point.id = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
+    while (point.name.empty()) {
+      const std::string name = tr("Waypoint %1").arg(++number).toStdString();
+      if (taken.insert(name).second) point.name = name;
+    }
+    keys.insert(point.id);
+    changes.push_back(document_->to(point.id, point));
+  }
+  const QString called =
+      points.size() == 1 ? shortWaypointName(points.front()) : waypointsText(qsizetype(points.size()));
+  document_->change(std::move(changes), what.arg(called), gesture);
+  select(keys);
+  return keys;
+}
+
+void WaypointEditing::rename(const edit::Key& key, const QString& name, edit::Gesture gesture) {
+  const map::Waypoint* const now = find(key);
+  if (!now || name.trimmed().isEmpty()) return;
+  map::Waypoint to = *now;
+  to.name = name.trimmed().toStdString();
+  set(key, to, tr("rename %1").arg(shortWaypointName(*now)), gesture);
+}
+
+void WaypointEditing::set(const edit::Key& key, const map::Waypoint& to, const QString& what,
+                          edit::Gesture gesture) {
+  if (editable() && find(key)) document_->change({document_->to(key, to)}, what, gesture);
+}
+
+void WaypointEditing::removeSelected() {
+  if (!editable() || selected_.empty()) return;
+  std::vector<edit::Change<map::Waypoint>> changes;
+  for (const edit::Key& key : selected_) changes.push_back(document_->to(key, std::nullopt));
+  const QString what = tr("delete %1").arg(called(selected_));
+  document_->change(std::move(changes), what);
+}
+
+void WaypointEditing::changeSelected(const QString& what, const std::function<void(map::Waypoint&)>& change,
+                                     edit::Gesture gesture) {
+  if (!editable() || selected_.empty()) return;
+  std::vector<edit::Change<map::Waypoint>> changes;
+  for (const edit::Key& key : selected_) {
+    map::Waypoint to = *find(key);
+    change(to);
+    changes.push_back(document_->to(key, std::move(to)));
+  }
+  document_->change(std::move(changes), what.arg(called(selected_)), gesture);
+}
+
+void WaypointEditing::restore(const std::vector<edit::Key>& keys) {
+  std::vector<edit::Change<map::Waypoint>> changes;
+  for (const edit::Key& key : keys) {
+    const map::Waypoint* const kept = editable() && !find(key) ? document_->findKept(key) : nullptr;
+    if (kept) changes.push_back(document_->to(key, *kept));
+  }
+  if (!changes.empty()) make(std::move(changes), tr("restore %1"));
+}
+
+void WaypointEditing::make(std::vector<edit::Change<map::Waypoint>> changes, const QString& what) {
+  if (!editable() || changes.empty()) return;
+  std::set<edit::Key> there;
+  for (const auto& change : changes) {
+    if (change.after) there.insert(change.key);
+  }
+  const QString about =
+      changes.size() == 1
+          ? shortWaypointName(changes.front().after ? *changes.front().after : *changes.front().before)
+          : waypointsText(qsizetype(changes.size()));
+  document_->change(std::move(changes), what.arg(about));
+  select(std::move(there));
+}
+
+void WaypointEditing::moveSelected(const Eigen::Vector2d& by_m, edit::Gesture gesture) {
+  if (!editable() || selected_.empty()) return;
+  std::vector<edit::Change<map::Waypoint>> changes;
+  changes.reserve(selected_.size());
+  for (const edit::Key& key : selected_) {
+    const map::Waypoint& now = *find(key);
+    changes.push_back({key, now, now});
+    changes.back().after->position_m += by_m;
+  }
+  document_->change(std::move(changes), tr("move %1").arg(called(selected_)), gesture);
+}
+
+std::optional<placing::Spot> WaypointEditing::spotOf(const edit::Key& key) const {
+  const map::Waypoint* const point = find(key);
+  if (!point) return std::nullopt;
+  const auto moving = preview_.find(key);
+  return moving == preview_.end() ? placing::Spot{point->position_m, point->yaw_rad} : moving->second;
+}
+
+void WaypointEditing::setPreview(WaypointPreview preview) {
+  if (preview.empty() && preview_.empty()) return;
+  preview_ = std::move(preview);
+  Q_EMIT previewChanged();
+}
+
+void WaypointEditing::applyPreview(const QString& what) {
+  const WaypointPreview preview = std::exchange(preview_, {});
+  apply(preview, what);
+  Q_EMIT previewChanged();
+}
+
+void WaypointEditing::apply(const WaypointPreview& to, const QString& what, edit::Gesture gesture) {
+  if (!editable()) return;
+  std::vector<edit::Change<map::Waypoint>> changes;
+  changes.reserve(to.size());
+  for (const auto& [key, spot] : to) {
+    const map::Waypoint* const now = find(key);
+    if (!now) continue;
+    changes.push_back({key, *now, *now});
+    changes.back().after->position_m = spot.position_m;
+    changes.back().after->yaw_rad = spot.yaw_rad;
+  }
+  document_->change(std::move(changes), what, gesture);
+}
+
+QString WaypointEditing::called(const std::set<edit::Key>& keys) const {
+  if (keys.size() == 1 && find(*keys.begin())) return shortWaypointName(*find(*keys.begin()));
+  return waypointsText(qsizetype(keys.size()));
+}
+
+}  // namespace mapwright::window
+
+#include "moc_waypoint_editing.cpp"

@@ -1,0 +1,312 @@
+#include "ui/waypoints/waypoint_review.h"
+
+#include <algorithm>
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableView>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "exchange/waypoint_plan.h"
+#include "exchange/waypoint_steps.h"
+#include "sentences/plural.h"
+#include "ui/kit/row_table.h"
+#include "ui/kit/tree_view.h"
+#include "ui/kit/ui_colors.h"
+#include "ui/waypoints/waypoint_text.h"
+
+namespace mapwright::window {
+
+namespace {
+
+constexpr int kReviewRowPx = 24;
+constexpr qsizetype kNamed = 3;  // of those that differ
+
+bool areCalls(const edit::OpenWaypoints& list, const std::vector<edit::PlannedRequest>& planned,
+              const std::vector<robot::WaypointRequest>& shown) {
+  return std::equal(planned.begin(), planned.end(), shown.begin(), shown.end(),
+                    [&](const edit::PlannedRequest& one, const robot::WaypointRequest& other) {
+                      const robot::WaypointCall call = list.callOf(other);
+                      return one.call.service == call.service && one.call.arguments == call.arguments;
+                    });
+}
+
+}  // namespace
+
+WaypointReview::WaypointReview(QWidget* parent)
+    : QDialog(parent),
+      model_(new ReviewModel(this)),
+      heading_(new QLabel(this)),
+      status_(new QLabel(this)),
+      compared_(new QLabel(this)),
+      table_(new QuietTableView(this)),
+      go_on_(new QCheckBox(tr("Continue if one fails"), this)),
+      progress_(new QProgressBar(this)),
+      send_(new QPushButton(tr("&Send"), this)),
+      cancel_(new QPushButton(tr("&Cancel"), this)),
+      close_(new QPushButton(tr("C&lose"), this)) {
+  setObjectName(QStringLiteral("waypointReview"));
+  setWindowTitle(tr("Review and send"));
+  resize(860, 420);
+  for (QLabel* label : {heading_, status_, compared_}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+  }
+  showRows(*table_, model_, tr("The requests in their order"), kReviewRowPx);
+  QHeaderView* const header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  header->setSectionResizeMode(ReviewModel::ChangeColumn, QHeaderView::Stretch);
+  // In average letter widths: room for the longest of our own texts and usual names.
+  const auto wide = [&](int letters) { return letters * fontMetrics().averageCharWidth() + 20; };
+  header->resizeSection(ReviewModel::NumberColumn, wide(4));
+  header->resizeSection(ReviewModel::CallColumn, wide(22));
+  header->resizeSection(ReviewModel::WaypointColumn, wide(20));
+  header->resizeSection(ReviewModel::OutcomeColumn, wide(30));
+  progress_->setTextVisible(false);
+  progress_->setMaximumHeight(6);
+  // Enter sends, wherever the focus is, and does nothing else.
+  send_->setDefault(true);
+  for (QPushButton* button : {cancel_, close_}) button->setAutoDefault(false);
+
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(go_on_);
+  buttons->addStretch();
+  for (QPushButton* button : {cancel_, close_, send_}) buttons->addWidget(button);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(heading_);
+  column->addWidget(table_, 1);
+  column->addWidget(progress_);
+  column->addWidget(status_);
+  column->addWidget(compared_);
+  column->addLayout(buttons);
+
+  connect(send_, &QPushButton::clicked, this, &WaypointReview::send);
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    if (list_) list_->cancelSaving();
+  });
+  connect(close_, &QPushButton::clicked, this, &WaypointReview::close);
+}
+
+bool WaypointReview::isWorthIt(const edit::OpenWaypoints& list) {
+  // The first one is representative: either all of them are calls, or none.
+  const auto changes = list.document().changes();
+  if (changes.empty()) return false;
+  const auto& one = changes.front();
+  robot::WaypointRequest request;
+  request.changes.push_back({list.document().theirName(one.key), one.before, one.after});
+  return !list.callOf(request).service.empty();
+}
+
+void WaypointReview::review(edit::OpenWaypoints* list, const QString& map) {
+  if (list_ != list) {
+    forget();
+    list_ = list;
+    connect(list, &edit::OpenWaypoints::changed, this, &WaypointReview::refresh);
+    // Further edits update the plan; at most once per turn of the event loop.
+    connect(&list->document(), &edit::DocumentEvents::changed, this, [this] {
+      if (isHidden() || !list_ || list_->saving() || !model_->showsPlan() || std::exchange(waiting_, true))
+        return;
+      QTimer::singleShot(0, this, [this] {
+        waiting_ = false;
+        if (list_ && !list_->saving() && model_->showsPlan()) takePlan();
+      });
+    });
+  }
+  map_ = map;
+  if (!list_->saving()) {
+    sent_ = overtaken_ = unreached_ = false;
+    wanted_.clear();
+    takePlan();
+  }
+  show();
+  raise();
+  activateWindow();
+  (send_->isVisible() && send_->isEnabled() ? static_cast<QWidget*>(send_) : table_)->setFocus();
+}
+
+void WaypointReview::forget() {
+  if (list_) {
+    list_->disconnect(this);
+    list_->document().disconnect(this);
+  }
+  list_.clear();
+  model_->clear();
+  wanted_.clear();
+  sent_ = overtaken_ = unreached_ = false;
+  hide();
+}
+
+void WaypointReview::takePlan() {
+  sent_ = false;  // none of this has been sent
+  model_->showPlan(list_, list_->planned());
+  refresh();
+}
+
+void WaypointReview::send() {
+  if (!list_ || list_->saving()) return;
+  std::vector<edit::PlannedRequest> planned = list_->planned();
+  // Sends exactly what is shown, nothing else.
+  if (!model_->showsPlan() && !areCalls(*list_, planned, model_->rest())) {
+    overtaken_ = true;
+    return takePlan();
+  }
+  overtaken_ = unreached_ = false;
+  const std::set<edit::Key> refused = list_->refused();
+  for (const edit::Change<map::Waypoint>& change : list_->document().changes()) {
+    if (!refused.contains(change.key)) wanted_.insert_or_assign(change.key, change);
+  }
+  sent_ = true;
+  list_->send(model_->showsPlan() ? model_->plan() : planned,
+              go_on_->isChecked() ? edit::AtFailure::GoOn : edit::AtFailure::Stop);
+}
+
+void WaypointReview::refresh() {
+  if (!list_) return;
+  using edit::SubmissionPhase;
+  const SubmissionPhase phase = list_->submission().phase();
+  if (sent_ && phase == SubmissionPhase::Undecided) {
+    // Nothing was sent: others have changed something.
+    overtaken_ = true;
+    return takePlan();
+  }
+  const bool before_the_first = phase != SubmissionPhase::Looking && phase != SubmissionPhase::Done &&
+                                list_->submission().rows().empty();
+  if (sent_ && !list_->saving() && before_the_first) {
+    // The stored state could not be read: the shown plan is still valid.
+    unreached_ = true;
+    return takePlan();
+  }
+  if (sent_ && phase != SubmissionPhase::Looking) model_->showSubmission(list_);
+  const bool saving = list_->saving();
+  const int rows = model_->rowCount();
+  heading_->setText(
+      tr("Waypoints of %1: %2 in this order.")
+          .arg(map_, sentences::counted(tr("%1 requests", nullptr, sentences::formOf(rows)), rows)));
+  QStringList lines{statusText(), list_->saving() ? QString() : refusedText()};
+  if (model_->showsPlan()) lines << madeUpText();
+  lines.removeAll(QString());
+  status_->setText(lines.join(QLatin1Char('\n')));
+  status_->setVisible(!status_->text().isEmpty());
+  compared_->setText(comparedText());
+  compared_->setVisible(!compared_->text().isEmpty());
+  progress_->setVisible(saving);
+  progress_->setRange(0, saving && phase == SubmissionPhase::Sending ? rows : 0);
+  progress_->setValue(int(list_->submission().done()));
+  const bool all_done = sent_ && phase == SubmissionPhase::Done;
+  send_->setText(sent_ && !all_done ? tr("&Send the rest") : tr("&Send"));
+  // Hiding a button would move the focus to the next one, and Space would press that.
+  if (saving ? send_->hasFocus() || close_->hasFocus() : cancel_->hasFocus()) table_->setFocus();
+  send_->setVisible(!saving);
+  send_->setEnabled(list_->maySave() && (model_->showsPlan() ? rows > 0 : !all_done));
+  cancel_->setVisible(saving);
+  close_->setVisible(!saving);
+  go_on_->setEnabled(!saving);
+}
+
+QString WaypointReview::statusText() const {
+  using edit::SubmissionPhase;
+  const auto figure = [](std::size_t count) { return QLocale::c().toString(qulonglong(count)); };
+  if (!list_->document().conflicts().empty() && !list_->saving())
+    return tr("%1 changed here and elsewhere. Choose which version to keep in the Waypoints panel: nothing "
+              "is sent before that.")
+        .arg(waypointsText(qsizetype(list_->document().conflicts().size())));
+  if (!sent_) {
+    if (const auto why = list_->stoppedBy(); unreached_ && why)
+      return whyText(*why) + QLatin1Char(' ') + tr("Nothing was sent.");
+    if (overtaken_)
+      return tr(
+          "Nothing was sent: the list has changed in the meantime. These are the requests that are needed "
+          "now. Review them and send them.");
+    if (model_->rowCount() > 0) return tr("Nothing has been sent yet.");
+    return list_->unsaved() ? QString() : tr("There is nothing to send.");
+  }
+  const exchange::SentCounts counts = model_->counts();
+  const auto& submission = list_->submission();
+  switch (submission.phase()) {
+    case SubmissionPhase::Looking:
+      return tr("Checking the waypoints on the robot…");
+    case SubmissionPhase::Sending:
+      return tr("Sending: %1 of %2 done.")
+          .arg(figure(counts.applied), figure(std::size_t(model_->rowCount())));
+    case SubmissionPhase::LookingAgain:
+      return tr("Everything was sent. Checking the result…");
+    case SubmissionPhase::Done:
+      return tr("All requests succeeded.");
+    default:
+      break;
+  }
+  QString text = tr("Of %1 requests %2 succeeded, %3 failed, %4 are unknown and %5 were not sent.")
+                     .arg(figure(std::size_t(model_->rowCount())), figure(counts.applied),
+                          figure(counts.failed), figure(counts.unknown), figure(counts.not_sent));
+  // Only the reason: the result of each is shown in its row.
+  if (const auto why = list_->stoppedBy()) text = whyText(*why) + QLatin1Char(' ') + text;
+  if (!list_->looked())
+    text += QLatin1Char(' ') +
+            tr("The result could not be read yet; this happens as soon as the connection is back.");
+  return text;
+}
+
+QString WaypointReview::refusedText() const {
+  return exchange::refusedText(list_->refused(), list_->document().changes());
+}
+
+QString WaypointReview::madeUpText() const {
+  if (list_->keeps().no_heading) return {};
+  const auto& plan = model_->plan();
+  const bool any = std::any_of(plan.begin(), plan.end(), [](const edit::PlannedRequest& one) {
+    return std::any_of(one.request.changes.begin(), one.request.changes.end(), [](const auto& change) {
+      return !change.before && change.after && change.after->yaw_rad == 0.0;
+    });
+  });
+  return any ? tr("Every waypoint has a heading on this robot: new ones get 0° until you turn them.")
+             : QString();
+}
+
+void WaypointReview::keyPressEvent(QKeyEvent* event) {
+  // Holding the key down only sends once.
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (!enter || !event->isAutoRepeat()) QDialog::keyPressEvent(event);
+}
+
+QString WaypointReview::comparedText() const {
+  if (!sent_ || list_->saving() || !list_->looked() || wanted_.empty()) return {};
+  QStringList names;
+  std::size_t differ = 0;
+  const edit::WaypointDocument& document = list_->document();
+  for (const auto& [key, change] : wanted_) {
+    const auto steps = exchange::stepsOf({change});
+    const bool as_wanted = std::all_of(steps.begin(), steps.end(), [&](const auto& step) {
+      return exchange::isDone(step, document.findKept(key));
+    });
+    if (as_wanted) continue;
+    ++differ;
+    if (names.size() < kNamed) names << shortWaypointName(change.before ? *change.before : *change.after);
+  }
+  const QLocale c = QLocale::c();
+  const QString as_wanted = c.toString(qulonglong(wanted_.size() - differ));
+  if (differ == 0) return tr("Compared with the robot's waypoints: %1 as intended, 0 differ.").arg(as_wanted);
+  if (qsizetype(differ) > names.size()) names << QStringLiteral("…");
+  return tr("Compared with the robot's waypoints: %1 as intended, %2 differ: %3.")
+      .arg(as_wanted, c.toString(qulonglong(differ)), names.join(QStringLiteral(", ")));
+}
+
+void WaypointReview::hideEvent(QHideEvent* event) {
+  QDialog::hideEvent(event);
+  if (!event->spontaneous() && list_ && !list_->saving() && list_->unsaved()) Q_EMIT givenUp();
+}
+
+QString WaypointReview::statusShown() const { return status_->isHidden() ? QString() : status_->text(); }
+QString WaypointReview::comparedShown() const {
+  return compared_->isHidden() ? QString() : compared_->text();
+}
+
+}  // namespace mapwright::window
+
+#include "moc_waypoint_review.cpp"

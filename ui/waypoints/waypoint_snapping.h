@@ -1,0 +1,54 @@
+// What waypoints are caught by while a hand moves or creates them: the rules that the user has chosen, asked
+// for one place at a time, and drawn as guides. GUI thread.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include <QObject>
+#include <QSettings>
+
+#include "placing/snap.h"
+#include "scene/map_scene.h"
+#include "ui/view/hit_list.h"
+
+namespace mapwright::window {
+
+class WaypointSnapping : public QObject {
+  Q_OBJECT
+ public:
+  /// Both must outlive this.
+  WaypointSnapping(const scene::MapScene* scene, const HitList* hits, QObject* parent = nullptr);
+
+  bool on() const { return on_; }
+  void setOn(bool on);
+  const placing::SnapRules& rules() const { return rules_; }
+  void setRules(const placing::SnapRules& rules);
+  void recall(const QSettings& settings);
+  void remember(QSettings& settings) const;
+
+  using Ignored = std::function<bool(const Hit&)>;
+  /// Ctrl: the lines of the grid on screen, whatever the rules say. Alt: nothing is caught. What is caught by
+  /// nothing is as exact as a hand: a millimetre.
+  placing::SnappedPlace place(const Eigen::Vector2d& free_m, Qt::KeyboardModifiers modifiers,
+                              const Ignored& ignored);
+  /// Ctrl or Shift: the nearest multiple of 15 degrees. Alt: as it is.
+  double heading(double yaw_rad, Qt::KeyboardModifiers modifiers) const;
+  /// Where it was caught, and by what, in viewport pixels.
+  void paint(QPainter& painter, const placing::SnappedPlace& place) const;
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  const scene::MapScene* scene_;
+  const HitList* hits_;
+  bool on_ = true;
+  placing::SnapRules rules_;
+  std::optional<placing::Ground> ground_;  // of the map that was asked last
+};
+
+/// What lies under the waypoints: the whole map on screen; none while it is being read.
+placing::PlacedMap mapUnder(const scene::MapScene& scene);
+
+}  // namespace mapwright::window

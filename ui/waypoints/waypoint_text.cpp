@@ -1,0 +1,177 @@
+#include "ui/waypoints/waypoint_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "geometry/pose.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/plural.h"
+#include "ui/kit/status_text.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::window {
+namespace {
+
+struct WaypointsText {
+  Q_DECLARE_TR_FUNCTIONS(mapwright::window::Waypoints)
+};
+
+QString fixed(double value, int decimals) { return QLocale::c().toString(value, 'f', decimals); }
+
+QString fieldsText(const std::optional<map::Waypoint>& point, edit::FieldMask fields) {
+  using namespace edit::waypoint_field;
+  if (!point) return WaypointsText::tr("deleted");
+  QStringList parts;
+  if (fields & kName) parts << WaypointsText::tr("name “%1”").arg(shortWaypointName(*point));
+  if (fields & kPosition)
+    parts << WaypointsText::tr("position %1, %2 m")
+                 .arg(fixed(point->position_m.x(), 3), fixed(point->position_m.y(), 3));
+  if (fields & kYaw)
+    parts << (point->yaw_rad ? WaypointsText::tr("heading %1").arg(yawText(point->yaw_rad))
+                             : WaypointsText::tr("no heading"));
+  if (fields & kTags)
+    parts << (point->tags.empty() ? WaypointsText::tr("no tags")
+                                  : WaypointsText::tr("tags %1").arg(tagsText(point->tags)));
+  if (fields & kType) parts << WaypointsText::tr("type %1").arg(words::plainName(point->type).left(40));
+  return parts.isEmpty() ? WaypointsText::tr("unchanged") : parts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+QString shortWaypointName(const map::Waypoint& point, int limit) {
+  QString text = words::plainName(point.name);
+  if (text.isEmpty()) text = words::plainName(point.id);
+  return text.size() > limit ? text.left(limit - 1) + QChar(0x2026) : text;
+}
+
+QString tagsText(const std::vector<std::string>& tags) {
+  QStringList texts;
+  for (const std::string& tag : tags) texts << words::plainName(tag);
+  return texts.join(QStringLiteral(", "));
+}
+
+std::vector<std::string> tagsFrom(const QString& text) {
+  std::vector<std::string> tags;
+  for (const QString& tag : text.split(QLatin1Char(','))) {
+    if (!tag.trimmed().isEmpty()) tags.push_back(tag.trimmed().toStdString());
+  }
+  return tags;
+}
+
+QString yawText(const std::optional<double>& yaw_rad) {
+  if (!yaw_rad) return {};
+  return fixed(geometry::degreesFromRadians(geometry::normalizeAngle(*yaw_rad)), 1) + QChar(0xb0);
+}
+
+QString waypointsText(qsizetype count) {
+  return sentences::counted(WaypointsText::tr("%1 waypoints", nullptr, sentences::formOf(count)), count);
+}
+
+QString changesText(qsizetype count) {
+  return sentences::counted(WaypointsText::tr("%1 changes", nullptr, sentences::formOf(count)), count);
+}
+
+QString stateText(const edit::ItemState& state) {
+  if (state.changed_elsewhere)
+    return WaypointsText::tr("Changed here and elsewhere: choose which version to keep.");
+  if (state.sent) return WaypointsText::tr("Sent, not confirmed yet.");
+  return state.unsaved ? WaypointsText::tr("Not saved yet.") : QString();
+}
+
+int pendingOf(const edit::ItemState& state, const map::Waypoint* kept, const map::Waypoint* now) {
+  using namespace edit::waypoint_field;
+  int pending = state.changed_elsewhere ? kConflicting : 0;
+  if (!state.unsaved) return pending;
+  pending |= kUnsaved;
+  if (!kept || !now) return pending | (now ? kNew : kDeleted);
+  const edit::FieldMask fields = edit::difference(*kept, *now);
+  if (fields & (kPosition | kYaw)) pending |= kMoved;
+  if (fields & kName) pending |= kRenamed;
+  if (fields & (kTags | kType)) pending |= kRetagged;
+  return pending;
+}
+
+QString pendingText(const edit::ItemState& state, int pending) {
+  if (state.changed_elsewhere || state.sent || !(pending & kUnsaved)) return stateText(state);
+  QStringList parts;
+  if (pending & kNew) parts << WaypointsText::tr("new");
+  if (pending & kDeleted) parts << WaypointsText::tr("deleted");
+  if (pending & kRenamed) parts << WaypointsText::tr("renamed");
+  if (pending & kMoved) parts << WaypointsText::tr("moved");
+  if (pending & kRetagged) parts << WaypointsText::tr("retagged");
+  if (parts.isEmpty()) return stateText(state);
+  return WaypointsText::tr("Not saved yet: %1.").arg(parts.join(QStringLiteral(", ")));
+}
+
+QString changeText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after) {
+  using namespace edit::waypoint_field;
+  if (!before && !after) return {};
+  if (!after) return WaypointsText::tr("deleted");
+  if (!before) {
+    const edit::FieldMask said = kPosition | (after->yaw_rad ? kYaw : 0) | (after->tags.empty() ? 0 : kTags) |
+                                 (after->type.empty() ? 0 : kType);
+    return WaypointsText::tr("new: %1").arg(fieldsText(after, said));
+  }
+  const edit::FieldMask changed = edit::difference(*before, *after);
+  QStringList parts;
+  for (edit::FieldMask field = 1; field <= changed; field <<= 1) {
+    if (changed & field)
+      parts << WaypointsText::tr("%1 → %2").arg(fieldsText(before, field), fieldsText(after, field));
+  }
+  return parts.isEmpty() ? WaypointsText::tr("unchanged") : parts.join(QStringLiteral("; "));
+}
+
+QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
+  edit::FieldMask mine = conflict.fields, theirs = conflict.fields;
+  if (!conflict.mine || !conflict.theirs) {
+    mine = conflict.mine && conflict.base ? edit::difference(*conflict.mine, *conflict.base) : 0;
+    theirs = conflict.theirs && conflict.base ? edit::difference(*conflict.theirs, *conflict.base) : 0;
+  }
+  return WaypointsText::tr("Here: %1. Elsewhere: %2.")
+      .arg(fieldsText(conflict.mine, mine), fieldsText(conflict.theirs, theirs));
+}
+
+QString failureText(const map::Failure& failure) {
+  const bool says_why = !failure.detail.empty() || failure.cause.any() || !failure.robot_code.empty();
+  return says_why ? words::plainLine(QString::fromStdString(sentences::sentenceOf(failure)))
+                  : whyText(failure);
+}
+
+exchange::SentOutcome outcomeOf(const edit::OpenWaypoints& list, const exchange::SentRequest& sent) {
+  return exchange::outcomeOf(sent, list.looked() ? &list.document() : nullptr);
+}
+
+exchange::SentCounts countsOf(const edit::OpenWaypoints& list) {
+  return exchange::countsOf(list.submission().rows(), list.looked() ? &list.document() : nullptr);
+}
+
+QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stopped_by) {
+  const exchange::SentCounts counts = countsOf(list);
+  const std::size_t sent = counts.applied + counts.failed + counts.unknown, all = sent + counts.not_sent;
+  const QString why = whyText(stopped_by);
+  if (all < 2 || counts.applied + counts.unknown == 0) {
+    return counts.unknown > 0 ? WaypointsText::tr("Whether it was saved is unknown. %1").arg(why)
+                              : WaypointsText::tr("Not saved. %1").arg(why);
+  }
+  const auto figure = [](std::size_t count) { return QLocale::c().toString(qulonglong(count)); };
+  QString text = WaypointsText::tr("Not everything was saved: %1 of %2 requests succeeded")
+                     .arg(figure(counts.applied), figure(all));
+  if (counts.unknown > 0)
+    text += WaypointsText::tr(", the result of %1 is unknown").arg(figure(counts.unknown));
+  return text + QStringLiteral(". ") + why;
+}
+
+QString whyText(const map::Failure& failure) {
+  return words::plainLine(QString::fromStdString(sentences::whyOf(failure)));
+}
+
+QString offerText(const edit::WaypointDraft& draft, const QDateTime& now) {
+  const bool today = draft.made.date() == now.date();
+  const QString when =
+      today ? WaypointsText::tr("today %1").arg(QLocale::c().toString(draft.made, QStringLiteral("HH:mm:ss")))
+            : QLocale::c().toString(draft.made, QStringLiteral("d MMMM yyyy HH:mm"));
+  return WaypointsText::tr("There is an unsaved draft of these waypoints from %1: %2.")
+      .arg(when, changesText(qsizetype(draft.changes.size())));
+}
+
+}  // namespace mapwright::window

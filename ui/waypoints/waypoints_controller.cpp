@@ -1,0 +1,431 @@
+#include "ui/waypoints/waypoints_controller.h"
+
+#include <utility>
+
+#include <QMenu>
+
+#include "scene/layer_item.h"
+#include "sentences/absence_sentence.h"
+#include "sentences/fault_sentence.h"
+#include "session/lacks_picture.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/panels.h"
+#include "ui/kit/plain_label.h"
+#include "ui/kit/undo_stacks.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/map_view.h"
+#include "ui/view/notice_bar.h"
+#include "ui/view/toast_stack.h"
+#include "ui/view/tool_choice.h"
+#include "ui/waypoints/conflict_menu.h"
+#include "ui/waypoints/name_editor.h"
+#include "ui/waypoints/waypoint_placing.h"
+#include "ui/waypoints/waypoint_review.h"
+#include "ui/waypoints/waypoint_text.h"
+#include "ui/waypoints/waypoint_tool.h"
+#include "ui/waypoints/waypoint_transfer.h"
+#include "ui/waypoints/waypoints_dock.h"
+#include "ui/waypoints/waypoints_on_map.h"
+
+namespace mapwright::window {
+
+WaypointsController::WaypointsController(WindowContext& context, QObject* parent)
+    : Controller(parent),
+      context_(context),
+      questions_(&context.window),
+      placing_(new WaypointPlacing(context, &editing_, this)),
+      on_map_(new WaypointsOnMap(&editing_, &context.scene, &context.hits, this)),
+      dock_(new WaypointsDock(&editing_, &context.window)),
+      tool_(new WaypointTool(&editing_, &context.scene, &context.hits, placing_->snapping(), this)),
+      name_editor_(new NameEditor(context.view.viewport())),
+      transfer_(nullptr),
+      review_(new WaypointReview(&context.window)) {
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 15, .menu_rank = 45});
+  connect(&context_.panels, &Panels::arranged, this, [this] {
+    if (comesFirst()) context_.panels.suggest(dock_);
+  });
+  addActions();
+  transfer_ = new WaypointTransfer(context_, &editing_, tool_, this);
+  on_map_->setWarnings(placing_->warnings());
+  dock_->setWarnings(placing_->warnings());
+  connect(dock_, &WaypointsDock::nextWarningWanted, placing_, &WaypointPlacing::showNextWarning);
+  connect(placing_, &WaypointPlacing::made, this, [this] {
+    if (list_) context_.undo.setActiveStack(&list_->document().undoStack());
+  });
+  connect(&editing_, &WaypointEditing::renameWanted, this, &WaypointsController::askName);
+  connect(tool_, &WaypointTool::activated, this, [this] {
+    context_.scene.setLayerVisible(scene::Layer::Waypoints, true);
+    context_.panels.open(dock_);
+    if (list_) context_.undo.setActiveStack(&list_->document().undoStack());
+  });
+  connect(dock_, &WaypointsDock::addWanted, this, [this] { addAt(context_.scene.view().center_m); });
+  connect(dock_, &WaypointsDock::copyWanted, transfer_, &WaypointTransfer::copy);
+  connect(dock_, &WaypointsDock::pasteWanted, transfer_, &WaypointTransfer::paste);
+  // No longer needed.
+  connect(review_, &WaypointReview::givenUp, this, [this] { when_saved_ = nullptr; });
+  connect(dock_, &WaypointsDock::saveWanted, this, &WaypointsController::save);
+  connect(dock_, &WaypointsDock::cancelWanted, this, [this] {
+    if (list_) list_->cancelSaving();
+  });
+  connect(dock_, &WaypointsDock::retryWanted, this, [this] {
+    if (list_) list_->read();
+  });
+  connect(dock_, &WaypointsDock::locateWanted, this, [this](const edit::Key& key) {
+    if (const map::Waypoint* const point = editing_.find(key)) context_.view.lookAt(point->position_m);
+  });
+  connect(dock_, &WaypointsDock::decided, this, [this](const edit::Key& key, bool mine) {
+    decideConflict(editing_, key, mine ? ConflictChoice::Mine : ConflictChoice::Theirs);
+  });
+  NoticeBar* const notice = context_.overlay.editNotice();
+  connect(notice, &NoticeBar::offerTaken, this, &WaypointsController::takeOffer);
+  connect(notice, &NoticeBar::secondTaken, this, [this] {
+    if (list_ && !list_->offered().empty()) return list_->turnDown();
+    if (const auto left = nameLeft()) accepted_names_.insert(left->key);
+    refresh();
+  });
+  // When the camera moves the line follows: further typing must not trigger commands of the map.
+  connect(&context_.scene, &scene::MapScene::viewChanged, this, [this] {
+    const map::Waypoint* const point = name_editor_->isHidden() ? nullptr : editing_.find(named_);
+    if (point) name_editor_->follow(scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m)));
+  });
+  connect(name_editor_, &NameEditor::closed, this, [this] { context_.view.setFocus(); });
+  refresh();
+}
+
+WaypointsController::~WaypointsController() {
+  setSession(nullptr);
+  delete dock_;  // it refers to members of this object
+}
+
+void WaypointsController::addActions() {
+  tool_action_ = context_.actions.add({.id = "waypointTool",
+                                       .text = tr("&Waypoints"),
+                                       .icon = "waypoint",
+                                       .keys = {"W"},
+                                       .reach = Reach::OutsideText,
+                                       .tip = tr("Add, move, turn and rename waypoints on the map"),
+                                       .toggle = true,
+                                       .menu = {MenuGroup::Waypoints, 10},
+                                       .bar = {BarGroup::Tools, 30}});
+  tool_action_->setProperty("tip", tool_action_->toolTip());
+  context_.tools.add(tool_, tool_action_);
+  context_.actions.placeOnMapMenu(
+      {MapMenuGroup::Edit, 10}, [this](QMenu& menu, const Eigen::Vector2d& world_m) {
+        if (!editing_.editable()) return;
+        const double reach_m = MapTool::kReachPx * context_.scene.view().scale_m_per_px;
+        if (const auto key = conflictAt(*editing_.document(), world_m, reach_m)) {
+          fillConflictMenu(menu, *editing_.document(), *key,
+                           [this, key](ConflictChoice choice) { decideConflict(editing_, *key, choice); });
+          menu.addSeparator();
+        }
+        menu.addAction(themedIcon(QStringLiteral("waypoint")), tr("Add &waypoint here"), this,
+                       [this, world_m] { addAt(world_m); });
+      });
+  revert_action_ = context_.actions.add({.id = "revertWaypoints",
+                                         .text = tr("&Discard changes to waypoints…"),
+                                         .icon = "reset",
+                                         .tip = tr("Restore the waypoints as last saved"),
+                                         .menu = {MenuGroup::Waypoints, 20}},
+                                        this, &WaypointsController::revertAll);
+}
+
+void WaypointsController::setSession(session::Session* session) {
+  if (session_) {
+    session_->wholeMap().disconnect(this);
+    session_->catalogue().disconnect(this);
+    session_->robot().disconnect(this);
+  }
+  closeList();
+  session_ = session;
+  if (session_) {
+    connect(&session_->wholeMap(), &session::MapSlot::changed, this, &WaypointsController::syncMap);
+    // The robot's current map, and the possible actions on its waypoints.
+    connect(&session_->catalogue(), &session::Catalogue::changed, this, &WaypointsController::syncMap);
+    connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &WaypointsController::syncMap);
+  }
+  placing_->setSession(session);
+  if (comesFirst()) context_.panels.suggest(dock_);
+  syncMap();
+  refresh();
+}
+
+bool WaypointsController::comesFirst() const {
+  // Files have no live data and no submaps.
+  return session_ && session_->robot().isLocal() && session_->robot().waypointStore();
+}
+
+void WaypointsController::recall(const QSettings& settings) { placing_->recall(settings); }
+
+void WaypointsController::remember(QSettings& settings) { placing_->remember(settings); }
+
+void WaypointsController::syncMap() {
+  const session::MapSlot* const slot = session_ ? &session_->wholeMap() : nullptr;
+  std::optional<map::MapKey> key;
+  // Even without a picture: a robot may have waypoints of maps whose picture it does not send.
+  const bool bare = slot && session_->robot().waypointStore() &&
+                    (session::lacksPicture(*slot) || session::isByRegion(session_->robot(), *slot));
+  if (slot && (slot->cells() || bare)) key = session_->placesOf(*slot);
+  if (slot && slot->cells()) editing_.setCell(slot->reference().resolution_m);
+  const bool store_went = list_ && session_ && !session_->robot().waypointStore();
+  // Unsaved changes stay on screen; the store may come back.
+  if (store_went && (list_->unsaved() || list_->saving())) return refresh();
+  const bool store_came = !list_ && key && session_->robot().waypointStore();
+  if (key != open_map_ || store_went || store_came) {
+    closeList();
+    open_map_ = key;
+    on_map_->setMap(key);
+    transfer_->setMap(key);
+    if (key && session_->robot().waypointStore()) openList(*key);
+  }
+  if (key && !session_->robot().waypointStore() && session_->robot().waypointSource()) openReadOnly();
+  refresh();
+}
+
+void WaypointsController::openList(const map::MapKey& key) {
+  list_ = std::make_unique<edit::OpenWaypoints>(*session_->robot().waypointStore(), key,
+                                                session_->robot().address(), context_.edit);
+  connect(list_.get(), &edit::OpenWaypoints::changed, this, &WaypointsController::noteSaving);
+  connect(list_.get(), &edit::OpenWaypoints::draftTroubleChanged, this, &WaypointsController::refresh);
+  connect(list_.get(), &edit::OpenWaypoints::remarked, this, [this](const Fault& remark) {
+    context_.overlay.toasts()->add(Mark::Warning, sentences::wordsOf(remark));
+  });
+  connect(list_.get(), &edit::OpenWaypoints::saved, this, [this] {
+    if (list_->submission().done() > 0)
+      context_.overlay.toasts()->add(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()));
+    // Leaving closes the list, which is emitting this signal.
+    if (const auto then = std::exchange(when_saved_, nullptr))
+      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+  });
+  connect(&list_->document(), &edit::DocumentEvents::changed, this, &WaypointsController::takeChange);
+  joinUndo(context_.undo, list_->document().undoStack());
+  context_.undo.setActiveStack(&list_->document().undoStack());
+}
+
+void WaypointsController::openReadOnly() {
+  const map::WaypointList& told = session_->wholeMap().waypoints();
+  edit::Items<map::Waypoint> items;
+  for (const map::Waypoint& point : told.points) {
+    edit::Key key = point.id;
+    for (int turn = 2; items.contains(key) || key.empty(); ++turn)
+      key = point.id + " #" + std::to_string(turn);
+    items.emplace(std::move(key), point);
+  }
+  if (shown_only_ && shown_only_->items() == items) return;
+  if (!shown_only_) {
+    shown_only_ = std::make_unique<edit::WaypointDocument>();
+    connect(shown_only_.get(), &edit::DocumentEvents::changed, this, &WaypointsController::takeChange);
+    constexpr auto kEditing = robot::Capability::WaypointEditing;
+    editing_.setDocument(shown_only_.get(),
+                         sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing)));
+  }
+  shown_only_->reset(std::move(items));
+}
+
+void WaypointsController::addAt(const Eigen::Vector2d& world_m) {
+  const edit::Gesture gesture = editing_.newGesture();
+  context_.scene.setLayerVisible(scene::Layer::Waypoints, true);
+  const edit::Key key = editing_.add(world_m, gesture);
+  if (!key.empty()) askName(key, gesture);
+}
+
+void WaypointsController::closeList() {
+  name_editor_->finish();
+  may_leave_ = false;
+  open_map_.reset();
+  review_->forget();
+  on_map_->setMap(std::nullopt);
+  editing_.setDocument(nullptr, {});
+  dock_->setList(nullptr, {});
+  shown_only_.reset();
+  if (list_) {
+    list_->robotGone();
+    // Unsaved changes stay as a draft; if that is impossible the user has to know.
+    if (const auto trouble = list_->unsaved() ? list_->keepDraft() : std::nullopt)
+      context_.overlay.toasts()->add(
+          Mark::Bad, tr("The changes to the waypoints are lost. %1").arg(sentences::wordsOf(*trouble)));
+    list_->disconnect(this);
+    list_->document().disconnect(this);
+    list_.reset();
+    accepted_names_.clear();
+  }
+}
+
+void WaypointsController::noteSaving() {
+  // The list can be edited once it has been read.
+  const bool ready = list_ && list_->phase() == edit::OpenWaypoints::Phase::Ready;
+  if (ready && editing_.document() != &list_->document())
+    editing_.setDocument(&list_->document(), {}, list_->keeps());
+  const edit::SubmissionPhase phase = list_->submission().phase();
+  // Without a conflict the review has to be checked again.
+  const bool to_decide = phase == edit::SubmissionPhase::Undecided && !list_->document().conflicts().empty();
+  if (to_decide && !std::exchange(said_decide_, true)) {
+    when_saved_ = nullptr;
+    context_.overlay.toasts()->add(
+        Mark::Warning,
+        tr("Not saved yet: some waypoints were changed here and elsewhere. Choose which version to keep."));
+    context_.panels.open(dock_);
+  }
+  if (phase != edit::SubmissionPhase::Undecided) said_decide_ = false;
+  const auto& failure = list_->submission().failure();
+  if (phase == edit::SubmissionPhase::Stopped && failure && failure->kind != map::FailureKind::Conflict &&
+      std::exchange(told_failure_, failure) != failure) {
+    // The review shows it, and can continue.
+    if (!review_->isVisible()) {
+      when_saved_ = nullptr;
+      context_.overlay.toasts()->add(Mark::Bad, tr("Waypoints: %1").arg(notSavedText(*list_, *failure)));
+    }
+  }
+  if (list_->saving()) told_failure_.reset();
+  refresh();
+}
+
+void WaypointsController::takeChange() {
+  may_leave_ = false;
+  refresh();
+}
+
+void WaypointsController::refresh() {
+  QString sentence;
+  if (!session_) {
+    sentence = tr("Open a map file (Ctrl+Shift+O) to see and edit its waypoints.");
+  } else if (!session_->robot().waypointStore() && !session_->robot().waypointSource()) {
+    sentence = sentences::whyAbsent(robot::Capability::Waypoints,
+                                    session_->robot().whyNot(robot::Capability::Waypoints));
+  } else if (!open_map_) {
+    sentence = tr("Waypoints belong to a whole map. Open one in the Maps panel.");
+  } else if (list_ && list_->phase() == edit::OpenWaypoints::Phase::Reading) {
+    sentence = tr("Loading the waypoints.");
+  } else if (list_ && list_->failure()) {
+    sentence = failureText(*list_->failure());
+  }
+  placing_->warnings()->setZeroTurns(list_ ? list_->zeroTurns() : std::set<edit::Key>());
+  dock_->setList(list_.get(), sentence);
+  const bool usable = editing_.document() != nullptr;
+  tool_action_->setEnabled(usable);
+  tool_action_->setToolTip(usable ? tool_action_->property("tip").toString() : plainToolTip(sentence));
+  if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
+  revert_action_->setEnabled(unsaved());
+  refreshNotice();
+  const bool changed = was_unsaved_ != unsaved() || could_save_ != maySave();
+  was_unsaved_ = unsaved();
+  could_save_ = maySave();
+  if (changed) Q_EMIT unsavedChanged();
+}
+
+void WaypointsController::refreshNotice() {
+  NoticeBar* const notice = context_.overlay.editNotice();
+  if (list_ && list_->draftTrouble().any()) {
+    return notice->setNotice(Mark::Bad,
+                             tr("Changes to waypoints are not backed up: save them soon. %1")
+                                 .arg(sentences::wordsOf(list_->draftTrouble())),
+                             tr("Show"));
+  }
+  if (list_ && !list_->offered().empty()) {
+    notice->setNotice(Mark::Warning, offerText(list_->offered().front(), context_.edit.now()), tr("Restore"));
+    notice->setSecondOffer(tr("Discard draft"));
+    return;
+  }
+  if (list_ && !list_->document().conflicts().empty()) {
+    return notice->setNotice(Mark::Warning,
+                             tr("%1 changed here and elsewhere. Choose which version to keep before saving.")
+                                 .arg(waypointsText(qsizetype(list_->document().conflicts().size()))),
+                             tr("Show"));
+  }
+  if (const auto left = nameLeft()) {
+    notice->setNotice(Mark::Warning, left->sentence, left->offer);
+    if (left->remedy != LeftName::Remedy::SendRest) notice->setSecondOffer(tr("Keep the name"));
+    return;
+  }
+  notice->setNotice(Mark::None, {}, {});
+}
+
+std::optional<LeftName> WaypointsController::nameLeft() const {
+  const bool ready = list_ && list_->phase() == edit::OpenWaypoints::Phase::Ready && !list_->saving();
+  return ready ? leftName(list_->document(), accepted_names_) : std::nullopt;
+}
+
+void WaypointsController::takeOffer() {
+  if (list_ && !list_->draftTrouble().any()) {
+    if (!list_->offered().empty()) return list_->takeUp(tr("restore the draft"));
+    const auto left = list_->document().conflicts().empty() ? nameLeft() : std::nullopt;
+    if (left && left->remedy == LeftName::Remedy::SendRest) return save();
+    if (left && left->remedy == LeftName::Remedy::CallItSo)
+      return editing_.rename(left->key, QString::fromStdString(left->permanent));
+    if (left) {
+      editing_.select({left->key});
+      return askName(left->key, 0);
+    }
+  }
+  context_.panels.open(dock_);
+}
+
+void WaypointsController::save() {
+  name_editor_->finish();
+  // Text still being typed counts.
+  if (QWidget* const typing = context_.window.focusWidget(); typing && dock_->isAncestorOf(typing))
+    typing->clearFocus();
+  if (!list_) return;
+  if (WaypointReview::isWorthIt(*list_)) return review_->review(list_.get(), mapName());
+  list_->save();
+}
+
+void WaypointsController::askName(const edit::Key& key, edit::Gesture gesture) {
+  const map::Waypoint* const point = editing_.find(key);
+  if (!point || !editing_.editable()) return;
+  const QPointF at = scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m));
+  if (!QRectF(context_.view.viewport()->rect()).contains(at)) context_.view.lookAt(point->position_m, false);
+  // Continuous typing is one step, together with the creation of the waypoint.
+  if (gesture == 0) gesture = editing_.newGesture();
+  named_ = key;
+  name_editor_->ask(scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m)),
+                    QString::fromStdString(point->name),
+                    [this, key, gesture](const QString& name) { editing_.rename(key, name, gesture); });
+}
+
+QString WaypointsController::mapName() const {
+  return session_ ? mapCalled(session_->wholeMap().name(), session_->wholeMap().key()) : QString();
+}
+
+void WaypointsController::revertAll() {
+  if (!unsaved()) return;
+  questions_.askToDiscard(tr("Discard %1 to the waypoints of %2? This cannot be undone.")
+                              .arg(changesText(qsizetype(list_->document().unsaved().size())), mapName()),
+                          [this] {
+                            if (list_) list_->discard();
+                          });
+}
+
+void WaypointsController::beforeLeaving(std::function<void()> then) {
+  name_editor_->finish();
+  if (!unsaved() || may_leave_) return then();
+  questions_.askToLeave(
+      tr("Waypoints of %1: %2 not saved.")
+          .arg(mapName(), changesText(qsizetype(list_->document().unsaved().size()))),
+      !context_.edit.drafts_folder.isEmpty(),
+      [this, then = std::move(then)](WaypointQuestions::Leaving said) { answer(said, then); });
+}
+
+void WaypointsController::answer(WaypointQuestions::Leaving answer, const std::function<void()>& then) {
+  if (!list_) return;
+  switch (answer) {
+    case WaypointQuestions::Leaving::Save:
+      when_saved_ = then;
+      return save();
+    case WaypointQuestions::Leaving::Discard:
+      list_->discard();
+      return then();
+    case WaypointQuestions::Leaving::Keep:
+      if (const auto trouble = list_->keepDraft()) {
+        context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
+        return;
+      }
+      may_leave_ = true;
+      return then();
+    case WaypointQuestions::Leaving::Stay:
+      return;
+  }
+}
+
+}  // namespace mapwright::window
+
+#include "moc_waypoints_controller.cpp"

@@ -1,0 +1,95 @@
+// The waypoints of the map on screen, in the window: which list is open, what is drawn, the dock, the tool,
+// saving, drafts, and what is asked before a map is left.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include <QPointer>
+
+#include "ui/kit/controller.h"
+#include "ui/shell/window_context.h"
+#include "ui/waypoints/left_name.h"
+#include "ui/waypoints/waypoint_editing.h"
+#include "ui/waypoints/waypoint_questions.h"
+
+namespace mapwright::window {
+
+class NameEditor;
+class WaypointPlacing;
+class WaypointReview;
+class WaypointTool;
+class WaypointTransfer;
+class WaypointsDock;
+class WaypointsOnMap;
+
+class WaypointsController : public Controller {
+  Q_OBJECT
+ public:
+  explicit WaypointsController(WindowContext& context, QObject* parent = nullptr);
+  ~WaypointsController() override;
+
+  void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
+  bool unsaved() const override { return list_ && list_->unsaved(); }
+  bool maySave() const override { return list_ && list_->maySave(); }
+  void save() override;
+  void beforeLeaving(std::function<void()> then) override;
+
+  WaypointsDock* dock() const { return dock_; }
+  WaypointTool* tool() const { return tool_; }
+  WaypointEditing* editing() { return &editing_; }
+  WaypointPlacing* placing() const { return placing_; }
+  edit::OpenWaypoints* list() const { return list_.get(); }
+  WaypointTransfer* transfer() const { return transfer_; }
+  WaypointReview* review() const { return review_; }
+  NameEditor* nameEditor() const { return name_editor_; }
+  QMessageBox* question() const { return questions_.shown(); }  // null: nothing is asked
+
+ private:
+  void addActions();
+  void syncMap();
+  void openList(const map::MapKey& key);
+  void openReadOnly();
+  void closeList();
+  bool comesFirst() const;  // of what is there the waypoints are most to the point
+  /// A new one there, and its name asked for.
+  void addAt(const Eigen::Vector2d& world_m);
+  void takeChange();
+  void refresh();
+  void refreshNotice();
+  void takeOffer();
+  std::optional<LeftName> nameLeft() const;
+  void revertAll();
+  void askName(const edit::Key& key, edit::Gesture gesture);
+  void noteSaving();
+  void answer(WaypointQuestions::Leaving answer, const std::function<void()>& then);
+  QString mapName() const;
+
+  WindowContext& context_;
+  QPointer<session::Session> session_;
+  WaypointEditing editing_;
+  std::unique_ptr<edit::WaypointDocument> shown_only_;  // of a robot whose waypoints can only be read
+  std::unique_ptr<edit::OpenWaypoints> list_;
+  std::optional<map::MapKey> open_map_;
+  WaypointQuestions questions_;
+  WaypointPlacing* placing_;
+  WaypointsOnMap* on_map_;
+  WaypointsDock* dock_;
+  WaypointTool* tool_;
+  NameEditor* name_editor_;
+  edit::Key named_;  // by the line on the map
+  WaypointTransfer* transfer_;
+  WaypointReview* review_;
+  QAction *tool_action_ = nullptr, *revert_action_ = nullptr;
+  std::function<void()> when_saved_;
+  std::optional<map::Failure> told_failure_;  // that of the last save
+  bool was_unsaved_ = false, could_save_ = false, said_decide_ = false;
+  std::set<edit::Key> accepted_names_;  // that look temporary and may stay
+  bool may_leave_ = false;              // the draft is to be kept as it is
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,421 @@
+#include "ui/waypoints/waypoints_dock.h"
+
+#include <algorithm>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "edit/open_waypoints.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/placing_sentence.h"
+#include "sentences/plural.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/plain_label.h"
+#include "ui/kit/row_table.h"
+#include "ui/kit/tree_view.h"
+#include "ui/kit/ui_colors.h"
+#include "ui/waypoints/conflict_box.h"
+#include "ui/waypoints/group_form.h"
+#include "ui/waypoints/waypoint_filter.h"
+#include "ui/waypoints/waypoint_form.h"
+#include "ui/waypoints/waypoint_text.h"
+#include "ui/waypoints/waypoint_warnings.h"
+
+namespace mapwright::window {
+
+namespace {
+
+constexpr int kWaypointRowPx = 24;
+
+void secondary(QLabel* label, bool bad) {
+  const UiColors colors = appColors();
+  QPalette palette = label->palette();
+  palette.setColor(QPalette::WindowText, bad ? colors.error_text : colors.secondary_text);
+  label->setPalette(palette);
+}
+
+}  // namespace
+
+WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
+    : QDockWidget(tr("Waypoints"), parent),
+      editing_(editing),
+      model_(new WaypointsModel(this)),
+      sorted_(new WaypointFilter(this)),
+      filter_(new QLineEdit(this)),
+      table_(new QuietTableView(this)),
+      pending_(new QComboBox(this)),
+      empty_(new QLabel(this)),
+      status_(new QLabel(this)),
+      conflicts_(new ConflictBox(this)),
+      add_(new QPushButton(tr("Add"), this)),
+      remove_(new QPushButton(tr("Delete"), this)),
+      save_(new QPushButton(tr("Save"), this)),
+      cancel_(new QPushButton(tr("Cancel"), this)),
+      retry_(new QPushButton(tr("Retry"), this)),
+      next_warning_(new QToolButton(this)),
+      form_(new WaypointForm(editing, this)),
+      group_(new GroupForm(editing, this)) {
+  setObjectName(QStringLiteral("waypoints"));
+  buildTable();
+  buildFilter();
+  for (QLabel* label : {empty_, status_}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setContentsMargins(8, 4, 8, 4);
+  }
+  for (QLabel* label : {empty_, status_}) label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  add_->setToolTip(tr("Add a waypoint in the centre of the view. On the map: press W, then click"));
+  remove_->setToolTip(tr("Delete the selected waypoints (Delete)"));
+  save_->setToolTip(tr("Save the changes (Ctrl+S)"));
+  add_->setIcon(themedIcon(QStringLiteral("add")));
+  remove_->setIcon(themedIcon(QStringLiteral("trash")));
+  save_->setIcon(themedIcon(QStringLiteral("save")));
+  for (QPushButton* button : {add_, remove_, save_, cancel_, retry_})
+    button->setObjectName(QStringLiteral("compact"));
+
+  next_warning_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  next_warning_->setIconSize({16, 16});
+  next_warning_->setFocusPolicy(Qt::StrongFocus);
+  next_warning_->setToolTip(plainToolTip(tr("Show the next waypoint with a warning (F8)")));
+  next_warning_->hide();
+
+  auto* body = new QWidget(this);
+  auto* top = new QHBoxLayout;
+  top->setContentsMargins(6, 6, 6, 4);
+  top->setSpacing(4);
+  top->addWidget(filter_, 1);
+  top->addWidget(pending_);
+  auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(8, 4, 8, 4);
+  buttons->setSpacing(6);
+  buttons->addWidget(add_);
+  buttons->addWidget(remove_);
+  buttons->addStretch();
+  buttons->addWidget(next_warning_);
+  for (QPushButton* button : {retry_, cancel_, save_}) buttons->addWidget(button);
+  auto* column = new QVBoxLayout(body);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(top);
+  column->addWidget(empty_);
+  column->addWidget(table_, 1);
+  column->addWidget(conflicts_);
+  column->addWidget(form_);
+  column->addWidget(group_);
+  column->addLayout(buttons);
+  column->addWidget(status_);
+  body->setMinimumWidth(220);
+  setWidget(body);
+
+  connect(add_, &QPushButton::clicked, this, &WaypointsDock::addWanted);
+  connect(remove_, &QPushButton::clicked, editing_, &WaypointEditing::removeSelected);
+  connect(save_, &QPushButton::clicked, this, &WaypointsDock::saveWanted);
+  connect(cancel_, &QPushButton::clicked, this, &WaypointsDock::cancelWanted);
+  connect(retry_, &QPushButton::clicked, this, &WaypointsDock::retryWanted);
+  connect(conflicts_, &ConflictBox::decided, this, &WaypointsDock::decided);
+  connect(conflicts_, &ConflictBox::locateWanted, this, &WaypointsDock::locateWanted);
+  // When all rows are rebuilt, restores the selection.
+  connect(sorted_, &QAbstractItemModel::modelReset, this, &WaypointsDock::showSelection);
+  connect(next_warning_, &QToolButton::clicked, this, &WaypointsDock::nextWarningWanted);
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &WaypointsDock::takeSelection);
+  connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
+    Q_EMIT locateWanted(model_->key(sorted_->mapToSource(index)));
+  });
+  connect(editing_, &WaypointEditing::selectionChanged, this, [this] {
+    showSelection();
+    refresh();
+  });
+  connect(editing_, &WaypointEditing::opened, this, [this] {
+    model_->setDocument(editing_->document());
+    if (editing_->document())
+      connect(editing_->document(), &edit::DocumentEvents::changed, this, &WaypointsDock::refresh);
+    refresh();
+  });
+  refresh();
+}
+
+WaypointsDock::~WaypointsDock() {
+  // As in the other docks: the table is destroyed later than the object it reports to.
+  table_->selectionModel()->disconnect(this);
+  table_->removeEventFilter(this);
+  filter_->removeEventFilter(this);
+}
+
+void WaypointsDock::buildTable() {
+  sorted_->setSourceModel(model_);
+  sorted_->setSortRole(WaypointsModel::kSortRole);
+  showRows(*table_, sorted_, tr("Waypoints"), kWaypointRowPx);
+  table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(WaypointsModel::NameColumn, Qt::AscendingOrder);
+  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  table_->installEventFilter(this);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(table_, &QWidget::customContextMenuRequested, this, &WaypointsDock::showMenu);
+  QHeaderView* header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setMinimumSectionSize(22);
+  header->setSectionResizeMode(WaypointsModel::StateColumn, QHeaderView::Fixed);
+  header->resizeSection(WaypointsModel::StateColumn, 26);
+  header->setSectionResizeMode(WaypointsModel::NameColumn, QHeaderView::Stretch);
+  const auto wide = [&](const char* sample) {
+    return fontMetrics().horizontalAdvance(QLatin1String(sample)) + 12;
+  };
+  header->resizeSection(WaypointsModel::XColumn, wide("-12.34"));
+  header->resizeSection(WaypointsModel::YColumn, wide("-12.34"));
+  header->resizeSection(WaypointsModel::YawColumn, wide("-179.9"));
+  header->resizeSection(WaypointsModel::TagsColumn, wide("charge"));
+}
+
+void WaypointsDock::buildFilter() {
+  filter_->setPlaceholderText(tr("Filter by name or tag"));
+  filter_->setClearButtonEnabled(true);
+  filter_->setAccessibleName(tr("Filter waypoints"));
+  filter_->installEventFilter(this);
+  pending_->setAccessibleName(tr("Filter unsaved waypoints"));
+  pending_->addItem(tr("All"), 0);
+  pending_->addItem(tr("Not saved"), int(kUnsaved));
+  pending_->addItem(tr("New"), int(kNew));
+  pending_->addItem(tr("Moved"), int(kMoved));
+  pending_->addItem(tr("Renamed"), int(kRenamed));
+  pending_->addItem(tr("Retagged"), int(kRetagged));
+  pending_->addItem(tr("Deleted"), int(kDeleted));
+  pending_->addItem(tr("In conflict"), int(kConflicting));
+  connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    sorted_->look(text);
+    refresh();
+  });
+  connect(pending_, &QComboBox::currentIndexChanged, this, [this] {
+    sorted_->lookForPending(pending_->currentData().toInt());
+    refresh();
+  });
+}
+
+void WaypointsDock::setList(const edit::OpenWaypoints* list, const QString& sentence) {
+  if (list_) list_->disconnect(this);
+  list_ = list;
+  sentence_ = sentence;
+  if (list_) {
+    connect(list_, &edit::OpenWaypoints::changed, this, &WaypointsDock::refresh);
+    connect(list_, &QObject::destroyed, this, [this](QObject* gone) {
+      if (gone == list_) list_ = nullptr;
+    });
+  }
+  refresh();
+}
+
+void WaypointsDock::setWarnings(const WaypointWarnings* warnings) {
+  warnings_ = warnings;
+  model_->setWarnings(warnings);
+  form_->setWarnings(warnings);
+  connect(warnings, &WaypointWarnings::changed, this, [this] {
+    showWarnings();
+    status_->setText(statusText());
+    table_->viewport()->update();
+  });
+  showWarnings();
+}
+
+void WaypointsDock::showWarnings() {
+  const auto count = qint64(warnings_->count());
+  next_warning_->setVisible(count > 0);
+  next_warning_->setIcon(iconPixmap(QStringLiteral("problem"), 16, devicePixelRatioF(), appColors().warning));
+  // Only the number: a dock is narrow.
+  next_warning_->setText(QString::number(count));
+  next_warning_->setAccessibleName(
+      sentences::counted(tr("%1 warnings", nullptr, sentences::formOf(count)), count));
+}
+
+void WaypointsDock::showSelection() {
+  if (showing_selection_) return;
+  showing_selection_ = true;
+  // Adjacent rows become one range: thousands of ranges would be compared one by one.
+  std::vector<int> rows;
+  for (const edit::Key& key : editing_->selected()) {
+    const QModelIndex at = sorted_->mapFromSource(model_->indexOf(key));
+    if (at.isValid()) rows.push_back(at.row());
+  }
+  std::sort(rows.begin(), rows.end());
+  QItemSelection selection;
+  for (std::size_t i = 0; i < rows.size();) {
+    std::size_t end = i + 1;
+    while (end < rows.size() && rows[end] == rows[end - 1] + 1) ++end;
+    selection.append(QItemSelectionRange(sorted_->index(rows[i], 0),
+                                         sorted_->index(rows[end - 1], WaypointsModel::kColumns - 1)));
+    i = end;
+  }
+  const QModelIndex last =
+      rows.empty() ? QModelIndex() : sorted_->index(rows.back(), WaypointsModel::NameColumn);
+  table_->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+  if (last.isValid()) {
+    table_->selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
+    table_->scrollTo(last);
+  }
+  showing_selection_ = false;
+}
+
+void WaypointsDock::takeSelection() {
+  if (showing_selection_) return;
+  showing_selection_ = true;
+  std::set<edit::Key> keys;
+  for (const QItemSelectionRange& range : table_->selectionModel()->selection()) {
+    for (int row = range.top(); row <= range.bottom(); ++row) {
+      const edit::Key key = model_->key(sorted_->mapToSource(sorted_->index(row, 0)));
+      if (editing_->find(key)) keys.insert(key);  // those that I deleted can only be restored
+    }
+  }
+  editing_->select(std::move(keys));
+  showing_selection_ = false;
+}
+
+void WaypointsDock::refresh() {
+  const edit::WaypointDocument* const document = editing_->document();
+  const bool editable = editing_->editable(), saving = list_ && list_->saving();
+  empty_->setText(emptyText());
+  empty_->setVisible(!empty_->text().isEmpty());
+  filter_->setEnabled(document && model_->rowCount() > 0);
+  pending_->setEnabled(filter_->isEnabled());
+  add_->setEnabled(editable);
+  remove_->setEnabled(editable && !editing_->selected().empty());
+  save_->setEnabled(list_ && list_->maySave());
+  save_->setVisible(!saving);
+  cancel_->setVisible(saving);
+  retry_->setVisible(list_ && list_->failure() && !saving);
+  const bool several = editing_->selected().size() > 1;
+  form_->setVisible(document && !several);
+  group_->setVisible(document && several);
+  status_bad_ =
+      list_ && (list_->failure() || (list_->stoppedBy() && list_->unsaved()) || list_->draftTrouble().any());
+  status_->setText(statusText());
+  status_->setToolTip(plainToolTip(status_->text()));  // if there is no room for all of it
+  status_->setVisible(!status_->text().isEmpty());
+  secondary(status_, status_bad_);
+
+  conflicts_->refresh(document, editing_->selected());
+}
+
+QString WaypointsDock::statusText() const {
+  const edit::WaypointDocument* const document = editing_->document();
+  if (!document) return {};
+  if (!editing_->editable()) return editing_->whyNot();
+  if (!list_) return {};
+  if (list_->saving()) return tr("Saving…");
+  QStringList parts;
+  const auto stopped_by = list_->unsaved() ? list_->stoppedBy() : std::nullopt;
+  const QString not_saved = stopped_by ? notSavedText(*list_, *stopped_by) : QString();
+  // If both have the same reason it is shown once.
+  const bool told = stopped_by && list_->failure() && whyText(*list_->failure()) == whyText(*stopped_by);
+  if (list_->failure() && !told) parts << failureText(*list_->failure());
+  if (stopped_by) parts << not_saved;
+  if (list_->draftTrouble().any()) parts << tr("No draft is kept.");
+  const auto unsaved = qsizetype(document->unsaved().size());
+  QString count = waypointsText(qsizetype(document->items().size()));
+  if (unsaved > 0) count += tr(", %1 not saved").arg(changesText(unsaved));
+  parts << count + QLatin1Char('.');
+  if (warnings_ && !document->items().empty() && !warnings_->looking()) {
+    const QString ground = sentences::sentenceOf(warnings_->ground());
+    if (!ground.isEmpty()) parts << ground;
+  }
+  for (std::size_t i = 0; i < std::min<std::size_t>(list_->notes().size(), 3); ++i)
+    parts << sentences::sentenceOf(list_->notes()[i]);
+  return parts.join(QLatin1Char('\n'));
+}
+
+QString WaypointsDock::emptyText() const {
+  const edit::WaypointDocument* const document = editing_->document();
+  if (!document) return sentence_;
+  if (model_->rowCount() == 0)
+    return editing_->editable() ? tr("No waypoints yet. Press W and click on the map to add one.")
+                                : tr("There are no waypoints.");
+  return sorted_->rowCount() == 0 ? tr("No waypoint matches the filter.") : QString();
+}
+
+QString WaypointsDock::statusShown() const { return status_->isHidden() ? QString() : status_->text(); }
+QString WaypointsDock::conflictShown() const { return conflicts_->shown(); }
+QPushButton* WaypointsDock::mineButton() const { return conflicts_->mineButton(); }
+QPushButton* WaypointsDock::theirsButton() const { return conflicts_->theirsButton(); }
+QString WaypointsDock::emptyShown() const { return empty_->isHidden() ? QString() : empty_->text(); }
+
+std::vector<edit::Key> WaypointsDock::selectedDeleted() const {
+  std::vector<edit::Key> keys;
+  for (const QItemSelectionRange& range : table_->selectionModel()->selection()) {
+    for (int row = range.top(); row <= range.bottom(); ++row) {
+      const edit::Key key = model_->key(sorted_->mapToSource(sorted_->index(row, 0)));
+      if (!key.empty() && !editing_->find(key)) keys.push_back(key);
+    }
+  }
+  return keys;
+}
+
+void WaypointsDock::showMenu(const QPoint& at) {
+  QMenu menu(this);
+  const auto deleted = selectedDeleted();
+  const bool any = !editing_->selected().empty(), editable = editing_->editable();
+  QAction* const show = menu.addAction(tr("&Show on the map"), this,
+                                       [this] { Q_EMIT locateWanted(*editing_->selected().begin()); });
+  show->setEnabled(any);
+  menu.addSeparator();
+  menu.addAction(tr("&Copy"), this, &WaypointsDock::copyWanted)->setEnabled(any);
+  menu.addAction(tr("&Paste"), this, &WaypointsDock::pasteWanted)->setEnabled(editable);
+  menu.addSeparator();
+  menu.addAction(tr("&Restore"), this, [this, deleted] { editing_->restore(deleted); })
+      ->setEnabled(editable && !deleted.empty());
+  menu.addAction(themedIcon(QStringLiteral("trash")), tr("&Delete"), editing_,
+                 &WaypointEditing::removeSelected)
+      ->setEnabled(editable && any);
+  menu.exec(table_->viewport()->mapToGlobal(at));
+}
+
+bool WaypointsDock::pressed(QKeyEvent* press) {
+  if (press->matches(QKeySequence::Copy)) {
+    Q_EMIT copyWanted();
+    return true;
+  }
+  if (press->matches(QKeySequence::Paste)) {
+    Q_EMIT pasteWanted();
+    return true;
+  }
+  switch (press->key()) {
+    case Qt::Key_Delete:
+      editing_->removeSelected();
+      return true;
+    case Qt::Key_F2:
+      if (form_->isEnabled() && form_->isVisible()) {
+        form_->nameEdit()->setFocus();
+        form_->nameEdit()->selectAll();
+      }
+      return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (editing_->only()) Q_EMIT locateWanted(*editing_->selected().begin());
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool WaypointsDock::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress) {
+    auto* press = static_cast<QKeyEvent*>(event);
+    if (watched == table_ && pressed(press)) return true;
+    if (watched == filter_ && press->key() == Qt::Key_Down) {
+      table_->setFocus();
+      return true;
+    }
+  }
+  return QDockWidget::eventFilter(watched, event);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_waypoints_dock.cpp"

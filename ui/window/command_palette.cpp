@@ -1,0 +1,174 @@
+#include "window/command_palette.h"
+
+#include <algorithm>
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+#include "ui/kit/actions.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/ui_colors.h"
+
+namespace mapwright::window {
+
+namespace {
+
+constexpr int kKeysRole = Qt::UserRole + 1;
+constexpr int kMenuRole = Qt::UserRole + 2;
+
+/// Name on the left, menu and keys on the right.
+class CommandDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return {QStyledItemDelegate::sizeHint(option, index).width(), 28};
+  }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyledItemDelegate::paint(painter, option, index);
+    const UiColors colors = appColors();
+    QRect right = option.rect.adjusted(0, 0, -10, 0);
+    painter->setPen(colors.secondary_text);
+    const QString keys = index.data(kKeysRole).toString();
+    painter->drawText(right, Qt::AlignRight | Qt::AlignVCenter, keys);
+    right.setRight(right.right() - 90);
+    painter->drawText(right, Qt::AlignRight | Qt::AlignVCenter, index.data(kMenuRole).toString());
+  }
+};
+
+}  // namespace
+
+std::optional<int> fuzzyScore(const QString& pattern, const QString& text) {
+  int score = 0;
+  qsizetype at = -1;
+  bool run = false;
+  for (const QChar wanted : pattern) {
+    if (wanted.isSpace()) {
+      run = false;
+      continue;
+    }
+    // Prefers the beginning of a word to the next matching letter.
+    qsizetype found = -1;
+    for (qsizetype i = at + 1; i < text.size(); ++i) {
+      if (text[i].toLower() != wanted.toLower()) continue;
+      const bool starts_word = i == 0 || !text[i - 1].isLetterOrNumber();
+      if (found < 0) found = i;
+      if (starts_word || (run && i == at + 1)) {
+        found = i;
+        break;
+      }
+    }
+    if (found < 0) return std::nullopt;
+    const bool starts_word = found == 0 || !text[found - 1].isLetterOrNumber();
+    score += 1 + (starts_word ? 8 : 0) + (run && found == at + 1 ? 6 : 0) + (found == 0 ? 4 : 0);
+    at = found;
+    run = true;
+  }
+  return score;
+}
+
+CommandPalette::CommandPalette(const Actions& actions, QWidget* parent)
+    : QDialog(parent, Qt::Dialog | Qt::FramelessWindowHint),
+      actions_(actions),
+      field_(new QLineEdit(this)),
+      list_(new QListWidget(this)) {
+  setObjectName(QStringLiteral("card"));
+  setWindowTitle(tr("Commands"));
+  resize(560, 380);
+  field_->setPlaceholderText(tr("Type a command"));
+  field_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+  field_->setMinimumHeight(32);
+  field_->setAccessibleName(tr("Command"));
+  field_->installEventFilter(this);
+  list_->setItemDelegate(new CommandDelegate(list_));
+  list_->setFocusPolicy(Qt::NoFocus);
+  list_->setIconSize({18, 18});
+  list_->setUniformItemSizes(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(8);
+  column->addWidget(field_);
+  column->addWidget(list_, 1);
+  connect(field_, &QLineEdit::textChanged, this, &CommandPalette::fill);
+  connect(list_, &QListWidget::itemClicked, this, &CommandPalette::run);
+  if (parent) {
+    const QPoint top = parent->mapToGlobal(QPoint((parent->width() - width()) / 2, 96));
+    move(top);
+  }
+  fill();
+  field_->setFocus();
+}
+
+void CommandPalette::fill() {
+  struct Hit {
+    int score;
+    const Actions::Entry* entry;
+  };
+  std::vector<Hit> hits;
+  for (const Actions::Entry& entry : actions_.entries()) {
+    if (!entry.action->isVisible()) continue;
+    const QString name = plainActionText(*entry.action);
+    // A menu's name also finds its actions, after those whose own name matches.
+    std::optional<int> score = fuzzyScore(field_->text(), name);
+    if (!score) {
+      score = fuzzyScore(field_->text(), entry.menu + QLatin1Char(' ') + name);
+      if (score) *score -= 100;
+    }
+    if (score) hits.push_back({*score - (entry.action->isEnabled() ? 0 : 1000), &entry});
+  }
+  std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.score > b.score; });
+  list_->clear();
+  QPixmap nothing(list_->iconSize());
+  nothing.fill(Qt::transparent);
+  const QIcon no_icon(nothing);
+  for (const Hit& hit : hits) {
+    QAction* action = hit.entry->action;
+    // Names are aligned, with or without an icon.
+    auto* item = new QListWidgetItem(action->icon().isNull() ? no_icon : action->icon(),
+                                     plainActionText(*action), list_);
+    item->setData(Qt::UserRole, QVariant::fromValue(static_cast<QObject*>(action)));
+    item->setData(kKeysRole, shortcutsText(*action));
+    item->setData(kMenuRole, hit.entry->menu);
+    if (action->isCheckable() && action->isChecked()) item->setText(item->text() + tr("  (on)"));
+    if (!action->isEnabled()) item->setFlags(Qt::NoItemFlags);
+  }
+  if (list_->count() == 0) {
+    auto* item = new QListWidgetItem(tr("No matching command"), list_);
+    item->setFlags(Qt::NoItemFlags);
+  } else {
+    list_->setCurrentRow(0);
+  }
+}
+
+void CommandPalette::run() {
+  const QListWidgetItem* item = list_->currentItem();
+  if (!item || !(item->flags() & Qt::ItemIsEnabled)) return;
+  auto* action = qobject_cast<QAction*>(item->data(Qt::UserRole).value<QObject*>());
+  accept();
+  if (action) action->trigger();
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == field_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+      run();
+      return true;
+    }
+    if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp || key == Qt::Key_PageDown) {
+      QApplication::sendEvent(list_, event);
+      return true;
+    }
+  }
+  return QDialog::eventFilter(watched, event);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_command_palette.cpp"

@@ -1,0 +1,26 @@
+// Help: commands by name, keyboard shortcuts, about the program.
+#pragma once
+
+#include <QPointer>
+
+#include "ui/kit/controller.h"
+#include "ui/shell/window_context.h"
+
+namespace mapwright::window {
+
+class DiagnosticsDialog;
+
+class HelpController : public Controller {
+  Q_OBJECT
+ public:
+  explicit HelpController(WindowContext& context, QObject* parent = nullptr);
+  ~HelpController() override;
+
+ private:
+  void showDiagnostics();
+
+  WindowContext& context_;
+  QPointer<DiagnosticsDialog> diagnostics_;
+};
+
+}  // namespace mapwright::window

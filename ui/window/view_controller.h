@@ -1,0 +1,42 @@
+// The view of the map: following, going to a point, the initial view; and what is under the cursor.
+#pragma once
+
+#include <QTimer>
+
+#include "ui/kit/controller.h"
+#include "ui/shell/window_context.h"
+
+namespace mapwright::window {
+
+class ViewController : public Controller {
+  Q_OBJECT
+ public:
+  explicit ViewController(WindowContext& context, QObject* parent = nullptr);
+
+  void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
+  void reset() override;
+
+ private:
+  void addRobotActions();
+  void addOtherActions();
+  void addToMapMenu();
+  void wireCursor();
+  void follow(bool on);
+  void goTo();
+  void showCursor();
+  void fitAtFirst();
+  void fitScansAtFirst();
+  void refresh();
+  void copyCoordinates(const Eigen::Vector2d& world_m);
+
+  WindowContext& context_;
+  QAction* follow_ = nullptr;
+  QAction* robot_turn_ = nullptr;
+  QAction* furniture_ = nullptr;
+  QTimer cursor_timer_;
+  bool fitted_poses_ = false, fitted_scans_ = false;
+};
+
+}  // namespace mapwright::window
