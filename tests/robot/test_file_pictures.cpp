@@ -2,6 +2,7 @@
 // over what somebody else has written.
 #include <QtTest>
 
+#include "grids/faults.h"
 #include "robot/files/file_robot.h"
 #include "sentences/failure_sentence.h"
 #include "test_program.h"
@@ -106,7 +107,7 @@ class TestFilePictures : public QObject {
     const auto map = fetch();
     const auto other = put({map->key, filled(4, 1, 100), map->fingerprint});
     QVERIFY(!other);
-    QVERIFY(sentences::sentenceOf(other.error()).find("another size") != std::string::npos);
+    QCOMPARE(other.error().cause.code, grids::fault::PictureOfOtherSize);
     QVERIFY(!put({{map::MapKind::File, "../office.pgm"}, filled(3, 1, 0), map->fingerprint}));
     map::WholeMap bitmap = *map;
     bitmap.path = "a.bmp";

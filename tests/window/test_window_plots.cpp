@@ -258,7 +258,7 @@ void TestWindowPlots::aTypedFieldIsPlottedOrSaysWhyNot() {
   QVERIFY(!desk.dock.saidText().isEmpty());  // it is there already
   edit->setText(QStringLiteral("/count.m"));
   desk.dock.addTyped();
-  QVERIFY(desk.dock.saidText().contains(QStringLiteral("no number /count.m")));
+  QVERIFY(desk.dock.saidText().contains(QStringLiteral("a number /count.m")));
   desk.dock.removeCurve(desk.dock.plots().front(), 1);
   QCOMPARE(desk.dock.plots().front()->curves().size(), std::size_t(1));
 }

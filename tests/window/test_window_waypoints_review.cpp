@@ -230,7 +230,7 @@ class TestWindowWaypointsReview : public QObject {
     for (const QString& text :
          {desk.outcome(0), desk.outcome(1), desk.review().statusShown(), desk.dock().statusShown()})
       QVERIFY2(!text.contains(unchanged), qPrintable(text));
-    QVERIFY2(desk.review().statusShown().startsWith(QLatin1String("The connection is gone.")),
+    QVERIFY2(desk.review().statusShown().startsWith(QLatin1String("The connection was lost.")),
              qPrintable(desk.review().statusShown()));
     QVERIFY2(desk.dock().statusShown().contains(
                  QLatin1String("Not everything was saved: 1 of 3 requests succeeded, the result of 1 is "
