@@ -9,7 +9,6 @@
 #include <QtTest>
 
 #include "fault_arguments.h"
-#include "net/cache_control.h"
 #include "net/http_cache.h"
 #include "test_program.h"
 
@@ -36,10 +35,10 @@ struct SlowDisk {
   QSemaphore begun, may_go_on;
   std::atomic<int> written = 0;
   WriteFile write() {
-    return [this](const std::string& path, const std::array<QByteArray, 3>& parts, qint64 now_ms) {
+    return [this](const std::string& path, const QByteArray& bytes, qint64 now_ms) {
       begun.release();
       may_go_on.acquire();
-      const int failure = writeWhole(path, parts, now_ms);
+      const int failure = writeWhole(path, bytes, now_ms);
       written += failure == 0;
       return failure;
     };
@@ -142,6 +141,8 @@ class TestHttpCache : public QObject {
   void anotherProcessAndANextStartFindTheSame() {
     HttpCache first = open();
     HttpCache second = open();
+    bool trouble = false;
+    first.setTrouble([&](const Fault&) { trouble = true; });
     first.store(kUrl, "one", {}, "immutable", {}, true);
     first.flush();
     QCOMPARE(second.find(kUrl)->body, QByteArray("one"));
@@ -155,7 +156,7 @@ class TestHttpCache : public QObject {
     first.store(kUrl, "three", {}, "immutable", {}, true);
     first.flush();
     QCOMPARE(open().find(kUrl)->body, QByteArray("three"));
-    QVERIFY(!first.lastError().any());
+    QVERIFY(!trouble);
   }
 
   void differentAddressesDoNotMeet() {
@@ -292,10 +293,12 @@ class TestHttpCache : public QObject {
     QFile in_the_way(folder_->filePath(QStringLiteral("file")));
     QVERIFY(in_the_way.open(QIODevice::WriteOnly));
     HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
+    Fault told;
+    cache.setTrouble([&](const Fault& why) { told = why; });
     cache.store(kUrl, "body", {}, "immutable", {}, true);
     cache.flush();
     QVERIFY(!cache.find(kUrl));
-    QVERIFY(cache.lastError().any());
+    QVERIFY(told.any());
   }
 
   void whatGoesWrongIsToldOnce() {
@@ -323,7 +326,6 @@ class TestHttpCache : public QObject {
     cache.store(kUrl, "body", {}, "immutable", {}, true);
     QVERIFY(told_on.isEmpty());  // never from within
     QTRY_COMPARE(told_on, QList<QThread*>{QThread::currentThread()});
-    QVERIFY(cache.lastError().any());
   }
 
   void nobodyIsToldByACacheThatIsGone() {
@@ -423,10 +425,10 @@ class TestHttpCache : public QObject {
   }
 
   void whoeverIsFarAheadOfTheDiskWaitsForIt() {
-    const QByteArray body(CacheWriter::kMostWaitingBytes / 5 * 2, 'x');  // two of them may wait
+    const QByteArray body(HttpCache::kMostWaitingBytes / 5 * 2, 'x');  // two of them may wait
     QSemaphore stored;
     std::atomic<bool> first = true, overtaken = false;
-    const auto write = [&](const std::string&, const std::array<QByteArray, 3>&, qint64) {
+    const auto write = [&](const std::string&, const QByteArray&, qint64) {
       if (first.exchange(false)) {
         stored.acquire(2);
         overtaken = stored.tryAcquire(1, 50);
@@ -444,7 +446,7 @@ class TestHttpCache : public QObject {
     // Alone even one goes that is longer than all that may wait.
     cache.store(numbered(4), body + body + body, {}, "immutable", {}, true);
     cache.flush();
-    QVERIFY(cache.bytes() > CacheWriter::kMostWaitingBytes);
+    QVERIFY(cache.bytes() > HttpCache::kMostWaitingBytes);
   }
 
   void whatIsNoFileReadsAsAMissAndHoldsNobodyUp_data() {
