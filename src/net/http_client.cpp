@@ -1,17 +1,27 @@
 #include "net/http_client.h"
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include <QElapsedTimer>
+#include <QIODevice>
+#include <QLocale>
+#include <QNetworkAccessManager>
+#include <QNetworkReply>
+#include <QNetworkRequest>
 #include <QSet>
+#include <QTimer>
 
-#include "net/http_job.h"
+#include "net/http_cache.h"
 #include "net/log.h"
 #include "net/plain_sentences.h"
+#include "net/secret.h"
 
 namespace mapwright::net {
 
@@ -19,6 +29,260 @@ namespace {
 
 constexpr int kMaxRedirects = 5;
 constexpr qsizetype kMostUnusable = 100'000;
+constexpr qint64 kReadAhead = qint64(1) << 20;  // how much Qt may buffer that has not been counted yet
+
+}  // namespace
+
+/// A body that can be read once and cannot be rewound.
+class OneWayBody : public QIODevice {
+ public:
+  explicit OneWayBody(QByteArray bytes) : bytes_(std::move(bytes)) { open(QIODevice::ReadOnly); }
+  /// Whether any of it was read: the server may have received all of it.
+  bool begun() const { return begun_; }
+  bool isSequential() const override { return true; }
+  bool seek(qint64) override { return false; }
+  bool atEnd() const override { return read_ >= bytes_.size() && QIODevice::atEnd(); }
+  qint64 bytesAvailable() const override { return bytes_.size() - read_ + QIODevice::bytesAvailable(); }
+
+ protected:
+  qint64 readData(char* to, qint64 most) override {
+    begun_ = true;
+    const qint64 count = std::min<qint64>(most, bytes_.size() - read_);
+    if (count <= 0) return -1;
+    std::copy_n(bytes_.constData() + read_, count, to);
+    read_ += count;
+    return count;
+  }
+  qint64 writeData(const char*, qint64) override { return -1; }
+
+ private:
+  QByteArray bytes_;
+  qint64 read_ = 0;
+  bool begun_ = false;
+};
+
+/// One request in progress.
+struct HttpJob {
+  HttpRequest request;
+  HttpClient::Reply reply;
+  QUrl url;  // the current one: after redirects not the original one
+  int redirects = 0;
+  std::optional<CachedAnswer> stored;
+  std::optional<HttpAnswer> answer;              // set: the reply only has to be delivered
+  QNetworkAccessManager* own_network = nullptr;  // a fresh connection
+  QNetworkReply* network_reply = nullptr;
+  OneWayBody* upload = nullptr;  // of network_reply
+  bool heard_sent = false;       // of this request
+  std::unique_ptr<QTimer> silence;
+  QElapsedTimer since_sent;  // the last time
+  QByteArray body;
+  qint64 handed_over = 0;  // of the body, to HttpRequest::take
+  qint64 received() const { return body.size() + handed_over; }
+};
+
+namespace {
+
+/// Before there was a connection, so nothing can have been sent.
+bool neverConnected(QNetworkReply::NetworkError error) {
+  switch (error) {
+    case QNetworkReply::ConnectionRefusedError:
+    case QNetworkReply::HostNotFoundError:
+    case QNetworkReply::SslHandshakeFailedError:
+    case QNetworkReply::ProxyConnectionRefusedError:
+    case QNetworkReply::ProxyNotFoundError:
+      return true;
+    default:
+      return false;
+  }
+}
+
+QString grouped(qint64 number) { return QLocale(QLocale::English).toString(number); }
+
+Fault whyUnreachable(QNetworkReply::NetworkError error, const QString& error_text, const QUrl& url) {
+  switch (error) {
+    case QNetworkReply::ConnectionRefusedError:
+      return faultOf(fault::ConnectionRefused, {hostAndPort(url)});
+    case QNetworkReply::HostNotFoundError:
+      return faultOf(fault::HostUnknown, {plainText(url.host())});
+    case QNetworkReply::RemoteHostClosedError:
+    case QNetworkReply::ContentReSendError:  // closed before an answer, and nothing is sent twice
+      return fault::ConnectionClosed;
+    case QNetworkReply::SslHandshakeFailedError:
+      return faultOf(fault::ConnectionNotSecure, {hostAndPort(url), plainText(error_text)});
+    case QNetworkReply::TimeoutError:
+      return faultOf(fault::HostSilent, {hostAndPort(url)});
+    case QNetworkReply::UnknownNetworkError:
+      return faultOf(fault::ConnectionBroke, {hostAndPort(url)});
+    default:
+      return faultOf(fault::HostNotReached, {hostAndPort(url), plainText(error_text)});
+  }
+}
+
+QByteArray verbOf(HttpMethod method) {
+  constexpr std::array kVerbs{"GET", "POST", "PUT", "PATCH", "DELETE"};
+  return kVerbs.at(std::size_t(method));
+}
+
+/// The request for `job.url`, without its body. `trust` is for https.
+QNetworkRequest requestOf(const HttpJob& job, const Secret& secret, const Trust& trust) {
+  QNetworkRequest request(job.url);
+  request.setAttribute(QNetworkRequest::RedirectPolicyAttribute, QNetworkRequest::ManualRedirectPolicy);
+  request.setAttribute(QNetworkRequest::CacheLoadControlAttribute, QNetworkRequest::AlwaysNetwork);
+  request.setAttribute(QNetworkRequest::CookieLoadControlAttribute, QNetworkRequest::Manual);
+  request.setAttribute(QNetworkRequest::CookieSaveControlAttribute, QNetworkRequest::Manual);
+  request.setAttribute(QNetworkRequest::AuthenticationReuseAttribute, QNetworkRequest::Manual);
+  request.setAttribute(QNetworkRequest::Http2AllowedAttribute, false);
+  request.setDecompressedSafetyCheckThreshold(-1);
+  request.setRawHeader("Accept", headerSafe(job.request.accept));
+  if (const QByteArray value = secret.forUrl(job.url); !value.isEmpty()) {
+    request.setRawHeader("Secret", value);
+  }
+  if (job.url.scheme() == QLatin1String("https")) {
+    request.setSslConfiguration(configurationFor(trust));
+  }
+  if (job.stored && !job.stored->etag.isEmpty()) {
+    request.setRawHeader("If-None-Match", headerSafe(job.stored->etag));
+  }
+  if (job.request.from_byte > 0) {
+    request.setRawHeader("Range", "bytes=" + QByteArray::number(job.request.from_byte) + "-");
+    // A weak one does not identify bytes (RFC 9110, 13.1.5).
+    const QByteArray& etag = job.request.if_etag;
+    if (!etag.isEmpty() && !etag.startsWith("W/")) request.setRawHeader("If-Range", headerSafe(etag));
+  }
+  // Left to itself Qt asks again, at once and up to three times, when the connection closes without an
+  // answer: behind the back of whoever counts tries and waits between them, and of whoever changes
+  // something. A body that cannot be rewound (OneWayBody), empty as it is for GET, forbids that.
+  const bool changes = job.request.method != HttpMethod::Get;
+  const qsizetype length = changes ? job.request.body.size() : 0;
+  if (length > 0) request.setRawHeader("Content-Type", headerSafe(job.request.content_type));
+  request.setHeader(QNetworkRequest::ContentLengthHeader, length);
+  request.setAttribute(QNetworkRequest::DoNotBufferUploadDataAttribute, true);
+  // The server may close an idle connection just when it is used again; a request sent then is lost, and
+  // nobody knows whether it was received.
+  if (changes) request.setRawHeader("Connection", "close");
+  return request;
+}
+
+bool isRedirect(int status) {
+  return status == 301 || status == 302 || status == 303 || status == 307 || status == 308;
+}
+
+/// As announced by the server; 0 = not given.
+qint64 declaredLength(const QNetworkReply& reply) {
+  return reply.header(QNetworkRequest::ContentLengthHeader).toLongLong();
+}
+
+/// A part of a body, with what its headers say about the whole.
+HttpPart partOf(const HttpJob& job, int status, std::optional<qint64> of_bytes, const QByteArray& bytes) {
+  HttpPart part{status, of_bytes, bytes};
+  part.etag = job.network_reply->rawHeader("ETag");
+  if (status != 206) return part;
+  // "bytes 1000-1999/5000", "bytes 1000-1999/*" (RFC 9110, 14.4).
+  QByteArray words = job.network_reply->rawHeader("Content-Range").trimmed();
+  if (!words.toLower().startsWith("bytes ")) return part;
+  words.remove(0, 6);
+  const auto slash = words.indexOf('/'), dash = words.indexOf('-');
+  if (slash < 0 || dash < 0 || dash > slash) return part;
+  const auto number = [](const QByteArray& digits) {
+    bool good = false;
+    const qint64 value = digits.trimmed().toLongLong(&good);
+    return good && value >= 0 ? std::optional(value) : std::nullopt;
+  };
+  part.from_byte = number(words.left(dash));
+  part.whole_bytes = number(words.mid(slash + 1));
+  return part;
+}
+
+/// The connection ended before the end of the body.
+bool isShort(const HttpJob& job, int status) {
+  const QNetworkReply& reply = *job.network_reply;
+  if (status == 304 || status == 204 || reply.hasRawHeader("Content-Encoding") ||
+      !reply.hasRawHeader("Content-Length")) {
+    return false;
+  }
+  return job.received() < declaredLength(reply);
+}
+
+/// Whether any part of the request may have been sent, if the job ends as `kind`.
+bool maySent(const HttpJob& job, HttpAnswer::Kind kind) {
+  if (job.network_reply == nullptr || kind == HttpAnswer::Kind::Certificate) return false;
+  if (job.redirects > 0 || job.heard_sent || job.upload->begun()) return true;
+  if (job.network_reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).isValid()) return true;
+  if (neverConnected(job.network_reply->error())) return false;
+  // A body is read only once there is a connection. Without a body only a signal of the other thread tells,
+  // and that may be delayed.
+  const bool has_body = job.request.method != HttpMethod::Get && !job.request.body.isEmpty();
+  const bool long_ago = kind == HttpAnswer::Kind::TimedOut;
+  return !has_body && !long_ago;
+}
+
+HttpAnswer failure(HttpAnswer::Kind kind, Fault reason) {
+  HttpAnswer answer;
+  answer.kind = kind;
+  answer.reason = std::move(reason);
+  return answer;
+}
+
+/// For a request without a status: why, in the words of the reply.
+HttpAnswer unreachable(const HttpJob& job) {
+  return failure(HttpAnswer::Kind::Unreachable,
+                 whyUnreachable(job.network_reply->error(), job.network_reply->errorString(), job.url));
+}
+
+HttpAnswer tooLarge(const HttpJob& job) {
+  return failure(HttpAnswer::Kind::TooLarge, faultOf(fault::AnswerTooLong, {grouped(job.request.max_bytes)}));
+}
+
+HttpAnswer brokenOff(const HttpJob& job) {
+  const qint64 length = declaredLength(*job.network_reply);
+  return failure(HttpAnswer::Kind::Unreachable,
+                 length > 0 ? faultOf(fault::AnswerBrokeOffEarly, {grouped(job.received()), grouped(length)})
+                            : faultOf(fault::AnswerBrokeOff, {grouped(job.received())}));
+}
+
+/// The robot's answer with `status`. Takes the body.
+HttpAnswer answerOf(HttpJob& job, int status) {
+  HttpAnswer answer;
+  answer.kind = HttpAnswer::Kind::Answered;
+  answer.status = status;
+  answer.content_type = job.network_reply->rawHeader("Content-Type");
+  answer.body = std::move(job.body);
+  if (!answer.ok()) {
+    answer.said = errorText(answer.body, answer.content_type);
+    answer.reason = answer.said.isEmpty() ? Fault(fault::AnsweredWithStatus, {HttpStatus{status}})
+                                          : Fault(fault::AnsweredWithStatusSaying,
+                                                  {HttpStatus{status}, answer.said.toStdString()});
+  }
+  return answer;
+}
+
+/// The answer from the disk.
+HttpAnswer storedAnswer(const HttpJob& job) {
+  HttpAnswer answer;
+  answer.kind = HttpAnswer::Kind::Answered;
+  answer.status = 200;
+  answer.body = job.stored->body;
+  answer.content_type = job.stored->content_type;
+  answer.from_cache = true;
+  return answer;
+}
+
+/// What became of it, for the log.
+QString lineOf(const HttpJob& job, const HttpAnswer& answer) {
+  QString line =
+      QStringLiteral("%1 %2: ").arg(QString::fromLatin1(verbOf(job.request.method)), urlForLog(job.url));
+  if (answer.kind == HttpAnswer::Kind::Answered) {
+    line += QStringLiteral("%1, ").arg(answer.status);
+    line += QStringLiteral("%1 bytes").arg(answer.body.size() + (answer.from_cache ? 0 : job.handed_over));
+    if (answer.from_cache) line += QStringLiteral(", from disk");
+  } else if (answer.status > 0) {
+    line += QStringLiteral("%1, but ").arg(answer.status);
+  }
+  if (answer.kind != HttpAnswer::Kind::Answered) line += QString::fromStdString(inEnglish(answer.reason));
+  if (job.since_sent.isValid()) line += QStringLiteral(" (%1 ms)").arg(job.since_sent.elapsed());
+  if (!answer.said.isEmpty()) line += QStringLiteral(": ") + answer.said;
+  return line;
+}
 
 }  // namespace
 
@@ -54,7 +318,6 @@ class HttpClient::Impl {
 
   void setTrust(const Trust& trust) {
     trust_ = trust;
-    tls_ = configurationFor(trust);
     network_.clearConnectionCache();
   }
 
@@ -66,13 +329,7 @@ class HttpClient::Impl {
   }
 
   void cancelAll() {
-    std::vector<RequestId> ids;
-    for (const auto& [id, job] : jobs_) {
-      ids.push_back(id);
-    }
-    for (const RequestId id : ids) {
-      cancel(id);
-    }
+    for (const auto& [id, job] : jobs_) cancel(id);  // jobs leave when their answer is delivered
   }
 
  private:
@@ -144,7 +401,7 @@ class HttpClient::Impl {
     QNetworkAccessManager& network = changes ? *job.own_network : network_;
     job.upload = new OneWayBody(changes ? job.request.body : QByteArray());
     job.network_reply =
-        network.sendCustomRequest(requestOf(job, secret_, tls_), verbOf(job.request.method), job.upload);
+        network.sendCustomRequest(requestOf(job, secret_, trust_), verbOf(job.request.method), job.upload);
     job.upload->setParent(job.network_reply);
     job.heard_sent = false;
     QObject::connect(job.network_reply, &QNetworkReply::uploadProgress, owner_,
@@ -381,7 +638,6 @@ class HttpClient::Impl {
   HttpClient* owner_;
   Secret secret_;
   Trust trust_;
-  QSslConfiguration tls_ = configurationFor({});
   HttpCache* cache_;
   QNetworkAccessManager network_;
   std::map<RequestId, HttpJob> jobs_;
