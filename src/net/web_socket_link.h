@@ -3,17 +3,25 @@
 
 #include <chrono>
 #include <functional>
-#include <memory>
 #include <optional>
 
+#include <QAbstractSocket>
 #include <QByteArray>
 #include <QDateTime>
 #include <QObject>
+#include <QPointer>
 #include <QString>
+#include <QTcpSocket>
+#include <QTimer>
 #include <QUrl>
 
+#include "net/backoff.h"
 #include "net/faults.h"
+#include "net/secret.h"
 #include "net/trust.h"
+
+class QSslSocket;
+class QWebSocket;
 
 namespace mapwright::net {
 
@@ -55,27 +63,28 @@ class WebSocketLink : public QObject {
   WebSocketLink(QList<QUrl> urls, QByteArray secret, WebSocketLinkOptions options, QObject* parent = nullptr);
   ~WebSocketLink() override;
 
-  void open();                         // also "now, do not wait"
-  void close();                        // stays closed
-  void sendText(const QString& text);  // dropped unless Open
-  void setTrust(const Trust& trust);   // for the next connection
+  void open();                                           // also "now, do not wait"
+  void close();                                          // stays closed
+  void sendText(const QString& text);                    // dropped unless Open
+  void setTrust(const Trust& trust) { trust_ = trust; }  // for the next connection
 
-  qint64 unsentBytes() const;    // queued by send() and not sent yet. 0 unless Open
+  qint64 unsentBytes() const;    // queued by sendText() and not sent yet. 0 unless Open
   qint64 arrivingBytes() const;  // approximate size received so far of an incomplete message. 0 unless Open
 
-  State state() const;
-  Fault reason() const;     // why it is not open
-  Failure failure() const;  // None while open
-  std::optional<CertificateFault> certificate() const;
-  int handshakeStatus() const;                // HTTP status of a refused handshake, otherwise 0
-  int attempt() const;                        // tries since last open
-  std::optional<int> retryInMs() const;       // while Waiting
-  std::optional<int> roundTripMs() const;     // last ping
-  std::chrono::milliseconds silence() const;  // since the last byte, even within a message; while Open
+  State state() const { return state_; }
+  Fault reason() const { return reason_; }      // why it is not open
+  Failure failure() const { return failure_; }  // None while open
+  std::optional<CertificateFault> certificate() const { return certificate_; }
+  int handshakeStatus() const { return status_; }  // HTTP status of a refused handshake, otherwise 0
+  int attempt() const { return attempt_; }         // tries since last open
+  std::optional<int> retryInMs() const;            // while Waiting
+  std::optional<int> roundTripMs() const { return round_trip_ms_; }  // last ping
+  /// Since the last byte, even within a message; while Open.
+  std::chrono::milliseconds silence() const { return options_.now() - heard_at_; }
   /// When the last byte arrived, if that is too long ago: an open connection does not answer although it was
   /// faster before (slow ones get as much time again), or it is lost. nullopt: all is well, or it was never
   /// open.
-  std::optional<QDateTime> silentSince() const;
+  std::optional<QDateTime> silentSince() const { return silent_since_; }
 
  Q_SIGNALS:
   void changed();  // of silentSince(), too
@@ -85,8 +94,56 @@ class WebSocketLink : public QObject {
   void binaryReceived(const QByteArray& bytes);
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  static Fault noAnswer(std::chrono::milliseconds time);
+  void startAttempt();
+  /// Of what is or was connected to last, for the log.
+  QByteArray name() const;
+  void connectSocket();
+  /// QWebSocket only reports complete frames, and a large one may take minutes on a slow connection. The
+  /// socket that it reads from is its child, and reports every byte received, decrypted.
+  void watchTransport();
+  void noteFrame(qint64 bytes, bool last);
+  void judge(QSslSocket& encrypted, const QList<QSslError>& errors);
+  void becomeOpen();
+  void ping();
+  void hear();
+  void noteSilence(std::chrono::milliseconds now);
+  void noteLastByte();
+  void look();
+  void takeError(QAbstractSocket::SocketError error);
+  void loseConnection();
+  /// Automatic retries would not help.
+  void refuse(Failure failure, const Fault& reason);
+  void fail(Failure failure, const Fault& reason);
+  void enter(State state);
+  void stopTimers();
+  void dropSocket();
+  /// Like dropSocket, but closes an open link properly.
+  void sayFarewell();
+
+  QList<QUrl> urls_;
+  Secret secret_;
+  Trust trust_;
+  WebSocketLinkOptions options_;
+  Backoff backoff_;
+  QTimer connect_limit_, look_, ping_, retry_;
+  std::chrono::milliseconds opened_at_{0}, heard_at_{0};
+  std::optional<std::chrono::milliseconds> asked_at_;  // of the last ping, if nothing has arrived since
+  std::chrono::milliseconds slowest_{0};               // of its answers, lately
+  bool talks_ = false;                                 // the last byte was not an answer to a ping
+  std::optional<QDateTime> silent_since_;
+  QPointer<QTcpSocket> transport_;  // goes with its socket
+  qint64 frames_bytes_ = 0;         // of an incomplete message; for text in characters
+  QWebSocket* socket_ = nullptr;    // a child of the owner
+  State state_ = State::Closed;
+  Fault reason_;
+  Failure failure_ = Failure::None;
+  std::optional<CertificateFault> certificate_;
+  qsizetype url_ = 0;
+  int refusals_ = 0;  // in this attempt, one for every URL tried
+  int status_ = 0;
+  int attempt_ = 0;
+  std::optional<int> round_trip_ms_;
 };
 
 }  // namespace mapwright::net
