@@ -11,8 +11,6 @@
 namespace mapwright::net {
 namespace {
 
-using Kind = CertificateFault::Reason;
-
 constexpr qsizetype kSha256Bytes = 32;
 constexpr qsizetype kLongestName = 40;
 constexpr qint64 kLongestFile = qint64(8) << 20;  // all authorities of a system are much smaller
@@ -47,62 +45,48 @@ QString nameOf(const QSslCertificate& certificate) {
   return names.isEmpty() ? QString() : shortName(names.first());
 }
 
-Kind kindOf(const QSslError& error, const QSslCertificate& leaf) {
+/// What is wrong with `leaf`; in the words of the library where this program has none.
+Fault whyRejected(const QSslCertificate& leaf, const QSslError& error) {
   switch (error.error()) {
     case QSslError::CertificateExpired:
-      return Kind::Expired;
-    case QSslError::CertificateNotYetValid:
-      return Kind::NotYetValid;
-    case QSslError::HostNameMismatch:
-      return Kind::OtherName;
-    case QSslError::CertificateRevoked:
-    case QSslError::CertificateBlacklisted:
-      return Kind::Revoked;
-    case QSslError::SelfSignedCertificate:
-      return Kind::SelfSigned;
-    case QSslError::SelfSignedCertificateInChain:
-    case QSslError::UnableToGetIssuerCertificate:
-    case QSslError::UnableToGetLocalIssuerCertificate:
-    case QSslError::UnableToVerifyFirstCertificate:
-    case QSslError::CertificateUntrusted:
-      return leaf.isSelfSigned() ? Kind::SelfSigned : Kind::UnknownAuthority;
-    default:
-      return Kind::Other;
-  }
-}
-
-Fault detailed(Kind kind, const QSslCertificate& leaf, const QSslError& error) {
-  switch (kind) {
-    case Kind::SelfSigned:
-      return fault::SelfSigned;
-    case Kind::UnknownAuthority: {
-      const QString issuer = issuerOf(leaf);
-      if (issuer.isEmpty()) return fault::AuthorityUnnamed;
-      return faultOf(fault::AuthorityUnknown, {issuer});
-    }
-    case Kind::Expired:
       if (error.certificate() == leaf) return faultOf(fault::CertificateExpired, {day(leaf.expiryDate())});
       return faultOf(fault::AuthorityExpired, {day(error.certificate().expiryDate())});
-    case Kind::NotYetValid:
+    case QSslError::CertificateNotYetValid:
       return faultOf(fault::CertificateNotYetValid, {day(leaf.effectiveDate())});
-    case Kind::OtherName: {
+    case QSslError::HostNameMismatch: {
       const QString name = nameOf(leaf);
       if (name.isEmpty()) return fault::CertificateWithoutName;
       return faultOf(fault::CertificateOfOtherName, {name});
     }
-    case Kind::Revoked:
+    case QSslError::CertificateRevoked:
+    case QSslError::CertificateBlacklisted:
       return fault::CertificateWithdrawn;
-    case Kind::Changed:
-      return fault::CertificateIsAnother;
-    case Kind::Other:
-      break;
+    case QSslError::SelfSignedCertificate:
+      return fault::SelfSigned;
+    case QSslError::SelfSignedCertificateInChain:
+    case QSslError::UnableToGetIssuerCertificate:
+    case QSslError::UnableToGetLocalIssuerCertificate:
+    case QSslError::UnableToVerifyFirstCertificate:
+    case QSslError::CertificateUntrusted: {
+      if (leaf.isSelfSigned()) return fault::SelfSigned;
+      const QString issuer = issuerOf(leaf);
+      if (issuer.isEmpty()) return fault::AuthorityUnnamed;
+      return faultOf(fault::AuthorityUnknown, {issuer});
+    }
+    default:
+      return faultOf(fault::Said, {plainText(error.errorString())});
   }
-  return faultOf(fault::Said, {plainText(error.errorString())});
+}
+
+bool contains(const std::vector<Fault>& whys, const FaultCode& code) {
+  return std::any_of(whys.begin(), whys.end(), [&](const Fault& why) { return why.code == code; });
 }
 
 }  // namespace
 
-bool CertificateFault::trustable() const { return !sha256.isEmpty() && !reasons.contains(Kind::Revoked); }
+bool CertificateFault::trustable() const {
+  return !sha256.isEmpty() && !contains(whys, fault::CertificateWithdrawn);
+}
 
 QString fingerprintText(const QByteArray& sha256) { return QString::fromLatin1(sha256.toHex(':').toUpper()); }
 
@@ -111,13 +95,13 @@ QByteArray fingerprintFrom(const QString& text) {
   return bytes.size() == kSha256Bytes ? bytes : QByteArray();
 }
 
-Fault reasonOf(const CertificateFault& fault) {
-  if (fault.reasons.contains(Kind::Changed)) {
-    return faultOf(fault::CertificateChanged,
-                   {fault.host, fingerprintText(fault.pinned_sha256), fingerprintText(fault.sha256)});
+Fault reasonOf(const CertificateFault& rejected) {
+  if (contains(rejected.whys, fault::CertificateIsAnother)) {
+    return faultOf(fault::CertificateChanged, {rejected.host, fingerprintText(rejected.pinned_sha256),
+                                               fingerprintText(rejected.sha256)});
   }
-  Fault reason = faultOf(fault::CertificateUntrusted, {fault.host, fingerprintText(fault.sha256)});
-  reason.because = fault.whys;
+  Fault reason = faultOf(fault::CertificateUntrusted, {rejected.host, fingerprintText(rejected.sha256)});
+  reason.because = rejected.whys;
   return reason;
 }
 
@@ -133,28 +117,27 @@ QSslConfiguration configurationFor(const Trust& trust) {
 
 std::optional<CertificateFault> faultOf(const Trust& trust, const QSslCertificate& leaf,
                                         const QList<QSslError>& errors, const QUrl& url) {
-  CertificateFault fault;
-  fault.host = hostAndPort(url);
-  fault.sha256 = leaf.isNull() ? QByteArray() : leaf.digest(QCryptographicHash::Sha256);
-  fault.pinned_sha256 = trust.pinned_sha256;
-  fault.subject = subjectOf(leaf);
-  fault.issuer = issuerOf(leaf);
-  fault.from = leaf.effectiveDate();
-  fault.until = leaf.expiryDate();
-  const auto add = [&](Kind kind, const QSslError& error) {
-    if (fault.reasons.contains(kind)) return;
-    fault.reasons << kind;
-    fault.whys.push_back(detailed(kind, leaf, error));
-  };
   const bool pinned = !trust.pinned_sha256.isEmpty();
-  if (pinned && fault.sha256 != trust.pinned_sha256) add(Kind::Changed, {});
+  const QByteArray sha256 = leaf.isNull() ? QByteArray() : leaf.digest(QCryptographicHash::Sha256);
+  std::vector<Fault> whys;
+  if (pinned && sha256 != trust.pinned_sha256) whys.push_back(fault::CertificateIsAnother);
+  QList<QSslError::SslError> told;
   for (const QSslError& error : errors) {
-    const Kind kind = kindOf(error, leaf);
+    Fault why = whyRejected(leaf, error);
     // For the pinned certificate itself no error counts, except revocation.
-    if (!pinned || kind == Kind::Revoked) add(kind, error);
+    if (pinned && why.code != fault::CertificateWithdrawn) continue;
+    if (!told.contains(error.error()) && !contains(whys, why.code)) whys.push_back(std::move(why));
+    told << error.error();
   }
-  if (fault.reasons.isEmpty()) return std::nullopt;
-  return fault;
+  if (whys.empty()) return std::nullopt;
+  return CertificateFault{.host = hostAndPort(url),
+                          .whys = std::move(whys),
+                          .sha256 = sha256,
+                          .pinned_sha256 = trust.pinned_sha256,
+                          .subject = subjectOf(leaf),
+                          .issuer = issuerOf(leaf),
+                          .from = leaf.effectiveDate(),
+                          .until = leaf.expiryDate()};
 }
 
 tl::expected<QList<QSslCertificate>, Fault> readAuthorities(const QString& file) {

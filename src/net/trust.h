@@ -28,19 +28,8 @@ struct Trust {
 
 /// Why a certificate was rejected.
 struct CertificateFault {
-  enum class Reason {
-    SelfSigned,
-    UnknownAuthority,
-    Expired,
-    NotYetValid,
-    OtherName,
-    Changed,
-    Revoked,
-    Other
-  };
-  QList<Reason> reasons;    // never empty
   QString host;             // "10.0.0.7:8443"
-  std::vector<Fault> whys;  // each with its arguments, such as a date or name
+  std::vector<Fault> whys;  // never empty; each with its arguments, such as a date or name
   QByteArray sha256, pinned_sha256;
   QString subject, issuer;  // untrusted plain text
   QDateTime from, until;
@@ -55,7 +44,7 @@ QByteArray fingerprintFrom(const QString& text);
 /// CertificateUntrusted or CertificateChanged, with its fingerprints.
 Fault reasonOf(const CertificateFault& fault);
 
-/// The TLS configuration. A pinned certificate is judged by acceptable() alone, without any authority.
+/// The TLS configuration. A pinned certificate is judged by faultOf() alone, without any authority.
 QSslConfiguration configurationFor(const Trust& trust);
 /// Judges `errors` of the certificate of `url`: nullopt = continue and ignore exactly these.
 std::optional<CertificateFault> faultOf(const Trust& trust, const QSslCertificate& leaf,

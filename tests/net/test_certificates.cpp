@@ -14,7 +14,6 @@ namespace test_certificates {
 using namespace mapwright;
 using namespace mapwright::net;
 using testing::SecureServer;
-using Kind = CertificateFault::Reason;
 
 namespace {
 
@@ -70,30 +69,31 @@ class TestCertificates : public QObject {
     QTest::addColumn<bool>("web_socket");
     QTest::addColumn<QString>("certificate");
     QTest::addColumn<bool>("authority_known");
-    QTest::addColumn<QList<int>>("reasons");
+    QTest::addColumn<QStringList>("reasons");
     QTest::addColumn<QStringList>("words");
-    const auto add = [](const char* certificate, bool known, const QList<Kind>& reasons,
+    const auto add = [](const char* certificate, bool known, std::initializer_list<FaultCode> reasons,
                         const QStringList& words) {
       addTransports(certificate, [&](const char* name, bool web_socket) {
-        QList<int> numbers;
-        for (const Kind reason : reasons) numbers << int(reason);
+        QStringList texts;
+        for (const FaultCode& reason : reasons) texts << QLatin1String(reason.text);
         QTest::addRow("%s, %s", name, known ? "authority known" : "authority unknown")
-            << web_socket << QString::fromLatin1(certificate) << known << numbers << words;
+            << web_socket << QString::fromLatin1(certificate) << known << texts << words;
       });
     };
-    add("self_signed", false, {Kind::SelfSigned}, {});
-    add("self_signed", true, {Kind::SelfSigned}, {});
-    add("signed", false, {Kind::UnknownAuthority}, {QStringLiteral("Fleet authority")});
-    add("expired", true, {Kind::Expired}, {QStringLiteral("2021-03-04")});
-    add("not_yet_valid", true, {Kind::NotYetValid}, {QStringLiteral("2119-05-06")});
-    add("signed_other_name", true, {Kind::OtherName}, {QStringLiteral("robot8.example")});
-    add("other_name", false, {Kind::OtherName, Kind::SelfSigned}, {QStringLiteral("robot8.example")});
+    add("self_signed", false, {net::fault::SelfSigned}, {});
+    add("self_signed", true, {net::fault::SelfSigned}, {});
+    add("signed", false, {net::fault::AuthorityUnknown}, {QStringLiteral("Fleet authority")});
+    add("expired", true, {net::fault::CertificateExpired}, {QStringLiteral("2021-03-04")});
+    add("not_yet_valid", true, {net::fault::CertificateNotYetValid}, {QStringLiteral("2119-05-06")});
+    add("signed_other_name", true, {net::fault::CertificateOfOtherName}, {QStringLiteral("robot8.example")});
+    add("other_name", false, {net::fault::CertificateOfOtherName, net::fault::SelfSigned},
+        {QStringLiteral("robot8.example")});
   }
   void whatIsNotTrustedIsToldWithItsReasonAndSeesNothing() {
     QFETCH(bool, web_socket);
     QFETCH(QString, certificate);
     QFETCH(bool, authority_known);
-    QFETCH(QList<int>, reasons);
+    QFETCH(QStringList, reasons);
     QFETCH(QStringList, words);
     SecureServer server(certificate);
     Trust trust;
@@ -101,8 +101,8 @@ class TestCertificates : public QObject {
     const Ending ending = connectTo(web_socket, server, trust);
     QVERIFY(!ending.connected);
     QVERIFY2(ending.fault, qPrintable(argumentsOf(ending.reason).join(QLatin1Char('|'))));
-    for (const int reason : reasons) QVERIFY(ending.fault->reasons.contains(Kind(reason)));
-    QCOMPARE(ending.fault->reasons.size(), reasons.size());
+    for (const Fault& why : ending.fault->whys) QVERIFY(reasons.contains(QLatin1String(why.code.text)));
+    QCOMPARE(ending.fault->whys.size(), std::size_t(reasons.size()));
     QCOMPARE(ending.fault->sha256, testing::sha256(certificate));
     QVERIFY(ending.fault->trustable());
     QCOMPARE(ending.reason.code, net::fault::CertificateUntrusted);
@@ -177,7 +177,7 @@ class TestCertificates : public QObject {
     const Ending ending = connectTo(web_socket, server, trust);
     QVERIFY(!ending.connected);
     QVERIFY(ending.fault);
-    QCOMPARE(ending.fault->reasons, QList<Kind>{Kind::Changed});
+    QCOMPARE(ending.fault->whys, std::vector<Fault>{net::fault::CertificateIsAnother});
     QCOMPARE(ending.reason.code, net::fault::CertificateChanged);
     QVERIFY(argumentsOf(ending.reason).contains(fingerprintText(trust.pinned_sha256)));
     QVERIFY(argumentsOf(ending.reason).contains(fingerprintText(testing::sha256(certificate))));
