@@ -2,6 +2,7 @@
 // docs/protocols/rep130-map-dispatcher.md.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -66,7 +67,12 @@ class MapDispatch : public QObject {
   using QObject::QObject;
   /// Each service once, offered or not.
   virtual std::vector<DispatchOffer> offers() const = 0;
-  bool offered(DispatchService service) const;
+  bool offered(DispatchService service) const {
+    const std::vector<DispatchOffer> all = offers();
+    return std::any_of(all.begin(), all.end(), [service](const DispatchOffer& offer) {
+      return offer.service == service && offer.offered;
+    });
+  }
   /// nullopt: the whole map. Regions with non-finite numbers, or without size, are refused without a request
   /// (FailureKind::Refused).
   virtual Call grid(const std::optional<map::GridRegion>& region, OutcomeTo<map::GridPart> reply) = 0;

@@ -29,9 +29,38 @@
 #include "map/submap.h"
 #include "map/waypoint.h"
 #include "robot/call.h"
-#include "robot/capability.h"
 
 namespace mapwright::robot {
+
+/// What robots can be asked for. The room `sentences` makes the texts for why one cannot.
+enum class Capability {
+  Submaps,          // SubmapSource
+  Catalogue,        // MapCatalogue
+  WholeMaps,        // WholeMapSource
+  Overview,         // OverviewSource
+  Waypoints,        // WaypointSource
+  WaypointEditing,  // WaypointStore
+  Live,             // LiveTopics
+  Administration,   // MapAdministration
+  PictureEditing,   // PictureStore
+  Bags,             // BagLibrary
+  Dispatch,         // MapDispatch
+};
+
+/// Why a robot lacks a capability.
+struct Absence {
+  enum class Reason {
+    NotOfThisKind,  // robots of this kind never have it
+    ReadOnly,       // the maker's interface is read-only; arguments[0] is the maker
+    NotYetHere,     // robots of this kind have it, but this version of the program does not support it
+    FirmwareLacks,  // this one answered that it does not support it; arguments[0] is its answer
+    LocalFiles,     // there is no robot
+    NoService,      // others of the kind run a service for it; arguments[0] is what is missing here
+  };
+  Reason reason = Reason::NotOfThisKind;
+  std::vector<std::string> arguments = {};
+  bool operator==(const Absence&) const = default;
+};
 
 enum class ConnectionPhase {
   Offline,      // not asked to connect, or told to stop
@@ -196,8 +225,12 @@ class Robot : public QObject {
   virtual void disconnectFromRobot() = 0;
   /// From now on only the certificate with this SHA-256 ("AB:CD:…") is accepted; connects. Robots without
   /// certificates ignore it.
-  virtual void trustCertificate(const QString& sha256);
+  virtual void trustCertificate(const QString& /*sha256*/) {}
   virtual ConnectionState connection() const = 0;
+  /// When the robot was last heard, if that is unusually long ago, even while Online, or while the connection
+  /// is lost; invalid: all is well, it was never heard, or silence is not measured. connectionChanged()
+  /// reports changes, before the loss itself.
+  virtual QDateTime silentSince() const { return {}; }
   virtual RobotIdentity identity() const = 0;
 
   // Owned by the robot; null = absent.
@@ -229,5 +262,11 @@ class Robot : public QObject {
   /// The list of maps, the current one, or the content of a local file may have changed: request them again.
   void mapsChanged();
 };
+
+/// nullopt: invalid, as above.
+inline std::optional<QDateTime> silentSince(const Robot& robot) {
+  const QDateTime since = robot.silentSince();
+  return since.isValid() ? std::optional(since) : std::nullopt;
+}
 
 }  // namespace mapwright::robot

@@ -7,7 +7,7 @@
 
 #include "grids/tile_cache.h"
 #include "map/repeats.h"
-#include "robot/silence.h"
+#include "robot/robot.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
 

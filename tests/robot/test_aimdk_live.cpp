@@ -4,9 +4,9 @@
 
 #include "robot/aimdk/aimdk_robot.h"
 #include "robot/aimdk/faults.h"
+#include "robot/robot.h"
 #include "robot/ros/ros_robot.h"
 #include "robot/sends_map.h"
-#include "robot/silence.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "simulator/simulator.h"

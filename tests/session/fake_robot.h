@@ -12,7 +12,6 @@
 #include <QDateTime>
 
 #include "robot/robot.h"
-#include "robot/silence.h"
 #include "topic_names.h"
 
 namespace mapwright::test {
@@ -31,7 +30,6 @@ inline map::Failure failed(const std::string& detail,
 }
 
 class FakeRobot : public robot::Robot,
-                  public robot::MeasuresSilence,
                   public robot::SubmapSource,
                   public robot::MapCatalogue,
                   public robot::WholeMapSource,

@@ -3,9 +3,9 @@
 #include <QTableView>
 #include <QtTest>
 
+#include "robot/robot.h"
 #include "robot/ros/ros_address.h"
 #include "robot/ros/ros_robot.h"
-#include "robot/silence.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 #include "ui/shell/window_status_bar.h"

@@ -4,7 +4,7 @@
 
 #include <QCoreApplication>
 
-#include "robot/silence.h"
+#include "robot/robot.h"
 
 namespace mapwright::window {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "robot/aimdk/faults.h"
-#include "robot/silence.h"
+#include "robot/robot.h"
 
 namespace mapwright::robot::aimdk {
 namespace {

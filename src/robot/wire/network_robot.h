@@ -9,7 +9,6 @@
 
 #include "robot/delivery.h"
 #include "robot/robot.h"
-#include "robot/silence.h"
 #include "robot/wire/robot_link.h"
 
 namespace mapwright::robot::wire {
@@ -33,7 +32,7 @@ StartedLink<Link> startLink(const QString& thread, Options options) {
 }
 
 /// The half of a robot that is asked, and the thread of its link.
-class NetworkRobot : public Robot, public Delivers, public MeasuresSilence {
+class NetworkRobot : public Robot, public Delivers {
   Q_OBJECT
  public:
   QString address() const override { return address_; }
