@@ -13,7 +13,7 @@
 #include "robot/axbot/axbot_robot.h"
 #include "robot/files/file_address.h"
 #include "robot/files/file_robot.h"
-#include "robot/files/picture_yamls.h"
+#include "robot/files/local_maps.h"
 #include "robot/recorded/recorded_robot.h"
 #include "robot/ros/ros_address.h"
 #include "robot/ros/ros_robot.h"

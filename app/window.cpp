@@ -14,7 +14,7 @@
 #include "app/snapshot.h"
 #include "replay/replay_robot.h"
 #include "robot/address.h"
-#include "robot/files/picture_yamls.h"
+#include "robot/files/local_maps.h"
 #include "robot/recorded/recorded_robot.h"
 #include "robot/second_server.h"
 #include "ui/robot/trusted_certificates.h"

@@ -9,9 +9,8 @@
 
 #include "robot/files/faults.h"
 #include "robot/files/file_robot.h"
-#include "robot/files/picture_yamls.h"
+#include "robot/files/local_maps.h"
 #include "robot/files/read_map_yaml.h"
-#include "robot/files/yaml_shelf.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "test_program.h"

@@ -2,12 +2,51 @@
 
 #include <QFileInfo>
 
+#include "grids/rewrite_picture.h"
+
 namespace mapwright::robot::files {
 namespace {
 
 Q_LOGGING_CATEGORY(lcFiles, "mapwright.files", QtWarningMsg)
 
 }  // namespace
+
+std::optional<PictureObstacle> FilePictureStore::obstacle(const map::WholeMap& map) const {
+  if (map.key.kind != map::MapKind::File || map.path.empty()) return PictureObstacle::NotStored;
+  if (!grids::canRewrite(map.path)) return PictureObstacle::FormatNotWritten;
+  return std::nullopt;
+}
+
+bool FilePictureStore::holdsUnknown(const map::WholeMap& map) const {
+  // A gray picture has unknown shades or has not, which its code tells to whoever paints.
+  return map.reading.mode == map::CellReading::Mode::Picture ||
+         grids::holdsUnknown(map.reading, grids::CellCode::Occupancy, map.path);
+}
+
+// What is asked of the disk cannot be taken back: cancelled, it tells how it went all the same.
+Call FilePictureStore::write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) {
+  return files_.change(map::subjectOf(change.map), std::move(reply), &MapFiles::writePicture, change);
+}
+
+FileWaypointStore::FileWaypointStore(WaypointFiles* files) : files_(files) {
+  connect(files, &WaypointFiles::changed, this, &WaypointStore::changed);
+}
+
+Call FileWaypointStore::read(const map::MapKey& key, OutcomeTo<StoredWaypoints> reply) {
+  return files_.ask(map::placesOf(key), std::move(reply), &WaypointFiles::read, key);
+}
+
+std::vector<WaypointRequest> FileWaypointStore::plan(const StoredWaypoints& now,
+                                                     const std::vector<WaypointChange>& changes) const {
+  if (changes.empty()) return {};
+  return {WaypointRequest{changes, now.revision}};
+}
+
+// Disk operations cannot be undone: even if cancelled, it reports the real result.
+Call FileWaypointStore::perform(const map::MapKey& key, const WaypointRequest& request,
+                                OutcomeTo<WaypointReceipt> reply) {
+  return files_.change(map::placesOf(key), std::move(reply), &WaypointFiles::write, key, request);
+}
 
 FileRobot::FileRobot(QString address, FileOptions options, QObject* parent)
     : Robot(parent),

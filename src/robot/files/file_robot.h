@@ -3,16 +3,48 @@
 
 #include <QThread>
 
-#include "robot/files/file_picture_store.h"
-#include "robot/files/file_waypoint_store.h"
 #include "robot/files/map_files.h"
+#include "robot/picture_store.h"
 #include "robot/robot.h"
+#include "robot/waypoint_store.h"
 #include "robot/wire/forwarded.h"
-#include "robot/wire/link_log.h"
+#include "robot/wire/robot_link.h"
 
 namespace mapwright::robot::files {
 
-/// Nothing here touches the disk: MapFiles does, on a thread of its own.
+// Nothing here touches the disk: MapFiles and WaypointFiles do, on a thread of their own. It ends before the
+// stores do, and deletes them.
+
+/// The pictures of local maps.
+class FilePictureStore : public PictureStore {
+  Q_OBJECT
+ public:
+  explicit FilePictureStore(MapFiles* files) : files_(files) {}
+
+  std::optional<PictureObstacle> obstacle(const map::WholeMap& map) const override;
+  bool holdsUnknown(const map::WholeMap& map) const override;
+  Call write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) override;
+
+ private:
+  wire::LinkRef<MapFiles> files_;
+};
+
+/// The waypoint lists of local maps. A list is written as a whole.
+class FileWaypointStore : public WaypointStore {
+  Q_OBJECT
+ public:
+  explicit FileWaypointStore(WaypointFiles* files);
+
+  Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) override;
+  std::vector<WaypointRequest> plan(const StoredWaypoints& now,
+                                    const std::vector<WaypointChange>& changes) const override;
+  Call perform(const map::MapKey& map, const WaypointRequest& request,
+               OutcomeTo<WaypointReceipt> reply) override;
+
+ private:
+  wire::LinkRef<WaypointFiles> files_;
+};
+
 class FileRobot : public Robot {
   Q_OBJECT
  public:

@@ -8,13 +8,11 @@
 #include <QFileInfo>
 
 #include "robot/files/faults.h"
-#include "robot/files/picture_yamls.h"
-#include "robot/files/yaml_shelf.h"
 
 namespace mapwright::robot::files {
 namespace {
 
-constexpr qsizetype kMostFiles = 10'000;
+constexpr qsizetype kMostMaps = 10'000;
 constexpr double kUsualResolutionM = 0.05;
 
 bool hasSuffix(const QString& path, std::initializer_list<const char*> suffixes) {
@@ -26,12 +24,13 @@ bool hasSuffix(const QString& path, std::initializer_list<const char*> suffixes)
 
 bool isYaml(const QString& path) { return hasSuffix(path, {".yaml", ".yml"}); }
 
-/// The real folder of a file, with links resolved as far as possible.
-QString trueFolder(const QString& path) {
-  const QFileInfo info(path);
-  const QString canonical = info.canonicalFilePath();
-  return canonical.isEmpty() ? QDir::cleanPath(info.absolutePath()) : QFileInfo(canonical).absolutePath();
+/// The real path of a file, with links resolved as far as possible.
+QString trueName(const QString& path) {
+  const QString canonical = QFileInfo(path).canonicalFilePath();
+  return canonical.isEmpty() ? QDir::cleanPath(path) : canonical;
 }
+
+QString trueFolder(const QString& path) { return QFileInfo(trueName(path)).absolutePath(); }
 
 bool liesBelow(const QString& folder, const QString& above) {
   return folder == above ||
@@ -123,7 +122,7 @@ QStringList mapFilesIn(const QString& folder) {
     const int compared = order.compare(one, other);
     return compared != 0 ? compared < 0 : one < other;
   });
-  return names.mid(0, kMostFiles);
+  return names.mid(0, kMostMaps);
 }
 
 QString mapPathOf(const QString& path, const map::MapKey& key) {
@@ -133,6 +132,28 @@ QString mapPathOf(const QString& path, const map::MapKey& key) {
   const bool plain = isMapFile(id) && !id.contains(QLatin1Char('/')) && !id.contains(QChar::Null);
   const QString inside = path + QLatin1Char('/') + id;
   return plain && QFileInfo(inside).isFile() ? inside : QString();
+}
+
+PictureYamls::PictureYamls(const QString& folder, YamlShelf& shelf) {
+  const QDir dir(folder);
+  const QStringList names = dir.entryList({QStringLiteral("*.yaml"), QStringLiteral("*.yml")}, QDir::Files,
+                                          QDir::Name | QDir::IgnoreCase);
+  for (const QString& name : names.mid(0, kMostFiles)) {
+    const QString path = dir.absoluteFilePath(name);
+    const QFileInfo file(path);
+    if (!file.isFile() || file.size() > kLongest) continue;
+    const auto yaml = shelf.read(path.toStdString());
+    if (!yaml) continue;
+    yamls_[trueName(dir.absoluteFilePath(QString::fromStdString(yaml->image)))] << path;
+  }
+}
+
+QStringList PictureYamls::naming(const QString& picture) const { return yamls_.value(trueName(picture)); }
+
+QStringList yamlsNaming(const QString& picture) {
+  if (!isPicture(picture)) return {};
+  YamlShelf shelf;
+  return PictureYamls(QFileInfo(picture).absolutePath(), shelf).naming(picture);
 }
 
 tl::expected<map::WholeMap, Fault> readLocalMap(const QString& path, const PicturePlace& place,

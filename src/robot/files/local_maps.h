@@ -4,13 +4,13 @@
 #include <optional>
 #include <vector>
 
+#include <QHash>
 #include <QString>
 #include <QStringList>
 #include <tl/expected.hpp>
 
 #include "map/catalogue.h"
-#include "robot/files/picture_yamls.h"
-#include "robot/files/yaml_shelf.h"
+#include "robot/files/read_map_yaml.h"
 
 namespace mapwright::robot::files {
 
@@ -29,6 +29,25 @@ QString mapPathOf(const QString& path, const map::MapKey& key);
 
 /// The names of the map files in a folder, in order; at most 10,000.
 QStringList mapFilesIn(const QString& folder);
+
+/// Which map.yaml of a folder describes which of its pictures.
+class PictureYamls {
+ public:
+  /// Reads the YAML files of the folder that have changed since `yamls` read them, up to a reasonable number
+  /// and size; other files are ignored.
+  PictureYamls(const QString& folder, YamlShelf& yamls);
+  /// The paths of those that name the picture as their image, by name.
+  QStringList naming(const QString& picture) const;
+
+  static constexpr qsizetype kMostFiles = 1'000;
+  static constexpr qint64 kLongest = qint64(64) << 10;
+
+ private:
+  QHash<QString, QStringList> yamls_;  // by the real path of the picture
+};
+
+/// For a single picture. Empty if it is not a picture.
+QStringList yamlsNaming(const QString& picture);
 
 /// The map of a map.yaml or a picture, without opening the picture. `path` is absolute. A picture without a
 /// stated position uses the only map.yaml in its folder that names it as its image; `beside` knows those of

@@ -1,12 +1,17 @@
 #include "robot/files/map_files.h"
 
+#include <QCryptographicHash>
 #include <QFileInfo>
 #include <QSet>
 #include <QThread>
 
+#include "disk/file_error.h"
 #include "disk/folder_lock.h"
+#include "disk/read_file.h"
+#include "disk/written_file.h"
 #include "grids/rewrite_picture.h"
 #include "robot/files/faults.h"
+#include "robot/files/waypoint_file.h"
 
 namespace mapwright::robot::files {
 namespace {
@@ -16,6 +21,14 @@ constexpr qsizetype kMostWatched = 1'000;  // a larger folder is only watched as
 QString stamp(const QString& path) { return QString::fromStdString(stampOf(path)); }
 
 bool isWantedNoMore() { return QThread::currentThread()->isInterruptionRequested(); }
+
+std::string revisionOf(const std::string& bytes) {
+  return QCryptographicHash::hash({bytes.data(), qsizetype(bytes.size())}, QCryptographicHash::Sha256)
+      .toHex()
+      .toStdString();
+}
+
+QString folderOf(const QString& path) { return QFileInfo(path).absolutePath(); }
 
 }  // namespace
 
@@ -134,7 +147,7 @@ Outcome<std::vector<map::CatalogueEntry>> MapFiles::list() {
 
 Outcome<map::CatalogueEntry> MapFiles::describe(const map::MapKey& key) {
   const QString path = pathOf(key);
-  if (path.isEmpty()) return tl::make_unexpected(failure(key, map::FailureKind::RejectedByRobot));
+  if (path.isEmpty()) return fail(failure(key, map::FailureKind::RejectedByRobot));
   return entryOf(key, path, options_.place, yamls_);
 }
 
@@ -147,13 +160,13 @@ Outcome<std::string> MapFiles::thumbnail(const map::MapKey& key) {
 
 Outcome<map::WholeMap> MapFiles::fetch(const map::MapKey& key) {
   const QString path = pathOf(key);
-  if (path.isEmpty()) return tl::make_unexpected(failure(key, map::FailureKind::RejectedByRobot));
+  if (path.isEmpty()) return fail(failure(key, map::FailureKind::RejectedByRobot));
   auto whole = readLocalMap(path, options_.place, yamls_);
   if (!whole) {
     map::Failure unfit = failure(key, map::FailureKind::MalformedAnswer);
     unfit.reason = map::FailureReason::Unfit;
     unfit.cause = whole.error();
-    return tl::make_unexpected(std::move(unfit));
+    return fail(std::move(unfit));
   }
   whole->key = key;
   return std::move(*whole);
@@ -178,6 +191,102 @@ Outcome<PictureReceipt> MapFiles::writePicture(const PictureChange& change) {
     return fails(map::FailureKind::RejectedByRobot, std::move(*trouble));
   const auto written = readLocalMap(path, options_.place, yamls_);
   return PictureReceipt{written ? written->fingerprint : std::string()};
+}
+
+WaypointFiles::WaypointFiles(FileOptions options) : options_(std::move(options)) {}
+
+Outcome<WaypointFiles::Place> WaypointFiles::placeOf(const map::MapKey& key) const {
+  Place place{key, mapPathOf(options_.path, key), {}};
+  if (place.map.isEmpty()) return fail(failure(place, map::FailureKind::RejectedByRobot, fault::NoSuchMap));
+  // A picture and the map.yaml that describes it are one map.
+  const QStringList described_by = yamlsNaming(place.map);
+  const QString& named = described_by.size() == 1 ? described_by.front() : place.map;
+  place.path = QString::fromStdString(waypointPathOf(named.toStdString()));
+  return place;
+}
+
+map::Failure WaypointFiles::failure(const Place& place, map::FailureKind kind, Fault cause) const {
+  map::Failure failure{kind, map::placesOf(place.key, QFileInfo(place.map).fileName().toStdString())};
+  failure.cause = std::move(cause);
+  failure.reason = map::FailureReason::Unfit;
+  return failure;
+}
+
+Outcome<WaypointFiles::Content> WaypointFiles::look(const Place& place) const {
+  const std::string path = place.path.toStdString();
+  Content content;
+  const auto unreadable = [&](Fault why) {
+    return tl::make_unexpected(
+        failure(place, map::FailureKind::MalformedAnswer,
+                {fault::WaypointFileNotRead, {path}, {std::move(why)}, Consequence::LeftAsItIs}));
+  };
+  if (QFileInfo::exists(place.path) || QFileInfo(place.path).isSymLink()) {
+    auto bytes = disk::readFile(path, kMaxWaypointBytes + 1);
+    if (!bytes) return unreadable(bytes.error().cause);
+    if (bytes->size() > kMaxWaypointBytes) return unreadable({fault::FileTooLarge, {"64 MiB"}});
+    if (bytes->empty()) return unreadable(fault::FileEmpty);
+    auto waypoints = parseWaypoints(*bytes);
+    if (!waypoints) return unreadable(waypoints.error());
+    content.bytes = std::move(*bytes);
+    content.waypoints = std::move(*waypoints);
+  }
+  content.waypoints.there = !content.bytes.empty();
+  content.waypoints.revision = revisionOf(content.bytes);
+  return content;
+}
+
+Outcome<StoredWaypoints> WaypointFiles::read(const map::MapKey& key) {
+  const auto place = placeOf(key);
+  if (!place) return fail(place.error());
+  watch(place->path);
+  auto content = look(*place);
+  if (!content) return fail(content.error());
+  return std::move(content->waypoints);
+}
+
+Outcome<WaypointReceipt> WaypointFiles::write(const map::MapKey& key, const WaypointRequest& request) {
+  const auto place = placeOf(key);
+  if (!place) return fail(place.error());
+  const disk::FolderLock lock(folderOf(place->path).toStdString());
+  const auto content = look(*place);
+  if (!content) return fail(content.error());
+  if (content->waypoints.revision != request.revision) {
+    return tl::make_unexpected(
+        failure(*place, map::FailureKind::Conflict, {fault::FileChanged, {place->path.toStdString()}}));
+  }
+  const auto bytes = patchWaypoints(content->bytes, request.changes);
+  if (!bytes) return fail(failure(*place, map::FailureKind::MalformedAnswer, bytes.error()));
+  if (const auto fault = disk::writeFile(place->path.toStdString(), *bytes))
+    return fail(failure(*place, map::FailureKind::RejectedByRobot, disk::notWritten(*fault)));
+  watch(place->path);
+  return WaypointReceipt{};
+}
+
+void WaypointFiles::watch(const QString& path) {
+  if (!watcher_) {
+    watcher_ = std::make_unique<QFileSystemWatcher>();
+    settle_ = std::make_unique<QTimer>();
+    settle_->setSingleShot(true);
+    settle_->setInterval(options_.settle);
+    connect(settle_.get(), &QTimer::timeout, this, &WaypointFiles::compare);
+    for (auto signal : {&QFileSystemWatcher::fileChanged, &QFileSystemWatcher::directoryChanged})
+      connect(watcher_.get(), signal, this, [this] { settle_->start(); });
+  }
+  stamps_[path] = stampOf(path);
+  // The watcher loses a file that is replaced by renaming; watching its folder helps.
+  watcher_->addPath(folderOf(path));
+  if (QFileInfo::exists(path)) watcher_->addPath(path);
+}
+
+void WaypointFiles::compare() {
+  bool any = false;
+  for (auto& [path, stamp] : stamps_) {
+    const std::string now = stampOf(path);
+    if (std::exchange(stamp, now) == now) continue;
+    any = true;
+    if (QFileInfo::exists(path)) watcher_->addPath(path);
+  }
+  if (any) Q_EMIT changed();
 }
 
 }  // namespace mapwright::robot::files

@@ -34,7 +34,7 @@ class Cutter {
 
   std::vector<Member> members() {
     std::vector<Member> members;
-    open();
+    skip();  // the bracket
     while (peek() != '}') {
       Member member;
       member.raw_name = value();
@@ -48,7 +48,7 @@ class Cutter {
   }
   std::vector<std::string_view> elements() {
     std::vector<std::string_view> elements;
-    open();
+    skip();  // the bracket
     while (peek() != ']') {
       elements.push_back(value());
       if (peek() == ',') skip();
@@ -73,40 +73,26 @@ class Cutter {
     blanks();
     if (!rest_.empty()) rest_.remove_prefix(1);
   }
-  void open() { skip(); }
+  /// Behind the text that begins at `at`.
+  std::size_t endOfText(std::size_t at) const {
+    for (++at; at < rest_.size() && rest_[at] != '"'; ++at) at += rest_[at] == '\\';
+    return at + 1;
+  }
+  std::size_t endOfValue() const {
+    if (rest_.starts_with('"')) return endOfText(0);
+    if (!rest_.starts_with('{') && !rest_.starts_with('[')) return rest_.find_first_of(",:]} \t\r\n");
+    std::size_t at = 0;
+    for (int depth = 0; at == 0 || (depth > 0 && at < rest_.size());) {
+      const char c = rest_[at];
+      depth += (c == '{' || c == '[') - (c == '}' || c == ']');
+      at = c == '"' ? endOfText(at) : at + 1;
+    }
+    return at;
+  }
   std::string_view value() {
     blanks();
-    std::size_t at = 0;
-    int depth = 0;
-    bool in_text = false;
-    for (; at < rest_.size(); ++at) {
-      const char c = rest_[at];
-      if (in_text) {
-        if (c == '\\') {
-          ++at;
-        } else if (c == '"') {
-          in_text = false;
-          if (depth == 0) {
-            ++at;
-            break;
-          }
-        }
-      } else if (c == '"') {
-        in_text = true;
-      } else if (c == '{' || c == '[') {
-        ++depth;
-      } else if (c == '}' || c == ']') {
-        if (depth == 0) break;  // the end of the container
-        if (--depth == 0) {
-          ++at;
-          break;
-        }
-      } else if (depth == 0 && (c == ',' || c == ':' || kBlanks.find(c) != std::string_view::npos)) {
-        break;
-      }
-    }
-    const std::string_view cut = rest_.substr(0, at);
-    rest_.remove_prefix(std::min(at, rest_.size()));
+    const std::string_view cut = rest_.substr(0, endOfValue());
+    rest_.remove_prefix(cut.size());
     return cut;
   }
 
