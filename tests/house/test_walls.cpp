@@ -193,11 +193,9 @@ void TestWalls::noTopicAndNoBackEndIsNamedWhereRobotsAreAlike() {
   const QString sources = QStringLiteral(MAPWRIGHT_SOURCES "/");
   static const QRegularExpression literal(QStringLiteral("\"(/[a-z0-9_/]+)\""));
   QSet<QString> topics;
-  for (const char* file : {"stream_topics.cpp", "parse_topics.cpp"}) {
-    const QString text =
-        QString::fromUtf8(contentOf(sources + QStringLiteral("src/robot/axbot/") + QLatin1String(file)));
-    for (auto it = literal.globalMatch(text); it.hasNext();) topics << it.next().captured(1);
-  }
+  const QString table =
+      QString::fromUtf8(contentOf(sources + QStringLiteral("src/robot/axbot/topic_table.cpp")));
+  for (auto it = literal.globalMatch(table); it.hasNext();) topics << it.next().captured(1);
   QVERIFY(topics.contains(QStringLiteral("/map_v2")) && topics.size() > 30);
   static const QRegularExpression back_end(QStringLiteral("robot(/|::)(axbot|aimdk)\\b|\\bBackend::"));
   for (const char* top : {"ui", "src/session", "src/sentences", "app"}) {

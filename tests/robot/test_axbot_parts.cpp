@@ -1,12 +1,11 @@
 #include <QTest>
 
 #include "net/json_numbers.h"
-#include "robot/axbot/raw_messages.h"
+#include "robot/axbot/parse_topics.h"
 #include "robot/axbot/robot_urls.h"
 #include "robot/axbot/topic_subscriptions.h"
-#include "robot/wire/base64.h"
-#include "robot/wire/raw_limit.h"
-#include "robot/wire/topic_mailbox.h"
+#include "robot/wire/picture_bytes.h"
+#include "robot/wire/robot_link.h"
 #include "test_program.h"
 
 namespace test_axbot_parts {

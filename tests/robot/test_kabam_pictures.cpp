@@ -7,7 +7,7 @@
 #include "robot/ros/kabam_picture.h"
 #include "robot/ros/map_values.h"
 #include "robot/ros/ros_robot.h"
-#include "robot/wire/picture_facts.h"
+#include "robot/wire/picture_bytes.h"
 #include "scripted_bridge.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"

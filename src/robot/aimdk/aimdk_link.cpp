@@ -5,9 +5,8 @@
 
 #include "net/plain_sentences.h"
 #include "robot/aimdk/faults.h"
-#include "robot/wire/entry_of.h"
-#include "robot/wire/http_errand.h"
-#include "robot/wire/http_failure.h"
+#include "robot/wire/failures.h"
+#include "robot/wire/net_results.h"
 #include "sentences/failure_sentence.h"
 
 namespace mapwright::robot::aimdk {
@@ -85,8 +84,8 @@ net::HttpRequest AimdkLink::request(const char* method, const QByteArray& body,
   return request;
 }
 
-void AimdkLink::ask(const char* method, const QByteArray& body, Taken taken) {
-  asking_ = http_.send(request(method, body, options_.patience), std::move(taken));
+void AimdkLink::ask(const char* method, const QByteArray& body, Reply reply) {
+  asking_ = http_.send(request(method, body, options_.patience), std::move(reply));
 }
 
 void AimdkLink::deliver(const char* method, const net::HttpAnswer& answer) {
@@ -244,9 +243,9 @@ void AimdkLink::enter(ConnectionPhase phase, std::optional<int> retry_in_ms) {
   Q_EMIT stateChanged(state);
 }
 
-void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
-  wire::send(errand, http_, request(kMapNames, mapNamesRequest(), options_.patience),
-             [this, errand, reply](const net::HttpAnswer& answer) {
+void AimdkLink::list(wire::TaskPtr task, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
+  wire::send(task, http_, request(kMapNames, mapNamesRequest(), options_.patience),
+             [this, task, reply](const net::HttpAnswer& answer) {
                deliver(kMapNames, answer);
                auto maps = outcomeOf(answer, catalogueSubject(map::kMapsPart),
                                      parseMapNames(wire::view(answer.body)));
@@ -254,7 +253,7 @@ void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::Catalogu
                  reply(fail(maps.error()));
                  return;
                }
-               wire::send(errand, http_, request(kCurrentMap, currentMapRequest(), options_.patience),
+               wire::send(task, http_, request(kCurrentMap, currentMapRequest(), options_.patience),
                           [this, reply, entries = std::move(*maps)](const net::HttpAnswer& current) mutable {
                             deliver(kCurrentMap, current);
                             const auto id = outcomeOf(current, catalogueSubject(map::kCurrentMapPart),
@@ -277,42 +276,40 @@ void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::Catalogu
 }
 
 // There is no question for one map alone that does not send its picture.
-void AimdkLink::describe(wire::ErrandPtr errand, const map::MapKey& key,
-                         OutcomeTo<map::CatalogueEntry> reply) {
-  list(std::move(errand), [key, reply = std::move(reply)](Outcome<std::vector<map::CatalogueEntry>> entries) {
+void AimdkLink::describe(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
+  list(std::move(task), [key, reply = std::move(reply)](Outcome<std::vector<map::CatalogueEntry>> entries) {
     reply(wire::entryOf(key, std::move(entries)));
   });
 }
 
-void AimdkLink::fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& key,
-                            OutcomeTo<ParsedMap> reply) {
+void AimdkLink::fetchParsed(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<ParsedMap> reply) {
   if (key.kind != map::MapKind::Stored || key.id.empty()) {
     reply(fail(unasked(map::subjectOf(key), "1764059676131")));
     return;
   }
   std::shared_ptr<SharedFetch>& entry = fetching_[key];
   const bool first = !entry;
-  if (first) entry = std::make_shared<SharedFetch>(SharedFetch{std::make_shared<wire::Errand>(), {}});
+  if (first) entry = std::make_shared<SharedFetch>(SharedFetch{std::make_shared<wire::Task>(), {}});
   const std::shared_ptr<SharedFetch> shared = entry;
   const auto leave = [this, key](const std::shared_ptr<SharedFetch>& fetch) {
     if (const auto found = fetching_.find(key); found != fetching_.end() && found->second == fetch)
       fetching_.erase(found);
   };
-  const int number = errand->begun([leave, held = std::weak_ptr(shared), who = errand.get()] {
+  const int number = task->begun([leave, held = std::weak_ptr(shared), who = task.get()] {
     const auto fetch = held.lock();
     if (!fetch) return;
     // It has already been answered.
     std::erase_if(fetch->waiting, [&](const auto& one) { return one.first.get() == who; });
     if (!fetch->waiting.empty()) return;
     leave(fetch);
-    fetch->errand->cancel();
+    fetch->task->cancel();
   });
-  shared->waiting.emplace_back(errand, [errand, number, reply = std::move(reply)](Outcome<ParsedMap> parsed) {
-    errand->ended(number);
+  shared->waiting.emplace_back(task, [task, number, reply = std::move(reply)](Outcome<ParsedMap> parsed) {
+    task->ended(number);
     reply(std::move(parsed));
   });
   if (!first) return;
-  wire::send(shared->errand, http_, request(kWholeMap, wholeMapRequest(key.id), options_.map_patience),
+  wire::send(shared->task, http_, request(kWholeMap, wholeMapRequest(key.id), options_.map_patience),
              [this, key, shared, leave](const net::HttpAnswer& answer) {
                leave(shared);
                auto parsed =
@@ -327,8 +324,8 @@ void AimdkLink::fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& ke
              });
 }
 
-void AimdkLink::fetch(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
-  fetchParsed(errand, key, [reply = std::move(reply)](Outcome<ParsedMap> parsed) {
+void AimdkLink::fetch(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
+  fetchParsed(task, key, [reply = std::move(reply)](Outcome<ParsedMap> parsed) {
     if (parsed) {
       reply(std::move(parsed->map));
     } else {
@@ -337,27 +334,26 @@ void AimdkLink::fetch(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<
   });
 }
 
-void AimdkLink::waypoints(wire::ErrandPtr errand, const map::MapKey& key,
-                          OutcomeTo<map::WaypointList> reply) {
+void AimdkLink::waypoints(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::WaypointList> reply) {
   const auto body = topologyRequest(key.id);
   if (!body || key.kind != map::MapKind::Stored) {
     reply(fail(unasked(map::placesOf(key), "1764059676131")));
     return;
   }
   if (frame_ && frame_->map.key == key) {
-    askPoints(errand, key, *body, std::move(reply));
+    askPoints(task, key, *body, std::move(reply));
     return;
   }
   // Their pixels can be checked only once the map is known.
-  fetchParsed(errand, key,
-              [this, errand, key, body = *body, reply = std::move(reply)](const Outcome<ParsedMap>&) {
-                askPoints(errand, key, body, reply);
+  fetchParsed(task, key,
+              [this, task, key, body = *body, reply = std::move(reply)](const Outcome<ParsedMap>&) {
+                askPoints(task, key, body, reply);
               });
 }
 
-void AimdkLink::askPoints(const wire::ErrandPtr& errand, const map::MapKey& key, const QByteArray& body,
+void AimdkLink::askPoints(const wire::TaskPtr& task, const map::MapKey& key, const QByteArray& body,
                           OutcomeTo<map::WaypointList> reply) {
-  wire::send(errand, http_, request(kTopology, body, options_.patience),
+  wire::send(task, http_, request(kTopology, body, options_.patience),
              [this, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
                deliver(kTopology, answer);
                const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;

@@ -18,8 +18,8 @@
 #include "net/backoff.h"
 #include "net/http_client.h"
 #include "robot/aimdk/parse_rpc.h"
-#include "robot/wire/errand.h"
 #include "robot/wire/robot_link.h"
+#include "robot/wire/task.h"
 
 namespace mapwright::robot::aimdk {
 
@@ -46,20 +46,20 @@ class AimdkLink : public wire::RobotLink {
   void open() override;
   void close() override;
   void trust(const QByteArray& pinned_sha256) override;
-  void list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
-  void describe(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
-  void fetch(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
-  void waypoints(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::WaypointList> reply);
+  void list(wire::TaskPtr task, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  void describe(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
+  void fetch(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
+  void waypoints(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::WaypointList> reply);
 
  Q_SIGNALS:
   void currentMapChanged();
 
  private:
-  using Taken = std::function<void(const net::HttpAnswer&)>;
+  using Reply = std::function<void(const net::HttpAnswer&)>;
   net::HttpRequest request(const char* method, const QByteArray& body,
                            std::chrono::milliseconds patience) const;
   /// A request of the connection itself.
-  void ask(const char* method, const QByteArray& body, Taken taken);
+  void ask(const char* method, const QByteArray& body, Reply reply);
   void deliver(const char* method, const net::HttpAnswer& answer);
   void attempt();
   void poll();
@@ -70,9 +70,9 @@ class AimdkLink : public wire::RobotLink {
   void interrupt(const Fault& reason, map::FailureKind failure);
   void noteCurrent(const std::string& id);
   void enter(ConnectionPhase phase, std::optional<int> retry_in_ms = {});
-  void askPoints(const wire::ErrandPtr& errand, const map::MapKey& key, const QByteArray& body,
+  void askPoints(const wire::TaskPtr& task, const map::MapKey& key, const QByteArray& body,
                  OutcomeTo<map::WaypointList> reply);
-  void fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<ParsedMap> reply);
+  void fetchParsed(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<ParsedMap> reply);
 
   LinkOptions options_;
   net::HttpClient http_;
@@ -94,8 +94,8 @@ class AimdkLink : public wire::RobotLink {
   std::optional<std::string> current_;
   /// One request for all concurrent callers; cancelled when none of them needs it any more.
   struct SharedFetch {
-    wire::ErrandPtr errand;
-    std::vector<std::pair<wire::ErrandPtr, OutcomeTo<ParsedMap>>> waiting;
+    wire::TaskPtr task;
+    std::vector<std::pair<wire::TaskPtr, OutcomeTo<ParsedMap>>> waiting;
   };
   std::map<map::MapKey, std::shared_ptr<SharedFetch>> fetching_;
   std::optional<ParsedMap> frame_;  // of the last fetched map, without its picture: used to check points

@@ -9,9 +9,8 @@
 #include <QJsonObject>
 
 #include "robot/aimdk/faults.h"
-#include "robot/wire/base64.h"
 #include "robot/wire/faults.h"
-#include "robot/wire/picture_facts.h"
+#include "robot/wire/picture_bytes.h"
 #include "robot/wire/read_json.h"
 
 namespace mapwright::robot::aimdk {

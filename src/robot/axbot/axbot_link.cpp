@@ -5,19 +5,11 @@
 #include <QDateTime>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QUrlQuery>
 
-#include "net/http_cache.h"
-#include "net/plain_sentences.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_submap.h"
-#include "robot/axbot/raw_messages.h"
-#include "robot/axbot/robot_urls.h"
-#include "robot/axbot/stream_topics.h"
 #include "robot/faults.h"
-#include "robot/wire/http_errand.h"
-#include "robot/wire/http_failure.h"
-#include "robot/wire/link_state.h"
+#include "robot/wire/net_results.h"
 
 namespace mapwright::robot::axbot {
 namespace {
@@ -65,128 +57,109 @@ QUrl socketUrl(const QUrl& base, bool binary) {
 }  // namespace
 
 AxbotLink::AxbotLink(LinkOptions options)
-    : RobotLink(lcAxbot(), options.base), options_(std::move(options)) {}
-
-AxbotLink::~AxbotLink() {
-  // Late replies must not reach a half-destroyed object.
-  if (http_) http_->disconnect(this);
-  socket_.reset();
-  http_.reset();  // makes no callbacks any more, so its users may be destroyed after it
-}
-
-void AxbotLink::start() {
-  if (http_) return;
-  if (!options_.cache_folder.isEmpty()) {
-    cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, kCacheBudgetBytes);
+    : RobotLink(lcAxbot(), options.base),
+      options_(std::move(options)),
+      cache_(options_.cache_folder.isEmpty()
+                 ? nullptr
+                 : std::make_unique<net::HttpCache>(options_.cache_folder, kCacheBudgetBytes)),
+      http_(options_.base, options_.secret, cache_.get()),
+      maps_(server()),
+      bags_(server()),
+      grids_(server()),
+      // Old firmware does not know the query; if the handshake is refused for it, it is left out.
+      socket_({socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret,
+              options_.socket) {
+  if (cache_) {
     cache_->setTrouble([this](const Fault& why) {
       Q_EMIT problemFound({map::Severity::Warning,
                            map::SubjectKind::DiskCache,
                            {fault::AnswersNotKept, {}, {why}, Consequence::AskedAgainEachTime}});
     });
   }
-  http_ = std::make_unique<net::HttpClient>(options_.base, options_.secret, cache_.get());
-  maps_ = std::make_unique<MapRequests>(
-      *http_, options_.base, options_.patience,
-      [this](const map::Problem& found) { Q_EMIT problemFound(found); },
-      [this](const map::Recovery& well) { Q_EMIT recovered(well); });
-  bags_ = std::make_unique<BagRequests>(
-      *http_, options_.base, options_.patience,
-      [this](const map::Problem& found) { Q_EMIT problemFound(found); },
-      [this](const map::Recovery& well) { Q_EMIT recovered(well); });
-  grids_ = std::make_unique<GridFetcher>(*http_, options_.base, [this](map::TopicMessage message) {
+  grids_.setTaker([this](map::TopicMessage message) {
     const auto* grid = std::get_if<map::GridMessage>(&message);
     const std::string topic = grid ? grid->topic : std::string();
     emitTopic(topic, std::move(message));
   });
-  grids_->setKeeper([this](const std::string& topic, const std::string& data_url, const char* media_type,
-                           std::shared_ptr<const std::string> picture) {
+  grids_.setKeeper([this](const std::string& topic, const std::string& data_url, const char* media_type,
+                          std::shared_ptr<const std::string> picture) {
     wire::DeliveryPlace::Parcel parcel = parcelOf(data_url, std::move(picture), options_.wall_s());
     parcel.kind = Delivery::Kind::Picture;
     parcel.encoding = media_type;
     parcel.slot = "picture of " + topic;
     places_->deliveries.pass(std::move(parcel));
   });
-  // The query is unknown to old firmware; where the handshake is refused for it, it goes without.
-  socket_ = std::make_unique<net::WebSocketLink>(
-      QList<QUrl>{socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret,
-      options_.socket);
-  http_->setTrust(options_.trust);
-  socket_->setTrust(options_.trust);
-  list_timer_ = std::make_unique<QTimer>();
-  subscribe_timer_ = std::make_unique<QTimer>();
-  older_timer_ = std::make_unique<QTimer>();
-  again_timer_ = std::make_unique<QTimer>();
-  for (QTimer* timer : {list_timer_.get(), subscribe_timer_.get(), older_timer_.get(), again_timer_.get()})
+  http_.setTrust(options_.trust);
+  socket_.setTrust(options_.trust);
+  for (QTimer* timer : {&list_timer_, &subscribe_timer_, &older_timer_, &again_timer_})
     timer->setSingleShot(true);
-  connect(older_timer_.get(), &QTimer::timeout, this, [this] {
+  connect(&older_timer_, &QTimer::timeout, this, [this] {
     qCDebug(lcAxbot, "topics are silent: their older names are tried too");
     older_.merge(silentStreams());
     askForWanted();
   });
-  connect(again_timer_.get(), &QTimer::timeout, this, &AxbotLink::askAgainForOnceSaid);
-  connect(list_timer_.get(), &QTimer::timeout, this, [this] {
+  connect(&again_timer_, &QTimer::timeout, this, &AxbotLink::askAgainForOnceSaid);
+  connect(&list_timer_, &QTimer::timeout, this, [this] {
     Q_EMIT problemFound({map::Severity::Warning,
                          map::SubjectKind::SubmapList,
                          {fault::NoListYet, {"/submap_list"}},
                          map::ProblemCode::Unavailable});
   });
-  connect(subscribe_timer_.get(), &QTimer::timeout, this, [this] {
+  connect(&subscribe_timer_, &QTimer::timeout, this, [this] {
     if (topics_confirmed_) return;
     qCInfo(lcAxbot, "no list of topics was confirmed: they are enabled one by one");
     subscriptions_.setTakesLists(false);
     send(subscriptions_.all());
   });
-  connect(socket_.get(), &net::WebSocketLink::changed, this, &AxbotLink::publishState);
-  connect(socket_.get(), &net::WebSocketLink::opened, this, [this] {
+  connect(&socket_, &net::WebSocketLink::changed, this, &AxbotLink::publishState);
+  connect(&socket_, &net::WebSocketLink::opened, this, [this] {
     places_->deliveries.forget();
     delivered_definition_ = false;
     topics_confirmed_ = false;
     subscribed_ = false;
     // It may have new firmware.
     heard_topics_.clear();
-    again_timer_->stop();
-    again_timer_->setInterval(options_.ask_again_after);
+    again_timer_.stop();
+    again_timer_.setInterval(options_.ask_again_after);
     older_.clear();
-    older_timer_->stop();
+    older_timer_.stop();
     askForWanted();
-    if (device_info_answered_)
-      subscribe();
-    else
-      askDeviceInfo();
+    device_info_answered_ ? subscribe() : askDeviceInfo();
   });
-  connect(socket_.get(), &net::WebSocketLink::textReceived, this, &AxbotLink::takeText);
-  connect(socket_.get(), &net::WebSocketLink::binaryReceived, this, &AxbotLink::takeBinary);
+  connect(&socket_, &net::WebSocketLink::textReceived, this, &AxbotLink::takeText);
+  connect(&socket_, &net::WebSocketLink::binaryReceived, this, &AxbotLink::takeBinary);
+}
+
+RobotServer AxbotLink::server() {
+  return {.http = http_,
+          .base = options_.base,
+          .timeout = options_.answer_timeout,
+          .report = [this](const map::Problem& found) { Q_EMIT problemFound(found); },
+          .recovered = [this](const map::Recovery& well) { Q_EMIT recovered(well); }};
 }
 
 void AxbotLink::open() {
-  start();
   wanted_ = true;
-  socket_->open();
+  socket_.open();
 }
 
 void AxbotLink::close() {
   wanted_ = false;
-  if (!http_) return;
-  list_timer_->stop();
-  subscribe_timer_->stop();
-  older_timer_->stop();
-  http_->cancelAll();
-  grids_->cancelAll();
-  socket_->close();
+  list_timer_.stop();
+  subscribe_timer_.stop();
+  older_timer_.stop();
+  http_.cancelAll();
+  grids_.cancelAll();
+  socket_.close();
   publishState();
 }
 
 QUrl AxbotLink::submapUrl(const map::SubmapKey& key, std::int32_t version) const {
-  QUrl url = options_.base;
-  const QString uuid = QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(key.uuid)));
-  url.setPath(QString::fromLatin1(QUrl::toPercentEncoding(options_.base.path(), "/")) +
-                  QStringLiteral("/ros/slam/submaps/%1/%2/%3")
-                      .arg(uuid, QString::number(key.id.trajectory), QString::number(key.id.index)),
-              QUrl::TolerantMode);
-  QUrlQuery query;
-  query.addQueryItem(QStringLiteral("ver"), QString::number(version));
-  url.setQuery(query);
-  return url;
+  return urlOnRobot(
+      options_.base,
+      QStringLiteral("/ros/slam/submaps/%1/%2/%3")
+          .arg(pathSegment(key.uuid), QString::number(key.id.trajectory), QString::number(key.id.index)),
+      QStringLiteral("ver=%1").arg(version));
 }
 
 void AxbotLink::askDeviceInfo() {
@@ -196,7 +169,7 @@ void AxbotLink::askDeviceInfo() {
   request.url = urlOnRobot(options_.base, QStringLiteral("/device/info"));
   request.timeout = std::chrono::milliseconds(5'000);
   request.max_bytes = qint64(4) << 20;
-  http_->send(request, [this](const net::HttpAnswer& answer) { takeDeviceInfo(answer); });
+  http_.send(request, [this](const net::HttpAnswer& answer) { takeDeviceInfo(answer); });
 }
 
 void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
@@ -218,23 +191,22 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
     report(map::Severity::Info, {fault::DoesNotSayWhatItIs, {}, {answer.reason}});
   }
   device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
-  if (socket_->state() == net::WebSocketLink::State::Open) subscribe();
+  if (socket_.state() == net::WebSocketLink::State::Open) subscribe();
 }
 
 void AxbotLink::subscribe() {
   subscribed_ = true;
   const QStringList names = subscriptions_.names();
-  if (names.contains(QLatin1String("/submap_list"))) list_timer_->start(kListExpectedWithin);
+  if (names.contains(QLatin1String("/submap_list"))) list_timer_.start(kListExpectedWithin);
   send(subscriptions_.all());
-  if (!silentStreams().empty()) older_timer_->start(options_.older_names_after);
+  if (!silentStreams().empty()) older_timer_.start(options_.older_names_after);
   // Some firmware claims to support lists and ignores them.
-  if (subscriptions_.takesLists() && !names.isEmpty()) subscribe_timer_->start(kSubscribeAnswerMs);
+  if (subscriptions_.takesLists() && !names.isEmpty()) subscribe_timer_.start(kSubscribeAnswerMs);
 }
 
 void AxbotLink::setBasics(const LiveTopics::Basics& basics) { subscriptions_.setBasics(basics); }
 
 void AxbotLink::setWanted(const map::Streams& streams, const QStringList& topics) {
-  start();
   streams_ = streams;
   topics_ = topics;
   askForWanted();
@@ -251,7 +223,7 @@ void AxbotLink::askForWanted() {
   // Before the first subscription everything is included in it.
   if (!subscribed_) return;
   send(requests);
-  if (!older_timer_->isActive() && !silentStreams().empty()) older_timer_->start(options_.older_names_after);
+  if (!older_timer_.isActive() && !silentStreams().empty()) older_timer_.start(options_.older_names_after);
 }
 
 map::Streams AxbotLink::silentStreams() const {
@@ -276,13 +248,13 @@ void AxbotLink::askAgainForOnceSaid() {
   }
   send(subscriptions_.anew(topics));
   // If this continues, the robot is asked less and less often.
-  again_timer_->setInterval(std::min(again_timer_->intervalAsDuration() * 2, kLongestAskAgain));
+  again_timer_.setInterval(std::min(again_timer_.intervalAsDuration() * 2, kLongestAskAgain));
 }
 
 void AxbotLink::send(const QStringList& requests) {
   for (const QString& request : requests) {
     qCDebug(lcAxbot, "sent %s", qUtf8Printable(request));
-    socket_->sendText(request);
+    socket_.sendText(request);
   }
 }
 
@@ -316,7 +288,7 @@ void AxbotLink::takeText(const QByteArray& utf8) {
     emitTopic(frame.topic, std::move(*frame.message));
     if (frame.left_out) emitTopic(frame.topic, std::move(*frame.left_out));
   } else if (frame.grid_to_fetch) {
-    grids_->fetch(std::move(*frame.grid_to_fetch));
+    grids_.fetch(std::move(*frame.grid_to_fetch));
   } else if (frame.enabled_topics) {
     const QStringList asked = subscriptions_.names();
     qCDebug(lcAxbot, "enabled topics: %zu", frame.enabled_topics->size());
@@ -357,7 +329,7 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
     if (unreadable_topics_.insert(unreadable->topic).second)
       qCInfo(lcAxbot, "%s cannot be read: %s", unreadable->topic.c_str(),
              inEnglish(unreadable->reason).c_str());
-    if (unreadable->topic == kUnknownTopic && !again_timer_->isActive()) again_timer_->start();
+    if (unreadable->topic == kUnknownTopic && !again_timer_.isActive()) again_timer_.start();
   } else {
     if (++heard_topics_[topic] == 1) qCDebug(lcAxbot, "first message of %s", topic.c_str());
     if (!unreadable_topics_.empty()) {
@@ -367,50 +339,34 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
   }
   if (std::holds_alternative<map::SubmapList>(message)) {
     topics_confirmed_ = true;
-    list_timer_->stop();
+    list_timer_.stop();
   }
   pass({std::move(message), options_.wall_s(), std::nullopt, topic});
 }
 
-MapRequests& AxbotLink::maps() {
-  start();
-  return *maps_;
-}
-
-BagRequests& AxbotLink::bags() {
-  start();
-  return *bags_;
-}
-
-void AxbotLink::fetchOverview(wire::ErrandPtr errand, double resolution_m, OutcomeTo<map::WholeMap> reply) {
-  maps().fetchOverview(std::move(errand), resolution_m,
-                       [this, reply = std::move(reply)](Outcome<map::WholeMap> overview) {
-                         if (!overview) {
-                           const std::string& code = overview.error().robot_code;
-                           if (code == "404" || code == "405" || code == "501")
-                             Q_EMIT overviewUnknown(QString::fromStdString(code));
-                         }
-                         reply(std::move(overview));
-                       });
+void AxbotLink::fetchOverview(const wire::TaskPtr& task, double resolution_m,
+                              OutcomeTo<map::WholeMap> reply) {
+  maps_.fetchOverview(task, resolution_m, [this, reply = std::move(reply)](Outcome<map::WholeMap> overview) {
+    const std::string code = overview ? std::string() : overview.error().robot_code;
+    if (code == "404" || code == "405" || code == "501") Q_EMIT overviewUnknown(QString::fromStdString(code));
+    reply(std::move(overview));
+  });
 }
 
 void AxbotLink::discardSubmap(const map::SubmapKey& key, std::int32_t answered_version) {
-  start();
-  http_->discard(submapUrl(key, key.version));
+  http_.discard(submapUrl(key, key.version));
   if (answered_version > 0 && answered_version != key.version) {
-    http_->discard(submapUrl(key, answered_version));
+    http_.discard(submapUrl(key, answered_version));
   }
 }
 
 void AxbotLink::discardPicture(const std::string& fingerprint) {
-  start();
-  maps_->discardPicture(fingerprint);
-  grids_->discardPicture(fingerprint);
+  maps_.discardPicture(fingerprint);
+  grids_.discardPicture(fingerprint);
 }
 
-void AxbotLink::submap(const wire::ErrandPtr& errand, const map::SubmapKey& key,
+void AxbotLink::submap(const wire::TaskPtr& task, const map::SubmapKey& key,
                        OutcomeTo<map::SubmapAnswer> reply) {
-  start();
   net::HttpRequest request;
   request.url = submapUrl(key, key.version);
   request.accept = "application/x-protobuf";
@@ -418,14 +374,14 @@ void AxbotLink::submap(const wire::ErrandPtr& errand, const map::SubmapKey& key,
   request.content_addressed = true;
   request.timeout = options_.fetch_timeout;
   request.most_at_once = kSubmapsAtOnce;
-  wire::send(errand, *http_, request,
-             [this, errand, key, url = request.url, reply = std::move(reply)](const net::HttpAnswer& http) {
+  wire::send(task, http_, request,
+             [this, task, key, url = request.url, reply = std::move(reply)](const net::HttpAnswer& http) {
                map::SubmapAnswer answer = takeSubmap(key, url, http);
                if (answer.outcome == map::SubmapAnswer::Outcome::Ok || !http.ok() || !http.from_cache)
                  return reply(std::move(answer));
                // What lies on the disk is none of the robot's business: it is asked itself.
-               http_->discard(url);
-               submap(errand, key, reply);
+               http_.discard(url);
+               submap(task, key, reply);
              });
 }
 
@@ -470,23 +426,22 @@ map::SubmapAnswer AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& u
 }
 
 Fault AxbotLink::whyNot() const {
-  if (socket_->failure() != net::WebSocketLink::Failure::NotAWebSocket) return socket_->reason();
-  return {fault::NoAutoxingRobotThere, {wire::hostOf(options_.base)}, {socket_->reason()}};
+  if (socket_.failure() != net::WebSocketLink::Failure::NotAWebSocket) return socket_.reason();
+  return {fault::NoAutoxingRobotThere, {wire::hostOf(options_.base)}, {socket_.reason()}};
 }
 
 void AxbotLink::trust(const QByteArray& pinned_sha256) {
-  start();
   options_.trust.pinned_sha256 = pinned_sha256;
-  http_->setTrust(options_.trust);
-  socket_->setTrust(options_.trust);
+  http_.setTrust(options_.trust);
+  socket_.setTrust(options_.trust);
   open();
 }
 
 void AxbotLink::publishState() {
-  ConnectionState state = wire::stateOf(*socket_, wanted_);
+  ConnectionState state = wire::stateOf(socket_, wanted_);
   if (state.reason.any()) state.reason = whyNot();
   link_log_.note(state);
-  Q_EMIT silenceChanged(socket_->silentSince().value_or(QDateTime()));
+  Q_EMIT silenceChanged(socket_.silentSince().value_or(QDateTime()));
   Q_EMIT stateChanged(state);
 }
 

@@ -15,19 +15,15 @@
 
 #include "map/live_topics.h"
 #include "map/stream.h"
+#include "net/http_cache.h"
 #include "net/http_client.h"
 #include "net/web_socket_link.h"
 #include "robot/axbot/bag_requests.h"
 #include "robot/axbot/grid_fetcher.h"
 #include "robot/axbot/map_requests.h"
 #include "robot/axbot/parse_topics.h"
-#include "robot/axbot/raw_messages.h"
 #include "robot/axbot/topic_subscriptions.h"
 #include "robot/wire/robot_link.h"
-
-namespace mapwright::net {
-class HttpCache;
-}
 
 namespace mapwright::robot::axbot {
 
@@ -39,7 +35,7 @@ struct LinkOptions {
   QString cache_folder;  // empty = nothing is kept on disk
   net::WebSocketLinkOptions socket;
   std::chrono::milliseconds fetch_timeout{30'000};     // of submaps
-  std::chrono::milliseconds patience{30'000};          // of questions about maps: without a byte
+  std::chrono::milliseconds answer_timeout{30'000};    // of requests about maps: without a byte
   std::chrono::milliseconds ask_again_after{1'000};    // after a message that nobody could read, at first
   std::chrono::milliseconds older_names_after{2'500};  // of silence of a stream that was asked for
   /// The time of day, in seconds since the epoch, that arriving messages are stamped with. On any thread.
@@ -49,35 +45,35 @@ struct LinkOptions {
 class AxbotLink : public wire::RobotLink {
   Q_OBJECT
  public:
+  /// To be made on its own thread.
   explicit AxbotLink(LinkOptions options);
-  ~AxbotLink() override;
 
   void open() override;
   void close() override;
   void trust(const QByteArray& pinned_sha256) override;
-  void submap(const wire::ErrandPtr& errand, const map::SubmapKey& key, OutcomeTo<map::SubmapAnswer> reply);
+  void submap(const wire::TaskPtr& task, const map::SubmapKey& key, OutcomeTo<map::SubmapAnswer> reply);
   void discardSubmap(const map::SubmapKey& key, std::int32_t answered_version);
-  void fetch(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
-    maps().fetch(errand, key, std::move(reply));
+  void fetch(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
+    maps_.fetch(task, key, std::move(reply));
   }
   void discardPicture(const std::string& fingerprint);
   void setWanted(const map::Streams& streams, const QStringList& topics);
   void setBasics(const LiveTopics::Basics& basics);
-  MapRequests& maps();
-  BagRequests& bags();
+  MapRequests& maps() { return maps_; }
+  BagRequests& bags() { return bags_; }
   /// A request for the overview; also notes if the robot does not support it.
-  void fetchOverview(wire::ErrandPtr errand, double resolution_m, OutcomeTo<map::WholeMap> reply);
+  void fetchOverview(const wire::TaskPtr& task, double resolution_m, OutcomeTo<map::WholeMap> reply);
 
  Q_SIGNALS:
   void identityChanged(const mapwright::robot::RobotIdentity& identity);
-  /// It was asked for an overview and answered so, which is how one answers who knows no such question.
+  /// Its answer to a request for an overview, if that says that it does not support it.
   void overviewUnknown(const QString& answer);
 
  private:
-  void start();  // creates the network objects, on this object's thread
   void askDeviceInfo();
   void takeDeviceInfo(const net::HttpAnswer& answer);
   void subscribe();
+  RobotServer server();
   void send(const QStringList& requests);
   void askForWanted();
   /// Latched messages are sent again after a new subscription: used after an unreadable message of unknown
@@ -100,14 +96,14 @@ class AxbotLink : public wire::RobotLink {
   LinkOptions options_;
   TopicReader topic_reader_;
   TopicSubscriptions subscriptions_;
-  std::set<std::string> unreadable_topics_;  // whose last message could not be read
-  std::unique_ptr<net::HttpCache> cache_;
-  std::unique_ptr<net::HttpClient> http_;
-  std::unique_ptr<MapRequests> maps_;
-  std::unique_ptr<BagRequests> bags_;
-  std::unique_ptr<GridFetcher> grids_;
-  std::unique_ptr<net::WebSocketLink> socket_;
-  std::unique_ptr<QTimer> list_timer_, subscribe_timer_, older_timer_, again_timer_;
+  std::set<std::string> unreadable_topics_;      // whose last message could not be read
+  const std::unique_ptr<net::HttpCache> cache_;  // null: nothing is kept on disk
+  net::HttpClient http_;
+  MapRequests maps_;
+  BagRequests bags_;
+  GridFetcher grids_;
+  net::WebSocketLink socket_;
+  QTimer list_timer_, subscribe_timer_, older_timer_, again_timer_;
   map::Streams streams_;  // that are wanted
   QStringList topics_;    // that are wanted by name
   map::Streams older_;    // streams whose older names are subscribed as well on this connection

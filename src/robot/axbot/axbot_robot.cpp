@@ -1,11 +1,29 @@
 #include "robot/axbot/axbot_robot.h"
 
-#include <tuple>
 #include <utility>
 
 #include <QPointer>
 
 namespace mapwright::robot::axbot {
+
+std::optional<Obstacle> Administration::obstacle(MapChange change, const map::CatalogueEntry* map) const {
+  if (change != MapChange::Rename && change != MapChange::Load) return Obstacle::NotOffered;
+  if (!map || map->key.kind != map::MapKind::Stored) return Obstacle::NotOfThisMap;
+  return change == MapChange::Load && map->is_current ? std::optional(Obstacle::IsLoaded) : std::nullopt;
+}
+
+Call Administration::carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
+  const map::Subject subject = map::subjectOf(order.key);
+  switch (order.change) {
+    case MapChange::Rename:
+      return maps_.change(subject, maps_.telling(changed_, std::move(reply)), &MapRequests::rename, order.key,
+                          order.name);
+    case MapChange::Load:
+      return maps_.change(subject, maps_.telling(changed_, std::move(reply)), &MapRequests::load, order.key);
+    default:
+      return maps_.refuse(std::move(reply), wire::notOffered(subject, map::AskedFor::Change));
+  }
+}
 
 AxbotRobot::AxbotRobot(QString address, LinkOptions options, QObject* parent)
     : AxbotRobot(std::move(address),
@@ -49,10 +67,7 @@ void AxbotRobot::takeTopic(const map::StampedMessage& stamped) {
   bool other_map = false;
   if (const auto* info = std::get_if<map::MapInfo>(&stamped.message)) {
     const map::MapInfo known{info->name, info->uid, info->map_version, info->overlays_version, {}};
-    other_map =
-        last_map_info_ && std::tie(last_map_info_->name, last_map_info_->uid, last_map_info_->map_version,
-                                   last_map_info_->overlays_version) !=
-                              std::tie(known.name, known.uid, known.map_version, known.overlays_version);
+    other_map = last_map_info_ && *last_map_info_ != known;
     last_map_info_ = known;
   }
   const QPointer<AxbotRobot> alive(this);

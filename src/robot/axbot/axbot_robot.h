@@ -1,14 +1,53 @@
 // An Autoxing robot behind the port. Source: docs/protocols/autoxing.md.
 #pragma once
 
+#include <functional>
 #include <optional>
 
-#include "robot/axbot/axbot_capabilities.h"
 #include "robot/axbot/axbot_link.h"
+#include "robot/map_administration.h"
 #include "robot/wire/forwarded.h"
 #include "robot/wire/network_robot.h"
 
 namespace mapwright::robot::axbot {
+
+// The capabilities of an Autoxing robot live on the thread of the robot. They call the link on its own
+// thread.
+
+class Overview : public OverviewSource {
+ public:
+  explicit Overview(AxbotLink* link) : link_(link) {}
+  Call fetchOverview(double resolution_m, OutcomeTo<map::WholeMap> reply) override {
+    return link_.ask(map::SubjectKind::Overview, std::move(reply), &AxbotLink::fetchOverview, resolution_m);
+  }
+
+ private:
+  wire::LinkRef<AxbotLink> link_;
+};
+
+class Administration : public MapAdministration {
+ public:
+  /// `changed` is called, on the thread of the robot, before the answer to a change that may have been
+  /// applied.
+  Administration(AxbotLink* link, std::function<void()> changed)
+      : maps_(link, &AxbotLink::maps), changed_(std::move(changed)) {}
+  std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
+  Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) override;
+
+ private:
+  wire::LinkRef<MapRequests> maps_;
+  std::function<void()> changed_;
+};
+
+class Topics : public wire::TopicsOf<AxbotLink> {
+ public:
+  using TopicsOf::TopicsOf;
+  QStringList known() const override { return knownTopics(); }
+  QStringList topicsOf(map::Stream stream) const override {
+    const StreamTopics topics = axbot::topicsOf(stream);
+    return topics.usual + topics.older;
+  }
+};
 
 class AxbotRobot : public wire::NetworkRobot {
   Q_OBJECT

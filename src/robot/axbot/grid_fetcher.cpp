@@ -1,13 +1,9 @@
 #include "robot/axbot/grid_fetcher.h"
 
 #include "robot/axbot/faults.h"
-#include "robot/axbot/robot_urls.h"
-#include "robot/wire/picture_facts.h"
+#include "robot/wire/picture_bytes.h"
 
 namespace mapwright::robot::axbot {
-
-GridFetcher::GridFetcher(net::HttpClient& http, QUrl base, Take take)
-    : http_(http), base_(std::move(base)), take_(std::move(take)) {}
 
 void GridFetcher::fetch(GridToFetch wanted) {
   const auto under_way = jobs_.find(wanted.grid.topic);
@@ -19,18 +15,15 @@ void GridFetcher::fetch(GridToFetch wanted) {
 }
 
 void GridFetcher::start(const GridToFetch& wanted) {
-  net::HttpRequest request;
-  request.url = robotUrl(base_, wanted.data_url);
-  if (!request.url.isValid()) {
+  const QUrl url = robotUrl(server_.base, wanted.data_url);
+  if (!url.isValid()) {
     take_(map::UnreadableMessage{
         wanted.grid.topic, Fault(fault::PictureAddressInvalid).followedBy(Consequence::PictureBeforeStays)});
     return;
   }
-  request.accept = "image/png,image/*;q=0.8,*/*;q=0.5";
-  request.cacheable = true;
-  jobs_[wanted.grid.topic].request = http_.send(
-      request,
-      [this, wanted, url = request.url](const net::HttpAnswer& answer) { finish(wanted, url, answer); });
+  jobs_[wanted.grid.topic].request =
+      server_.http.send(server_.pictureRequest(url),
+                        [this, wanted, url](const net::HttpAnswer& answer) { finish(wanted, url, answer); });
 }
 
 void GridFetcher::finish(const GridToFetch& wanted, const QUrl& url, const net::HttpAnswer& answer) {
@@ -49,7 +42,7 @@ void GridFetcher::finish(const GridToFetch& wanted, const QUrl& url, const net::
     take_(std::move(complete));
     return;
   }
-  if (answer.ok()) http_.discard(url);
+  if (answer.ok()) server_.http.discard(url);
   const Fault why = answer.ok() ? Fault(fault::AnswerIsEmpty) : answer.reason;
   take_(map::UnreadableMessage{
       grid.topic,
@@ -57,11 +50,11 @@ void GridFetcher::finish(const GridToFetch& wanted, const QUrl& url, const net::
 }
 
 void GridFetcher::discardPicture(const std::string& fingerprint) {
-  if (const QUrl url = origins_.find(fingerprint); url.isValid()) http_.discard(url);
+  if (const QUrl url = origins_.find(fingerprint); url.isValid()) server_.http.discard(url);
 }
 
 void GridFetcher::cancelAll() {
-  for (const auto& [topic, job] : jobs_) http_.cancel(job.request);
+  for (const auto& [topic, job] : jobs_) server_.http.cancel(job.request);
   jobs_.clear();
 }
 

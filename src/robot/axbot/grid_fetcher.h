@@ -8,12 +8,9 @@
 #include <optional>
 #include <string>
 
-#include <QUrl>
-
 #include "map/live_topics.h"
-#include "net/http_client.h"
 #include "robot/axbot/parse_topics.h"
-#include "robot/axbot/picture_origins.h"
+#include "robot/axbot/robot_urls.h"
 
 namespace mapwright::robot::axbot {
 
@@ -21,10 +18,11 @@ namespace mapwright::robot::axbot {
 /// topic still shows pictures, without a backlog.
 class GridFetcher {
  public:
-  using Take = std::function<void(map::TopicMessage)>;
-  /// `http` outlives this object. `take` gets a GridMessage with its picture, or an UnreadableMessage.
-  GridFetcher(net::HttpClient& http, QUrl base, Take take);
+  explicit GridFetcher(RobotServer server) : server_(std::move(server)) {}
 
+  /// Gets a GridMessage with its picture, or an UnreadableMessage.
+  using Take = std::function<void(map::TopicMessage)>;
+  void setTaker(Take take) { take_ = std::move(take); }
   /// Gets every picture with its topic and its address in the message.
   using Keep = std::function<void(const std::string& topic, const std::string& data_url,
                                   const char* media_type, std::shared_ptr<const std::string> picture)>;
@@ -44,8 +42,7 @@ class GridFetcher {
   void start(const GridToFetch& wanted);
   void finish(const GridToFetch& wanted, const QUrl& url, const net::HttpAnswer& answer);
 
-  net::HttpClient& http_;
-  QUrl base_;
+  const RobotServer server_;
   Take take_;
   Keep keep_;
   PictureOrigins origins_;

@@ -9,7 +9,6 @@
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/plain_messages.h"
-#include "robot/wire/json_cursor.h"
 #include "robot/wire/read_json.h"
 
 namespace mapwright::robot::axbot {
@@ -140,7 +139,7 @@ void clear(BagChunk& chunk) {
 }
 
 /// The elements of the list at the cursor. Each is read in place; as all are valid JSON, so is the list.
-bool readList(wire::JsonCursor& json, const char* end, ChunkReader& reader, BagChunk& chunk) {
+bool readList(JsonCursor& json, const char* end, ChunkReader& reader, BagChunk& chunk) {
   if (!json.take('[')) return false;
   if (json.peek() == ']') return json.take(']');
   do {
@@ -152,10 +151,10 @@ bool readList(wire::JsonCursor& json, const char* end, ChunkReader& reader, BagC
     const char* const start = json.at();
     const char* behind = reader.addPlain(start);
     if (!behind) {
-      behind = wire::endOfNested(start, end);
+      behind = endOfNested(start, end);
       if (!behind || !reader.add({start, std::size_t(behind - start)})) return false;
     }
-    json = wire::JsonCursor(behind);
+    json = JsonCursor(behind);
   } while (json.take(','));
   return json.take(']');
 }
@@ -165,7 +164,7 @@ bool readQuickly(BagChunk& chunk) {
   clear(chunk);
   const char* const end = chunk.text->data() + chunk.text->size();
   ChunkReader reader(chunk);
-  wire::JsonCursor json(chunk.text->c_str());
+  JsonCursor json(chunk.text->c_str());
   json.skipSpace();
   if (!json.take('{')) return false;
   bool has_messages = false;

@@ -1,16 +1,14 @@
-// Points as lists, as packed records and as the binary PointCloud message.
+#include "robot/axbot/parse_clouds.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
 
-#include "robot/axbot/cloud_points.h"
 #include "robot/axbot/faults.h"
-#include "robot/axbot/parse_binary_cloud.h"
-#include "robot/axbot/topic_subjects.h"
-#include "robot/wire/base64.h"
 #include "robot/wire/faults.h"
 #include "robot/wire/packed_number.h"
+#include "robot/wire/picture_bytes.h"
 #include "ros_messages/wrapper.pb.h"
 
 namespace mapwright::robot::axbot {
@@ -72,8 +70,6 @@ std::optional<wire::NumberType> fieldType(std::string text) {
   return std::nullopt;
 }
 
-double valueOf(const char* record, const Field& field) { return wire::numberAt(record, field.place); }
-
 struct Layout {
   std::vector<Field> fields;
   std::size_t record = 0;  // bytes
@@ -102,8 +98,6 @@ std::optional<Layout> layoutOf(const wire::JsonList& fields) {
   return layout.find("x") && layout.find("y") ? std::optional(std::move(layout)) : std::nullopt;
 }
 
-bool isByte(const Field* field) { return field && wire::isByte(field->place.type); }
-
 map::TopicMessage unreadable(const std::string& topic, Fault why,
                              Consequence then = Consequence::TheyWereLeftOut) {
   return map::UnreadableMessage{topic, std::move(why).followedBy(then)};
@@ -118,10 +112,10 @@ map::TopicMessage packedPoints(const std::string& topic, const Layout& layout, s
   cloud.reserve(bytes->size() / layout.record);
   for (std::size_t at = 0; at + layout.record <= bytes->size() && !cloud.full(); at += layout.record) {
     const char* record = bytes->data() + at;
-    cloud.add(valueOf(record, *x), valueOf(record, *y), z ? valueOf(record, *z) : 0,
-              bright ? valueOf(record, *bright) : 0);
+    cloud.add(wire::numberAt(record, x->place), wire::numberAt(record, y->place),
+              z ? wire::numberAt(record, z->place) : 0, bright ? wire::numberAt(record, bright->place) : 0);
   }
-  return cloud.message(topic, isByte(bright));
+  return cloud.message(topic, bright && wire::isByte(bright->place.type));
 }
 
 /// The same fields, with records as lists of numbers.
@@ -145,7 +139,7 @@ map::TopicMessage tabledPoints(const std::string& topic, const Layout& layout, c
     }
     cloud.add(point[0], point[1], point[2], point[3]);
   }
-  return cloud.message(topic, isByte(layout.brightness()));
+  return cloud.message(topic, layout.brightness() && wire::isByte(layout.brightness()->place.type));
 }
 
 }  // namespace
@@ -156,8 +150,7 @@ bool isCloudTopic(const std::string& topic) {
          topic.starts_with("/matched_depth_points/") || topic.ends_with("_laser_2d/matched");
 }
 
-MaybeMessage readCloudTopic(const std::string& topic, const Json& message) {
-  if (!isCloudTopic(topic)) return std::nullopt;
+map::TopicMessage readCloud(const std::string& topic, const Json& message) {
   if (const auto rows = wire::list(message, {"points"})) return listedPoints(topic, *rows);
   if (const auto fields = wire::list(message, {"fields"})) {
     const auto data = wire::member(message, {"data", "points"});

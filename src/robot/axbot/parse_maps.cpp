@@ -6,7 +6,7 @@
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_overlays.h"
 #include "robot/wire/faults.h"
-#include "robot/wire/picture_facts.h"
+#include "robot/wire/picture_bytes.h"
 #include "ros_messages/slam.pb.h"
 
 namespace mapwright::robot::axbot {
@@ -69,12 +69,12 @@ tl::expected<MapDetail, Fault> parseMapDetail(std::string_view body, const map::
   detail.entry.key = key;
   detail.grid = listedGrid(*root);
   detail.image_url = wire::text(*root, {"image_url"});
-  detail.thumbnail_url = wire::text(*root, {"thumbnail_url"});
   detail.trajectories_url = wire::text(*root, {"trajectories_url", "trajectory_url"});
   detail.landmarks_url = wire::text(*root, {"landmark_url", "landmarks_url"});
   if (const auto overlays = wire::member(*root, {"overlays"})) {
-    detail.overlays = parseOverlays(*overlays);
-    detail.overlays_readable = readableOverlays(*overlays);
+    auto features = parseOverlays(*overlays);
+    detail.overlays_readable = features.has_value();
+    if (features) detail.overlays = std::move(*features);
   }
   return detail;
 }

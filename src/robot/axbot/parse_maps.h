@@ -24,7 +24,7 @@ tl::expected<MapRows, Fault> parseMapRows(std::string_view body, map::MapKind ki
 struct MapDetail {
   map::CatalogueEntry entry;
   map::GridReference grid;  // as stated: NaN if missing
-  std::string image_url, thumbnail_url, trajectories_url, landmarks_url;
+  std::string image_url, trajectories_url, landmarks_url;
   std::vector<map::OverlayFeature> overlays;
   bool overlays_readable = true;
 };

@@ -93,11 +93,7 @@ class Reader {
   std::vector<OverlayFeature>& out_;
 };
 
-}  // namespace
-
-std::vector<OverlayFeature> parseOverlays(const Json& overlays) {
-  std::string_view text;
-  if (!overlays.get(text)) return parseOverlays(text);
+std::optional<std::vector<OverlayFeature>> featuresOf(const Json& overlays) {
   std::vector<OverlayFeature> features;
   Reader reader(features);
   wire::JsonList rows;
@@ -105,27 +101,26 @@ std::vector<OverlayFeature> parseOverlays(const Json& overlays) {
     for (const Json row : rows) reader.readFeature(row);
   } else if (const auto list = wire::list(overlays, {"features"})) {
     for (const Json feature : *list) reader.readFeature(feature);
-  } else {
+  } else if (overlays.is_object()) {
     reader.readFeature(overlays);
+  } else if (!overlays.is_null()) {
+    return std::nullopt;
   }
   return features;
 }
 
-std::vector<OverlayFeature> parseOverlays(std::string_view geo_json) {
-  if (geo_json.find('{') == std::string_view::npos) return {};
-  wire::JsonReader reader;
-  const auto root = reader.read(geo_json);
-  // A text inside a text is not parsed.
-  return root && !root->is_string() ? parseOverlays(*root) : std::vector<OverlayFeature>();
+}  // namespace
+
+std::optional<std::vector<OverlayFeature>> parseOverlays(const Json& overlays) {
+  std::string_view text;
+  return overlays.get(text) ? featuresOf(overlays) : parseOverlays(text);
 }
 
-bool readableOverlays(const Json& overlays) {
-  std::string_view text;
-  if (overlays.get(text)) return overlays.is_object() || overlays.is_array() || overlays.is_null();
-  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return true;
+std::optional<std::vector<OverlayFeature>> parseOverlays(std::string_view geo_json) {
+  if (geo_json.find_first_not_of(" \t\r\n") == std::string_view::npos) return std::vector<OverlayFeature>();
   wire::JsonReader reader;
-  const auto root = reader.read(text);
-  return root && (root->is_object() || root->is_array() || root->is_null());
+  const auto root = reader.read(geo_json);
+  return root ? featuresOf(*root) : std::nullopt;  // a text inside a text is not parsed
 }
 
 }  // namespace mapwright::robot::axbot

@@ -1,44 +1,167 @@
 #include "robot/axbot/parse_topics.h"
 
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <set>
+#include <span>
+#include <tuple>
+
+#include <google/protobuf/descriptor.pb.h>
+#include <google/protobuf/util/json_util.h>
+
+#include "packed/unpack.h"
 #include "robot/axbot/faults.h"
+#include "robot/axbot/parse_clouds.h"
 #include "robot/axbot/parse_overlays.h"
-#include "robot/axbot/topic_subjects.h"
+#include "robot/axbot/parse_submap.h"
+#include "robot/axbot/topic_table.h"
+#include "robot/wire/picture_bytes.h"
+#include "ros_messages/wrapper.pb.h"
 
 namespace mapwright::robot::axbot {
 namespace {
 
+using wire::Json;
+
+constexpr std::size_t kMaxPictureBytes = std::size_t(256) << 20;
+
+int size(const wire::JsonList& pair, std::size_t at) {
+  Json value;
+  if (pair.at(at).get(value)) return 0;
+  const auto cells = wire::asInteger(value);
+  return cells && *cells > 0 && *cells <= std::numeric_limits<int>::max() ? int(*cells) : 0;
+}
+
+map::GridReference gridOf(const Json& message) {
+  map::GridReference grid;
+  grid.resolution_m = wire::number(message, {"resolution"}).value_or(wire::kNaN);
+  if (const auto pair = wire::list(message, {"size"}); pair && pair->size() >= 2) {
+    grid.width = size(*pair, 0);
+    grid.height = size(*pair, 1);
+  }
+  const auto origin = wire::member(message, {"origin"});
+  grid.origin =
+      (origin ? wire::asPose(*origin) : std::nullopt).value_or(geometry::Pose2{wire::kNaN, wire::kNaN, 0});
+  return grid;
+}
+
+/// A picture topic: sets frame.message or frame.grid_to_fetch.
+void readGridTopic(map::GridKind kind, const Json& message, TextFrame& frame) {
+  const auto refuse = [&](Fault why) {
+    frame.message =
+        map::UnreadableMessage{frame.topic, std::move(why).followedBy(Consequence::PictureBeforeStays)};
+  };
+  map::GridMessage grid;
+  grid.topic = frame.topic;
+  grid.kind = kind;
+  grid.grid = gridOf(message);
+  if (const auto why = map::whyUnusable(grid.grid)) return refuse(*why);
+  std::string_view data, url;
+  if (const auto given = wire::member(message, {"data"})) std::ignore = given->get(data);
+  if (const auto given = wire::member(message, {"data_url"})) std::ignore = given->get(url);
+  if (data.empty() && url.starts_with("data:")) data = url;
+  if (!data.empty()) {
+    auto picture = wire::fromBase64(data, kMaxPictureBytes);
+    if (!picture || picture->empty()) {
+      return refuse(fault::PictureInMessageNotBase64);
+    }
+    grid.fingerprint = wire::fingerprint(*picture);
+    grid.png = std::make_shared<const std::string>(std::move(*picture));
+    frame.message = std::move(grid);
+  } else if (!url.empty()) {
+    frame.grid_to_fetch = GridToFetch{std::move(grid), std::string(url)};
+  } else {
+    refuse(fault::NoPictureNorAddress);
+  }
+}
+
 /// A member that explains an error, of any type.
-std::string anyText(const wire::Json& root, std::string_view name) {
+std::string anyText(const Json& root, std::string_view name) {
   const auto value = wire::member(root, {name});
   if (!value) return {};
   const std::string text = wire::asText(*value);
   return text.empty() ? std::string(simdjson::minify(*value)) : text;
 }
 
+// A list of 100,000 submaps takes about 10 MB, a cloud of 2 million points about 20 MB.
+constexpr std::size_t kMaxInflated = std::size_t(64) << 20;
+
+/// For gzip or zlib data of unknown size up to kMaxInflated; nullopt if broken, truncated or larger.
+std::optional<std::string> unpacked(std::string_view body) {
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(body.data()), body.size());
+  const bool gzip = packed::sniffContainer(bytes) == packed::Container::Gzip;
+  const auto out =
+      packed::unpack(gzip ? packed::Container::Gzip : packed::Container::Zlib, bytes, kMaxInflated);
+  if (!out) return std::nullopt;
+  return std::string(reinterpret_cast<const char*>(out->data.get()), out->size);
+}
+
+constexpr std::size_t kReadable = std::size_t(512)
+                                  << 10;  // longer messages would take longer to format than to read
+constexpr std::size_t kDumped = std::size_t(64) << 10;
+constexpr std::size_t kRow = 16;
+
+RawMessage started(const std::string& topic, std::size_t bytes, bool binary) {
+  RawMessage message;
+  message.topic = QString::fromStdString(topic);
+  message.received = QDateTime::currentDateTimeUtc();
+  message.bytes = qint64(bytes);
+  message.binary = binary;
+  return message;
+}
+
+/// The beginning of a text, without splitting a character.
+QByteArray beginning(std::string_view utf8) {
+  std::size_t end = std::min(utf8.size(), std::size_t(kMaxRawText));
+  while (end > 0 && end < utf8.size() && (std::uint8_t(utf8[end]) & 0xc0) == 0x80) --end;
+  return QByteArray(utf8.data(), qsizetype(end));
+}
+
+QByteArray hexDump(std::string_view bytes) {
+  QByteArray dump;
+  const std::string_view shown = bytes.substr(0, kDumped);
+  for (std::size_t at = 0; at < shown.size(); at += kRow) {
+    const std::string_view row = shown.substr(at, kRow);
+    dump += QByteArray::number(qulonglong(at), 16).rightJustified(8, '0') + "  " +
+            QByteArray::fromRawData(row.data(), qsizetype(row.size()))
+                .toHex(' ')
+                .leftJustified(qsizetype(3 * kRow));
+    for (const char c : row) dump += c >= 0x20 && c < 0x7f ? c : '.';
+    dump += '\n';
+  }
+  if (shown.size() < bytes.size()) {
+    dump += "and " + QByteArray::number(qulonglong(bytes.size() - shown.size())) + " bytes more\n";
+  }
+  return dump;
+}
+
 }  // namespace
 
-TextFrame readFrame(const wire::Json& root, const std::string& of_topic) {
+TextFrame readFrame(const Json& root, const std::string& of_topic) {
   TextFrame frame;
   frame.topic = wire::text(root, {"topic"});
   if (frame.topic.empty()) frame.topic = of_topic;
   if (!frame.topic.empty()) {
-    if (const auto kind = gridKindOf(frame.topic)) {
-      readGridTopic(*kind, root, frame);
+    const Topic* const topic = findTopic(frame.topic);
+    if (topic && topic->picture) {
+      readGridTopic(*topic->picture, root, frame);
       return frame;
     }
-    for (const auto read :
-         {readSubmapTopic, readMotionTopic, readStateTopic, readWorldTopic, readCloudTopic}) {
-      if (!frame.message) frame.message = read(frame.topic, root);
+    if (topic && topic->read) {
+      frame.message = topic->read(root);
+    } else if (isCloudTopic(frame.topic)) {
+      frame.message = readCloud(frame.topic, root);
     }
     const bool of_the_map = frame.message && std::holds_alternative<map::MapInfo>(*frame.message);
     const auto overlays = of_the_map ? wire::member(root, {"overlays"}) : std::nullopt;
-    if (overlays && !readableOverlays(*overlays))
+    if (overlays && !parseOverlays(*overlays))
       frame.left_out = map::UnreadableMessage{frame.topic, {fault::MemberIsNoList, {"overlays"}}};
     return frame;
   }
   if (const auto topics = wire::list(root, {"enabled_topics"})) {
     frame.enabled_topics.emplace();
-    for (const wire::Json topic : *topics) {
+    for (const Json topic : *topics) {
       std::string_view name;
       if (!topic.get(name)) frame.enabled_topics->emplace_back(name);
     }
@@ -64,48 +187,82 @@ TextFrame TopicReader::read(std::string_view utf8) {
 
 TextFrame parseTextFrame(std::string_view utf8) { return TopicReader().read(utf8); }
 
-QStringList knownTopics() {
-  return {QStringLiteral("/map"),
-          QStringLiteral("/map_v2"),
-          QStringLiteral("/map/costmap_v2"),
-          QStringLiteral("/maps/5cm/1hz"),
-          QStringLiteral("/maps/1cm/1hz"),
-          QStringLiteral("/incremental_map"),
-          QStringLiteral("/incremental_map_v2"),
-          QStringLiteral("/env_match_map"),
-          QStringLiteral("/env_symmetry_map"),
-          QStringLiteral("/submap_list"),
-          QStringLiteral("/tracked_pose"),
-          QStringLiteral("/robot_model"),
-          QStringLiteral("/path"),
-          QStringLiteral("/local_path"),
-          QStringLiteral("/trajectory"),
-          QStringLiteral("/trajectory_node_list"),
-          QStringLiteral("/scan_matched_points2"),
-          QStringLiteral("/semantic_points"),
-          QStringLiteral("/left_laser_2d/matched"),
-          QStringLiteral("/right_laser_2d/matched"),
-          QStringLiteral("/matched_depth_points/forward"),
-          QStringLiteral("/matched_depth_points/downward"),
-          QStringLiteral("/matched_depth_points/upward"),
-          QStringLiteral("/slam/state"),
-          QStringLiteral("/planning_state"),
-          QStringLiteral("/map/info"),
-          QStringLiteral("/alerts"),
-          QStringLiteral("/battery_state"),
-          QStringLiteral("/detailed_battery_state"),
-          QStringLiteral("/wheel_state"),
-          QStringLiteral("/sensor_manager_state"),
-          QStringLiteral("/nearby_robots"),
-          QStringLiteral("/nearby_robot_footprints"),
-          QStringLiteral("/landmarks"),
-          QStringLiteral("/nearby_auto_doors"),
-          QStringLiteral("/detected_pallets"),
-          QStringLiteral("/detected_rack"),
-          QStringLiteral("/global_positioning_state"),
-          QStringLiteral("/constraint_list"),
-          QStringLiteral("/vision_detected_objects"),
-          QStringLiteral("/collected_barcode")};
+std::string topicOfBinaryFrame(std::string_view bytes) {
+  const std::size_t length = bytes.empty() ? 0 : std::uint8_t(bytes[0]);
+  return bytes.size() < length + 2 ? std::string() : std::string(bytes.substr(1, length));
+}
+
+tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_view bytes) {
+  const std::size_t length = bytes.empty() ? 0 : std::uint8_t(bytes[0]);
+  if (bytes.size() < length + 2) {
+    return tl::make_unexpected(
+        map::UnreadableMessage{kUnknownTopic, {fault::BinaryTooShort, {std::int64_t(bytes.size())}}});
+  }
+  BinaryFrame frame;
+  frame.topic = bytes.substr(1, length);
+  const std::string_view body = bytes.substr(length + 2);
+  if (bytes[length + 1] == 0) {
+    frame.body = body;
+    return frame;
+  }
+  auto content = unpacked(body);
+  if (!content) {
+    return tl::make_unexpected(map::UnreadableMessage{frame.topic, fault::NotUnpacked});
+  }
+  frame.body = std::move(*content);
+  return frame;
+}
+
+std::string binaryTypeDefinition() {
+  google::protobuf::FileDescriptorSet files;
+  std::set<std::string> taken;
+  // Each after its dependencies.
+  const std::function<void(const google::protobuf::FileDescriptor&)> take =
+      [&](const google::protobuf::FileDescriptor& file) {
+        if (!taken.insert(file.name()).second) return;
+        for (int i = 0; i < file.dependency_count(); ++i) take(*file.dependency(i));
+        file.CopyTo(files.add_file());
+      };
+  take(*ros_messages::RosMessageWrapper::descriptor()->file());
+  return files.SerializeAsString();
+}
+
+std::optional<map::TopicMessage> parseBinaryBody(const std::string& topic, std::string_view body) {
+  ros_messages::RosMessageWrapper wrapper;
+  const bool read = body.size() <= std::size_t(std::numeric_limits<int>::max()) &&
+                    wrapper.ParseFromArray(body.data(), int(body.size()));
+  if (isCloudTopic(topic)) {
+    if (read && wrapper.has_point_cloud()) return readCloud(topic, wrapper.point_cloud());
+    return map::UnreadableMessage{topic, fault::BinaryWithoutPoints};
+  }
+  if (topic != "/submap_list") return std::nullopt;
+  if (!read || !wrapper.has_submap_list()) return map::UnreadableMessage{topic, fault::BinaryWithoutList};
+  return toSubmapList(wrapper.submap_list());
+}
+
+std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes) {
+  const auto frame = unpackBinaryFrame(bytes);
+  if (!frame) return frame.error();
+  return parseBinaryBody(frame->topic, frame->body);
+}
+
+RawMessage rawText(const std::string& topic, std::string_view utf8) {
+  RawMessage message = started(topic, utf8.size(), false);
+  message.text = beginning(utf8);
+  return message;
+}
+
+RawMessage rawBinary(std::string_view bytes) {
+  const auto frame = unpackBinaryFrame(bytes);
+  RawMessage message = started(frame ? frame->topic : frame.error().topic, bytes.size(), true);
+  ros_messages::RosMessageWrapper wrapper;
+  std::string json;
+  const bool readable = frame && frame->body.size() <= kReadable && !frame->body.empty() &&
+                        wrapper.ParseFromString(frame->body) &&
+                        wrapper.message_case() != ros_messages::RosMessageWrapper::MESSAGE_NOT_SET &&
+                        google::protobuf::util::MessageToJsonString(wrapper, &json).ok();
+  message.text = readable ? beginning(json) : hexDump(frame ? std::string_view(frame->body) : bytes);
+  return message;
 }
 
 }  // namespace mapwright::robot::axbot

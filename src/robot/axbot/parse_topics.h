@@ -11,6 +11,8 @@
 #include <tl/expected.hpp>
 
 #include "map/live_topics.h"
+#include "map/stream.h"
+#include "robot/robot.h"
 #include "robot/wire/read_json.h"
 
 namespace mapwright::robot::axbot {
@@ -72,7 +74,20 @@ std::optional<map::TopicMessage> parseBinaryBody(const std::string& topic, std::
 /// Reads a binary frame. nullopt for unknown topics; UnreadableMessage if it cannot be read.
 std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes);
 
+/// For the raw-message inspector: a text frame as received, truncated at kMaxRawText.
+RawMessage rawText(const std::string& topic, std::string_view utf8);
+/// A binary frame as readable JSON if its message is known and not too long, otherwise as a hex dump.
+RawMessage rawBinary(std::string_view bytes);
+
 /// The supported topics, for completion and layers.
 QStringList knownTopics();
+
+/// Which topics carry a kind of data.
+struct StreamTopics {
+  QStringList usual;  // requested together
+  /// The name in older firmware, which sends it unreduced: subscribed if the usual ones stay silent.
+  QStringList older;
+};
+StreamTopics topicsOf(map::Stream stream);
 
 }  // namespace mapwright::robot::axbot

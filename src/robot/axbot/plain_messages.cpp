@@ -3,14 +3,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "robot/axbot/cloud_points.h"
-#include "robot/axbot/topic_subjects.h"
-#include "robot/wire/json_cursor.h"
+#include "robot/axbot/parse_clouds.h"
 
 namespace mapwright::robot::axbot {
 namespace {
-
-using wire::JsonCursor;
 
 constexpr double kLatestSeconds = 1e11;  // as in wire::epochSeconds(): larger values are milliseconds
 constexpr std::string_view kStamp = "\"__stamp\"";
@@ -168,6 +164,76 @@ const char* PlainMessages::readAgain(const char* at, std::size_t& of, double& st
     return nullptr;
   of = said->second.index;
   return again.at();
+}
+
+bool JsonCursor::takeLongNumber(double& number) {
+  constexpr std::ptrdiff_t kMostWholeDigits = 18;
+  const char* const begin = at_;
+  if (*at_ == '-') ++at_;
+  const auto takeDigits = [&] {
+    const char* const first = at_;
+    while (isDigit(*at_)) ++at_;
+    return at_ > first;
+  };
+  if (!takeDigits()) return false;
+  bool whole = true;
+  if (*at_ == '.') {
+    whole = false;
+    ++at_;
+    if (!takeDigits()) return false;
+  }
+  if (*at_ == 'e' || *at_ == 'E') {
+    whole = false;
+    ++at_;
+    if (*at_ == '+' || *at_ == '-') ++at_;
+    if (!takeDigits()) return false;
+  }
+  if (whole && at_ - begin > kMostWholeDigits) return false;
+  const auto [end, error] = std::from_chars(begin, at_, number);
+  return error == std::errc() && end == at_;
+}
+
+bool JsonCursor::takeScalar() {
+  std::string_view text;
+  double number = 0;
+  switch (*at_) {
+    case '"':
+      return takeString(text);
+    case 't':
+      return takeText("true");
+    case 'f':
+      return takeText("false");
+    case 'n':
+      return takeText("null");
+    default:
+      return takeNumber(number);
+  }
+}
+
+const char* endOfNested(const char* at, const char* end) {
+  std::size_t depth = 0;
+  for (; at < end; ++at) {
+    switch (*at) {
+      case '"':
+        // To the quote that is not escaped.
+        for (++at; at < end && *at != '"'; ++at) {
+          if (*at == '\\') ++at;
+        }
+        break;
+      case '{':
+      case '[':
+        ++depth;
+        break;
+      case '}':
+      case ']':
+        if (depth <= 1) return depth == 1 ? at + 1 : nullptr;
+        --depth;
+        break;
+      default:
+        break;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace mapwright::robot::axbot

@@ -3,13 +3,103 @@
 // left to readFrame(), and the results are identical (tests/robot/test_axbot_bags.cpp).
 #pragma once
 
+#include <charconv>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <string_view>
+#include <system_error>
 #include <unordered_map>
 
 #include "robot/bag_library.h"
 
 namespace mapwright::robot::axbot {
+
+/// Scans simply formatted JSON, faster than building a tree. It repairs and guesses nothing: anything but the
+/// plainest form of the grammar (RFC 8259) ends the scan, and the caller uses a parser instead. A position in
+/// a text that ends with a zero byte outside of any value. After false the position is
+/// undefined, at most at that byte.
+class JsonCursor {
+ public:
+  explicit JsonCursor(const char* at) : at_(at) {}
+
+  const char* at() const { return at_; }
+  char peek() const { return *at_; }
+  void skipSpace() {
+    while (*at_ == ' ' || *at_ == '\n' || *at_ == '\r' || *at_ == '\t') ++at_;
+  }
+  /// `c` with surrounding white space.
+  bool take(char c) {
+    skipSpace();
+    if (*at_ != c) return false;
+    ++at_;
+    skipSpace();
+    return true;
+  }
+  bool takeText(std::string_view text) {
+    if (std::strncmp(at_, text.data(), text.size()) != 0) return false;
+    at_ += text.size();
+    return true;
+  }
+  /// A string without escapes and control characters.
+  bool takeString(std::string_view& text) {
+    if (*at_ != '"') return false;
+    const char* const start = ++at_;
+    while (*at_ != '"' && *at_ != '\\' && static_cast<unsigned char>(*at_) >= 0x20) ++at_;
+    if (*at_ != '"') return false;
+    text = {start, std::size_t(at_ - start)};
+    ++at_;
+    return true;
+  }
+  bool takeTruth(bool& truth) {
+    truth = *at_ == 't';
+    return takeText(truth ? "true" : "false");
+  }
+  /// The nearest double; false for numbers that are too large, and for integers with too many digits.
+  bool takeNumber(double& number);
+  /// A string, number, boolean or null.
+  bool takeScalar();
+
+ private:
+  static bool isDigit(char c) { return c >= '0' && c <= '9'; }
+  bool ends() const { return *at_ == ',' || *at_ == ']' || *at_ == '}' || *at_ == ' ' || *at_ == '\n'; }
+  bool takeLongNumber(double& number);
+
+  const char* at_;
+};
+
+/// The end of the list or object that begins at `at`: after its last bracket. Ignores brackets in strings and
+/// does not validate the rest. nullptr: it does not end before `end`.
+const char* endOfNested(const char* at, const char* end);
+
+inline bool JsonCursor::takeNumber(double& number) {
+  // With few digits, as robots write positions, it is an integer divided by a power of ten: both are exact
+  // doubles, so the quotient is the nearest double.
+  constexpr double kPowers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14};
+  constexpr int kMostDigits = 14;
+  const char* const begin = at_;
+  const bool negative = *at_ == '-';
+  at_ += negative;
+  const char* const digits = at_;
+  std::uint64_t whole = 0;
+  for (; isDigit(*at_); ++at_) whole = whole * 10 + std::uint64_t(*at_ - '0');
+  const auto before = at_ - digits;
+  if (before == 0 || (before > 1 && *digits == '0')) return false;
+  std::ptrdiff_t after = 0;
+  if (*at_ == '.') {
+    const char* const fraction = ++at_;
+    for (; isDigit(*at_); ++at_) whole = whole * 10 + std::uint64_t(*at_ - '0');
+    after = at_ - fraction;
+    if (after == 0) return false;
+  }
+  if (before + after > kMostDigits || !ends()) {
+    at_ = begin;
+    return takeLongNumber(number);
+  }
+  const double size = after == 0 ? double(whole) : double(whole) / kPowers[after];
+  number = negative ? -size : size;
+  return true;
+}
 
 /// Reads the messages of one text, which ends with a zero byte and must outlive it.
 class PlainMessages {

@@ -1,5 +1,7 @@
 #include "robot/axbot/robot_urls.h"
 
+#include "robot/wire/net_results.h"
+
 namespace mapwright::robot::axbot {
 
 QUrl urlOnRobot(const QUrl& base, const QString& path, const QString& query) {
@@ -32,6 +34,34 @@ QUrl robotUrl(const QUrl& base, std::string_view given) {
 
 QString pathSegment(std::string_view id) {
   return QString::fromLatin1(QUrl::toPercentEncoding(QString::fromUtf8(id.data(), qsizetype(id.size()))));
+}
+
+net::HttpRequest RobotServer::request(const QString& path, const QString& query) const {
+  constexpr qint64 kMaxJsonBytes = qint64(64) << 20;
+  net::HttpRequest request;
+  request.url = urlOnRobot(base, path, query);
+  request.max_bytes = kMaxJsonBytes;
+  request.timeout = timeout;
+  return request;
+}
+
+net::HttpRequest RobotServer::pictureRequest(const QUrl& url) const {
+  net::HttpRequest request;
+  request.url = url;
+  request.timeout = timeout;
+  request.accept = "image/png,image/*;q=0.8,*/*;q=0.5";
+  request.cacheable = true;
+  return request;
+}
+
+Outcome<std::shared_ptr<const std::string>> pictureOf(const net::HttpAnswer& answer,
+                                                      const map::Subject& subject, map::AskedFor asked_for) {
+  if (!answer.ok()) return fail(wire::failed(answer, subject, asked_for));
+  if (!answer.body.isEmpty()) return std::make_shared<const std::string>(answer.body.toStdString());
+  return fail({.kind = map::FailureKind::MalformedAnswer,
+               .subject = subject,
+               .asked_for = asked_for,
+               .reason = map::FailureReason::Empty});
 }
 
 }  // namespace mapwright::robot::axbot

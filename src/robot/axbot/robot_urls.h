@@ -1,10 +1,21 @@
-// Addresses on a robot. Pure functions. Source: docs/protocols/autoxing.md, "Addresses that a robot names".
+// Addresses on a robot, and requests to them. Source: docs/protocols/autoxing.md, "Requests", "Addresses that
+// a robot names".
 #pragma once
 
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include <QString>
 #include <QUrl>
+
+#include "map/problem.h"
+#include "net/http_client.h"
+#include "robot/call.h"
 
 namespace mapwright::robot::axbot {
 
@@ -17,5 +28,44 @@ QUrl robotUrl(const QUrl& base, std::string_view given);
 
 /// An id as one segment of a path.
 QString pathSegment(std::string_view id);
+
+/// The web server of a robot, for the requests that capabilities make: on the link's thread. Replies arrive
+/// there from its event loop.
+struct RobotServer {
+  net::HttpClient& http;  // outlives this; no callback is called after it is destroyed
+  QUrl base;
+  std::chrono::milliseconds timeout;  // without a byte
+  std::function<void(const map::Problem&)> report;
+  std::function<void(const map::Recovery&)> recovered;
+
+  /// A GET of JSON.
+  net::HttpRequest request(const QString& path, const QString& query = {}) const;
+  net::HttpRequest pictureRequest(const QUrl& url) const;
+};
+
+/// The body of an answer with a picture. An empty one counts as a failure.
+Outcome<std::shared_ptr<const std::string>> pictureOf(const net::HttpAnswer& answer,
+                                                      const map::Subject& subject,
+                                                      map::AskedFor asked_for = map::AskedFor::Picture);
+
+/// The addresses of the latest pictures.
+class PictureOrigins {
+ public:
+  void note(const std::string& fingerprint, const QUrl& url) {
+    latest_.emplace_back(fingerprint, url);
+    if (latest_.size() > kKept) latest_.pop_front();
+  }
+  /// Invalid if it is no longer known.
+  QUrl find(const std::string& fingerprint) const {
+    for (auto at = latest_.rbegin(); at != latest_.rend(); ++at) {
+      if (at->first == fingerprint) return at->second;
+    }
+    return {};
+  }
+
+ private:
+  static constexpr std::size_t kKept = 32;
+  std::deque<std::pair<std::string, QUrl>> latest_;
+};
 
 }  // namespace mapwright::robot::axbot

@@ -1,5 +1,7 @@
 #include "robot/axbot/topic_subscriptions.h"
 
+#include <utility>
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -25,15 +27,13 @@ QStringList TopicSubscriptions::setWanted(const QStringList& topics) {
     const bool usable = !topic.isEmpty() && topic.size() <= kLongestName;
     if (usable && !always().contains(topic) && !wanted.contains(topic)) wanted << topic;
   }
-  QStringList on, off;
-  for (const QString& topic : std::as_const(wanted)) {
-    if (!wanted_.contains(topic)) on << topic;
-  }
-  for (const QString& topic : std::as_const(wanted_)) {
-    if (!wanted.contains(topic)) off << topic;
-  }
-  wanted_ = wanted;
-  return requests("disable_topic", off) + requests("enable_topic", on);
+  const auto without = [](QStringList some, const QStringList& others) {
+    some.removeIf([&](const QString& topic) { return others.contains(topic); });
+    return some;
+  };
+  const QStringList before = std::exchange(wanted_, wanted);
+  return requests("disable_topic", without(before, wanted)) +
+         requests("enable_topic", without(wanted, before));
 }
 
 QStringList TopicSubscriptions::all() const { return requests("enable_topic", names()); }

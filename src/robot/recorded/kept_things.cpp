@@ -10,7 +10,7 @@
 #include "robot/axbot/parse_submap.h"
 #include "robot/recorded/faults.h"
 #include "robot/wire/failures.h"
-#include "robot/wire/picture_facts.h"
+#include "robot/wire/picture_bytes.h"
 #include "robot/wire/read_json.h"
 
 namespace mapwright::robot::recorded {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "robot/axbot/raw_messages.h"
+#include "robot/axbot/parse_topics.h"
 #include "robot/recorded/foxglove.h"
 
 namespace mapwright::robot::recorded {

@@ -11,10 +11,9 @@
 #include "recording/seconds.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_topics.h"
-#include "robot/axbot/stream_topics.h"
 #include "robot/recorded/interruption.h"
 #include "robot/recorded/recording_reasons.h"
-#include "robot/wire/entry_of.h"
+#include "robot/wire/failures.h"
 
 namespace mapwright::robot::recorded {
 namespace {
@@ -54,7 +53,7 @@ QString text(const recording::Words& words, const char* name) {
 /// A range in progress.
 struct RecordedFile::Job {
   RangeJob range;
-  wire::ErrandPtr errand;
+  wire::TaskPtr task;
   OutcomeTo<BagChunkPtr> reply;
   int number = 0;
   bool stopped = false;
@@ -316,7 +315,7 @@ void RecordedFile::tellContent(BagInfo& info, const recording::Summary& summary)
                             std::int64_t(one.unpacked_bytes)});
 }
 
-void RecordedFile::messages(const wire::ErrandPtr& errand, const BagKey& key, const BagRange& range,
+void RecordedFile::messages(const wire::TaskPtr& task, const BagKey& key, const BagRange& range,
                             OutcomeTo<BagChunkPtr> reply) {
   if (!std::isfinite(range.from_s) || !std::isfinite(range.until_s) || range.until_s < range.from_s) {
     const std::string words = std::to_string(range.from_s) + " - " + std::to_string(range.until_s);
@@ -332,8 +331,8 @@ void RecordedFile::messages(const wire::ErrandPtr& errand, const BagKey& key, co
   }
   const auto end_ns = parts_->file->summary().end_ns;
   if (!end_ns || recording::nanosecondsOf(range.until_s) > *end_ns) refresh();
-  const auto job = std::make_shared<Job>(Job{RangeJob(key, range), errand, std::move(reply)});
-  job->number = errand->begun([held = std::weak_ptr(job)] {
+  const auto job = std::make_shared<Job>(Job{RangeJob(key, range), task, std::move(reply)});
+  job->number = task->begun([held = std::weak_ptr(job)] {
     if (const auto now = held.lock()) now->stopped = true;
   });
   proceed(job);
@@ -341,7 +340,7 @@ void RecordedFile::messages(const wire::ErrandPtr& errand, const BagKey& key, co
 
 void RecordedFile::proceed(const std::shared_ptr<Job>& job) {
   const auto end = [&](Outcome<BagChunkPtr> outcome) {
-    job->errand->ended(job->number);
+    job->task->ended(job->number);
     job->reply(std::move(outcome));
   };
   if (job->stopped || QThread::currentThread()->isInterruptionRequested()) {

@@ -18,7 +18,7 @@
 #include "robot/recorded/kept_things.h"
 #include "robot/recorded/range_job.h"
 #include "robot/robot.h"
-#include "robot/wire/errand.h"
+#include "robot/wire/task.h"
 
 namespace mapwright::robot::recorded {
 
@@ -49,7 +49,7 @@ class RecordedFile : public QObject {
 
   Outcome<std::vector<BagEntry>> bags();
   Outcome<BagInfo> info(const BagKey& key);
-  void messages(const wire::ErrandPtr& errand, const BagKey& key, const BagRange& range,
+  void messages(const wire::TaskPtr& task, const BagKey& key, const BagRange& range,
                 OutcomeTo<BagChunkPtr> reply);
   Outcome<std::shared_ptr<const std::string>> picture(const std::string& topic, const std::string& name);
   map::SubmapAnswer submap(const map::SubmapKey& key);

@@ -8,7 +8,7 @@
 #include "robot/recorded/recorded_file.h"
 #include "robot/robot.h"
 #include "robot/wire/forwarded.h"
-#include "robot/wire/link_log.h"
+#include "robot/wire/robot_link.h"
 
 namespace mapwright::robot::recorded {
 

@@ -15,12 +15,12 @@ namespace {
 template <typename Request>
 auto whenKnown(map::AskedFor asked_for, Request request) {
   // `rest`: its arguments, and the reply.
-  return [asked_for, request](RosLink& link, const wire::ErrandPtr& errand, const auto&... rest) {
-    link.whenKnown(errand, map::Subject(std::string(kDispatcher)), asked_for,
-                   [&link, errand, request, rest...](std::optional<map::Failure> failure) {
+  return [asked_for, request](RosLink& link, const wire::TaskPtr& task, const auto&... rest) {
+    link.whenKnown(task, map::Subject(std::string(kDispatcher)), asked_for,
+                   [&link, task, request, rest...](std::optional<map::Failure> failure) {
                      const auto& reply = std::get<sizeof...(rest) - 1>(std::tie(rest...));
                      if (failure) return reply(fail(std::move(*failure)));
-                     std::invoke(request, link.dispatch(), errand, rest...);
+                     std::invoke(request, link.dispatch(), task, rest...);
                    });
   };
 }

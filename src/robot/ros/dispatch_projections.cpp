@@ -29,15 +29,14 @@ std::vector<map::Projection> DispatchRequests::shown() const {
   return all;
 }
 
-void DispatchRequests::projections(const wire::ErrandPtr& errand,
-                                   OutcomeTo<std::vector<map::Projection>> reply) {
+void DispatchRequests::projections(const wire::TaskPtr& task, OutcomeTo<std::vector<map::Projection>> reply) {
   const auto there = found_.serviceOf(DispatchService::ReadProjections);
   if (!there) return reply(fail(notDispatched(DispatchService::ReadProjections, found_)));
-  if (tellsProjections()) return readByService(errand, std::move(reply));
+  if (tellsProjections()) return readByService(task, std::move(reply));
   // The present ones: those dropped as outdated may mean something else now.
   setMost(std::nullopt);
   const auto watch = std::make_shared<Watch>();
-  watch->errand = errand;
+  watch->task = task;
   watch->reply = std::move(reply);
   watch->looked = false;
   watch->listed = true;
@@ -46,10 +45,10 @@ void DispatchRequests::projections(const wire::ErrandPtr& errand,
   Q_EMIT lookWanted();
 }
 
-void DispatchRequests::awaitProjected(const wire::ErrandPtr& errand,
+void DispatchRequests::awaitProjected(const wire::TaskPtr& task,
                                       OutcomeTo<std::vector<map::Projection>> reply) {
   const auto watch = std::make_shared<Watch>();
-  watch->errand = errand;
+  watch->task = task;
   watch->reply = std::move(reply);
   watch->awaited = unheard();
   begin(watch);
@@ -93,8 +92,8 @@ std::string DispatchRequests::knownFrame() const {
   return of_map.empty() ? projections_said_ : of_map;
 }
 
-void DispatchRequests::readByService(const wire::ErrandPtr& errand, ProjectionsReply reply) {
-  ask(errand, DispatchService::ReadProjections, "{}", patience_.projections, map::AskedFor::All,
+void DispatchRequests::readByService(const wire::TaskPtr& task, ProjectionsReply reply) {
+  ask(task, DispatchService::ReadProjections, "{}", patience_.projections, map::AskedFor::All,
       [this, reply](Outcome<Answer> answer) {
         if (!answer) return reply(fail(std::move(answer.error())));
         auto told = readProjections(answer->values);
@@ -108,12 +107,12 @@ void DispatchRequests::readByService(const wire::ErrandPtr& errand, ProjectionsR
       });
 }
 
-void DispatchRequests::project(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
+void DispatchRequests::project(const wire::TaskPtr& task, const std::vector<map::Projection>& wanted,
                                OutcomeTo<std::vector<map::Projection>> reply) {
   // A dispatcher cannot look up an empty frame name.
   const auto lacks_frame = [](const map::Projection& one) { return one.frame.empty(); };
-  if (std::none_of(wanted.begin(), wanted.end(), lacks_frame)) return projectNow(errand, wanted, reply);
-  const auto set_in = [this, errand, wanted, reply,
+  if (std::none_of(wanted.begin(), wanted.end(), lacks_frame)) return projectNow(task, wanted, reply);
+  const auto set_in = [this, task, wanted, reply,
                        lacks_frame](const Outcome<std::vector<map::Projection>>& told) {
     const auto failure = told ? map::FailureKind::None : told.error().kind;
     if (failure == map::FailureKind::Cancelled || failure == map::FailureKind::Unreachable) {
@@ -126,18 +125,18 @@ void DispatchRequests::project(const wire::ErrandPtr& errand, const std::vector<
     for (map::Projection& one : whole) {
       if (lacks_frame(one)) one.frame = known.empty() ? std::string(kUsualFrame) : known;
     }
-    projectNow(errand, whole, reply);
+    projectNow(task, whole, reply);
   };
   if (!knownFrame().empty()) return set_in(Outcome<std::vector<map::Projection>>());
   // The present projections tell which frame is used.
-  if (tellsProjections()) return readByService(errand, set_in);
-  awaitProjected(errand, set_in);
+  if (tellsProjections()) return readByService(task, set_in);
+  awaitProjected(task, set_in);
 }
 
-void DispatchRequests::projectNow(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
+void DispatchRequests::projectNow(const wire::TaskPtr& task, const std::vector<map::Projection>& wanted,
                                   ProjectionsReply reply) {
   const auto watch = std::make_shared<Watch>();
-  watch->errand = errand;
+  watch->task = task;
   watch->reply = reply;
   watch->changed = true;
   watch->wanted = wanted;
@@ -148,7 +147,7 @@ void DispatchRequests::projectNow(const wire::ErrandPtr& errand, const std::vect
   // A topic may report before the service answers.
   watches_.push_back(watch);
   if (std::exchange(told_, count) != count) Q_EMIT topicsChanged();
-  ask(errand, DispatchService::ChangeProjections, projectionArgs(wanted), patience_.projections,
+  ask(task, DispatchService::ChangeProjections, projectionArgs(wanted), patience_.projections,
       map::AskedFor::Change, [this, watch, count](Outcome<Answer> answer) {
         if (!answer) {
           watches_.remove(watch);
@@ -164,7 +163,7 @@ void DispatchRequests::projectNow(const wire::ErrandPtr& errand, const std::vect
         watches_.remove(watch);
         if (told) return watch->reply(std::move(*told));
         if (!tellsProjections()) return begin(watch);
-        readByService(watch->errand, [this, watch, count](Outcome<std::vector<map::Projection>> now) {
+        readByService(watch->task, [this, watch, count](Outcome<std::vector<map::Projection>> now) {
           // It has been set, whatever became of the question.
           if (!now) now.error().applied = map::Applied::Yes;
           if (now && int(now->size()) > count) setMost(std::nullopt);
@@ -176,7 +175,7 @@ void DispatchRequests::projectNow(const wire::ErrandPtr& errand, const std::vect
 void DispatchRequests::begin(const WatchPtr& watch) {
   watches_.push_back(watch);
   waits_.await(
-      watch->errand, patience_.settles, [watch] { return watch->looked && watch->awaited.empty(); },
+      watch->task, patience_.settles, [watch] { return watch->looked && watch->awaited.empty(); },
       [this, watch](wire::WaitList::End how) { end(watch, how); });
 }
 

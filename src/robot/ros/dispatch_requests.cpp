@@ -237,7 +237,7 @@ void DispatchRequests::withdraw(DispatchService service) {
   Q_EMIT offersChanged(found_);
 }
 
-void DispatchRequests::ask(const wire::ErrandPtr& errand, DispatchService service, QByteArray args,
+void DispatchRequests::ask(const wire::TaskPtr& task, DispatchService service, QByteArray args,
                            std::chrono::milliseconds patience, map::AskedFor asked_for,
                            OutcomeTo<Answer> then) {
   const auto there = found_.serviceOf(service);
@@ -247,8 +247,8 @@ void DispatchRequests::ask(const wire::ErrandPtr& errand, DispatchService servic
   request.args = std::move(args);
   request.patience = patience;
   request.large = true;
-  request.arriving = [errand](qint64 bytes) { errand->tell({bytes, std::nullopt}); };
-  call(errand, client_, std::move(request),
+  request.arriving = [task](qint64 bytes) { task->tell({bytes, std::nullopt}); };
+  call(task, client_, std::move(request),
        [self = QPointer(this), service, name = there->name, asked_for,
         then = std::move(then)](const CallAnswer& answer) {
          if (!self) return;
@@ -262,9 +262,9 @@ void DispatchRequests::ask(const wire::ErrandPtr& errand, DispatchService servic
        });
 }
 
-void DispatchRequests::grid(const wire::ErrandPtr& errand, const std::optional<map::GridRegion>& region,
+void DispatchRequests::grid(const wire::TaskPtr& task, const std::optional<map::GridRegion>& region,
                             OutcomeTo<map::GridPart> reply) {
-  ask(errand, region ? DispatchService::GridRegion : DispatchService::Grid,
+  ask(task, region ? DispatchService::GridRegion : DispatchService::Grid,
       region ? regionArgs(*region) : QByteArray("{}"), region ? patience_.region : patience_.whole,
       map::AskedFor::All, [this, reply, region](Outcome<Answer> answer) {
         if (!answer) return reply(fail(std::move(answer.error())));
@@ -275,10 +275,10 @@ void DispatchRequests::grid(const wire::ErrandPtr& errand, const std::optional<m
       });
 }
 
-void DispatchRequests::cloud(const wire::ErrandPtr& errand, CloudKind kind,
+void DispatchRequests::cloud(const wire::TaskPtr& task, CloudKind kind,
                              const std::optional<map::CloudRegion>& region,
                              OutcomeTo<std::shared_ptr<const map::SpatialCloud>> reply) {
-  ask(errand, cloudService(kind, region.has_value()), region ? regionArgs(*region) : QByteArray("{}"),
+  ask(task, cloudService(kind, region.has_value()), region ? regionArgs(*region) : QByteArray("{}"),
       region ? patience_.region : patience_.whole, map::AskedFor::All,
       [reply, region](Outcome<Answer> answer) {
         if (!answer) return reply(fail(std::move(answer.error())));
@@ -288,9 +288,9 @@ void DispatchRequests::cloud(const wire::ErrandPtr& errand, CloudKind kind,
       });
 }
 
-void DispatchRequests::save(const wire::ErrandPtr& errand, const std::string& filename,
+void DispatchRequests::save(const wire::TaskPtr& task, const std::string& filename,
                             OutcomeTo<std::string> reply) {
-  ask(errand, DispatchService::Save, saveArgs(filename), patience_.save, map::AskedFor::Change,
+  ask(task, DispatchService::Save, saveArgs(filename), patience_.save, map::AskedFor::Change,
       [reply, filename](Outcome<Answer> answer) {
         if (!answer) return reply(fail(std::move(answer.error())));
         reply(filename);

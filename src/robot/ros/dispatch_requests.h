@@ -18,7 +18,7 @@
 #include "robot/map_dispatch.h"
 #include "robot/ros/dispatch_names.h"
 #include "robot/ros/read_messages.h"
-#include "robot/wire/wait_list.h"
+#include "robot/wire/task.h"
 
 namespace mapwright::robot::ros {
 
@@ -56,15 +56,15 @@ class DispatchRequests : public QObject {
   /// A subscribed map has arrived.
   void sawMap(const std::string& fingerprint);
 
-  void grid(const wire::ErrandPtr& errand, const std::optional<map::GridRegion>& region,
+  void grid(const wire::TaskPtr& task, const std::optional<map::GridRegion>& region,
             OutcomeTo<map::GridPart> reply);
-  void cloud(const wire::ErrandPtr& errand, CloudKind kind, const std::optional<map::CloudRegion>& region,
+  void cloud(const wire::TaskPtr& task, CloudKind kind, const std::optional<map::CloudRegion>& region,
              OutcomeTo<std::shared_ptr<const map::SpatialCloud>> reply);
-  void save(const wire::ErrandPtr& errand, const std::string& filename, OutcomeTo<std::string> reply);
-  void projections(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::Projection>> reply);
+  void save(const wire::TaskPtr& task, const std::string& filename, OutcomeTo<std::string> reply);
+  void projections(const wire::TaskPtr& task, OutcomeTo<std::vector<map::Projection>> reply);
   /// Ends when each projected map with a topic has arrived, or was waited for.
-  void awaitProjected(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::Projection>> reply);
-  void project(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
+  void awaitProjected(const wire::TaskPtr& task, OutcomeTo<std::vector<map::Projection>> reply);
+  void project(const wire::TaskPtr& task, const std::vector<map::Projection>& wanted,
                OutcomeTo<std::vector<map::Projection>> reply);
 
  Q_SIGNALS:
@@ -83,7 +83,7 @@ class DispatchRequests : public QObject {
   using ProjectionsReply = OutcomeTo<std::vector<map::Projection>>;
   /// A request that waits until the topics show the projections.
   struct Watch {
-    wire::ErrandPtr errand;
+    wire::TaskPtr task;
     ProjectionsReply reply;
     std::set<int> awaited;                // not heard since
     std::vector<map::Projection> wanted;  // what has been set before, where something has
@@ -98,11 +98,11 @@ class DispatchRequests : public QObject {
     Field values;  // valid while it is handed over
   };
 
-  void ask(const wire::ErrandPtr& errand, DispatchService service, QByteArray args,
+  void ask(const wire::TaskPtr& task, DispatchService service, QByteArray args,
            std::chrono::milliseconds patience, map::AskedFor asked_for, OutcomeTo<Answer> then);
-  void readByService(const wire::ErrandPtr& errand, ProjectionsReply reply);
+  void readByService(const wire::TaskPtr& task, ProjectionsReply reply);
   void begin(const WatchPtr& watch);
-  void projectNow(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
+  void projectNow(const wire::TaskPtr& task, const std::vector<map::Projection>& wanted,
                   ProjectionsReply reply);
   void looked();
   void end(const WatchPtr& watch, wire::WaitList::End how);

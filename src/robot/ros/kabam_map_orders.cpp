@@ -122,32 +122,32 @@ struct KabamRequests::Ordered {
   }
 };
 
-void KabamRequests::carryOut(const wire::ErrandPtr& errand, const MapOrder& order,
+void KabamRequests::carryOut(const wire::TaskPtr& task, const MapOrder& order,
                              OutcomeTo<map::CatalogueEntry> reply) {
   const auto ordered = std::make_shared<Ordered>(Ordered{order, std::move(reply), {}, {}});
   if (isOfOneMap(order.change)) {
-    describe(errand, order.key, [this, errand, ordered](Outcome<map::CatalogueEntry> entry) {
+    describe(task, order.key, [this, task, ordered](Outcome<map::CatalogueEntry> entry) {
       if (!entry) {
         entry.error().asked_for = map::AskedFor::Change;
         return ordered->reply(std::move(entry));
       }
       ordered->before = std::move(*entry);
-      sendOrder(errand, ordered);
+      sendOrder(task, ordered);
     });
     return;
   }
-  whenListed(errand, ordered->subject(), [this, errand, ordered](std::optional<map::Failure> failure) {
-    if (!failure) return sendOrder(errand, ordered);
+  whenListed(task, ordered->subject(), [this, task, ordered](std::optional<map::Failure> failure) {
+    if (!failure) return sendOrder(task, ordered);
     failure->asked_for = map::AskedFor::Change;
     ordered->reply(tl::make_unexpected(std::move(*failure)));
   });
 }
 
-void KabamRequests::sendOrder(const wire::ErrandPtr& errand, const std::shared_ptr<Ordered>& ordered) {
+void KabamRequests::sendOrder(const wire::TaskPtr& task, const std::shared_ptr<Ordered>& ordered) {
   const MapOrder& order = ordered->order;
   const KabamMap map = book_.find(order.key.id).value_or(KabamMap{});
-  call(errand, client_, request(serviceOf(order.change), argsOf(order, map)),
-       [this, errand, ordered](const CallAnswer& answer) {
+  call(task, client_, request(serviceOf(order.change), argsOf(order, map)),
+       [this, task, ordered](const CallAnswer& answer) {
          const map::Subject subject = ordered->subject();
          const bool answered = answer.kind == CallAnswer::Kind::Answered;
          std::optional<map::Failure> failure =
@@ -162,14 +162,14 @@ void KabamRequests::sendOrder(const wire::ErrandPtr& errand, const std::shared_p
                                         failure->kind == map::FailureKind::Cancelled ||
                                         failure->kind == map::FailureKind::Unreachable);
          if (ended) return ordered->reply(tl::make_unexpected(std::move(*failure)));
-         confirmOrder(errand, ordered, std::move(failure));
+         confirmOrder(task, ordered, std::move(failure));
        });
 }
 
-void KabamRequests::confirmOrder(const wire::ErrandPtr& errand, const std::shared_ptr<Ordered>& ordered,
+void KabamRequests::confirmOrder(const wire::TaskPtr& task, const std::shared_ptr<Ordered>& ordered,
                                  std::optional<map::Failure> doubt) {
   waits_.await(
-      errand, patience_.confirm, [this, ordered] { return ordered->holds(book_); },
+      task, patience_.confirm, [this, ordered] { return ordered->holds(book_); },
       [this, ordered, doubt = std::move(doubt)](Awaited how) {
         if (how == Awaited::Held) return ordered->reply(ordered->now(book_));
         if (how == Awaited::Cancelled)

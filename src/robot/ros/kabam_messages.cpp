@@ -14,7 +14,7 @@
 #include "robot/ros/faults.h"
 #include "robot/ros/transforms.h"
 #include "robot/wire/faults.h"
-#include "robot/wire/picture_facts.h"
+#include "robot/wire/picture_bytes.h"
 #include "words/text.h"
 
 namespace mapwright::robot::ros {

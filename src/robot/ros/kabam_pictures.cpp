@@ -38,13 +38,13 @@ KabamPictures::KabamPictures(Means means, KabamPatience patience, milliseconds s
   connect(&means_.live_map, &LiveMap::came, &waits_, &wire::WaitList::look);
 }
 
-void KabamPictures::write(const wire::ErrandPtr& errand, const PictureChange& change,
+void KabamPictures::write(const wire::TaskPtr& task, const PictureChange& change,
                           OutcomeTo<PictureReceipt> reply) {
   const auto writing = std::make_shared<Writing>();
   writing->change = change;
   writing->reply = std::move(reply);
-  writing->errand = errand;
-  means_.requests.describe(errand, change.map, [this, writing](Outcome<map::CatalogueEntry> entry) {
+  writing->task = task;
+  means_.requests.describe(task, change.map, [this, writing](Outcome<map::CatalogueEntry> entry) {
     if (!entry) {
       entry.error().asked_for = map::AskedFor::Change;
       return end(writing, fail(std::move(entry.error())));
@@ -62,7 +62,7 @@ void KabamPictures::readAgain(const WritingPtr& writing) {
   means_.ask_again();
   writing->listening = means_.live_map.listen();
   means_.live_map.fetch(
-      writing->errand, writing->change.map, writing->name,
+      writing->task, writing->change.map, writing->name,
       [this, writing](Outcome<map::WholeMap> now) {
         if (!now) {
           now.error().asked_for = map::AskedFor::Change;
@@ -110,12 +110,12 @@ void KabamPictures::send(const WritingPtr& writing) {
   net::rosbridge::CallRequest request;
   request.service = book.place() + "/update_map_image";
   request.made_while_sent = writing->args;
-  request.travelled = [errand = writing->errand](qint64 bytes, qint64 of_bytes) {
-    errand->tell({bytes, of_bytes});
+  request.travelled = [task = writing->task](qint64 bytes, qint64 of_bytes) {
+    task->tell({bytes, of_bytes});
   };
   request.large = true;
   request.patience = patience_.call + timeFor(*writing->change.cells);
-  call(writing->errand, means_.client, std::move(request),
+  call(writing->task, means_.client, std::move(request),
        [this, writing](const CallAnswer& answer) { takeAnswer(writing, answer); });
 }
 
@@ -150,7 +150,7 @@ void KabamPictures::confirm(const WritingPtr& writing) {
     if (now && now->confirming) means_.ask_again();
   });
   waits_.await(
-      writing->errand, writing->within,
+      writing->task, writing->within,
       [this, writing] {
         const std::string& wanted = writing->args->fingerprint();
         return !wanted.empty() && shows(wanted);

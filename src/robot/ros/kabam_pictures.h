@@ -17,7 +17,7 @@
 #include "robot/ros/kabam_picture.h"
 #include "robot/ros/kabam_requests.h"
 #include "robot/ros/live_map.h"
-#include "robot/wire/wait_list.h"
+#include "robot/wire/task.h"
 
 namespace mapwright::robot::ros {
 
@@ -39,7 +39,7 @@ class KabamPictures : public QObject {
   /// come.
   KabamPictures(Means means, KabamPatience patience, std::chrono::milliseconds settles);
 
-  void write(const wire::ErrandPtr& errand, const PictureChange& change, OutcomeTo<PictureReceipt> reply);
+  void write(const wire::TaskPtr& task, const PictureChange& change, OutcomeTo<PictureReceipt> reply);
 
   /// A picture has come, or which map it is of was told.
   void sawMap() { settle_.start(); }
@@ -52,7 +52,7 @@ class KabamPictures : public QObject {
   struct Writing {
     PictureChange change;
     OutcomeTo<PictureReceipt> reply;
-    wire::ErrandPtr errand;
+    wire::TaskPtr task;
     std::string name;
     std::shared_ptr<void> listening;
     std::shared_ptr<PictureArgs> args;

@@ -80,14 +80,14 @@ net::rosbridge::CallRequest KabamRequests::request(const char* service, QByteArr
   return request;
 }
 
-void KabamRequests::whenListed(const wire::ErrandPtr& errand, const map::Subject& subject,
+void KabamRequests::whenListed(const wire::TaskPtr& task, const map::Subject& subject,
                                std::function<void(std::optional<map::Failure>)> then) {
-  when_known_(errand, subject, map::AskedFor::All,
-              [this, errand, subject, then = std::move(then)](std::optional<map::Failure> failure) {
+  when_known_(task, subject, map::AskedFor::All,
+              [this, task, subject, then = std::move(then)](std::optional<map::Failure> failure) {
                 if (!failure && !there_) failure = unsupported(subject);
                 if (failure) return then(std::move(failure));
                 waits_.await(
-                    errand, patience_.lists, [this] { return book_.listed(); },
+                    task, patience_.lists, [this] { return book_.listed(); },
                     [this, subject, then](Awaited how) {
                       // A manager without a current map may say nothing of it.
                       const bool enough = how == Awaited::TooLate && book_.partlyListed();
@@ -102,17 +102,17 @@ void KabamRequests::whenListed(const wire::ErrandPtr& errand, const map::Subject
               });
 }
 
-void KabamRequests::list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
-  whenListed(errand, {map::SubjectKind::Catalogue, map::kMapsPart},
+void KabamRequests::list(const wire::TaskPtr& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
+  whenListed(task, {map::SubjectKind::Catalogue, map::kMapsPart},
              [this, reply = std::move(reply)](std::optional<map::Failure> failure) {
                if (failure) return reply(fail(std::move(*failure)));
                reply(book_.entries());
              });
 }
 
-void KabamRequests::describe(const wire::ErrandPtr& errand, const map::MapKey& key,
+void KabamRequests::describe(const wire::TaskPtr& task, const map::MapKey& key,
                              OutcomeTo<map::CatalogueEntry> reply) {
-  whenListed(errand, map::subjectOf(key),
+  whenListed(task, map::subjectOf(key),
              [this, key, reply = std::move(reply)](std::optional<map::Failure> failure) {
                if (failure) return reply(fail(std::move(*failure)));
                auto entry = key.kind == map::MapKind::Stored ? book_.entry(key.id) : std::nullopt;
@@ -121,10 +121,10 @@ void KabamRequests::describe(const wire::ErrandPtr& errand, const map::MapKey& k
              });
 }
 
-void KabamRequests::waypoints(const wire::ErrandPtr& errand, const map::MapKey& key,
+void KabamRequests::waypoints(const wire::TaskPtr& task, const map::MapKey& key,
                               OutcomeTo<StoredWaypoints> reply) {
   const map::Subject subject = map::placesOf(key);
-  whenListed(errand, subject, [this, errand, key, subject, reply](std::optional<map::Failure> failure) {
+  whenListed(task, subject, [this, task, key, subject, reply](std::optional<map::Failure> failure) {
     if (failure) return reply(fail(std::move(*failure)));
     if (key.kind != map::MapKind::Stored || !book_.find(key.id)) return reply(fail(wire::notThere(subject)));
     if (book_.isCurrent(key.id)) {
@@ -132,7 +132,7 @@ void KabamRequests::waypoints(const wire::ErrandPtr& errand, const map::MapKey& 
     }
     net::rosbridge::CallRequest all = request("get_waypoint", getWaypointArgs(key.id));
     all.patience = patience_.read;
-    call(errand, client_, std::move(all), [this, key, subject, reply](const CallAnswer& answer) {
+    call(task, client_, std::move(all), [this, key, subject, reply](const CallAnswer& answer) {
       if (answer.kind != CallAnswer::Kind::Answered) return reply(fail(failed(answer, subject)));
       auto stored = readWaypoints(answer.values, key.id, fixed_frame_());
       if (stored) return reply(std::move(*stored));
@@ -141,28 +141,26 @@ void KabamRequests::waypoints(const wire::ErrandPtr& errand, const map::MapKey& 
   });
 }
 
-void KabamRequests::perform(const wire::ErrandPtr& errand, const map::MapKey& key,
-                            const WaypointRequest& request, OutcomeTo<WaypointReceipt> reply) {
+void KabamRequests::perform(const wire::TaskPtr& task, const map::MapKey& key, const WaypointRequest& request,
+                            OutcomeTo<WaypointReceipt> reply) {
   const map::Subject subject = map::placesOf(key);
-  whenListed(errand, subject,
-             [this, errand, key, request, subject, reply](std::optional<map::Failure> failure) {
-               if (!failure && !book_.find(key.id)) failure = wire::notThere(subject);
-               if (!failure && request.changes.size() != 1) failure = wire::notOffered(subject);
-               if (failure) {
-                 failure->asked_for = map::AskedFor::Change;
-                 return reply(fail(std::move(*failure)));
-               }
-               request.changes.front().before ? lookFirst(errand, key, request, reply)
-                                              : send(errand, key, request, reply);
-             });
+  whenListed(task, subject, [this, task, key, request, subject, reply](std::optional<map::Failure> failure) {
+    if (!failure && !book_.find(key.id)) failure = wire::notThere(subject);
+    if (!failure && request.changes.size() != 1) failure = wire::notOffered(subject);
+    if (failure) {
+      failure->asked_for = map::AskedFor::Change;
+      return reply(fail(std::move(*failure)));
+    }
+    request.changes.front().before ? lookFirst(task, key, request, reply) : send(task, key, request, reply);
+  });
 }
 
 // Someone else may have been faster. The topic may lag, and only covers the current map.
-void KabamRequests::lookFirst(const wire::ErrandPtr& errand, const map::MapKey& key,
-                              const WaypointRequest& asked, OutcomeTo<WaypointReceipt> reply) {
+void KabamRequests::lookFirst(const wire::TaskPtr& task, const map::MapKey& key, const WaypointRequest& asked,
+                              OutcomeTo<WaypointReceipt> reply) {
   const std::string id = asked.changes.front().id;
-  call(errand, client_, request("get_waypoint", getWaypointArgs(key.id, id)),
-       [this, errand, key, asked, reply](const CallAnswer& answer) {
+  call(task, client_, request("get_waypoint", getWaypointArgs(key.id, id)),
+       [this, task, key, asked, reply](const CallAnswer& answer) {
          const map::Subject subject = map::placesOf(key);
          const auto stored = answer.kind == CallAnswer::Kind::Answered
                                  ? readWaypoints(answer.values, key.id, fixed_frame_())
@@ -182,11 +180,11 @@ void KabamRequests::lookFirst(const wire::ErrandPtr& errand, const map::MapKey& 
          WaypointRequest fresh = asked;
          if (fresh.changes.front().after)
            fresh.changes.front().after->source = find(*stored, asked.changes.front().id)->source;
-         send(errand, key, fresh, reply);
+         send(task, key, fresh, reply);
        });
 }
 
-void KabamRequests::send(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& asked,
+void KabamRequests::send(const wire::TaskPtr& task, const map::MapKey& key, const WaypointRequest& asked,
                          OutcomeTo<WaypointReceipt> reply) {
   const auto change = std::make_shared<Change>();
   change->key = key;
@@ -197,8 +195,8 @@ void KabamRequests::send(const wire::ErrandPtr& errand, const map::MapKey& key, 
   const map::Waypoint& point = deletes ? *change->what.before : *change->what.after;
   const QByteArray message =
       waypointJson(point, creates ? std::string() : change->what.id, key.id, fixed_frame_());
-  call(errand, client_, request(nameOf(service), manageWaypointArgs(message, deletes)),
-       [this, errand, change, name = point.name](const CallAnswer& answer) {
+  call(task, client_, request(nameOf(service), manageWaypointArgs(message, deletes)),
+       [this, task, change, name = point.name](const CallAnswer& answer) {
          const map::Subject subject = map::placesOf(change->key);
          change->until = steady_clock::now() + patience_.confirm;
          if (answer.kind != CallAnswer::Kind::Answered) {
@@ -207,13 +205,13 @@ void KabamRequests::send(const wire::ErrandPtr& errand, const map::MapKey& key, 
                              answer.kind == CallAnswer::Kind::Cancelled ||
                              answer.kind == CallAnswer::Kind::LinkLost;
            if (ends) return change->reply(fail(std::move(failure)));
-           return confirm(errand, change, std::move(failure));
+           return confirm(task, change, std::move(failure));
          }
          auto failure = waypointResult(answer.values, subject, name);
          if (failure && failure->applied == map::Applied::No) return change->reply(fail(std::move(*failure)));
          const Field response = answer.values["waypoint_response"];
          change->id = response.isText() ? response.text() : response["id"].text();
-         confirm(errand, change, std::move(failure));
+         confirm(task, change, std::move(failure));
        });
 }
 
@@ -233,36 +231,36 @@ KabamRequests::Shown KabamRequests::shownIn(const StoredWaypoints& stored, Chang
   return shown->tags == what.after->tags ? Shown::Done : Shown::OtherTags;
 }
 
-void KabamRequests::confirm(const wire::ErrandPtr& errand, const ChangePtr& change,
+void KabamRequests::confirm(const wire::TaskPtr& task, const ChangePtr& change,
                             std::optional<map::Failure> doubt) {
   const auto shown = std::make_shared<Shown>(Shown::NotYet);
   const bool told = book_.isCurrent(change->key.id) && book_.waypoints(fixed_frame_());
   const auto left =
       std::chrono::duration_cast<std::chrono::milliseconds>(change->until - steady_clock::now());
   waits_.await(
-      errand, std::clamp(left, std::chrono::milliseconds(0), told ? patience_.topic : change->pause),
+      task, std::clamp(left, std::chrono::milliseconds(0), told ? patience_.topic : change->pause),
       [this, told, change, shown] {
         const auto stored = told ? book_.waypoints(fixed_frame_()) : std::nullopt;
         *shown = stored ? shownIn(*stored, *change) : Shown::NotYet;
         return *shown == Shown::Done;
       },
-      [this, errand, change, shown, doubt = std::move(doubt)](Awaited how) {
+      [this, task, change, shown, doubt = std::move(doubt)](Awaited how) {
         if (how == Awaited::Cancelled)
           return endChange(change, *shown, cancelled(map::placesOf(change->key)));
         if (how == Awaited::Held) return endChange(change, *shown, doubt);
-        askWhetherShown(errand, change, doubt);
+        askWhetherShown(task, change, doubt);
       });
 }
 
 // For a map without a topic, or faster than the topic.
-void KabamRequests::askWhetherShown(const wire::ErrandPtr& errand, const ChangePtr& change,
+void KabamRequests::askWhetherShown(const wire::TaskPtr& task, const ChangePtr& change,
                                     std::optional<map::Failure> doubt) {
   // A deleted one is looked up in the whole list: the answer for a missing id is undefined.
   const std::string id = !change->what.after   ? std::string()
                          : change->what.before ? change->what.id
                                                : change->id;
-  call(errand, client_, request("get_waypoint", getWaypointArgs(change->key.id, id)),
-       [this, errand, change, doubt](const CallAnswer& answer) {
+  call(task, client_, request("get_waypoint", getWaypointArgs(change->key.id, id)),
+       [this, task, change, doubt](const CallAnswer& answer) {
          const bool answered = answer.kind == CallAnswer::Kind::Answered;
          const auto stored =
              answered ? readWaypoints(answer.values, change->key.id, fixed_frame_()) : std::nullopt;
@@ -272,7 +270,7 @@ void KabamRequests::askWhetherShown(const wire::ErrandPtr& errand, const ChangeP
                            answer.kind == CallAnswer::Kind::Cancelled || steady_clock::now() >= change->until;
          if (shown == Shown::Done || over) return endChange(change, shown, doubt);
          change->pause = patience_.look_again;
-         confirm(errand, change, doubt);
+         confirm(task, change, doubt);
        });
 }
 

@@ -16,7 +16,7 @@
 #include "robot/ros/kabam_plan.h"
 #include "robot/ros/ros_calls.h"
 #include "robot/waypoint_store.h"
-#include "robot/wire/wait_list.h"
+#include "robot/wire/task.h"
 
 namespace mapwright::robot::ros {
 
@@ -49,12 +49,12 @@ class KabamRequests : public QObject {
   /// Tells what was taken; what waits for it is looked at.
   void tell(const KabamBook::Taken& taken);
 
-  void list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
-  void describe(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
-  void waypoints(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<StoredWaypoints> reply);
-  void perform(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& request,
+  void list(const wire::TaskPtr& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  void describe(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
+  void waypoints(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<StoredWaypoints> reply);
+  void perform(const wire::TaskPtr& task, const map::MapKey& key, const WaypointRequest& request,
                OutcomeTo<WaypointReceipt> reply);
-  void carryOut(const wire::ErrandPtr& errand, const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply);
+  void carryOut(const wire::TaskPtr& task, const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply);
 
  Q_SIGNALS:
   void stands(const QString& state);  // what it does now; comes before mapsChanged()
@@ -76,21 +76,20 @@ class KabamRequests : public QObject {
   using ChangePtr = std::shared_ptr<Change>;
 
   /// `then` once the lists have come, or with a failure about `subject`.
-  void whenListed(const wire::ErrandPtr& errand, const map::Subject& subject,
+  void whenListed(const wire::TaskPtr& task, const map::Subject& subject,
                   std::function<void(std::optional<map::Failure>)> then);
   net::rosbridge::CallRequest request(const char* service, QByteArray args) const;
-  void lookFirst(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& asked,
+  void lookFirst(const wire::TaskPtr& task, const map::MapKey& key, const WaypointRequest& asked,
                  OutcomeTo<WaypointReceipt> reply);
-  void send(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& request,
+  void send(const wire::TaskPtr& task, const map::MapKey& key, const WaypointRequest& request,
             OutcomeTo<WaypointReceipt> reply);
-  void confirm(const wire::ErrandPtr& errand, const ChangePtr& change, std::optional<map::Failure> doubt);
-  void askWhetherShown(const wire::ErrandPtr& errand, const ChangePtr& change,
-                       std::optional<map::Failure> doubt);
+  void confirm(const wire::TaskPtr& task, const ChangePtr& change, std::optional<map::Failure> doubt);
+  void askWhetherShown(const wire::TaskPtr& task, const ChangePtr& change, std::optional<map::Failure> doubt);
   static Shown shownIn(const StoredWaypoints& stored, Change& change);
   void endChange(const ChangePtr& change, Shown shown, std::optional<map::Failure> doubt) const;
   struct Ordered;
-  void sendOrder(const wire::ErrandPtr& errand, const std::shared_ptr<Ordered>& ordered);
-  void confirmOrder(const wire::ErrandPtr& errand, const std::shared_ptr<Ordered>& ordered,
+  void sendOrder(const wire::TaskPtr& task, const std::shared_ptr<Ordered>& ordered);
+  void confirmOrder(const wire::TaskPtr& task, const std::shared_ptr<Ordered>& ordered,
                     std::optional<map::Failure> doubt);
 
   net::rosbridge::Client& client_;

@@ -49,10 +49,10 @@ std::shared_ptr<void> LiveMap::listen() {
   return made;
 }
 
-void LiveMap::fetch(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& name,
+void LiveMap::fetch(const wire::TaskPtr& task, const map::MapKey& key, const std::string& name,
                     OutcomeTo<map::WholeMap> reply, std::chrono::milliseconds longer) {
   waits_.await(
-      errand, patience_ + longer, [this] { return last_.has_value(); },
+      task, patience_ + longer, [this] { return last_.has_value(); },
       [this, key, name, reply = std::move(reply)](wire::WaitList::End how) {
         if (how == wire::WaitList::End::Held) {
           reply(wholeMap(*last_, key, name));

@@ -10,7 +10,7 @@
 
 #include "map/live_topics.h"
 #include "robot/call.h"
-#include "robot/wire/wait_list.h"
+#include "robot/wire/task.h"
 
 namespace mapwright::robot::ros {
 
@@ -25,7 +25,7 @@ class LiveMap : public QObject {
   const std::optional<map::GridMessage>& last() const { return last_; }
   /// The last map received, or the next one, under that key and name. `longer`: waits longer than usual, for
   /// a large one.
-  void fetch(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& name,
+  void fetch(const wire::TaskPtr& task, const map::MapKey& key, const std::string& name,
              OutcomeTo<map::WholeMap> reply, std::chrono::milliseconds longer = {});
   /// Somebody waits for it, or wants to hear of each.
   bool wanted() const { return !waits_.empty() || !listeners_.expired(); }

@@ -10,14 +10,14 @@ namespace mapwright::robot::ros {
 using net::rosbridge::CallAnswer;
 using net::rosbridge::Client;
 
-void call(const wire::ErrandPtr& errand, Client& client, net::rosbridge::CallRequest request,
+void call(const wire::TaskPtr& task, Client& client, net::rosbridge::CallRequest request,
           Client::Reply reply) {
   const auto number = std::make_shared<int>(0);
-  const quint64 id = client.call(std::move(request), [errand, number, reply](const CallAnswer& answer) {
-    errand->ended(*number);
+  const quint64 id = client.call(std::move(request), [task, number, reply](const CallAnswer& answer) {
+    task->ended(*number);
     reply(answer);
   });
-  *number = errand->begun([&client, id] { client.cancel(id); });
+  *number = task->begun([&client, id] { client.cancel(id); });
 }
 
 map::Failure failed(const CallAnswer& answer, map::Subject subject, map::AskedFor asked_for) {

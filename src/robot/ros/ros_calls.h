@@ -6,17 +6,17 @@
 
 #include "map/failure.h"
 #include "net/rosbridge/client.h"
-#include "robot/wire/errand.h"
+#include "robot/wire/task.h"
 
 namespace mapwright::robot::ros {
 
-/// Calls for `errand`: if that is cancelled, the answer is Cancelled. `client` outlives the call.
-void call(const wire::ErrandPtr& errand, net::rosbridge::Client& client, net::rosbridge::CallRequest request,
+/// Calls for `task`: if that is cancelled, the answer is Cancelled. `client` outlives the call.
+void call(const wire::TaskPtr& task, net::rosbridge::Client& client, net::rosbridge::CallRequest request,
           net::rosbridge::Client::Reply reply);
 
 /// `then` once it is known what the robot can do, or with a failure about `subject`.
 using WhenKnown =
-    std::function<void(const wire::ErrandPtr& errand, const map::Subject& subject, map::AskedFor asked_for,
+    std::function<void(const wire::TaskPtr& task, const map::Subject& subject, map::AskedFor asked_for,
                        std::function<void(std::optional<map::Failure>)> then)>;
 
 /// Of an answer that is not Answered. What a server refuses may have been done all the same

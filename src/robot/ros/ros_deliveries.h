@@ -10,7 +10,7 @@
 #include "net/rosbridge/client.h"
 #include "robot/ros/ros_api.h"
 #include "robot/ros/ros_topics.h"
-#include "robot/wire/delivery_place.h"
+#include "robot/wire/robot_link.h"
 
 namespace mapwright::robot::ros {
 

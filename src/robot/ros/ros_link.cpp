@@ -9,7 +9,7 @@
 #include "robot/faults.h"
 #include "robot/ros/faults.h"
 #include "robot/ros/log.h"
-#include "robot/wire/link_state.h"
+#include "robot/wire/net_results.h"
 
 namespace mapwright::robot::ros {
 
@@ -327,7 +327,7 @@ void RosLink::findSources() {
   Q_EMIT topicsKnown({sources_, found_.topics, managesMaps()});
 }
 
-void RosLink::whenKnown(const wire::ErrandPtr& errand, const map::Subject& subject, map::AskedFor asked_for,
+void RosLink::whenKnown(const wire::TaskPtr& task, const map::Subject& subject, map::AskedFor asked_for,
                         std::function<void(std::optional<map::Failure>)> then) {
   using End = wire::WaitList::End;
   const auto ended = [subject, asked_for, then = std::move(then)](End how) {
@@ -343,7 +343,7 @@ void RosLink::whenKnown(const wire::ErrandPtr& errand, const map::Subject& subje
   const bool coming = !awaits_manager_ && (isOpen() || connecting);
   if (!known_ && !coming) return ended(End::Dropped);
   early_.await(
-      errand, std::nullopt, [this] { return known_; }, ended);
+      task, std::nullopt, [this] { return known_; }, ended);
 }
 
 bool RosLink::managesMaps() const { return !wish_.managers_own.empty() || dispatch_.found().any(); }

@@ -27,7 +27,7 @@
 #include "robot/ros/ros_subscriptions.h"
 #include "robot/ros/ros_world.h"
 #include "robot/wire/robot_link.h"
-#include "robot/wire/wait_list.h"
+#include "robot/wire/task.h"
 
 namespace mapwright::robot::ros {
 
@@ -78,7 +78,7 @@ class RosLink : public wire::RobotLink {
   void choose(const Choices& choices);
 
   /// `then` once it is known what the robot can do, or with a failure about `subject`.
-  void whenKnown(const wire::ErrandPtr& errand, const map::Subject& subject, map::AskedFor asked_for,
+  void whenKnown(const wire::TaskPtr& task, const map::Subject& subject, map::AskedFor asked_for,
                  std::function<void(std::optional<map::Failure>)> then);
   // What is asked of it. Their signals may be connected to from any thread, all else happens on this one.
   RosMaps& maps() { return maps_; }

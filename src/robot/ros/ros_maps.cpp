@@ -52,21 +52,21 @@ Outcome<map::WholeMap> RosMaps::projectedMap(const ProjectedPart& projected) con
   return fail(std::move(failure));
 }
 
-void RosMaps::listKept(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
-  if (of_.kabam.there()) return of_.kabam.list(errand, std::move(reply));
+void RosMaps::listKept(const wire::TaskPtr& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
+  if (of_.kabam.there()) return of_.kabam.list(task, std::move(reply));
   std::vector<map::CatalogueEntry> entries;
   if (auto entry = liveEntry()) entries.push_back(std::move(*entry));
   reply(std::move(entries));
 }
 
-void RosMaps::list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
-  of_.when_known(errand, wire::kMapList, map::AskedFor::All,
-                 [this, errand, reply = std::move(reply)](std::optional<map::Failure> failure) {
+void RosMaps::list(const wire::TaskPtr& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
+  of_.when_known(task, wire::kMapList, map::AskedFor::All,
+                 [this, task, reply = std::move(reply)](std::optional<map::Failure> failure) {
                    if (failure) return reply(fail(std::move(*failure)));
                    of_.dispatch.awaitProjected(
-                       errand, [this, errand, reply](const Outcome<std::vector<map::Projection>>& shown) {
+                       task, [this, task, reply](const Outcome<std::vector<map::Projection>>& shown) {
                          if (!shown) return reply(fail(shown.error()));
-                         listKept(errand, [this, reply](Outcome<std::vector<map::CatalogueEntry>> told) {
+                         listKept(task, [this, reply](Outcome<std::vector<map::CatalogueEntry>> told) {
                            if (!told) return reply(std::move(told));
                            for (const auto& [index, part] : of_.dispatch.projected())
                              told->push_back(entryOf(*part));
@@ -76,22 +76,21 @@ void RosMaps::list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::Cat
                  });
 }
 
-void RosMaps::describe(const wire::ErrandPtr& errand, const map::MapKey& key,
+void RosMaps::describe(const wire::TaskPtr& task, const map::MapKey& key,
                        OutcomeTo<map::CatalogueEntry> reply) {
-  of_.when_known(errand, map::subjectOf(key), map::AskedFor::All,
-                 [this, errand, key, reply = std::move(reply)](std::optional<map::Failure> failure) {
+  of_.when_known(task, map::subjectOf(key), map::AskedFor::All,
+                 [this, task, key, reply = std::move(reply)](std::optional<map::Failure> failure) {
                    if (failure) return reply(fail(std::move(*failure)));
-                   if (!projectedIndex(key) || findProjected(key)) return describeNow(errand, key, reply);
+                   if (!projectedIndex(key) || findProjected(key)) return describeNow(task, key, reply);
                    of_.dispatch.awaitProjected(
-                       errand,
-                       [this, errand, key, reply](const Outcome<std::vector<map::Projection>>& shown) {
+                       task, [this, task, key, reply](const Outcome<std::vector<map::Projection>>& shown) {
                          if (!shown) return reply(fail(shown.error()));
-                         describeNow(errand, key, reply);
+                         describeNow(task, key, reply);
                        });
                  });
 }
 
-void RosMaps::describeNow(const wire::ErrandPtr& errand, const map::MapKey& key,
+void RosMaps::describeNow(const wire::TaskPtr& task, const map::MapKey& key,
                           OutcomeTo<map::CatalogueEntry> reply) {
   if (projectedIndex(key)) {
     const auto projected = findProjected(key);
@@ -104,20 +103,20 @@ void RosMaps::describeNow(const wire::ErrandPtr& errand, const map::MapKey& key,
                        : fail(wire::notThere(map::subjectOf(key))));
   }
   if (!of_.kabam.there()) return reply(fail(wire::notThere(map::subjectOf(key))));
-  of_.kabam.describe(errand, key, [this, reply](Outcome<map::CatalogueEntry> told) {
+  of_.kabam.describe(task, key, [this, reply](Outcome<map::CatalogueEntry> told) {
     if (told && told->is_current && of_.live_map.last()) told->grid = of_.live_map.last()->grid;
     reply(std::move(told));
   });
 }
 
-void RosMaps::fetch(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
-  describe(errand, key, [this, errand, key, reply = std::move(reply)](Outcome<map::CatalogueEntry> entry) {
+void RosMaps::fetch(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
+  describe(task, key, [this, task, key, reply = std::move(reply)](Outcome<map::CatalogueEntry> entry) {
     if (!entry) return reply(fail(entry.error()));
     if (const auto projected = findProjected(key)) return reply(projectedMap(*projected));
     if (!entry->is_current) return reply(fail(unsupported(map::subjectOf(key), {fault::OnlyCurrentMapSent})));
     if (sourcesFor(map::Stream::WholeMap, of_.sources).empty())
       return reply(fail(unsupported(map::subjectOf(key), {})));
-    of_.live_map.fetch(errand, key, entry->name, reply);
+    of_.live_map.fetch(task, key, entry->name, reply);
   });
 }
 

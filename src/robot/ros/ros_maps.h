@@ -27,17 +27,16 @@ class RosMaps {
   };
   explicit RosMaps(Parts parts) : of_(std::move(parts)) {}
 
-  void list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
-  void describe(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
+  void list(const wire::TaskPtr& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  void describe(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
   /// The map that the robot works with, or a projected one; of others it sends nothing.
-  void fetch(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
+  void fetch(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
 
  private:
   std::optional<map::CatalogueEntry> liveEntry() const;
   std::shared_ptr<const ProjectedPart> findProjected(const map::MapKey& key) const;
-  void listKept(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
-  void describeNow(const wire::ErrandPtr& errand, const map::MapKey& key,
-                   OutcomeTo<map::CatalogueEntry> reply);
+  void listKept(const wire::TaskPtr& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  void describeNow(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
   Outcome<map::WholeMap> projectedMap(const ProjectedPart& projected) const;
 
   Parts of_;

@@ -8,7 +8,7 @@
 #include "robot/ros/faults.h"
 #include "robot/ros/map_values.h"
 #include "robot/ros/parts.h"
-#include "robot/wire/picture_facts.h"
+#include "robot/wire/picture_bytes.h"
 
 namespace mapwright::robot::ros {
 namespace {

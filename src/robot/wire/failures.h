@@ -1,20 +1,23 @@
-// How requests come to nothing in the same way with all robots.
+// Failures that requests of all robots have in common.
 #pragma once
 
 #include <utility>
+#include <vector>
 
+#include "map/catalogue.h"
 #include "map/failure.h"
+#include "robot/call.h"
 
 namespace mapwright::robot::wire {
 
-/// Nobody here has that.
+/// There is no such thing on this robot.
 inline map::Failure notThere(map::Subject subject) {
   return {.kind = map::FailureKind::RejectedByRobot,
           .subject = std::move(subject),
           .reason = map::FailureReason::NotThere};
 }
 
-/// Robots of this kind, or this one, do nothing of the sort.
+/// Robots of this kind, or this one, do not offer it.
 inline map::Failure notOffered(map::Subject subject, map::AskedFor asked_for = map::AskedFor::All) {
   return {.kind = map::FailureKind::Unsupported,
           .subject = std::move(subject),
@@ -22,12 +25,25 @@ inline map::Failure notOffered(map::Subject subject, map::AskedFor asked_for = m
           .reason = map::FailureReason::NotOffered};
 }
 
-/// It came, and cannot be used.
+/// It arrived, and cannot be used.
 inline map::Failure unfit(map::Subject subject, Fault cause) {
   return {.kind = map::FailureKind::MalformedAnswer,
           .subject = std::move(subject),
           .reason = map::FailureReason::Unfit,
           .cause = std::move(cause)};
+}
+
+/// The map `key` of a list of all maps.
+inline Outcome<map::CatalogueEntry> entryOf(const map::MapKey& key,
+                                            Outcome<std::vector<map::CatalogueEntry>> entries) {
+  if (!entries) {
+    entries.error().subject = map::subjectOf(key);
+    return fail(std::move(entries.error()));
+  }
+  for (map::CatalogueEntry& entry : *entries) {
+    if (entry.key == key) return std::move(entry);
+  }
+  return fail(notThere(map::subjectOf(key)));
 }
 
 }  // namespace mapwright::robot::wire

@@ -121,7 +121,12 @@ class WaypointsOfStore : public WaypointSource {
  public:
   /// `store` outlives this.
   explicit WaypointsOfStore(WaypointStore& store) : store_(store) {}
-  Call waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) override;
+  Call waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) override {
+    return store_.read(key, [reply = std::move(reply)](Outcome<StoredWaypoints> stored) {
+      if (!stored) return reply(fail(std::move(stored.error())));
+      reply(map::WaypointList{std::move(stored->points), std::move(stored->notes)});
+    });
+  }
 
  private:
   WaypointStore& store_;

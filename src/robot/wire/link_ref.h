@@ -1,44 +1,84 @@
-// How a capability asks what lives on the thread of a link.
+// How a capability calls what lives on the thread of a link, and how the results come back.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 
 #include <QObject>
 #include <QPointer>
 
-#include "robot/wire/requests.h"
+#include "map/subject.h"
+#include "robot/call.h"
+#include "robot/wire/task.h"
 
 namespace mapwright::robot::wire {
 
-/// Whom a capability asks, and its requests under way. Lives with the capability, on the thread of the robot,
-/// and outlives the thread of the link. A request is a member of `Part` (or a function of one) that takes an
-/// errand, the arguments and the reply, or one that takes the arguments and returns the outcome.
+/// What cancelling does to a request.
+enum class Stopping {
+  AtOnce,      // it only reads: it ends as cancelled, whatever becomes of it
+  AsItStands,  // it changes something: its own outcome says what has become of that
+};
+
+/// The callbacks of requests in progress, kept on the thread that made the requests. Those that are left when
+/// it is destroyed are never called, and their calls are over. Outlives the thread of the link. Without the
+/// types of the results, which LinkRef puts back: this is compiled once.
+class Requests : public QObject {
+ public:
+  using Value = std::shared_ptr<void>;
+  /// Runs on the thread of the link, and calls the reply there once, whenever.
+  using Work = std::function<void(const TaskPtr& task, const OutcomeTo<Value>& reply)>;
+
+  ~Requests() override;
+
+  /// Runs `work` on the thread of `link`; the outcome comes to `reply` here. `subject` is that of the failure
+  /// if the request is cancelled.
+  Call send(QObject* link, const map::Subject& subject, OutcomeTo<Value> reply, Work work, Stopping stopping);
+  /// A request whose outcome is known already, delivered later.
+  Call endLater(OutcomeTo<Value> reply, Outcome<Value> outcome);
+
+ private:
+  struct Entry {
+    OutcomeTo<Value> reply;
+    std::shared_ptr<Call::State> state;
+  };
+  quint64 add(OutcomeTo<Value> reply, std::shared_ptr<Call::State> state);
+  void postEnd(quint64 ticket, Outcome<Value> outcome);
+  void end(quint64 ticket, Outcome<Value> outcome);
+  void tell(quint64 ticket, Progress progress);
+
+  quint64 last_ = 0;
+  std::unordered_map<quint64, Entry> entries_;  // by ticket
+};
+
+/// A part of a link, and the requests to it in progress. Lives with the capability, on the thread of the
+/// robot, and outlives the thread of the link. A request is a member of `Part` (or a function of one) that
+/// takes a task, the arguments and the reply, or one that takes the arguments and returns the outcome.
 template <typename Part>
 class LinkRef {
  public:
-  /// Asks the link itself.
+  /// The link itself.
   explicit LinkRef(Part* link) : link_(link), part_([link]() -> Part& { return *link; }) {}
-  /// Asks a part of it, which is looked up on its thread.
+  /// A part of it, which is looked up on its thread.
   template <typename Link>
   LinkRef(Link* link, Part& (Link::*part)())
       : link_(link), part_([=]() -> Part& { return (link->*part)(); }) {}
 
-  /// For what only reads: it can be cancelled at once. `subject`: whom it was about then.
+  /// A request that only reads: it can be cancelled at once. `subject` is that of the failure then.
   template <typename T, typename Request, typename... Args>
   Call ask(const map::Subject& subject, OutcomeTo<T> reply, Request request, Args... args) {
     return requests_.send(link_, subject, plain(std::move(reply)), work<T>(request, std::move(args)...),
                           Stopping::AtOnce);
   }
-  /// For what changes something: cancelled, it tells how far it has come.
+  /// A request that changes something: cancelled, it says how far it has come.
   template <typename T, typename Request, typename... Args>
   Call change(const map::Subject& subject, OutcomeTo<T> reply, Request request, Args... args) {
     return requests_.send(link_, subject, plain(std::move(reply)), work<T>(request, std::move(args)...),
                           Stopping::AsItStands);
   }
-  /// For what nobody needs to be asked.
+  /// A request that is refused without asking anybody.
   template <typename T>
   Call refuse(OutcomeTo<T> reply, map::Failure why) {
     return requests_.endLater(plain(std::move(reply)), fail(std::move(why)));
@@ -48,7 +88,7 @@ class LinkRef {
   void tell(Order order, Args... args) const {
     QMetaObject::invokeMethod(link_, [part = part_, order, args...] { std::invoke(order, part(), args...); });
   }
-  /// The reply to a change, with `changed` called before where something may have been changed. That may
+  /// The reply to a change, with `changed` called before it if something may have been changed. That may
   /// destroy the robot, which then replies no more.
   template <typename T>
   OutcomeTo<T> telling(std::function<void()> changed, OutcomeTo<T> reply) const {
@@ -76,9 +116,9 @@ class LinkRef {
   }
   template <typename T, typename Request, typename... Args>
   Requests::Work work(Request request, Args... args) const {
-    return [part = part_, request, args...](const ErrandPtr& errand, const OutcomeTo<Value>& reply) {
-      if constexpr (std::is_invocable_v<Request, Part&, const ErrandPtr&, const Args&..., OutcomeTo<T>>) {
-        std::invoke(request, part(), errand, args...,
+    return [part = part_, request, args...](const TaskPtr& task, const OutcomeTo<Value>& reply) {
+      if constexpr (std::is_invocable_v<Request, Part&, const TaskPtr&, const Args&..., OutcomeTo<T>>) {
+        std::invoke(request, part(), task, args...,
                     OutcomeTo<T>([reply](Outcome<T> outcome) { reply(plain(std::move(outcome))); }));
       } else {
         reply(plain(Outcome<T>(std::invoke(request, part(), args...))));

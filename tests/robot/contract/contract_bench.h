@@ -133,7 +133,7 @@ class Bench {
     if (adapter_ == Adapter::Axbot) {
       axbot::LinkOptions options;
       options.base = base;
-      options.patience = options.fetch_timeout = patience;
+      options.answer_timeout = options.fetch_timeout = patience;
       robot = std::make_unique<axbot::AxbotRobot>(QStringLiteral("axbot+test"), options);
     } else {
       aimdk::LinkOptions options;

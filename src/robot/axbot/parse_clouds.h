@@ -1,4 +1,5 @@
-// Collects points for a map::PointCloudMessage.
+// Clouds of points: as lists, as packed records and as the binary PointCloud message. Pure functions, any
+// thread. Source: docs/protocols/autoxing.md, "Point clouds".
 #pragma once
 
 #include <algorithm>
@@ -11,11 +12,16 @@
 #include <vector>
 
 #include "map/live_topics.h"
+#include "robot/wire/read_json.h"
+
+namespace ros_messages {
+class PointCloud;
+}
 
 namespace mapwright::robot::axbot {
 
-/// Skips points that are not finite or absurdly far away, and takes at most kMaxPoints. Intensities come as
-/// 0..1 or 0..255; their maximum tells which.
+/// Collects points. Skips those that are not finite or absurdly far away, and takes at most kMaxPoints.
+/// Intensities come as 0..1 or 0..255; their maximum tells which.
 class CloudPoints {
  public:
   static constexpr std::size_t kMaxPoints = 2'000'000;
@@ -49,5 +55,11 @@ class CloudPoints {
   std::vector<float> intensities_;
   float brightest_ = 0;
 };
+
+bool isCloudTopic(const std::string& topic);
+/// The message of a cloud topic, with its points as a list or as fields and data.
+map::TopicMessage readCloud(const std::string& topic, const wire::Json& message);
+/// The same for a binary message.
+map::TopicMessage readCloud(const std::string& topic, const ros_messages::PointCloud& message);
 
 }  // namespace mapwright::robot::axbot

@@ -1,6 +1,4 @@
-#include "robot/wire/requests.h"
-
-#include <utility>
+#include "robot/wire/link_ref.h"
 
 namespace mapwright::robot::wire {
 namespace {
@@ -28,7 +26,7 @@ void Requests::postEnd(quint64 ticket, Outcome<Value> outcome) {
       this, [this, ticket, outcome = std::move(outcome)] { end(ticket, outcome); }, Qt::QueuedConnection);
 }
 
-/// Once; what is over already is ignored. The callback may destroy this.
+/// Does nothing if it is over already. The callback may destroy this.
 void Requests::end(quint64 ticket, Outcome<Value> outcome) {
   auto node = entries_.extract(ticket);
   if (node.empty()) return;
@@ -36,7 +34,7 @@ void Requests::end(quint64 ticket, Outcome<Value> outcome) {
   if (node.mapped().reply) node.mapped().reply(std::move(outcome));
 }
 
-/// Its listener may destroy this.
+/// The listener may destroy this.
 void Requests::tell(quint64 ticket, Progress progress) {
   const auto found = entries_.find(ticket);
   if (found == entries_.end()) return;
@@ -48,19 +46,19 @@ Call Requests::send(QObject* link, const map::Subject& subject, OutcomeTo<Value>
                     Stopping stopping) {
   auto state = std::make_shared<Call::State>();
   const quint64 ticket = add(std::move(reply), state);
-  const auto errand = std::make_shared<Errand>([this, ticket](Progress progress) {
+  const auto task = std::make_shared<Task>([this, ticket](Progress progress) {
     QMetaObject::invokeMethod(
         this, [this, ticket, progress] { tell(ticket, progress); }, Qt::QueuedConnection);
   });
   QMetaObject::invokeMethod(
       link,
-      [this, ticket, errand, work = std::move(work)] {
-        work(errand, [this, ticket](Outcome<Value> outcome) { postEnd(ticket, std::move(outcome)); });
+      [this, ticket, task, work = std::move(work)] {
+        work(task, [this, ticket](Outcome<Value> outcome) { postEnd(ticket, std::move(outcome)); });
       },
       Qt::QueuedConnection);
-  state->cancel = [this, link, errand, ticket, subject, stopping] {
+  state->cancel = [this, link, task, ticket, subject, stopping] {
     QMetaObject::invokeMethod(
-        link, [errand] { errand->cancel(); }, Qt::QueuedConnection);
+        link, [task] { task->cancel(); }, Qt::QueuedConnection);
     if (stopping == Stopping::AtOnce)
       postEnd(ticket, fail({.kind = map::FailureKind::Cancelled, .subject = subject}));
   };
