@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "robot/axbot/parse_overlays.h"
+#include "robot/axbot/parse_maps.h"
 #include "test_program.h"
 
 namespace test_axbot_overlays {

@@ -5,7 +5,7 @@
 
 #include "net/json_numbers.h"
 #include "robot/axbot/faults.h"
-#include "robot/axbot/parse_submap.h"
+#include "robot/axbot/parse_maps.h"
 #include "robot/axbot/parse_topics.h"
 #include "ros_messages/wrapper.pb.h"
 #include "test_program.h"

@@ -7,7 +7,7 @@
 #include <QJsonObject>
 
 #include "robot/axbot/faults.h"
-#include "robot/axbot/parse_submap.h"
+#include "robot/axbot/parse_maps.h"
 #include "robot/faults.h"
 #include "robot/wire/net_results.h"
 

@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "robot/axbot/faults.h"
-#include "robot/axbot/parse_overlays.h"
 #include "robot/wire/faults.h"
 #include "robot/wire/picture_bytes.h"
 #include "ros_messages/slam.pb.h"
@@ -36,6 +35,125 @@ map::CatalogueEntry entryOf(const Json& row, map::MapKind kind) {
   entry.has_thumbnail = !wire::text(row, {"thumbnail_url"}).empty();
   if (const auto grid = listedGrid(row); !map::whyUnusable(grid)) entry.grid = grid;
   return entry;
+}
+
+using map::OverlayFeature;
+using map::OverlayShape;
+
+constexpr std::string_view kMulti = "Multi";
+constexpr int kDeepest = 4;  // nested geometry collections
+
+std::string_view typeOf(const Json& object) {
+  std::string_view type;
+  return object["type"].get(type) ? std::string_view() : type;
+}
+
+/// Everything of a feature except its geometry.
+OverlayFeature described(const Json& feature, const Json& properties) {
+  OverlayFeature described;
+  described.id = wire::text(feature, {"id"});
+  if (described.id.empty()) described.id = wire::text(properties, {"id"});
+  described.name = wire::text(properties, {"name"});
+  return described;
+}
+
+class Reader {
+ public:
+  explicit Reader(std::vector<OverlayFeature>& out) : out_(out) {}
+
+  void readFeature(const Json& feature) {
+    const auto geometry = wire::member(feature, {"geometry"});
+    if (!geometry) return;
+    Json properties = feature;
+    if (const auto given = wire::member(feature, {"properties"})) properties = *given;
+    readGeometry(*geometry, described(feature, properties), properties, kDeepest);
+  }
+
+ private:
+  void readGeometry(const Json& geometry, const OverlayFeature& model, const Json& properties, int depth) {
+    std::string_view type = typeOf(geometry);
+    if (type == "GeometryCollection" && depth > 0) {
+      if (const auto parts = wire::list(geometry, {"geometries"})) {
+        for (const Json part : *parts) readGeometry(part, model, properties, depth - 1);
+      }
+      return;
+    }
+    const auto coordinates = wire::member(geometry, {"coordinates"});
+    if (!coordinates) return;
+    if (!type.starts_with(kMulti)) {
+      add(type, *coordinates, model, properties);
+      return;
+    }
+    type.remove_prefix(kMulti.size());
+    wire::JsonList parts;
+    if (coordinates->get(parts)) return;
+    for (const Json part : parts) add(type, part, model, properties);
+  }
+
+  void add(std::string_view type, const Json& coordinates, OverlayFeature feature, const Json& properties) {
+    if (type == "Point") {
+      const auto at = wire::asPoint(coordinates);
+      if (!at) return;
+      feature.shape = OverlayShape::Point;
+      feature.type = wire::smallInteger(properties, {"type"}).value_or(0);
+      if (const auto yaw = wire::number(properties, {"yaw"}))
+        feature.yaw_rad = geometry::radiansFromDegrees(*yaw);
+      feature.parts.push_back({*at});
+    } else if (type == "LineString") {
+      feature.shape = OverlayShape::Line;
+      feature.type = wire::smallInteger(properties, {"lineType"}).value_or(0);
+      feature.parts.push_back(wire::asPolyline(coordinates));
+      if (feature.parts[0].size() < 2) return;
+    } else if (type == "Polygon") {
+      feature.shape = OverlayShape::Polygon;
+      feature.type = wire::smallInteger(properties, {"regionType"}).value_or(0);
+      wire::JsonList rings;
+      if (coordinates.get(rings)) return;
+      for (const Json ring : rings) addRing(wire::asPolyline(ring), feature);
+      if (feature.parts.empty()) return;
+    } else {
+      return;
+    }
+    out_.push_back(std::move(feature));
+  }
+
+  static void addRing(std::vector<Eigen::Vector2d> ring, OverlayFeature& feature) {
+    if (ring.size() < 3) return;
+    if (ring.front() != ring.back()) ring.push_back(Eigen::Vector2d(ring.front()));
+    feature.parts.push_back(std::move(ring));
+  }
+
+  std::vector<OverlayFeature>& out_;
+};
+
+std::optional<std::vector<OverlayFeature>> featuresOf(const Json& overlays) {
+  std::vector<OverlayFeature> features;
+  Reader reader(features);
+  wire::JsonList rows;
+  if (!overlays.get(rows)) {  // the features without their collection
+    for (const Json row : rows) reader.readFeature(row);
+  } else if (const auto list = wire::list(overlays, {"features"})) {
+    for (const Json feature : *list) reader.readFeature(feature);
+  } else if (overlays.is_object()) {
+    reader.readFeature(overlays);
+  } else if (!overlays.is_null()) {
+    return std::nullopt;
+  }
+  return features;
+}
+
+geometry::Pose3 toPose(const ros_messages::Pose& pose) {
+  return {pose.x(), pose.y(), pose.z(), pose.qx(), pose.qy(), pose.qz(), pose.qw()};
+}
+
+bool readMessage(std::string_view body, google::protobuf::MessageLite& message) {
+  return body.size() <= std::size_t(std::numeric_limits<int>::max()) &&
+         message.ParseFromArray(body.data(), int(body.size()));
+}
+
+std::string codeName(int code) {
+  const std::string& name = ros_messages::slam::StatusCode_Name(ros_messages::slam::StatusCode(code));
+  return name.empty() ? "code " + std::to_string(code) : name;
 }
 
 }  // namespace
@@ -122,14 +240,10 @@ std::vector<map::WholeMap::Landmark> parseLandmarks(std::string_view body) {
 
 tl::expected<map::WholeMap, Fault> parseOverview(std::string_view body, double asked_resolution_m) {
   ros_messages::slam::GetMapImageResponse response;
-  if (body.empty() || body.size() > std::size_t(std::numeric_limits<int>::max()) ||
-      !response.ParseFromArray(body.data(), int(body.size()))) {
-    return refused(fault::AnswerIsNoPicture);
-  }
+  if (body.empty() || !readMessage(body, response)) return refused(fault::AnswerIsNoPicture);
   if (response.status_code() != ros_messages::slam::OK) {
-    const std::string& name = ros_messages::slam::StatusCode_Name(response.status_code());
     return refused({fault::RobotAnswered,
-                    {name.empty() ? "code " + std::to_string(response.status_code()) : name},
+                    {codeName(response.status_code())},
                     {fault::said(response.status_message().substr(0, 300))}});
   }
   map::WholeMap whole;
@@ -144,6 +258,76 @@ tl::expected<map::WholeMap, Fault> parseOverview(std::string_view body, double a
   }
   whole.fingerprint = wire::fingerprint(*whole.bytes);
   return whole;
+}
+
+std::optional<std::vector<OverlayFeature>> parseOverlays(const Json& overlays) {
+  std::string_view text;
+  return overlays.get(text) ? featuresOf(overlays) : parseOverlays(text);
+}
+
+std::optional<std::vector<OverlayFeature>> parseOverlays(std::string_view geo_json) {
+  if (geo_json.find_first_not_of(" \t\r\n") == std::string_view::npos) return std::vector<OverlayFeature>();
+  wire::JsonReader reader;
+  const auto root = reader.read(geo_json);
+  return root ? featuresOf(*root) : std::nullopt;  // a text inside a text is not parsed
+}
+
+map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_view body) {
+  using Outcome = map::SubmapAnswer::Outcome;
+  map::SubmapAnswer answer;
+  answer.key = key;
+  answer.bytes = body.size();
+  ros_messages::slam::SubmapQueryV2Response response;
+  if (body.empty()) {
+    answer.reason = fault::EmptyAnswer;
+    return answer;
+  }
+  if (!readMessage(body, response)) {
+    answer.reason = {fault::AnswerIsNoSubmap, {std::int64_t(body.size())}};
+    return answer;
+  }
+  answer.version = response.submap_version();
+  const int code = response.status().code();
+  if (code != ros_messages::slam::OK) {
+    answer.outcome = code == ros_messages::slam::NOT_FOUND       ? Outcome::NotFound
+                     : code == ros_messages::slam::UUID_MISMATCH ? Outcome::WrongUuid
+                                                                 : Outcome::Failed;
+    answer.reason = {
+        fault::RobotAnswered, {codeName(code)}, {fault::said(response.status().message().substr(0, 300))}};
+    return answer;
+  }
+  answer.outcome = Outcome::Ok;
+  for (auto& texture : *response.mutable_textures()) {
+    map::RawSlice slice;
+    slice.cell_format = texture.cell_format();
+    slice.cells = std::move(*texture.mutable_cells());
+    slice.width = texture.width();
+    slice.height = texture.height();
+    slice.resolution_m = texture.resolution();
+    slice.z_level = texture.z_level();
+    if (texture.has_slice_pose()) slice.slice_pose = toPose(texture.slice_pose());
+    answer.slices.push_back(std::move(slice));
+  }
+  return answer;
+}
+
+map::SubmapList toSubmapList(const ros_messages::slam::SubmapList& message) {
+  map::SubmapList list;
+  list.uuid = message.uuid();
+  list.slam_state = message.slam_state() == ros_messages::slam::SLAM_STATE_SLAM ? map::SlamState::Slam
+                    : message.slam_state() == ros_messages::slam::SLAM_STATE_POSITIONING
+                        ? map::SlamState::Positioning
+                        : map::SlamState::Invalid;
+  list.entries.reserve(std::size_t(message.submaps_size()));
+  for (const auto& entry : message.submaps()) {
+    list.entries.push_back({{entry.trajectory_id(), entry.submap_index()},
+                            entry.submap_version(),
+                            toPose(entry.pose()),
+                            entry.is_frozen(),
+                            entry.is_incremental_submap(),
+                            entry.is_nearby_map()});
+  }
+  return list;
 }
 
 }  // namespace mapwright::robot::axbot

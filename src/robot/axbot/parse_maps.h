@@ -1,7 +1,9 @@
-// Parses the robot's answers about its maps. Pure functions, any thread. Source: docs/protocols/autoxing.md,
-// "Requests" (/maps, /mappings, /chassis/current-map, /ros/slam/map_image).
+// Parses the robot's answers about its maps, their overlays (GeoJSON, RFC 7946) and its submaps. Pure
+// functions, any thread. Source: docs/protocols/autoxing.md, "Requests" (/maps, /mappings,
+// /chassis/current-map, /ros/slam/map_image), "Overlays"; docs/protocols/cartographer-submaps.md, "Messages".
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,7 +11,13 @@
 #include <tl/expected.hpp>
 
 #include "map/catalogue.h"
+#include "map/overlay.h"
+#include "map/submap.h"
 #include "robot/wire/read_json.h"
+
+namespace ros_messages::slam {
+class SubmapList;
+}
 
 namespace mapwright::robot::axbot {
 
@@ -43,5 +51,17 @@ std::vector<map::WholeMap::Landmark> parseLandmarks(std::string_view body);
 
 /// A GetMapImageResponse: the picture with its position.
 tl::expected<map::WholeMap, Fault> parseOverview(std::string_view body, double asked_resolution_m);
+
+/// The features of a FeatureCollection, a Feature, a list of features, or a text containing one of these, in
+/// the robot's order. Undrawable ones are skipped; open rings are closed; each part of a Multi... geometry
+/// becomes a feature. nullopt: it is not GeoJSON. Nothing at all (null, a blank text) has no features.
+std::optional<std::vector<map::OverlayFeature>> parseOverlays(const wire::Json& overlays);
+std::optional<std::vector<map::OverlayFeature>> parseOverlays(std::string_view geo_json);
+
+/// Reads a SubmapQueryV2Response. Never throws: garbage becomes Outcome::Failed with a reason.
+map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_view body);
+
+/// A binary /submap_list as values.
+map::SubmapList toSubmapList(const ros_messages::slam::SubmapList& message);
 
 }  // namespace mapwright::robot::axbot

@@ -1,6 +1,7 @@
 // A fast path for the most common messages of a bag, poses and lists of points, and for repetitions of a
 // topic's previous message, without building a tree. Only handles the usual formatting: everything else is
-// left to readFrame(), and the results are identical (tests/robot/test_axbot_bags.cpp).
+// left to readFrame(), and the results are identical (tests/robot/test_axbot_bags.cpp). With simdjson on
+// demand instead of JsonCursor a range of mixed messages takes a third longer, poses alone twice as long.
 #pragma once
 
 #include <charconv>

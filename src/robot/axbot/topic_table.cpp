@@ -8,7 +8,7 @@
 #include <QCoreApplication>
 
 #include "robot/axbot/faults.h"
-#include "robot/axbot/parse_overlays.h"
+#include "robot/axbot/parse_maps.h"
 
 namespace mapwright::robot::axbot {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <QByteArray>
 
-#include "robot/axbot/parse_submap.h"
+#include "robot/axbot/parse_maps.h"
 #include "robot/recorded/faults.h"
 #include "robot/wire/failures.h"
 #include "robot/wire/picture_bytes.h"
