@@ -81,11 +81,11 @@ AxbotLink::AxbotLink(LinkOptions options)
     const std::string topic = grid ? grid->topic : std::string();
     emitTopic(topic, std::move(message));
   });
-  grids_.setKeeper([this](const std::string& topic, const std::string& data_url, const char* media_type,
+  grids_.setKeeper([this](const std::string& topic, const std::string& data_url,
                           std::shared_ptr<const std::string> picture) {
     wire::DeliveryPlace::Parcel parcel = parcelOf(data_url, std::move(picture), options_.wall_s());
     parcel.kind = Delivery::Kind::Picture;
-    parcel.encoding = media_type;
+    parcel.encoding = "image/png";
     parcel.slot = "picture of " + topic;
     places_->deliveries.pass(std::move(parcel));
   });

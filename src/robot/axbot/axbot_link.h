@@ -19,7 +19,6 @@
 #include "net/http_client.h"
 #include "net/web_socket_link.h"
 #include "robot/axbot/bag_requests.h"
-#include "robot/axbot/grid_fetcher.h"
 #include "robot/axbot/map_requests.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/topic_subscriptions.h"
