@@ -257,7 +257,7 @@ constexpr Route kRoutes[] = {
     {"POST", "/services/wheel_control/set_emergency_stop", setEmergencyStop, Body::Json, false},
     {"POST", "/services/start_global_positioning", relocate, Body::Any, false}};
 
-/// What stands for the star or the number; nullopt if the path is another one.
+/// What stands for the star or the id; nullopt if the path is another one.
 std::optional<std::string_view> matched(std::string_view pattern, std::string_view path) {
   if (pattern.ends_with('/')) {
     pattern.remove_suffix(1);
@@ -270,8 +270,7 @@ std::optional<std::string_view> matched(std::string_view pattern, std::string_vi
   if (path.size() <= pattern.size() - 1 || !path.starts_with(before) || !path.ends_with(behind))
     return std::nullopt;
   path = path.substr(star, path.size() - before.size() - behind.size());
-  const bool fits = pattern[star] == '#' ? path.find_first_not_of("-0123456789") == std::string_view::npos
-                                         : path.find('/') == std::string_view::npos;
+  const bool fits = path.find_first_of(pattern[star] == '#' ? "/." : "/") == std::string_view::npos;
   return fits ? std::optional(path) : std::nullopt;
 }
 
@@ -315,6 +314,7 @@ HttpAnswer AxbotRoutes::write(const HttpQuestion& question) {
 HttpAnswer AxbotRoutes::routed(const HttpQuestion& question) {
   const std::string_view path = pathOf(question.target);
   std::string allowed;
+  std::string_view pattern;  // the first that fits
   bool of_maps = false;
   if (isSubmapPath(path)) {
     if (question.method == "GET") return submap(robot_, question);
@@ -323,7 +323,8 @@ HttpAnswer AxbotRoutes::routed(const HttpQuestion& question) {
   for (const std::span<const Route> routes : {std::span<const Route>(kRoutes), mapRoutes(), bagRoutes()}) {
     for (const Route& route : routes) {
       const std::optional<std::string_view> name = matched(route.path, path);
-      if (!name) continue;
+      if (!name || (!pattern.empty() && pattern != route.path)) continue;
+      pattern = route.path;
       allowed.append(allowed.empty() ? "" : ", ").append(route.method);
       of_maps = route.of_maps;
       if (route.method != question.method) continue;

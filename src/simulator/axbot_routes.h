@@ -28,7 +28,7 @@ struct Robot {
 /// A request as its route understands it.
 struct Request {
   const HttpQuestion& question;
-  std::string_view name;  // what stands in the path for the star or the number
+  std::string_view name;  // what stands in the path for the star or the id
   RequestFields fields;
 };
 
@@ -37,7 +37,8 @@ struct Route {
   enum class Body { Any, Json, JsonOrForm };
 
   std::string_view method;
-  /// A star stands for anything without a slash, # for a number; a slash at the end may be left out.
+  /// A star stands for anything without a slash, # for an id, without a dot too; a slash at the end may be
+  /// left out.
   std::string_view path;
   HttpAnswer (*answer)(const Robot& robot, const Request& request);
   Body body = Body::Any;
