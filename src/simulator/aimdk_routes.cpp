@@ -1,12 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "simulator/map_answers.h"
-#include "simulator/png_writing.h"
-#include "simulator/routes.h"
-#include "simulator/value_json.h"
+#include "simulator/axbot_routes.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -37,13 +35,6 @@ Value error(int code, std::string_view message) {
 }
 
 Value data(Value::Object members) { return Value::Object{{"data", std::move(members)}}; }
-
-const AimdkMap* find(std::string_view id) {
-  for (const AimdkMap& map : kMaps) {
-    if (map.id == id) return &map;
-  }
-  return nullptr;
-}
 
 /// The pixel of the world's origin, and pixels per metre.
 struct PixelFrame {
@@ -82,70 +73,27 @@ Value navigationPoint(int number, const geometry::Pose2& pose, const PixelFrame&
                        {"pose", Value::Object{{"position", Value::Object{{"x", x}, {"y", y}, {"z", 0}}}}}};
 }
 
-}  // namespace
-
-HttpAnswer AimdkRoutes::answer(const HttpQuestion& question) {
-  const std::string_view path = pathOf(question.target);
-  if (!path.starts_with(kPrefix)) return valueAnswer(404, error(404, "There is no such service."));
-  const std::string_view method = path.substr(kPrefix.size());
-  struct Call {
-    std::string_view method, command;
-  };
-  constexpr std::array<Call, 4> kCalls{
-      {{"MappingService/GetStoredMapNames", "MappingCommand_GET_STORED_MAP_NAME"},
-       {"MappingService/GetCurrentWorkingMap", "MappingCommand_GET_CURRENT_WORKING_MAP"},
-       {"MappingService/Get2DWholeMap", "MappingCommand_GET_2D_WHOLE_MAP"},
-       {"LocalizationService/GetTopoMsgs", "TopoCommand_GET_TOPO_MSG"}}};
-  std::size_t call = 0;
-  while (call < kCalls.size() && kCalls[call].method != method) ++call;
-  if (call == kCalls.size()) return valueAnswer(404, error(404, "There is no such method."));
-  if (question.method != "POST") {
-    HttpAnswer answer = valueAnswer(405, error(405, "Only POST is understood here."));
-    answer.headers = {{"Allow", "POST"}};
-    return answer;
-  }
-  const Faults faults = faults_.faults();
-  if (faults.map_list_error && call == 0) return valueAnswer(500, error(500, "The map store is locked."));
-
-  const Value request = fromJson(question.body).value_or(Value());
-  const auto* command = request["command"].as<std::string>();
-  if (command == nullptr)
-    return valueAnswer(400, error(400, "The request is no JSON object with a command."));
-  HttpAnswer answer;
-  if (*command != kCalls[call].command) {
-    answer = valueAnswer(200, error(-32602, "The command does not belong to this method."));
-  } else {
-    answer = valueAnswer(200, call == 0   ? storedMapNames()
-                              : call == 1 ? currentMap()
-                              : call == 2 ? wholeMap(request["map_id"])
-                                          : topoMessages(request["map_id"]));
-  }
-  answer.delay_ms = faults.map_latency_ms;
-  return answer;
-}
-
-Value AimdkRoutes::storedMapNames() const {
+Value storedMapNames(MapLibrary& library, const Faults&, const Value&) {
   Value::List maps;
   for (const AimdkMap& map : kMaps) {
-    if (library_.scene().find(map.trajectory) == nullptr) continue;
+    if (library.scene().find(map.trajectory) == nullptr) continue;
     maps.push_back(Value::Object{{"map_id", map.id}, {"map_name", map.name}, {"map_index", map.index}});
   }
   return data({{"map_lists", std::move(maps)}});
 }
 
-Value AimdkRoutes::currentMap() const {
-  if (library_.scene().trajectories.empty()) return data({});
+Value currentAimdkMap(MapLibrary& library, const Faults&, const Value&) {
+  if (library.scene().trajectories.empty()) return data({});
   return data({{"map_id", kCurrent}});
 }
 
-Value AimdkRoutes::wholeMap(const Value& map_id) {
+Value wholeMap(MapLibrary& library, const Faults& faults, const Value& map_id) {
   // The id is a text in this call.
   const auto* id = map_id.as<std::string>();
   if (id == nullptr) return error(-32602, "map_id has to be a string.");
-  const AimdkMap* map = find(*id);
-  const MapPicturePtr picture = map == nullptr ? nullptr : library_.pictures().picture(specOf(*map));
+  const AimdkMap* map = byId(kMaps, *id);
+  const MapPicturePtr picture = map == nullptr ? nullptr : library.pictures().picture(specOf(*map));
   if (!picture) return data({});
-  const Faults faults = faults_.faults();
   const PixelFrame frame = frameOf(*picture);
   Value::Object members{{"map_id", map->id},
                         {"map_name", map->name},
@@ -168,13 +116,13 @@ Value AimdkRoutes::wholeMap(const Value& map_id) {
   return data(std::move(members));
 }
 
-Value AimdkRoutes::topoMessages(const Value& map_id) {
+Value topoMessages(MapLibrary& library, const Faults&, const Value& map_id) {
   // The id is a number in this call.
   const auto* id = map_id.as<std::int64_t>();
   if (id == nullptr) return error(-32602, "map_id has to be a number.");
-  const AimdkMap* map = find(std::to_string(*id));
-  const Trajectory* way = map == nullptr ? nullptr : library_.scene().find(map->trajectory);
-  const MapPicturePtr picture = way == nullptr ? nullptr : library_.pictures().picture(specOf(*map));
+  const AimdkMap* map = byId(kMaps, std::to_string(*id));
+  const Trajectory* way = map == nullptr ? nullptr : library.scene().find(map->trajectory);
+  const MapPicturePtr picture = way == nullptr ? nullptr : library.pictures().picture(specOf(*map));
   if (!picture) return error(-1, "There is no topology for this map.");
   const PixelFrame frame = frameOf(*picture);
   Value::List points;
@@ -183,6 +131,45 @@ Value AimdkRoutes::topoMessages(const Value& map_id) {
     points.push_back(navigationPoint(i, at, frame));
   }
   return data({{"points", std::move(points)}, {"paths", Value::List{}}, {"regions", Value::List{}}});
+}
+
+struct Call {
+  std::string_view method, command;
+  Value (*answer)(MapLibrary& library, const Faults& faults, const Value& map_id);
+};
+constexpr Call kCalls[] = {
+    {"MappingService/GetStoredMapNames", "MappingCommand_GET_STORED_MAP_NAME", storedMapNames},
+    {"MappingService/GetCurrentWorkingMap", "MappingCommand_GET_CURRENT_WORKING_MAP", currentAimdkMap},
+    {"MappingService/Get2DWholeMap", "MappingCommand_GET_2D_WHOLE_MAP", wholeMap},
+    {"LocalizationService/GetTopoMsgs", "TopoCommand_GET_TOPO_MSG", topoMessages}};
+
+}  // namespace
+
+HttpAnswer AimdkRoutes::answer(const HttpQuestion& question) {
+  const std::string_view path = pathOf(question.target);
+  if (!path.starts_with(kPrefix)) return valueAnswer(404, error(404, "There is no such service."));
+  const std::string_view method = path.substr(kPrefix.size());
+  const auto* const call = std::find_if(std::begin(kCalls), std::end(kCalls),
+                                        [&](const Call& one) { return one.method == method; });
+  if (call == std::end(kCalls)) return valueAnswer(404, error(404, "There is no such method."));
+  if (question.method != "POST") {
+    HttpAnswer answer = valueAnswer(405, error(405, "Only POST is understood here."));
+    answer.headers = {{"Allow", "POST"}};
+    return answer;
+  }
+  const Faults faults = faults_.faults();
+  if (faults.map_list_error && call->answer == storedMapNames)
+    return valueAnswer(500, error(500, "The map store is locked."));
+
+  const Value request = fromJson(question.body).value_or(Value());
+  const auto* command = request["command"].as<std::string>();
+  if (command == nullptr)
+    return valueAnswer(400, error(400, "The request is no JSON object with a command."));
+  HttpAnswer answer = valueAnswer(200, *command == call->command
+                                           ? call->answer(library_, faults, request["map_id"])
+                                           : error(-32602, "The command does not belong to this method."));
+  answer.delay_ms = faults.map_latency_ms;
+  return answer;
 }
 
 }  // namespace mapwright::simulator

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "simulator/block_drawing.h"
+#include "simulator/floor_plan.h"
 
 namespace mapwright::simulator {
 

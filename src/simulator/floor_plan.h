@@ -1,10 +1,13 @@
-// The obstacles in the building: solid shapes on the floor, in world metres.
+// The obstacles in the building, solid shapes on the floor, and the robot's route among them; in world
+// metres.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include "geometry/pose.h"
 
 namespace mapwright::simulator {
 
@@ -18,6 +21,8 @@ struct Solid {
 
   /// Radius of the circle around `centre` that contains the shape.
   double reach() const { return round ? half.x() : half.norm(); }
+  /// Half the size of the upright rectangle around it.
+  Eigen::Vector2d extent() const;
   /// Metres from `point` to the shape; 0 or less inside it.
   double distanceTo(const Eigen::Vector2d& point) const;
 };
@@ -44,6 +49,27 @@ class FloorPlan {
   int rows_ = 0;
   std::vector<std::uint32_t> starts_;   // per grid cell, into members_
   std::vector<std::uint32_t> members_;  // solid indices
+};
+
+/// The robot's route: a polyline with rounded corners, parameterised by length. Immutable. Metres in the
+/// world; headings follow the route and turn smoothly.
+class Drive {
+ public:
+  Drive() = default;
+  /// Through `waypoints` in order; `closed` returns to the first one.
+  Drive(const std::vector<Eigen::Vector2d>& waypoints, bool closed);
+
+  double length_m() const { return along_.empty() ? 0 : along_.back(); }
+  bool closed() const { return closed_; }
+  /// The pose after `s` metres. Wraps on a closed route, stops at the ends of an open one.
+  geometry::Pose2 at(double s) const;
+
+ private:
+  Eigen::Vector2d pointAt(double s) const;
+
+  std::vector<Eigen::Vector2d> points_;
+  std::vector<double> along_;  // length up to each point
+  bool closed_ = false;
 };
 
 }  // namespace mapwright::simulator

@@ -1,20 +1,27 @@
 #include "simulator/http_answer.h"
 
-#include "simulator/value_json.h"
+#include <algorithm>
+#include <cmath>
 
 namespace mapwright::simulator {
 namespace {
 
-int digitOf(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
+constexpr std::size_t kMostParts = 64;
 
-bool isPlain(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '.' ||
-         c == '_' || c == '~';
+/// The value of `key` in a header field such as: form-data; name="map_name"; filename="a.png".
+std::string_view parameterOf(std::string_view field, std::string_view key) {
+  std::size_t at = 0;
+  while ((at = field.find(';', at)) != std::string_view::npos) {
+    ++at;
+    while (at < field.size() && field[at] == ' ') ++at;
+    std::string_view rest = field.substr(at);
+    if (!rest.starts_with(key) || rest.size() <= key.size() || rest[key.size()] != '=') continue;
+    rest.remove_prefix(key.size() + 1);
+    if (!rest.starts_with('"')) return rest.substr(0, rest.find_first_of("; \r\n"));
+    rest.remove_prefix(1);
+    return rest.substr(0, rest.find('"'));
+  }
+  return {};
 }
 
 }  // namespace
@@ -32,24 +39,17 @@ HttpAnswer errorAnswer(int status, std::string_view sentence) {
   return valueAnswer(status, Value::Object{{"detail", sentence}});
 }
 
-HttpAnswer notFound() { return errorAnswer(404, "Not found."); }
-
-HttpAnswer noContent() {
+HttpAnswer emptyAnswer(int status) {
   HttpAnswer answer;
-  answer.status = 204;
+  answer.status = status;
   answer.content_type.clear();
   return answer;
 }
 
-std::optional<HttpAnswer> refusedMethod(const HttpQuestion& question, std::string_view allowed) {
-  for (std::string_view rest = allowed; !rest.empty();) {
-    const std::size_t comma = rest.find(", ");
-    if (rest.substr(0, comma) == question.method) return std::nullopt;
-    rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 2);
-  }
-  HttpAnswer answer = errorAnswer(405, "Method \"" + std::string(question.method) + "\" not allowed.");
-  answer.headers = {{"Allow", std::string(allowed)}};
-  return answer;
+Value ownUrl(std::string_view path) { return "http://192.168.25.25:8090" + std::string(path); }
+
+bool isWordCharacter(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
 }
 
 std::optional<std::string> percentDecoded(std::string_view text) {
@@ -59,8 +59,11 @@ std::optional<std::string> percentDecoded(std::string_view text) {
       out += text[i];
       continue;
     }
-    if (i + 2 >= text.size() || digitOf(text[i + 1]) < 0 || digitOf(text[i + 2]) < 0) return std::nullopt;
-    out += static_cast<char>(16 * digitOf(text[i + 1]) + digitOf(text[i + 2]));
+    unsigned char byte = 0;
+    const std::string_view digits = text.substr(i + 1, 2);
+    const char* const end = digits.data() + digits.size();
+    if (digits.size() < 2 || std::from_chars(digits.data(), end, byte, 16).ptr != end) return std::nullopt;
+    out += static_cast<char>(byte);
     i += 2;
   }
   return out;
@@ -70,7 +73,7 @@ std::string percentEncoded(std::string_view text) {
   static constexpr char kDigits[] = "0123456789ABCDEF";
   std::string out;
   for (const char c : text) {
-    if (isPlain(c)) {
+    if (isWordCharacter(c) || c == '.' || c == '~') {
       out += c;
       continue;
     }
@@ -107,6 +110,93 @@ bool matchesTag(std::string_view if_none_match, std::string_view tag) {
     if (one == tag || one == "*") return true;
   }
   return false;
+}
+
+std::optional<RequestFields> RequestFields::read(std::string_view content_type, std::string_view body) {
+  if (content_type.starts_with("multipart/form-data"))
+    return readForm(parameterOf(content_type, "boundary"), body);
+  std::optional<Value> read = fromJson(body);
+  Value::Object* members = read ? read->as<Value::Object>() : nullptr;
+  if (members == nullptr) return std::nullopt;
+  RequestFields fields;
+  for (auto& [key, value] : *members) {
+    if (!value.isNull()) fields.values_.insert_or_assign(std::move(key), std::move(value));
+  }
+  return fields;
+}
+
+std::optional<RequestFields> RequestFields::readForm(std::string_view boundary, std::string_view body) {
+  if (boundary.empty()) return std::nullopt;
+  const std::string mark = "--" + std::string(boundary);
+  RequestFields fields;
+  fields.is_form_ = true;
+  std::size_t at = body.find(mark);
+  while (at != std::string_view::npos) {
+    at += mark.size();
+    if (body.substr(at, 2) == "--") return fields;
+    const std::size_t head_end = body.find("\r\n\r\n", at);
+    const std::size_t next = body.find("\r\n" + mark, at);
+    if (head_end == std::string_view::npos || next == std::string_view::npos || head_end + 4 > next + 2)
+      return std::nullopt;
+    const std::string_view head = body.substr(at, head_end - at);
+    const std::size_t disposition = head.find("form-data");
+    const std::string_view name = disposition == std::string_view::npos
+                                      ? std::string_view()
+                                      : parameterOf(head.substr(disposition), "name");
+    if (name.empty() || fields.values_.size() >= kMostParts) return std::nullopt;
+    const std::size_t from = head_end + 4;
+    fields.values_.insert_or_assign(
+        std::string(name), std::string(next > from ? body.substr(from, next - from) : std::string_view()));
+    at = next + 2;
+  }
+  return std::nullopt;
+}
+
+const Value& RequestFields::find(std::string_view key) const {
+  static const Value null;
+  const auto found = values_.find(key);
+  return found == values_.end() ? null : found->second;
+}
+
+bool RequestFields::has(std::string_view key) const { return !find(key).isNull(); }
+
+std::optional<std::string> RequestFields::text(std::string_view key) const {
+  const auto* text = find(key).as<std::string>();
+  return text == nullptr ? std::nullopt : std::optional(*text);
+}
+
+std::optional<double> RequestFields::number(std::string_view key) const {
+  const Value& value = find(key);
+  std::optional<double> number;
+  if (value.isNumber()) number = value.number();
+  if (const auto* text = value.as<std::string>(); text != nullptr && is_form_)
+    number = numberFrom<double>(*text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::optional<std::int64_t> RequestFields::integer(std::string_view key) const {
+  const Value& value = find(key);
+  if (const auto* whole = value.as<std::int64_t>()) return *whole;
+  const auto* text = value.as<std::string>();
+  return text != nullptr && is_form_ ? numberFrom<std::int64_t>(*text) : std::nullopt;
+}
+
+std::optional<bool> RequestFields::flag(std::string_view key, std::optional<bool> otherwise) const {
+  const Value& value = find(key);
+  if (value.isNull()) return otherwise;
+  if (const auto* flag = value.as<bool>()) return *flag;
+  if (!is_form_ || (value.text() != "true" && value.text() != "false")) return std::nullopt;
+  return value.text() == "true";
+}
+
+std::optional<std::vector<double>> RequestFields::numbers(std::string_view key) const {
+  const auto* list = find(key).as<Value::List>();
+  if (list == nullptr ||
+      !std::all_of(list->begin(), list->end(), [](const Value& one) { return one.isNumber(); }))
+    return std::nullopt;
+  std::vector<double> numbers;
+  for (const Value& one : *list) numbers.push_back(one.number());
+  return numbers;
 }
 
 }  // namespace mapwright::simulator

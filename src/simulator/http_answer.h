@@ -1,6 +1,9 @@
-// An HTTP request and its answer, independent of sockets.
+// An HTTP request with its data, and its answer, independent of sockets.
 #pragma once
 
+#include <charconv>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +14,16 @@
 #include "simulator/value.h"
 
 namespace mapwright::simulator {
+
+/// A number from a text that must hold nothing else.
+template <typename Number>
+std::optional<Number> numberFrom(std::string_view text) {
+  Number number = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (text.empty() || result.ec != std::errc() || result.ptr != text.data() + text.size())
+    return std::nullopt;
+  return number;
+}
 
 struct HttpQuestion {
   std::string_view method;
@@ -36,16 +49,17 @@ HttpAnswer jsonAnswer(int status, std::string body);
 HttpAnswer valueAnswer(int status, const Value& value);
 /// {"detail":"..."}: the error format of the Autoxing robot.
 HttpAnswer errorAnswer(int status, std::string_view sentence);
-HttpAnswer notFound();
-/// 204 without a body.
-HttpAnswer noContent();
-/// 405 with Allow if the method is not in `allowed`, such as "GET, POST". HEAD counts as GET.
-std::optional<HttpAnswer> refusedMethod(const HttpQuestion& question, std::string_view allowed);
-
+/// A path on the host name that the robot uses for itself: these robots put it into their answers, whatever
+/// address the client used.
+Value ownUrl(std::string_view path);
+/// Without a body: 204, 304.
+HttpAnswer emptyAnswer(int status);
 /// The path of a target, without its query.
 std::string_view pathOf(std::string_view target);
 /// The value of `key` in the target's query; empty when absent.
 std::string_view queryValue(std::string_view target, std::string_view key);
+/// A letter, a digit, - or _.
+bool isWordCharacter(char c);
 /// Decodes %XX; nullopt if it is invalid.
 std::optional<std::string> percentDecoded(std::string_view text);
 /// Encodes everything but letters, digits and -._~ as %XX.
@@ -53,6 +67,29 @@ std::string percentEncoded(std::string_view text);
 /// Weak comparison of an If-None-Match list with our opaque tag (with its quotes, if it has any), as required
 /// by HTTP.
 bool matchesTag(std::string_view if_none_match, std::string_view tag);
+
+/// The data of a request: the members of a JSON object, or the parts of a form.
+class RequestFields {
+ public:
+  /// nullopt if the body is neither a JSON object nor, by its content type, a form.
+  static std::optional<RequestFields> read(std::string_view content_type, std::string_view body);
+
+  /// Present and not null.
+  bool has(std::string_view key) const;
+  std::optional<std::string> text(std::string_view key) const;
+  std::optional<double> number(std::string_view key) const;  // finite
+  std::optional<std::int64_t> integer(std::string_view key) const;
+  /// `otherwise` if it is absent.
+  std::optional<bool> flag(std::string_view key, std::optional<bool> otherwise = {}) const;
+  std::optional<std::vector<double>> numbers(std::string_view key) const;  // only for a list of numbers
+
+ private:
+  static std::optional<RequestFields> readForm(std::string_view boundary, std::string_view body);
+  const Value& find(std::string_view key) const;
+
+  std::map<std::string, Value, std::less<>> values_;
+  bool is_form_ = false;  // where numbers are texts
+};
 
 /// Answers the requests on a port.
 class Answerer {

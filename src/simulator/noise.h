@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace mapwright::simulator {
 
@@ -43,5 +44,13 @@ class Dice {
  private:
   std::uint64_t state_;
 };
+
+/// So many random hexadecimal digits.
+inline std::string hexDigits(std::uint64_t seed, int count) {
+  std::string digits;
+  Dice dice(seed);
+  for (int i = 0; i < count; ++i) digits += "0123456789abcdef"[dice.next() & 15];
+  return digits;
+}
 
 }  // namespace mapwright::simulator

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <mutex>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "simulator/simulator.h"
@@ -16,15 +16,44 @@ namespace mapwright::simulator {
 class RequestLog {
  public:
   /// A request has arrived. The number identifies its entry for finish().
-  std::uint64_t begin(RequestRecord record, bool is_submap);
+  std::uint64_t begin(RequestRecord record, bool is_submap) {
+    const std::lock_guard lock(mutex_);
+    if (is_submap) ++submaps_under_way_;
+    record.at_s = seconds();
+    record.concurrent = submaps_under_way_;
+    records_.push_back(std::move(record));
+    if (records_.size() > kMostRecords) {
+      records_.pop_front();
+      ++first_;
+    }
+    return first_ + records_.size() - 1;
+  }
   /// Its last byte was written, or it was given up (status 0).
-  void finish(std::uint64_t number, bool is_submap, int status, std::size_t bytes);
+  void finish(std::uint64_t number, bool is_submap, int status, std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    if (is_submap) --submaps_under_way_;
+    if (number < first_) return;
+    RequestRecord& record = records_[static_cast<std::size_t>(number - first_)];
+    record.until_s = seconds();
+    record.status = status;
+    record.bytes = bytes;
+  }
 
-  std::vector<RequestRecord> records() const;
-  void clear();  // requests in progress keep counting
+  std::vector<RequestRecord> records() const {
+    const std::lock_guard lock(mutex_);
+    return {records_.begin(), records_.end()};
+  }
+  void clear() {  // requests in progress keep counting
+    const std::lock_guard lock(mutex_);
+    first_ += records_.size();
+    records_.clear();
+  }
 
  private:
-  double seconds() const;
+  static constexpr std::size_t kMostRecords = 1'000'000;
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  }
 
   mutable std::mutex mutex_;
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
@@ -36,11 +65,14 @@ class RequestLog {
 /// One entry of the log: finished once, at the latest by the destructor.
 class LoggedRequest {
  public:
-  LoggedRequest(RequestLog& log, RequestRecord record, bool is_submap);
-  ~LoggedRequest();
+  LoggedRequest(RequestLog& log, RequestRecord record, bool is_submap)
+      : log_(log), is_submap_(is_submap), number_(log.begin(std::move(record), is_submap)) {}
+  ~LoggedRequest() { finish(0, 0); }
   LoggedRequest(const LoggedRequest&) = delete;
   LoggedRequest& operator=(const LoggedRequest&) = delete;
-  void finish(int status, std::size_t bytes);
+  void finish(int status, std::size_t bytes) {
+    if (!std::exchange(finished_, true)) log_.finish(number_, is_submap_, status, bytes);
+  }
 
  private:
   RequestLog& log_;

@@ -77,23 +77,10 @@ std::string RobotState::uuid() const {
   return uuidNow();
 }
 
-std::string RobotState::uuidNow() const {
-  static constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  Dice dice(hashOf(seed_, 31, session_));
-  for (int i = 0; i < 24; ++i) text += kDigits[dice.next() & 15];
-  return text;
-}
-
-const Trajectory* RobotState::trajectoryOf(int id) const {
-  for (const Trajectory& trajectory : scene_->trajectories) {
-    if (trajectory.id == id) return &trajectory;
-  }
-  return nullptr;
-}
+std::string RobotState::uuidNow() const { return hexDigits(hashOf(seed_, 31, session_), 24); }
 
 std::uint64_t RobotState::seedOf(map::SubmapId id) const {
-  const Trajectory* owner = trajectoryOf(id.trajectory);
+  const Trajectory* owner = scene_->find(id.trajectory);
   const std::uint64_t session = owner != nullptr && owner->growth == Growth::Live ? session_ : 0;
   return hashOf(seed_, 41, session, id.trajectory, id.index);
 }
@@ -161,7 +148,7 @@ double RobotState::time() const {
 
 int RobotState::scansOf(int id) const {
   const std::lock_guard lock(mutex_);
-  const Trajectory* found = trajectoryOf(id);
+  const Trajectory* found = scene_->find(id);
   return found == nullptr ? 0 : found->scansAt(sessionNow());
 }
 
@@ -171,7 +158,7 @@ geometry::Pose2 RobotState::poseAhead(double metres) const {
 }
 
 geometry::Pose2 RobotState::truePoseAhead(double metres) const {
-  const Trajectory* live = trajectoryOf(1);
+  const Trajectory* live = scene_->find(1);
   if (live == nullptr) return {};
   const int newest = submapsOf(*live, live->scansAt(sessionNow())).second - 1;
   geometry::Pose2 pose = live->drive.at(kSpeedMPerS * now() + metres);
@@ -213,7 +200,7 @@ SubmapSource RobotState::describe(const Trajectory& trajectory, int index, int s
 
 std::optional<SubmapSource> RobotState::find(map::SubmapId id) const {
   const std::lock_guard lock(mutex_);
-  const Trajectory* owner = trajectoryOf(id.trajectory);
+  const Trajectory* owner = scene_->find(id.trajectory);
   if (owner == nullptr || !isThere(*owner) || removed_.contains(id)) return std::nullopt;
   const int scans = owner->scansAt(sessionNow());
   const auto [first, end] = submapsOf(*owner, scans);
@@ -257,7 +244,7 @@ Controls RobotState::controls() const {
 
 std::optional<MappingSpan> RobotState::mapping() const {
   const std::lock_guard lock(mutex_);
-  const Trajectory* live = trajectoryOf(1);
+  const Trajectory* live = scene_->find(1);
   if (mapping_ == Mapping::Off || live == nullptr) return std::nullopt;
   return MappingSpan{mapping_, metresAtScan(*live, 0), live->scansAt(sessionNow())};
 }

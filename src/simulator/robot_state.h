@@ -16,6 +16,10 @@
 
 namespace mapwright::simulator {
 
+/// Seconds since the epoch of a simulated second, as the robot's clock shows it: its world begins on 3 June
+/// 2024, 09:00 UTC.
+constexpr double stampOf(double time_s) { return 1717405200 + time_s; }
+
 struct ClockOptions {
   double start_at_s = 0;  // simulated seconds
   double speed = 1;       // simulated seconds per real second
@@ -76,7 +80,7 @@ class RobotState {
   /// The running mapping; nullopt if there is none.
   std::optional<MappingSpan> mapping() const;
   /// Whether there is anything to map.
-  bool canMap() const { return trajectoryOf(1) != nullptr; }
+  bool canMap() const { return scene_->find(1) != nullptr; }
   /// How many scans a trajectory has so far; 0 if it does not exist.
   int scansOf(int trajectory) const;
   /// How far the robot has driven, metres.
@@ -109,7 +113,6 @@ class RobotState {
   geometry::Pose2 truePoseAhead(double metres) const;
   double now() const;         // simulated seconds
   double sessionNow() const;  // since the SLAM session began
-  const Trajectory* trajectoryOf(int id) const;
   SubmapSource describe(const Trajectory& trajectory, int index, int scans) const;
   double metresAtScan(const Trajectory& trajectory, int scan) const;
   int versionOf(map::SubmapId id, int scans) const;

@@ -105,12 +105,6 @@ std::pair<int, int> Trajectory::submapsAfter(int scans) const {
   return {0, std::min(begun, submaps)};
 }
 
-const Trajectory* Scene::find(int id) const {
-  const auto found = std::find_if(trajectories.begin(), trajectories.end(),
-                                  [&](const Trajectory& trajectory) { return trajectory.id == id; });
-  return found == trajectories.end() ? nullptr : &*found;
-}
-
 std::optional<Scene> makeScene(const std::string& name, int submaps, std::uint32_t seed) {
   Scene scene;
   if (name == "empty") return scene;

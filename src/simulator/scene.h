@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "simulator/drive.h"
 #include "simulator/floor_plan.h"
 
 namespace mapwright::simulator {
@@ -42,11 +41,20 @@ struct Trajectory {
   std::pair<int, int> submapsAfter(int scans) const;
 };
 
+/// The item with this id; null if there is none.
+template <typename Items, typename Id>
+auto byId(Items& items, const Id& id) -> decltype(items.data()) {
+  for (auto& item : items) {
+    if (item.id == id) return &item;
+  }
+  return nullptr;
+}
+
 struct Scene {
   FloorPlan plan;
   std::vector<Trajectory> trajectories;  // ascending by id
 
-  const Trajectory* find(int id) const;
+  const Trajectory* find(int id) const { return byId(trajectories, id); }
 };
 
 /// At most this many submaps can be asked for.

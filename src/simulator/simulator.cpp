@@ -3,11 +3,13 @@
 #include <cmath>
 #include <mutex>
 
+#include "simulator/axbot_server.h"
 #include "simulator/ros/ros_server.h"
-#include "simulator/server.h"
 
 namespace mapwright::simulator {
 namespace {
+
+constexpr std::size_t kBodiesKept = 600;  // some 64 MiB
 
 std::optional<std::string> problemOf(const Options& options, bool scene_exists) {
   if (!scene_exists) {
@@ -15,30 +17,24 @@ std::optional<std::string> problemOf(const Options& options, bool scene_exists) 
     for (const auto& [name, sentence] : sceneNames()) names += (names.empty() ? "" : ", ") + name;
     return "There is no scene \"" + options.scene + "\". Choose one of: " + names + ".";
   }
-  if (options.submaps < 0 || options.submaps > kMostSubmaps) {
-    return "The number of submaps must lie between 0 and " + std::to_string(kMostSubmaps) + ".";
-  }
-  if (!std::isfinite(options.speed) || options.speed < 0 || options.speed > 1e6) {
-    return "The speed must lie between 0 and 1,000,000 simulated seconds per second.";
-  }
-  if (!std::isfinite(options.start_at_s) || options.start_at_s < 0 || options.start_at_s > 1e8) {
-    return "The start must lie between 0 and 100,000,000 simulated seconds.";
-  }
-  if (options.points_per_scan < 0 || options.points_per_scan > 1'000'000) {
-    return "The number of points in a scan must lie between 0 and 1,000,000.";
-  }
-  for (const double hz : {options.scan_hz, options.pose_hz}) {
-    if (!(hz > 0 && hz <= 100)) return "Scans and poses come more than 0 and at most 100 times a second.";
-  }
-  if (options.costmap_cells < 20 || options.costmap_cells > 4000) {
-    return "The edge of a costmap must lie between 20 and 4000 cells.";
-  }
-  if (options.ros.waypoints < 0 || options.ros.waypoints > 100'000) {
-    return "The number of waypoints must lie between 0 and 100,000.";
-  }
-  if (const double edge = options.ros.dispatcher.edge_m;
-      !(edge >= 10 && edge <= 2000 && edge == std::floor(edge))) {
-    return "The building of the map dispatcher has an edge of whole metres between 10 and 2000.";
+  const auto lies = [](double value, double low, double high) { return value >= low && value <= high; };
+  const double edge_m = options.ros.dispatcher.edge_m;
+  const std::pair<bool, std::string> checks[] = {
+      {lies(options.submaps, 0, kMostSubmaps),
+       "The number of submaps must lie between 0 and " + std::to_string(kMostSubmaps) + "."},
+      {lies(options.speed, 0, 1e6),
+       "The speed must lie between 0 and 1,000,000 simulated seconds per second."},
+      {lies(options.start_at_s, 0, 1e8), "The start must lie between 0 and 100,000,000 simulated seconds."},
+      {lies(options.points_per_scan, 0, 1e6),
+       "The number of points in a scan must lie between 0 and 1,000,000."},
+      {options.scan_hz > 0 && options.scan_hz <= 100 && options.pose_hz > 0 && options.pose_hz <= 100,
+       "Scans and poses come more than 0 and at most 100 times a second."},
+      {lies(options.costmap_cells, 20, 4000), "The edge of a costmap must lie between 20 and 4000 cells."},
+      {lies(options.ros.waypoints, 0, 100'000), "The number of waypoints must lie between 0 and 100,000."},
+      {lies(edge_m, 10, 2000) && edge_m == std::floor(edge_m),
+       "The building of the map dispatcher has an edge of whole metres between 10 and 2000."}};
+  for (const auto& [fine, sentence] : checks) {
+    if (!fine) return sentence;
   }
   return std::nullopt;
 }
@@ -53,6 +49,12 @@ class Simulator::Impl {
     const std::lock_guard lock(server_mutex);
     if (server) server->publishList();
     if (ros_server) ros_server->refresh();
+  }
+
+  template <typename Edit>
+  void edit(const Edit& how) {
+    how(state);
+    publish();
   }
 
   /// Does something with a server; `otherwise` while none runs.
@@ -72,12 +74,14 @@ class Simulator::Impl {
   RobotState state;
   MapLibrary library;
   MappingTasks mappings;
+  BagStore bags;
+  BodyCache bodies{kBodiesKept};
   FaultPlan faults;
   RequestLog log;
   MapPictures ros_pictures;
   ros::KabamStore kabam;
   mutable std::mutex server_mutex;
-  std::unique_ptr<Server> server;
+  std::unique_ptr<AxbotServer> server;
   std::unique_ptr<ros::RosServer> ros_server;
 
  private:
@@ -92,9 +96,10 @@ class Simulator::Impl {
               {chosen.start_at_s, chosen.speed, chosen.paused}),
         library(state, chosen.seed),
         mappings(state),
+        bags(state, library, options),
         faults(chosen.faults, chosen.seed),
         ros_pictures(state.scene()),
-        kabam(state, ros_pictures, chosen.ros, chosen.seed) {}
+        kabam(state, ros_pictures, faults, options) {}
 };
 
 Simulator::Simulator(Options options) : impl_(std::make_unique<Impl>(std::move(options))) {}
@@ -105,8 +110,10 @@ std::optional<std::string> Simulator::start() {
   if (impl_->problem) return impl_->problem;
   const std::lock_guard lock(impl_->server_mutex);
   if (impl_->server) return std::nullopt;
-  auto server = std::make_unique<Server>(
-      Robot{impl_->options, impl_->state, impl_->library, impl_->mappings, impl_->faults}, impl_->log);
+  auto server =
+      std::make_unique<AxbotServer>(Robot{impl_->options, impl_->state, impl_->library, impl_->mappings,
+                                          impl_->bags, impl_->bodies, impl_->faults},
+                                    impl_->log);
   if (std::optional<std::string> failure = server->start(impl_->options.port, impl_->options.aimdk_port))
     return failure;
   auto ros_server = std::make_unique<ros::RosServer>(impl_->options, impl_->state, impl_->faults, impl_->log,
@@ -123,12 +130,14 @@ void Simulator::stop() {
   impl_->ros_server.reset();
 }
 
-std::uint16_t Simulator::port() const { return impl_->with(impl_->server, &Server::port, std::uint16_t{0}); }
+std::uint16_t Simulator::port() const {
+  return impl_->with(impl_->server, &AxbotServer::port, std::uint16_t{0});
+}
 
 std::string Simulator::address() const { return "axbot+http://127.0.0.1:" + std::to_string(port()); }
 
 std::uint16_t Simulator::aimdkPort() const {
-  return impl_->with(impl_->server, &Server::aimdkPort, std::uint16_t{0});
+  return impl_->with(impl_->server, &AxbotServer::aimdkPort, std::uint16_t{0});
 }
 
 std::string Simulator::aimdkAddress() const {
@@ -155,18 +164,23 @@ void Simulator::setFaults(const Faults& faults) {
 }
 
 void Simulator::advance(double simulated_s) {
-  impl_->state.advance(simulated_s);
-  impl_->publish();
+  impl_->edit([&](RobotState& state) { state.advance(simulated_s); });
 }
 
 void Simulator::closeLoop() {
-  impl_->state.closeLoop();
-  impl_->publish();
+  impl_->edit([](RobotState& state) { state.closeLoop(); });
 }
 
 void Simulator::restartSlam() {
-  impl_->state.restartSlam();
-  impl_->publish();
+  impl_->edit([](RobotState& state) { state.restartSlam(); });
+}
+
+void Simulator::removeSubmap(int trajectory, int index) {
+  impl_->edit([&](RobotState& state) { state.remove({trajectory, index}); });
+}
+
+void Simulator::bumpVersion(int trajectory, int index) {
+  impl_->edit([&](RobotState& state) { state.bump({trajectory, index}); });
 }
 
 void Simulator::dropWebSockets() {
@@ -179,23 +193,13 @@ void Simulator::stallRos() { impl_->tellRos(&ros::RosServer::stall, true); }
 
 void Simulator::unstallRos() { impl_->tellRos(&ros::RosServer::stall, false); }
 
-void Simulator::removeSubmap(int trajectory, int index) {
-  impl_->state.remove({trajectory, index});
-  impl_->publish();
-}
-
-void Simulator::bumpVersion(int trajectory, int index) {
-  impl_->state.bump({trajectory, index});
-  impl_->publish();
-}
-
 void Simulator::publishMapChange() { impl_->library.change(); }
 
 bool Simulator::setCurrentMap(int id) { return impl_->library.setCurrent(id); }
 
 std::string Simulator::uuid() const { return impl_->state.uuid(); }
 
-int Simulator::openWebSockets() const { return impl_->with(impl_->server, &Server::openWebSockets, 0); }
+int Simulator::openWebSockets() const { return impl_->with(impl_->server, &AxbotServer::openWebSockets, 0); }
 
 int Simulator::openRosLinks() const { return impl_->with(impl_->ros_server, &ros::RosServer::openLinks, 0); }
 

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "ros_messages/slam.pb.h"
-#include "simulator/cell_encoding.h"
+#include "simulator/encoding.h"
 #include "simulator/noise.h"
 
 namespace mapwright::simulator {
@@ -105,29 +105,6 @@ std::string makeSubmapBody(const FloorPlan& plan, const SubmapSource& source) {
                Packing::PngGray, format, 1);
   }
   return response.SerializeAsString();
-}
-
-std::shared_ptr<const std::string> BodyCache::bodyOf(const FloorPlan& plan, const SubmapSource& source) {
-  const Key key{source.session, source.id, source.version};
-  {
-    const std::lock_guard lock(mutex_);
-    if (const auto found = by_key_.find(key); found != by_key_.end()) {
-      entries_.splice(entries_.begin(), entries_, found->second);
-      return found->second->body;
-    }
-  }
-  auto body = std::make_shared<const std::string>(makeSubmapBody(plan, source));
-  const std::lock_guard lock(mutex_);
-  if (by_key_.contains(key)) return body;
-  entries_.push_front({key, body});
-  by_key_[key] = entries_.begin();
-  bytes_ += body->size();
-  while (bytes_ > budget_ && entries_.size() > 1) {
-    bytes_ -= entries_.back().body->size();
-    by_key_.erase(entries_.back().key);
-    entries_.pop_back();
-  }
-  return body;
 }
 
 }  // namespace mapwright::simulator

@@ -2,16 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <list>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "map/submap.h"
+#include "simulator/cache.h"
 #include "simulator/floor_plan.h"
-#include "simulator/scan_grid.h"
+#include "simulator/lidar.h"
 
 namespace mapwright::simulator {
 
@@ -36,29 +34,13 @@ geometry::Pose3 nominalPose(const geometry::Pose2& anchor, map::SubmapId id, std
 /// The serialised SubmapQueryV2Response. Pure; about a millisecond.
 std::string makeSubmapBody(const FloorPlan& plan, const SubmapSource& source);
 
-/// Recently made bodies within a budget of bytes. Safe from any thread.
-class BodyCache {
- public:
-  explicit BodyCache(std::size_t budget_bytes) : budget_(budget_bytes) {}
-  std::shared_ptr<const std::string> bodyOf(const FloorPlan& plan, const SubmapSource& source);
-
- private:
-  struct Key {
-    std::uint64_t session;
-    map::SubmapId id;
-    std::int32_t version;
-    auto operator<=>(const Key&) const = default;
-  };
-  struct Entry {
-    Key key;
-    std::shared_ptr<const std::string> body;
-  };
-
-  std::mutex mutex_;
-  std::size_t budget_;
-  std::size_t bytes_ = 0;
-  std::list<Entry> entries_;  // newest first
-  std::map<Key, std::list<Entry>::iterator> by_key_;
+/// What tells bodies apart.
+struct BodyKey {
+  std::uint64_t session;
+  map::SubmapId id;
+  std::int32_t version;
+  bool operator==(const BodyKey&) const = default;
 };
+using BodyCache = Cache<BodyKey, std::shared_ptr<const std::string>>;
 
 }  // namespace mapwright::simulator

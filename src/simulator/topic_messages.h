@@ -6,46 +6,53 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <tuple>
 
-#include "simulator/frame.h"
-#include "simulator/map_topics.h"
-#include "simulator/point_topics.h"
-#include "simulator/robot_state.h"
+#include "simulator/axbot_topics.h"
+#include "simulator/fault_plan.h"
+#include "simulator/sockets.h"
 
 namespace mapwright::simulator {
 
 /// {"topic":"/submap_list",...}; key `submap`, slam_state as text. Numbers that JSON lacks are null.
 std::string submapListJson(const map::SubmapList& list);
-/// Topic length, topic, gzip flag, RosMessageWrapper (gzipped when large).
-std::string submapListBinary(const map::SubmapList& list);
-/// Rows as a robot with a broken SLAM sends them: NaN, zero quaternions, duplicates, a version going back.
-void addBadEntries(map::SubmapList& list);
+/// One scan of /scan_matched_points2 as JSON, at the present pose.
+std::string scanMessage(const RobotState& state, int points, std::uint32_t seed);
 
-/// Makes the messages of the topics that this robot publishes; the list is made once per change. Safe from
-/// any thread.
+/// Makes the messages of the topics that this robot publishes. The list is made once per change, each scan
+/// once for all listeners: above 5,000 points eight scans around the first position are prepared and sent in
+/// turn, so that the reader is measured and not the simulator. Safe from any thread.
 class TopicMessages {
  public:
   TopicMessages(const RobotState& state, MapLibrary& library, const FaultPlan& faults, const Options& options)
-      : state_(state), library_(library), maps_(state, library, faults, options), points_(state, options) {}
+      : state_(state), library_(library), faults_(faults), options_(options) {}
 
-  /// The current message; nullopt for topics that are never published.
+  /// The current message; nullopt for topics that are never published, and if the robot has no such picture.
   std::optional<Frame> messageOf(std::string_view topic, bool binary, bool bad_entries);
 
  private:
+  using ScanKey = std::tuple<std::string, bool, std::int64_t>;  // topic, binary, number of the scan
+
   Frame listMessage(bool binary, bool bad_entries);
+  Frame pointsMessage(std::string_view topic, bool binary);
+  std::optional<Frame> pictureMessage(std::string_view topic);
+  MapPicturePtr pictureOf(std::string_view topic);
+  MapPicturePtr costsAroundRobot(double resolution_m, int cells);
+  MapPicturePtr costsOfWholeMap();
+  MapPicturePtr incremental();
+  MapPicturePtr environment(bool symmetry);
 
   const RobotState& state_;
-  const MapLibrary& library_;
-  MapTopics maps_;
-  PointTopics points_;
-  std::mutex mutex_;
+  MapLibrary& library_;
+  const FaultPlan& faults_;
+  const Options& options_;
+  std::mutex list_mutex_, scan_mutex_;
   ListStamp stamp_;
   bool bad_entries_ = false;
   std::optional<std::string> uuid_;
   Frame json_, binary_;
+  Cache<ScanKey, Frame> scans_{64};
+  Cache<std::string, MapPicturePtr> made_{8};  // pictures by what they were made from
 };
-
-constexpr std::string_view kSubmapListTopic = "/submap_list";
 
 }  // namespace mapwright::simulator

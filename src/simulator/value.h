@@ -1,12 +1,20 @@
-// A message as a value, whatever it will be written as.
+// A message as a value, whatever it will be written as, and its bytes: JSON, CBOR, base64.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/pose.h"
+#include "simulator/simulator.h"
 
 namespace mapwright::simulator {
 
@@ -95,5 +103,44 @@ struct Value::Member {
 Value fixed(double number, int digits);
 /// A lone float32, as robots' single precision has it: 0.05000000074505806.
 Value float32(double number);
+/// [x,y] in millimetres
+Value pointOf(const Eigen::Vector2d& point);
+/// [[x,y],...]
+Value pointsOf(const std::vector<Eigen::Vector2d>& points);
+/// {"pos":[x,y],"ori":rad}
+Value placeOf(const geometry::Pose2& pose);
+/// The corners of a rectangle around a pose, not closed.
+std::vector<Eigen::Vector2d> cornersOf(const geometry::Pose2& pose, double length_m, double width_m);
+
+/// What is not finite becomes null.
+std::string toJson(const Value& value, RosWriter writer = RosWriter::Plain);
+/// Whole numbers and others are told apart (2 and 2.0). nullopt when the text is no JSON.
+std::optional<Value> fromJson(std::string_view text);
+/// Typed arrays are tagged little-endian byte strings. nullopt when a list of texts is not empty: servers
+/// lose such messages (docs/protocols/rosbridge.md, "Compression").
+std::optional<std::string> toCbor(const Value& value);
+
+// JSON piece by piece, for what is too large to be a value.
+void appendJsonText(std::string& out, std::string_view text, RosWriter writer = RosWriter::Plain);
+/// Appends the shortest text that reads back as `number`; null when it is not finite.
+void appendJsonNumber(std::string& out, double number);
+/// Appends `number` with `digits` decimals; null if it is not finite.
+void appendJsonFixed(std::string& out, double number, int digits);
+
+std::string base64(std::string_view bytes);
+/// nullopt when it is no base64.
+std::optional<std::string> fromBase64(std::string_view text);
+
+/// Appends the bytes of a number.
+template <typename Number>
+void appendNumber(std::string& out, Number number, bool big_endian = false) {
+  const auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+  static_assert(std::endian::native == std::endian::little);
+  if (big_endian) {
+    out.append(bytes.rbegin(), bytes.rend());
+  } else {
+    out.append(bytes.begin(), bytes.end());
+  }
+}
 
 }  // namespace mapwright::simulator

@@ -3,9 +3,8 @@
 
 #include <QTest>
 
-#include "simulator/drive.h"
+#include "simulator/lidar.h"
 #include "simulator/robot_state.h"
-#include "simulator/scan_grid.h"
 #include "simulator/scene.h"
 #include "simulator/simulator.h"
 #include "test_program.h"

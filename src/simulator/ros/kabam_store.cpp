@@ -4,30 +4,78 @@
 #include <cmath>
 
 #include "simulator/noise.h"
-#include "simulator/ros/shapes.h"
+#include "simulator/ros/ros_messages.h"
 
 namespace mapwright::simulator::ros {
 namespace {
 
 constexpr double kScansPerS = kSpeedMPerS / kScanStepM;
-constexpr int kScansAtStart = 8;
-constexpr std::size_t kMostMaps = 1000;
+constexpr int kScansAtMappingStart = 8;
+constexpr std::size_t kMostMaps = 1000, kMostWaypoints = 200'000;
 constexpr double kDayS = 86'400;
+
+// The services' own codes.
+enum class SaveResult { Saved = 0, Invalid = 1, NameExists = 2, Failed = 3 };
+enum class LoadResult { Loaded = 0, NoSuchMap = 1, AlreadyLoaded = 2, Invalid = 3 };
+enum class UpdateResult { Updated = 0, Deleted = 1, NoSuchMap = 2, Invalid = 3 };
+
+template <typename Result>
+Value resultOf(Result result) {
+  return Value::Object{{"result", static_cast<int>(result)}};
+}
+
+Value triggered(bool done, std::string_view verb, std::string_view past) {
+  return Value::Object{{"success", done},
+                       {"message", done ? "Mapping " + std::string(past)
+                                        : "Invalid request to " + std::string(verb) + " mapping"}};
+}
 
 bool isUsable(std::string_view name) { return !name.empty() && name.size() <= 255; }
 
-}  // namespace
-
+/// kabam_msgs/MapWaypoint.
 Value waypointMessage(const KabamWaypoint& waypoint, std::string_view map_id) {
   Value::List tags(waypoint.tags.begin(), waypoint.tags.end());
   return Value::Object{{"name", waypoint.name}, {"id", waypoint.id}, {"frame_id", waypoint.frame_id},
                        {"pose", waypoint.pose}, {"map_id", map_id},  {"waypoint_tags", std::move(tags)}};
 }
 
-KabamStore::KabamStore(const RobotState& state, MapPictures& pictures, const RosOptions& options,
-                       std::uint32_t seed)
-    : robot_(state), pictures_(pictures), options_(options), seed_(seed) {
-  if (!state.scene().trajectories.empty()) furnish(std::clamp(options.waypoints, 0, 100'000));
+bool isTaken(const KabamMap& map, std::string_view name, const KabamWaypoint* but = nullptr) {
+  return std::any_of(map.waypoints.begin(), map.waypoints.end(), [&](const KabamWaypoint& waypoint) {
+    return &waypoint != but && waypoint.name == name;
+  });
+}
+
+}  // namespace
+
+enum class KabamStore::WaypointResult {
+  Created = 0,
+  NoSuchMap = 1,
+  NameExists = 2,
+  Updated = 3,
+  NotFound = 4,
+  Deleted = 5,
+  Failed = 6
+};
+
+const KabamStore::Service KabamStore::kServices[] = {
+    {{"/map_manager/start_mapping", "std_srvs/Trigger"}, &KabamStore::startMapping},
+    {{"/map_manager/stop_mapping", "std_srvs/Trigger"}, &KabamStore::stopMapping},
+    {{"/map_manager/save_map", "kabam_msgs/SaveMap"}, &KabamStore::saveMap},
+    {{"/map_manager/load_map", "kabam_msgs/LoadMap"}, &KabamStore::loadMap},
+    {{"/map_manager/delete_map", "kabam_msgs/UpdateMap"}, &KabamStore::deleteMap},
+    {{"/map_manager/archive_map", "kabam_msgs/UpdateMap"}, &KabamStore::archiveMap},
+    {{"/map_manager/rename_map", "kabam_msgs/UpdateMap"}, &KabamStore::renameMap},
+    {{"/map_manager/update_map_image", "kabam_msgs/UpdateMap"}, &KabamStore::updateMapImage},
+    {{"/map_manager/create_waypoint", "kabam_msgs/ManageWaypoint"}, &KabamStore::createWaypoint},
+    {{"/map_manager/delete_waypoint", "kabam_msgs/ManageWaypoint"}, &KabamStore::deleteWaypoint},
+    {{"/map_manager/rename_waypoint", "kabam_msgs/ManageWaypoint"}, &KabamStore::renameWaypoint},
+    {{"/map_manager/reposition_waypoint", "kabam_msgs/ManageWaypoint"}, &KabamStore::repositionWaypoint},
+    {{"/map_manager/get_waypoint", "kabam_msgs/GetWaypoint"}, &KabamStore::getWaypoint}};
+
+KabamStore::KabamStore(const RobotState& state, MapPictures& pictures, const FaultPlan& faults,
+                       const Options& options)
+    : robot_(state), pictures_(pictures), faults_(faults), options_(options.ros), seed_(options.seed) {
+  if (!state.scene().trajectories.empty()) furnish(std::clamp(options_.waypoints, 0, 100'000));
 }
 
 void KabamStore::furnish(int waypoints) {
@@ -75,10 +123,9 @@ void KabamStore::furnish(int waypoints) {
   const double step = way == nullptr ? 0 : (way->drive.length_m() - 4) / std::max(1, waypoints);
   for (int i = 1; i < waypoints; ++i) {
     const auto at = static_cast<std::size_t>(i - 1);
-    const bool has_name = at < std::size(named);
-    first.waypoints.push_back(waypointAt(first, 2 + step * i,
-                                         has_name ? named[at].name : "Waypoint " + std::to_string(i + 1),
-                                         has_name ? named[at].tags : std::vector<std::string>()));
+    const Named usual = at < std::size(named) ? named[at] : Named{"Waypoint ", {}};
+    const std::string number = at < std::size(named) ? std::string() : std::to_string(i + 1);
+    first.waypoints.push_back(waypointAt(first, 2 + step * i, usual.name + number, usual.tags));
   }
   if (waypoints > 3) first.waypoints[3].frame_id.clear();  // as some managers send it
   current_ = first.id;
@@ -86,13 +133,8 @@ void KabamStore::furnish(int waypoints) {
 }
 
 std::string KabamStore::newId() {
-  static constexpr char kDigits[] = "0123456789abcdef";
-  std::string id;
-  Dice dice(hashOf(seed_, 97, ids_++));
-  for (int i = 0; i < 32; ++i) {
-    if (i == 8 || i == 12 || i == 16 || i == 20) id += '-';
-    id += kDigits[dice.next() & 15];
-  }
+  std::string id = hexDigits(hashOf(seed_, 97, ids_++), 32);
+  for (const std::size_t at : {8UL, 13UL, 18UL, 23UL}) id.insert(at, "-");
   return id;
 }
 
@@ -116,10 +158,8 @@ std::vector<KabamMap> KabamStore::maps() const {
 
 std::optional<KabamMap> KabamStore::current() const {
   const std::lock_guard lock(mutex_);
-  for (const KabamMap& map : maps_) {
-    if (!current_.empty() && map.id == current_) return map;
-  }
-  return std::nullopt;
+  const KabamMap* const map = byId(maps_, current_);
+  return map == nullptr ? std::nullopt : std::optional(*map);
 }
 
 KabamEdits KabamStore::edits() const {
@@ -129,138 +169,149 @@ KabamEdits KabamStore::edits() const {
 
 std::optional<RasterSource> KabamStore::raster() const {
   const std::lock_guard lock(mutex_);
-  if (state_ == ManagerState::Mapping) {
-    RasterSource source;
-    source.spec.trajectory = 1;
-    source.spec.from_m = kSpeedMPerS * *mapping_since_s_;
-    source.spec.scans =
-        kScansAtStart + static_cast<int>(kScansPerS * std::floor(robot_.time() - *mapping_since_s_));
-    return source;
-  }
-  for (const KabamMap& map : maps_) {
-    if (!current_.empty() && map.id == current_)
-      return RasterSource{map.id, map.picture_edits, map.spec, map.image};
-  }
-  return std::nullopt;
+  if (isMapping()) return RasterSource{{}, 0, mappedUntil(robot_.time()), nullptr};
+  const KabamMap* const map = byId(maps_, current_);
+  if (map == nullptr) return std::nullopt;
+  return RasterSource{map->id, map->picture_edits, map->spec, map->image};
 }
 
-KabamMap* KabamStore::mapOf(std::string_view id) {
-  const auto found =
-      std::find_if(maps_.begin(), maps_.end(), [&](const KabamMap& map) { return map.id == id; });
-  return found == maps_.end() ? nullptr : &*found;
+/// What the mapping has seen.
+PictureSpec KabamStore::mappedUntil(double time_s) const {
+  PictureSpec spec;
+  spec.trajectory = 1;
+  spec.from_m = kSpeedMPerS * *mapping_since_s_;
+  spec.scans = kScansAtMappingStart + static_cast<int>(kScansPerS * std::floor(time_s - *mapping_since_s_));
+  return spec;
 }
+
+KabamMap* KabamStore::mapOf(std::string_view id) { return byId(maps_, id); }
 
 void KabamStore::touch(KabamMap& map) {
   map.updated_s = robot_.time();
   if (map.id == current_) ++edits_.info;
 }
 
-bool KabamStore::startMapping() {
-  const std::lock_guard lock(mutex_);
-  if (state_ == ManagerState::Mapping || !robot_.canMap()) return false;
-  state_ = ManagerState::Mapping;
-  mapping_since_s_ = robot_.time();
-  current_.clear();
-  ++edits_.info, ++edits_.waypoints, ++edits_.picture;
-  return true;
+std::vector<ServiceRow> KabamStore::services() {
+  std::vector<ServiceRow> rows;
+  for (const Service& service : kServices) rows.push_back(service.row);
+  return rows;
 }
 
-bool KabamStore::stopMapping() {
+Value KabamStore::call(std::string_view service, const Value& request) {
   const std::lock_guard lock(mutex_);
-  if (state_ != ManagerState::Mapping) return false;
-  state_ = ManagerState::Idle;
-  mapping_until_s_ = robot_.time();
-  ++edits_.info, ++edits_.picture;
-  return true;
+  for (const Service& one : kServices) {
+    if (one.row.name == service) return (this->*one.answer)(request);
+  }
+  return {};
 }
 
-SaveResult KabamStore::save(const std::string& name, std::string& id) {
-  const std::lock_guard lock(mutex_);
-  if (!mapping_since_s_ || !isUsable(name) || name.find('/') != std::string::npos) return SaveResult::Invalid;
-  if (maps_.size() >= kMostMaps) return SaveResult::Failed;
-  const bool taken =
-      std::any_of(maps_.begin(), maps_.end(), [&](const KabamMap& map) { return map.name == name; });
-  if (taken) return SaveResult::NameExists;
+Value KabamStore::startMapping(const Value&) {
+  const bool may = !isMapping() && robot_.canMap();
+  if (may) {
+    state_ = ManagerState::Mapping;
+    mapping_since_s_ = robot_.time();
+    current_.clear();
+    ++edits_.info, ++edits_.waypoints, ++edits_.picture;
+  }
+  return triggered(may, "start", "started");
+}
+
+Value KabamStore::stopMapping(const Value&) {
+  const bool may = isMapping();
+  if (may) {
+    state_ = ManagerState::Idle;
+    mapping_until_s_ = robot_.time();
+    ++edits_.info, ++edits_.picture;
+  }
+  return triggered(may, "stop", "stopped");
+}
+
+Value KabamStore::saveMap(const Value& request) {
+  const std::string& name = request["map_name"].text();
+  const auto saved = [](SaveResult result, std::string_view id = {}) {
+    return Value::Object{{"result", static_cast<int>(result)}, {"map_id", id}};
+  };
+  if (!mapping_since_s_ || !isUsable(name) || name.find('/') != std::string::npos)
+    return saved(SaveResult::Invalid);
+  if (maps_.size() >= kMostMaps) return saved(SaveResult::Failed);
+  if (std::any_of(maps_.begin(), maps_.end(), [&](const KabamMap& map) { return map.name == name; }))
+    return saved(SaveResult::NameExists);
   KabamMap map;
-  id = map.id = newId();
+  map.id = newId();
   map.name = map.label = name;
   map.created_s = map.updated_s = robot_.time();
-  map.spec.trajectory = 1;
-  map.spec.from_m = kSpeedMPerS * *mapping_since_s_;
-  const double until_s = state_ == ManagerState::Mapping ? robot_.time() : mapping_until_s_;
-  map.spec.scans = kScansAtStart + static_cast<int>(kScansPerS * std::floor(until_s - *mapping_since_s_));
+  map.spec = mappedUntil(isMapping() ? robot_.time() : mapping_until_s_);
   maps_.push_back(std::move(map));
   ++edits_.lists;
-  if (state_ != ManagerState::Mapping) mapping_since_s_.reset();
-  return SaveResult::Saved;
+  if (!isMapping()) mapping_since_s_.reset();
+  return saved(SaveResult::Saved, maps_.back().id);
 }
 
-LoadResult KabamStore::load(const std::string& id, const std::string& loc_waypoint_name) {
-  const std::lock_guard lock(mutex_);
+Value KabamStore::loadMap(const Value& request) {
+  const std::string &id = request["map_id"].text(), &at = request["loc_waypoint_name"].text();
   const KabamMap* map = mapOf(id);
-  if (state_ == ManagerState::Mapping || id.empty()) return LoadResult::Invalid;
-  if (map == nullptr) return LoadResult::NoSuchMap;
-  if (map->id == current_) return LoadResult::AlreadyLoaded;
-  if (map->archived) return LoadResult::Invalid;
+  if (isMapping() || id.empty()) return resultOf(LoadResult::Invalid);
+  if (map == nullptr) return resultOf(LoadResult::NoSuchMap);
+  if (map->id == current_) return resultOf(LoadResult::AlreadyLoaded);
   const auto serves = [&](const KabamWaypoint& waypoint) {
-    return waypoint.name == loc_waypoint_name &&
+    return waypoint.name == at &&
            std::find(waypoint.tags.begin(), waypoint.tags.end(), "localisation") != waypoint.tags.end();
   };
-  if (!loc_waypoint_name.empty() && std::none_of(map->waypoints.begin(), map->waypoints.end(), serves))
-    return LoadResult::Invalid;
+  if (map->archived || (!at.empty() && std::none_of(map->waypoints.begin(), map->waypoints.end(), serves)))
+    return resultOf(LoadResult::Invalid);
   current_ = map->id;
   state_ = ManagerState::Active;
   ++edits_.info, ++edits_.waypoints, ++edits_.picture;
-  return LoadResult::Loaded;
+  return resultOf(LoadResult::Loaded);
 }
 
-UpdateResult KabamStore::remove(const std::string& id, bool flag) {
-  const std::lock_guard lock(mutex_);
-  if (state_ == ManagerState::Mapping || (options_.kabam_needs_flags && !flag)) return UpdateResult::Invalid;
-  const KabamMap* map = mapOf(id);
-  if (map == nullptr) return UpdateResult::NoSuchMap;
-  if (map->id == current_) return UpdateResult::Invalid;
+Value KabamStore::deleteMap(const Value& request) {
+  if (isMapping() || (options_.kabam_needs_flags && !request["delete_map"].flag()))
+    return resultOf(UpdateResult::Invalid);
+  const KabamMap* map = mapOf(request["map_id"].text());
+  if (map == nullptr) return resultOf(UpdateResult::NoSuchMap);
+  if (map->id == current_) return resultOf(UpdateResult::Invalid);
   maps_.erase(maps_.begin() + (map - maps_.data()));
   ++edits_.lists;
-  return UpdateResult::Deleted;
+  return resultOf(UpdateResult::Deleted);
 }
 
-UpdateResult KabamStore::archive(const std::string& id, bool archived) {
-  const std::lock_guard lock(mutex_);
-  if (state_ == ManagerState::Mapping) return UpdateResult::Invalid;
-  KabamMap* map = mapOf(id);
-  if (map == nullptr) return UpdateResult::NoSuchMap;
-  if (archived && map->id == current_) return UpdateResult::Invalid;
+Value KabamStore::archiveMap(const Value& request) {
+  if (isMapping()) return resultOf(UpdateResult::Invalid);
+  KabamMap* map = mapOf(request["map_id"].text());
+  if (map == nullptr) return resultOf(UpdateResult::NoSuchMap);
+  const bool archived = request["set_archive"].flag();
+  if (archived && map->id == current_) return resultOf(UpdateResult::Invalid);
   map->archived = archived;
   touch(*map);
   ++edits_.lists;
-  return UpdateResult::Updated;
+  return resultOf(UpdateResult::Updated);
 }
 
-UpdateResult KabamStore::relabel(const std::string& id, const std::string& label) {
-  const std::lock_guard lock(mutex_);
-  if (state_ == ManagerState::Mapping || !isUsable(label)) return UpdateResult::Invalid;
-  KabamMap* map = mapOf(id);
-  if (map == nullptr) return UpdateResult::NoSuchMap;
+Value KabamStore::renameMap(const Value& request) {
+  const std::string& label = request["new_map_label"].text();
+  if (isMapping() || !isUsable(label)) return resultOf(UpdateResult::Invalid);
+  KabamMap* map = mapOf(request["map_id"].text());
+  if (map == nullptr) return resultOf(UpdateResult::NoSuchMap);
   const bool taken = std::any_of(maps_.begin(), maps_.end(), [&](const KabamMap& other) {
     return &other != map && other.label == label;
   });
-  if (taken) return UpdateResult::Invalid;
+  if (taken) return resultOf(UpdateResult::Invalid);
   map->label = label;
   touch(*map);
   ++edits_.lists;
-  return UpdateResult::Updated;
+  return resultOf(UpdateResult::Updated);
 }
 
-UpdateResult KabamStore::replaceImage(const std::string& id, const Value& image) {
-  std::optional<KabamMap> map;
-  {
-    const std::lock_guard lock(mutex_);
-    if (state_ == ManagerState::Mapping) return UpdateResult::Invalid;
-    if (const KabamMap* found = mapOf(id)) map = *found;
-  }
-  if (!map) return UpdateResult::NoSuchMap;
-  const std::shared_ptr<const FloorCells> cells = pictures_.cells(map->spec);  // may take a while
+Value KabamStore::updateMapImage(const Value& request) {
+  const RosFaults faults = faults_.faults().ros;
+  if (faults.picture_code > 0) return resultOf(faults.picture_code);
+  if (faults.picture_ignored) return resultOf(UpdateResult::Updated);
+  if (isMapping()) return resultOf(UpdateResult::Invalid);
+  KabamMap* map = mapOf(request["map_id"].text());
+  if (map == nullptr) return resultOf(UpdateResult::NoSuchMap);
+  const std::shared_ptr<const FloorCells> cells = pictures_.cells(map->spec);
+  const Value& image = request["updated_image"];
   const auto width = static_cast<std::size_t>(image["width"].number());
   const auto height = static_cast<std::size_t>(image["height"].number());
   const auto step = static_cast<std::size_t>(image["step"].number());
@@ -268,53 +319,178 @@ UpdateResult KabamStore::replaceImage(const std::string& id, const Value& image)
   if (!cells || image["encoding"].text() != "mono8" || static_cast<int>(width) != cells->width ||
       static_cast<int>(height) != cells->height || step < width || data == nullptr ||
       data->data.size() != step * height)
-    return UpdateResult::Invalid;
-  auto picture = std::make_shared<GrayPicture>();
-  picture->width = static_cast<int>(width);
-  picture->height = static_cast<int>(height);
+    return resultOf(UpdateResult::Invalid);
+  GrayPicture picture{cells->width, cells->height, {}};
   for (std::size_t row = 0; row < height; ++row) {
     const auto from = data->data.begin() + static_cast<std::ptrdiff_t>(row * step);
-    picture->levels.insert(picture->levels.end(), from, from + static_cast<std::ptrdiff_t>(width));
+    picture.levels.insert(picture.levels.end(), from, from + static_cast<std::ptrdiff_t>(width));
   }
-  const std::lock_guard lock(mutex_);
-  KabamMap* kept = mapOf(id);
-  if (kept == nullptr) return UpdateResult::NoSuchMap;
-  kept->image = std::move(picture);
-  kept->picture_edits = ++picture_edits_;
-  touch(*kept);
-  if (kept->id == current_) ++edits_.picture;
-  return UpdateResult::Updated;
+  setImage(*map, std::move(picture));
+  return resultOf(UpdateResult::Updated);
+}
+
+void KabamStore::setImage(KabamMap& map, GrayPicture image) {
+  map.image = std::make_shared<const GrayPicture>(std::move(image));
+  map.picture_edits = ++picture_edits_;
+  touch(map);
+  if (map.id == current_) ++edits_.picture;
 }
 
 void KabamStore::otherPainter() {
   constexpr int kSpot = 6;
-  const std::optional<KabamMap> map = current();
-  const std::shared_ptr<const FloorCells> cells = map ? pictures_.cells(map->spec) : nullptr;
+  const std::lock_guard lock(mutex_);
+  KabamMap* const map = mapOf(current_);
+  const std::shared_ptr<const FloorCells> cells = map != nullptr ? pictures_.cells(map->spec) : nullptr;
   if (!cells || cells->width < 4 * kSpot || cells->height < 4 * kSpot) return;
-  auto picture = std::make_shared<GrayPicture>();
+  GrayPicture picture{cells->width, cells->height, {}};
   if (map->image) {
-    *picture = *map->image;
+    picture = *map->image;
   } else {
-    *picture = {cells->width, cells->height, {}};
     for (const FloorCell cell : cells->cells) {
       const int shade = cell == FloorCell::Unknown ? 205 : cell == FloorCell::Free ? 254 : 0;
-      picture->levels.push_back(static_cast<std::uint8_t>(shade));
+      picture.levels.push_back(static_cast<std::uint8_t>(shade));
     }
   }
-  const std::lock_guard lock(mutex_);
-  KabamMap* kept = mapOf(map->id);
-  if (kept == nullptr || kept->picture_edits != map->picture_edits) return;
   Dice dice(hashOf(seed_, 131, spots_++));
   const int left = dice.integer(0, cells->width - kSpot);
   const int top = dice.integer(0, cells->height - kSpot);
   for (int row = top; row < top + kSpot; ++row) {
-    const auto at = picture->levels.begin() + std::ptrdiff_t{row} * cells->width + left;
+    const auto at = picture.levels.begin() + std::ptrdiff_t{row} * cells->width + left;
     std::fill(at, at + kSpot, std::uint8_t{0});
   }
-  kept->image = std::move(picture);
-  kept->picture_edits = ++picture_edits_;
-  touch(*kept);
-  ++edits_.picture;
+  setImage(*map, std::move(picture));
+}
+
+Value KabamStore::response(WaypointResult result, Value waypoint) {
+  if (waypoint.isNull()) {
+    KabamWaypoint none;
+    none.pose = Value::Object{{"position", xyz(0, 0, 0)}, {"orientation", quaternion(0, 0)}};
+    waypoint = waypointMessage(none, {});
+  }
+  return Value::Object{{"result", static_cast<int>(result)}, {"waypoint_response", std::move(waypoint)}};
+}
+
+void KabamStore::takeTags(KabamWaypoint& waypoint, const Value& info) const {
+  const auto* tags = info["waypoint_tags"].as<Value::List>();
+  if (tags == nullptr || (tags->empty() && options_.kabam_empty_tags_keep)) return;
+  waypoint.tags.clear();
+  for (const Value& tag : *tags) waypoint.tags.push_back(tag.text());
+}
+
+Value KabamStore::createWaypoint(const Value& request) {
+  const Value& info = request["waypoint_info"];
+  KabamMap* map = mapOf(info["map_id"].text());
+  if (map == nullptr) return response(WaypointResult::NoSuchMap);
+  const std::string& name = info["name"].text();
+  if (name.empty() || map->waypoints.size() >= kMostWaypoints) return response(WaypointResult::Failed);
+  if (isTaken(*map, name)) return response(WaypointResult::NameExists);
+  KabamWaypoint waypoint{name, newId(), info["frame_id"].text(), info["pose"], {}};
+  takeTags(waypoint, info);
+  map->waypoints.push_back(std::move(waypoint));
+  touch(*map);
+  ++edits_.waypoints;
+  return response(WaypointResult::Created, waypointMessage(map->waypoints.back(), map->id));
+}
+
+Value KabamStore::changed(const Value& request, const WaypointChange& change) {
+  const Value& info = request["waypoint_info"];
+  const std::string &map_id = info["map_id"].text(), &id = info["id"].text();
+  // Only creating needs the map's id: without it, the waypoint's own has to do.
+  if (!map_id.empty() && mapOf(map_id) == nullptr) return response(WaypointResult::NoSuchMap);
+  for (KabamMap& map : maps_) {
+    KabamWaypoint* const waypoint =
+        id.empty() || (!map_id.empty() && map.id != map_id) ? nullptr : byId(map.waypoints, id);
+    if (waypoint == nullptr) continue;
+    const WaypointResult result = change(map, *waypoint);
+    if (result != WaypointResult::Updated && result != WaypointResult::Deleted) return response(result);
+    Value shown = waypointMessage(*waypoint, map.id);
+    if (result == WaypointResult::Deleted)
+      map.waypoints.erase(map.waypoints.begin() + (waypoint - map.waypoints.data()));
+    touch(map);
+    ++edits_.waypoints;
+    return response(result, std::move(shown));
+  }
+  return response(WaypointResult::NotFound);
+}
+
+Value KabamStore::deleteWaypoint(const Value& request) {
+  if (options_.kabam_needs_flags && !request["delete_waypoint"].flag())
+    return response(WaypointResult::Failed);
+  return changed(request, [](const KabamMap&, KabamWaypoint&) { return WaypointResult::Deleted; });
+}
+
+Value KabamStore::renameWaypoint(const Value& request) {
+  return changed(request, [&](const KabamMap& map, KabamWaypoint& waypoint) {
+    const Value& info = request["waypoint_info"];
+    const std::string& name = info["name"].text();
+    if (name.empty()) return WaypointResult::Failed;
+    if (isTaken(map, name, &waypoint)) return WaypointResult::NameExists;
+    waypoint.name = name;
+    takeTags(waypoint, info);
+    return WaypointResult::Updated;
+  });
+}
+
+Value KabamStore::repositionWaypoint(const Value& request) {
+  return changed(request, [&](const KabamMap&, KabamWaypoint& waypoint) {
+    const Value& info = request["waypoint_info"];
+    waypoint.frame_id = info["frame_id"].text();
+    waypoint.pose = info["pose"];
+    takeTags(waypoint, info);
+    return WaypointResult::Updated;
+  });
+}
+
+Value KabamStore::getWaypoint(const Value& request) {
+  const KabamMap* map = mapOf(request["map_id"].text());
+  const Value found =
+      waypointList(map != nullptr ? *map : KabamMap{}, faults_.faults().ros, request["waypoint_id"].text());
+  return Value::Object{{"waypoints", found}};
+}
+
+void KabamStore::otherOperator() {
+  const std::lock_guard lock(mutex_);
+  KabamMap* map = mapOf(current_);
+  if (map == nullptr) return;
+  const std::uint64_t turn = turns_++;
+  const std::string number = std::to_string(turn / 5 + 1);
+  switch (turn % 5) {
+    case 0:
+      if (map->waypoints.empty()) break;
+      map->waypoints[turn / 5 % map->waypoints.size()].name = "Renamed by others " + number;
+      break;
+    case 1:
+      if (map->waypoints.empty()) break;
+      map->waypoints.back().pose.set("position", xyz(1.5 + 0.25 * static_cast<double>(turn % 16), 2, 0));
+      break;
+    case 2:
+      if (map->waypoints.size() >= kMostWaypoints) break;
+      map->waypoints.push_back(waypointAt(*map, 5, "Put here by others " + number, {"other"}));
+      break;
+    case 3:
+      map->label = "Relabelled by others " + number;
+      ++edits_.lists;
+      break;
+    default:
+      if (map->waypoints.size() > 4) map->waypoints.erase(map->waypoints.begin() + 4);
+  }
+  touch(*map);
+  ++edits_.waypoints;
+}
+
+Value waypointList(const KabamMap& map, const RosFaults& faults, std::string_view id) {
+  Value::List list;
+  for (std::size_t i = 0; i < map.waypoints.size(); ++i) {
+    if (!id.empty() && map.waypoints[i].id != id) continue;
+    Value shown = waypointMessage(map.waypoints[i], map.id);
+    Value pose = shown["pose"];
+    if (faults.zero_quaternion && i % 3 != 0)  // or one that is not normalised
+      pose.set("orientation", i % 3 == 1 ? quaternion(0, 0) : quaternion(2, 2));
+    if (faults.nan_pose && i % 4 == 2) pose.set("position", poseOf({}, faults)["position"]);
+    shown.set("pose", std::move(pose));
+    list.push_back(std::move(shown));
+  }
+  return Value::Object{{"waypoints", std::move(list)}};
 }
 
 }  // namespace mapwright::simulator::ros

@@ -1,7 +1,9 @@
-// The maps, waypoints and state of the simulated KABAM MapManagerV2 (docs/protocols/kabam-map-manager.md).
+// The maps, waypoints and state of the simulated KABAM MapManagerV2 (docs/protocols/kabam-map-manager.md),
+// and what its services do.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -9,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "simulator/map_pictures.h"
+#include "simulator/fault_plan.h"
+#include "simulator/pictures.h"
 #include "simulator/robot_state.h"
-#include "simulator/ros/ros_options.h"
 #include "simulator/value.h"
 
 namespace mapwright::simulator::ros {
@@ -43,30 +45,20 @@ struct RasterSource {
   bool operator==(const RasterSource&) const = default;
 };
 
-// The services' own codes.
-enum class SaveResult { Saved = 0, Invalid = 1, NameExists = 2, Failed = 3 };
-enum class LoadResult { Loaded = 0, NoSuchMap = 1, AlreadyLoaded = 2, Invalid = 3, Failed = 4 };
-enum class UpdateResult { Updated = 0, Deleted = 1, NoSuchMap = 2, Invalid = 3, Failed = 4 };
-enum class WaypointResult {
-  Created = 0,
-  NoSuchMap = 1,
-  NameExists = 2,
-  Updated = 3,
-  NotFound = 4,
-  Deleted = 5,
-  Failed = 6
-};
-
 /// Which topics have to be sent again.
 struct KabamEdits {
   std::uint64_t info = 0, lists = 0, waypoints = 0, picture = 0;
   bool operator==(const KabamEdits&) const = default;
 };
 
+struct ServiceRow {
+  std::string_view name, type;  // "kabam_msgs/LoadMap"
+};
+
 /// Safe from any thread. A pure function of scene, seed, clock and the requests so far.
 class KabamStore {
  public:
-  KabamStore(const RobotState& state, MapPictures& pictures, const RosOptions& options, std::uint32_t seed);
+  KabamStore(const RobotState& state, MapPictures& pictures, const FaultPlan& faults, const Options& options);
 
   ManagerState state() const;
   std::optional<KabamMap> current() const;  // none unless Active
@@ -75,22 +67,9 @@ class KabamStore {
   /// nullopt if the robot has no map at all.
   std::optional<RasterSource> raster() const;
 
-  /// false if the state does not allow it.
-  bool startMapping();
-  bool stopMapping();
-  SaveResult save(const std::string& name, std::string& id);
-  LoadResult load(const std::string& id, const std::string& loc_waypoint_name);
-  UpdateResult remove(const std::string& id, bool flag);
-  UpdateResult archive(const std::string& id, bool archived);
-  UpdateResult relabel(const std::string& id, const std::string& label);
-  /// `image` is a complete sensor_msgs/Image.
-  UpdateResult replaceImage(const std::string& id, const Value& image);
-
-  /// `info` and the answer are a complete kabam_msgs/MapWaypoint.
-  WaypointResult create(const Value& info, Value& answer);
-  WaypointResult removeWaypoint(const Value& info, bool flag, Value& answer);
-  WaypointResult rename(const Value& info, Value& answer);
-  WaypointResult reposition(const Value& info, Value& answer);
+  static std::vector<ServiceRow> services();
+  /// The response of a service to a complete request.
+  Value call(std::string_view service, const Value& request);
 
   /// Another client changes something different each time.
   void otherOperator();
@@ -98,22 +77,46 @@ class KabamStore {
   void otherPainter();
 
  private:
-  struct Place {
-    KabamMap* map = nullptr;
-    KabamWaypoint* waypoint = nullptr;
+  enum class WaypointResult;
+  using WaypointChange = std::function<WaypointResult(const KabamMap& map, KabamWaypoint& waypoint)>;
+  struct Service {
+    ServiceRow row;
+    Value (KabamStore::*answer)(const Value& request);
   };
+  static const Service kServices[];
+
+  Value startMapping(const Value& request);
+  Value stopMapping(const Value& request);
+  Value saveMap(const Value& request);
+  Value loadMap(const Value& request);
+  Value deleteMap(const Value& request);
+  Value archiveMap(const Value& request);
+  Value renameMap(const Value& request);
+  Value updateMapImage(const Value& request);
+  Value createWaypoint(const Value& request);
+  Value deleteWaypoint(const Value& request);
+  Value renameWaypoint(const Value& request);
+  Value repositionWaypoint(const Value& request);
+  Value getWaypoint(const Value& request);
+
+  /// Finds the waypoint of a request and changes it, or removes it where `change` says so.
+  Value changed(const Value& request, const WaypointChange& change);
+  static Value response(WaypointResult result, Value waypoint = {});
+
   std::string newId();
   KabamMap* mapOf(std::string_view id);
-  WaypointResult find(const Value& info, Place& place);
-  bool nameTaken(const KabamMap& map, std::string_view name, const KabamWaypoint* but) const;
+  bool isMapping() const { return state_ == ManagerState::Mapping; }
+  PictureSpec mappedUntil(double time_s) const;
   void takeTags(KabamWaypoint& waypoint, const Value& info) const;
   void touch(KabamMap& map);
+  void setImage(KabamMap& map, GrayPicture image);
   KabamWaypoint waypointAt(const KabamMap& map, double metres, std::string name,
                            std::vector<std::string> tags);
   void furnish(int waypoints);
 
   const RobotState& robot_;
   MapPictures& pictures_;
+  const FaultPlan& faults_;
   const RosOptions options_;
   const std::uint32_t seed_;
   mutable std::mutex mutex_;
@@ -126,7 +129,7 @@ class KabamStore {
   KabamEdits edits_;
 };
 
-/// kabam_msgs/MapWaypoint.
-Value waypointMessage(const KabamWaypoint& waypoint, std::string_view map_id);
+/// kabam_msgs/MapWaypointList, as the faults leave it; of the waypoint with an id alone if one is given.
+Value waypointList(const KabamMap& map, const RosFaults& faults, std::string_view id = {});
 
 }  // namespace mapwright::simulator::ros

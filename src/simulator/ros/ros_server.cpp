@@ -3,18 +3,39 @@
 #include <algorithm>
 #include <future>
 
-#include "simulator/ros/garbage.h"
-#include "simulator/ros/ros_session.h"
-
 namespace mapwright::simulator::ros {
 namespace {
 
 using std::chrono::steady_clock;
 
-constexpr auto kTick = std::chrono::milliseconds(20);
+constexpr auto kRosTick = std::chrono::milliseconds(20);
 constexpr auto kIdleTick = std::chrono::milliseconds(100);
 constexpr auto kGarbageEvery = std::chrono::milliseconds(250);
 constexpr std::size_t kMostAdvertised = 1000;
+
+/// The `number`th of a repeating sequence of frames that are not valid messages.
+Frame garbageFrame(std::size_t number) {
+  static const std::string texts[] = {
+      "this is no JSON",
+      R"({"op":"publish","topic":"/map","msg":{"info":{"width":)",
+      "",
+      R"({"op":"no such op","id":7})",
+      R"({"op":"publish","topic":"/map"})",
+      R"({"op":"publish","topic":17,"msg":[]})",
+      R"({"op":"service_response","id":"never asked","service":"/x","values":{},"result":true})",
+      std::string(2000, '['),
+      R"({"op":"fragment","id":0,"data":"{\"op\":","num":5,"total":2.5})",
+      R"({"op":"png","data":"iVBORw0KGgo*** this is no base64 ***"})",
+      "[1,2,3]",
+      std::string("\xBF\x62op", 4),                                     // CBOR that ends too early
+      std::string("\xD8\x48\x5B\x7F\xFF\xFF\xFF\xFF\xFF\xFF\xFF", 11),  // and one that lies
+      R"({"op":"service_response","values":null})",
+      R"({"op":"publish","topic":"/scan","msg":{"ranges":[NaN,Infinity],"header":null}})",
+      ""};
+  const std::size_t kind = number % std::size(texts);
+  if (kind == 2) return {std::make_shared<const std::string>(garbage(number)), true};
+  return {std::make_shared<const std::string>(texts[kind]), kind == 11 || kind == 12};
+}
 
 }  // namespace
 
@@ -24,10 +45,7 @@ RosServer::RosServer(const Options& options, const RobotState& robot, const Faul
       fault_plan_(faults),
       log_(log),
       kabam_(kabam),
-      messages_(robot, options, faults, kabam, pictures),
-      dispatcher_(options, faults),
-      services_(options, faults, kabam, messages_, dispatcher_),
-      rows_(topicTable(options, {})) {}
+      robot_(options, robot, faults, kabam, pictures) {}
 
 RosServer::~RosServer() {
   stall(false);
@@ -44,82 +62,59 @@ std::optional<std::string> RosServer::start(std::uint16_t port) {
   published_ = kabam_.edits();
   if (faults().waypoints_lag_ms > 0) {
     const std::string topic(kWaypointsTopic);
-    if (auto message = publicationOf(topic, messageOf(topic))) last_[topic] = std::move(message);
+    if (auto message = publicationOf(topic)) last_[topic] = std::move(message);
   }
   tick_at_ = restarted_at_ = edited_at_ = painted_at_ = garbage_at_ = steady_clock::now();
-  for (const TopicRow& row : rows_) {
-    if (row.period_s <= 0) continue;
-    const auto period =
-        std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(row.period_s));
-    periodic_.push_back({row.name, period, tick_at_ + period});
+  for (const TopicRow& row : robot_.topics()) {
+    if (row.period_s > 0) periodic_.emplace_back(row.name, row.period_s, tick_at_);
   }
   tick();
   loop_.start();
   return std::nullopt;
 }
 
-void RosServer::note(std::string_view method, std::string_view target, int status, std::size_t bytes) {
+void RosServer::note(std::string_view method, std::string_view target, int status) {
   RequestRecord record;
   record.method = method;
   record.target = target;
-  LoggedRequest(log_, std::move(record), false).finish(status, bytes);
+  LoggedRequest(log_, std::move(record), false).finish(status, 0);
 }
 
 void RosServer::tick() {
-  const steady_clock::duration step = links_.open() == 0 ? kIdleTick : kTick;
+  const steady_clock::duration step = links_.open() == 0 ? kIdleTick : kRosTick;
   tick_at_ = std::max(tick_at_ + step, steady_clock::now());
   loop_.postAt(tick_at_, [this] {
     const steady_clock::time_point now = steady_clock::now();
     keepFaultSchedule(now);
     publishChanges();
-    publishDue(now);
+    const bool maps = kabam_.state() == ManagerState::Mapping;
+    for (Periodic& topic : periodic_) {
+      // A finished map is told once.
+      if (topic.comes(now) && (topic.name != "/map" || maps)) publish(topic.name);
+    }
     publishLate(now);
     for (const auto& session : links_.all()) session->tick(now);
     tick();
   });
 }
 
-void RosServer::publishDue(steady_clock::time_point now) {
-  const bool maps = kabam_.state() == ManagerState::Mapping;
-  for (Periodic& topic : periodic_) {
-    if (now < topic.due) continue;
-    topic.due = std::max(topic.due + topic.period, now);
-    if (topic.topic != "/map" || maps) publish(topic.topic);  // a finished map is told once
-  }
-}
-
 void RosServer::keepFaultSchedule(steady_clock::time_point now) {
   const RosFaults faults = this->faults();
-  if (faults.restart_every_s > 0 && now - restarted_at_ >= std::chrono::seconds(faults.restart_every_s)) {
-    restarted_at_ = now;
+  if (isTime(faults.restart_every_s, restarted_at_, now)) {
     links_.cut();
     last_.clear();
   }
-  if (faults.other_operator_every_s > 0 &&
-      now - edited_at_ >= std::chrono::seconds(faults.other_operator_every_s)) {
-    edited_at_ = now;
-    kabam_.otherOperator();
-  }
-  if (faults.other_painter_every_s > 0 &&
-      now - painted_at_ >= std::chrono::seconds(faults.other_painter_every_s)) {
-    painted_at_ = now;
-    kabam_.otherPainter();
-  }
+  if (isTime(faults.other_operator_every_s, edited_at_, now)) kabam_.otherOperator();
+  if (isTime(faults.other_painter_every_s, painted_at_, now)) kabam_.otherPainter();
   if (faults.garbage && now - garbage_at_ >= kGarbageEvery) {
     garbage_at_ = now;
-    const Garbage piece = garbageOf(garbage_++);
-    for (const auto& session : links_.all())
-      session->send({std::make_shared<const std::string>(piece.bytes), piece.binary});
+    const Frame frame = garbageFrame(garbage_++);
+    for (const auto& session : links_.all()) session->send(frame);
   }
-}
-
-std::optional<Value> RosServer::messageOf(const std::string& topic) {
-  if (std::optional<Value> own = dispatcher_.messageOf(topic)) return own;
-  return messages_.messageOf(topic);
 }
 
 void RosServer::publishChanges() {
-  const Dispatcher::Edits dispatcher = dispatcher_.edits();
+  const Dispatcher::Edits dispatcher = robot_.dispatcherEdits();
   const Dispatcher::Edits dispatched = std::exchange(dispatched_, dispatcher);
   if (dispatcher.map != dispatched.map) publish("/map_metadata");
   if (dispatcher.projections != dispatched.projections) {
@@ -143,8 +138,7 @@ void RosServer::publishChanges() {
 void RosServer::publishWaypoints() {
   const std::chrono::milliseconds lag(faults().waypoints_lag_ms);
   if (lag.count() == 0) return publish(kWaypointsTopic);
-  const std::string topic(kWaypointsTopic);
-  late_.push_back({steady_clock::now() + lag, publicationOf(topic, messageOf(topic))});
+  late_.push_back({steady_clock::now() + lag, publicationOf(std::string(kWaypointsTopic))});
 }
 
 void RosServer::publishLate(steady_clock::time_point now) {
@@ -157,12 +151,6 @@ void RosServer::publishLate(steady_clock::time_point now) {
   }
 }
 
-const TopicRow* RosServer::rowOf(std::string_view topic) const {
-  const auto found =
-      std::find_if(rows_.begin(), rows_.end(), [&](const TopicRow& row) { return row.name == topic; });
-  return found == rows_.end() ? nullptr : &*found;
-}
-
 bool RosServer::isSilent(std::string_view topic) const {
   const RosFaults faults = this->faults();
   return std::find(faults.silent.begin(), faults.silent.end(), topic) != faults.silent.end();
@@ -170,10 +158,11 @@ bool RosServer::isSilent(std::string_view topic) const {
 
 bool RosServer::mayDeliver(std::string_view topic, std::string_view type) const {
   const RosDialect dialect = options_.ros.dialect;
-  for (const TopicRow& row : topicTable(options_, faults())) {
-    if (row.name == topic) return type.empty() || sameType(type, row.type, "msg", dialect);
+  if (const TopicRow* const row = robot_.topic(topic)) {
+    const std::string_view plain = robot_.typeOf(*row);  // ROS 1 does not know another name
+    return type.empty() || type == plain || type == typeName(plain, "msg", dialect);
   }
-  if (const auto found = advertised_.find(std::string(topic)); found != advertised_.end())
+  if (const auto found = advertised_.find(topic); found != advertised_.end())
     return type.empty() || type == found->second;
   // What does not exist yet comes to be with the type that is named here, if that is one.
   const auto parts = 1 + std::count(type.begin(), type.end(), '/');
@@ -181,12 +170,10 @@ bool RosServer::mayDeliver(std::string_view topic, std::string_view type) const 
 }
 
 void RosServer::deliverLatched(const std::shared_ptr<RosSession>& session, const std::string& topic) {
-  const TopicRow* row = rowOf(topic);
+  const TopicRow* row = robot_.topic(topic);
   if (row == nullptr || !row->latched || isSilent(topic)) return;
-  if (const auto found = last_.find(topic); found != last_.end()) {
-    session->deliver(found->second, true);
-    return;
-  }
+  if (const auto found = last_.find(topic); found != last_.end())
+    return session->deliver(found->second, true);
   make(topic, session, false);
 }
 
@@ -198,13 +185,14 @@ void RosServer::publish(std::string_view topic) {
   if (wanted && !isSilent(topic)) make(std::string(topic), {}, true);
 }
 
-PublicationPtr RosServer::publicationOf(const std::string& topic, std::optional<Value> msg) const {
-  if (!msg) return nullptr;
-  return std::make_shared<const Publication>(topic, std::move(*msg), options_.ros.writer);
+PublicationPtr RosServer::publicationOf(const std::string& topic) {
+  Value msg = robot_.messageOf(topic);
+  if (msg.isNull()) return nullptr;
+  return std::make_shared<const Publication>(topic, std::move(msg), options_.ros.writer);
 }
 
 void RosServer::make(const std::string& topic, std::weak_ptr<RosSession> only_for, bool for_all) {
-  const TopicRow* row = rowOf(topic);
+  const TopicRow* row = robot_.topic(topic);
   const bool latched = row != nullptr && row->latched;
   const auto done = [this, topic, latched, only_for, for_all](const PublicationPtr& message) {
     if (!message) return;
@@ -212,7 +200,7 @@ void RosServer::make(const std::string& topic, std::weak_ptr<RosSession> only_fo
     if (for_all) return deliverAll(message);
     if (const std::shared_ptr<RosSession> session = only_for.lock()) session->deliver(message, true);
   };
-  if (row == nullptr || !row->slow) return done(publicationOf(topic, messageOf(topic)));
+  if (row == nullptr || !row->slow) return done(publicationOf(topic));
   if (for_all) {
     const auto [entry, is_new] = making_.try_emplace(topic, false);
     if (!is_new) {
@@ -221,7 +209,7 @@ void RosServer::make(const std::string& topic, std::weak_ptr<RosSession> only_fo
     }
   }
   loop_.work([this, topic, for_all, done] {
-    PublicationPtr message = publicationOf(topic, messageOf(topic));
+    PublicationPtr message = publicationOf(topic);
     loop_.post([this, topic, for_all, done, message = std::move(message)] {
       const bool again = for_all && making_.extract(topic).mapped();
       done(message);
@@ -235,22 +223,20 @@ void RosServer::deliverAll(const PublicationPtr& message) {
 }
 
 void RosServer::advertise(const std::string& topic, const std::string& type) {
-  if (advertised_.size() < kMostAdvertised && rowOf(topic) == nullptr) advertised_.emplace(topic, type);
+  if (advertised_.size() < kMostAdvertised && robot_.topic(topic) == nullptr)
+    advertised_.emplace(topic, type);
 }
 
 std::string RosServer::publishFrom(const std::string& topic, const Value& msg) {
-  const TopicRow* row = rowOf(topic);
+  const TopicRow* row = robot_.topic(topic);
   const auto advertised = advertised_.find(topic);
   if (row == nullptr && advertised == advertised_.end()) return "Topic " + topic + " was not advertised";
   std::string type = row != nullptr ? std::string(row->type) : advertised->second;
   if (const std::size_t middle = type.find("/msg/"); middle != std::string::npos) type.erase(middle, 4);
-  Value whole = msg;
-  if (services_.types().knows(type)) {
-    tl::expected<Value, std::string> read = services_.types().complete(type, msg);
-    if (!read) return read.error();
-    whole = std::move(*read);
-  }
-  if (!isSilent(topic)) deliverAll(publicationOf(topic, std::move(whole)));
+  Answer whole = robot_.types().knows(type) ? robot_.types().complete(type, msg) : Answer(msg);
+  if (!whole) return whole.error();
+  if (!isSilent(topic))
+    deliverAll(std::make_shared<const Publication>(topic, std::move(*whole), options_.ros.writer));
   return {};
 }
 
@@ -281,9 +267,7 @@ void RosServer::dropLinks() {
 
 void RosServer::refresh() {
   runAndWait([this] {
-    for (const TopicRow& row : rows_) {
-      if (!row.incoming) publish(row.name);
-    }
+    for (const TopicRow& row : robot_.topics()) publish(row.name);
   });
 }
 

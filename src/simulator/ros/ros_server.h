@@ -13,15 +13,10 @@
 #include <vector>
 
 #include "simulator/request_log.h"
-#include "simulator/ros/ros_messages.h"
-#include "simulator/ros/ros_services.h"
-#include "simulator/ros/subscriptions.h"
-#include "simulator/ros/topic_table.h"
-#include "simulator/web_socket_link.h"
+#include "simulator/ros/ros_robot.h"
+#include "simulator/ros/ros_session.h"
 
 namespace mapwright::simulator::ros {
-
-class RosSession;
 
 /// Runs from start() to destruction. One thread handles all sockets; a worker does slow tasks. Encoding
 /// blocks everyone, as on real servers.
@@ -50,10 +45,10 @@ class RosServer {
   // For the sessions, on the server's thread.
   const Options& options() const { return options_; }
   RosFaults faults() const { return fault_plan_.faults().ros; }
+  RosRobot& robot() { return robot_; }
   Links<RosSession>& links() { return links_; }
   Loop& loop() { return loop_; }
-  void note(std::string_view method, std::string_view target, int status, std::size_t bytes);
-  CallOutcome call(const std::string& service, const Value& args) { return services_.call(service, args); }
+  void note(std::string_view method, std::string_view target, int status);
   /// Publishes the changes of a call.
   void publishChanges();
   /// Whether a subscription will ever get a message.
@@ -64,37 +59,25 @@ class RosServer {
   std::string publishFrom(const std::string& topic, const Value& msg);
 
  private:
-  struct Periodic {
-    std::string_view topic;
-    std::chrono::steady_clock::duration period;
-    std::chrono::steady_clock::time_point due;
-  };
-
   void tick();
-  void publishDue(std::chrono::steady_clock::time_point now);
+  void publishLate(std::chrono::steady_clock::time_point now);
   void keepFaultSchedule(std::chrono::steady_clock::time_point now);
   void publish(std::string_view topic);
   void publishWaypoints();
-  void publishLate(std::chrono::steady_clock::time_point now);
   void make(const std::string& topic, std::weak_ptr<RosSession> only_for, bool for_all);
   void deliverAll(const PublicationPtr& message);
-  const TopicRow* rowOf(std::string_view topic) const;
   bool isSilent(std::string_view topic) const;
-  std::optional<Value> messageOf(const std::string& topic);
-  PublicationPtr publicationOf(const std::string& topic, std::optional<Value> msg) const;
+  PublicationPtr publicationOf(const std::string& topic);
   void runAndWait(const std::function<void()>& action);
 
   const Options& options_;
   const FaultPlan& fault_plan_;
   RequestLog& log_;
   KabamStore& kabam_;
-  Messages messages_;
-  Dispatcher dispatcher_;
-  Services services_;
+  RosRobot robot_;
   std::uint16_t port_ = 0;
-  const std::vector<TopicRow> rows_;
   std::vector<Periodic> periodic_;
-  std::map<std::string, std::string> advertised_;
+  std::map<std::string, std::string, std::less<>> advertised_;
   Links<RosSession> links_;
   std::map<std::string, PublicationPtr, std::less<>> last_;                            // of latched topics
   std::deque<std::pair<std::chrono::steady_clock::time_point, PublicationPtr>> late_;  // of waypoints

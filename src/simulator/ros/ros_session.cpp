@@ -1,11 +1,10 @@
 #include "simulator/ros/ros_session.h"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
-#include "simulator/ros/fragments.h"
+#include "simulator/pictures.h"
 #include "simulator/ros/ros_server.h"
-#include "simulator/value_json.h"
 
 namespace mapwright::simulator::ros {
 namespace {
@@ -15,6 +14,9 @@ constexpr std::size_t kMostQueued = 64;  // beyond it, messages of topics are le
 constexpr std::size_t kMostQueuedBytes = std::size_t{512} << 20;  // beyond it, the reader is given up
 constexpr auto kOvertaken = std::chrono::milliseconds(150);
 constexpr auto kLongestThrottle = std::chrono::hours(1);
+constexpr std::size_t kMostSubscriptions = 1000, kMostOfOne = 100, kLongestQueue = 1000;
+constexpr std::int64_t kMostPieces = 1'000'000;
+constexpr std::size_t kMostJoinedBytes = std::size_t{512} << 20, kMostJoined = 16;
 
 bool holds(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -22,13 +24,13 @@ bool holds(const std::vector<std::string>& names, std::string_view name) {
 
 /// Absent, or a whole number that is not negative.
 bool isCount(const Value& message, std::string_view name) {
-  if (!message.has(name) || message[name].isNull()) return true;
+  if (message[name].isNull()) return true;
   const std::int64_t* number = message[name].as<std::int64_t>();
   return number != nullptr && *number >= 0;
 }
 
 bool isTextIfThere(const Value& message, std::string_view name) {
-  return !message.has(name) || message[name].isNull() || message[name].as<std::string>() != nullptr;
+  return message[name].isNull() || message[name].as<std::string>() != nullptr;
 }
 
 bool isWholeAuth(const Value& message) {
@@ -42,7 +44,118 @@ std::string idText(const Value& id) {
   return id.as<std::int64_t>() != nullptr ? std::to_string(*id.as<std::int64_t>()) : id.text();
 }
 
+bool beginsCharacter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }
+
+/// Splits long texts like rosbridge servers do. The text itself if it has at most `size` characters or `size`
+/// is 0; otherwise {"op":"fragment"} messages of `size` characters each. Their id is that of the message, 0
+/// if it has none; their total is a fraction.
+std::vector<std::string> fragmentsOf(std::string text, std::size_t size, const Value& id, RosWriter writer) {
+  std::vector<std::size_t> begins;
+  std::size_t characters = 0;
+  for (std::size_t at = 0; size > 0 && text.size() > size && at < text.size(); ++at) {
+    if (beginsCharacter(text[at]) && characters++ % size == 0) begins.push_back(at);
+  }
+  if (begins.size() < 2) return {std::move(text)};
+  const double total = static_cast<double>(characters - 1) / static_cast<double>(size) + 1;
+  std::vector<std::string> pieces;
+  for (std::size_t number = 0; number < begins.size(); ++number) {
+    const std::size_t end = number + 1 < begins.size() ? begins[number + 1] : text.size();
+    pieces.push_back(toJson(Value::Object{{"op", "fragment"},
+                                          {"id", id.isNull() ? Value(0) : id},
+                                          {"data", text.substr(begins[number], end - begins[number])},
+                                          {"num", number},
+                                          {"total", total}},
+                            writer));
+  }
+  return pieces;
+}
+
 }  // namespace
+
+Publication::Publication(std::string topic, Value msg, RosWriter writer)
+    : topic_(std::move(topic)),
+      message_(Value::Object{{"op", "publish"}, {"topic", topic_}, {"msg", std::move(msg)}}),
+      writer_(writer) {}
+
+const std::string& Publication::json() const {
+  if (json_.empty()) json_ = toJson(message_, writer_);
+  return json_;
+}
+
+const std::string& Publication::png() const {
+  if (!png_.empty()) return png_;
+  const double pixels = static_cast<double>(json().size()) / 3;
+  const auto width = std::max(1, static_cast<int>(std::sqrt(pixels)));
+  const auto height = std::max(1, static_cast<int>(std::ceil(pixels / width)));
+  std::string padded = json();
+  padded.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), '\n');
+  png_ = R"({"op":"png","data":")" + base64(writeRgbPng(width, height, padded)) + "\"}";
+  return png_;
+}
+
+const std::optional<std::string>& Publication::cbor() const {
+  if (!cbor_) cbor_ = toCbor(message_);
+  return *cbor_;
+}
+
+bool Subscriptions::add(const std::string& topic, const std::string& id, Subscription wanted) {
+  if (topics_.size() >= kMostSubscriptions && !has(topic)) return false;
+  wanted.queue_length = std::min(wanted.queue_length, kLongestQueue);
+  std::map<std::string, Subscription>& by_id = topics_[topic].by_id;
+  if (by_id.size() >= kMostOfOne && !by_id.contains(id)) return false;
+  by_id[id] = std::move(wanted);
+  return true;
+}
+
+void Subscriptions::remove(const std::string& topic, const std::optional<std::string>& id) {
+  const auto found = topics_.find(topic);
+  if (found == topics_.end()) return;
+  if (id) found->second.by_id.erase(*id);
+  if (!id || found->second.by_id.empty()) topics_.erase(found);
+}
+
+Subscription Subscriptions::merged(const Topic& topic) {
+  Subscription merged = topic.by_id.begin()->second;
+  for (const auto& [id, one] : topic.by_id) {
+    merged.throttle = std::min(merged.throttle, one.throttle);
+    merged.queue_length = std::min(merged.queue_length, one.queue_length);
+    if (merged.compression != Compression::Png && one.compression != Compression::None)
+      merged.compression = one.compression;
+    if (merged.type.empty()) merged.type = one.type;
+  }
+  return merged;
+}
+
+std::optional<Subscription> Subscriptions::of(std::string_view topic) const {
+  const auto found = topics_.find(topic);
+  return found == topics_.end() ? std::nullopt : std::optional(merged(found->second));
+}
+
+bool Subscriptions::take(const PublicationPtr& message, Time now) {
+  const auto found = topics_.find(message->topic());
+  if (found == topics_.end()) return false;
+  Topic& topic = found->second;
+  const Subscription wanted = merged(topic);
+  if (now >= topic.free_at && topic.waiting.empty()) {
+    topic.free_at = now + wanted.throttle;
+    return true;
+  }
+  if (wanted.queue_length == 0) return false;
+  topic.waiting.push_back(message);
+  while (topic.waiting.size() > wanted.queue_length) topic.waiting.pop_front();
+  return false;
+}
+
+std::vector<PublicationPtr> Subscriptions::due(Time now) {
+  std::vector<PublicationPtr> messages;
+  for (auto& [name, topic] : topics_) {
+    if (topic.waiting.empty() || now < topic.free_at) continue;
+    messages.push_back(topic.waiting.front());
+    topic.waiting.pop_front();
+    topic.free_at = now + merged(topic).throttle;
+  }
+  return messages;
+}
 
 RosSession::RosSession(Connection& connection, RosServer& server)
     : WebSocketLink(connection, kMostMessageBytes, kMostQueuedBytes), server_(server) {
@@ -75,13 +188,7 @@ void RosSession::understand(std::string_view text, bool joined) {
   // Whoever asks for fragments gets them for as long as he is connected.
   if (const std::int64_t* size = (*message)["fragment_size"].as<std::int64_t>(); size != nullptr && *size > 0)
     fragment_size_ = static_cast<std::size_t>(*size);
-  if (op == "fragment" && !joined) {
-    std::string complaint;
-    const std::optional<std::string> whole = shelf_.take(*message, complaint);
-    if (!complaint.empty()) return complain(complaint, id);
-    if (whole) understand(*whole, true);
-    return;
-  }
+  if (op == "fragment" && !joined) return join(*message);
   if (op == "call_service") return call(*message);
   if (op == "subscribe") return subscribe(*message);
   if (op == "unsubscribe") return unsubscribe(*message);
@@ -93,17 +200,41 @@ void RosSession::understand(std::string_view text, bool joined) {
   if (op == "advertise") {
     const std::string &topic = (*message)["topic"].text(), &type = (*message)["type"].text();
     if (topic.empty() || type.empty()) return complain("advertise needs a topic and a type", id);
-    server_.advertise(topic, type);
-    return;
+    return server_.advertise(topic, type);
   }
   if (op == "unadvertise") return;  // what others hear of the topic stays the same
   complain("Unknown operation: " + op, id);
 }
 
+void RosSession::join(const Value& piece) {
+  const std::int64_t* const number = piece["num"].as<std::int64_t>();
+  const std::int64_t* const total = piece["total"].as<std::int64_t>();
+  const std::string* const data = piece["data"].as<std::string>();
+  const std::string name = idText(piece["id"]);
+  if (number == nullptr || total == nullptr || data == nullptr || name.empty() || *total < 1 ||
+      *total > kMostPieces || *number < 0 || *number >= *total)
+    return complain("A field of fragment is missing or of another type", piece["id"]);
+  if (fragments_.count(name) == 0 && fragments_.size() >= kMostJoined) fragments_.erase(fragments_.begin());
+  Fragments& message = fragments_[name];
+  if (message.total == 0) message.total = static_cast<std::size_t>(*total);
+  message.bytes += data->size();
+  if (message.total != static_cast<std::size_t>(*total) || message.bytes > kMostJoinedBytes) {
+    fragments_.erase(name);
+    return complain("The pieces of a message do not fit together", piece["id"]);
+  }
+  message.pieces[static_cast<std::size_t>(*number)] = *data;
+  if (message.pieces.size() < message.total) return;
+  std::string whole;
+  whole.reserve(message.bytes);
+  for (const auto& [at, text] : message.pieces) whole += text;
+  fragments_.erase(name);
+  understand(whole, true);
+}
+
 void RosSession::subscribe(const Value& message) {
   const Value& id = message["id"];
   const std::string& topic = message["topic"].text();
-  server_.note("SUBSCRIBE", topic, 200, 0);
+  server_.note("SUBSCRIBE", topic, 200);
   if (topic.empty() || !isTextIfThere(message, "type") || !isTextIfThere(message, "compression") ||
       !isCount(message, "throttle_rate") || !isCount(message, "queue_length") ||
       !isCount(message, "fragment_size"))
@@ -127,13 +258,13 @@ void RosSession::subscribe(const Value& message) {
 
 void RosSession::unsubscribe(const Value& message) {
   const std::string& topic = message["topic"].text();
-  server_.note("UNSUBSCRIBE", topic, 200, 0);
+  server_.note("UNSUBSCRIBE", topic, 200);
   subscriptions_.remove(topic, message.has("id") ? std::optional(idText(message["id"])) : std::nullopt);
 }
 
 void RosSession::publish(const Value& message) {
   const std::string& topic = message["topic"].text();
-  server_.note("PUBLISH", topic, 200, 0);
+  server_.note("PUBLISH", topic, 200);
   if (topic.empty() || message["msg"].as<Value::Object>() == nullptr)
     return complain("publish needs a topic and a msg", message["id"]);
   if (const std::string problem = server_.publishFrom(topic, message["msg"]); !problem.empty())
@@ -147,21 +278,21 @@ void RosSession::call(const Value& message) {
   const RosFaults faults = server_.faults();
   ++calls_;
   if (holds(faults.refuse, service)) {
-    server_.note("CALL", service, 503, 0);
+    server_.note("CALL", service, 503);
     return answer(service, id, false,
                   "service [" + service + "] responded with an error: b'refused on request'");
   }
-  CallOutcome outcome = server_.call(service, message["args"]);
+  const Answer outcome = server_.robot().call(service, message["args"]);
   if (holds(faults.lose_answer, service) || holds(faults.cut_after, service)) {
-    server_.note("CALL", service, 0, 0);
+    server_.note("CALL", service, 0);
     server_.publishChanges();
     if (holds(faults.cut_after, service)) cut();
     return;
   }
-  server_.note("CALL", service, outcome.worked ? 200 : 400, 0);
+  server_.note("CALL", service, outcome ? 200 : 400);
   // The topics of a change come before its answer, or after it.
   if (calls_ % 2 == 0) server_.publishChanges();
-  answer(service, id, outcome.worked, std::move(outcome.values));
+  answer(service, id, outcome.has_value(), outcome ? *outcome : Value(outcome.error()));
   server_.publishChanges();
 }
 
@@ -176,10 +307,6 @@ void RosSession::answer(const std::string& service, const Value& id, bool worked
   if (faults.shuffled_answers && calls_ % 2 == 1) delay += kOvertaken;
   std::string text = toJson(message, server_.options().ros.writer);
   if (delay.count() == 0) return sendText(std::move(text), id);
-  sendLater(std::move(text), id, delay);
-}
-
-void RosSession::sendLater(std::string text, const Value& id, std::chrono::milliseconds delay) {
   server_.loop().postAt(std::chrono::steady_clock::now() + delay,
                         [self = self(), text = std::move(text), id] { self->sendText(text, id); });
 }
@@ -203,14 +330,9 @@ void RosSession::tick(Subscriptions::Time now) {
 void RosSession::encode(const Publication& message) {
   const std::optional<Subscription> wanted = subscriptions_.of(message.topic());
   if (!wanted || queued() > kMostQueued) return;
-  switch (wanted->compression) {
-    case Compression::None:
-      return sendText(message.json(), 0);
-    case Compression::Png:
-      return sendText(message.png(), 0);
-    case Compression::Cbor:
-      if (message.cbor()) send({std::make_shared<const std::string>(*message.cbor()), true});
-  }
+  if (wanted->compression != Compression::Cbor)
+    return sendText(wanted->compression == Compression::Png ? message.png() : message.json(), 0);
+  if (message.cbor()) send({std::make_shared<const std::string>(*message.cbor()), true});
 }
 
 void RosSession::sendText(std::string text, const Value& id) {

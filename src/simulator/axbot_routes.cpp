@@ -1,0 +1,350 @@
+#include "simulator/axbot_routes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "ros_messages/slam.pb.h"
+#include "simulator/axbot_topics.h"
+#include "simulator/noise.h"
+
+namespace mapwright::simulator {
+namespace {
+
+constexpr std::string_view kSubmapPrefix = "/ros/slam/submaps/";
+constexpr double kFinestM = 0.005, kCoarsestM = 10;
+constexpr double kFarthestM = 1e5;
+
+HttpAnswer protobufAnswer(std::shared_ptr<const std::string> body) {
+  HttpAnswer answer;
+  answer.content_type = "application/x-protobuf";
+  answer.body = std::move(body);
+  answer.headers = {{"Cache-Control", "no-cache"}};
+  return answer;
+}
+
+HttpAnswer protobufAnswer(std::string body) {
+  return protobufAnswer(std::make_shared<const std::string>(std::move(body)));
+}
+
+/// The protobuf `body` with a width and height that do not match its cells.
+std::string withWrongSize(const std::string& body) {
+  ros_messages::slam::SubmapQueryV2Response response;
+  if (!response.ParseFromString(body)) return body;
+  for (ros_messages::slam::SubmapTexture& texture : *response.mutable_textures()) {
+    texture.set_width(texture.width() + 7);
+    texture.set_height(texture.height() + 3);
+  }
+  return response.SerializeAsString();
+}
+
+/// An answer whose StatusResponse reports an error.
+std::string statusAnswer(int code, const std::string& message) {
+  ros_messages::slam::SubmapQueryV2Response response;
+  response.mutable_status()->set_code(static_cast<ros_messages::slam::StatusCode>(code));
+  response.mutable_status()->set_message(message);
+  return response.SerializeAsString();
+}
+
+bool isUuid(std::string_view text) {
+  return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), isWordCharacter);
+}
+
+HttpAnswer submapError(int status) {
+  return errorAnswer(status, status == 400   ? "Invalid path parameters."
+                             : status == 404 ? "The submap was not found."
+                             : status == 502 ? "The ROS service call failed."
+                             : status == 504 ? "The ROS service was unavailable before the timeout."
+                                             : "The answer could not be serialized.");
+}
+
+HttpAnswer submap(const Robot& robot, const HttpQuestion& question) {
+  std::array<std::string_view, 3> parts;
+  std::string_view rest = pathOf(question.target).substr(kSubmapPrefix.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t slash = i + 1 < parts.size() ? rest.find('/') : std::string_view::npos;
+    parts[i] = rest.substr(0, slash);
+    rest = slash == std::string_view::npos ? std::string_view() : rest.substr(slash + 1);
+  }
+  const auto trajectory = numberFrom<std::int32_t>(parts[1]), index = numberFrom<std::int32_t>(parts[2]);
+  if (!isUuid(parts[0]) || !trajectory || !index) return submapError(400);
+
+  const Fault fault = robot.faults.draw(std::string(question.target));
+  const std::string uuid = robot.state.uuid();
+  const bool versioned = !queryValue(question.target, "ver").empty();
+  const auto answered = [&]() -> HttpAnswer {
+    using namespace ros_messages::slam;
+    if (fault.kind == FaultKind::HttpError) return submapError(fault.http_status);
+    if (fault.kind == FaultKind::StatusError) {
+      constexpr std::array kCodes{INTERNAL, UNAVAILABLE, DEADLINE_EXCEEDED, RESOURCE_EXHAUSTED};
+      return protobufAnswer(
+          statusAnswer(kCodes[fault.dice % kCodes.size()], "The submap could not be queried."));
+    }
+    if (parts[0] != uuid)
+      return protobufAnswer(statusAnswer(UUID_MISMATCH, "The SLAM session has another uuid."));
+    const std::optional<SubmapSource> source = robot.state.find({*trajectory, *index});
+    if (!source) return submapError(404);
+
+    const std::string tag = '"' + uuid + '-' + std::to_string(*trajectory) + '-' + std::to_string(*index) +
+                            '-' + std::to_string(source->version) + '"';
+    HttpAnswer answer =
+        matchesTag(question.if_none_match, tag)
+            ? emptyAnswer(304)
+            : protobufAnswer(robot.bodies.get({source->session, source->id, source->version}, [&] {
+                return std::make_shared<const std::string>(makeSubmapBody(robot.state.plan(), *source));
+              }));
+    answer.headers = {{"Cache-Control", versioned ? "public, max-age=31536000, immutable" : "no-cache"},
+                      {"ETag", versioned ? tag : "W/" + tag}};
+    if (answer.body && fault.kind == FaultKind::WrongSize)
+      answer.body = std::make_shared<const std::string>(withWrongSize(*answer.body));
+    if (answer.body && fault.kind == FaultKind::Corrupt)
+      answer.body = std::make_shared<const std::string>(garbage(fault.dice));
+    return answer;
+  };
+  HttpAnswer answer = fault.kind == FaultKind::Drop ? HttpAnswer{} : answered();
+  answer.delay_ms = fault.delay_ms;
+  answer.drop = fault.kind == FaultKind::Drop;
+  answer.truncate = fault.kind == FaultKind::Truncate && answer.body != nullptr;
+  return answer;
+}
+
+HttpAnswer mapImage(const Robot& robot, const Request& request) {
+  const std::string_view target = request.question.target, asked = queryValue(target, "resolution");
+  PictureSpec spec;
+  if (const std::optional<MappingSpan> span = robot.state.mapping())
+    spec = specOf(*span, queryValue(target, "new_trajectory_only") == "true");
+  const std::optional<double> resolution = asked.empty() ? spec.resolution_m : numberFrom<double>(asked);
+  if (!resolution || !std::isfinite(*resolution) || *resolution < kFinestM || *resolution > kCoarsestM)
+    return errorAnswer(400, "The resolution must lie between 0.005 and 10 metres.");
+  if (const std::string_view id = queryValue(target, "trajectory_id"); !id.empty()) {
+    const std::optional<int> number = numberFrom<int>(id);
+    if (!number) return errorAnswer(400, "Invalid query parameters.");
+    if (*number >= 0 && *number != spec.trajectory) {
+      spec = PictureSpec();
+      spec.trajectory = *number;
+    }
+  }
+  spec.resolution_m = *resolution;
+  const MapPicturePtr made = robot.library.pictures().picture(spec);
+  if (!made) return errorAnswer(502, "The ROS service call failed.");
+  const Faults faults = robot.faults.faults();
+  ros_messages::slam::GetMapImageResponse response;
+  response.set_origin_x(made->origin_m.x());
+  response.set_origin_y(made->origin_m.y());
+  response.set_resolution(made->resolution_m);
+  response.set_png_bytes(faultyPng(*made->png, faults));
+  HttpAnswer answer = protobufAnswer(response.SerializeAsString());
+  answer.delay_ms = faults.map_latency_ms;
+  return answer;
+}
+
+std::string deviceText(const Robot& robot) {
+  std::string sn = "71822";
+  Dice dice(hashOf(robot.options.seed, 61));
+  for (int i = 0; i < 8; ++i) sn += static_cast<char>('0' + dice.integer(0, 9));
+  return ",\"device\":" +
+         toJson(Value::Object{
+             {"model", "hygeia"}, {"sn", sn}, {"name", "robot-" + sn}, {"nickname", "Simulated robot"}});
+}
+
+HttpAnswer deviceInfo(const Robot& robot, const Request&) {
+  std::string body =
+      R"({"rosversion":"noetic","distro":"focal","axbot_version":"2.11.0","rest_version":"2.11.0")" +
+      deviceText(robot) +
+      R"(,"baseboard":{"firmware_version":"22a32218"},"wheel_control":{"firmware_version":"amps_20211103"},)"
+      R"("robot":{"footprint":[[0.3,-0.2],[0.35,0.0],[0.3,0.2],[-0.25,0.27],[-0.32,0.0],[-0.25,-0.27]],)"
+      R"("inscribed_radius":0.24,"height":1.23,"thickness":0.5,"wheel_distance":0.36,"width":0.54},"gitinfo":[],)"
+      // Only what this robot has.
+      R"("caps":{"supportsSetControlModeService":true,"supportsSetEmergencyStopService":true,)"
+      R"("supportsWheelStateTopic":true,"supportsWsV2":true,"supportsInitialPositionAdjustment":true,)"
+      R"("supportsCachedTopics":true,"supportsBags":true,"supportsSemanticPoints":true,"supportsBagPlayer":true,)"
+      R"("supportsSensorList":true,"supportsSubmaps":true,"supportsEnableTopicList":)";
+  body += robot.options.enable_topic_list ? "true" : "false";
+  return jsonAnswer(200, body + "}}");
+}
+
+HttpAnswer deviceBrief(const Robot& robot, const Request&) {
+  return jsonAnswer(200, R"({"rosversion":"noetic","axbot_version":"2.11.0")" + deviceText(robot) + "}");
+}
+
+HttpAnswer bootProgress(const Robot&, const Request&) {
+  return jsonAnswer(200,
+                    R"({"start_time":1717403100.125,"progress":1.0,"logs":[)"
+                    R"({"stamp":1717403100.125,"progress":0.0,"msg":"=== Simulated robot starting up ==="},)"
+                    R"({"stamp":1717403131.5,"progress":1.0,"msg":"Ready."}]})");
+}
+
+HttpAnswer sensors(const Robot&, const Request&) {
+  return jsonAnswer(
+      200,
+      R"({"depth_cameras":[],"laser_scanners":[{"name":"lidar_node","scan_topic":"/left_laser_2d/matched"}],)"
+      R"("rgb_cameras":[]})");
+}
+
+HttpAnswer topicNames(const Robot&, const Request&) {
+  const std::vector<std::string_view> topics = publishedTopics();
+  return valueAnswer(200, Value::Object{{"names", Value::List(topics.begin(), topics.end())}});
+}
+
+HttpAnswer setPose(const Robot& robot, const Request& request) {
+  const RequestFields& fields = request.fields;
+  const std::optional<std::vector<double>> position = fields.numbers("position");
+  const std::optional<double> ori = fields.number("ori");
+  // Two numbers are enough: the third is always 0.
+  if (!position || position->size() < 2 || position->size() > 3 ||
+      !(std::abs((*position)[0]) <= kFarthestM) || !(std::abs((*position)[1]) <= kFarthestM))
+    return errorAnswer(400, "position: must be [x, y, 0] in metres.");
+  if (!ori || std::abs(*ori) > kFarthestM) return errorAnswer(400, "ori: must be a number of radians.");
+  const std::optional<bool> adjust = fields.flag("adjust_position", false);
+  if (!adjust) return errorAnswer(400, "adjust_position: must be true or false.");
+  if (robot.state.mapping()) return errorAnswer(400, "A mapping task is running.");
+  robot.state.setPose({(*position)[0], (*position)[1], geometry::normalizeAngle(*ori)}, *adjust);
+  return jsonAnswer(200, "{}");
+}
+
+HttpAnswer overlays(const Robot& robot, const Request&) {
+  const std::optional<StoredMap> map = robot.library.current();
+  if (!map) return errorAnswer(404, "There is no current map.");
+  HttpAnswer answer =
+      jsonAnswer(200, map->overlays && !map->overlays->empty() ? *map->overlays : noOverlays());
+  answer.headers = {{"Cache-Control", "no-cache"}};
+  return answer;
+}
+
+HttpAnswer setOverlays(const Robot& robot, const Request& request) {
+  const std::string_view body = request.question.body;
+  if (!robot.library.current()) return errorAnswer(404, "There is no current map.");
+  if (body.empty() || !isOverlays(body))
+    return errorAnswer(400, "The request is no GeoJSON FeatureCollection.");
+  return robot.library.setCurrentOverlays(std::string(body))
+             ? jsonAnswer(200, R"({"success":true,"message":""})")
+             : errorAnswer(404, "There is no current map.");
+}
+
+HttpAnswer setControlMode(const Robot& robot, const Request& request) {
+  const std::string mode = request.fields.text("control_mode").value_or("");
+  if (mode != "auto" && mode != "manual" && mode != "remote")
+    return errorAnswer(400, "control_mode: must be auto, manual or remote.");
+  robot.state.setControlMode(mode);
+  return jsonAnswer(200, "{}");
+}
+
+HttpAnswer setEmergencyStop(const Robot& robot, const Request& request) {
+  const std::optional<bool> enable = request.fields.flag("enable");
+  if (!enable) return errorAnswer(400, "enable: must be true or false.");
+  robot.state.setEmergencyStop(*enable);
+  return jsonAnswer(200, "{}");
+}
+
+HttpAnswer relocate(const Robot& robot, const Request&) {
+  robot.state.relocate();
+  return jsonAnswer(200, "{}");
+}
+
+using Body = Route::Body;
+constexpr Route kRoutes[] = {
+    {"GET", "/ros/slam/map_image", mapImage, Body::Any, false},
+    {"GET", "/device/info", deviceInfo, Body::Any, false},
+    {"GET", "/device/info/brief", deviceBrief, Body::Any, false},
+    {"GET", "/device/boot_progress", bootProgress, Body::Any, false},
+    {"GET", "/device/sensors", sensors, Body::Any, false},
+    {"GET", "/ros/rosmaster/topics/published_names", topicNames, Body::Any, false},
+    {"GET", "/ros/map/overlays", overlays},
+    {"PUT", "/ros/map/overlays", setOverlays},
+    {"POST", "/chassis/pose", setPose, Body::Json, false},
+    {"POST", "/services/wheel_control/set_control_mode", setControlMode, Body::Json, false},
+    {"POST", "/services/wheel_control/set_emergency_stop", setEmergencyStop, Body::Json, false},
+    {"POST", "/services/start_global_positioning", relocate, Body::Any, false}};
+
+/// What stands for the star or the id; nullopt if the path is another one.
+std::optional<std::string_view> matched(std::string_view pattern, std::string_view path) {
+  if (pattern.ends_with('/')) {
+    pattern.remove_suffix(1);
+    if (path.ends_with('/')) path.remove_suffix(1);
+  }
+  const std::size_t star = pattern.find_first_of("*#");
+  if (star == std::string_view::npos)
+    return path == pattern ? std::optional(path.substr(0, 0)) : std::nullopt;
+  const std::string_view before = pattern.substr(0, star), behind = pattern.substr(star + 1);
+  if (path.size() <= pattern.size() - 1 || !path.starts_with(before) || !path.ends_with(behind))
+    return std::nullopt;
+  path = path.substr(star, path.size() - before.size() - behind.size());
+  const bool fits = path.find_first_of(pattern[star] == '#' ? "/." : "/") == std::string_view::npos;
+  return fits ? std::optional(path) : std::nullopt;
+}
+
+}  // namespace
+
+bool isSubmapPath(std::string_view path) { return path.starts_with(kSubmapPrefix); }
+
+bool AxbotRoutes::opensTopics(std::string_view secret) const {
+  return robot_.options.secret.empty() || secret == robot_.options.secret;
+}
+
+HttpAnswer AxbotRoutes::answer(const HttpQuestion& question) {
+  if (!opensTopics(question.secret)) return errorAnswer(401, "A valid Secret header is required.");
+  if (question.method != "GET" && question.method != "HEAD") return write(question);
+  HttpQuestion get = question;
+  get.method = "GET";
+  return routed(get);
+}
+
+HttpAnswer AxbotRoutes::write(const HttpQuestion& question) {
+  std::uint64_t dice = 0;
+  const WriteFault fault =
+      robot_.faults.drawWrite(std::string(question.method) + " " + std::string(question.target), dice);
+  HttpAnswer answer;
+  if (fault == WriteFault::Error) {
+    constexpr std::array kStatuses{500, 502, 503};
+    answer = errorAnswer(kStatuses[dice % kStatuses.size()], "The request could not be carried out.");
+    if (answer.status == 502) {  // as a proxy in front of the robot writes it
+      answer.content_type = "text/html";
+      answer.body = std::make_shared<const std::string>(
+          "<html><head><title>502 Bad Gateway</title></head><body><h1>502 Bad Gateway</h1></body></html>");
+    }
+  } else if (fault != WriteFault::Drop) {
+    answer = routed(question);
+  }
+  answer.drop = answer.drop || fault == WriteFault::Drop || fault == WriteFault::LoseAnswer;
+  answer.delay_ms += robot_.faults.faults().write_latency_ms;
+  return answer;
+}
+
+HttpAnswer AxbotRoutes::routed(const HttpQuestion& question) {
+  const std::string_view path = pathOf(question.target);
+  std::string allowed;
+  std::string_view pattern;  // the first that fits
+  bool of_maps = false;
+  if (isSubmapPath(path)) {
+    if (question.method == "GET") return submap(robot_, question);
+    allowed = "GET";
+  }
+  for (const std::span<const Route> routes : {std::span<const Route>(kRoutes), mapRoutes(), bagRoutes()}) {
+    for (const Route& route : routes) {
+      const std::optional<std::string_view> name = matched(route.path, path);
+      if (!name || (!pattern.empty() && pattern != route.path)) continue;
+      pattern = route.path;
+      allowed.append(allowed.empty() ? "" : ", ").append(route.method);
+      of_maps = route.of_maps;
+      if (route.method != question.method) continue;
+      const bool is_form = route.body == Route::Body::JsonOrForm;
+      std::optional<RequestFields> fields =
+          route.body == Route::Body::Any
+              ? RequestFields()
+              : RequestFields::read(is_form ? question.content_type : std::string_view(), question.body);
+      HttpAnswer answer = fields ? route.answer(robot_, {question, *name, std::move(*fields)})
+                                 : errorAnswer(400, is_form ? "The request is no JSON object and no form."
+                                                            : "The request is no JSON object.");
+      if (of_maps) answer.delay_ms += robot_.faults.faults().map_latency_ms;
+      return answer;
+    }
+  }
+  if (allowed.empty()) return errorAnswer(404, "Not found.");
+  HttpAnswer answer = errorAnswer(405, "Method \"" + std::string(question.method) + "\" not allowed.");
+  answer.headers = {{"Allow", allowed}};
+  if (of_maps) answer.delay_ms += robot_.faults.faults().map_latency_ms;
+  return answer;
+}
+
+}  // namespace mapwright::simulator

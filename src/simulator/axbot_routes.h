@@ -1,0 +1,89 @@
+// What the simulated robots answer over HTTP: pure of sockets, safe from any thread.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "simulator/bags.h"
+#include "simulator/fault_plan.h"
+#include "simulator/http_answer.h"
+#include "simulator/maps.h"
+#include "simulator/robot_state.h"
+#include "simulator/submap_source.h"
+
+namespace mapwright::simulator {
+
+/// What the answers are made from. Outlives all that holds it.
+struct Robot {
+  const Options& options;
+  RobotState& state;
+  MapLibrary& library;
+  MappingTasks& mappings;
+  BagStore& bags;
+  BodyCache& bodies;
+  FaultPlan& faults;
+};
+
+/// A request as its route understands it.
+struct Request {
+  const HttpQuestion& question;
+  std::string_view name;  // what stands in the path for the star or the id
+  RequestFields fields;
+};
+
+/// One row of what the Autoxing robot answers (docs/protocols/autoxing.md, "Requests").
+struct Route {
+  enum class Body { Any, Json, JsonOrForm };
+
+  std::string_view method;
+  /// A star stands for anything without a slash, # for an id, without a dot too; a slash at the end may be
+  /// left out.
+  std::string_view path;
+  HttpAnswer (*answer)(const Robot& robot, const Request& request);
+  Body body = Body::Any;
+  bool of_maps = true;  // takes Faults::map_latency_ms
+};
+
+/// Of maps, the current one, mapping tasks and static files.
+std::span<const Route> mapRoutes();
+/// Of bags, recordings and the bag player.
+std::span<const Route> bagRoutes();
+
+/// A map's PNG with the effects of the faults.
+std::string faultyPng(const std::string& png, const Faults& faults);
+
+bool isSubmapPath(std::string_view path);
+
+/// All that the Autoxing robot answers.
+class AxbotRoutes : public Answerer {
+ public:
+  explicit AxbotRoutes(const Robot& robot) : robot_(robot) {}
+
+  HttpAnswer answer(const HttpQuestion& question) override;
+  bool isSlow(std::string_view path) const override { return path != "/device/info"; }
+  bool opensTopics(std::string_view secret) const override;
+
+ private:
+  HttpAnswer write(const HttpQuestion& question);
+  HttpAnswer routed(const HttpQuestion& question);
+
+  const Robot robot_;
+};
+
+/// The Agibot robot's: JSON by POST to /rpc/<service>/<method>
+/// (docs/protocols/agibot-aimdk.md). Its building is the Autoxing robot's.
+class AimdkRoutes : public Answerer {
+ public:
+  explicit AimdkRoutes(const Robot& robot) : library_(robot.library), faults_(robot.faults) {}
+
+  HttpAnswer answer(const HttpQuestion& question) override;
+  bool isSlow(std::string_view) const override { return true; }
+  bool opensTopics(std::string_view) const override { return false; }
+
+ private:
+  MapLibrary& library_;
+  const FaultPlan& faults_;
+};
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,518 @@
+#include "simulator/bags.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+
+#include "simulator/axbot_routes.h"
+#include "simulator/noise.h"
+#include "simulator/simulator.h"
+#include "simulator/topic_messages.h"
+
+namespace mapwright::simulator {
+namespace {
+
+constexpr int kPointsPerScan = 360;
+constexpr double kScanS = 1, kEveryScanS = 0.2;
+constexpr std::int64_t kSetBackMs = 120'000, kSilentS = 30;
+
+enum class Rhythm { Again, Once, WhenNew };
+
+struct Recorded {
+  std::string_view topic;
+  double period_s;  // of looking
+  Rhythm rhythm;
+  bool latched;
+};
+constexpr std::string_view kScans = "/scan_matched_points2";
+constexpr std::array<Recorded, 19> kRecorded{{{"/map/info", 1, Rhythm::Once, true},
+                                              {"/robot_model", 1, Rhythm::Once, true},
+                                              {"/sensor_manager_state", 1, Rhythm::Once, true},
+                                              {"/tracked_pose", 0.1, Rhythm::Again, false},
+                                              {kScans, kScanS, Rhythm::Again, false},
+                                              {"/slam/state", 1, Rhythm::Again, false},
+                                              {"/planning_state", 1, Rhythm::Again, true},
+                                              {"/path", 5, Rhythm::Again, true},
+                                              {"/local_path", 0.5, Rhythm::Again, true},
+                                              {"/trajectory", 10, Rhythm::Again, false},
+                                              {"/alerts", 1, Rhythm::WhenNew, true},
+                                              {"/battery_state", 1, Rhythm::Again, false},
+                                              {"/wheel_state", 1, Rhythm::Again, false},
+                                              {"/nearby_robots", 0.5, Rhythm::Again, false},
+                                              {"/nearby_robot_footprints", 30, Rhythm::Again, true},
+                                              {"/landmarks", 30, Rhythm::Again, false},
+                                              {"/nearby_auto_doors", 1, Rhythm::WhenNew, false},
+                                              {"/detected_pallets", 1, Rhythm::WhenNew, false},
+                                              {kSubmapListTopic, 10, Rhythm::Again, false}}};
+
+std::string contentOf(std::string_view topic, const RobotState& then, const std::optional<StoredMap>& map,
+                      std::uint32_t seed) {
+  if (topic == kScans) return scanMessage(then, kPointsPerScan, seed);
+  return liveMessage(topic, then, map).value_or(std::string());
+}
+
+/// What its SLAM has is asked of the robot itself, whenever a bag is looked at: so bags list what it has from
+/// its start on.
+std::string submapsOf(const RobotState& state) {
+  map::SubmapList list = state.recordedAt(0).list();
+  std::erase_if(list.entries, [&](const auto& entry) { return !state.find(entry.id); });
+  return submapListJson(list);
+}
+
+std::int64_t stampMs(double time_s) { return std::llround(1000 * stampOf(time_s)); }
+double timeOf(std::int64_t stamp_ms) { return static_cast<double>(stamp_ms) / 1000 - stampOf(0); }
+
+}  // namespace
+
+/// The content of a bag: the robot's own topics at their times. A pure function of scene, seed and time span:
+/// later edits do not change the past.
+class BagRecording {
+ public:
+  /// `state` is only used for its past; `map` is the robot's map at that time.
+  BagRecording(const RobotState& state, std::optional<StoredMap> map, std::uint32_t seed, BagSpan span)
+      : state_(state), map_(std::move(map)), seed_(seed) {
+    for (std::size_t topic = 0; topic < kRecorded.size(); ++topic) {
+      const Recorded& recorded = kRecorded[topic];
+      const double period_s = recorded.topic == kScans && span.every_scan ? kEveryScanS : recorded.period_s;
+      // What comes once comes when the recording begins.
+      const double phase_s = recorded.rhythm == Rhythm::Again ? period_s * unitFrom(hashOf(seed, 71, topic))
+                                                              : 0.01 + 0.003 * double(topic);
+      std::string last;
+      for (int i = 0; span.from_s + phase_s + i * period_s < span.until_s; ++i) {
+        const std::int64_t at_ms = stampMs(span.from_s + phase_s + i * period_s);
+        const Tick tick{at_ms, at_ms, topic};
+        if (recorded.rhythm != Rhythm::Again || i == 0) {
+          std::string now =
+              recorded.topic == kSubmapListTopic
+                  ? submapsOf(state)
+                  : contentOf(recorded.topic, state.recordedAt(timeOf(tick.true_ms)), map_, seed);
+          if (now.empty()) break;  // a robot that has no such topic
+          if (i > 0 && now == last) continue;
+          last = std::move(now);
+        }
+        ticks_.push_back(tick);
+        if (recorded.rhythm == Rhythm::Once) break;
+      }
+    }
+    std::stable_sort(ticks_.begin(), ticks_.end(),
+                     [](const Tick& a, const Tick& b) { return a.true_ms < b.true_ms; });
+    apply(span.quirk);
+  }
+
+  std::size_t messages() const { return ticks_.size(); }
+  /// Of the first and the last message, in whole seconds of the epoch as these robots give it: the last
+  /// message may be after endTime().
+  std::int64_t startTime() const { return ticks_.empty() ? 0 : ticks_.front().stamp_ms / 1000; }
+  std::int64_t endTime() const { return ticks_.empty() ? 0 : ticks_.back().stamp_ms / 1000 - silent_s_; }
+
+  enum class End { Inclusive, Exclusive };
+  /// A JSON list of the messages in [from, until] (epoch seconds), preceded by the last one of each latched
+  /// topic. Only these are generated.
+  std::string messagesJson(double from, double until, End end) const {
+    std::array<const Tick*, kRecorded.size()> last{};
+    std::vector<const Tick*> wanted;
+    for (const Tick& tick : ticks_) {
+      const double stamp = static_cast<double>(tick.stamp_ms) / 1000;
+      if (stamp > until || (stamp == until && end == End::Exclusive)) continue;
+      if (stamp >= from) {
+        wanted.push_back(&tick);
+      } else if (kRecorded[tick.topic].latched) {
+        const Tick*& known = last[tick.topic];
+        if (known == nullptr || known->stamp_ms <= tick.stamp_ms) known = &tick;
+      }
+    }
+    std::vector<const Tick*> all;
+    for (const Tick* tick : last) {
+      if (tick != nullptr) all.push_back(tick);
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Tick* a, const Tick* b) { return a->stamp_ms < b->stamp_ms; });
+    all.insert(all.end(), wanted.begin(), wanted.end());
+    std::string out = "[";
+    for (const Tick* tick : all) {
+      if (out.size() > 1) out += ',';
+      out += textOf(*tick);
+    }
+    return out + "]";
+  }
+
+ private:
+  struct Tick {
+    std::int64_t stamp_ms = 0;  // of the epoch, by the robot's clock
+    std::int64_t true_ms = 0;   // as it was
+    std::size_t topic = 0;
+  };
+
+  void apply(BagQuirk quirk) {
+    const std::size_t middle = ticks_.size() / 2;
+    switch (quirk) {
+      case BagQuirk::None:
+        break;
+      case BagQuirk::ClockSetBack:
+        for (std::size_t i = middle; i < ticks_.size(); ++i) ticks_[i].stamp_ms -= kSetBackMs;
+        break;
+      case BagQuirk::SameStamps:
+        for (Tick& tick : ticks_) tick.stamp_ms -= tick.stamp_ms % 500;
+        break;
+      case BagQuirk::Gap:
+        ticks_.erase(ticks_.begin() + std::ptrdiff_t(ticks_.size() * 2 / 5),
+                     ticks_.begin() + std::ptrdiff_t(ticks_.size() * 3 / 5));
+        break;
+      case BagQuirk::EndsLate:
+        silent_s_ = kSilentS;
+        break;
+      case BagQuirk::OneMessage:
+        ticks_.resize(std::min<std::size_t>(ticks_.size(), 1));
+        break;
+      case BagQuirk::Empty:
+        ticks_.clear();
+        break;
+    }
+  }
+
+  std::string textOf(const Tick& tick) const {
+    const Recorded& recorded = kRecorded[tick.topic];
+    std::string text = recorded.topic == kSubmapListTopic
+                           ? submapsOf(state_)
+                           : contentOf(recorded.topic, state_.recordedAt(timeOf(tick.true_ms)), map_, seed_);
+    text.pop_back();  // the closing brace
+    text += ",\"__stamp\":";
+    appendJsonFixed(text, static_cast<double>(tick.stamp_ms) / 1000, 3);
+    return text + (recorded.latched ? ",\"__latched\":true}" : ",\"__latched\":false}");
+  }
+
+  const RobotState& state_;
+  const std::optional<StoredMap> map_;
+  const std::uint32_t seed_;
+  std::vector<Tick> ticks_;    // as recorded
+  std::int64_t silent_s_ = 0;  // after the stated end
+};
+
+namespace {
+
+constexpr double kBagS = 600;
+constexpr double kFirstBagS = -3 * kBagS;  // the robot was on before its world begins
+constexpr double kKeptBags = 12;
+constexpr double kCorruptBagS = -60 * kBagS;
+struct OddBag {
+  const char* name;
+  double long_s;
+  BagQuirk quirk;
+};
+constexpr OddBag kOddBags[] = {{"eight_hours.bag", 8 * 3600, BagQuirk::None},
+                               {"clock_set_back.bag", kBagS, BagQuirk::ClockSetBack},
+                               {"same_stamps.bag", kBagS, BagQuirk::SameStamps},
+                               {"gap.bag", kBagS, BagQuirk::Gap},
+                               {"ends_late.bag", kBagS, BagQuirk::EndsLate},
+                               {"one_message.bag", kBagS, BagQuirk::OneMessage},
+                               {"empty.bag", kBagS, BagQuirk::Empty}};
+constexpr std::size_t kBagHeaderBytes = 4096;
+constexpr const char* kMonths[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                   "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+
+std::tm utcOf(double time_s) {
+  const auto seconds = static_cast<std::time_t>(std::floor(stampOf(time_s)));
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  return utc;
+}
+
+std::string digits(int number, std::size_t width) {
+  std::string text = std::to_string(number);
+  return text.size() < width ? std::string(width - text.size(), '0') + text : text;
+}
+
+std::string day(const std::tm& utc) {
+  return digits(utc.tm_year + 1900, 4) + "-" + digits(utc.tm_mon + 1, 2) + "-" + digits(utc.tm_mday, 2);
+}
+
+std::string clock(const std::tm& utc, char separator) {
+  return digits(utc.tm_hour, 2) + separator + digits(utc.tm_min, 2) + separator + digits(utc.tm_sec, 2);
+}
+
+/// Bags are named after when they begin.
+Bag bagFrom(double from_s, BagCondition condition) {
+  const std::tm utc = utcOf(from_s);
+  return {day(utc) + "_" + clock(utc, '-') + ".bag", {from_s, from_s + kBagS, false}, condition};
+}
+
+/// Recordings are named after when they end, with a space and colons.
+Bag recordingUntil(double until_s, double duration_s, std::string_view suffix, bool every_scan) {
+  const std::tm utc = utcOf(until_s);
+  std::string name = day(utc) + " " + clock(utc, ':');
+  if (!suffix.empty()) name.append("_").append(suffix);
+  return {name + ".bag", {until_s - duration_s, until_s, every_scan}, BagCondition::Whole};
+}
+
+template <typename Number>
+void appendField(std::string& out, std::string_view name, Number number) {
+  appendNumber(out, static_cast<std::uint32_t>(name.size() + 1 + sizeof(number)));
+  out.append(name).append("=");
+  appendNumber(out, number);
+}
+
+/// "31-Oct-2023 14:36:17" of a simulated second.
+std::string listedTime(double time_s) {
+  const std::tm utc = utcOf(time_s);
+  return digits(utc.tm_mday, 2) + "-" + kMonths[static_cast<std::size_t>(utc.tm_mon)] + "-" +
+         digits(utc.tm_year + 1900, 4) + " " + clock(utc, ':');
+}
+
+/// "6.8KB".
+std::string listedSize(std::size_t bytes) {
+  const std::size_t tenths = (10 * bytes + 512) / 1024;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + "KB";
+}
+
+/// A ROS bag without messages; half of it if the bag is damaged.
+std::string bagBytes(const Bag& bag) {
+  constexpr std::string_view kMagic = "#ROSBAG V2.0\n";
+  std::string fields;
+  appendField(fields, "op", std::uint8_t{3});
+  appendField(fields, "index_pos", std::uint64_t{kMagic.size() + kBagHeaderBytes});
+  appendField(fields, "conn_count", std::uint32_t{0});
+  appendField(fields, "chunk_count", std::uint32_t{0});
+  std::string bytes(kMagic);
+  appendNumber(bytes, static_cast<std::uint32_t>(fields.size()));
+  bytes += fields;
+  // The header record is filled up with spaces, so that a recorder can write it anew in its place.
+  const std::size_t padding = kBagHeaderBytes - 8 - fields.size();
+  appendNumber(bytes, static_cast<std::uint32_t>(padding));
+  bytes += std::string(padding, ' ');
+  if (bag.condition == BagCondition::Corrupt) bytes.resize(bytes.size() / 2);
+  return bytes;
+}
+
+constexpr double kLongestRecordingS = 300, kUsualRecordingS = 120;
+constexpr std::size_t kLongestSuffix = 64;
+
+/// The player reports its errors under another name than the rest of the robot.
+HttpAnswer playerError(std::string_view sentence) {
+  return valueAnswer(400, Value::Object{{"error", sentence}});
+}
+
+HttpAnswer noSuchFile() { return errorAnswer(404, "There is no such file."); }
+
+Value fileValue(BagFolder folder, const Bag& bag) {
+  const std::size_t bytes = bagBytes(bag).size();
+  const char* const place = folder == BagFolder::Bags ? "/bags/" : "/recording/";
+  return Value::Object{{"filename", bag.name},
+                       {"size", listedSize(bytes)},
+                       {"size_bytes", bytes},
+                       {"end", listedTime(bag.span.until_s)},
+                       {"download_url", ownUrl(place + percentEncoded(bag.name) + "/download")}};
+}
+
+/// "90s", "2m".
+std::optional<double> secondsFrom(std::string_view duration) {
+  if (duration.size() < 2) return std::nullopt;
+  const std::optional<int> number = numberFrom<int>(duration.substr(0, duration.size() - 1));
+  const double unit_s = duration.back() == 'm' ? 60 : duration.back() == 's' ? 1 : 0;
+  if (!number || *number < 1 || unit_s == 0 || *number * unit_s > kLongestRecordingS) return std::nullopt;
+  return *number * unit_s;
+}
+
+bool isSuffix(std::string_view suffix) {
+  return suffix.size() <= kLongestSuffix && std::all_of(suffix.begin(), suffix.end(), isWordCharacter);
+}
+
+template <BagFolder kFolder>
+HttpAnswer listBags(const Robot& robot, const Request&) {
+  Value::List files;
+  for (const Bag& bag : robot.bags.list(kFolder)) files.push_back(fileValue(kFolder, bag));
+  return valueAnswer(200, files);
+}
+
+template <BagFolder kFolder>
+HttpAnswer deleteBags(const Robot& robot, const Request&) {
+  robot.bags.removeAll(kFolder);
+  return emptyAnswer(204);
+}
+
+HttpAnswer record(const Robot& robot, const Request& request) {
+  const RequestFields& fields = request.fields;
+  const std::optional<std::string> suffix =
+      fields.has("filename_suffix") ? fields.text("filename_suffix") : std::string();
+  if (!suffix || !isSuffix(*suffix))
+    return errorAnswer(400, "filename_suffix: must be at most 64 letters, digits, - and _.");
+  const std::optional<double> duration_s =
+      fields.has("duration") ? secondsFrom(fields.text("duration").value_or("")) : kUsualRecordingS;
+  if (!duration_s) return errorAnswer(400, "duration: must be such as \"2m\", at most \"5m\".");
+  if (fields.has("category") && fields.text("category") != "pos")
+    return errorAnswer(400, "category: only \"pos\" is supported.");
+  return valueAnswer(
+      201, fileValue(BagFolder::Recordings, robot.bags.record(*suffix, *duration_s, fields.has("category"))));
+}
+
+/// A route of a file, whose name the path has.
+template <BagFolder kFolder, HttpAnswer (*kAnswer)(const Robot&, BagFolder, const Bag&, const Request&)>
+HttpAnswer ofBag(const Robot& robot, const Request& request) {
+  const std::optional<std::string> name = percentDecoded(request.name);
+  const std::optional<Bag> bag = name ? robot.bags.find(kFolder, *name) : std::nullopt;
+  return bag ? kAnswer(robot, kFolder, *bag, request) : noSuchFile();
+}
+
+HttpAnswer bagDetail(const Robot&, BagFolder folder, const Bag& bag, const Request&) {
+  return valueAnswer(200, fileValue(folder, bag));
+}
+
+HttpAnswer deleteBag(const Robot& robot, BagFolder folder, const Bag& bag, const Request&) {
+  const BagStore::Removal removal = robot.bags.remove(folder, bag.name);
+  if (removal == BagStore::Removal::Recording) return errorAnswer(400, "This bag is still being recorded.");
+  return removal == BagStore::Removal::Removed ? emptyAnswer(204) : noSuchFile();
+}
+
+HttpAnswer downloadBag(const Robot& robot, BagFolder, const Bag& bag, const Request& request) {
+  std::string bytes = bagBytes(bag);
+  const std::string_view range = request.question.range;
+  HttpAnswer answer;
+  answer.content_type = "application/octet-stream";
+  answer.headers = {{"Content-Disposition", "attachment"}};
+  constexpr std::string_view kUnit = "bytes=";
+  const bool asked = robot.options.bags.ranges && range.starts_with(kUnit) && range.ends_with('-');
+  const auto from = asked
+                        ? numberFrom<std::size_t>(range.substr(kUnit.size(), range.size() - kUnit.size() - 1))
+                        : std::nullopt;
+  if (from) {
+    std::string range_of("bytes ");
+    if (*from >= bytes.size()) {
+      answer.status = 416;
+      range_of.append("*");
+    } else {
+      answer.status = 206;
+      range_of.append(std::to_string(*from)).append("-").append(std::to_string(bytes.size() - 1));
+    }
+    range_of.append("/").append(std::to_string(bytes.size()));
+    answer.headers.emplace_back("Content-Range", range_of);
+    bytes.erase(0, std::min(*from, bytes.size()));
+  }
+  answer.body = std::make_shared<const std::string>(std::move(bytes));
+  return answer;
+}
+
+template <BagFolder kFolder>
+HttpAnswer player(const Robot& robot, const Request& request) {
+  const std::optional<std::string> name = percentDecoded(request.name);
+  const std::optional<Bag> bag = name ? robot.bags.find(kFolder, *name) : std::nullopt;
+  if (!bag) return playerError("The bag file was not found.");
+  if (bag->condition == BagCondition::Corrupt)
+    return playerError("The bag file is corrupted: its index is missing.");
+  if (bag->condition == BagCondition::Recording) return playerError("The bag file is still being recorded.");
+  const std::string_view start = queryValue(request.question.target, "start_time"),
+                         end = queryValue(request.question.target, "end_time");
+  const std::optional<double> from = numberFrom<double>(start), until = numberFrom<double>(end);
+  const bool whole = start.empty() && end.empty();
+  if (!whole) {
+    if (start.empty() || end.empty()) return playerError("start_time and end_time are both required.");
+    if (!from || !until || !std::isfinite(*from) || !std::isfinite(*until))
+      return playerError("start_time and end_time must be numbers.");
+    if (*until < *from) return playerError("end_time lies before start_time.");
+  }
+  const std::shared_ptr<const BagRecording> recording = robot.bags.recordingOf(*bag);
+  Value body = Value::Object{{"total_messages", recording->messages()},
+                             {"start_time", recording->startTime()},
+                             {"end_time", recording->endTime()}};
+  const auto end_of =
+      robot.options.bags.end_exclusive ? BagRecording::End::Exclusive : BagRecording::End::Inclusive;
+  if (!whole) body.set("messages", Value::Json{recording->messagesJson(*from, *until, end_of)});
+  HttpAnswer answer = valueAnswer(200, body);
+  answer.headers = {{"Cache-Control", "public, max-age=2592000"}};
+  return answer;
+}
+
+constexpr BagFolder kBags = BagFolder::Bags, kRecordings = BagFolder::Recordings;
+constexpr Route kBagRoutes[] = {{"GET", "/bags/", listBags<kBags>},
+                                {"DELETE", "/bags/", deleteBags<kBags>},
+                                {"GET", "/bags/*/player", player<kBags>},
+                                {"GET", "/bags/*/download", ofBag<kBags, downloadBag>},
+                                {"GET", "/bags/*/", ofBag<kBags, bagDetail>},
+                                {"DELETE", "/bags/*/", ofBag<kBags, deleteBag>},
+                                {"GET", "/recording/", listBags<kRecordings>},
+                                {"POST", "/recording/", record, Route::Body::Json},
+                                {"DELETE", "/recording/", deleteBags<kRecordings>},
+                                {"GET", "/recording/*/player", player<kRecordings>},
+                                {"GET", "/recording/*/download", ofBag<kRecordings, downloadBag>},
+                                {"GET", "/recording/*/", ofBag<kRecordings, bagDetail>},
+                                {"DELETE", "/recording/*/", ofBag<kRecordings, deleteBag>}};
+
+}  // namespace
+
+BagStore::BagStore(const RobotState& state, const MapLibrary& library, const Options& options)
+    : state_(state), library_(library), options_(options) {
+  recordings_.push_back(recordingUntil(-1013, 120, "7002", true));
+  Bag corrupt = recordingUntil(-86'400, 60, "1008", false);
+  corrupt.condition = BagCondition::Corrupt;
+  recordings_.insert(recordings_.begin(), corrupt);
+}
+
+std::vector<Bag> BagStore::bags() const {
+  const double now_s = state_.time();
+  const double newest_s = kBagS * std::floor(now_s / kBagS);
+  std::vector<Bag> bags{bagFrom(kCorruptBagS, BagCondition::Corrupt)};
+  if (options_.bags.odd) {
+    for (const OddBag& odd : kOddBags)
+      bags.push_back(
+          {odd.name, {kFirstBagS - odd.long_s, kFirstBagS, false, odd.quirk}, BagCondition::Whole});
+  }
+  for (double from_s = std::max(kFirstBagS, newest_s - kKeptBags * kBagS); from_s < newest_s; from_s += kBagS)
+    bags.push_back(bagFrom(from_s, BagCondition::Whole));
+  bags.push_back(bagFrom(newest_s, BagCondition::Recording));
+  bags.back().span.until_s = now_s;
+  return bags;
+}
+
+std::vector<Bag> BagStore::list(BagFolder folder) const {
+  const std::lock_guard lock(mutex_);
+  if (folder == BagFolder::Recordings) return recordings_;
+  std::vector<Bag> kept = bags();
+  std::erase_if(kept, [&](const Bag& bag) { return removed_.contains(bag.name); });
+  return kept;
+}
+
+std::optional<Bag> BagStore::find(BagFolder folder, std::string_view name) const {
+  for (Bag& bag : list(folder)) {
+    if (bag.name == name) return std::move(bag);
+  }
+  return std::nullopt;
+}
+
+Bag BagStore::record(std::string_view suffix, double duration_s, bool every_scan) {
+  const Bag bag = recordingUntil(state_.time(), duration_s, suffix, every_scan);
+  const std::lock_guard lock(mutex_);
+  std::erase_if(recordings_, [&](const Bag& known) { return known.name == bag.name; });
+  recordings_.push_back(bag);
+  return bag;
+}
+
+BagStore::Removal BagStore::remove(BagFolder folder, std::string_view name) {
+  const std::optional<Bag> bag = find(folder, name);
+  if (!bag) return Removal::Missing;
+  if (bag->condition == BagCondition::Recording) return Removal::Recording;
+  const std::lock_guard lock(mutex_);
+  if (folder == BagFolder::Bags) {
+    removed_.insert(bag->name);
+  } else {
+    std::erase_if(recordings_, [&](const Bag& known) { return known.name == bag->name; });
+  }
+  return Removal::Removed;
+}
+
+void BagStore::removeAll(BagFolder folder) {
+  const std::lock_guard lock(mutex_);
+  if (folder == BagFolder::Recordings) recordings_.clear();
+  if (folder == BagFolder::Recordings) return;
+  for (const Bag& bag : bags()) {
+    if (bag.condition != BagCondition::Recording) removed_.insert(bag.name);
+  }
+}
+
+std::shared_ptr<const BagRecording> BagStore::recordingOf(const Bag& bag) {
+  return read_.get(bag.span, [&] {
+    return std::make_shared<const BagRecording>(state_, library_.atFirst(), options_.seed, bag.span);
+  });
+}
+
+std::span<const Route> bagRoutes() { return kBagRoutes; }
+
+}  // namespace mapwright::simulator
