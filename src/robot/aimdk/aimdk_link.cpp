@@ -74,19 +74,19 @@ AimdkLink::AimdkLink(LinkOptions options)
 }
 
 net::HttpRequest AimdkLink::request(const char* method, const QByteArray& body,
-                                    std::chrono::milliseconds patience) const {
+                                    std::chrono::milliseconds timeout) const {
   net::HttpRequest request;
   request.method = net::HttpMethod::Post;
   request.url = options_.base;
   request.url.setPath(options_.base.path() + QStringLiteral("/rpc/") + QLatin1String(method));
   request.body = body;
-  request.timeout = patience;
+  request.timeout = timeout;
   request.max_bytes = kMaxAnswerBytes;
   return request;
 }
 
-void AimdkLink::ask(const char* method, const QByteArray& body, Taken taken) {
-  asking_ = http_.send(request(method, body, options_.patience), std::move(taken));
+void AimdkLink::ask(const char* method, const QByteArray& body, Reply reply) {
+  asking_ = http_.send(request(method, body, options_.timeout), std::move(reply));
 }
 
 void AimdkLink::deliver(const char* method, const net::HttpAnswer& answer) {
@@ -245,7 +245,7 @@ void AimdkLink::enter(ConnectionPhase phase, std::optional<int> retry_in_ms) {
 }
 
 void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
-  wire::send(errand, http_, request(kMapNames, mapNamesRequest(), options_.patience),
+  wire::send(errand, http_, request(kMapNames, mapNamesRequest(), options_.timeout),
              [this, errand, reply](const net::HttpAnswer& answer) {
                deliver(kMapNames, answer);
                auto maps = outcomeOf(answer, catalogueSubject(map::kMapsPart),
@@ -254,7 +254,7 @@ void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::Catalogu
                  reply(fail(maps.error()));
                  return;
                }
-               wire::send(errand, http_, request(kCurrentMap, currentMapRequest(), options_.patience),
+               wire::send(errand, http_, request(kCurrentMap, currentMapRequest(), options_.timeout),
                           [this, reply, entries = std::move(*maps)](const net::HttpAnswer& current) mutable {
                             deliver(kCurrentMap, current);
                             const auto id = outcomeOf(current, catalogueSubject(map::kCurrentMapPart),
@@ -312,7 +312,7 @@ void AimdkLink::fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& ke
     reply(std::move(parsed));
   });
   if (!first) return;
-  wire::send(shared->errand, http_, request(kWholeMap, wholeMapRequest(key.id), options_.map_patience),
+  wire::send(shared->errand, http_, request(kWholeMap, wholeMapRequest(key.id), options_.map_timeout),
              [this, key, shared, leave](const net::HttpAnswer& answer) {
                leave(shared);
                auto parsed =
@@ -357,7 +357,7 @@ void AimdkLink::waypoints(wire::ErrandPtr errand, const map::MapKey& key,
 
 void AimdkLink::askPoints(const wire::ErrandPtr& errand, const map::MapKey& key, const QByteArray& body,
                           OutcomeTo<map::WaypointList> reply) {
-  wire::send(errand, http_, request(kTopology, body, options_.patience),
+  wire::send(errand, http_, request(kTopology, body, options_.timeout),
              [this, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
                deliver(kTopology, answer);
                const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;
