@@ -52,7 +52,7 @@ void AskedMap::ask() {
   const std::string service = services_.names.at(next_);
   net::rosbridge::CallRequest request;
   request.service = service;
-  request.patience = patience_.answer;
+  request.timeout = patience_.answer;
   request.large = true;
   call_ =
       client_.call(std::move(request), [self = QPointer<AskedMap>(this), service](const CallAnswer& answer) {

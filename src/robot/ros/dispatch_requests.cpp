@@ -245,7 +245,7 @@ void DispatchRequests::ask(const wire::ErrandPtr& errand, DispatchService servic
   net::rosbridge::CallRequest request;
   request.service = there->name;
   request.args = std::move(args);
-  request.patience = patience;
+  request.timeout = patience;
   request.large = true;
   request.arriving = [errand](qint64 bytes) { errand->tell({bytes, std::nullopt}); };
   call(errand, client_, std::move(request),

@@ -12,7 +12,7 @@
 #include <QCryptographicHash>
 
 #include "grids/grid_pyramid.h"
-#include "net/rosbridge/upload.h"
+#include "net/rosbridge/requests.h"
 #include "robot/ros/kabam_messages.h"
 
 namespace mapwright::robot::ros {

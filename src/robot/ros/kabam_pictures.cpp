@@ -114,7 +114,7 @@ void KabamPictures::send(const WritingPtr& writing) {
     errand->tell({bytes, of_bytes});
   };
   request.large = true;
-  request.patience = patience_.call + timeFor(*writing->change.cells);
+  request.timeout = patience_.call + timeFor(*writing->change.cells);
   call(writing->errand, means_.client, std::move(request),
        [this, writing](const CallAnswer& answer) { takeAnswer(writing, answer); });
 }

@@ -76,7 +76,7 @@ net::rosbridge::CallRequest KabamRequests::request(const char* service, QByteArr
   net::rosbridge::CallRequest request;
   request.service = book_.place() + '/' + service;
   request.args = std::move(args);
-  request.patience = patience_.call;
+  request.timeout = patience_.call;
   return request;
 }
 
@@ -131,7 +131,7 @@ void KabamRequests::waypoints(const wire::ErrandPtr& errand, const map::MapKey& 
       if (auto stored = book_.waypoints(fixed_frame_())) return reply(std::move(*stored));
     }
     net::rosbridge::CallRequest all = request("get_waypoint", getWaypointArgs(key.id));
-    all.patience = patience_.read;
+    all.timeout = patience_.read;
     call(errand, client_, std::move(all), [this, key, subject, reply](const CallAnswer& answer) {
       if (answer.kind != CallAnswer::Kind::Answered) return reply(fail(failed(answer, subject)));
       auto stored = readWaypoints(answer.values, key.id, fixed_frame_());

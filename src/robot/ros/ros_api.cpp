@@ -92,7 +92,7 @@ void RosApi::ask(const char* service, const QByteArray& args, net::rosbridge::Cl
   net::rosbridge::CallRequest request;
   request.service = service;
   request.args = args;
-  request.patience = patience_;
+  request.timeout = patience_;
   client_.call(std::move(request), [self = QPointer<RosApi>(this), reply = std::move(reply),
                                     sent_with = patience_](const CallAnswer& answer) {
     if (!self) return;
