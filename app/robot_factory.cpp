@@ -83,7 +83,7 @@ Made rosRobot(const robot::Address& address, const Access& access, bool kabam_on
   link.secret = access.secret;
   link.trust = access.trust;
   link.ns = robot::ros::namespaceOf(address);
-  link.dispatch = robot::ros::dispatchWishOf(address);
+  link.dispatch = robot::ros::dispatchSettingsOf(address);
   link.kabam_only = kabam_only;
   if (access.timeout) link.kabam.read = *access.timeout;
   return std::make_unique<robot::ros::RosRobot>(address.text, std::move(link));
