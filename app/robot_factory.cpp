@@ -62,7 +62,7 @@ Made makeAimdk(const robot::Address& address, const Access& access, DemoTime) {
   robot::aimdk::LinkOptions link;
   link.base = address.url;
   link.trust = access.trust;
-  std::unique_ptr<robot::aimdk::LiveBeside> live;
+  robot::aimdk::RobotBeside second;
   if (const QUrl tf = robot::aimdk::tfOf(address); !tf.isEmpty()) {
     robot::ros::LinkOptions beside;
     beside.url = tf;
@@ -70,11 +70,11 @@ Made makeAimdk(const robot::Address& address, const Access& access, DemoTime) {
     beside.trust.authorities = access.trust.authorities;
     robot::Address its;
     its.url = tf;
-    live = std::make_unique<robot::aimdk::LiveBeside>(
+    second = {
         std::make_unique<robot::ros::RosRobot>(QStringLiteral("ros+") + tf.toString(), std::move(beside)),
-        robot::hostOf(its));
+        robot::hostOf(its)};
   }
-  return std::make_unique<robot::aimdk::AimdkRobot>(address.text, std::move(link), std::move(live));
+  return std::make_unique<robot::aimdk::AimdkRobot>(address.text, std::move(link), std::move(second));
 }
 
 Made rosRobot(const robot::Address& address, const Access& access, bool kabam_only) {
@@ -83,7 +83,7 @@ Made rosRobot(const robot::Address& address, const Access& access, bool kabam_on
   link.secret = access.secret;
   link.trust = access.trust;
   link.ns = robot::ros::namespaceOf(address);
-  link.dispatch = robot::ros::dispatchWishOf(address);
+  link.dispatch = robot::ros::dispatchSettingsOf(address);
   link.kabam_only = kabam_only;
   if (access.timeout) link.kabam.read = *access.timeout;
   return std::make_unique<robot::ros::RosRobot>(address.text, std::move(link));

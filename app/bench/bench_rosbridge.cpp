@@ -251,7 +251,7 @@ void RosTransformsWhileDrawing(benchmark::State& state) {
   {
     robot::ros::LinkOptions options;
     options.url = QUrl(QStringLiteral("ws://127.0.0.1:%1").arg(port));
-    options.look_patience = std::chrono::milliseconds(50);
+    options.look_timeout = std::chrono::milliseconds(50);
     robot::ros::RosRobot robot(QStringLiteral("ros+bench"), options);
     int poses = 0;
     QObject::connect(&robot, &robot::Robot::topicReceived, &robot, [&](const map::StampedMessage& message) {

@@ -137,9 +137,9 @@ class RecorderTest : public QObject {
   void makeAimdk() {
     robot::aimdk::LinkOptions options;
     options.base = url("http", simulator_->aimdkPort());
-    auto live = std::make_unique<robot::aimdk::LiveBeside>(rosRobot(), QStringLiteral("127.0.0.1"));
+    robot::aimdk::RobotBeside beside{rosRobot(), QStringLiteral("127.0.0.1")};
     robot_ = std::make_unique<robot::aimdk::AimdkRobot>(QStringLiteral("aimdk+test"), std::move(options),
-                                                        std::move(live));
+                                                        std::move(beside));
   }
   void tapFrames() {
     robot_->liveTopics()->setTap([this](const robot::RawFrame& frame) {

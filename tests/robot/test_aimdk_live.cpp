@@ -40,10 +40,10 @@ class AimdkLiveTest : public QObject {
     beside.client.link.quiet_after = quiet_after_;
     beside.client.link.backoff_first = milliseconds(5);
     beside.client.link.backoff_limit = milliseconds(20);
-    auto live = std::make_unique<aimdk::LiveBeside>(
-        std::make_unique<ros::RosRobot>(QStringLiteral("ros+test"), std::move(beside)),
-        QStringLiteral("127.0.0.1:9090"));
-    robot_ = std::make_unique<AimdkRobot>(QStringLiteral("aimdk+test"), std::move(options), std::move(live));
+    aimdk::RobotBeside bridge{std::make_unique<ros::RosRobot>(QStringLiteral("ros+test"), std::move(beside)),
+                              QStringLiteral("127.0.0.1:9090")};
+    robot_ =
+        std::make_unique<AimdkRobot>(QStringLiteral("aimdk+test"), std::move(options), std::move(bridge));
     connect(robot_.get(), &Robot::topicReceived, this,
             [this](const map::StampedMessage& message) { messages_.push_back(message); });
     connect(robot_.get(), &Robot::problemFound, this,

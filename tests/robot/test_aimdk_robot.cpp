@@ -90,7 +90,7 @@ class AimdkRobotTest : public QObject {
   void oneThatDoesNotAnswerIsSilentBeforeItIsLost() {
     aimdk::LinkOptions options;
     options.quiet_after = std::chrono::milliseconds(300);
-    options.patience = std::chrono::milliseconds(3'000);
+    options.timeout = std::chrono::milliseconds(3'000);
     makeRobot(options);
     robot_->connectToRobot();
     QTRY_VERIFY_WITH_TIMEOUT(server_->timesAsked(kCurrent) > 3, kPatienceMs);

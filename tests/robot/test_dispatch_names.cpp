@@ -10,18 +10,18 @@ namespace test_dispatch_names {
 using namespace mapwright::robot;
 using namespace mapwright::robot::ros;
 using Service = DispatchService;
-using Services = std::vector<TypedService>;
-using Topics = std::vector<FoundTopic>;
+using Services = std::vector<Endpoint>;
+using Topics = std::vector<Endpoint>;
 
 namespace {
 
-std::string nameOf(const FoundDispatch& found, Service service) {
+std::string nameOf(const Dispatcher& found, Service service) {
   const auto there = found.serviceOf(service);
   return there ? there->name : std::string();
 }
 
-FoundDispatch in(const Services& services, const DispatchWish& wish = {}) {
-  return dispatchIn(services, std::nullopt, wish);
+Dispatcher in(const Services& services, const DispatchSettings& wish = {}) {
+  return dispatcherIn(services, std::nullopt, wish);
 }
 
 }  // namespace
@@ -34,9 +34,9 @@ class DispatchNamesTest : public QObject {
     QVERIFY(!in({{"/static_map", "nav_msgs/GetMap"}}).any());
     QVERIFY(!in({{"/get_map", "nav_msgs/GetMap"}, {"/save_map", "map_msgs/SaveMap"}}).any());
     QVERIFY(!in({}).any());
-    QVERIFY(!dispatchIn(std::nullopt, std::nullopt, {}).any());
+    QVERIFY(!dispatcherIn(std::nullopt, std::nullopt, {}).any());
     // Who says that it is one is believed.
-    DispatchWish wish;
+    DispatchSettings wish;
     wish.expected = true;
     QVERIFY(in({{"/get_map", "nav_msgs/GetMap"}}, wish).has(Service::Grid));
   }
@@ -54,10 +54,10 @@ class DispatchNamesTest : public QObject {
   void whatIsNearGoesFirst() {
     const Services two{{"/a/get_sub_map", "map_msgs/GetMapROI"}, {"/b/get_sub_map", "map_msgs/GetMapROI"}};
     QCOMPARE(nameOf(in(two), Service::GridRegion), std::string("/a/get_sub_map"));
-    DispatchWish near;
+    DispatchSettings near;
     near.near = "/b";
     QCOMPARE(nameOf(in(two, near), Service::GridRegion), std::string("/b/get_sub_map"));
-    DispatchWish only;
+    DispatchSettings only;
     only.ns = "/c";
     QVERIFY(!in(two, only).any());
   }
@@ -96,8 +96,8 @@ class DispatchNamesTest : public QObject {
                                          "/d/part_of_map",
                                          "/other",
                                          std::string(300, 'a') + "/get_map"};
-    DispatchWish wish;
-    wish.names[DispatchName::GetMap] = "/other";
+    DispatchSettings wish;
+    wish.names[DispatchService::Grid] = "/other";
     const auto asked = likeDispatchServices(names, wish);
     QCOMPARE(asked, (std::vector<std::string>{"/other", "/map_manager/get_sub_map", "/d/part_of_map"}));
     std::vector<std::string> many;
@@ -115,13 +115,13 @@ class DispatchNamesTest : public QObject {
                         {"/d/projected_map_99999999999999999999", "map_msgs/ProjectedMap"},
                         {"/d/projected_map_3", "nav_msgs/OccupancyGrid"},
                         {"/map_metadata", "nav_msgs/MapMetaData"}};
-    const auto found = dispatchIn(services, topics, {});
+    const auto found = dispatcherIn(services, topics, {});
     QCOMPARE(found.projected.size(), std::size_t(2));
     QVERIFY(found.projected.contains(0) && found.projected.contains(7));
     QCOMPARE(found.metadata.size(), std::size_t(1));
-    DispatchWish wish;
+    DispatchSettings wish;
     wish.projected_map = "/x/p";
-    QVERIFY(dispatchIn(services, topics, wish).projected.empty());
+    QVERIFY(dispatcherIn(services, topics, wish).projected.empty());
     QCOMPARE(projectedTopic(wish, 2), std::string("/x/p_2"));
     wish = {};
     wish.ns = "/d";
@@ -133,16 +133,17 @@ class DispatchNamesTest : public QObject {
     const auto parsed = addresses.parse(
         QStringLiteral("rep130+ws://robot?ns=/map_dispatcher&get_map=/other/name&projected_map=/p"));
     QVERIFY(parsed);
-    const DispatchWish wish = dispatchWishOf(*parsed);
+    const DispatchSettings wish = dispatchSettingsOf(*parsed);
     QVERIFY(wish.expected);
     QCOMPARE(wish.ns, std::string("/map_dispatcher"));
-    QCOMPARE(wish.names.at(DispatchName::GetMap), std::string("/other/name"));
+    QCOMPARE(wish.names.at(DispatchService::Grid), std::string("/other/name"));
     QCOMPARE(wish.projected_map, std::string("/p"));
-    const DispatchWish usual = dispatchWishOf(*addresses.parse(QStringLiteral("ros+ws://robot?ns=/r1")));
+    const DispatchSettings usual =
+        dispatchSettingsOf(*addresses.parse(QStringLiteral("ros+ws://robot?ns=/r1")));
     QVERIFY(!usual.expected && usual.ns.empty());
     QCOMPARE(usual.near, std::string("/r1"));
     // Without rosapi all of it is tried.
-    const auto tried = dispatchIn(std::nullopt, std::nullopt, wish);
+    const auto tried = dispatcherIn(std::nullopt, std::nullopt, wish);
     QCOMPARE(nameOf(tried, Service::Grid), std::string("/other/name"));
     QCOMPARE(nameOf(tried, Service::GridRegion), std::string("/map_dispatcher/get_sub_map"));
   }
@@ -150,8 +151,9 @@ class DispatchNamesTest : public QObject {
   void aRelativeNameInAnAddressLiesInItsNamespace() {
     const Addresses addresses({rep130AddressScheme()});
     const auto named = [&](const char* options) {
-      return dispatchWishOf(*addresses.parse(QStringLiteral("rep130+ws://robot") + QLatin1String(options)))
-          .names.at(DispatchName::GetSubMap);
+      return dispatchSettingsOf(
+                 *addresses.parse(QStringLiteral("rep130+ws://robot") + QLatin1String(options)))
+          .names.at(DispatchService::GridRegion);
     };
     QCOMPARE(named("?ns=/slam/&get_sub_map=roi"), std::string("/slam/roi"));
     QCOMPARE(named("?get_sub_map=a/roi&ns=/slam"), std::string("/slam/a/roi"));

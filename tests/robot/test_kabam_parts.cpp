@@ -9,9 +9,9 @@
 
 #include "map/waypoint_likeness.h"
 #include "robot/ros/faults.h"
-#include "robot/ros/kabam_book.h"
+#include "robot/ros/kabam_messages.h"
 #include "robot/ros/kabam_plan.h"
-#include "robot/ros/kabam_results.h"
+#include "robot/ros/kabam_state.h"
 #include "ros_messages.h"
 #include "sentences/failure_sentence.h"
 #include "test_program.h"
@@ -228,7 +228,7 @@ class KabamPartsTest : public QObject {
   }
 
   void mapsAreListedOnceAndTheCurrentOneIsMarked() {
-    KabamBook book;
+    KabamState book;
     const auto give = [&](const char* topic, const char* text) {
       const Sent sent = byJson(text);
       return book.take(topic, sent.frame, sent.msg);
@@ -360,25 +360,25 @@ class KabamPartsTest : public QObject {
     };
     const auto values = [](int code) { return byJson("{\"result\":" + QByteArray::number(code) + "}"); };
     const map::Subject places = map::placesOf({map::MapKind::Stored, "m"});
-    for (const int good : {0, 3, 5}) QVERIFY(!waypointResult(values(good).msg, places, "x"));
-    for (const int bad : {1, 2, 4, 6, 17}) take(waypointResult(values(bad).msg, places, "x"));
+    for (const int good : {0, 3, 5}) QVERIFY(!resultOf("create_waypoint", values(good).msg, places, "x"));
+    for (const int bad : {1, 2, 4, 6, 17}) take(resultOf("create_waypoint", values(bad).msg, places, "x"));
     QCOMPARE(sentences.size(), failures);
     sentences.clear();
     failures = 0;
-    for (const int good : {0, 1}) QVERIFY(!updateMapResult(values(good).msg, places));
-    for (const int bad : {2, 3, 4, 99}) take(updateMapResult(values(bad).msg, places));
+    for (const int good : {0, 1}) QVERIFY(!resultOf("rename_map", values(good).msg, places));
+    for (const int bad : {2, 3, 4, 99}) take(resultOf("rename_map", values(bad).msg, places));
     QCOMPARE(sentences.size(), failures);
     sentences.clear();
     failures = 0;
-    QVERIFY(!loadMapResult(values(0).msg, places));
-    for (const int bad : {1, 2, 3, 4, 5}) take(loadMapResult(values(bad).msg, places));
+    QVERIFY(!resultOf("load_map", values(0).msg, places));
+    for (const int bad : {1, 2, 3, 4, 5}) take(resultOf("load_map", values(bad).msg, places));
     QCOMPARE(sentences.size(), failures);
-    const auto none = loadMapResult(byJson("{}").msg, places);
+    const auto none = resultOf("load_map", byJson("{}").msg, places);
     QVERIFY(none && none->kind == map::FailureKind::MalformedAnswer && none->applied == map::Applied::Maybe);
   }
 
   void anUnknownCodeShowsItsNumber() {
-    const auto failure = waypointResult(byJson(R"({"result":17})").msg, {}, "x");
+    const auto failure = resultOf("create_waypoint", byJson(R"({"result":17})").msg, {}, "x");
     QCOMPARE(failure->robot_code, std::string("17"));
     QVERIFY(QString::fromStdString(sentences::sentenceOf(*failure)).contains(QLatin1String("17")));
     QCOMPARE(failure->applied, map::Applied::Maybe);

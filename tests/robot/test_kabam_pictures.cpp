@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "robot/ros/faults.h"
-#include "robot/ros/kabam_picture.h"
+#include "robot/ros/kabam_pictures.h"
 #include "robot/ros/map_values.h"
 #include "robot/ros/ros_robot.h"
 #include "robot/wire/picture_bytes.h"
@@ -136,7 +136,7 @@ class KabamPicturesTest : public QObject {
     ros::LinkOptions options;
     options.url = server_->url();
     options.look_every = milliseconds(50);
-    options.look_patience = milliseconds(20'000);
+    options.look_timeout = milliseconds(20'000);
     options.picture_settles = milliseconds(30);
     options.kabam.confirm = milliseconds(400);
     options.client.link.backoff_first = milliseconds(5);

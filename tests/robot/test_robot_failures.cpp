@@ -46,7 +46,7 @@ std::unique_ptr<Robot> robotAt(Kind kind, const QUrl& url, const net::Trust& tru
   options.trust = trust;
   options.backoff_first = milliseconds(2);
   options.backoff_limit = milliseconds(10);
-  options.patience = milliseconds(1'000);
+  options.timeout = milliseconds(1'000);
   return std::make_unique<aimdk::AimdkRobot>(QStringLiteral("aimdk+test"), options);
 }
 

@@ -18,7 +18,6 @@ using namespace mapwright;
 using namespace mapwright::robot;
 using map::FailureKind;
 using map::Projection;
-using ros::DispatchName;
 using ros::RosRobot;
 using std::chrono::milliseconds;
 using testing::ScriptedBridge;
@@ -79,13 +78,13 @@ class RosDispatchTest : public QObject {
   QMap<QString, QString> types_;
   int capabilities_ = 0, map_changes_ = 0;
 
-  void make(ros::DispatchWish wish = {}) {
+  void make(ros::DispatchSettings wish = {}) {
     ros::LinkOptions options;
     options.url = server_->url();
     options.look_every = milliseconds(50);
-    options.look_patience = milliseconds(20'000);
+    options.look_timeout = milliseconds(20'000);
     options.dispatch = std::move(wish);
-    options.dispatch_patience.settles = milliseconds(400);
+    options.dispatch_timeouts.settles = milliseconds(400);
     options.client.link.backoff_first = milliseconds(5);
     options.client.link.backoff_limit = milliseconds(20);
     robot_ = std::make_unique<RosRobot>(text("ros+test"), options);
@@ -248,10 +247,10 @@ class RosDispatchTest : public QObject {
 
   void namesOfTheAddressCount() {
     server_->withdraw(text("/rosapi/service_type"));
-    ros::DispatchWish wish;
+    ros::DispatchSettings wish;
     wish.expected = true;
     wish.ns = "/right";
-    wish.names[DispatchName::GetPointMap] = "/elsewhere/points";
+    wish.names[DispatchService::Cloud] = "/elsewhere/points";
     make(wish);
     serve("/right/get_sub_map", "", {{text("sub_map"), grid("[1,2]")}});
     serve("/wrong/get_sub_map", "", {{text("sub_map"), grid("[3,4]")}});
@@ -266,7 +265,7 @@ class RosDispatchTest : public QObject {
   void withoutRosapiWhatIsNotThereIsFoundOut() {
     for (const char* service : {"/rosapi/topics", "/rosapi/services", "/rosapi/service_type"})
       server_->withdraw(text(service));
-    ros::DispatchWish wish;
+    ros::DispatchSettings wish;
     wish.expected = true;
     wish.ns = "/map_dispatcher";
     make(wish);
@@ -375,10 +374,10 @@ class RosDispatchTest : public QObject {
   }
 
   void theWholeMapIsAskedByTheNameOfTheAddress() {
-    ros::DispatchWish wish;
+    ros::DispatchSettings wish;
     wish.expected = true;
     wish.ns = "/d";
-    wish.names[DispatchName::GetMap] = "/slam/whole";
+    wish.names[DispatchService::Grid] = "/slam/whole";
     make(wish);
     serve("/slam/whole", "nav_msgs/GetMap", {{text("map"), grid()}});
     serve("/static_map", "nav_msgs/GetMap", {{text("map"), grid("[1,1]")}});
@@ -445,7 +444,7 @@ class RosDispatchTest : public QObject {
     QVERIFY(none && none->empty());
     QCOMPARE(server_->timesCalled(text("/d/set_map_projections")), 0);
     QSignalSpy changed(dispatch(), &MapDispatch::projectedChanged);
-    ros::DispatchWish wish;
+    ros::DispatchSettings wish;
     const auto set = askProject({{"map", {1, 2}, {0.1, 0.05}, 0.2, 2}});
     QVERIFY(set);
     QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), kPatienceMs);

@@ -62,9 +62,9 @@ class RosMapServiceTest : public QObject {
     ros::LinkOptions options;
     options.url = server_->url();
     options.look_every = milliseconds(50);
-    options.look_patience = milliseconds(20'000);
+    options.look_timeout = milliseconds(20'000);
     options.topics = {milliseconds(20), milliseconds(40), milliseconds(10)};
-    options.asked_map = {milliseconds(120), milliseconds(20'000), milliseconds(30)};
+    options.map_service = {milliseconds(120), milliseconds(20'000), milliseconds(30)};
     options.client.link.backoff_first = milliseconds(5);
     options.client.link.backoff_limit = milliseconds(20);
     robot_ = std::make_unique<RosRobot>(text("ros+test"), options);

@@ -5,8 +5,8 @@
 
 #include "robot/ros/faults.h"
 #include "robot/ros/map_values.h"
-#include "robot/ros/marker_board.h"
 #include "robot/ros/read_messages.h"
+#include "robot/ros/seen_markers.h"
 #include "ros_messages.h"
 #include "test_program.h"
 
@@ -139,23 +139,30 @@ class RosMarkersTest : public QObject {
       made.ns = ns;
       made.id = id;
       made.action = action;
+      made.kind = Marker::Kind::Cube;
       made.lifetime_s = lifetime_s;
       return made;
     };
     using Action = Marker::Action;
-    MarkerBoard board;
-    board.take({marker("a", 1, Action::Add), marker("a", 2, Action::Add, 5), marker("b", 1, Action::Add)},
-               100);
-    QCOMPARE(board.markers().size(), std::size_t(3));
-    board.take({marker("a", 1, Action::Add), marker("b", 1, Action::Delete), marker("b", 9, Action::Delete)},
-               101);
-    QCOMPARE(board.markers().size(), std::size_t(2));
-    QVERIFY(!board.expire(104.9));
-    QVERIFY(board.expire(105));
-    QCOMPARE(board.markers().size(), std::size_t(1));
-    board.take({marker("", 0, Action::DeleteAll), marker("c", 1, Action::Add)}, 106);
-    QCOMPARE(board.markers().size(), std::size_t(1));
-    QCOMPARE(board.markers()[0].ns, std::string("c"));
+    SeenMarkers markers;
+    const auto labelsAt = [&](double now_s) {
+      markers.look({}, "map", now_s);
+      std::vector<std::string> labels;
+      for (const map::GroundBox& box : markers.seen().objects) labels.push_back(box.label);
+      return labels;
+    };
+    using Labels = std::vector<std::string>;
+    markers.take("/m",
+                 {marker("a", 1, Action::Add), marker("a", 2, Action::Add, 5), marker("b", 1, Action::Add)},
+                 100);
+    QCOMPARE(labelsAt(100), (Labels{"a 1", "a 2", "b 1"}));
+    markers.take(
+        "/m", {marker("a", 1, Action::Add), marker("b", 1, Action::Delete), marker("b", 9, Action::Delete)},
+        101);
+    QCOMPARE(labelsAt(104.9), (Labels{"a 1", "a 2"}));
+    QCOMPARE(labelsAt(105), (Labels{"a 1"}));
+    markers.take("/m", {marker("", 0, Action::DeleteAll), marker("c", 1, Action::Add)}, 106);
+    QCOMPARE(labelsAt(106), (Labels{"c 1"}));
     // As they are written.
     const auto read = markersOf(
         R"({"markers":[{"type":1,"action":3},{"type":1,"action":2,"id":3},{"type":1,"action":1,"pose":{}}]})");

@@ -158,7 +158,7 @@ class RosPartsTest : public QObject {
   // Topics.
 
   void topicsAreFoundByTypeAndName() {
-    const std::vector<FoundTopic> found{
+    const std::vector<Endpoint> found{
         {"/move_base/global_costmap/costmap", "nav_msgs/OccupancyGrid"},
         {"/move_base/global_costmap/costmap_updates", "map_msgs/OccupancyGridUpdate"},
         {"/robot/map", "nav_msgs/msg/OccupancyGrid"},
@@ -181,29 +181,29 @@ class RosPartsTest : public QObject {
 
   void aCostmapIsNoMap() {
     const auto all =
-        sourcesOf(std::vector<FoundTopic>{{"/local_costmap/costmap", "nav_msgs/OccupancyGrid"}}, {});
+        sourcesOf(std::vector<Endpoint>{{"/local_costmap/costmap", "nav_msgs/OccupancyGrid"}}, {});
     QVERIFY(sourcesFor(Stream::WholeMap, all).empty());
   }
 
   void whatLiesBelowTheNamespaceGoesFirst() {
-    const std::vector<FoundTopic> found{{"/map", "nav_msgs/OccupancyGrid"},
-                                        {"/r2/map", "nav_msgs/OccupancyGrid"},
-                                        {"/r20/map", "nav_msgs/OccupancyGrid"}};
+    const std::vector<Endpoint> found{{"/map", "nav_msgs/OccupancyGrid"},
+                                      {"/r2/map", "nav_msgs/OccupancyGrid"},
+                                      {"/r20/map", "nav_msgs/OccupancyGrid"}};
     QCOMPARE(names(sourcesFor(Stream::WholeMap, sourcesOf(found, {}))).first(), QStringLiteral("/map"));
     QCOMPARE(names(sourcesFor(Stream::WholeMap, sourcesOf(found, "/r2"))).first(), QStringLiteral("/r2/map"));
   }
 
   void whatPeopleChooseGoesBeforeTheUsualNames() {
-    const std::vector<FoundTopic> found{{"/map", "nav_msgs/OccupancyGrid"},
-                                        {"/map_updates", "map_msgs/OccupancyGridUpdate"},
-                                        {"/semantic/grid", "nav_msgs/msg/OccupancyGrid"},
-                                        {"/semantic/grid_updates", "map_msgs/OccupancyGridUpdate"},
-                                        {"/plan", "nav_msgs/Path"},
-                                        {"/teb/trajectory", "nav_msgs/Path"},
-                                        {"/particles", "geometry_msgs/PoseArray"},
-                                        {"/dock", "geometry_msgs/PoseStamped"},
-                                        {"/floor", "map_msgs/ProjectedMap"},
-                                        {"/text", "std_msgs/String"}};
+    const std::vector<Endpoint> found{{"/map", "nav_msgs/OccupancyGrid"},
+                                      {"/map_updates", "map_msgs/OccupancyGridUpdate"},
+                                      {"/semantic/grid", "nav_msgs/msg/OccupancyGrid"},
+                                      {"/semantic/grid_updates", "map_msgs/OccupancyGridUpdate"},
+                                      {"/plan", "nav_msgs/Path"},
+                                      {"/teb/trajectory", "nav_msgs/Path"},
+                                      {"/particles", "geometry_msgs/PoseArray"},
+                                      {"/dock", "geometry_msgs/PoseStamped"},
+                                      {"/floor", "map_msgs/ProjectedMap"},
+                                      {"/text", "std_msgs/String"}};
     using Names = std::vector<std::string>;
     QCOMPARE(choicesFor(Stream::CostmapLow, found), (Names{"/floor", "/map", "/semantic/grid"}));
     QCOMPARE(choicesFor(Stream::LocalPath, found), (Names{"/plan", "/teb/trajectory"}));

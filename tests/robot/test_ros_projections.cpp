@@ -46,13 +46,13 @@ class RosProjectionsTest : public QObject {
   QMap<QString, QString> types_;
   QSet<QString> sent_;  // topics that a node sends by
 
-  void make(ros::DispatchWish wish = {}) {
+  void make(ros::DispatchSettings wish = {}) {
     ros::LinkOptions options;
     options.url = server_->url();
     options.look_every = milliseconds(50);
-    options.look_patience = milliseconds(20'000);
+    options.look_timeout = milliseconds(20'000);
     options.dispatch = std::move(wish);
-    options.dispatch_patience.settles = milliseconds(400);
+    options.dispatch_timeouts.settles = milliseconds(400);
     robot_ = std::make_unique<RosRobot>(text("ros+test"), options);
   }
   /// Connects, and waits until it is known what there is.
@@ -223,7 +223,7 @@ class RosProjectionsTest : public QObject {
   void withoutRosapiProjectedMapsAreFoundByTheirUsualNames() {
     for (const char* service : {"/rosapi/topics", "/rosapi/services", "/rosapi/service_type"})
       server_->withdraw(text(service));
-    ros::DispatchWish wish;
+    ros::DispatchSettings wish;
     wish.expected = true;
     wish.ns = "/d";
     make(wish);

@@ -84,7 +84,7 @@ class RosRobotTest : public QObject {
     ros::LinkOptions options;
     options.url = server_->url();
     options.look_every = milliseconds(50);
-    options.look_patience = milliseconds(20'000);
+    options.look_timeout = milliseconds(20'000);
     options.topics = {milliseconds(60), milliseconds(120), milliseconds(10)};
     options.kabam.confirm = milliseconds(400);
     options.kabam.topic = milliseconds(100);
@@ -509,7 +509,7 @@ class RosRobotTest : public QObject {
 
   void aServerThatAnswersNothingForAWhileTakesNothingAway() {
     manage();
-    makeRobot([](ros::LinkOptions& options) { options.look_patience = milliseconds(40); });
+    makeRobot([](ros::LinkOptions& options) { options.look_timeout = milliseconds(40); });
     QVERIFY(online());
     QTRY_VERIFY(robot_->waypointStore());
     QVERIFY(read());  // all is told
@@ -527,7 +527,7 @@ class RosRobotTest : public QObject {
 
   void noneOfItGoesWhileTheNextConnectionIsSilentToo() {
     manage();
-    makeRobot([](ros::LinkOptions& options) { options.look_patience = milliseconds(40); });
+    makeRobot([](ros::LinkOptions& options) { options.look_timeout = milliseconds(40); });
     QVERIFY(online());
     QTRY_VERIFY(robot_->waypointStore());
     QSignalSpy changed(robot_.get(), &Robot::capabilitiesChanged);

@@ -328,7 +328,7 @@ class TestRosbridgeCalls : public QObject {
     Replies replies;
     client.open();
     CallRequest patient = request("/patient");
-    patient.patience = milliseconds(60'000);
+    patient.timeout = milliseconds(60'000);
     client.call(request("/a"), replies.take());
     client.call(patient, replies.take());
     QTRY_COMPARE(server.seen.size(), 2);

@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "frames_for_tests.h"
-#include "net/rosbridge/png_text.h"
+#include "net/rosbridge/frame.h"
 #include "test_program.h"
 
 namespace test_rosbridge_frame {

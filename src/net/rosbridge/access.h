@@ -24,35 +24,24 @@ struct Access {
   static simdjson::dom::element json(const Field& field) {
     return std::bit_cast<simdjson::dom::element>(field.raw_);
   }
-  static Field ofWhole(std::int64_t value) {
-    Field field;
-    field.kind_ = Field::Kind::Integer;
-    field.raw_[0] = std::uint64_t(value);
-    return field;
-  }
-  /// Beyond int64: a real number that keeps its digits.
-  static Field ofNatural(std::uint64_t value) {
-    Field field = ofReal(double(value));
-    field.raw_[1] = value;
-    return field;
-  }
-  static Field ofReal(double value) {
-    Field field;
-    field.kind_ = std::isfinite(value) ? Field::Kind::Real : Field::Kind::NotFinite;
-    field.raw_[0] = std::bit_cast<std::uint64_t>(value);
-    return field;
-  }
   static Field ofNumber(const CborNumber& number) {
-    if (const auto* whole = std::get_if<std::int64_t>(&number)) return ofWhole(*whole);
-    if (const auto* natural = std::get_if<std::uint64_t>(&number)) return ofNatural(*natural);
-    return ofReal(std::get<double>(number));
+    Field field;
+    if (const auto* whole = std::get_if<std::int64_t>(&number)) {
+      field.kind_ = Field::Kind::Integer;
+      field.raw_[0] = std::uint64_t(*whole);
+      return field;
+    }
+    // Beyond int64: a real number that keeps its digits.
+    const auto* natural = std::get_if<std::uint64_t>(&number);
+    const double value = natural ? double(*natural) : std::get<double>(number);
+    field.kind_ = std::isfinite(value) ? Field::Kind::Real : Field::Kind::NotFinite;
+    field.raw_ = {std::bit_cast<std::uint64_t>(value), natural ? *natural : 0};
+    return field;
   }
   /// The item at `at`, in bytes that lookThrough() has checked.
   static Field ofCbor(const std::uint8_t* at, const std::uint8_t* end) {
     const CborItem item = CborItem::at(at, end);
-    if (item.type == CborItem::Type::Whole) return ofWhole(item.whole);
-    if (item.type == CborItem::Type::Natural) return ofNatural(item.natural);
-    if (item.type == CborItem::Type::Real || !std::isfinite(item.real)) return ofReal(item.real);
+    if (item.type == CborItem::Type::Number) return ofNumber(item.number);
     Field field;
     if (item.type != CborItem::Type::Null) {
       field.kind_ = Field::Kind::Cbor;

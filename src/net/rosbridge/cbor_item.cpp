@@ -1,9 +1,9 @@
 #include "net/rosbridge/cbor_item.h"
 
 #include <bit>
-#include <cmath>
-#include <cstring>
 #include <limits>
+
+#include <QFloat16>
 
 namespace mapwright::net::rosbridge {
 namespace {
@@ -91,21 +91,8 @@ CborFault look(const std::uint8_t*& at, const std::uint8_t* end, int depth) {
   }
 }
 
-double half(std::uint16_t bits) {
-  const int exponent = bits >> 10 & 31;
-  const double mantissa = bits & 1023;
-  double value = 0;
-  if (exponent == 31) {
-    value =
-        mantissa == 0 ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
-  } else {
-    value = exponent == 0 ? std::ldexp(mantissa, -24) : std::ldexp(mantissa + 1024, exponent - 25);
-  }
-  return bits & 0x8000 ? -value : value;
-}
-
 double floatOf(std::uint64_t bits, std::size_t width) {
-  if (width == 2) return half(std::uint16_t(bits));
+  if (width == 2) return double(std::bit_cast<qfloat16>(std::uint16_t(bits)));
   if (width == 4) return double(std::bit_cast<float>(std::uint32_t(bits)));
   return std::bit_cast<double>(bits);
 }
@@ -125,20 +112,12 @@ std::optional<CborNumbers> numbersTagged(std::uint64_t tag) {
   return numbers;
 }
 
-void take(CborItem& item, const CborNumber& number) {
-  if (const auto* whole = std::get_if<std::int64_t>(&number)) {
-    item.type = CborItem::Type::Whole;
-    item.whole = *whole;
-  } else if (const auto* natural = std::get_if<std::uint64_t>(&number)) {
-    item.type = CborItem::Type::Natural;
-    item.natural = *natural;
-  } else {
-    item.real = std::get<double>(number);
-    if (std::isfinite(item.real)) item.type = CborItem::Type::Real;
-  }
-}
-
 constexpr std::uint64_t kMostWhole = std::uint64_t(std::numeric_limits<std::int64_t>::max());
+
+/// As std::int64_t where it fits.
+CborNumber wholeNumber(std::uint64_t value) {
+  return value > kMostWhole ? CborNumber(value) : CborNumber(std::int64_t(value));
+}
 
 }  // namespace
 
@@ -160,8 +139,7 @@ CborNumber CborNumbers::at(std::size_t index) const {
     const unsigned unused = unsigned(64 - 8 * width);
     return std::int64_t(bits << unused) >> unused;
   }
-  if (bits > kMostWhole) return bits;
-  return std::int64_t(bits);
+  return wholeNumber(bits);
 }
 
 CborItem CborItem::at(const std::uint8_t* at, const std::uint8_t* end) {
@@ -174,17 +152,15 @@ CborItem CborItem::at(const std::uint8_t* at, const std::uint8_t* end) {
   }
   switch (head.major) {
     case kUnsigned:
-      if (head.value > kMostWhole) {
-        take(item, head.value);
-      } else {
-        take(item, std::int64_t(head.value));
-      }
+      item.type = Type::Number;
+      item.number = wholeNumber(head.value);
       break;
     case kNegative:
+      item.type = Type::Number;
       if (head.value > kMostWhole) {
-        take(item, -1.0 - double(head.value));
+        item.number = -1.0 - double(head.value);
       } else {
-        take(item, -1 - std::int64_t(head.value));
+        item.number = -1 - std::int64_t(head.value);
       }
       break;
     case kBytes: {
@@ -215,7 +191,8 @@ CborItem CborItem::at(const std::uint8_t* at, const std::uint8_t* end) {
         item.type = Type::Flag;
         item.flag = head.info == 21;
       } else if (head.info >= 25 && head.info <= 27) {
-        take(item, floatOf(head.value, std::size_t(1) << (head.info - 24)));
+        item.type = Type::Number;
+        item.number = floatOf(head.value, std::size_t(1) << (head.info - 24));
       }
   }
   return item;

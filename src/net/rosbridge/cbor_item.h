@@ -33,16 +33,14 @@ struct CborNumbers {
 };
 
 struct CborItem {
-  enum class Type { Null, Whole, Natural, Real, Flag, Text, Numbers, List, Object };
+  enum class Type { Null, Number, Flag, Text, Numbers, List, Object };
 
-  /// Unknown tags are skipped. The following become Null as well: undefined, numbers that are not finite or
-  /// exceed 64 bits, chunked strings, typed arrays of 128-bit floats or with half an element.
+  /// Unknown tags are skipped. The following become Null as well: undefined, numbers beyond 64 bits, chunked
+  /// strings, typed arrays of 128-bit floats or with half an element.
   static CborItem at(const std::uint8_t* at, const std::uint8_t* end);
 
   Type type = Type::Null;
-  std::int64_t whole = 0;
-  std::uint64_t natural = 0;  // beyond `whole`
-  double real = 0;            // for Null, too: a number that is not finite, otherwise 0
+  CborNumber number;  // may be not finite
   bool flag = false;
   std::string_view text;  // as received, may be invalid UTF-8
   CborNumbers numbers;

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <list>
 #include <map>
 #include <utility>
 
 #include <QDateTime>
 #include <QLoggingCategory>
+#include <QRandomGenerator>
 #include <QTimer>
 
 #include "net/plain_sentences.h"
-#include "net/rosbridge/read_answer.h"
 
 namespace mapwright::net::rosbridge {
 namespace {
@@ -21,39 +22,16 @@ Q_LOGGING_CATEGORY(lcRosbridge, "mapwright.rosbridge", QtWarningMsg)
 using Kind = CallAnswer::Kind;
 
 std::string lineOf(const CallAnswer& answer) {
-  switch (answer.kind) {
-    case Kind::Answered:
-      return "answered";
-    case Kind::Refused:
-      return "refused: " + answer.words;
-    case Kind::TimedOut:
-      return "timed out";
-    case Kind::LinkLost:
-      return "connection lost";
-    case Kind::Cancelled:
-      return "cancelled";
-    case Kind::Malformed:
-      break;
-  }
-  return (answer.sent ? "unreadable answer: " : "not sent: ") + answer.words;
+  constexpr const char* kLines[] = {"answered", "refused: ", "timed out", "connection lost", "cancelled"};
+  if (answer.kind == Kind::Malformed)
+    return (answer.sent ? "unreadable answer: " : "not sent: ") + answer.words;
+  return kLines[int(answer.kind)] + (answer.kind == Kind::Refused ? answer.words : std::string());
 }
 
 const char* lineOf(Oddity oddity) {
-  switch (oddity) {
-    case Oddity::UnreadableFrame:
-      return "unreadable frame";
-    case Oddity::BadFragment:
-      return "stray fragment";
-    case Oddity::LostFragments:
-      return "lost fragments";
-    case Oddity::UnknownOperation:
-      return "unknown op";
-    case Oddity::UnknownCall:
-      return "unknown call";
-    case Oddity::MalformedMessage:
-      break;
-  }
-  return "malformed message";
+  constexpr const char* kLines[] = {"unreadable frame", "stray fragment", "lost fragments",
+                                    "unknown op",       "unknown call",   "malformed message"};
+  return kLines[int(oddity)];
 }
 
 /// A connection that goes so soon after the other one came may have had to make way for it.
@@ -75,6 +53,23 @@ ClientOptions withClocks(ClientOptions options) {
   return options;
 }
 
+WebSocketLinkOptions linkOptions(const ClientOptions& options) {
+  WebSocketLinkOptions link = options.link;
+  link.max_message_bytes = options.max_message_bytes;
+  return link;
+}
+
+FragmentJoiner::Limits joinerLimits(const ClientOptions& options) {
+  FragmentJoiner::Limits limits = options.fragments;
+  limits.bytes = std::min(limits.bytes, std::size_t(options.max_message_bytes));
+  return limits;
+}
+
+QString randomText() {
+  return QString::number(QRandomGenerator::system()->generate64(), 16) +
+         QString::number(QRandomGenerator::system()->generate64(), 16);
+}
+
 }  // namespace
 
 class Client::Impl {
@@ -82,19 +77,18 @@ class Client::Impl {
   Impl(Client* owner, const QUrl& url, ClientOptions options)
       : owner_(owner),
         options_(withClocks(std::move(options))),
-        book_(options_.calls_at_once, options_.busy_after_giving_up),
-        quick_(url, options_, nullptr),
-        large_(url, options_, nullptr) {
+        quick_(url, options_),
+        large_(url, options_) {
     for (const bool large : {false, true}) listen(large);
     QObject::connect(&look_, &QTimer::timeout, owner_, [this] { look(); });
   }
 
-  void open() { quick_.link().open(); }
+  void open() { quick_.link.open(); }
 
   void close() {
     closing_ = true;
-    large_.link().close();
-    quick_.link().close();
+    large_.link.close();
+    quick_.link.close();
     closing_ = false;
     // There may be another server the next time.
     sharing_ = Sharing::No;
@@ -103,25 +97,30 @@ class Client::Impl {
   }
 
   void setTrust(const Trust& trust) {
-    quick_.link().setTrust(trust);
-    large_.link().setTrust(trust);
+    quick_.link.setTrust(trust);
+    large_.link.setTrust(trust);
   }
 
   quint64 call(CallRequest request, Reply reply) {
     request.large = request.large && sharing_ == Sharing::No;
     if (request.large) needLarge();
-    const quint64 number = book_.add(std::move(request), std::move(reply));
+    const quint64 number = ++last_call_;
+    waiting_.push_back({number, std::move(request), std::move(reply)});
     advance();
     return number;
   }
 
   void cancel(quint64 number) {
-    if (const auto taken = book_.cancel(number, options_.now())) {
-      CallAnswer answer;
-      answer.kind = Kind::Cancelled;
-      answer.sent = taken->sent && !breakOff(number);
-      deliver(taken->call, std::move(answer));
-      advance();
+    for (std::list<Call>* const calls : {&waiting_, &sent_}) {
+      const auto at =
+          std::find_if(calls->begin(), calls->end(), [&](const Call& call) { return call.number == number; });
+      if (at == calls->end()) continue;
+      const Call call = std::move(*at);
+      calls->erase(at);
+      const bool sent = calls == &sent_;
+      if (sent) giveUp(call);
+      end(call, Kind::Cancelled, sent && !breakOff(number));
+      return advance();
     }
   }
 
@@ -160,15 +159,50 @@ class Client::Impl {
     return std::nullopt;
   }
 
-  const WebSocketLink& link(bool large) const { return large ? large_.link() : quick_.link(); }
+  const WebSocketLink& link(bool large) const { return large ? large_.link : quick_.link; }
   quint64 oddities() const { return oddities_; }
 
  private:
+  /// One of the two connections.
+  struct Connection {
+    Connection(const QUrl& url, const ClientOptions& options)
+        : link({url}, QByteArray(), linkOptions(options)), joiner(joinerLimits(options)) {}
+    /// Not ready, and will not be without another attempt.
+    bool down() const {
+      return link.state() == WebSocketLink::State::Closed || link.state() == WebSocketLink::State::Waiting;
+    }
+    /// Dropped unless ready.
+    void send(const QString& request) {
+      if (ready) link.sendText(request);
+    }
+    bool joining() const { return joiner.heldMessages() > 0; }
+
+    WebSocketLink link;
+    FragmentJoiner joiner;
+    std::uint64_t losses_told = 0;
+    bool ready = false;  // connected, and the credentials were sent: requests may follow
+  };
+
   struct Topic {
     Subscription wanted;
     QString id;  // empty: not sent
     std::chrono::milliseconds since{0};
     bool heard = false;  // since it was sent
+  };
+
+  struct Call {
+    quint64 number = 0;
+    CallRequest request;
+    Reply reply;
+    std::chrono::milliseconds until{0};  // once sent
+    QString id() const { return QLatin1Char('c') + QString::number(number); }
+  };
+
+  /// It may keep the server busy, although nobody waits for it any more.
+  struct GivenUp {
+    QString id;
+    bool large = false;
+    std::chrono::milliseconds until{0};
   };
 
   /// Whether everything uses one connection.
@@ -188,39 +222,81 @@ class Client::Impl {
   bool isLarge(const Topic& topic) const { return topic.wanted.large && sharing_ == Sharing::No; }
 
   void listen(bool large) {
-    Connection& heard = connection(large);
-    QObject::connect(&heard, &Connection::becameReady, owner_, [this, large] { begin(large); });
-    QObject::connect(&heard, &Connection::wasLost, owner_, [this, large] { lose(large); });
-    QObject::connect(&heard.link(), &WebSocketLink::written, owner_, [this, large] { pump(large); });
-    QObject::connect(&heard, &Connection::changed, owner_, [this, large] {
-      if (large) judgeLarge();
-      advance();
-      Q_EMIT owner_->changed();
-    });
-    QObject::connect(&heard, &Connection::came, owner_,
-                     [this, large](const std::shared_ptr<const Frame>& frame, qint64 bytes,
-                                   double received_s) { take(frame, bytes, received_s, large); });
-    QObject::connect(&heard, &Connection::frameReceived, owner_,
-                     [this](std::string_view bytes, bool binary, double received_s) {
-                       Q_EMIT owner_->frameReceived(bytes, binary, received_s);
-                       lookLater();
-                     });
-    QObject::connect(&heard, &Connection::odd, owner_,
-                     [this](Oddity what, const QString& detail) { tell(what, detail); });
+    const WebSocketLink* const link = &connection(large).link;
+    QObject::connect(link, &WebSocketLink::changed, owner_, [this, large] { follow(large); });
+    QObject::connect(link, &WebSocketLink::opened, owner_, [this, large] { start(large); });
+    QObject::connect(link, &WebSocketLink::written, owner_, [this, large] { pump(large); });
+    QObject::connect(link, &WebSocketLink::textReceived, owner_,
+                     [this, large](const QByteArray& utf8) { read(utf8, Frame::Wire::Text, large); });
+    QObject::connect(link, &WebSocketLink::binaryReceived, owner_,
+                     [this, large](const QByteArray& bytes) { read(bytes, Frame::Wire::Binary, large); });
+  }
+
+  void follow(bool large) {
+    Connection& by = connection(large);
+    if (by.ready && by.link.state() != WebSocketLink::State::Open) {
+      by.ready = false;
+      by.joiner.clear();
+      lose(large);
+    }
+    if (large) judgeLarge();
+    advance();
+    Q_EMIT owner_->changed();
+  }
+
+  void start(bool large) {
+    Connection& by = connection(large);
+    by.ready = true;
+    if (options_.credentials)
+      by.link.sendText(authRequest(*options_.credentials, randomText(), qint64(options_.wall_s())));
+    begin(large);
+  }
+
+  void read(const QByteArray& bytes, Frame::Wire wire, bool large) {
+    const double received_s = options_.wall_s();
+    Q_EMIT owner_->frameReceived({bytes.constData(), std::size_t(bytes.size())}, wire == Frame::Wire::Binary,
+                                 received_s);
+    lookLater();
+    const auto frame = Frame::read(bytes, wire, std::size_t(options_.max_message_bytes));
+    if (frame->fault() == Frame::Fault::None && frame->root()["op"].text() == "fragment") {
+      join(frame->root(), received_s, large);
+    } else {
+      take(frame, bytes.size(), received_s, large);
+    }
+  }
+
+  void join(const Field& fragment, double received_s, bool large) {
+    const auto joined = connection(large).joiner.take(fragment, options_.now());
+    if (!joined) tell(Oddity::BadFragment, plainText(QString::fromStdString(fragment["id"].text())));
+    tellOfLosses(large);
+    if (!joined || !*joined) return;
+    const QByteArray text = **joined;
+    take(Frame::read(text, Frame::Wire::Text, std::size_t(options_.max_message_bytes)), text.size(),
+         received_s, large);
+  }
+
+  void tellOfLosses(bool large) {
+    Connection& by = connection(large);
+    while (by.losses_told < by.joiner.dropped()) {
+      ++by.losses_told;
+      tell(Oddity::LostFragments, {});
+    }
   }
 
   /// The second connection depends on the first: it stays closed if the first is, and does not take the only
   /// slot of a server.
   void needLarge() {
-    if (quick_.ready() && sharing_ == Sharing::No && large_.down()) large_.link().open();
+    if (quick_.ready && sharing_ == Sharing::No && large_.down()) large_.link.open();
   }
 
   void begin(bool large) {
     ready_at_ = options_.now();
     if (!large && sharing_ == Sharing::UntilReconnect) sharing_ = Sharing::No;
-    const bool any_large = std::any_of(topics_.begin(), topics_.end(),
-                                       [](const auto& topic) { return topic.second.wanted.large; });
-    if (!large && (any_large || book_.waitsForLarge())) needLarge();
+    const bool any_large =
+        std::any_of(topics_.begin(), topics_.end(),
+                    [](const auto& topic) { return topic.second.wanted.large; }) ||
+        std::any_of(waiting_.begin(), waiting_.end(), [](const Call& call) { return call.request.large; });
+    if (!large && any_large) needLarge();
     for (auto& [topic, state] : topics_) {
       if (isLarge(state) == large) send(state);
     }
@@ -232,22 +308,21 @@ class Client::Impl {
     for (auto& [topic, state] : topics_) {
       if (isLarge(state) == large) state.id.clear();
     }
-    for (const CallBook::Call& call : book_.lost(large)) fail(call, Kind::LinkLost, !breakOff(call.number));
-    uploads_[large].clear();
+    loseCalls(large);
     if (sharing_ != Sharing::No || closing_) return;
     // A server that allows one connection closes the other one, each time both are open.
     const bool soon = !connection(!large).down() && options_.now() - ready_at_ <= kSoonLost;
     strikes_ = soon ? strikes_ + 1 : 0;
-    if (strikes_ >= kMostStrikes) share(Sharing::ForGood, connection(large).link().reason());
+    if (strikes_ >= kMostStrikes) share(Sharing::ForGood, connection(large).link.reason());
   }
 
   /// Handles a refused second connection while the first one is open.
   void judgeLarge() {
-    const WebSocketLink& link = large_.link();
+    const WebSocketLink& link = large_.link;
     const bool refused = large_.down() && !large_was_open_ && link.reason().any();
     large_was_open_ = link.state() == WebSocketLink::State::Open ||
                       (large_was_open_ && link.state() == WebSocketLink::State::Waiting);
-    if (refused && sharing_ == Sharing::No && quick_.ready()) share(Sharing::UntilReconnect, link.reason());
+    if (refused && sharing_ == Sharing::No && quick_.ready) share(Sharing::UntilReconnect, link.reason());
   }
 
   void share(Sharing how, const Fault& why) {
@@ -255,12 +330,11 @@ class Client::Impl {
     for (auto& [topic, state] : topics_) {
       if (state.wanted.large) state.id.clear();
     }
-    for (const CallBook::Call& call : book_.lost(true)) fail(call, Kind::LinkLost, !breakOff(call.number));
-    uploads_[true].clear();
+    loseCalls(true);
     qCInfo(lcRosbridge, "one connection for everything from now on: %s", inEnglish(reason).c_str());
     sharing_ = how;
-    book_.allQuick();
-    large_.link().close();
+    for (Call& call : waiting_) call.request.large = false;
+    large_.link.close();
     for (auto& [topic, state] : topics_) {
       if (state.wanted.large) send(state);
     }
@@ -280,13 +354,12 @@ class Client::Impl {
     return false;
   }
 
-  void beginUpload(const CallBook::Call& call) {
+  void beginUpload(const Call& call) {
     const bool large = call.request.large;
-    uploads_[large].push_back(
-        {call.number,
-         Upload(CallBook::idOf(call.number), call.request.service, call.request.made_while_sent,
-                options_.most_whole_bytes, options_.fragment_bytes),
-         call.request.travelled});
+    uploads_[large].push_back({call.number,
+                               Upload(call.id(), call.request.service, call.request.made_while_sent,
+                                      options_.most_whole_bytes, options_.fragment_bytes),
+                               call.request.travelled});
     QMetaObject::invokeMethod(
         owner_, [this, large] { pump(large); }, Qt::QueuedConnection);
   }
@@ -301,21 +374,23 @@ class Client::Impl {
   void pumpOnce(bool large) {
     Connection& by = connection(large);
     auto& uploads = uploads_[large];
-    while (!uploads.empty() && by.ready()) {
+    while (!uploads.empty() && by.ready) {
       const quint64 number = uploads.front().number;
       Upload& upload = uploads.front().upload;
-      while (!upload.done() && by.link().unsentBytes() < kMostUnsent) {
+      while (!upload.done() && by.link.unsentBytes() < kMostUnsent) {
         const std::optional<QString> frame = upload.next();
         if (!frame) break;
         by.send(*frame);
-        if (!by.ready()) return;  // it has just been lost
+        if (!by.ready) return;  // it has just been lost
       }
       if (upload.givenUp()) {
         cancel(number);  // its source has cancelled it
         continue;
       }
-      const qint64 unsent = by.link().unsentBytes();
-      book_.goesOn(number, options_.now());
+      const qint64 unsent = by.link.unsentBytes();
+      for (Call& call : sent_) {
+        if (call.number == number) startTimeout(call);
+      }
       const auto travelled = uploads.front().travelled;
       const qint64 of = upload.bytes();
       const qint64 gone = std::clamp<qint64>(upload.handedOut() - unsent, 0, of);
@@ -328,7 +403,7 @@ class Client::Impl {
 
   void send(Topic& topic) {
     Connection& by = connection(isLarge(topic));
-    if (!by.ready()) return;
+    if (!by.ready) return;
     topic.id = QLatin1Char('s') + QString::number(++last_subscription_);
     topic.since = options_.now();
     topic.heard = false;
@@ -337,35 +412,88 @@ class Client::Impl {
     by.send(subscribeRequest(topic.id, topic.wanted));
   }
 
-  /// Sends what can be sent, and fails what cannot.
+  /// Sends what can be sent, and ends what cannot.
   void advance() {
-    const auto next = [this](const CallBook::Call& call) {
-      const Connection& by = connection(call.request.large);
-      if (by.ready()) return CallBook::Next::Send;
+    for (auto call = waiting_.begin(); call != waiting_.end();) {
+      const auto here = call++;
+      const Connection& by = connection(here->request.large);
       // The large one is opened after the quick one.
-      const bool coming = !by.down() || (call.request.large && !quick_.down() && !quick_.ready());
-      return coming ? CallBook::Next::Wait : CallBook::Next::Fail;
-    };
-    const auto send = [this](const CallBook::Call& call) {
-      qCDebug(lcRosbridge, "call %llu %s", call.number, call.request.service.c_str());
-      if (call.request.made_while_sent) {
-        if (!call.request.service.empty()) beginUpload(call);
-        return !call.request.service.empty();
+      const bool coming = !by.down() || (here->request.large && !quick_.down() && !quick_.ready);
+      const bool busy = sent_.size() + given_up_.size() >= std::size_t(std::max(1, options_.calls_at_once));
+      if (by.ready ? busy : coming) continue;
+      if (by.ready && send(*here)) {
+        startTimeout(*here);
+        sent_.splice(sent_.end(), waiting_, here);
+        continue;
       }
-      const std::optional<QString> request =
-          callRequest(CallBook::idOf(call.number), call.request.service, call.request.args);
-      if (request) connection(call.request.large).send(*request);
-      return request.has_value();
-    };
-    for (const CallBook::Call& call : book_.advance(next, send, options_.now())) {
-      fail(call, connection(call.request.large).ready() ? Kind::Malformed : Kind::LinkLost, false);
+      end(*here, by.ready ? Kind::Malformed : Kind::LinkLost, false);
+      waiting_.erase(here);
     }
     lookLater();
   }
 
+  bool send(const Call& call) {
+    qCDebug(lcRosbridge, "call %llu %s", call.number, call.request.service.c_str());
+    if (call.request.made_while_sent) {
+      if (!call.request.service.empty()) beginUpload(call);
+      return !call.request.service.empty();
+    }
+    const std::optional<QString> request = callRequest(call.id(), call.request.service, call.request.args);
+    if (request) connection(call.request.large).send(*request);
+    return request.has_value();
+  }
+
+  void startTimeout(Call& call) { call.until = options_.now() + call.request.timeout; }
+
+  void giveUp(const Call& call) {
+    given_up_.push_back({call.id(), call.request.large, options_.now() + options_.busy_after_giving_up});
+  }
+
+  /// The calls that were sent and are `over`.
+  template <typename Over>
+  void endSent(Kind kind, const Over& over) {
+    for (auto call = sent_.begin(); call != sent_.end();) {
+      const auto here = call++;
+      if (!over(*here)) continue;
+      if (kind == Kind::TimedOut) giveUp(*here);
+      end(*here, kind, !breakOff(here->number));
+      sent_.erase(here);
+    }
+  }
+
+  void loseCalls(bool large) {
+    std::erase_if(given_up_, [&](const GivenUp& call) { return call.large == large; });
+    endSent(Kind::LinkLost, [&](const Call& call) { return call.request.large == large; });
+    uploads_[large].clear();
+  }
+
+  /// Takes out the call that an answer on that connection belongs to. An answer without an id belongs to the
+  /// only call of that service.
+  std::optional<Call> takeAnswered(const std::optional<QString>& id, const std::string& service, bool large) {
+    auto found = sent_.end();
+    for (auto call = sent_.begin(); call != sent_.end(); ++call) {
+      const bool fits = id ? call->id() == *id : call->request.service == service;
+      if (call->request.large != large || !fits) continue;
+      if (found != sent_.end()) return std::nullopt;  // ambiguous
+      found = call;
+    }
+    if (found == sent_.end()) return std::nullopt;
+    Call call = std::move(*found);
+    sent_.erase(found);
+    return call;
+  }
+
+  /// The late answer to a call that had been given up.
+  bool takeLate(const std::optional<QString>& id, bool large) {
+    return std::erase_if(given_up_,
+                         [&](const GivenUp& call) { return call.large == large && call.id == id; }) > 0;
+  }
+
   void take(const std::shared_ptr<const Frame>& frame, qint64 bytes, double received_s, bool large) {
     const std::string operation = frame->root()["op"].text();
-    if (operation == "publish") {
+    if (frame->fault() != Frame::Fault::None) {
+      tell(Oddity::UnreadableFrame, {});
+    } else if (operation == "publish") {
       takeMessage(frame, bytes, received_s, large);
     } else if (operation == "service_response") {
       takeAnswer(frame, large);
@@ -401,11 +529,10 @@ class Client::Impl {
 
   void takeAnswer(const std::shared_ptr<const Frame>& frame, bool large) {
     const std::optional<QString> id = idIn(frame->root()["id"]);
-    const CallBook::Answered answered = book_.answered(id, frame->root()["service"].text(), large);
-    if (answered.call) {
-      breakOff(answered.call->number);
-      deliver(*answered.call, readAnswer(frame));
-    } else if (!answered.late) {
+    if (const auto call = takeAnswered(id, frame->root()["service"].text(), large)) {
+      breakOff(call->number);
+      deliver(*call, readAnswer(frame));
+    } else if (!takeLate(id, large)) {
       tell(Oddity::UnknownCall, plainText(id.value_or(QString())));
     }
     advance();
@@ -418,46 +545,59 @@ class Client::Impl {
     qCInfo(lcRosbridge, "status %s: %s", qUtf8Printable(level), qUtf8Printable(words));
     if (id && level == QLatin1String("error")) {
       // Instead of an answer: the request was not understood.
-      if (const CallBook::Answered answered = book_.answered(id, {}, large); answered.call) {
+      if (const auto call = takeAnswered(id, {}, large)) {
         CallAnswer answer;
         answer.kind = Kind::Refused;
         answer.words = words.toStdString();
-        answer.sent = !breakOff(answered.call->number);
-        deliver(*answered.call, std::move(answer));
+        answer.sent = !breakOff(call->number);
+        deliver(*call, std::move(answer));
         advance();
+      } else {
+        takeLate(id, large);
       }
     }
     Q_EMIT owner_->statusReceived(level, words, plainText(id.value_or(QString())));
   }
 
   void look() {
-    quick_.expire();
-    large_.expire();
-    for (const CallBook::Call& call : book_.timedOut(options_.now()))
-      fail(call, Kind::TimedOut, !breakOff(call.number));
     for (const bool large : {false, true}) {
-      const qint64 bytes = connection(large).arrivingBytes();
+      connection(large).joiner.expire(options_.now());
+      tellOfLosses(large);
+    }
+    const auto now = options_.now();
+    std::erase_if(given_up_, [&](const GivenUp& call) { return call.until <= now; });
+    endSent(Kind::TimedOut, [&](const Call& call) { return call.until <= now; });
+    for (const bool large : {false, true}) {
+      // Of an incomplete frame or fragmented message.
+      const Connection& by = connection(large);
+      const qint64 bytes = by.link.arrivingBytes() + qint64(by.joiner.heldBytes());
       if (bytes <= 0) continue;
-      for (const auto& told : book_.whoListens(large)) told(bytes);
+      std::vector<std::function<void(qint64)>> listeners;  // they may cancel calls
+      for (const Call& call : sent_) {
+        if (call.request.large == large && call.request.arriving) listeners.push_back(call.request.arriving);
+      }
+      for (const auto& arriving : listeners) arriving(bytes);
     }
     advance();
     if (!needsLooks()) look_.stop();
   }
 
-  bool needsLooks() const { return book_.hasSent() || quick_.joining() || large_.joining(); }
+  bool needsLooks() const {
+    return !sent_.empty() || !given_up_.empty() || quick_.joining() || large_.joining();
+  }
 
   void lookLater() {
     if (!look_.isActive() && needsLooks()) look_.start(options_.look_every);
   }
 
-  void fail(const CallBook::Call& call, Kind kind, bool sent) {
+  void end(const Call& call, Kind kind, bool sent) {
     CallAnswer answer;
     answer.kind = kind;
     answer.sent = sent;
     deliver(call, std::move(answer));
   }
 
-  void deliver(const CallBook::Call& call, CallAnswer answer) {
+  void deliver(const Call& call, CallAnswer answer) {
     qCDebug(lcRosbridge, "call %llu %s: %s", call.number, call.request.service.c_str(),
             lineOf(answer).c_str());
     if (!call.reply) return;
@@ -473,7 +613,9 @@ class Client::Impl {
 
   Client* owner_;
   ClientOptions options_;
-  CallBook book_;
+  quint64 last_call_ = 0;
+  std::list<Call> waiting_, sent_;
+  std::vector<GivenUp> given_up_;
   std::map<std::string, Topic> topics_;
   quint64 last_subscription_ = 0;
   quint64 oddities_ = 0;

@@ -1,10 +1,13 @@
 #include "net/rosbridge/field.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
 
+#include <QByteArray>
 #include <QString>
 #include <simdjson.h>
 
@@ -14,7 +17,6 @@ namespace mapwright::net::rosbridge {
 namespace {
 
 using Type = CborItem::Type;
-using JsonType = simdjson::dom::element_type;
 
 constexpr std::size_t kCountedByJson = 0xffffff;  // simdjson stores 24 bits of the length of a list
 
@@ -71,15 +73,9 @@ std::optional<std::string> fromBase64(std::string_view text, std::size_t max) {
   return (*result).toStdString();
 }
 
-/// The typed array or byte string that a field is.
-std::optional<CborNumbers> numbersOf(const Field& field) {
-  if (!Access::isCbor(field)) return std::nullopt;
-  const CborItem item = Access::cbor(field);
-  return item.type == Type::Numbers ? std::optional(item.numbers) : std::nullopt;
-}
-
-bool holdsBytes(const CborNumbers& numbers, CborNumbers::Of of) {
-  return numbers.width == 1 && numbers.of == of;
+/// A typed array of bytes, or a byte string.
+bool holdsBytes(const std::optional<CborNumbers>& numbers, CborNumbers::Of of) {
+  return numbers && numbers->width == 1 && numbers->of == of;
 }
 
 /// Integers between `least` and `most`, at most `max` of them.
@@ -104,6 +100,137 @@ std::optional<Out> wholes(const Field& list, std::size_t max, std::int64_t least
   });
   return fine ? std::optional(std::move(out)) : std::nullopt;
 }
+
+constexpr std::size_t kShownItems = 32, kShownText = 512;
+const QByteArray kMore = QByteArrayLiteral("\xe2\x80\xa6");  // …
+
+/// How much of it to include.
+struct Bounds {
+  qsizetype text = std::numeric_limits<qsizetype>::max();
+  std::size_t items = std::numeric_limits<std::size_t>::max();
+  std::size_t letters = std::numeric_limits<std::size_t>::max();  // bytes of each text in it
+  bool whole = true;
+};
+
+/// The longest prefix of the UTF-8 `text` with at most `bytes` bytes that splits no character.
+std::size_t wholeCharacters(std::string_view text, std::size_t bytes) {
+  if (bytes >= text.size()) return text.size();
+  while (bytes > 0 && (std::uint8_t(text[bytes]) & 0xc0) == 0x80) --bytes;
+  return bytes;
+}
+
+class Writer {
+ public:
+  explicit Writer(const Bounds& bounds) : bounds_(bounds) {}
+
+  bool full() const { return out_.size() > bounds_.text; }
+
+  void write(const Field& field) {
+    if (full()) return;
+    if (field.isObject()) {
+      writeObject(field);
+    } else if (const auto numbers = field.typedArray();
+               bounds_.whole && holdsBytes(numbers, CborNumbers::Of::Unsigned)) {
+      writeBytes(*numbers);
+    } else if (field.isList()) {
+      writeList(field);
+    } else if (field.isText()) {
+      writeText(field.text());
+    } else if (field.isNumber()) {
+      writeNumber(field);
+    } else if (const std::optional<bool> flag = field.flag()) {
+      out_ += *flag ? "true" : "false";
+    } else {
+      out_ += "null";
+    }
+  }
+
+  QByteArray taken() {
+    const std::string_view all(out_.constData(), std::size_t(out_.size()));
+    out_.truncate(qsizetype(wholeCharacters(all, std::size_t(std::max<qsizetype>(bounds_.text, 0)))));
+    return std::move(out_);
+  }
+
+ private:
+  void writeBytes(const CborNumbers& numbers) {
+    out_ += '"';
+    out_ += QByteArray::fromRawData(reinterpret_cast<const char*>(numbers.data), qsizetype(numbers.count))
+                .toBase64();
+    out_ += '"';
+  }
+
+  void writeObject(const Field& field) {
+    out_ += '{';
+    bool first = true;
+    field.members([&](std::string_view name, const Field& value) {
+      if (full()) return;
+      if (!first) out_ += ',';
+      first = false;
+      writeText(name);
+      out_ += ':';
+      write(value);
+    });
+    out_ += '}';
+  }
+
+  void writeList(const Field& field) {
+    out_ += '[';
+    std::size_t shown = 0;
+    Access::eachUntil(field, [&](const Field& item) {
+      if (shown == bounds_.items || full()) return false;
+      if (shown > 0) out_ += ',';
+      ++shown;
+      write(item);
+      return true;
+    });
+    if (bounds_.whole) {
+      // It is complete; counting again would take as long.
+    } else if (const std::size_t size = full() ? shown : field.size(); size > shown) {
+      out_ += ",\"" + kMore + ' ' + QByteArray::number(qulonglong(size - shown)) + '"';
+    }
+    out_ += ']';
+  }
+
+  void writeText(std::string_view text) {
+    constexpr char kHex[] = "0123456789abcdef";
+    const std::size_t shown = wholeCharacters(text, bounds_.letters);
+    out_ += '"';
+    for (const char c : text.substr(0, shown)) {
+      if (c == '"' || c == '\\') {
+        out_ += '\\';
+        out_ += c;
+      } else if (c == '\n') {
+        out_ += "\\n";
+      } else if (std::uint8_t(c) < 0x20 || c == 0x7f) {
+        out_ += "\\u00";
+        out_ += kHex[std::uint8_t(c) >> 4];
+        out_ += kHex[c & 15];
+      } else {
+        out_ += c;
+      }
+    }
+    if (shown < text.size()) out_ += kMore;
+    out_ += '"';
+  }
+
+  void writeNumber(const Field& field) {
+    if (const std::optional<std::uint64_t> natural = Access::natural(field)) {
+      out_ += QByteArray::number(qulonglong(*natural));
+      return;
+    }
+    if (const std::optional<std::int64_t> whole = field.integer()) {
+      out_ += QByteArray::number(qlonglong(*whole));
+      return;
+    }
+    std::array<char, 32> digits{};
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), field.number().value_or(0)).ptr;
+    out_.append(digits.data(), end - digits.data());
+  }
+
+  Bounds bounds_;
+  QByteArray out_;
+};
 
 }  // namespace
 
@@ -214,7 +341,11 @@ std::optional<double> Field::real() const {
   return isNumber() ? number() : std::nullopt;
 }
 
-std::optional<CborNumbers> Field::typedArray() const { return numbersOf(*this); }
+std::optional<CborNumbers> Field::typedArray() const {
+  if (kind_ != Kind::Cbor) return std::nullopt;
+  const CborItem item = Access::cbor(*this);
+  return item.type == Type::Numbers ? std::optional(item.numbers) : std::nullopt;
+}
 
 std::optional<std::int64_t> Field::integer() const {
   std::int64_t exact = 0;
@@ -255,8 +386,8 @@ std::string Field::text() const {
 
 std::optional<std::string> Field::bytes(std::size_t max) const {
   if (const std::optional<std::string_view> text = rawText(*this)) return fromBase64(*text, max);
-  const std::optional<CborNumbers> numbers = numbersOf(*this);
-  if (numbers && holdsBytes(*numbers, CborNumbers::Of::Unsigned)) {
+  const std::optional<CborNumbers> numbers = typedArray();
+  if (holdsBytes(numbers, CborNumbers::Of::Unsigned)) {
     if (numbers->count > max) return std::nullopt;
     return std::string(reinterpret_cast<const char*>(numbers->data), numbers->count);
   }
@@ -264,8 +395,8 @@ std::optional<std::string> Field::bytes(std::size_t max) const {
 }
 
 std::optional<std::vector<std::int8_t>> Field::int8s(std::size_t max) const {
-  const std::optional<CborNumbers> numbers = numbersOf(*this);
-  if (numbers && holdsBytes(*numbers, CborNumbers::Of::Signed)) {
+  const std::optional<CborNumbers> numbers = typedArray();
+  if (holdsBytes(numbers, CborNumbers::Of::Signed)) {
     if (numbers->count > max) return std::nullopt;
     const auto* const first = reinterpret_cast<const std::int8_t*>(numbers->data);
     return std::vector<std::int8_t>(first, first + numbers->count);
@@ -296,6 +427,18 @@ std::optional<double> Field::time() const {
       return *seconds + nanoseconds.number().value_or(0) * 1e-9;
   }
   return std::nullopt;
+}
+
+QByteArray Field::toJson(qsizetype max) const {
+  Writer writer({max, kShownItems, kShownText, false});
+  writer.write(*this);
+  return writer.taken();
+}
+
+QByteArray Field::toWholeJson() const {
+  Writer writer({});
+  writer.write(*this);
+  return writer.taken();
 }
 
 }  // namespace mapwright::net::rosbridge

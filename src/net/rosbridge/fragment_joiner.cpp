@@ -100,7 +100,7 @@ tl::expected<std::optional<QByteArray>, FragmentJoiner::Fault> FragmentJoiner::t
 void FragmentJoiner::expire(std::chrono::milliseconds now) {
   for (Place place = open_.begin(); place != open_.end();) {
     const Place next = std::next(place);
-    if (now - place->last > limits_.patience) giveUp(place);
+    if (now - place->last > limits_.timeout) giveUp(place);
     place = next;
   }
 }

@@ -28,7 +28,7 @@ class FragmentJoiner {
     std::size_t bytes = std::size_t(256) << 20;  // of all incomplete messages, with overhead
     std::size_t messages = 64;                   // incomplete at once
     std::size_t pieces = 1 << 20;                // of one message
-    std::chrono::milliseconds patience{30'000};  // for the next fragment of a message
+    std::chrono::milliseconds timeout{30'000};   // for the next fragment of a message
   };
   enum class Fault {
     Malformed,  // a fragment without number, count or data

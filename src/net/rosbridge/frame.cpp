@@ -1,13 +1,100 @@
 #include "net/rosbridge/frame.h"
 
-#include <simdjson.h>
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
 
+#include <QString>
+#include <simdjson.h>
+#include <spng.h>
+
+#include "net/json_numbers.h"
 #include "net/rosbridge/access.h"
 #include "net/rosbridge/cbor_item.h"
-#include "net/rosbridge/png_text.h"
-#include "net/rosbridge/repair_json.h"
 
 namespace mapwright::net::rosbridge {
+namespace {
+
+constexpr std::size_t kMostUnpacked = 1032;  // bytes that one byte of deflate can expand to
+
+/// The code unit of `\uXXXX` at `at`.
+std::optional<unsigned> unitAt(std::string_view text, std::size_t at) {
+  if (text.substr(at, 2) != "\\u" || text.size() - at < 6) return std::nullopt;
+  unsigned unit = 0;
+  const char* const end = text.data() + at + 6;
+  return std::from_chars(text.data() + at + 2, end, unit, 16).ptr == end ? std::optional(unit) : std::nullopt;
+}
+
+/// Appends the string that starts at `i`; returns its end.
+std::size_t copyString(std::string_view text, std::size_t i, QByteArray& out) {
+  const auto copy = [&](std::size_t bytes) {
+    bytes = std::min(bytes, text.size() - i);
+    out.append(text.data() + i, qsizetype(bytes));
+    i += bytes;
+  };
+  copy(1);
+  while (i < text.size() && text[i] != '"') {
+    if (text[i] != '\\') {
+      const std::size_t next = text.find_first_of("\"\\", i);
+      copy(next == std::string_view::npos ? text.size() - i : next - i);
+    } else if (const auto unit = unitAt(text, i); unit && *unit >= 0xd800 && *unit < 0xe000) {
+      const auto second = unitAt(text, i + 6);
+      if (*unit < 0xdc00 && second && *second >= 0xdc00 && *second < 0xe000) {
+        copy(12);
+      } else {
+        out += "\\ufffd";
+        i += 6;
+      }
+    } else {
+      copy(2);
+    }
+  }
+  copy(1);
+  return i;
+}
+
+/// The almost valid JSON of some servers with NaN, Infinity, -Infinity and numbers out of range replaced by
+/// null, and, within strings, invalid UTF-8 and unpaired surrogates by U+FFFD. Other errors stay.
+QByteArray repairJson(const QByteArray& text) {
+  const bool readable = simdjson::validate_utf8(text.constData(), std::size_t(text.size()));
+  const QByteArray source = readable ? text : QString::fromUtf8(text).toUtf8();
+  const std::string repaired = repairNumbers({source.constData(), std::size_t(source.size())});
+  const std::string_view all = repaired;
+  QByteArray result;
+  result.reserve(qsizetype(all.size()));
+  for (std::size_t i = 0; i < all.size();) {
+    const std::size_t quote = std::min(all.find('"', i), all.size());
+    result.append(all.data() + i, qsizetype(quote - i));
+    i = quote < all.size() ? copyString(all, quote, result) : quote;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<QByteArray> textOfPng(std::string_view png, std::size_t max) {
+  const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> reader(spng_ctx_new(0), &spng_ctx_free);
+  spng_ihdr header{};
+  if (!reader || spng_set_png_buffer(reader.get(), png.data(), png.size()) != 0 ||
+      spng_get_ihdr(reader.get(), &header) != 0) {
+    return std::nullopt;
+  }
+  if (header.color_type != SPNG_COLOR_TYPE_TRUECOLOR || header.bit_depth != 8) return std::nullopt;
+  // Each side has at most 31 bits.
+  const std::uint64_t pixels = std::uint64_t(header.width) * header.height;
+  if (pixels > max / 3 || pixels * 3 / kMostUnpacked > png.size()) return std::nullopt;
+  std::size_t bytes = 0;
+  if (spng_decoded_image_size(reader.get(), SPNG_FMT_RGB8, &bytes) != 0 || bytes > max) return std::nullopt;
+  QByteArray text(qsizetype(bytes), Qt::Uninitialized);
+  if (spng_decode_image(reader.get(), text.data(), bytes, SPNG_FMT_RGB8, 0) != 0) return std::nullopt;
+  qsizetype end = text.size();
+  while (end > 0 && (text[end - 1] == '\n' || text[end - 1] == '\0')) --end;
+  text.truncate(end);
+  return text;
+}
 
 struct Frame::Json {
   simdjson::dom::document document;
@@ -16,25 +103,25 @@ struct Frame::Json {
 Frame::Frame() = default;
 Frame::~Frame() = default;
 
-std::shared_ptr<const Frame> Frame::read(const QByteArray& bytes, Wire wire, const FrameLimits& limits) {
+std::shared_ptr<const Frame> Frame::read(const QByteArray& bytes, Wire wire, std::size_t max_bytes) {
   const std::shared_ptr<Frame> frame(new Frame);
   frame->wire_ = wire;
   frame->bytes_ = bytes.size();
-  if (std::size_t(bytes.size()) > limits.max_bytes) {
+  if (std::size_t(bytes.size()) > max_bytes) {
     frame->fault_ = Fault::TooLarge;
   } else if (wire == Wire::Text) {
-    frame->readText(bytes, limits);
+    frame->readText(bytes, max_bytes);
   } else {
     frame->readBinary(bytes);
   }
   return frame;
 }
 
-void Frame::readText(const QByteArray& utf8, const FrameLimits& limits) {
+void Frame::readText(const QByteArray& utf8, std::size_t max_bytes) {
   fault_ = parse(utf8);
   if (fault_ != Fault::None || root_["op"].text() != "png") return;
-  const std::optional<std::string> picture = root_["data"].bytes(limits.max_bytes);
-  const std::optional<QByteArray> text = picture ? textOfPng(*picture, limits.max_bytes) : std::nullopt;
+  const std::optional<std::string> picture = root_["data"].bytes(max_bytes);
+  const std::optional<QByteArray> text = picture ? textOfPng(*picture, max_bytes) : std::nullopt;
   root_ = {};
   fault_ = text ? parse(*text) : Fault::NotAPicture;
   // Nested pictures could expand a small message enormously.

@@ -12,10 +12,6 @@
 
 namespace mapwright::net::rosbridge {
 
-struct FrameLimits {
-  std::size_t max_bytes = std::size_t(256) << 20;  // of the frame, and of the text in a picture
-};
-
 /// The parsed data that its fields point into. Immutable, may be shared between threads. Memory: for JSON
 /// about twice the text, nine times if it is all small numbers; for CBOR the frame itself.
 class Frame {
@@ -23,7 +19,7 @@ class Frame {
   enum class Wire { Text, Binary };
   enum class Fault {
     None,
-    TooLarge,  // longer than FrameLimits, or not enough memory
+    TooLarge,  // too long, or not enough memory
     TooDeep,   // objects in objects, over 128
     NotJson,   // not even almost: NaN and infinities are read as null
     NotCbor,
@@ -32,9 +28,9 @@ class Frame {
 
   /// Never null: an unreadable frame has a fault() and a null root(). {"op":"png"} is unwrapped: the root is
   /// the message inside the picture. `bytes` must own its data (not QByteArray::fromRawData), since a CBOR
-  /// frame shares it.
+  /// frame shares it. `max_bytes`: of the frame, and of the text in a picture.
   static std::shared_ptr<const Frame> read(const QByteArray& bytes, Wire wire,
-                                           const FrameLimits& limits = {});
+                                           std::size_t max_bytes = std::size_t(256) << 20);
   ~Frame();
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
@@ -50,7 +46,7 @@ class Frame {
  private:
   struct Json;
   Frame();
-  void readText(const QByteArray& utf8, const FrameLimits& limits);
+  void readText(const QByteArray& utf8, std::size_t max_bytes);
   void readBinary(const QByteArray& bytes);
   Fault parse(const QByteArray& utf8);
 
@@ -61,5 +57,10 @@ class Frame {
   Wire wire_ = Wire::Text;
   qint64 bytes_ = 0;
 };
+
+/// The bytes of the pixels of an RGB PNG, row by row, without the newlines that pad the last row ("png
+/// compression"). nullopt: not such a picture, or more than `max` bytes. Allocates memory only for as many
+/// pixels as the picture's length can contain.
+std::optional<QByteArray> textOfPng(std::string_view png, std::size_t max);
 
 }  // namespace mapwright::net::rosbridge

@@ -9,6 +9,7 @@
 #include <QJsonObject>
 #include <simdjson.h>
 
+#include "net/plain_sentences.h"
 #include "net/rosbridge/cbor_item.h"
 
 namespace mapwright::net::rosbridge {
@@ -52,26 +53,36 @@ std::string unescaped(std::string_view literal) {
   return QString::fromStdString(out).toStdString();
 }
 
+/// {"op":"call_service","id":…,"service":…,"args":
+QByteArray headOf(const QString& id, const std::string& service) {
+  QByteArray text = QJsonDocument(QJsonObject{{QStringLiteral("op"), QStringLiteral("call_service")},
+                                              {QStringLiteral("id"), id},
+                                              {QStringLiteral("service"), QString::fromStdString(service)}})
+                        .toJson(QJsonDocument::Compact);
+  text.chop(1);
+  return text + ",\"args\":";
+}
+
+bool isWithinCharacter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
+
+/// Text of a server for display: bounded and plain.
+std::string plainWords(const std::string& words) {
+  return plainText(QString::fromStdString(words)).toStdString();
+}
+
 }  // namespace
 
 std::optional<QString> callRequest(const QString& id, const std::string& service, const QByteArray& args) {
   if (service.empty() || !isObject(args))
     return std::nullopt;  // without a service there will never be an answer
-  QJsonObject request;
-  request[QLatin1String("op")] = QLatin1String("call_service");
-  request[QLatin1String("id")] = id;
-  request[QLatin1String("service")] = QString::fromStdString(service);
-  QString text = written(request);
-  text.chop(1);
   // Unchanged: QJsonDocument would turn 2 into 2.0, which servers distinguish.
-  return text + QLatin1String(",\"args\":") + QString::fromUtf8(args) + QLatin1Char('}');
+  return QString::fromUtf8(headOf(id, service) + args + '}');
 }
 
 QString subscribeRequest(const QString& id, const Subscription& wanted) {
-  QJsonObject request;
-  request[QLatin1String("op")] = QLatin1String("subscribe");
-  request[QLatin1String("id")] = id;
-  request[QLatin1String("topic")] = QString::fromStdString(wanted.topic);
+  QJsonObject request{{QStringLiteral("op"), QStringLiteral("subscribe")},
+                      {QStringLiteral("id"), id},
+                      {QStringLiteral("topic"), QString::fromStdString(wanted.topic)}};
   if (!wanted.type.empty()) request[QLatin1String("type")] = QString::fromStdString(wanted.type);
   if (wanted.throttle_ms > 0) {
     request[QLatin1String("throttle_rate")] = wanted.throttle_ms;
@@ -85,11 +96,9 @@ QString subscribeRequest(const QString& id, const Subscription& wanted) {
 }
 
 QString unsubscribeRequest(const QString& id, const std::string& topic) {
-  QJsonObject request;
-  request[QLatin1String("op")] = QLatin1String("unsubscribe");
-  request[QLatin1String("id")] = id;
-  request[QLatin1String("topic")] = QString::fromStdString(topic);
-  return written(request);
+  return written({{QStringLiteral("op"), QStringLiteral("unsubscribe")},
+                  {QStringLiteral("id"), id},
+                  {QStringLiteral("topic"), QString::fromStdString(topic)}});
 }
 
 QString authRequest(const Credentials& credentials, const QString& rand, qint64 now_s) {
@@ -100,16 +109,14 @@ QString authRequest(const Credentials& credentials, const QString& rand, qint64 
                               credentials.level, QString::number(end_s)}) {
     hash.addData(part.toUtf8());
   }
-  QJsonObject request;
-  request[QLatin1String("op")] = QLatin1String("auth");
-  request[QLatin1String("mac")] = QString::fromLatin1(hash.result().toHex());
-  request[QLatin1String("client")] = credentials.client;
-  request[QLatin1String("dest")] = credentials.destination;
-  request[QLatin1String("rand")] = rand;
-  request[QLatin1String("t")] = now_s;
-  request[QLatin1String("level")] = credentials.level;
-  request[QLatin1String("end")] = end_s;
-  return written(request);
+  return written({{QStringLiteral("op"), QStringLiteral("auth")},
+                  {QStringLiteral("mac"), QString::fromLatin1(hash.result().toHex())},
+                  {QStringLiteral("client"), credentials.client},
+                  {QStringLiteral("dest"), credentials.destination},
+                  {QStringLiteral("rand"), rand},
+                  {QStringLiteral("t"), now_s},
+                  {QStringLiteral("level"), credentials.level},
+                  {QStringLiteral("end"), end_s}});
 }
 
 std::string innerWords(const std::string& words) {
@@ -123,6 +130,88 @@ std::string innerWords(const std::string& words) {
       inner.size() >= 2 && (inner.front() == '\'' || inner.front() == '"') && inner.back() == inner.front();
   if (!quoted) return std::string(std::string_view(words).substr(at + kBefore.size()));
   return unescaped(inner.substr(1, inner.size() - 2));
+}
+
+Upload::Upload(const QString& id, const std::string& service, std::shared_ptr<ArgsSource> args,
+               qint64 most_whole_bytes, qint64 fragment_bytes)
+    : id_(id), args_(std::move(args)), held_(headOf(id, service)), args_left_(args_->bytes()) {
+  bytes_ = held_.size() + args_left_ + 1;
+  piece_ = bytes_ <= most_whole_bytes ? bytes_ : std::max<qint64>(fragment_bytes, 16);
+  count_ = (bytes_ + piece_ - 1) / piece_;
+}
+
+bool Upload::holdUntil(qint64 end) {
+  while (!given_up_ && handed_out_ + held_.size() < end) {
+    if (args_left_ > 0) {
+      const auto more = args_->next();
+      given_up_ = !more || more->isEmpty() || more->size() > args_left_;
+      if (given_up_) break;
+      args_left_ -= more->size();
+      held_ += *more;
+    } else {
+      given_up_ = std::exchange(closed_, true);
+      held_ += '}';
+    }
+  }
+  return !given_up_;
+}
+
+std::optional<QString> Upload::next() {
+  if (done() || given_up_) return std::nullopt;
+  const bool last = number_ + 1 == count_;
+  const qint64 end = last ? bytes_ : (number_ + 1) * piece_;
+  if (!holdUntil(last ? end : end + 1)) return std::nullopt;
+  qsizetype size = end - handed_out_;
+  while (!last && size > 0 && isWithinCharacter(held_[size])) --size;
+  const QByteArray piece = held_.first(size);
+  held_.remove(0, size);
+  handed_out_ += size;
+  const QString frame = count_ == 1 ? QString::fromUtf8(piece) : framed(piece);
+  ++number_;
+  if (done()) args_.reset();
+  return frame;
+}
+
+QString Upload::framed(const QByteArray& piece) const {
+  return written({{QStringLiteral("op"), QStringLiteral("fragment")},
+                  {QStringLiteral("id"), id_},
+                  {QStringLiteral("num"), number_},
+                  {QStringLiteral("total"), count_},
+                  {QStringLiteral("data"), QString::fromUtf8(piece)}});
+}
+
+std::optional<QString> idIn(const Field& id) {
+  if (id.isText()) return QString::fromStdString(id.text());
+  const std::optional<std::int64_t> whole = id.integer();
+  return whole ? std::optional(QString::number(*whole)) : std::nullopt;
+}
+
+CallAnswer readAnswer(const std::shared_ptr<const Frame>& frame) {
+  using Kind = CallAnswer::Kind;
+  constexpr qsizetype kShown = 300;
+  CallAnswer answer;
+  answer.frame = frame;
+  answer.sent = true;
+  const Field root = frame->root();
+  const Field values = root["values"];
+  const Field result = root["result"];
+  // Old servers omit the result of successful calls.
+  const std::optional<bool> worked = result              ? result.flag()
+                                     : values.isObject() ? std::optional(true)
+                                                         : std::nullopt;
+  if (worked == false) {
+    answer.kind = Kind::Refused;
+    answer.words = values.isText() ? plainWords(innerWords(values.text()))
+                   : values        ? plainWords(values.toJson(kShown).toStdString())
+                                   : std::string();
+  } else if (worked == true && (values.isObject() || values.isNull() || values.isText())) {
+    answer.kind = Kind::Answered;
+    answer.values = values;
+  } else {
+    answer.kind = Kind::Malformed;
+    answer.words = plainWords(root.toJson(kShown).toStdString());
+  }
+  return answer;
 }
 
 }  // namespace mapwright::net::rosbridge

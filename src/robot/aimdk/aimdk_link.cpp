@@ -7,6 +7,7 @@
 #include "robot/aimdk/faults.h"
 #include "robot/wire/failures.h"
 #include "robot/wire/net_results.h"
+#include "robot/wire/net_results.h"
 #include "sentences/failure_sentence.h"
 
 namespace mapwright::robot::aimdk {
@@ -73,19 +74,19 @@ AimdkLink::AimdkLink(LinkOptions options)
 }
 
 net::HttpRequest AimdkLink::request(const char* method, const QByteArray& body,
-                                    std::chrono::milliseconds patience) const {
+                                    std::chrono::milliseconds timeout) const {
   net::HttpRequest request;
   request.method = net::HttpMethod::Post;
   request.url = options_.base;
   request.url.setPath(options_.base.path() + QStringLiteral("/rpc/") + QLatin1String(method));
   request.body = body;
-  request.timeout = patience;
+  request.timeout = timeout;
   request.max_bytes = kMaxAnswerBytes;
   return request;
 }
 
 void AimdkLink::ask(const char* method, const QByteArray& body, Reply reply) {
-  asking_ = http_.send(request(method, body, options_.patience), std::move(reply));
+  asking_ = http_.send(request(method, body, options_.timeout), std::move(reply));
 }
 
 void AimdkLink::deliver(const char* method, const net::HttpAnswer& answer) {
@@ -244,7 +245,7 @@ void AimdkLink::enter(ConnectionPhase phase, std::optional<int> retry_in_ms) {
 }
 
 void AimdkLink::list(wire::TaskPtr task, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
-  wire::send(task, http_, request(kMapNames, mapNamesRequest(), options_.patience),
+  wire::send(task, http_, request(kMapNames, mapNamesRequest(), options_.timeout),
              [this, task, reply](const net::HttpAnswer& answer) {
                deliver(kMapNames, answer);
                auto maps = outcomeOf(answer, catalogueSubject(map::kMapsPart),
@@ -253,7 +254,7 @@ void AimdkLink::list(wire::TaskPtr task, OutcomeTo<std::vector<map::CatalogueEnt
                  reply(fail(maps.error()));
                  return;
                }
-               wire::send(task, http_, request(kCurrentMap, currentMapRequest(), options_.patience),
+               wire::send(task, http_, request(kCurrentMap, currentMapRequest(), options_.timeout),
                           [this, reply, entries = std::move(*maps)](const net::HttpAnswer& current) mutable {
                             deliver(kCurrentMap, current);
                             const auto id = outcomeOf(current, catalogueSubject(map::kCurrentMapPart),
@@ -276,13 +277,15 @@ void AimdkLink::list(wire::TaskPtr task, OutcomeTo<std::vector<map::CatalogueEnt
 }
 
 // There is no question for one map alone that does not send its picture.
-void AimdkLink::describe(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
+void AimdkLink::describe(wire::TaskPtr task, const map::MapKey& key,
+                         OutcomeTo<map::CatalogueEntry> reply) {
   list(std::move(task), [key, reply = std::move(reply)](Outcome<std::vector<map::CatalogueEntry>> entries) {
     reply(wire::entryOf(key, std::move(entries)));
   });
 }
 
-void AimdkLink::fetchParsed(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<ParsedMap> reply) {
+void AimdkLink::fetchParsed(const wire::TaskPtr& task, const map::MapKey& key,
+                            OutcomeTo<ParsedMap> reply) {
   if (key.kind != map::MapKind::Stored || key.id.empty()) {
     reply(fail(unasked(map::subjectOf(key), "1764059676131")));
     return;
@@ -309,7 +312,7 @@ void AimdkLink::fetchParsed(const wire::TaskPtr& task, const map::MapKey& key, O
     reply(std::move(parsed));
   });
   if (!first) return;
-  wire::send(shared->task, http_, request(kWholeMap, wholeMapRequest(key.id), options_.map_patience),
+  wire::send(shared->task, http_, request(kWholeMap, wholeMapRequest(key.id), options_.map_timeout),
              [this, key, shared, leave](const net::HttpAnswer& answer) {
                leave(shared);
                auto parsed =
@@ -334,7 +337,8 @@ void AimdkLink::fetch(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map:
   });
 }
 
-void AimdkLink::waypoints(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::WaypointList> reply) {
+void AimdkLink::waypoints(wire::TaskPtr task, const map::MapKey& key,
+                          OutcomeTo<map::WaypointList> reply) {
   const auto body = topologyRequest(key.id);
   if (!body || key.kind != map::MapKind::Stored) {
     reply(fail(unasked(map::placesOf(key), "1764059676131")));
@@ -353,7 +357,7 @@ void AimdkLink::waypoints(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<
 
 void AimdkLink::askPoints(const wire::TaskPtr& task, const map::MapKey& key, const QByteArray& body,
                           OutcomeTo<map::WaypointList> reply) {
-  wire::send(task, http_, request(kTopology, body, options_.patience),
+  wire::send(task, http_, request(kTopology, body, options_.timeout),
              [this, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
                deliver(kTopology, answer);
                const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;

@@ -28,8 +28,8 @@ struct LinkOptions {
   net::Trust trust;
   std::chrono::milliseconds poll_every{5'000};   // while online, to detect a lost connection
   std::chrono::milliseconds quiet_after{3'000};  // a poll without an answer for this long is reported
-  std::chrono::milliseconds patience{10'000};    // for the small questions
-  std::chrono::milliseconds map_patience{60'000};
+  std::chrono::milliseconds timeout{10'000};     // for the small questions
+  std::chrono::milliseconds map_timeout{60'000};
   std::chrono::milliseconds backoff_first{500}, backoff_limit{30'000};
   std::chrono::milliseconds healthy_after{
       30'000};  // online for this long = the next loss starts with the first backoff
@@ -57,7 +57,7 @@ class AimdkLink : public wire::RobotLink {
  private:
   using Reply = std::function<void(const net::HttpAnswer&)>;
   net::HttpRequest request(const char* method, const QByteArray& body,
-                           std::chrono::milliseconds patience) const;
+                           std::chrono::milliseconds timeout) const;
   /// A request of the connection itself.
   void ask(const char* method, const QByteArray& body, Reply reply);
   void deliver(const char* method, const net::HttpAnswer& answer);

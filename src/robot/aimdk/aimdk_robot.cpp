@@ -2,35 +2,84 @@
 
 #include <utility>
 
-namespace mapwright::robot::aimdk {
+#include <QPointer>
 
-AimdkRobot::AimdkRobot(QString address, LinkOptions options, std::unique_ptr<LiveBeside> live,
-                       QObject* parent)
+#include "robot/aimdk/faults.h"
+#include "robot/silence.h"
+
+namespace mapwright::robot::aimdk {
+namespace {
+
+/// Streams of the robot's maps: the interface provides these, and the two may disagree.
+bool isOfMaps(map::Stream stream) {
+  using map::Stream;
+  return stream == Stream::WholeMap || stream == Stream::Incremental || stream == Stream::MapInfo ||
+         stream == Stream::EnvMatch || stream == Stream::EnvSymmetry;
+}
+
+bool isOfMaps(const map::TopicMessage& message) {
+  if (std::holds_alternative<map::MapInfo>(message) || std::holds_alternative<map::SubmapList>(message))
+    return true;
+  const auto* const grid = std::get_if<map::GridMessage>(&message);
+  return grid && grid->kind != map::GridKind::CostmapLow && grid->kind != map::GridKind::CostmapHigh;
+}
+
+/// The live topics of another robot, without its maps.
+class TopicsBeside : public LiveTopics {
+ public:
+  explicit TopicsBeside(LiveTopics& topics) : topics_(topics) {}
+  QStringList known() const override { return topics_.known(); }
+  QStringList topicsOf(map::Stream stream) const override {
+    return isOfMaps(stream) ? QStringList() : topics_.topicsOf(stream);
+  }
+  void setWanted(const map::Streams& streams, const QStringList& topics) override {
+    map::Streams some = streams;
+    std::erase_if(some, [](map::Stream stream) { return isOfMaps(stream); });
+    topics_.setWanted(some, topics);
+  }
+  void setBasics(const Basics& basics) override { topics_.setBasics(basics); }
+  void setWatching(bool on) override { topics_.setWatching(on); }
+  void setTap(FrameTap tap) override { topics_.setTap(std::move(tap)); }
+
+ private:
+  LiveTopics& topics_;
+};
+
+}  // namespace
+
+AimdkRobot::AimdkRobot(QString address, LinkOptions options, RobotBeside beside, QObject* parent)
     : AimdkRobot(std::move(address),
                  wire::startLink<AimdkLink>(QStringLiteral("aimdk link"), std::move(options)),
-                 std::move(live), parent) {}
+                 std::move(beside), parent) {}
 
-AimdkRobot::AimdkRobot(QString address, wire::StartedLink<AimdkLink> started,
-                       std::unique_ptr<LiveBeside> live, QObject* parent)
+AimdkRobot::AimdkRobot(QString address, wire::StartedLink<AimdkLink> started, RobotBeside beside,
+                       QObject* parent)
     : NetworkRobot(std::move(address), started.link, std::move(started.thread), parent),
-      live_(std::move(live)),
+      beside_(std::move(beside)),
       catalogue_(started.link),
       whole_maps_(started.link),
       points_(started.link) {
   connect(started.link, &AimdkLink::currentMapChanged, this, &Robot::mapsChanged);
-  if (live_) {
-    connect(live_.get(), &LiveBeside::topicReceived, this, &Robot::topicReceived);
-    connect(live_.get(), &LiveBeside::rawReceived, this, &Robot::rawReceived);
-    connect(live_.get(), &LiveBeside::problemFound, this, &Robot::problemFound);
-    connect(live_.get(), &LiveBeside::recovered, this, &Robot::recovered);
-    connect(live_.get(), &LiveBeside::topicsChanged, this, &Robot::capabilitiesChanged);
-    connect(live_.get(), &LiveBeside::certificateChanged, this, &Robot::connectionChanged);
-    connect(live_.get(), &LiveBeside::silenceChanged, this, &Robot::connectionChanged);
-  }
+  if (beside_.robot) listenBeside();
+}
+
+void AimdkRobot::listenBeside() {
+  Robot* const beside = beside_.robot.get();
+  live_ = std::make_unique<TopicsBeside>(*beside->liveTopics());
+  connect(beside, &Robot::topicReceived, this, [this](const map::StampedMessage& message) {
+    if (!isOfMaps(message.message)) Q_EMIT topicReceived(message);
+  });
+  connect(beside, &Robot::rawReceived, this, &Robot::rawReceived);
+  connect(beside, &Robot::problemFound, this, &Robot::problemFound);
+  connect(beside, &Robot::recovered, this, &Robot::recovered);
+  connect(beside, &Robot::capabilitiesChanged, this, &Robot::capabilitiesChanged);
+  connect(beside, &Robot::connectionChanged, this, &AimdkRobot::noteBeside);
 }
 
 AimdkRobot::~AimdkRobot() {
+  if (beside_.robot) beside_.robot->disconnect(this);
   live_.reset();
+  beside_.robot.reset();
   stopLink();
 }
 
@@ -43,31 +92,69 @@ RobotIdentity AimdkRobot::identity() const {
 QDateTime AimdkRobot::silentSince() const {
   // Where it is comes by the other server alone.
   const QDateTime since = NetworkRobot::silentSince();
-  const bool by_other = live_ && connection().phase == ConnectionPhase::Online && !since.isValid();
-  return by_other ? live_->silentSince() : since;
+  const bool by_other = connection().phase == ConnectionPhase::Online && !since.isValid();
+  return by_other ? silent_beside_ : since;
 }
 
 void AimdkRobot::connectToRobot() {
   NetworkRobot::connectToRobot();
-  if (live_) live_->connectToRobot();
+  beside_wanted_ = true;
+  connectBeside();
+}
+
+void AimdkRobot::connectBeside() {
+  if (!beside_.robot || !beside_wanted_) return;
+  trusted_beside_.isEmpty()
+      ? beside_.robot->connectToRobot()
+      : beside_.robot->trustCertificate(std::exchange(trusted_beside_, {}));  // connects
 }
 
 std::optional<UntrustedCertificate> AimdkRobot::certificateBeside() const {
-  return live_ ? live_->connection().certificate : std::nullopt;
+  return beside_.robot ? beside_.robot->connection().certificate : std::nullopt;
 }
 
 void AimdkRobot::trustBeside(const QString& sha256) {
-  if (live_) live_->trustCertificate(sha256);
+  trusted_beside_ = sha256;
+  connectBeside();
 }
 
 void AimdkRobot::disconnectFromRobot() {
   NetworkRobot::disconnectFromRobot();
-  if (live_) live_->disconnectFromRobot();
+  beside_wanted_ = false;
+  if (!beside_.robot) return;
+  beside_.robot->disconnectFromRobot();
+  recoverBeside();
 }
 
 void AimdkRobot::setDeliveryTap(DeliveryTap tap) {
   NetworkRobot::setDeliveryTap(tap);
-  if (live_) live_->setDeliveryTap(std::move(tap));
+  Delivers* const beside = beside_.robot ? deliversOf(*beside_.robot) : nullptr;
+  if (beside) beside->setDeliveryTap(std::move(tap));
+}
+
+void AimdkRobot::noteBeside() {
+  const QPointer<AimdkRobot> alive(this);
+  const ConnectionState state = beside_.robot->connection();
+  const QDateTime since = robot::silentSince(*beside_.robot).value_or(QDateTime());
+  const bool other_certificate = std::exchange(certificate_beside_, state.certificate) != state.certificate;
+  const bool other_silence = std::exchange(silent_beside_, since) != since;
+  if (other_certificate || other_silence) Q_EMIT connectionChanged();
+  if (!alive) return;
+  if (state.phase == ConnectionPhase::Online || !beside_wanted_) return recoverBeside();
+  const bool away = state.phase == ConnectionPhase::Interrupted || state.phase == ConnectionPhase::Refused;
+  // Repeated failures are not news, unless the reason changes.
+  if (!away || !state.reason.any() || away_beside_ == state.reason) return;
+  away_beside_ = state.reason;
+  const std::string host = beside_.host.toStdString();
+  Q_EMIT problemFound({map::Severity::Warning,
+                       {map::SubjectKind::Robot, host},
+                       {fault::PoseSourceAway, {host}, {state.reason}},
+                       map::ProblemCode::Unavailable});
+}
+
+void AimdkRobot::recoverBeside() {
+  if (!std::exchange(away_beside_, std::nullopt)) return;
+  Q_EMIT recovered({{map::SubjectKind::Robot, beside_.host.toStdString()}, map::ProblemCode::Unavailable});
 }
 
 Absence AimdkRobot::whyNot(Capability capability) const {

@@ -149,14 +149,14 @@ std::string frameOfFirstScan(recording::Source& file, MessageFields& fields, con
 
 RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choices& choices) {
   RosShape shape;
-  std::vector<ros::FoundTopic> found;
+  std::vector<ros::Endpoint> found;
   std::vector<std::string> services;
   shape.untyped_ros = recordedOfRos(file);
   std::vector<std::string> untyped;
   for (const recording::ChannelPtr& channel : file.channels()) {
     if (!shape.isRos(*channel)) continue;
     if (isUntyped(*channel)) addOnce(untyped, channel->topic);
-    const ros::FoundTopic topic{channel->topic, rosTypeOf(*channel)};
+    const ros::Endpoint topic{channel->topic, rosTypeOf(*channel)};
     if (std::find(found.begin(), found.end(), topic) != found.end()) continue;
     if (answersWithMap(ros::plainType(topic.type))) addOnce(services, topic.name);
     found.push_back(topic);

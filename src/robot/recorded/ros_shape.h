@@ -32,7 +32,7 @@ struct RosShape {
   /// The robot speaks ROS: topics without a type are recognised by their usual names.
   bool untyped_ros = false;
 
-  std::vector<ros::FoundTopic> found;  // every topic of ROS
+  std::vector<ros::Endpoint> found;  // every topic of ROS
   bool any() const { return !sources.empty(); }
 };
 

@@ -11,7 +11,6 @@
 
 #include "robot/ros/faults.h"
 #include "robot/ros/parts.h"
-#include "robot/ros/read_cells.h"
 #include "words/text.h"
 
 namespace mapwright::robot::ros {
@@ -24,8 +23,6 @@ using words::text;
 bool hasSize(const auto& size_m) {
   return size_m.allFinite() && (size_m.array() > 0).all() && (size_m.array() <= kFarthestM * 2).all();
 }
-
-bool isPlace(const auto& at_m) { return at_m.allFinite() && (at_m.array().abs() <= kFarthestM).all(); }
 
 }  // namespace
 
@@ -96,27 +93,13 @@ std::int64_t leastBytesOfCells(std::int64_t cells) { return 2 * cells; }  // "0,
 std::int64_t aboutBytesOfCells(std::int64_t cells) { return 7 * cells / 2; }
 
 Read<map::GridPart> readGridPart(const Field& msg) {
-  const Field info = msg["info"];
-  if (!info.isObject()) return fieldMissing("info");
-  const auto size = readGridSize(info, "info.", kMostPartCells, EmptyGrids::Taken);
-  if (!size) return tl::unexpected(size.error());
-  const PoseRead origin = poseOf(info["origin"]);
+  auto grid = readGridOf(msg, kMostPartCells, EmptyGrids::Taken, OddCells::Nearest);
+  if (!grid) return tl::unexpected(grid.error());
   map::GridPart part;
-  part.frame = headerOf(msg).frame;
-  part.grid = {int(size->width), int(size->height), resolutionOf(info), origin.pose.flat()};
-  const auto why = map::whyUnusable(part.grid);
-  if (size->width == 0) {
-    // An empty grid needs no position: many senders omit it then.
-    if (why) part.grid = {};
-    part.cells = std::make_shared<const std::vector<std::int8_t>>();
-    return part;
-  }
-  if (why) return tl::unexpected(*why);
-  if (origin.upright) part.notes.push_back(fault::RosTurnIsZero);
-  auto cells = readCells(msg["data"], size->width, size->height, OddCells::Nearest);
-  if (!cells) return tl::unexpected(cells.error());
-  part.cells = std::make_shared<const std::vector<std::int8_t>>(std::move(cells->cells));
-  noteOddCells(part.notes, cells->odd);
+  part.frame = grid->header.frame;
+  part.grid = {grid->width, grid->height, grid->resolution_m, grid->origin};
+  part.cells = std::make_shared<const std::vector<std::int8_t>>(std::move(grid->cells));
+  part.notes = std::move(grid->notes);
   return part;
 }
 

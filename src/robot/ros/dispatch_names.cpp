@@ -1,6 +1,8 @@
 #include "robot/ros/dispatch_names.h"
 
 #include <algorithm>
+#include <charconv>
+#include <iterator>
 #include <tuple>
 
 #include "robot/ros/read_messages.h"
@@ -9,30 +11,23 @@ namespace mapwright::robot::ros {
 namespace {
 
 constexpr std::size_t kMostAsked = 60;
+constexpr const char* kReadsProjections = "map_msgs/SetMapProjections";
+constexpr const char* kChangesProjections = "map_msgs/ProjectedMapsInfo";
 
-struct Usual {
-  DispatchName name;
-  const char* text;
-  std::vector<std::string_view> types;
+constexpr UsualService kUsual[] = {
+    {DispatchService::Grid, "get_map", "nav_msgs/GetMap"},
+    {DispatchService::GridRegion, "get_sub_map", "map_msgs/GetMapROI"},
+    {DispatchService::Save, "save_map", "map_msgs/SaveMap"},
+    {DispatchService::Cloud, "get_point_map", "map_msgs/GetPointMap"},
+    {DispatchService::CloudRegion, "get_sub_point_map", "map_msgs/GetPointMapROI"},
+    {DispatchService::Occupancy, "get_occupancy_map", "map_msgs/GetPointMap"},
+    {DispatchService::OccupancyRegion, "get_sub_occupancy_map", "map_msgs/GetPointMapROI"},
+    {DispatchService::ReadProjections, "set_map_projections", kReadsProjections},
 };
-const std::vector<Usual>& usual() {
-  static const std::vector<Usual> all{
-      {DispatchName::GetMap, "get_map", {"nav_msgs/GetMap"}},
-      {DispatchName::GetSubMap, "get_sub_map", {"map_msgs/GetMapROI"}},
-      {DispatchName::SaveMap, "save_map", {"map_msgs/SaveMap"}},
-      {DispatchName::GetPointMap, "get_point_map", {"map_msgs/GetPointMap"}},
-      {DispatchName::GetSubPointMap, "get_sub_point_map", {"map_msgs/GetPointMapROI"}},
-      {DispatchName::GetOccupancyMap, "get_occupancy_map", {"map_msgs/GetPointMap"}},
-      {DispatchName::GetSubOccupancyMap, "get_sub_occupancy_map", {"map_msgs/GetPointMapROI"}},
-      {DispatchName::SetMapProjections,
-       "set_map_projections",
-       {"map_msgs/SetMapProjections", "map_msgs/ProjectedMapsInfo"}}};
-  return all;
-}
-const Usual& usual(DispatchName name) { return usual()[std::size_t(name)]; }
 
-bool isOf(const Usual& one, std::string_view type) {
-  return std::find(one.types.begin(), one.types.end(), type) != one.types.end();
+const UsualService& usual(DispatchService service) {
+  return *std::find_if(std::begin(kUsual), std::end(kUsual) - 1,
+                       [&](const UsualService& one) { return one.service == service; });
 }
 
 std::string_view folderOf(std::string_view name) {
@@ -40,60 +35,56 @@ std::string_view folderOf(std::string_view name) {
   return slash == std::string_view::npos ? std::string_view() : name.substr(0, slash);
 }
 
-bool isBelow(std::string_view name, std::string_view ns) {
-  return ns.empty() || (name.size() > ns.size() && name.starts_with(ns) && name[ns.size()] == '/');
-}
+bool isWithin(std::string_view name, std::string_view ns) { return ns.empty() || isBelow(name, ns); }
 
 /// A name that others use, too: not sufficient for a dispatcher.
-bool isCommon(DispatchName name) { return name == DispatchName::GetMap || name == DispatchName::SaveMap; }
+bool isCommon(DispatchService service) {
+  return service == DispatchService::Grid || service == DispatchService::Save;
+}
 
 /// Two services of one type, distinguished by name.
-bool fitsByName(DispatchName name, std::string_view service) {
-  const bool occupancy = lastPart(service).find("occup") != std::string_view::npos;
-  switch (name) {
-    case DispatchName::GetPointMap:
-    case DispatchName::GetSubPointMap:
-      return !occupancy;
-    case DispatchName::GetOccupancyMap:
-    case DispatchName::GetSubOccupancyMap:
-      return occupancy;
-    default:
-      return true;
-  }
+bool fitsByName(DispatchService service, std::string_view name) {
+  using Service = DispatchService;
+  const bool occupancy = lastPart(name).find("occup") != std::string_view::npos;
+  if (service == Service::Cloud || service == Service::CloudRegion) return !occupancy;
+  if (service == Service::Occupancy || service == Service::OccupancyRegion) return occupancy;
+  return true;
 }
 
 /// The number after "…/projected_map_"; nullopt: another topic.
-std::optional<int> numberOf(std::string_view topic, const DispatchWish& wish) {
+std::optional<int> numberOf(std::string_view topic, const DispatchSettings& settings) {
   const std::size_t line = topic.rfind('_');
   if (line == std::string_view::npos || topic.size() - line > 4) return std::nullopt;
   const std::string_view before = topic.substr(0, line), digits = topic.substr(line + 1);
-  const bool number = !digits.empty() &&
-                      std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
-  const bool named = wish.projected_map.empty() ? isBelow(topic, wish.ns) : before == wish.projected_map;
-  if (!number || !named) return std::nullopt;
-  int value = 0;
-  for (const char digit : digits) value = value * 10 + (digit - '0');
-  return value < kMostProjected ? std::optional(value) : std::nullopt;
+  const bool named =
+      settings.projected_map.empty() ? isWithin(topic, settings.ns) : before == settings.projected_map;
+  int value = -1;
+  const char* const end = digits.data() + digits.size();
+  const bool whole = std::from_chars(digits.data(), end, value).ptr == end;
+  return whole && named && value >= 0 && value < kMostProjected ? std::optional(value) : std::nullopt;
 }
 
-std::optional<TypedService> best(const std::vector<TypedService>& services, const Usual& one,
-                                 const DispatchWish& wish, std::string_view only_type = {}) {
-  const std::string wanted = nameBy(wish, one.name);
-  const bool named = wish.names.contains(one.name);
+std::optional<Endpoint> best(const std::vector<Endpoint>& services, DispatchService wanted_service,
+                             const DispatchSettings& settings, std::string_view only_type = {}) {
+  const std::string wanted = nameBy(settings, wanted_service);
+  const bool named = settings.names.contains(wanted_service);
   using Rank = std::tuple<bool, bool, bool, bool, std::size_t, std::string_view>;
-  const TypedService* found = nullptr;
+  const Endpoint* found = nullptr;
   Rank least;
-  for (const TypedService& service : services) {
+  for (const Endpoint& service : services) {
     const std::string type = dispatchType(service.type);
-    const bool own_name = named ? service.name == wanted : lastPart(service.name) == one.text;
-    if ((named || isCommon(one.name)) && !own_name) continue;
-    if (!named && !wish.ns.empty() && !isBelow(service.name, wish.ns)) continue;
+    const bool own_name =
+        named ? service.name == wanted : lastPart(service.name) == usual(wanted_service).name;
+    if ((named || isCommon(wanted_service)) && !own_name) continue;
+    if (!named && !isWithin(service.name, settings.ns)) continue;
+    const bool its_type = type == usual(wanted_service).type ||
+                          (wanted_service == DispatchService::ReadProjections && type == kChangesProjections);
     const bool fits = type.empty() ? own_name && only_type.empty()
-                                   : isOf(one, type) && (own_name || fitsByName(one.name, service.name)) &&
+                                   : its_type && (own_name || fitsByName(wanted_service, service.name)) &&
                                          (only_type.empty() || type == only_type);
     if (!fits) continue;
     const Rank rank{service.name != wanted,
-                    !isBelow(service.name, wish.near),
+                    !isWithin(service.name, settings.near),
                     !own_name,
                     type.empty(),
                     service.name.size(),
@@ -107,12 +98,12 @@ std::optional<TypedService> best(const std::vector<TypedService>& services, cons
 
 }  // namespace
 
-std::string nameBy(const DispatchWish& wish, DispatchName name) {
-  const auto named = wish.names.find(name);
-  return named != wish.names.end() ? named->second : wish.ns + '/' + usual(name).text;
-}
+std::span<const UsualService> usualDispatchServices() { return kUsual; }
 
-const char* usualName(DispatchName name) { return usual(name).text; }
+std::string nameBy(const DispatchSettings& settings, DispatchService service) {
+  const auto named = settings.names.find(service);
+  return named != settings.names.end() ? named->second : settings.ns + '/' + usual(service).name;
+}
 
 std::string dispatchType(std::string_view type) {
   const std::string plain = plainType(type);
@@ -120,68 +111,37 @@ std::string dispatchType(std::string_view type) {
   return plain.starts_with(short_form) ? "map_msgs/" + plain.substr(short_form.size()) : plain;
 }
 
-bool FoundDispatch::has(DispatchService service) const { return serviceOf(service).has_value(); }
-
-std::optional<TypedService> FoundDispatch::serviceOf(DispatchService service) const {
-  const auto of = [this](DispatchName name) -> std::optional<TypedService> {
-    const auto found = services.find(name);
-    return found == services.end() ? std::nullopt : std::optional(found->second);
-  };
-  const auto projections = of(DispatchName::SetMapProjections);
-  switch (service) {
-    case DispatchService::Grid:
-      return of(DispatchName::GetMap);
-    case DispatchService::GridRegion:
-      return of(DispatchName::GetSubMap);
-    case DispatchService::Save:
-      return of(DispatchName::SaveMap);
-    case DispatchService::Cloud:
-      return of(DispatchName::GetPointMap);
-    case DispatchService::CloudRegion:
-      return of(DispatchName::GetSubPointMap);
-    case DispatchService::Occupancy:
-      return of(DispatchName::GetOccupancyMap);
-    case DispatchService::OccupancyRegion:
-      return of(DispatchName::GetSubOccupancyMap);
-    case DispatchService::ReadProjections:
-      return projections;
-    case DispatchService::ChangeProjections:
-      break;
-  }
-  if (projections_writer) return projections_writer;
-  if (!projections || dispatchType(projections->type) == "map_msgs/SetMapProjections") return std::nullopt;
-  return projections;
+std::optional<Endpoint> Dispatcher::serviceOf(DispatchService service) const {
+  const auto found = services.find(service);
+  return found == services.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::vector<DispatchOffer> FoundDispatch::offers() const {
-  using Service = DispatchService;
+std::vector<DispatchOffer> Dispatcher::offers() const {
   std::vector<DispatchOffer> all;
-  for (const Service service :
-       {Service::Grid, Service::GridRegion, Service::Save, Service::Cloud, Service::CloudRegion,
-        Service::Occupancy, Service::OccupancyRegion, Service::ReadProjections, Service::ChangeProjections}) {
-    const auto found = serviceOf(service);
-    all.push_back({service, found.has_value(), found ? found->name : std::string(),
-                   found ? found->type : std::string()});
+  for (int i = 0; i <= int(DispatchService::ChangeProjections); ++i) {
+    const auto service = DispatchService(i);
+    const Endpoint found = serviceOf(service).value_or(Endpoint{});
+    all.push_back({service, has(service), found.name, found.type});
   }
   return all;
 }
 
 std::vector<std::string> likeDispatchServices(const std::vector<std::string>& names,
-                                              const DispatchWish& wish) {
+                                              const DispatchSettings& settings) {
   std::vector<std::pair<std::tuple<bool, bool, std::size_t, std::string_view>, std::string>> like;
   for (const std::string& name : names) {
     if (name.empty() || name.size() > kLongestTopicName) continue;
-    const bool named = std::any_of(wish.names.begin(), wish.names.end(),
+    const bool named = std::any_of(settings.names.begin(), settings.names.end(),
                                    [&](const auto& one) { return one.second == name; });
     const std::string_view tail = lastPart(name);
-    const bool exact =
-        std::any_of(usual().begin(), usual().end(), [&](const Usual& one) { return tail == one.text; });
+    const bool exact = std::any_of(std::begin(kUsual), std::end(kUsual),
+                                   [&](const UsualService& one) { return tail == one.name; });
     // A KABAM map manager's own services are about maps, but are not meant.
     const bool managers = folderOf(name).ends_with("/map_manager");
     const bool about_maps = !managers && (tail.find("map") != std::string_view::npos ||
                                           tail.find("roi") != std::string_view::npos ||
                                           tail.find("proj") != std::string_view::npos);
-    const bool below = wish.expected && !wish.ns.empty() && isBelow(name, wish.ns);
+    const bool below = settings.expected && isBelow(name, settings.ns);
     if (!named && !exact && !about_maps && !below) continue;
     like.push_back({{!named, !exact, name.size(), name}, name});
   }
@@ -191,58 +151,63 @@ std::vector<std::string> likeDispatchServices(const std::vector<std::string>& na
   return some;
 }
 
-FoundDispatch dispatchIn(const std::optional<std::vector<TypedService>>& services,
-                         const std::optional<std::vector<FoundTopic>>& topics, const DispatchWish& wish) {
-  FoundDispatch found;
-  if (!services && !wish.expected) return found;
-  found.topics_told = topics.has_value();
-  for (const Usual& one : usual()) {
+Dispatcher dispatcherIn(const std::optional<std::vector<Endpoint>>& services,
+                        const std::optional<std::vector<Endpoint>>& topics,
+                        const DispatchSettings& settings) {
+  Dispatcher found;
+  if (!services && !settings.expected) return found;
+  found.topics_known = topics.has_value();
+  for (const auto& [service, name, type] : kUsual) {
     // Services are not listed: try it.
     if (!services) {
-      found.services[one.name] = {nameBy(wish, one.name), {}};
-    } else if (auto service = best(*services, one, wish)) {
-      found.services[one.name] = std::move(*service);
+      found.services[service] = {nameBy(settings, service), {}};
+    } else if (auto one = best(*services, service, settings)) {
+      found.services[service] = std::move(*one);
     }
   }
-  const auto projections = found.services.find(DispatchName::SetMapProjections);
-  if (services && projections != found.services.end()) {
-    const Usual& one = usual(DispatchName::SetMapProjections);
-    const auto reader = best(*services, one, wish, "map_msgs/SetMapProjections");
-    const auto writer = best(*services, one, wish, "map_msgs/ProjectedMapsInfo");
+  // The service for projections has two types, and each does only one thing.
+  if (auto projections = found.serviceOf(DispatchService::ReadProjections)) {
+    const auto of_type = [&](const char* type) {
+      return services ? best(*services, DispatchService::ReadProjections, settings, type) : std::nullopt;
+    };
+    const auto reader = of_type(kReadsProjections), writer = of_type(kChangesProjections);
     if (reader && writer) {
-      projections->second = *reader;
-      found.projections_writer = writer;
+      found.services[DispatchService::ReadProjections] = *reader;
+      found.services[DispatchService::ChangeProjections] = *writer;
+    } else if (dispatchType(projections->type) != kReadsProjections) {
+      found.services[DispatchService::ChangeProjections] = std::move(*projections);
     }
   }
   // Names that map servers and others use are not sufficient for a dispatcher; next to a dispatcher, one
   // without a known type belongs to it.
   const bool real = std::any_of(found.services.begin(), found.services.end(),
                                 [](const auto& one) { return !isCommon(one.first); });
-  if (!real && !wish.expected) found.services.clear();
-  for (const DispatchName name : {DispatchName::GetMap, DispatchName::SaveMap}) {
-    const auto common = found.services.find(name);
+  if (!real && !settings.expected) found.services.clear();
+  for (const DispatchService service : {DispatchService::Grid, DispatchService::Save}) {
+    const auto common = found.services.find(service);
     if (common == found.services.end() || !services || !common->second.type.empty()) continue;
     const bool beside = std::any_of(found.services.begin(), found.services.end(), [&](const auto& other) {
       return !isCommon(other.first) && folderOf(other.second.name) == folderOf(common->second.name);
     });
-    if (!beside && !wish.names.contains(name)) found.services.erase(common);
+    if (!beside && !settings.names.contains(service)) found.services.erase(common);
   }
   if (!found.any() || !topics) return found;
-  for (const FoundTopic& topic : *topics) {
+  for (const Endpoint& topic : *topics) {
     if (topic.name.size() > kLongestTopicName) continue;
     const std::string type = dispatchType(topic.type);
     if (type == "nav_msgs/MapMetaData" && found.metadata.size() < 4) found.metadata.push_back(topic);
     if (type != "map_msgs/ProjectedMap") continue;
-    const auto number = numberOf(topic.name, wish);
+    const auto number = numberOf(topic.name, settings);
     if (!number) continue;
-    FoundTopic& kept = found.projected[*number];
+    Endpoint& kept = found.projected[*number];
     if (kept.name.empty() || topic.name.size() < kept.name.size()) kept = topic;
   }
   return found;
 }
 
-std::string projectedTopic(const DispatchWish& wish, int index) {
-  const std::string before = wish.projected_map.empty() ? wish.ns + '/' + kProjectedMap : wish.projected_map;
+std::string projectedTopic(const DispatchSettings& settings, int index) {
+  const std::string before =
+      settings.projected_map.empty() ? settings.ns + '/' + kProjectedMap : settings.projected_map;
   return before + '_' + std::to_string(index);
 }
 

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,59 +14,37 @@
 
 namespace mapwright::robot::ros {
 
-/// The services of a dispatcher, named as in REP 130. The one for projections has two types, and each does
-/// only one thing.
-enum class DispatchName {
-  GetMap,
-  GetSubMap,
-  SaveMap,
-  GetPointMap,
-  GetSubPointMap,
-  GetOccupancyMap,
-  GetSubOccupancyMap,
-  SetMapProjections,
+/// A service by the name and type that REP 130 gives it; that for projections stands under ReadProjections.
+struct UsualService {
+  DispatchService service;
+  const char* name;
+  const char* type;
 };
-inline constexpr DispatchName kDispatchNames[] = {DispatchName::GetMap,
-                                                  DispatchName::GetSubMap,
-                                                  DispatchName::SaveMap,
-                                                  DispatchName::GetPointMap,
-                                                  DispatchName::GetSubPointMap,
-                                                  DispatchName::GetOccupancyMap,
-                                                  DispatchName::GetSubOccupancyMap,
-                                                  DispatchName::SetMapProjections};
-/// "get_sub_map".
-const char* usualName(DispatchName name);
+std::span<const UsualService> usualDispatchServices();
 inline constexpr const char* kProjectedMap = "projected_map";
+inline constexpr int kMostProjected = 32;
 
 /// What an address says about the dispatcher.
-struct DispatchWish {
+struct DispatchSettings {
   bool expected = false;  // there must be one: services that are not listed are tried by their usual names
   std::string ns;         // "/map_dispatcher"; empty = anywhere
   std::string near;       // of several use the one in this namespace
-  std::map<DispatchName, std::string> names;  // remapped ones: "/other/name"
-  std::string projected_map;                  // the topics without "_0"; empty = the usual ones
-  bool operator==(const DispatchWish&) const = default;
-};
-
-/// A service and its type as the server writes it, empty if unknown.
-struct TypedService {
-  std::string name, type;
-  bool operator==(const TypedService&) const = default;
+  std::map<DispatchService, std::string> names;  // remapped ones: "/other/name"
+  std::string projected_map;                     // the topics without "_0"; empty = the usual ones
+  bool operator==(const DispatchSettings&) const = default;
 };
 
 /// The parts of a dispatcher that exist.
-struct FoundDispatch {
-  std::map<DispatchName, TypedService> services;
-  /// If SetMapProjections and ProjectedMapsInfo both exist, the other one.
-  std::optional<TypedService> projections_writer;
-  std::map<int, FoundTopic> projected;  // by number
-  std::vector<FoundTopic> metadata;     // nav_msgs/MapMetaData: reports a new map without sending it
-  bool topics_told = false;             // topics that are not in these lists do not exist
-  bool operator==(const FoundDispatch&) const = default;
+struct Dispatcher {
+  std::map<DispatchService, Endpoint> services;
+  std::map<int, Endpoint> projected;  // topics by number
+  std::vector<Endpoint> metadata;     // nav_msgs/MapMetaData: reports a new map without sending it
+  bool topics_known = false;          // topics that are not in these lists do not exist
+  bool operator==(const Dispatcher&) const = default;
 
   bool any() const { return !services.empty(); }
-  bool has(DispatchService service) const;
-  std::optional<TypedService> serviceOf(DispatchService service) const;
+  bool has(DispatchService service) const { return services.contains(service); }
+  std::optional<Endpoint> serviceOf(DispatchService service) const;
   std::vector<DispatchOffer> offers() const;
 };
 
@@ -73,15 +52,14 @@ struct FoundDispatch {
 std::string dispatchType(std::string_view type);
 /// The services whose types should be requested.
 std::vector<std::string> likeDispatchServices(const std::vector<std::string>& names,
-                                              const DispatchWish& wish);
+                                              const DispatchSettings& settings);
 /// `services`: those of likeDispatchServices() with their types; nullopt: the server does not list services.
 /// `topics` likewise.
-FoundDispatch dispatchIn(const std::optional<std::vector<TypedService>>& services,
-                         const std::optional<std::vector<FoundTopic>>& topics, const DispatchWish& wish);
+Dispatcher dispatcherIn(const std::optional<std::vector<Endpoint>>& services,
+                        const std::optional<std::vector<Endpoint>>& topics, const DispatchSettings& settings);
 /// The topic of a projected map that is not listed.
-std::string projectedTopic(const DispatchWish& wish, int index);
+std::string projectedTopic(const DispatchSettings& settings, int index);
 /// Its name: the one given, otherwise the usual one.
-std::string nameBy(const DispatchWish& wish, DispatchName name);
-inline constexpr int kMostProjected = 32;
+std::string nameBy(const DispatchSettings& settings, DispatchService service);
 
 }  // namespace mapwright::robot::ros

@@ -22,7 +22,7 @@
 
 namespace mapwright::robot::ros {
 
-struct DispatchPatience {
+struct DispatchTimeouts {
   std::chrono::milliseconds region{60'000};
   std::chrono::milliseconds whole{300'000};
   std::chrono::milliseconds save{120'000};
@@ -35,20 +35,20 @@ class DispatchRequests : public QObject {
   Q_OBJECT
  public:
   /// `map_frame` returns the frame of the robot's map; empty while unknown.
-  DispatchRequests(net::rosbridge::Client& client, DispatchWish wish, DispatchPatience patience,
+  DispatchRequests(net::rosbridge::Client& client, DispatchSettings settings, DispatchTimeouts timeouts,
                    std::function<std::string()> map_frame);
 
   /// The dispatcher that was found.
-  void take(FoundDispatch found);
+  void take(Dispatcher found);
   /// The connection is lost: what waits for topics waits no more.
   void lose() { waits_.drop(); }
   /// Another connection: perhaps another robot.
   void beginAnew();
-  const FoundDispatch& found() const { return found_; }
+  const Dispatcher& dispatcher() const { return dispatcher_; }
   /// The projected maps received so far, by index.
   const std::map<int, std::shared_ptr<const ProjectedPart>>& projected() const { return projected_; }
   /// The topics to subscribe to.
-  std::vector<FoundTopic> topics() const;
+  std::vector<Endpoint> topics() const;
   /// The topic that is subscribed by its usual name, without knowing whether it exists; or empty.
   std::string triedTopic() const;
   /// Handles a message of one of these topics. Returns why it cannot be read.
@@ -68,12 +68,12 @@ class DispatchRequests : public QObject {
                OutcomeTo<std::vector<map::Projection>> reply);
 
  Q_SIGNALS:
-  void offersChanged(const mapwright::robot::ros::FoundDispatch& found);
+  void offersChanged(const mapwright::robot::ros::Dispatcher& found);
   void topicsChanged();
   void lookWanted();  // there may be other topics now
   void mapChanged();
-  void projectedCame(const std::shared_ptr<const mapwright::robot::ProjectedPart>& part);
-  void projectedGone(int index);
+  /// null: it is gone.
+  void projectedChanged(int index, const std::shared_ptr<const mapwright::robot::ProjectedPart>& part);
   /// The map size reported by the topics; nothing if they disagree.
   void extentTold(const std::optional<mapwright::map::GridReference>& extent);
   /// Topics that sent nothing while somebody waited for them; emitted before the answer.
@@ -99,7 +99,7 @@ class DispatchRequests : public QObject {
   };
 
   void ask(const wire::TaskPtr& task, DispatchService service, QByteArray args,
-           std::chrono::milliseconds patience, map::AskedFor asked_for, OutcomeTo<Answer> then);
+           std::chrono::milliseconds timeout, map::AskedFor asked_for, OutcomeTo<Answer> then);
   void readByService(const wire::TaskPtr& task, ProjectionsReply reply);
   void begin(const WatchPtr& watch);
   void projectNow(const wire::TaskPtr& task, const std::vector<map::Projection>& wanted,
@@ -120,9 +120,9 @@ class DispatchRequests : public QObject {
   void tellExtent();
 
   net::rosbridge::Client& client_;
-  const DispatchWish wish_;
-  const DispatchPatience patience_;
-  FoundDispatch found_;
+  const DispatchSettings settings_;
+  const DispatchTimeouts timeouts_;
+  Dispatcher dispatcher_;
   std::set<std::string> not_there_;  // services that were tried
   std::map<int, std::shared_ptr<const ProjectedPart>> projected_;
   int told_ = 0;                             // expected number of projections
@@ -145,6 +145,6 @@ inline constexpr const char* kDispatcher = "map dispatcher (REP 130)";
 /// The service that gives points or occupied cells, all or a region of them.
 DispatchService cloudService(CloudKind kind, bool region);
 /// What is said where there is no dispatcher, or where it lacks a service.
-map::Failure notDispatched(DispatchService service, const FoundDispatch& found);
+map::Failure notDispatched(DispatchService service, const Dispatcher& dispatcher);
 
 }  // namespace mapwright::robot::ros

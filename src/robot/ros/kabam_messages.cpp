@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
+#include <utility>
 
 #include <QDateTime>
 #include <QJsonArray>
@@ -25,29 +27,6 @@ constexpr int kMostNotes = 20;
 using words::text;
 
 QByteArray compact(const QJsonObject& object) { return QJsonDocument(object).toJson(QJsonDocument::Compact); }
-
-/// The value as received.
-QJsonValue jsonOf(const Field& field) {
-  if (field.isObject()) {
-    QJsonObject object;
-    field.members([&](std::string_view name, const Field& value) {
-      object[QString::fromUtf8(name.data(), qsizetype(name.size()))] = jsonOf(value);
-    });
-    return object;
-  }
-  if (field.isList()) {
-    QJsonArray list;
-    field.each([&](const Field& item) { list << jsonOf(item); });
-    return list;
-  }
-  if (field.isText()) return text(field.text());
-  if (field.isNumber()) {
-    if (const auto whole = field.integer()) return QJsonValue(qint64(*whole));
-    return field.number().value_or(0);
-  }
-  if (const auto flag = field.flag()) return *flag;
-  return {};
-}
 
 /// ROS times, seconds, or ISO 8601.
 std::optional<double> timeOf(const Field& field) {
@@ -106,8 +85,69 @@ std::optional<ReadWaypoint> waypointOf(const Field& row) {
   read.zero_turn = turn.zero;
   point.yaw_rad = turn.yaw_rad;
   row["waypoint_tags"].each([&](const Field& tag) { point.tags.push_back(tag.text()); });
-  point.source = compact(jsonOf(row).toObject()).toStdString();
+  point.source = compact(QJsonDocument::fromJson(row.toWholeJson()).object()).toStdString();
   return read;
+}
+
+using map::Applied;
+using map::FailureKind;
+using net::rosbridge::Field;
+
+/// What a code means. Without a cause it was done.
+struct Code {
+  std::int64_t code;
+  FaultCode cause = {};
+  bool of_name = false;  // the cause names what it is about
+  FailureKind kind = FailureKind::RejectedByRobot;
+};
+
+constexpr Code kOfWaypoints[] = {
+    {0},  // created
+    {3},  // updated
+    {5},  // deleted
+    {1, fault::ResultMapUnknown},
+    {2, fault::ResultNameTaken, true},
+    {4, fault::ResultWaypointUnknown, false, FailureKind::Conflict},  // somebody else has deleted it
+    {6, fault::ResultUndefined},
+};
+constexpr Code kOfUpdates[] = {
+    {0},  // updated
+    {1},  // deleted
+    {2, fault::ResultMapUnknown},
+    {3, fault::ResultInvalid},
+    {4, fault::ResultUndefined},
+};
+constexpr Code kOfLoads[] = {
+    {0},
+    {1, fault::ResultMapUnknown},
+    {2, fault::ResultAlreadyLoaded},
+    {3, fault::ResultInvalidLoad},
+    {4, fault::ResultUndefined},
+};
+constexpr Code kOfSaves[] = {
+    {0},
+    {1, fault::ResultNothingToSave},
+    {2, fault::ResultMapNameTaken, true},
+    {3, fault::ResultUndefined},
+};
+
+map::Failure withoutCode(map::Subject subject) {
+  return {.kind = FailureKind::MalformedAnswer,
+          .subject = std::move(subject),
+          .applied = Applied::Maybe,
+          .asked_for = map::AskedFor::Change,
+          .cause = {fault::AnswerWithoutResult}};
+}
+
+/// A std_srvs/Trigger; its message is shown.
+std::optional<map::Failure> triggerResult(const Field& values, map::Subject subject) {
+  const auto success = values["success"].flag();
+  if (!success) return withoutCode(std::move(subject));
+  if (*success) return std::nullopt;
+  return map::Failure{.kind = FailureKind::RejectedByRobot,
+                      .subject = std::move(subject),
+                      .detail = values["message"].text().substr(0, 300),
+                      .asked_for = map::AskedFor::Change};
 }
 
 }  // namespace
@@ -273,6 +313,33 @@ QByteArray saveMapArgs(const std::string& name) {
 bool sameBesidesTags(const map::Waypoint& a, const map::Waypoint& b) {
   return a.name == b.name && map::samePlace(a.position_m, b.position_m) &&
          map::sameHeading(a.yaw_rad.value_or(0), b.yaw_rad.value_or(0));
+}
+
+std::optional<map::Failure> resultOf(std::string_view service, const Field& values, map::Subject subject,
+                                     const std::string& name) {
+  if (service.ends_with("_mapping")) return triggerResult(values, std::move(subject));
+  std::span<const Code> codes = kOfUpdates;
+  if (service.ends_with("_waypoint")) codes = kOfWaypoints;
+  if (service == "load_map") codes = kOfLoads;
+  if (service == "save_map") codes = kOfSaves;
+  const auto code = values["result"].integer();
+  if (!code) return withoutCode(std::move(subject));
+  map::Failure failure{.kind = FailureKind::RejectedByRobot,
+                       .subject = std::move(subject),
+                       .applied = Applied::Maybe,
+                       .robot_code = std::to_string(*code),
+                       .asked_for = map::AskedFor::Change,
+                       .cause = {fault::ResultUnknown, {*code}}};
+  const auto known =
+      std::find_if(codes.begin(), codes.end(), [&](const Code& one) { return one.code == *code; });
+  if (known == codes.end()) return failure;
+  if (known->cause == FaultCode()) return std::nullopt;
+  failure.kind = known->kind;
+  failure.cause = known->cause;
+  if (known->of_name) failure.cause.arguments = {name};
+  // What is not known to have been refused may have been done.
+  if (known->cause != fault::ResultUndefined) failure.applied = Applied::No;
+  return failure;
 }
 
 }  // namespace mapwright::robot::ros

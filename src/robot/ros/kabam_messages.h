@@ -4,11 +4,13 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <QByteArray>
 
 #include "map/catalogue.h"
+#include "map/failure.h"
 #include "map/waypoint.h"
 #include "net/rosbridge/field.h"
 #include "robot/waypoint_store.h"
@@ -62,5 +64,13 @@ QByteArray saveMapArgs(const std::string& name);
 
 /// Whether both have the same position and name, within the precision of transmitted numbers.
 bool sameBesidesTags(const map::Waypoint& a, const map::Waypoint& b);
+
+/// nullopt: success. Otherwise the failure about `subject`; unknown codes are shown as numbers. `service`:
+/// "load_map". `name`: the requested name of the waypoint or map.
+std::optional<map::Failure> resultOf(std::string_view service, const Field& values, map::Subject subject,
+                                     const std::string& name = {});
+
+/// The code of LoadMap if the map is already loaded.
+inline constexpr const char* kAlreadyLoaded = "2";
 
 }  // namespace mapwright::robot::ros

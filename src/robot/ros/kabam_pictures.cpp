@@ -1,14 +1,40 @@
 #include "robot/ros/kabam_pictures.h"
 
+#include <algorithm>
+#include <array>
+#include <cstring>
 #include <utility>
 
 #include "robot/ros/faults.h"
-#include "robot/ros/kabam_failures.h"
-#include "robot/ros/kabam_results.h"
 #include "robot/ros/ros_calls.h"
 
 namespace mapwright::robot::ros {
 namespace {
+
+constexpr int kEdge = grids::GridPyramid::kTileEdge;
+constexpr int kBandRows = 16;  // divides the edge of a tile
+constexpr char kTail[] = "\"}}";
+constexpr qint64 kTailBytes = sizeof kTail - 1;
+
+std::string pgmHead(int width, int height) {
+  return "P5\n" + std::to_string(width) + ' ' + std::to_string(height) + "\n255\n";
+}
+
+/// Rows `from` to `to` (exclusive) of one band of tiles, joined.
+std::vector<std::uint8_t> rowsOf(const grids::GridPyramid& cells, int from, int to) {
+  const std::size_t width = std::size_t(cells.width());
+  std::vector<std::uint8_t> rows(width * std::size_t(to - from), grids::kUnknownOccupancy);
+  for (int x = 0; x * kEdge < cells.width(); ++x) {
+    const auto tile = cells.tile(0, x, from / kEdge);
+    if (!tile) continue;
+    const std::size_t left = std::size_t(x) * kEdge, part = std::min(std::size_t(kEdge), width - left);
+    for (int row = from; row < to; ++row) {
+      std::memcpy(rows.data() + std::size_t(row - from) * width + left,
+                  tile->cells.get() + std::size_t(row % kEdge) * kEdge, part);
+    }
+  }
+  return rows;
+}
 
 using net::rosbridge::CallAnswer;
 using std::chrono::milliseconds;
@@ -30,12 +56,92 @@ milliseconds timeFor(const grids::GridPyramid& cells) {
 
 }  // namespace
 
-KabamPictures::KabamPictures(Means means, KabamPatience patience, milliseconds settles)
-    : means_(std::move(means)), patience_(patience) {
+std::optional<std::uint8_t> shadeOf(std::uint8_t cell) {
+  constexpr std::uint8_t kFree = 0, kOccupied = 100;
+  switch (cell) {
+    case kFree:
+      return std::uint8_t(254);
+    case kOccupied:
+      return std::uint8_t(0);
+    case grids::kUnknownOccupancy:
+      return std::uint8_t(205);
+    default:
+      return std::nullopt;
+  }
+}
+
+PictureArgs::PictureArgs(const KabamMap& map, std::shared_ptr<const grids::GridPyramid> cells,
+                         std::function<bool()> wanted)
+    : cells_(std::move(cells)), wanted_(std::move(wanted)) {
+  head_ = updateImageHead(map, cells_->width(), cells_->height());
+  const std::string head = pgmHead(cells_->width(), cells_->height());
+  hash_.addData(QByteArrayView(head.data(), qsizetype(head.size())));
+}
+
+qint64 PictureArgs::bytes() const {
+  const qint64 cells = qint64(cells_->width()) * cells_->height();
+  return head_.size() + (cells + 2) / 3 * 4 + kTailBytes;
+}
+
+/// Complete groups of three; the rest waits.
+std::optional<QByteArray> PictureArgs::next() {
+  if (between_ || !wanted_()) return std::nullopt;
+  QByteArray text = std::exchange(began_, true) ? QByteArray() : head_;
+  while (row_ < cells_->height() && text.isEmpty()) {
+    if (!makeBand()) return std::nullopt;
+    const bool last = row_ == cells_->height();
+    const qsizetype whole = last ? shades_.size() : shades_.size() / 3 * 3;
+    text = shades_.first(whole).toBase64();
+    shades_.remove(0, whole);
+    if (last) text += kTail;
+  }
+  if (row_ == cells_->height() && fingerprint_.empty()) fingerprint_ = hash_.result().toHex().toStdString();
+  return text;
+}
+
+bool PictureArgs::makeBand() {
+  static const std::vector<std::optional<std::uint8_t>> kShades = [] {
+    std::vector<std::optional<std::uint8_t>> shades;
+    for (int cell = 0; cell < 256; ++cell) shades.push_back(shadeOf(std::uint8_t(cell)));
+    return shades;
+  }();
+  const int to = std::min(row_ + kBandRows, cells_->height());
+  const std::vector<std::uint8_t> rows = rowsOf(*cells_, row_, to);
+  hash_.addData(QByteArrayView(rows.data(), qsizetype(rows.size())));
+  const qsizetype held = shades_.size();
+  shades_.resize(held + qsizetype(rows.size()));
+  char* out = shades_.data() + held;
+  for (const std::uint8_t cell : rows) {
+    if (!kShades[cell]) {
+      between_ = cell;
+      return false;
+    }
+    *out++ = char(*kShades[cell]);
+  }
+  row_ = to;
+  return true;
+}
+
+std::optional<std::int64_t> differingCells(const grids::GridPyramid& cells, const std::string& pgm) {
+  const std::string head = pgmHead(cells.width(), cells.height());
+  const std::size_t width = std::size_t(cells.width());
+  if (!pgm.starts_with(head) || pgm.size() - head.size() != width * std::size_t(cells.height()))
+    return std::nullopt;
+  std::int64_t differing = 0;
+  const char* shown = pgm.data() + head.size();
+  for (int row = 0; row < cells.height(); row += kBandRows) {
+    const std::vector<std::uint8_t> rows = rowsOf(cells, row, std::min(row + kBandRows, cells.height()));
+    for (const std::uint8_t cell : rows) differing += std::uint8_t(*shown++) != cell;
+  }
+  return differing;
+}
+
+KabamPictures::KabamPictures(Parts parts, KabamTimeouts timeouts, milliseconds settles)
+    : of_(std::move(parts)), timeouts_(timeouts) {
   settle_.setSingleShot(true);
   settle_.setInterval(settles);
   connect(&settle_, &QTimer::timeout, this, &KabamPictures::compare);
-  connect(&means_.live_map, &LiveMap::came, &waits_, &wire::WaitList::look);
+  connect(&of_.live_map, &LiveMap::came, &waits_, &wire::WaitList::look);
 }
 
 void KabamPictures::write(const wire::TaskPtr& task, const PictureChange& change,
@@ -44,24 +150,23 @@ void KabamPictures::write(const wire::TaskPtr& task, const PictureChange& change
   writing->change = change;
   writing->reply = std::move(reply);
   writing->task = task;
-  means_.requests.describe(task, change.map, [this, writing](Outcome<map::CatalogueEntry> entry) {
-    if (!entry) {
-      entry.error().asked_for = map::AskedFor::Change;
-      return end(writing, fail(std::move(entry.error())));
-    }
-    writing->name = entry->name;
-    if (!entry->is_current)
-      return end(writing, fail(unfit(writing->subject(), {fault::OnlyCurrentMapTaken})));
-    readAgain(writing);
-  });
+  of_.requests.describe(task, change.map,
+                        withValue<map::CatalogueEntry>(
+                            writing->reply,
+                            [this, writing](const map::CatalogueEntry& entry) {
+                              writing->name = entry.name;
+                              if (entry.is_current) return readAgain(writing);
+                              end(writing, fail(unfit(writing->subject(), {fault::OnlyCurrentMapTaken})));
+                            }),
+                        map::AskedFor::Change);
 }
 
 void KabamPictures::readAgain(const WritingPtr& writing) {
   // If it is already subscribed, there may be no further message: request it again.
-  means_.live_map.forget();
-  means_.ask_again();
-  writing->listening = means_.live_map.listen();
-  means_.live_map.fetch(
+  of_.live_map.forget();
+  of_.ask_again();
+  writing->listening = of_.live_map.listen();
+  of_.live_map.fetch(
       writing->task, writing->change.map, writing->name,
       [this, writing](Outcome<map::WholeMap> now) {
         if (!now) {
@@ -78,10 +183,10 @@ void KabamPictures::readAgain(const WritingPtr& writing) {
 /// What is on the robot now is not what the change was made of, or is no more the map that the robot sends.
 /// Of what is not known now (on a connection that is new) nothing is said.
 std::optional<map::Failure> KabamPictures::conflict(const Writing& writing) const {
-  const KabamBook& book = means_.requests.book();
-  if (book.current() && !book.isCurrent(writing.change.map.id))
+  const KabamState& state = of_.requests.state();
+  if (state.current() && !state.isCurrent(writing.change.map.id))
     return unfit(writing.subject(), {fault::OnlyCurrentMapTaken});
-  const auto& last = means_.live_map.last();
+  const auto& last = of_.live_map.last();
   const grids::GridPyramid& cells = *writing.change.cells;
   const bool fits = !last || (last->fingerprint == writing.change.revision &&
                               last->grid.width == cells.width() && last->grid.height == cells.height());
@@ -93,13 +198,12 @@ std::optional<map::Failure> KabamPictures::conflict(const Writing& writing) cons
 }
 
 bool KabamPictures::shows(const std::string& fingerprint) const {
-  const auto& last = means_.live_map.last();
-  return last && last->fingerprint == fingerprint;
+  return of_.live_map.last() && of_.live_map.last()->fingerprint == fingerprint;
 }
 
 void KabamPictures::send(const WritingPtr& writing) {
-  KabamBook& book = means_.requests.book();
-  const KabamMap map = book.find(writing->change.map.id).value_or(KabamMap{});
+  KabamState& state = of_.requests.state();
+  const KabamMap map = state.find(writing->change.map.id).value_or(KabamMap{});
   writing->args =
       std::make_shared<PictureArgs>(map, writing->change.cells, [this, asked = std::weak_ptr(writing)] {
         const WritingPtr now = asked.lock();
@@ -108,14 +212,14 @@ void KabamPictures::send(const WritingPtr& writing) {
         return now && !now->changed_meanwhile;
       });
   net::rosbridge::CallRequest request;
-  request.service = book.place() + "/update_map_image";
+  request.service = state.place() + "/update_map_image";
   request.made_while_sent = writing->args;
   request.travelled = [task = writing->task](qint64 bytes, qint64 of_bytes) {
     task->tell({bytes, of_bytes});
   };
   request.large = true;
-  request.patience = patience_.call + timeFor(*writing->change.cells);
-  call(writing->task, means_.client, std::move(request),
+  request.timeout = timeouts_.call + timeFor(*writing->change.cells);
+  call(writing->task, of_.client, std::move(request),
        [this, writing](const CallAnswer& answer) { takeAnswer(writing, answer); });
 }
 
@@ -130,12 +234,9 @@ void KabamPictures::takeAnswer(const WritingPtr& writing, const CallAnswer& answ
       if (auto failure = conflict(*writing)) return end(writing, fail(std::move(*failure)));
     }
   }
-  writing->doubt = answered ? updateMapResult(answer.values, subject)
+  writing->doubt = answered ? resultOf("update_map_image", answer.values, subject)
                             : std::optional(failed(answer, subject, map::AskedFor::Change));
-  const bool ends = writing->doubt &&
-                    (writing->doubt->applied == map::Applied::No ||
-                     answer.kind == CallAnswer::Kind::Cancelled || answer.kind == CallAnswer::Kind::LinkLost);
-  if (!ends) return confirm(writing);
+  if (!writing->doubt || !isFinal(*writing->doubt)) return confirm(writing);
   // Once there is a connection again, the map tells what has become of it.
   if (writing->doubt->applied != map::Applied::No) doubt(writing->change.map.id);
   end(writing, fail(*writing->doubt));
@@ -143,11 +244,11 @@ void KabamPictures::takeAnswer(const WritingPtr& writing, const CallAnswer& answ
 
 /// Waits for the map to show it; requests it once more half-way, in case it is not sent automatically.
 void KabamPictures::confirm(const WritingPtr& writing) {
-  writing->within = patience_.confirm + timeFor(*writing->change.cells);
+  writing->within = timeouts_.confirm + timeFor(*writing->change.cells);
   writing->confirming = true;
   QTimer::singleShot(writing->within / 2, this, [this, held = std::weak_ptr(writing)] {
     const WritingPtr now = held.lock();
-    if (now && now->confirming) means_.ask_again();
+    if (now && now->confirming) of_.ask_again();
   });
   waits_.await(
       writing->task, writing->within,
@@ -167,9 +268,9 @@ void KabamPictures::confirm(const WritingPtr& writing) {
 
 void KabamPictures::giveUp(const WritingPtr& writing) {
   if (writing->doubt) return end(writing, fail(std::move(*writing->doubt)));
-  const auto& last = means_.live_map.last();
+  const auto& last = of_.live_map.last();
   const bool other = last && last->png && !shows(writing->change.revision) &&
-                     means_.requests.book().isCurrent(writing->change.map.id);
+                     of_.requests.state().isCurrent(writing->change.map.id);
   const auto cells = other ? differingCells(*writing->change.cells, *last->png) : std::nullopt;
   if (!cells) return end(writing, fail(unconfirmed(writing->subject(), writing->within)));
   map::Failure failure = unfit(writing->subject(), {fault::PictureShownOtherwise, {*cells}});
@@ -184,11 +285,11 @@ void KabamPictures::doubt(const std::string& map_id) {
 }
 
 void KabamPictures::compare() {
-  const KabamBook& book = means_.requests.book();
-  const bool told = means_.known() && means_.requests.there() && book.current() && !book.isMapping();
-  if (!told || book.current()->map.id.empty()) return;
-  const std::string& id = book.current()->map.id;
-  const auto& last = means_.live_map.last();
+  const KabamState& state = of_.requests.state();
+  const bool told = of_.known() && of_.requests.there() && state.current() && !state.isMapping();
+  if (!told || state.current()->map.id.empty()) return;
+  const std::string& id = state.current()->map.id;
+  const auto& last = of_.live_map.last();
   bool other = doubted_.erase(id) > 0;
   if (last) {
     std::string& seen = seen_[id];

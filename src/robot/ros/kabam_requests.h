@@ -12,15 +12,15 @@
 #include "net/rosbridge/client.h"
 #include "robot/map_administration.h"
 #include "robot/robot.h"
-#include "robot/ros/kabam_book.h"
 #include "robot/ros/kabam_plan.h"
+#include "robot/ros/kabam_state.h"
 #include "robot/ros/ros_calls.h"
 #include "robot/waypoint_store.h"
 #include "robot/wire/task.h"
 
 namespace mapwright::robot::ros {
 
-struct KabamPatience {
+struct KabamTimeouts {
   std::chrono::milliseconds call{10'000};    // for an answer
   std::chrono::milliseconds read{60'000};    // for all waypoints of a map: there may be very many
   std::chrono::milliseconds lists{5'000};    // for the first messages of the topics
@@ -35,22 +35,19 @@ class KabamRequests : public QObject {
  public:
   /// `client` and what the functions look at outlive this. `fixed_frame`: that of the map, which waypoints
   /// lie in; empty = not known.
-  KabamRequests(net::rosbridge::Client& client, KabamPatience patience, WhenKnown when_known,
+  KabamRequests(net::rosbridge::Client& client, KabamTimeouts timeouts, WhenKnown when_known,
                 std::function<std::string()> fixed_frame);
 
-  KabamBook& book() { return book_; }
+  KabamState& state() { return state_; }
   /// Where the manager is ("/map_manager"); nullopt: there is none. True when it has come or gone.
   bool setPlace(const std::optional<std::string>& place);
   bool there() const { return there_; }
-  /// A message of one of its topics, or of another: then it says so.
-  KabamBook::Taken take(const net::rosbridge::TopicMessage& message) {
-    return book_.take(message.topic, message.frame, message.msg);
-  }
-  /// Tells what was taken; what waits for it is looked at.
-  void tell(const KabamBook::Taken& taken);
+  /// Tells what has changed in the state; what waits for it is looked at.
+  void tell(const KabamState::Update& update);
 
   void list(const wire::TaskPtr& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
-  void describe(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
+  void describe(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply,
+                map::AskedFor asked_for = map::AskedFor::All);
   void waypoints(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<StoredWaypoints> reply);
   void perform(const wire::TaskPtr& task, const map::MapKey& key, const WaypointRequest& request,
                OutcomeTo<WaypointReceipt> reply);
@@ -64,39 +61,44 @@ class KabamRequests : public QObject {
  private:
   /// How far a change is visible in a list.
   enum class Shown { NotYet, OtherTags, Done };
-  using Awaited = wire::WaitList::End;
+  using End = wire::WaitList::End;
   struct Change {
+    wire::TaskPtr task;
     map::MapKey key;
     WaypointChange what;
-    std::string id;  // for a created one, as given by the robot; empty = compare the name
     OutcomeTo<WaypointReceipt> reply;
-    std::chrono::steady_clock::time_point until;
-    std::chrono::milliseconds pause{0};  // before they are asked for
+    std::string id = {};  // for a created one, as given by the robot; empty = compare the name
+    std::chrono::steady_clock::time_point until = {};
+    std::chrono::milliseconds pause{0};      // before they are asked for
+    std::optional<map::Failure> doubt = {};  // the failure, unless the change shows
+    map::Subject subject() const { return map::placesOf(key); }
   };
   using ChangePtr = std::shared_ptr<Change>;
+  struct Order;
+  using OrderPtr = std::shared_ptr<Order>;
 
   /// `then` once the lists have come, or with a failure about `subject`.
-  void whenListed(const wire::TaskPtr& task, const map::Subject& subject,
-                  std::function<void(std::optional<map::Failure>)> then);
-  net::rosbridge::CallRequest request(const char* service, QByteArray args) const;
-  void lookFirst(const wire::TaskPtr& task, const map::MapKey& key, const WaypointRequest& asked,
-                 OutcomeTo<WaypointReceipt> reply);
-  void send(const wire::TaskPtr& task, const map::MapKey& key, const WaypointRequest& request,
-            OutcomeTo<WaypointReceipt> reply);
-  void confirm(const wire::TaskPtr& task, const ChangePtr& change, std::optional<map::Failure> doubt);
-  void askWhetherShown(const wire::TaskPtr& task, const ChangePtr& change, std::optional<map::Failure> doubt);
+  void whenListed(const wire::TaskPtr& task, const map::Subject& subject, map::AskedFor asked_for,
+                  Checked then);
+  void ask(const wire::TaskPtr& task, const char* service, QByteArray args, net::rosbridge::Reply reply,
+           std::optional<std::chrono::milliseconds> timeout = {});
+  /// The waypoints of an answer of get_waypoint; nullopt: there are none in it.
+  std::optional<StoredWaypoints> storedIn(const net::rosbridge::CallAnswer& answer,
+                                          const map::MapKey& key) const;
+  void lookFirst(const ChangePtr& change);
+  void send(const ChangePtr& change);
+  void confirm(const ChangePtr& change);
+  void askWhetherShown(const ChangePtr& change);
   static Shown shownIn(const StoredWaypoints& stored, Change& change);
-  void endChange(const ChangePtr& change, Shown shown, std::optional<map::Failure> doubt) const;
-  struct Ordered;
-  void sendOrder(const wire::TaskPtr& task, const std::shared_ptr<Ordered>& ordered);
-  void confirmOrder(const wire::TaskPtr& task, const std::shared_ptr<Ordered>& ordered,
-                    std::optional<map::Failure> doubt);
+  void end(const ChangePtr& change, Shown shown) const;
+  void send(const OrderPtr& order);
+  void confirm(const OrderPtr& order, std::optional<map::Failure> doubt);
 
   net::rosbridge::Client& client_;
-  KabamPatience patience_;
+  KabamTimeouts timeouts_;
   WhenKnown when_known_;
   std::function<std::string()> fixed_frame_;
-  KabamBook book_;
+  KabamState state_;
   bool there_ = false;
   wire::WaitList waits_;
 };

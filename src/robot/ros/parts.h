@@ -1,6 +1,8 @@
 // Common parts of ROS messages. Private to the readers.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -12,6 +14,8 @@ namespace mapwright::robot::ros {
 
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kFarthestM = 1e7;
+/// Finite, and not farther away than that along any axis.
+bool isPlace(const auto& at_m) { return (at_m.array().abs() <= kFarthestM).all(); }
 /// A shorter quaternion counts as zero.
 inline constexpr double kShortestQuaternion = 1e-6;
 
@@ -35,26 +39,31 @@ struct PoseRead {
 };
 PoseRead poseOf(const Field& field);
 
-/// The stride for taking at most `most` of `count` things: each n-th.
+/// The stride for taking at most `most` of `count` things: each n-th; at least 1.
 inline std::size_t strideFor(std::size_t count, std::size_t most) {
-  return count / most + (count % most != 0);
+  return count == 0 ? 1 : count / most + (count % most != 0);
 }
 
-/// Collects points. The unit of intensities depends on the sensor and is derived from all of them.
-class PointList {
- public:
-  void reserve(std::size_t count);
-  /// Points that are not finite, or farther than 10,000 km, are skipped: false.
-  bool add(double x_m, double y_m, double z_m, double intensity);
-  void leaveOut() { ++left_out_; }
-  /// `bytes`: intensities are 0..255 in any case.
-  Points points(Header header, bool bytes) &&;
-
- private:
-  std::vector<map::CloudPoint> points_;
-  std::vector<float> intensities_;
-  float brightest_ = 0;
-  std::size_t left_out_ = 0;
+/// How to treat invalid cells.
+enum class OddCells {
+  Unknown,
+  Nearest,  // above 100 counts as 100; others as unknown
 };
+
+/// Width and height of a grid with at most `most` cells.
+struct GridSize {
+  std::int64_t width = 0, height = 0;
+};
+enum class EmptyGrids { Refused, Taken };
+/// `prefix` as ROS users write the path of the two: "info."
+Read<GridSize> readGridSize(const Field& of, const std::string& prefix, std::int64_t most, EmptyGrids empty);
+
+/// nav_msgs/OccupancyGrid.
+Read<Grid> readGridOf(const Field& msg, std::int64_t most_cells, EmptyGrids empty, OddCells odd);
+
+/// The cell edge in metres; NaN if invalid. It is sent as a 32-bit float, so 0.05 arrives as
+/// 0.05000000074505806: at a distance of a kilometre cell edges would be on the wrong side. The result is the
+/// shortest decimal number with the same float value (docs/protocols/rosbridge.md, "JSON details").
+double resolutionOf(const Field& info);
 
 }  // namespace mapwright::robot::ros

@@ -46,7 +46,7 @@ QString withoutLastSlashes(QString name) {
 /// All options after the ? except ns.
 QStringList dispatchOptions() {
   QStringList all;
-  for (const DispatchName name : kDispatchNames) all << QLatin1String(usualName(name));
+  for (const auto& [service, name, type] : usualDispatchServices()) all << QLatin1String(name);
   return all << QLatin1String(kProjectedMap);
 }
 
@@ -118,19 +118,18 @@ std::string namespaceOf(const Address& address) {
       .toStdString();
 }
 
-DispatchWish dispatchWishOf(const Address& address) {
-  DispatchWish wish;
-  const std::string ns = namespaceOf(address);
-  wish.expected = address.scheme == QLatin1String("rep130+");
-  (wish.expected ? wish.ns : wish.near) = ns;
-  for (const DispatchName name : kDispatchNames) {
-    const QString key = QLatin1String(usualName(name));
-    if (address.options.hasQueryItem(key))
-      wish.names[name] = address.options.queryItemValue(key, QUrl::FullyDecoded).toStdString();
+DispatchSettings dispatchSettingsOf(const Address& address) {
+  const auto option = [&](const char* name) {
+    return address.options.queryItemValue(QLatin1String(name), QUrl::FullyDecoded).toStdString();
+  };
+  DispatchSettings settings;
+  settings.expected = address.scheme == QLatin1String("rep130+");
+  (settings.expected ? settings.ns : settings.near) = namespaceOf(address);
+  for (const auto& [service, name, type] : usualDispatchServices()) {
+    if (address.options.hasQueryItem(QLatin1String(name))) settings.names[service] = option(name);
   }
-  wish.projected_map =
-      address.options.queryItemValue(QLatin1String(kProjectedMap), QUrl::FullyDecoded).toStdString();
-  return wish;
+  settings.projected_map = option(kProjectedMap);
+  return settings;
 }
 
 }  // namespace mapwright::robot::ros

@@ -18,6 +18,6 @@ AddressScheme rep130AddressScheme();
 /// "/robot1"; empty = none. Without a trailing slash.
 std::string namespaceOf(const Address& address);
 /// What it says about a map dispatcher; for other kinds of robots, where to look first.
-DispatchWish dispatchWishOf(const Address& address);
+DispatchSettings dispatchSettingsOf(const Address& address);
 
 }  // namespace mapwright::robot::ros

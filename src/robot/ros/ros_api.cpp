@@ -1,7 +1,12 @@
 #include "robot/ros/ros_api.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <set>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -13,10 +18,88 @@
 namespace mapwright::robot::ros {
 namespace {
 
+using net::rosbridge::Field;
+
+constexpr std::size_t kMostTypes = 1000, kMostFields = 10'000;
+
+/// ROS 2 gives some types by their IDL names.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kOfIdl{
+    {{"boolean", "bool"}, {"float", "float32"}, {"double", "float64"}, {"octet", "byte"}}};
+
+constexpr std::array<std::string_view, 18> kPlain{
+    "bool",  "byte",   "char",    "int8",    "uint8",  "int16",   "uint16", "int32",    "uint32",
+    "int64", "uint64", "float32", "float64", "string", "wstring", "time",   "duration", "octet"};
+
+struct Member {
+  std::string type, name, array;  // "geometry_msgs/Point", "points", "[]"
+};
+struct Type {
+  std::string name;
+  std::vector<Member> members;
+};
+
+/// "string<10>" is a "string", "float, 5" a "float".
+std::string plainOf(std::string type) {
+  type = type.substr(0, type.find_first_of("<,"));
+  for (const auto& [idl, plain] : kOfIdl) {
+    if (type == idl) return std::string(plain);
+  }
+  return type;
+}
+
+/// "sequence<double, 5>" and "double[5]", where only the type says that it is an array.
+Member memberOf(std::string type, std::string name, std::int64_t length) {
+  Member member;
+  member.name = std::move(name);
+  if (length >= 0) member.array = length == 0 ? "[]" : '[' + std::to_string(length) + ']';
+  constexpr std::string_view kSequence = "sequence<";
+  if (type.starts_with(kSequence)) {
+    type = type.substr(kSequence.size(), type.find_last_of('>') - kSequence.size());
+    member.array = "[]";
+  } else if (const std::size_t bracket = type.find('['); bracket != std::string::npos) {
+    member.array = type.substr(bracket);
+    type.resize(bracket);
+  }
+  member.type = plainOf(std::move(type));
+  return member;
+}
+
+std::optional<Type> typeIn(const Field& told) {
+  Type type;
+  type.name = told["type"].text();
+  std::vector<std::string> names, types;
+  std::vector<std::int64_t> lengths;
+  told["fieldnames"].each([&](const Field& one) { names.push_back(one.text()); });
+  told["fieldtypes"].each([&](const Field& one) { types.push_back(one.text()); });
+  told["fieldarraylen"].each([&](const Field& one) { lengths.push_back(one.integer().value_or(-1)); });
+  if (type.name.empty() || names.size() != types.size() || names.size() != lengths.size() ||
+      names.size() > kMostFields)
+    return std::nullopt;
+  // ROS 2 gives the names of its own variables: "_header".
+  const bool own = std::all_of(names.begin(), names.end(),
+                               [](const std::string& name) { return name.size() > 1 && name[0] == '_'; });
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string name = own ? names[i].substr(1) : names[i];
+    if (name.empty() || name == "check_fields") continue;
+    type.members.push_back(memberOf(types[i], name, lengths[i]));
+  }
+  return type;
+}
+
+void write(std::string& out, const Type& type) {
+  // Some readers reject an empty definition.
+  if (type.members.empty()) out += "# no fields\n";
+  for (const Member& member : type.members) out += member.type + member.array + ' ' + member.name + '\n';
+}
+
+void rule(std::string& out, const std::string& type) {
+  out += std::string(80, '=') + "\nMSG: " + type + '\n';
+}
+
 using net::rosbridge::CallAnswer;
 
 constexpr std::size_t kMostTopics = 20'000;
-constexpr std::chrono::milliseconds kMostPatience{30'000};
+constexpr std::chrono::milliseconds kLongestTimeout{30'000};
 constexpr int kMostTypeQuestions = 300;  // for servers that do not list types
 constexpr int kMostSenderQuestions = 2 * kMostProjected;
 constexpr const char* kManager = "/map_manager";
@@ -42,9 +125,56 @@ std::vector<std::string> textsOf(const Field& list) {
   return texts;
 }
 
+/// null: the robot does not list it.
+const Endpoint* findTopic(const RosGraph& found, const std::string& topic) {
+  if (!found.topics) return nullptr;
+  const auto row = std::find_if(found.topics->begin(), found.topics->end(),
+                                [&](const Endpoint& one) { return one.name == topic; });
+  return row == found.topics->end() ? nullptr : &*row;
+}
+
 }  // namespace
 
-std::optional<std::string> mapManagerIn(const Found& found, const std::string& ns) {
+std::optional<RosDefinition> definitionIn(const Field& typedefs) {
+  std::vector<Type> types;
+  bool fine = true;
+  typedefs.each([&](const Field& told) {
+    if (!fine || types.size() > kMostTypes) return;
+    const std::string name = told["type"].text();
+    // Built-in types of ROS 1.
+    if (name == "time" || name == "duration") return;
+    std::optional<Type> type = typeIn(told);
+    fine = type.has_value();
+    if (type) types.push_back(std::move(*type));
+  });
+  if (!fine || types.empty()) return std::nullopt;
+  RosDefinition definition;
+  std::set<std::string> known(kPlain.begin(), kPlain.end());
+  known.insert("Header");
+  for (const Type& type : types) known.insert(type.name);
+  for (const Type& type : types) {
+    for (const Member& member : type.members) {
+      if (!known.contains(member.type)) return std::nullopt;
+      definition.ros2 |= member.type.starts_with("builtin_interfaces/");
+    }
+  }
+  std::set<std::string> written;
+  for (const Type& type : types) {
+    if (!written.insert(type.name).second) continue;
+    if (written.size() > 1) rule(definition.text, type.name);
+    write(definition.text, type);
+  }
+  return definition;
+}
+
+RosDefinition definitionAround(const RosDefinition& inner, const std::string& type, const std::string& name) {
+  RosDefinition around{inner.ros2, type + ' ' + name + '\n'};
+  rule(around.text, type);
+  around.text += inner.text;
+  return around;
+}
+
+std::optional<std::string> mapManagerIn(const RosGraph& found, const std::string& ns) {
   std::vector<std::string> places;
   const auto add = [&](const std::string& name, std::string_view member) {
     const std::string tail = kManager + std::string(member);
@@ -54,7 +184,7 @@ std::optional<std::string> mapManagerIn(const Found& found, const std::string& n
     for (const std::string& service : *found.services) add(service, "/load_map");
   }
   if (found.topics) {
-    for (const FoundTopic& topic : *found.topics) {
+    for (const Endpoint& topic : *found.topics) {
       if (topic.type.empty() || plainType(topic.type) == "kabam_msgs/MapList") add(topic.name, "/map_list");
     }
   }
@@ -67,38 +197,33 @@ std::optional<std::string> mapManagerIn(const Found& found, const std::string& n
   });
 }
 
-std::string typeOf(const Found& found, const std::string& topic) {
-  if (!found.topics) return {};
-  const auto row = std::find_if(found.topics->begin(), found.topics->end(),
-                                [&](const FoundTopic& one) { return one.name == topic; });
-  return row == found.topics->end() ? std::string() : row->type;
+std::string typeOf(const RosGraph& found, const std::string& topic) {
+  const Endpoint* const listed = findTopic(found, topic);
+  return listed ? listed->type : std::string();
 }
 
-bool lists(const Found& found, const std::string& topic) {
-  return found.topics && std::any_of(found.topics->begin(), found.topics->end(),
-                                     [&](const FoundTopic& one) { return one.name == topic; });
-}
+bool lists(const RosGraph& found, const std::string& topic) { return findTopic(found, topic) != nullptr; }
 
-std::optional<std::vector<FoundTopic>> sentTopics(const Found& found) {
-  std::optional<std::vector<FoundTopic>> sent = found.topics;
-  if (sent) std::erase_if(*sent, [&](const FoundTopic& topic) { return found.unsent.contains(topic.name); });
+std::optional<std::vector<Endpoint>> sentTopics(const RosGraph& found) {
+  std::optional<std::vector<Endpoint>> sent = found.topics;
+  if (sent) std::erase_if(*sent, [&](const Endpoint& topic) { return found.unsent.contains(topic.name); });
   return sent;
 }
 
-RosApi::RosApi(net::rosbridge::Client& client, std::chrono::milliseconds patience)
-    : client_(client), patience_(patience) {}
+RosApi::RosApi(net::rosbridge::Client& client, std::chrono::milliseconds timeout)
+    : client_(client), timeout_(timeout) {}
 
 void RosApi::ask(const char* service, const QByteArray& args, net::rosbridge::Client::Reply reply) {
   net::rosbridge::CallRequest request;
   request.service = service;
   request.args = args;
-  request.patience = patience_;
+  request.timeout = timeout_;
   client_.call(std::move(request), [self = QPointer<RosApi>(this), reply = std::move(reply),
-                                    sent_with = patience_](const CallAnswer& answer) {
+                                    sent_with = timeout_](const CallAnswer& answer) {
     if (!self) return;
     // A slow one gets more time at the next look, otherwise nothing would ever be known.
     if (answer.kind == CallAnswer::Kind::TimedOut)
-      self->patience_ = std::min(std::max(self->patience_, sent_with * 2), kMostPatience);
+      self->timeout_ = std::min(std::max(self->timeout_, sent_with * 2), kLongestTimeout);
     reply(answer);
   });
 }
@@ -107,13 +232,14 @@ void RosApi::step(const LookPtr& look) {
   if (--look->waits_for > 0) return;
   if (look->found.topics) {
     std::sort(look->found.topics->begin(), look->found.topics->end(),
-              [](const FoundTopic& a, const FoundTopic& b) { return a.name < b.name; });
+              [](const Endpoint& a, const Endpoint& b) { return a.name < b.name; });
   }
   if (look->found.services) std::sort(look->found.services->begin(), look->found.services->end());
   look->then(look->found);
 }
 
-void RosApi::look(const std::string& ns, const DispatchWish& dispatch, std::function<void(Found)> then) {
+void RosApi::look(const std::string& ns, const DispatchSettings& dispatch,
+                  std::function<void(RosGraph)> then) {
   const auto look = std::make_shared<Look>();
   look->then = std::move(then);
   look->waits_for = 2;
@@ -139,33 +265,35 @@ void RosApi::look(const std::string& ns, const DispatchWish& dispatch, std::func
   });
 }
 
+void RosApi::askType(const LookPtr& look, const char* kind, const std::string& name,
+                     std::function<void(const std::string& type)> take) {
+  if (const auto known = types_.find({kind, name}); known != types_.end()) return take(known->second);
+  ++look->waits_for;
+  ask((std::string("/rosapi/") + kind + "_type").c_str(), withText(kind, name),
+      [this, look, kind, name, take = std::move(take)](const CallAnswer& answer) {
+        const std::string type = answered(answer) ? answer.values["type"].text() : std::string();
+        if (!type.empty()) types_[{kind, name}] = type;
+        take(type);
+        step(look);
+      });
+}
+
 void RosApi::askTypes(const LookPtr& look) {
   int asked = 0;
-  for (FoundTopic& topic : *look->found.topics) {
-    if (topic.type.empty()) {
-      if (const auto known = types_.find(topic.name); known != types_.end()) topic.type = known->second;
-    }
+  for (std::size_t i = 0; i < look->found.topics->size(); ++i) {
+    const Endpoint& topic = (*look->found.topics)[i];
     if (!topic.type.empty()) {
       askWhoSends(look, topic);
-      continue;
+    } else if (types_.contains({"topic", topic.name}) || ++asked <= kMostTypeQuestions) {
+      askType(look, "topic", topic.name, [this, look, i](const std::string& type) {
+        (*look->found.topics)[i].type = type;
+        askWhoSends(look, (*look->found.topics)[i]);
+      });
     }
-    if (++asked > kMostTypeQuestions) continue;
-    ++look->waits_for;
-    ask("/rosapi/topic_type", withText("topic", topic.name),
-        [this, look, name = topic.name](const CallAnswer& answer) {
-          const std::string type = answered(answer) ? answer.values["type"].text() : std::string();
-          if (!type.empty()) types_[name] = type;
-          for (FoundTopic& one : *look->found.topics) {
-            if (one.name != name) continue;
-            one.type = type;
-            askWhoSends(look, one);
-          }
-          step(look);
-        });
   }
 }
 
-void RosApi::askWhoSends(const LookPtr& look, const FoundTopic& topic) {
+void RosApi::askWhoSends(const LookPtr& look, const Endpoint& topic) {
   if (dispatchType(topic.type) != "map_msgs/ProjectedMap") return;
   if (++look->senders_asked > kMostSenderQuestions) return;
   ++look->waits_for;
@@ -176,10 +304,10 @@ void RosApi::askWhoSends(const LookPtr& look, const FoundTopic& topic) {
 }
 
 /// A service with the name of a map service may be something else.
-void RosApi::askServiceTypes(const LookPtr& look, const std::string& ns, const DispatchWish& dispatch) {
+void RosApi::askServiceTypes(const LookPtr& look, const std::string& ns, const DispatchSettings& dispatch) {
   look->found.map_services = likeMapServices(*look->found.services, ns);
   // A name given by the user takes precedence over similar ones.
-  if (const auto named = dispatch.names.find(DispatchName::GetMap); named != dispatch.names.end()) {
+  if (const auto named = dispatch.names.find(DispatchService::Grid); named != dispatch.names.end()) {
     const std::vector<std::string>& all = *look->found.services;
     std::erase(look->found.map_services, named->second);
     if (std::find(all.begin(), all.end(), named->second) != all.end())
@@ -191,25 +319,13 @@ void RosApi::askServiceTypes(const LookPtr& look, const std::string& ns, const D
   for (const std::string& name : look->found.map_services) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
-  const auto judge = [](const LookPtr& of, const std::string& name, const std::string& type) {
-    if (plainType(type) != "nav_msgs/GetMap") std::erase(of->found.map_services, name);
-    for (TypedService& service : *of->found.dispatch_services) {
-      if (service.name == name) service.type = type;
-    }
-  };
   for (const std::string& name : names) {
-    if (const auto known = service_types_.find(name); known != service_types_.end()) {
-      judge(look, name, known->second);
-      continue;
-    }
-    ++look->waits_for;
-    ask("/rosapi/service_type", withText("service", name),
-        [this, look, name, judge](const CallAnswer& answer) {
-          const std::string type = answered(answer) ? answer.values["type"].text() : std::string();
-          if (!type.empty()) service_types_[name] = type;
-          judge(look, name, type);
-          step(look);
-        });
+    askType(look, "service", name, [look, name](const std::string& type) {
+      if (plainType(type) != "nav_msgs/GetMap") std::erase(look->found.map_services, name);
+      for (Endpoint& service : *look->found.dispatch_services) {
+        if (service.name == name) service.type = type;
+      }
+    });
   }
 }
 

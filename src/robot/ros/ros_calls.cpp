@@ -21,34 +21,60 @@ void call(const wire::TaskPtr& task, Client& client, net::rosbridge::CallRequest
 }
 
 map::Failure failed(const CallAnswer& answer, map::Subject subject, map::AskedFor asked_for) {
-  using Kind = CallAnswer::Kind;
+  using Kind = map::FailureKind;
+  constexpr Kind kKinds[] = {Kind::MalformedAnswer, Kind::RejectedByRobot, Kind::TimedOut,
+                             Kind::Unreachable,     Kind::Cancelled,       Kind::MalformedAnswer};
   map::Failure failure;
+  failure.kind = kKinds[int(answer.kind)];
   failure.subject = std::move(subject);
   failure.asked_for = asked_for;
   failure.detail = answer.words;
   const bool change = asked_for == map::AskedFor::Change;
   if (change) failure.applied = answer.sent ? map::Applied::Maybe : map::Applied::No;
-  switch (answer.kind) {
-    case Kind::Answered:
-    case Kind::Malformed:
-      failure.kind = map::FailureKind::MalformedAnswer;
-      break;
-    case Kind::Refused:
-      failure.kind = map::FailureKind::RejectedByRobot;
-      break;
-    case Kind::TimedOut:
-      failure.kind = map::FailureKind::TimedOut;
-      if (failure.detail.empty()) failure.cause = {fault::NoAnswerInTime};
-      break;
-    case Kind::LinkLost:
-      failure.kind = map::FailureKind::Unreachable;
-      if (failure.detail.empty()) failure.cause = {fault::LinkBrokeOff};
-      break;
-    case Kind::Cancelled:
-      failure.kind = map::FailureKind::Cancelled;
-      break;
+  if (failure.detail.empty() && failure.kind == Kind::TimedOut) failure.cause = fault::NoAnswerInTime;
+  if (failure.detail.empty() && failure.kind == Kind::Unreachable) failure.cause = fault::LinkBrokeOff;
+  return failure;
+}
+
+map::Failure failed(wire::WaitList::End how, map::Subject subject, FaultCode late, FaultCode dropped) {
+  using End = wire::WaitList::End;
+  map::Failure failure{.kind = map::FailureKind::Cancelled, .subject = std::move(subject)};
+  if (how == End::TooLate) {
+    failure.kind = map::FailureKind::TimedOut;
+    failure.cause = late;
+  } else if (how == End::Dropped) {
+    failure.kind = map::FailureKind::Unreachable;
+    failure.cause = dropped;
   }
   return failure;
+}
+
+bool isFinal(const map::Failure& of_change) {
+  return of_change.applied == map::Applied::No || of_change.kind == map::FailureKind::Cancelled ||
+         of_change.kind == map::FailureKind::Unreachable;
+}
+
+map::Failure unsupported(map::Subject subject, Fault cause) {
+  const bool told = cause.any();
+  return {.kind = map::FailureKind::Unsupported,
+          .subject = std::move(subject),
+          .reason = told ? map::FailureReason::Unfit : map::FailureReason::NotOffered,
+          .cause = std::move(cause)};
+}
+
+map::Failure unconfirmed(map::Subject subject, std::chrono::milliseconds within) {
+  return {.kind = map::FailureKind::TimedOut,
+          .subject = std::move(subject),
+          .applied = map::Applied::Maybe,
+          .asked_for = map::AskedFor::Change,
+          .cause = {fault::NotConfirmed, {std::int64_t((within.count() + 999) / 1000)}}};
+}
+
+map::Failure cancelled(map::Subject subject) {
+  return {.kind = map::FailureKind::Cancelled,
+          .subject = std::move(subject),
+          .applied = map::Applied::Maybe,
+          .asked_for = map::AskedFor::Change};
 }
 
 }  // namespace mapwright::robot::ros

@@ -62,7 +62,7 @@ void RosDeliveries::define() {
   defining_ = true;
   // Services are not told of by that name: what it answers with is a map.
   const bool ros2 =
-      found_.topics && std::any_of(found_.topics->begin(), found_.topics->end(), [](const FoundTopic& one) {
+      graph_.topics && std::any_of(graph_.topics->begin(), graph_.topics->end(), [](const Endpoint& one) {
         return one.type.find("/msg/") != std::string::npos;
       });
   const std::string map = ros2 ? "nav_msgs/msg/OccupancyGrid" : "nav_msgs/OccupancyGrid";
@@ -95,7 +95,7 @@ void RosDeliveries::deliverDefinition(const std::string& type,
 }
 
 void RosDeliveries::take(const TopicMessage& message) {
-  std::string type = typeOf(found_, message.topic);
+  std::string type = typeOf(graph_, message.topic);
   if (type.empty()) {
     // Asked for by its usual name.
     const auto source = std::find_if(sources_.begin(), sources_.end(),

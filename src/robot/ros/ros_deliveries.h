@@ -19,9 +19,9 @@ class RosDeliveries {
  public:
   /// All of them outlive this. `found` and `sources` are kept up to date by the link. `wall_s`: the time of
   /// day, in seconds since the epoch.
-  RosDeliveries(wire::DeliveryPlace& place, RosApi& api, const Found& found,
+  RosDeliveries(wire::DeliveryPlace& place, RosApi& api, const RosGraph& found,
                 const std::vector<Source>& sources, std::function<double()> wall_s)
-      : place_(place), api_(api), found_(found), sources_(sources), wall_s_(std::move(wall_s)) {}
+      : place_(place), api_(api), graph_(found), sources_(sources), wall_s_(std::move(wall_s)) {}
 
   void beginAnew();  // another connection
   void pause();      // there is none: nobody can be asked
@@ -40,7 +40,7 @@ class RosDeliveries {
 
   wire::DeliveryPlace& place_;
   RosApi& api_;
-  const Found& found_;
+  const RosGraph& graph_;
   const std::vector<Source>& sources_;
   std::function<double()> wall_s_;
   int round_ = 0;  // of connections

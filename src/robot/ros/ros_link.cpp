@@ -8,14 +8,39 @@
 #include "net/plain_sentences.h"
 #include "robot/faults.h"
 #include "robot/ros/faults.h"
-#include "robot/ros/log.h"
 #include "robot/wire/net_results.h"
 
 namespace mapwright::robot::ros {
-
-using net::WebSocketLink;
+namespace {
 
 Q_LOGGING_CATEGORY(lcRos, "mapwright.ros", QtWarningMsg)
+
+using net::WebSocketLink;
+using net::rosbridge::TopicMessage;
+
+constexpr std::chrono::milliseconds kPoseEvery{50};  // told at most so often
+constexpr qint64 kPoseAnywayMs = 1'000;              // a robot that stands still is told of, too
+constexpr qint64 kFramesMs = 2'000;                  // for the frames of map and robot to be known
+constexpr qint64 kPoseMissingMs = 2'000;             // before it is told that it has none
+
+constexpr qint64 kTellAgainMs = 5'000;
+constexpr qint64 kReceptionEveryMs = 1'000;
+constexpr double kLateS = 1;
+constexpr std::size_t kMostAges = 100;
+
+map::Subject topicSubject(const std::string& topic) { return {map::SubjectKind::Topic, topic}; }
+
+RawMessage rawOf(const TopicMessage& message) {
+  RawMessage raw;
+  raw.topic = QString::fromStdString(message.topic);
+  raw.received = QDateTime::fromMSecsSinceEpoch(qint64(message.received_s * 1000), Qt::UTC);
+  raw.bytes = message.bytes;
+  raw.binary = message.binary;
+  raw.text = message.msg.toJson(kMaxRawText);
+  return raw;
+}
+
+}  // namespace
 
 RosLink::RosLink(LinkOptions options)
     : RobotLink(lcRos(), options.url),
@@ -23,12 +48,12 @@ RosLink::RosLink(LinkOptions options)
       world_(options_.ns),
       sources_(sourcesOf(std::nullopt, options_.ns)),
       client_(std::make_unique<net::rosbridge::Client>(options_.url, clientOptions())),
-      api_(*client_, options_.look_patience),
+      api_(*client_, options_.look_timeout),
       subscriptions_(*client_, api_, options_.topics),
-      deliveries_(places_->deliveries, api_, found_, sources_, [this] { return wall(); }),
-      live_map_(options_.map_patience),
-      asked_map_(*client_, options_.asked_map),
-      dispatch_(*client_, options_.dispatch, options_.dispatch_patience,
+      deliveries_(places_->deliveries, api_, graph_, sources_, [this] { return wall(); }),
+      live_map_(options_.map_timeout),
+      map_service_(*client_, options_.map_service),
+      dispatch_(*client_, options_.dispatch, options_.dispatch_timeouts,
                 [this] { return world_.mapFrame(); }),
       kabam_(*client_, options_.kabam, std::bind_front(&RosLink::whenKnown, this),
              [this] { return world_.mapFrame(); }),
@@ -54,7 +79,7 @@ RosLink::~RosLink() {
   client_->disconnect(this);
   subscriptions_.disconnect(this);
   live_map_.disconnect(this);
-  asked_map_.disconnect(this);
+  map_service_.disconnect(this);
   dispatch_.disconnect(this);
   client_.reset();
 }
@@ -97,10 +122,10 @@ void RosLink::listen() {
     if (map && map->topic == topic) live_map_.forget();
   });
   connect(&live_map_, &LiveMap::wantedChanged, this, [this] {
-    if (std::exchange(wish_.whole_map, live_map_.wanted()) != live_map_.wanted()) sync();
+    if (std::exchange(selection_.whole_map, live_map_.wanted()) != live_map_.wanted()) sync();
   });
-  connect(&asked_map_, &AskedMap::came, this, &RosLink::takeAskedMap);
-  connect(&asked_map_, &AskedMap::failed, this, [this](const std::string& service, const Fault& why) {
+  connect(&map_service_, &MapFromService::came, this, &RosLink::takeAskedMap);
+  connect(&map_service_, &MapFromService::failed, this, [this](const std::string& service, const Fault& why) {
     note(service, map::ProblemCode::Unavailable, Fault(fault::MapServiceFailed, {service}, {why}));
   });
   // Whoever gives the map by region is not asked for all of it.
@@ -129,7 +154,7 @@ void RosLink::open() {
 void RosLink::close() {
   wanted_ = false;
   was_known_ = false;
-  found_ = {};
+  graph_ = {};
   client_->close();
   noteLink();
 }
@@ -141,19 +166,19 @@ void RosLink::trust(const QByteArray& pinned_sha256) {
 }
 
 void RosLink::setWanted(const map::Streams& streams, const QStringList& topics) {
-  wish_.streams = streams;
-  wish_.names.clear();
-  for (const QString& topic : topics) wish_.names.push_back(topic.toStdString());
+  selection_.streams = streams;
+  selection_.names.clear();
+  for (const QString& topic : topics) selection_.names.push_back(topic.toStdString());
   sync();
 }
 
 void RosLink::setEveryMessage(bool on) {
-  wish_.every_message = on;
+  selection_.every_message = on;
   sync();
 }
 
 void RosLink::setRecorded(bool on) {
-  wish_.recorded = on;
+  selection_.recorded = on;
   sync();
   deliveries_.define();
 }
@@ -175,7 +200,7 @@ void RosLink::choose(const Choices& choices) {
 }
 
 void RosLink::setBasics(const LiveTopics::Basics& basics) {
-  wish_.basics = basics;
+  selection_.basics = basics;
   sync();
 }
 
@@ -188,9 +213,9 @@ void RosLink::begin() {
   least_late_s_.reset();
   before_ = places_->mailbox.replaced() + world_.gaveWay();
   world_.forgetAll();
-  kabam_.book().forget();
+  kabam_.state().forget();
   live_map_.forget();
-  asked_map_.beginAnew();
+  map_service_.beginAnew();
   dispatch_.beginAnew();
   subscriptions_.beginAnew();
   overdue_timer_.start();
@@ -205,7 +230,7 @@ void RosLink::noteLink() {
     overdue_timer_.stop();
     deliveries_.pause();
     subscriptions_.pause();
-    asked_map_.beginAnew();
+    map_service_.beginAnew();
     dispatch_.lose();
     while (!troubles_.empty()) forgetTrouble(troubles_.begin()->first);
     // Requests waiting for the first connection keep waiting; otherwise there is nothing to wait for.
@@ -243,7 +268,7 @@ void RosLink::lookAnew() {
 
 void RosLink::look() {
   if (std::exchange(looking_, true)) return;
-  api_.look(options_.ns, options_.dispatch, [this, round = round_](Found found) {
+  api_.look(options_.ns, options_.dispatch, [this, round = round_](RosGraph found) {
     if (round != round_) return;
     if (std::exchange(look_again_, false)) {
       looking_ = false;
@@ -253,7 +278,7 @@ void RosLink::look() {
     auto manager = mapManagerIn(found, options_.ns);
     if (manager || found.services) return takeLook(std::move(found), std::move(manager));
     // Nobody tells: it is asked something.
-    const std::string place = kabam_.there() ? kabam_.book().place() : options_.ns + "/map_manager";
+    const std::string place = kabam_.there() ? kabam_.state().place() : options_.ns + "/map_manager";
     api_.probeMapManager(place, [this, round, found = std::move(found), place](std::optional<bool> there) {
       if (round == round_)
         takeLook(found, there.value_or(kabam_.there()) ? std::optional(place) : std::nullopt);
@@ -263,37 +288,37 @@ void RosLink::look() {
 
 /// Who has told before is only slow now, and nothing is taken away because nothing was heard: not on the next
 /// connection either, unless somebody says otherwise there.
-void RosLink::keepUnheard(Found& found) const {
+void RosLink::keepUnheard(RosGraph& found) const {
   if (!found.topics && (known_ || found.topics_silent)) {
-    found.topics = found_.topics;
-    found.unsent = found_.unsent;
+    found.topics = graph_.topics;
+    found.unsent = graph_.unsent;
   }
   if (!found.services && (known_ || found.services_silent))
-    found.dispatch_services = found_.dispatch_services;
+    found.dispatch_services = graph_.dispatch_services;
   if (!found.services && found.services_silent) {
-    found.services = found_.services;
-    found.map_services = found_.map_services;
+    found.services = graph_.services;
+    found.map_services = graph_.map_services;
   }
 }
 
-void RosLink::takeLook(Found found, std::optional<std::string> manager) {
+void RosLink::takeLook(RosGraph found, std::optional<std::string> manager) {
   looking_ = false;
   look_timer_.start(options_.look_every);
-  if (!(found == found_) || !known_) {
+  if (!(found == graph_) || !known_) {
     const auto count = [](const auto& list) { return list ? std::to_string(list->size()) : "unknown"; };
     qCInfo(lcRos, "topics: %s, services: %s, map manager: %s", count(found.topics).c_str(),
            count(found.services).c_str(), manager ? manager->c_str() : "none");
   }
   if (!manager && options_.kabam_only && !was_known_) return awaitManager();
   awaits_manager_ = false;
-  found_ = std::move(found);
-  dispatch_.take(dispatchIn(found_.dispatch_services, sentTopics(found_), options_.dispatch));
+  graph_ = std::move(found);
+  dispatch_.take(dispatcherIn(graph_.dispatch_services, sentTopics(graph_), options_.dispatch));
   const bool other = kabam_.setPlace(manager);
-  wish_.managers_own = manager ? kabam_.book().topics() : std::vector<std::string>();
+  selection_.managers_own = manager ? kabam_.state().topics() : std::vector<std::string>();
   findSources();
   const bool takes_pictures =
-      manager && (!found_.services || std::find(found_.services->begin(), found_.services->end(),
-                                                *manager + "/update_map_image") != found_.services->end());
+      manager && (!graph_.services || std::find(graph_.services->begin(), graph_.services->end(),
+                                                *manager + "/update_map_image") != graph_.services->end());
   const bool first = !std::exchange(known_, true);
   was_known_ = true;
   Q_EMIT pictureServiceKnown(takes_pictures);
@@ -313,30 +338,27 @@ void RosLink::awaitManager() {
 }
 
 void RosLink::findSources() {
-  sources_ = sourcesOf(found_.topics, options_.ns);
+  sources_ = sourcesOf(graph_.topics, options_.ns);
   Choices choices = choices_;
   // Editing, and requests by region, refer to the robot's current map.
   if (managesMaps()) choices.erase(map::Stream::WholeMap);
-  ros::choose(sources_, choices, found_.topics);
-  if (!choices.contains(map::Stream::WholeMap)) addMapServices(sources_, found_.map_services);
+  ros::choose(sources_, choices, graph_.topics);
+  if (!choices.contains(map::Stream::WholeMap)) addMapServices(sources_, graph_.map_services);
   std::set<std::string> patched;
   for (const Source& source : sources_) {
     if (source.form == Form::GridPatch) patched.insert(source.base);
   }
   world_.keepGrids(std::move(patched));
-  Q_EMIT topicsKnown({sources_, found_.topics, managesMaps()});
+  Q_EMIT topicsKnown({sources_, graph_.topics, managesMaps()});
 }
 
 void RosLink::whenKnown(const wire::TaskPtr& task, const map::Subject& subject, map::AskedFor asked_for,
-                        std::function<void(std::optional<map::Failure>)> then) {
+                        Checked then) {
   using End = wire::WaitList::End;
   const auto ended = [subject, asked_for, then = std::move(then)](End how) {
     if (how == End::Held) return then(std::nullopt);
-    map::Failure failure{.kind = map::FailureKind::Cancelled, .subject = subject, .asked_for = asked_for};
-    if (how == End::Dropped) {
-      failure.kind = map::FailureKind::Unreachable;
-      failure.cause = {fault::NotConnected};
-    }
+    map::Failure failure = failed(how, subject, fault::NoAnswerInTime, fault::NotConnected);
+    failure.asked_for = asked_for;
     then(std::move(failure));
   };
   const bool connecting = client_->link().state() == WebSocketLink::State::Connecting;
@@ -346,17 +368,17 @@ void RosLink::whenKnown(const wire::TaskPtr& task, const map::Subject& subject, 
       task, std::nullopt, [this] { return known_; }, ended);
 }
 
-bool RosLink::managesMaps() const { return !wish_.managers_own.empty() || dispatch_.found().any(); }
+bool RosLink::managesMaps() const { return !selection_.managers_own.empty() || dispatch_.dispatcher().any(); }
 
 void RosLink::sync() {
   // Nothing is subscribed before the topics are known.
   if (!known_) return;
   // The map of a dispatcher that gives it by region may be gigabytes: about the whole people decide.
-  wish_.map_by_region = dispatch_.found().has(DispatchService::GridRegion);
-  wish_.dispatchers_own = dispatch_.topics();
-  wish_.dispatchers_tried = dispatch_.triedTopic();
-  const auto wanted = topicsFor(wish_, sources_, found_);
-  subscriptions_.ask(wanted, found_);
+  selection_.map_by_region = dispatch_.dispatcher().has(DispatchService::GridRegion);
+  selection_.dispatchers_own = dispatch_.topics();
+  selection_.dispatchers_tried = dispatch_.triedTopic();
+  const auto wanted = topicsFor(selection_, sources_, graph_);
+  subscriptions_.ask(wanted, graph_);
   const bool by_topic = std::any_of(wanted.begin(), wanted.end(), [](const auto& topic) {
     return std::any_of(topic.second.sources.begin(), topic.second.sources.end(), [](const Source& source) {
       return source.stream == map::Stream::WholeMap && source.form == Form::Grid;
@@ -364,14 +386,175 @@ void RosLink::sync() {
   });
   const bool chosen = choices_.contains(map::Stream::WholeMap) && !managesMaps();
   const bool map_wanted =
-      !chosen && (wish_.whole_map || (wish_.streams.contains(map::Stream::WholeMap) && !wish_.map_by_region));
-  AskedMap::Services services{found_.map_services, found_.services.has_value()};
+      !chosen && (selection_.whole_map ||
+                  (selection_.streams.contains(map::Stream::WholeMap) && !selection_.map_by_region));
+  MapFromService::Services services{graph_.map_services, graph_.services.has_value()};
   if (!services.known) {
     services.names = usualMapServices(options_.ns);
     if (options_.dispatch.expected)
-      services.names.insert(services.names.begin(), nameBy(options_.dispatch, DispatchName::GetMap));
+      services.names.insert(services.names.begin(), nameBy(options_.dispatch, DispatchService::Grid));
   }
-  asked_map_.want(map_wanted, by_topic, std::move(services));
+  map_service_.want(map_wanted, by_topic, std::move(services));
+}
+
+void RosLink::take(const TopicMessage& message) {
+  deliveries_.take(message);
+  if (passesRaw(message.bytes)) Q_EMIT rawReceived(rawOf(message));
+  const WantedTopic* const wanted = subscriptions_.heard(message.topic);
+  if (!wanted) return;
+  takeOfManager(message);
+  if (std::any_of(selection_.dispatchers_own.begin(), selection_.dispatchers_own.end(),
+                  [&](const Endpoint& own) { return own.name == message.topic; }))
+    note(message.topic, map::ProblemCode::Unreadable, dispatch_.hear(message.topic, message.msg));
+  ++reception_.came;
+  bool of_pose = false;
+  const std::vector<Source> sources = wanted->sources;
+  if (!sources.empty()) noteDelay(sources.front(), message);
+  for (const Source& source : sources) {
+    for (WorldResult& result : world_.take(source, message.msg, message.received_s)) tell(std::move(result));
+    of_pose |= source.stream == map::Stream::Pose;
+    if (source.stream == map::Stream::WholeMap && source.form == Form::Grid) map_service_.heard();
+  }
+  if (of_pose && selection_.basics.pose && !pose_timer_.isActive()) {
+    const qint64 since = pose_told_.isValid() ? pose_told_.elapsed() : qint64(kPoseEvery.count());
+    pose_timer_.start(std::max(std::chrono::milliseconds(0), kPoseEvery - std::chrono::milliseconds(since)));
+  }
+}
+
+// Clocks differ: what counts is the delay relative to the fastest message.
+void RosLink::noteDelay(const Source& source, const TopicMessage& message) {
+  const bool of_sensor =
+      source.form == Form::LaserScan || source.form == Form::PointCloud || source.form == Form::Odometry;
+  const auto stamp_s = of_sensor ? message.msg["header"]["stamp"].time() : std::nullopt;
+  if (!stamp_s || *stamp_s == 0) return;
+  const double delay_s = message.received_s - *stamp_s;
+  least_late_s_ = std::min(delay_s, least_late_s_.value_or(delay_s));
+  if (delay_s > *least_late_s_ + kLateS) ++reception_.late;
+}
+
+void RosLink::tellReception() {
+  if (reception_told_.isValid() && reception_told_.elapsed() < kReceptionEveryMs) return;
+  reception_told_.start();
+  Reception now = reception_;
+  now.dropped = qint64(places_->mailbox.replaced() + world_.gaveWay() - before_);
+  for (const auto& [pair, age_s] : world_.ages(wall())) {
+    if (now.transforms.size() == kMostAges) break;
+    now.transforms.push_back(
+        {QString::fromStdString(pair.parent), QString::fromStdString(pair.child), age_s});
+  }
+  Q_EMIT receptionTold(now);
+}
+
+void RosLink::takeAskedMap(const std::string& service, const net::rosbridge::CallAnswer& answer) {
+  const auto known = std::find_if(sources_.begin(), sources_.end(), [&](const Source& source) {
+    return source.form == Form::MapService && source.topic == service;
+  });
+  Source source{map::Stream::WholeMap, Form::MapService, service, {}, {}, true};
+  const std::vector<Source> maps = sourcesFor(map::Stream::WholeMap, sources_);
+  if (known != sources_.end()) {
+    source.base = known->base;
+  } else if (!maps.empty()) {
+    source.base = maps.front().topic;
+  }
+  note(service, map::ProblemCode::Unavailable, std::nullopt);
+  deliveries_.takeMap(service, answer);
+  // Patches, and whoever listens to the topic, take it for what that would have brought.
+  if (!source.base.empty()) source.topic = source.base;
+  for (WorldResult& result : world_.take(source, answer.values["map"], wall())) tell(std::move(result));
+  if (!source.base.empty()) subscriptions_.replacedBy(source.base, service);
+}
+
+void RosLink::takeOfManager(const TopicMessage& message) {
+  if (!kabam_.there()) return;
+  KabamState& state = kabam_.state();
+  const KabamState::Update update = state.take(message.topic, message.frame, message.msg);
+  if (!update.own) return;
+  const std::optional<Fault> odd =
+      update.readable ? std::nullopt : std::optional<Fault>(fault::MessageNotUnderstood);
+  note(message.topic, map::ProblemCode::Unreadable, odd);
+  if (update.maps && state.current() && !state.current()->map.id.empty())
+    emitTopic(state.topics().front(), state.mapInfo(), message.received_s, std::nullopt);
+  if (update.maps) pictures_.sawMap();
+  kabam_.tell(update);
+}
+
+void RosLink::tell(WorldResult result) {
+  const std::string topic = result.topic;
+  if (result.message || result.unreadable) note(topic, map::ProblemCode::Unreadable, result.unreadable);
+  if (result.message || result.unplaced) note(topic, map::ProblemCode::Unplaced, result.unplaced);
+  std::optional<Fault> odd;
+  if (!result.notes.empty()) odd = result.notes.front();
+  if (!result.unreadable) note(topic, map::ProblemCode::Odd, odd);
+  if (!result.message) return;
+  const auto* const grid = std::get_if<map::GridMessage>(&*result.message);
+  const bool whole = grid && grid->kind == map::GridKind::WholeMap;
+  if (whole) {
+    live_map_.take(*grid);
+    if (live_map_.last()) dispatch_.sawMap(live_map_.last()->fingerprint);
+    pictures_.sawMap();
+  }
+  emitTopic(topic, std::move(*result.message), result.received_s, result.recorded_s);
+}
+
+void RosLink::note(const std::string& topic, map::ProblemCode code, const std::optional<Fault>& reason) {
+  if (reason) {
+    Trouble& trouble = troubles_[topic][code];
+    const qint64 now = clock_.elapsed();
+    if (trouble.reason == *reason && now - trouble.told_ms < kTellAgainMs) return;
+    trouble = {*reason, now};
+    qCInfo(lcRos, "%s: %s", topic.c_str(), inEnglish(*reason).c_str());
+    Q_EMIT problemFound({map::Severity::Warning, topicSubject(topic), *reason, code});
+    return;
+  }
+  const auto troubles = troubles_.find(topic);
+  if (troubles == troubles_.end() || troubles->second.erase(code) == 0) return;
+  Q_EMIT recovered({topicSubject(topic), code});
+}
+
+void RosLink::forgetTrouble(const std::string& topic) {
+  const auto troubles = troubles_.extract(topic);
+  if (troubles.empty()) return;
+  for (const auto& [code, trouble] : troubles.mapped()) Q_EMIT recovered({topicSubject(topic), code});
+}
+
+// The first transforms may be only those of the wheels, and a pose may arrive before any of them: the robot
+// would seem to jump when the others arrive.
+bool RosLink::framesComplete() const {
+  const bool map_expected = (!selection_.map_by_region || selection_.whole_map) &&
+                            !sourcesFor(map::Stream::WholeMap, sources_).empty();
+  const bool transforms_expected = std::any_of(sources_.begin(), sources_.end(),
+                                               [](const Source& source) { return source.form == Form::Tf; });
+  return (!map_expected || world_.fixedByMap()) && (!transforms_expected || world_.posedByTransforms());
+}
+
+void RosLink::tellPose() {
+  if (known_since_.elapsed() < kFramesMs && !framesComplete()) {
+    pose_timer_.start(std::chrono::milliseconds(kFramesMs / 20));
+    return;
+  }
+  const auto pose = world_.pose();
+  const std::vector<Source> sources = sourcesFor(map::Stream::Pose, sources_);
+  if (!pose || sources.empty()) return;
+  const std::string topic = sources.front().topic;
+  if (!*pose) {
+    if (!pose_missing_.isValid()) pose_missing_.start();
+    if (pose_missing_.elapsed() < kPoseMissingMs) return;
+    pose_missing_.start();
+    note(topic, map::ProblemCode::Unplaced, pose->error());
+    return;
+  }
+  pose_missing_.invalidate();
+  note(topic, map::ProblemCode::Unplaced, std::nullopt);
+  const bool again = !pose_told_.isValid() || pose_told_.elapsed() >= kPoseAnywayMs;
+  if (last_pose_ == **pose && !again) return;
+  last_pose_ = **pose;
+  pose_told_.start();
+  emitTopic(topic, map::TrackedPose{**pose}, wall(), std::nullopt);
+}
+
+void RosLink::emitTopic(const std::string& topic, map::TopicMessage message, double received_s,
+                        std::optional<double> recorded_s) {
+  pass({std::move(message), received_s, recorded_s, topic});
 }
 
 }  // namespace mapwright::robot::ros

@@ -16,7 +16,6 @@
 
 #include "net/rosbridge/client.h"
 #include "robot/offers_topics.h"
-#include "robot/ros/asked_map.h"
 #include "robot/ros/dispatch_requests.h"
 #include "robot/ros/kabam_pictures.h"
 #include "robot/ros/kabam_requests.h"
@@ -40,23 +39,23 @@ struct LinkOptions {
   net::Trust trust;
   net::rosbridge::ClientOptions client;
   std::chrono::milliseconds look_every{10'000};  // interval of listing topics and services
-  std::chrono::milliseconds look_patience{3'000};
-  std::chrono::milliseconds map_patience{10'000};
-  AskedMap::Patience asked_map;
-  DispatchWish dispatch;
-  DispatchPatience dispatch_patience;
+  std::chrono::milliseconds look_timeout{3'000};
+  std::chrono::milliseconds map_timeout{10'000};
+  MapFromService::Timeouts map_service;
+  DispatchSettings dispatch;
+  DispatchTimeouts dispatch_timeouts;
   /// Which map a picture belongs to is reported on another topic, before or after it: this long both have
   /// time to arrive.
   std::chrono::milliseconds picture_settles{1'000};
-  RosSubscriptions::Patience topics;
-  KabamPatience kabam;
+  RosSubscriptions::Timeouts topics;
+  KabamTimeouts kabam;
 };
 
 /// What the robot sends, as far as known.
 struct KnownTopics {
-  std::vector<Source> sources;                     // with the usual names if the robot does not list topics
-  std::optional<std::vector<FoundTopic>> offered;  // everything the robot lists
-  bool manages_maps = false;                       // its map must not be confused with another one
+  std::vector<Source> sources;                   // with the usual names if the robot does not list topics
+  std::optional<std::vector<Endpoint>> offered;  // everything the robot lists
+  bool manages_maps = false;                     // its map must not be confused with another one
   bool operator==(const KnownTopics&) const = default;
 };
 
@@ -79,7 +78,7 @@ class RosLink : public wire::RobotLink {
 
   /// `then` once it is known what the robot can do, or with a failure about `subject`.
   void whenKnown(const wire::TaskPtr& task, const map::Subject& subject, map::AskedFor asked_for,
-                 std::function<void(std::optional<map::Failure>)> then);
+                 Checked then);
   // What is asked of it. Their signals may be connected to from any thread, all else happens on this one.
   RosMaps& maps() { return maps_; }
   KabamRequests& kabam() { return kabam_; }
@@ -105,8 +104,8 @@ class RosLink : public wire::RobotLink {
   void noteLink();
   void look();
   void lookAnew();
-  void keepUnheard(Found& found) const;
-  void takeLook(Found found, std::optional<std::string> manager);
+  void keepUnheard(RosGraph& found) const;
+  void takeLook(RosGraph found, std::optional<std::string> manager);
   void awaitManager();
   void findSources();
   bool managesMaps() const;
@@ -129,8 +128,8 @@ class RosLink : public wire::RobotLink {
 
   LinkOptions options_;
   RosWorld world_;
-  TopicWish wish_;
-  Found found_;
+  TopicSelection selection_;
+  RosGraph graph_;
   std::vector<Source> sources_;
   Choices choices_;
   std::unique_ptr<net::rosbridge::Client> client_;  // goes first: it may call those below
@@ -138,7 +137,7 @@ class RosLink : public wire::RobotLink {
   RosSubscriptions subscriptions_;
   RosDeliveries deliveries_;
   LiveMap live_map_;
-  AskedMap asked_map_;
+  MapFromService map_service_;
   DispatchRequests dispatch_;
   KabamRequests kabam_;
   KabamPictures pictures_;

@@ -1,17 +1,66 @@
 #include "robot/ros/ros_maps.h"
 
+#include <cstdio>
+#include <memory>
 #include <utility>
 
 #include "robot/ros/faults.h"
-#include "robot/ros/kabam_failures.h"
-#include "robot/ros/projected_maps.h"
+#include "robot/ros/map_values.h"
+#include "robot/ros/ros_calls.h"
 #include "robot/wire/failures.h"
 #include "robot/wire/forwarded.h"
 
 namespace mapwright::robot::ros {
 namespace {
 
+using Entries = std::vector<map::CatalogueEntry>;
+using Projections = std::vector<map::Projection>;
+
 const map::MapKey kLive{map::MapKind::Live, {}};
+
+/// "projected_map_0", whatever its topic is called.
+map::MapKey projectedKey(int index) {
+  return {map::MapKind::Stored, "projected_map_" + std::to_string(index)};
+}
+
+bool isProjected(const map::MapKey& key) {
+  int index = 0;
+  while (index < kMostProjected && projectedKey(index) != key) ++index;
+  return index < kMostProjected;
+}
+
+/// With the heights: "projected_map_0: z 0.10 … 1.80 m".
+std::string nameOf(const ProjectedPart& projected) {
+  char heights[96];
+  std::snprintf(heights, sizeof heights, ": z %.2f … %.2f m", projected.min_z_m, projected.max_z_m);
+  return projectedKey(projected.index).id + heights;
+}
+
+map::CatalogueEntry entryOf(const ProjectedPart& projected) {
+  map::CatalogueEntry entry;
+  entry.key = projectedKey(projected.index);
+  entry.name = nameOf(projected);
+  entry.grid = projected.part.grid;
+  return entry;
+}
+
+/// `in_map`: the pose of its frame in that of the map. It has at least one cell.
+map::WholeMap wholeMapOf(const ProjectedPart& projected, const Transform3& in_map) {
+  const map::GridPart& part = projected.part;
+  Grid grid;
+  grid.width = part.grid.width;
+  grid.height = part.grid.height;
+  if (part.cells) grid.cells = *part.cells;
+  map::WholeMap whole;
+  whole.key = projectedKey(projected.index);
+  whole.name = nameOf(projected);
+  whole.grid = part.grid;
+  whole.grid.origin = in_map.flat() * part.grid.origin;
+  whole.reading = kPgmReading;
+  whole.bytes = std::make_shared<const std::string>(pgmOf(grid));
+  whole.body_bytes = whole.bytes->size();
+  return whole;
+}
 
 }  // namespace
 
@@ -30,19 +79,17 @@ std::optional<map::CatalogueEntry> RosMaps::liveEntry() const {
 }
 
 std::shared_ptr<const ProjectedPart> RosMaps::findProjected(const map::MapKey& key) const {
-  const auto index = projectedIndex(key);
-  if (!index) return nullptr;
-  const auto found = of_.dispatch.projected().find(*index);
-  return found == of_.dispatch.projected().end() ? nullptr : found->second;
+  for (const auto& [index, part] : of_.dispatch.projected()) {
+    if (projectedKey(index) == key) return part;
+  }
+  return nullptr;
 }
 
 Outcome<map::WholeMap> RosMaps::projectedMap(const ProjectedPart& projected) const {
-  const map::MapKey key = projectedKey(projected.index);
-  map::Failure failure{.kind = map::FailureKind::RejectedByRobot, .subject = map::subjectOf(key)};
-  if (projected.part.grid.width < 1 || projected.part.grid.height < 1) {
-    failure.reason = map::FailureReason::Empty;
-    return fail(std::move(failure));
-  }
+  map::Failure failure{.kind = map::FailureKind::RejectedByRobot,
+                       .subject = map::subjectOf(projectedKey(projected.index)),
+                       .reason = map::FailureReason::Empty};
+  if (projected.part.grid.width < 1 || projected.part.grid.height < 1) return fail(std::move(failure));
   const std::string& frame = projected.part.frame;
   if (frame.empty() || frame == of_.world.fixedFrame()) return wholeMapOf(projected, Transform3());
   const auto in_map = of_.world.transforms().find(of_.world.fixedFrame(), frame, std::nullopt);
@@ -52,72 +99,63 @@ Outcome<map::WholeMap> RosMaps::projectedMap(const ProjectedPart& projected) con
   return fail(std::move(failure));
 }
 
-void RosMaps::listKept(const wire::TaskPtr& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
+void RosMaps::listKept(const wire::TaskPtr& task, OutcomeTo<Entries> reply) {
   if (of_.kabam.there()) return of_.kabam.list(task, std::move(reply));
-  std::vector<map::CatalogueEntry> entries;
+  Entries entries;
   if (auto entry = liveEntry()) entries.push_back(std::move(*entry));
   reply(std::move(entries));
 }
 
-void RosMaps::list(const wire::TaskPtr& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
+void RosMaps::list(const wire::TaskPtr& task, OutcomeTo<Entries> reply) {
+  const auto with_projected = withValue<Entries>(reply, [this, reply](Entries entries) {
+    for (const auto& [index, part] : of_.dispatch.projected()) entries.push_back(entryOf(*part));
+    reply(std::move(entries));
+  });
+  const auto shown = withValue<Projections>(
+      reply, [this, task, with_projected](const Projections&) { listKept(task, with_projected); });
   of_.when_known(task, wire::kMapList, map::AskedFor::All,
-                 [this, task, reply = std::move(reply)](std::optional<map::Failure> failure) {
-                   if (failure) return reply(fail(std::move(*failure)));
-                   of_.dispatch.awaitProjected(
-                       task, [this, task, reply](const Outcome<std::vector<map::Projection>>& shown) {
-                         if (!shown) return reply(fail(shown.error()));
-                         listKept(task, [this, reply](Outcome<std::vector<map::CatalogueEntry>> told) {
-                           if (!told) return reply(std::move(told));
-                           for (const auto& [index, part] : of_.dispatch.projected())
-                             told->push_back(entryOf(*part));
-                           reply(std::move(told));
-                         });
-                       });
-                 });
+                 unlessFailed(reply, [this, task, shown] { of_.dispatch.awaitProjected(task, shown); }));
 }
 
 void RosMaps::describe(const wire::TaskPtr& task, const map::MapKey& key,
                        OutcomeTo<map::CatalogueEntry> reply) {
-  of_.when_known(task, map::subjectOf(key), map::AskedFor::All,
-                 [this, task, key, reply = std::move(reply)](std::optional<map::Failure> failure) {
-                   if (failure) return reply(fail(std::move(*failure)));
-                   if (!projectedIndex(key) || findProjected(key)) return describeNow(task, key, reply);
-                   of_.dispatch.awaitProjected(
-                       task, [this, task, key, reply](const Outcome<std::vector<map::Projection>>& shown) {
-                         if (!shown) return reply(fail(shown.error()));
-                         describeNow(task, key, reply);
-                       });
-                 });
+  const auto now = [this, task, key, reply] { describeNow(task, key, reply); };
+  const auto known = [this, task, key, reply, now] {
+    if (!isProjected(key) || findProjected(key)) return now();
+    of_.dispatch.awaitProjected(task, withValue<Projections>(reply, [now](const Projections&) { now(); }));
+  };
+  of_.when_known(task, map::subjectOf(key), map::AskedFor::All, unlessFailed(reply, known));
 }
 
 void RosMaps::describeNow(const wire::TaskPtr& task, const map::MapKey& key,
                           OutcomeTo<map::CatalogueEntry> reply) {
-  if (projectedIndex(key)) {
+  const auto tell = [&](std::optional<map::CatalogueEntry> entry) {
+    if (!entry) return reply(fail(wire::notThere(map::subjectOf(key))));
+    reply(std::move(*entry));
+  };
+  if (isProjected(key)) {
     const auto projected = findProjected(key);
-    return reply(projected ? Outcome<map::CatalogueEntry>(entryOf(*projected))
-                           : fail(wire::notThere(map::subjectOf(key))));
+    return tell(projected ? std::optional(entryOf(*projected)) : std::nullopt);
   }
-  if (key == kLive) {
-    auto entry = liveEntry();
-    return reply(entry ? Outcome<map::CatalogueEntry>(std::move(*entry))
-                       : fail(wire::notThere(map::subjectOf(key))));
-  }
-  if (!of_.kabam.there()) return reply(fail(wire::notThere(map::subjectOf(key))));
-  of_.kabam.describe(task, key, [this, reply](Outcome<map::CatalogueEntry> told) {
-    if (told && told->is_current && of_.live_map.last()) told->grid = of_.live_map.last()->grid;
-    reply(std::move(told));
+  if (key == kLive) return tell(liveEntry());
+  if (!of_.kabam.there()) return tell(std::nullopt);
+  of_.kabam.describe(task, key, [this, reply](Outcome<map::CatalogueEntry> entry) {
+    if (entry && entry->is_current && of_.live_map.last()) entry->grid = of_.live_map.last()->grid;
+    reply(std::move(entry));
   });
 }
 
 void RosMaps::fetch(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
-  describe(task, key, [this, task, key, reply = std::move(reply)](Outcome<map::CatalogueEntry> entry) {
-    if (!entry) return reply(fail(entry.error()));
-    if (const auto projected = findProjected(key)) return reply(projectedMap(*projected));
-    if (!entry->is_current) return reply(fail(unsupported(map::subjectOf(key), {fault::OnlyCurrentMapSent})));
-    if (sourcesFor(map::Stream::WholeMap, of_.sources).empty())
-      return reply(fail(unsupported(map::subjectOf(key), {})));
-    of_.live_map.fetch(task, key, entry->name, reply);
-  });
+  describe(
+      task, key,
+      withValue<map::CatalogueEntry>(reply, [this, task, key, reply](const map::CatalogueEntry& entry) {
+        if (const auto projected = findProjected(key)) return reply(projectedMap(*projected));
+        if (!entry.is_current)
+          return reply(fail(unsupported(map::subjectOf(key), {fault::OnlyCurrentMapSent})));
+        if (sourcesFor(map::Stream::WholeMap, of_.sources).empty())
+          return reply(fail(unsupported(map::subjectOf(key))));
+        of_.live_map.fetch(task, key, entry.name, reply);
+      }));
 }
 
 }  // namespace mapwright::robot::ros

@@ -23,38 +23,15 @@ Subscription subscriptionFor(const Source& source) {
   Subscription wanted;
   wanted.topic = source.topic;
   wanted.type = source.type;
-  switch (source.form) {
-    case Form::Grid:
-    case Form::GridPatch:
-      wanted.compression = Compression::Cbor;
-      wanted.large = true;
-      break;
-    case Form::PointCloud:
-      wanted.compression = Compression::Cbor;
-      wanted.large = true;
-      wanted.throttle_ms = 200;
-      break;
-    case Form::LaserScan:
-      wanted.compression = Compression::Cbor;
-      wanted.throttle_ms = 100;
-      break;
-    case Form::Odometry:
-    case Form::PoseStamped:
-    case Form::PoseWithCovariance:
-      wanted.throttle_ms = 50;
-      break;
-    case Form::Path:
-    case Form::PoseArray:
-    case Form::Polygon:
-    case Form::Battery:
-      wanted.throttle_ms = 200;
-      break;
-    case Form::Markers:
-    case Form::Tf:
-    case Form::StaticTf:
-    case Form::MapService:  // no topic
-      break;
-  }
+  const Form form = source.form;
+  wanted.large = form == Form::Grid || form == Form::GridPatch || form == Form::PointCloud;
+  if (wanted.large || form == Form::LaserScan) wanted.compression = Compression::Cbor;
+  if (form == Form::LaserScan) wanted.throttle_ms = 100;
+  if (form == Form::Odometry || form == Form::PoseStamped || form == Form::PoseWithCovariance)
+    wanted.throttle_ms = 50;
+  if (form == Form::PointCloud || form == Form::Path || form == Form::PoseArray || form == Form::Polygon ||
+      form == Form::Battery)
+    wanted.throttle_ms = 200;
   return wanted;
 }
 
@@ -62,12 +39,12 @@ bool isTransform(const Source& source) { return source.form == Form::Tf || sourc
 
 }  // namespace
 
-std::map<std::string, WantedTopic> topicsFor(const TopicWish& wish, const std::vector<Source>& sources,
-                                             const Found& found) {
-  map::Streams streams = wish.streams;
-  if (wish.basics.pose) streams.insert({Stream::Pose, Stream::Model});
-  if (wish.map_by_region) streams.erase(Stream::WholeMap);
-  if (wish.whole_map) streams.insert(Stream::WholeMap);
+std::map<std::string, WantedTopic> topicsFor(const TopicSelection& selection,
+                                             const std::vector<Source>& sources, const RosGraph& found) {
+  map::Streams streams = selection.streams;
+  if (selection.basics.pose) streams.insert({Stream::Pose, Stream::Model});
+  if (selection.map_by_region) streams.erase(Stream::WholeMap);
+  if (selection.whole_map) streams.insert(Stream::WholeMap);
   const bool placed = std::any_of(sources.begin(), sources.end(), [&](const Source& source) {
     return streams.contains(source.stream) && needsTransforms(source.form) &&
            source.stream != Stream::WholeMap;
@@ -85,114 +62,114 @@ std::map<std::string, WantedTopic> topicsFor(const TopicWish& wish, const std::v
     if (name.empty() || name.size() > kLongestTopicName) return;
     WantedTopic& topic = wanted[name];
     topic.necessary = true;
-    if (wish.every_message) topic.subscription.throttle_ms = 0;
+    if (selection.every_message) topic.subscription.throttle_ms = 0;
     if (!topic.subscription.topic.empty()) return;
     topic.subscription.topic = name;
     topic.subscription.type = typeOf(found, name);
-    topic.subscription.throttle_ms = wish.every_message ? 0 : 100;
+    topic.subscription.throttle_ms = selection.every_message ? 0 : 100;
   };
-  for (const std::string& name : wish.names) add(name);
-  for (const std::string& name : wish.managers_own) {
+  for (const std::string& name : selection.names) add(name);
+  for (const std::string& name : selection.managers_own) {
     add(name);
     // Every change counts, and compression loses texts in lists.
     wanted[name].subscription.throttle_ms = 0;
   }
-  for (const FoundTopic& topic : wish.dispatchers_own) {
+  for (const Endpoint& topic : selection.dispatchers_own) {
     if (wanted.contains(topic.name)) continue;
     add(topic.name);
     WantedTopic& own = wanted[topic.name];
     own.necessary = false;  // it only sends something when there is something to report
-    own.tried = topic.name == wish.dispatchers_tried;
+    own.tried = topic.name == selection.dispatchers_tried;
     own.subscription.type = topic.type;
     own.subscription.compression = Compression::Cbor;
     own.subscription.large = true;
   }
-  if (wish.recorded) {
+  if (selection.recorded) {
     for (auto& [name, topic] : wanted) topic.subscription.throttle_ms = 0;
   }
   return wanted;
 }
 
-RosSubscriptions::RosSubscriptions(net::rosbridge::Client& client, RosApi& api, Patience patience)
-    : client_(client), api_(api), patience_(patience) {
+RosSubscriptions::RosSubscriptions(net::rosbridge::Client& client, RosApi& api, Timeouts timeouts)
+    : client_(client), api_(api), timeouts_(timeouts) {
   timer_.setParent(this);
-  timer_.setInterval(patience_.look_every);
+  timer_.setInterval(timeouts_.look_every);
   connect(&timer_, &QTimer::timeout, this, &RosSubscriptions::look);
 }
 
-void RosSubscriptions::subscribe(Asked& asked) {
-  Subscription subscription = asked.wanted.subscription;
-  if (asked.plain) subscription.compression = Compression::None;
+void RosSubscriptions::subscribe(Subscribed& entry) {
+  Subscription subscription = entry.wanted.subscription;
+  if (entry.plain) subscription.compression = Compression::None;
   client_.subscribe(subscription);
-  asked.asked_at.start();
+  entry.asked_at.start();
 }
 
-void RosSubscriptions::ask(std::map<std::string, WantedTopic> wanted, const Found& found) {
-  found_ = found;
-  for (auto asked = asked_.begin(); asked != asked_.end();) {
-    if (wanted.contains(asked->first)) {
-      ++asked;
+void RosSubscriptions::ask(std::map<std::string, WantedTopic> wanted, const RosGraph& found) {
+  graph_ = found;
+  for (auto entry = topics_.begin(); entry != topics_.end();) {
+    if (wanted.contains(entry->first)) {
+      ++entry;
       continue;
     }
-    client_.unsubscribe(asked->first);
-    recover(asked->first, asked->second);
-    const std::string topic = asked->first;
-    asked = asked_.erase(asked);
+    client_.unsubscribe(entry->first);
+    recover(entry->first, entry->second);
+    const std::string topic = entry->first;
+    entry = topics_.erase(entry);
     Q_EMIT dropped(topic);
   }
   for (auto& [topic, want] : wanted) {
-    const auto [asked, is_new] = asked_.try_emplace(topic);
+    const auto [entry, is_new] = topics_.try_emplace(topic);
     const bool as_often =
-        !is_new && asked->second.wanted.subscription.throttle_ms == want.subscription.throttle_ms;
-    if (as_often && asked->second.wanted == want) continue;
-    const bool same_type = !is_new && asked->second.wanted.subscription.type == want.subscription.type &&
-                           asked->second.wanted.subscription.compression == want.subscription.compression;
-    asked->second.wanted = std::move(want);
+        !is_new && entry->second.wanted.subscription.throttle_ms == want.subscription.throttle_ms;
+    if (as_often && entry->second.wanted == want) continue;
+    const bool same_type = !is_new && entry->second.wanted.subscription.type == want.subscription.type &&
+                           entry->second.wanted.subscription.compression == want.subscription.compression;
+    entry->second.wanted = std::move(want);
     if (same_type && as_often) continue;
-    if (!same_type) asked->second.since.start();
-    subscribe(asked->second);
+    if (!same_type) entry->second.since.start();
+    subscribe(entry->second);
   }
   timer_.start();
 }
 
 void RosSubscriptions::askAgain(const std::string& topic) {
-  const auto asked = asked_.find(topic);
-  if (asked == asked_.end()) return;
+  const auto entry = topics_.find(topic);
+  if (entry == topics_.end()) return;
   client_.unsubscribe(topic);
-  subscribe(asked->second);
+  subscribe(entry->second);
 }
 
 void RosSubscriptions::beginAnew() {
-  for (auto& [topic, asked] : asked_) {
-    asked.came = 0;
-    asked.replaced = false;
-    asked.since.start();
-    asked.asked_at.start();
+  for (auto& [topic, entry] : topics_) {
+    entry.came = 0;
+    entry.replaced = false;
+    entry.since.start();
+    entry.asked_at.start();
   }
   timer_.start();
 }
 
 void RosSubscriptions::pause() {
   timer_.stop();
-  for (auto& [topic, asked] : asked_) recover(topic, asked);
+  for (auto& [topic, entry] : topics_) recover(topic, entry);
 }
 
 const WantedTopic* RosSubscriptions::heard(const std::string& topic) {
-  const auto asked = asked_.find(topic);
-  if (asked == asked_.end()) return nullptr;
-  asked->second.came = std::min(asked->second.came + 1, kSteadyFrom);
-  asked->second.since.start();
-  recover(topic, asked->second);
-  return &asked->second.wanted;
+  const auto entry = topics_.find(topic);
+  if (entry == topics_.end()) return nullptr;
+  entry->second.came = std::min(entry->second.came + 1, kSteadyFrom);
+  entry->second.since.start();
+  recover(topic, entry->second);
+  return &entry->second.wanted;
 }
 
-void RosSubscriptions::recover(const std::string& topic, Asked& asked) {
-  if (std::exchange(asked.told, false)) Q_EMIT recovered({subjectOf(topic), map::ProblemCode::Unavailable});
+void RosSubscriptions::recover(const std::string& topic, Subscribed& entry) {
+  if (std::exchange(entry.told, false)) Q_EMIT recovered({subjectOf(topic), map::ProblemCode::Unavailable});
 }
 
 void RosSubscriptions::replacedBy(const std::string& topic, const std::string& service) {
-  const auto found = asked_.find(topic);
-  if (found == asked_.end() || found->second.heard()) return;
+  const auto found = topics_.find(topic);
+  if (found == topics_.end() || found->second.heard()) return;
   recover(topic, found->second);
   found->second.told = found->second.replaced = true;
   Q_EMIT problemFound({map::Severity::Info,
@@ -203,37 +180,37 @@ void RosSubscriptions::replacedBy(const std::string& topic, const std::string& s
 
 void RosSubscriptions::look() {
   std::vector<std::string> silent;
-  for (auto& [topic, asked] : asked_) {
-    if (asked.heard() && !isSteady(asked)) continue;
-    const auto waited = std::chrono::milliseconds(asked.since.elapsed());
-    const bool packed = asked.wanted.subscription.compression != Compression::None;
-    if (packed && !asked.plain && !asked.heard() && waited > patience_.json_after && lists(found_, topic)) {
-      asked.plain = true;
-      subscribe(asked);
+  for (auto& [topic, entry] : topics_) {
+    if (entry.heard() && !isSteady(entry)) continue;
+    const auto waited = std::chrono::milliseconds(entry.since.elapsed());
+    const bool packed = entry.wanted.subscription.compression != Compression::None;
+    if (packed && !entry.plain && !entry.heard() && waited > timeouts_.json_after && lists(graph_, topic)) {
+      entry.plain = true;
+      subscribe(entry);
     }
     // Nothing tells whether it exists by now.
-    if (!asked.heard() && !lists(found_, topic) && asked.asked_at.elapsed() > patience_.again.count())
+    if (!entry.heard() && !lists(graph_, topic) && entry.asked_at.elapsed() > timeouts_.again.count())
       askAgain(topic);
-    if (!asked.told && waited > patience_.silent_after && !mayBeSilent(topic, asked)) silent.push_back(topic);
+    if (!entry.told && waited > timeouts_.silent_after && !mayBeSilent(topic, entry)) silent.push_back(topic);
   }
   for (const std::string& topic : silent) tellSilence(topic);
 }
 
-bool RosSubscriptions::isSteady(const Asked& asked) {
-  if (asked.came < kSteadyFrom || asked.wanted.sources.empty()) return false;
-  const Form form = asked.wanted.sources.front().form;
+bool RosSubscriptions::isSteady(const Subscribed& entry) {
+  if (entry.came < kSteadyFrom || entry.wanted.sources.empty()) return false;
+  const Form form = entry.wanted.sources.front().form;
   return form == Form::Tf || form == Form::Odometry || form == Form::LaserScan || form == Form::PointCloud;
 }
 
-bool RosSubscriptions::mayBeSilent(const std::string& topic, const Asked& asked) const {
-  if (asked.wanted.tried && !asked.heard()) return true;
-  if (asked.heard() || asked.wanted.necessary || asked.wanted.sources.empty()) return false;
-  const Source& own = asked.wanted.sources.front();
+bool RosSubscriptions::mayBeSilent(const std::string& topic, const Subscribed& entry) const {
+  if (entry.wanted.tried && !entry.heard()) return true;
+  if (entry.heard() || entry.wanted.necessary || entry.wanted.sources.empty()) return false;
+  const Source& own = entry.wanted.sources.front();
   if (own.form == Form::GridPatch || own.form == Form::StaticTf) return true;
   // If a stream has several topics one is enough, and if none arrives the best one is reported.
   const bool one_is_enough = !own.found || own.stream == Stream::Pose;
   if (!one_is_enough) return false;
-  for (const auto& [other, beside] : asked_) {
+  for (const auto& [other, beside] : topics_) {
     if (other == topic || beside.wanted.sources.empty()) continue;
     const Source& source = beside.wanted.sources.front();
     if (source.stream != own.stream || source.form == Form::GridPatch || source.form == Form::StaticTf)
@@ -244,25 +221,25 @@ bool RosSubscriptions::mayBeSilent(const std::string& topic, const Asked& asked)
 }
 
 void RosSubscriptions::tellSilence(const std::string& topic) {
-  Asked& silent = asked_.at(topic);
+  Subscribed& silent = topics_.at(topic);
   // Checks again: another one of the same stream may have been reported meanwhile.
   if (mayBeSilent(topic, silent)) return;
   silent.told = true;
   const auto tell = [self = QPointer<RosSubscriptions>(this), topic](FaultCode why) {
     if (!self) return;
-    const auto asked = self->asked_.find(topic);
-    if (asked == self->asked_.end() || !asked->second.told || asked->second.replaced) return;
+    const auto entry = self->topics_.find(topic);
+    if (entry == self->topics_.end() || !entry->second.told || entry->second.replaced) return;
     // Data of a topic that has stopped is still shown.
-    const bool stopped = asked->second.heard();
-    const bool serious = stopped || asked->second.wanted.necessary;
+    const bool stopped = entry->second.heard();
+    const bool serious = stopped || entry->second.wanted.necessary;
     Fault reason(fault::TopicSilent);
     // If it did arrive before, neither the server nor a missing entry is the cause.
     if (!stopped || (why != fault::TopicListedOnly && why != fault::TopicsNotTold)) reason.because = {why};
     Q_EMIT self->problemFound({serious ? map::Severity::Warning : map::Severity::Info, subjectOf(topic),
                                std::move(reason), map::ProblemCode::Unavailable});
   };
-  if (!found_.topics) return tell(fault::TopicsNotTold);
-  if (!lists(found_, topic)) return tell(fault::TopicNotListed);
+  if (!graph_.topics) return tell(fault::TopicsNotTold);
+  if (!lists(graph_, topic)) return tell(fault::TopicNotListed);
   api_.countPublishers(topic, [tell](std::optional<std::size_t> publishers) {
     tell(publishers == std::size_t(0) ? fault::TopicNobodySends : fault::TopicListedOnly);
   });

@@ -24,17 +24,17 @@
 namespace mapwright::robot::ros {
 
 /// Everything that determines the subscriptions.
-struct TopicWish {
+struct TopicSelection {
   map::Streams streams;
   std::vector<std::string> names;  // by people, whatever they bring
   LiveTopics::Basics basics;
-  std::vector<std::string> managers_own;         // of a map manager
-  bool whole_map = false;                        // for a request in progress
-  bool map_by_region = false;                    // the whole map only comes on such a request
-  bool every_message = false;                    // of `names`
-  bool recorded = false;                         // everything is recorded: every message of all topics
-  std::vector<FoundTopic> dispatchers_own = {};  // those of a map dispatcher
-  std::string dispatchers_tried = {};            // one of these that may not exist
+  std::vector<std::string> managers_own;       // of a map manager
+  bool whole_map = false;                      // for a request in progress
+  bool map_by_region = false;                  // the whole map only comes on such a request
+  bool every_message = false;                  // of `names`
+  bool recorded = false;                       // everything is recorded: every message of all topics
+  std::vector<Endpoint> dispatchers_own = {};  // those of a map dispatcher
+  std::string dispatchers_tried = {};          // one of these that may not exist
 };
 
 /// A topic to subscribe to, and why.
@@ -49,21 +49,21 @@ struct WantedTopic {
   }
 };
 /// By topic. Pure.
-std::map<std::string, WantedTopic> topicsFor(const TopicWish& wish, const std::vector<Source>& sources,
-                                             const Found& found);
+std::map<std::string, WantedTopic> topicsFor(const TopicSelection& selection,
+                                             const std::vector<Source>& sources, const RosGraph& found);
 
 class RosSubscriptions : public QObject {
   Q_OBJECT
  public:
-  struct Patience {
+  struct Timeouts {
     std::chrono::milliseconds json_after{3'000};    // compression may lose the messages of a topic
     std::chrono::milliseconds silent_after{5'000};  // when to report its silence, first and later
     std::chrono::milliseconds look_every{250};
     std::chrono::milliseconds again{10'000};  // servers permanently refuse a topic that does not exist yet
   };
-  RosSubscriptions(net::rosbridge::Client& client, RosApi& api, Patience patience);
+  RosSubscriptions(net::rosbridge::Client& client, RosApi& api, Timeouts timeouts);
 
-  void ask(std::map<std::string, WantedTopic> wanted, const Found& found);
+  void ask(std::map<std::string, WantedTopic> wanted, const RosGraph& found);
   /// A new connection: the client subscribes to all topics again, and silence is counted anew.
   void beginAnew();
   /// Disconnected: nothing is expected.
@@ -81,7 +81,7 @@ class RosSubscriptions : public QObject {
   void dropped(const std::string& topic);  // it is no longer subscribed
 
  private:
-  struct Asked {
+  struct Subscribed {
     WantedTopic wanted;
     QElapsedTimer since, asked_at;
     int came = 0;  // messages on this connection, as far as that matters
@@ -89,20 +89,20 @@ class RosSubscriptions : public QObject {
     bool replaced = false;  // by the answer of a service, which has been reported
     bool heard() const { return came > 0; }
   };
-  void subscribe(Asked& asked);
+  void subscribe(Subscribed& entry);
   void look();
-  bool mayBeSilent(const std::string& topic, const Asked& asked) const;
+  bool mayBeSilent(const std::string& topic, const Subscribed& entry) const;
   /// It arrived repeatedly, and is of a kind that does so as long as its node runs.
-  static bool isSteady(const Asked& asked);
+  static bool isSteady(const Subscribed& entry);
   void tellSilence(const std::string& topic);
-  void recover(const std::string& topic, Asked& asked);
+  void recover(const std::string& topic, Subscribed& entry);
 
   net::rosbridge::Client& client_;
   RosApi& api_;
-  Patience patience_;
+  Timeouts timeouts_;
   QTimer timer_;
-  Found found_;
-  std::map<std::string, Asked> asked_;
+  RosGraph graph_;
+  std::map<std::string, Subscribed> topics_;
 };
 
 }  // namespace mapwright::robot::ros

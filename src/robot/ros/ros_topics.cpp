@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <sstream>
 #include <tuple>
 
 #include "robot/ros/read_messages.h"
@@ -16,95 +18,58 @@ struct Rule {
   Stream stream;
   Form form;
   const char* type;
-  std::vector<std::string_view> tails;  // their ends, in whole parts; better ones first
-  bool any = false;                     // any other topic of the type is possible, too
+  const char* tails;       // their ends, in whole parts; better ones first
+  const char* usual = "";  // names to try if topics are not listed
+  bool any = false;        // any other topic of the type is possible, too
   std::size_t most = 1;
   const char* never = nullptr;  // a part of names with another meaning
 };
+constexpr Rule kRules[] = {
+    {Stream::WholeMap, Form::Grid, "nav_msgs/OccupancyGrid", "map", "/map", true, 1, "costmap"},
+    {Stream::CostmapLow, Form::Grid, "nav_msgs/OccupancyGrid", "global_costmap/costmap",
+     "/global_costmap/costmap /move_base/global_costmap/costmap"},
+    {Stream::CostmapHigh, Form::Grid, "nav_msgs/OccupancyGrid", "local_costmap/costmap",
+     "/local_costmap/costmap /move_base/local_costmap/costmap"},
+    {Stream::Path, Form::Path, "nav_msgs/Path", "plan global_plan path", "/plan /move_base/NavfnROS/plan"},
+    {Stream::LocalPath, Form::Path, "nav_msgs/Path", "local_plan local_path", "/local_plan"},
+    {Stream::Cloud, Form::LaserScan, "sensor_msgs/LaserScan", "scan", "/scan", true, 4},
+    {Stream::Cloud, Form::PointCloud, "sensor_msgs/PointCloud2", "points cloud scan_matched_points2",
+     "/points", true, 2, "costmap"},
+    {Stream::Pose, Form::Tf, "tf2_msgs/TFMessage", "tf", "/tf"},
+    {Stream::Pose, Form::Tf, "tf/tfMessage", "tf"},
+    {Stream::Pose, Form::StaticTf, "tf2_msgs/TFMessage", "tf_static", "/tf_static"},
+    {Stream::Pose, Form::PoseWithCovariance, "geometry_msgs/PoseWithCovarianceStamped", "amcl_pose pose",
+     "/amcl_pose"},
+    {Stream::Pose, Form::PoseStamped, "geometry_msgs/PoseStamped", "tracked_pose robot_pose"},
+    {Stream::Pose, Form::Odometry, "nav_msgs/Odometry", "odom", "/odom"},
+    {Stream::Model, Form::Polygon, "geometry_msgs/PolygonStamped",
+     "local_costmap/published_footprint local_costmap/footprint published_footprint footprint",
+     "/local_costmap/published_footprint /move_base/local_costmap/footprint"},
+    {Stream::Planning, Form::PoseStamped, "geometry_msgs/PoseStamped", "current_goal goal_pose",
+     "/goal_pose /move_base/current_goal"},
+    {Stream::SeenObjects, Form::Markers, "visualization_msgs/MarkerArray",
+     "markers objects visualization_marker_array marker_array", "", true, 3},
+    {Stream::SeenObjects, Form::Markers, "visualization_msgs/Marker", "visualization_marker marker"},
+    {Stream::Battery, Form::Battery, "sensor_msgs/BatteryState", "battery_state battery", "/battery_state",
+     true},
+};
 
-const std::vector<Rule>& rules() {
-  static const std::vector<Rule> all{
-      {Stream::WholeMap, Form::Grid, "nav_msgs/OccupancyGrid", {"map"}, true, 1, "costmap"},
-      {Stream::CostmapLow, Form::Grid, "nav_msgs/OccupancyGrid", {"global_costmap/costmap"}},
-      {Stream::CostmapHigh, Form::Grid, "nav_msgs/OccupancyGrid", {"local_costmap/costmap"}},
-      {Stream::Path, Form::Path, "nav_msgs/Path", {"plan", "global_plan", "path"}},
-      {Stream::LocalPath, Form::Path, "nav_msgs/Path", {"local_plan", "local_path"}},
-      {Stream::Cloud, Form::LaserScan, "sensor_msgs/LaserScan", {"scan"}, true, 4},
-      {Stream::Cloud,
-       Form::PointCloud,
-       "sensor_msgs/PointCloud2",
-       {"points", "cloud", "scan_matched_points2"},
-       true,
-       2,
-       "costmap"},
-      {Stream::Pose, Form::Tf, "tf2_msgs/TFMessage", {"tf"}},
-      {Stream::Pose, Form::Tf, "tf/tfMessage", {"tf"}},
-      {Stream::Pose, Form::StaticTf, "tf2_msgs/TFMessage", {"tf_static"}},
-      {Stream::Pose,
-       Form::PoseWithCovariance,
-       "geometry_msgs/PoseWithCovarianceStamped",
-       {"amcl_pose", "pose"}},
-      {Stream::Pose, Form::PoseStamped, "geometry_msgs/PoseStamped", {"tracked_pose", "robot_pose"}},
-      {Stream::Pose, Form::Odometry, "nav_msgs/Odometry", {"odom"}},
-      {Stream::Model,
-       Form::Polygon,
-       "geometry_msgs/PolygonStamped",
-       {"local_costmap/published_footprint", "local_costmap/footprint", "published_footprint", "footprint"}},
-      {Stream::Planning, Form::PoseStamped, "geometry_msgs/PoseStamped", {"current_goal", "goal_pose"}},
-      {Stream::SeenObjects,
-       Form::Markers,
-       "visualization_msgs/MarkerArray",
-       {"markers", "objects", "visualization_marker_array", "marker_array"},
-       true,
-       3},
-      {Stream::SeenObjects, Form::Markers, "visualization_msgs/Marker", {"visualization_marker", "marker"}},
-      {Stream::Battery, Form::Battery, "sensor_msgs/BatteryState", {"battery_state", "battery"}, true},
-  };
-  return all;
+/// The names in a text, separated by blanks.
+std::vector<std::string> namesIn(const char* text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
 }
-
-/// Usual names, if topics are not listed.
-struct UsualName {
-  Stream stream;
-  Form form;
-  const char* topic;
-};
-constexpr UsualName kUsualNames[] = {
-    {Stream::WholeMap, Form::Grid, "/map"},
-    {Stream::CostmapLow, Form::Grid, "/global_costmap/costmap"},
-    {Stream::CostmapLow, Form::Grid, "/move_base/global_costmap/costmap"},
-    {Stream::CostmapHigh, Form::Grid, "/local_costmap/costmap"},
-    {Stream::CostmapHigh, Form::Grid, "/move_base/local_costmap/costmap"},
-    {Stream::Path, Form::Path, "/plan"},
-    {Stream::Path, Form::Path, "/move_base/NavfnROS/plan"},
-    {Stream::LocalPath, Form::Path, "/local_plan"},
-    {Stream::Cloud, Form::LaserScan, "/scan"},
-    {Stream::Cloud, Form::PointCloud, "/points"},
-    {Stream::Pose, Form::Tf, "/tf"},
-    {Stream::Pose, Form::StaticTf, "/tf_static"},
-    {Stream::Pose, Form::PoseWithCovariance, "/amcl_pose"},
-    {Stream::Pose, Form::Odometry, "/odom"},
-    {Stream::Model, Form::Polygon, "/local_costmap/published_footprint"},
-    {Stream::Model, Form::Polygon, "/move_base/local_costmap/footprint"},
-    {Stream::Planning, Form::PoseStamped, "/goal_pose"},
-    {Stream::Planning, Form::PoseStamped, "/move_base/current_goal"},
-    {Stream::Battery, Form::Battery, "/battery_state"},
-};
 
 bool endsWith(std::string_view topic, std::string_view tail) {
   if (!topic.ends_with(tail)) return false;
   return topic.size() == tail.size() || topic[topic.size() - tail.size() - 1] == '/';
 }
 
-bool below(std::string_view topic, std::string_view ns) {
-  return !ns.empty() && topic.size() > ns.size() && topic.starts_with(ns) && topic[ns.size()] == '/';
-}
-
 /// The patches of a grid; if topics are not listed, they may exist.
-std::optional<Source> patchesOf(const Source& grid, const std::optional<std::vector<FoundTopic>>& found) {
+std::optional<Source> patchesOf(const Source& grid, const std::optional<std::vector<Endpoint>>& found) {
   Source patch{grid.stream, Form::GridPatch, grid.topic + "_updates", {}, grid.topic, false};
   if (!found) return patch;
-  for (const FoundTopic& one : *found) {
+  for (const Endpoint& one : *found) {
     if (one.name != patch.topic || plainType(one.type) != "map_msgs/OccupancyGridUpdate") continue;
     patch.type = one.type;
     patch.found = true;
@@ -114,7 +79,7 @@ std::optional<Source> patchesOf(const Source& grid, const std::optional<std::vec
 }
 
 void addGrids(std::vector<Source>& sources, Source source,
-              const std::optional<std::vector<FoundTopic>>& found) {
+              const std::optional<std::vector<Endpoint>>& found) {
   const bool grid = source.form == Form::Grid;
   sources.push_back(std::move(source));
   if (!grid) return;
@@ -123,12 +88,14 @@ void addGrids(std::vector<Source>& sources, Source source,
 
 std::vector<Source> usualSources(const std::string& ns) {
   std::vector<Source> sources;
-  for (const UsualName& usual : kUsualNames) {
+  for (const Rule& rule : kRules) {
     // Shared topics have the same name for all robots.
     const bool shared =
-        usual.form == Form::Tf || usual.form == Form::StaticTf || usual.stream == Stream::WholeMap;
-    if (!ns.empty()) addGrids(sources, {usual.stream, usual.form, ns + usual.topic, {}, {}, false}, {});
-    if (ns.empty() || shared) addGrids(sources, {usual.stream, usual.form, usual.topic, {}, {}, false}, {});
+        rule.form == Form::Tf || rule.form == Form::StaticTf || rule.stream == Stream::WholeMap;
+    for (const std::string& topic : namesIn(rule.usual)) {
+      if (!ns.empty()) addGrids(sources, {rule.stream, rule.form, ns + topic, {}, {}, false}, {});
+      if (ns.empty() || shared) addGrids(sources, {rule.stream, rule.form, topic, {}, {}, false}, {});
+    }
   }
   return sources;
 }
@@ -137,23 +104,28 @@ std::vector<Source> usualSources(const std::string& ns) {
 
 std::string_view lastPart(std::string_view topic) { return topic.substr(topic.rfind('/') + 1); }
 
+bool isBelow(std::string_view name, std::string_view ns) {
+  return !ns.empty() && name.size() > ns.size() && name.starts_with(ns) && name[ns.size()] == '/';
+}
+
 bool needsTransforms(Form form) {
   return form != Form::Tf && form != Form::StaticTf && form != Form::Battery;
 }
 
-std::vector<Source> sourcesOf(const std::optional<std::vector<FoundTopic>>& found, const std::string& ns) {
+std::vector<Source> sourcesOf(const std::optional<std::vector<Endpoint>>& found, const std::string& ns) {
   if (!found) return usualSources(ns);
   std::vector<Source> sources;
-  for (const Rule& rule : rules()) {
+  for (const Rule& rule : kRules) {
     using Rank = std::tuple<bool, std::size_t, std::size_t, std::string_view>;
-    std::vector<std::pair<Rank, const FoundTopic*>> fitting;
-    for (const FoundTopic& topic : *found) {
+    const std::vector<std::string> tails = namesIn(rule.tails);
+    std::vector<std::pair<Rank, const Endpoint*>> fitting;
+    for (const Endpoint& topic : *found) {
       if (plainType(topic.type) != rule.type || topic.name.size() > kLongestTopicName) continue;
       if (rule.never && topic.name.find(rule.never) != std::string::npos) continue;
       std::size_t rank = 0;
-      while (rank < rule.tails.size() && !endsWith(topic.name, rule.tails[rank])) ++rank;
-      if (rank == rule.tails.size() && !rule.any) continue;
-      fitting.push_back({{!below(topic.name, ns), rank, topic.name.size(), topic.name}, &topic});
+      while (rank < tails.size() && !endsWith(topic.name, tails[rank])) ++rank;
+      if (rank == tails.size() && !rule.any) continue;
+      fitting.push_back({{!isBelow(topic.name, ns), rank, topic.name.size(), topic.name}, &topic});
     }
     std::sort(fitting.begin(), fitting.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t i = 0; i < fitting.size() && i < rule.most; ++i)
@@ -186,25 +158,23 @@ std::optional<Form> formFor(Stream stream, const std::string& type) {
   return std::nullopt;
 }
 
-std::vector<std::string> choicesFor(Stream stream, const std::vector<FoundTopic>& found) {
-  std::vector<std::string> fitting;
-  for (const FoundTopic& topic : found) {
-    if (topic.name.size() <= kLongestTopicName && formFor(stream, topic.type)) fitting.push_back(topic.name);
+std::vector<std::string> choicesFor(Stream stream, const std::vector<Endpoint>& found) {
+  std::set<std::string> fitting;
+  for (const Endpoint& topic : found) {
+    if (topic.name.size() <= kLongestTopicName && formFor(stream, topic.type)) fitting.insert(topic.name);
   }
-  std::sort(fitting.begin(), fitting.end());
-  fitting.erase(std::unique(fitting.begin(), fitting.end()), fitting.end());
-  return fitting;
+  return {fitting.begin(), fitting.end()};
 }
 
 void choose(std::vector<Source>& sources, const Choices& choices,
-            const std::optional<std::vector<FoundTopic>>& found) {
+            const std::optional<std::vector<Endpoint>>& found) {
   for (const auto& [stream, topic] : choices) {
     // The most common form of this kind, until the type is known.
     Source chosen{stream, Form::PoseStamped, topic, {}, {}, false};
     for (const char* const usual : {"nav_msgs/OccupancyGrid", "nav_msgs/Path", "geometry_msgs/PoseStamped"}) {
       if (const auto form = formFor(stream, usual)) chosen.form = *form;
     }
-    for (const FoundTopic& one : found ? *found : std::vector<FoundTopic>()) {
+    for (const Endpoint& one : found ? *found : std::vector<Endpoint>()) {
       const auto form = one.name == topic ? formFor(stream, one.type) : std::nullopt;
       if (!form) continue;
       chosen.form = *form;
@@ -217,12 +187,12 @@ void choose(std::vector<Source>& sources, const Choices& choices,
 }
 
 std::vector<std::string> usualMapServices(const std::string& ns) {
-  std::vector<std::string> names;
-  for (const char* name : {"/static_map", "/map_server/map", "/dynamic_map"}) {
-    if (!ns.empty()) names.push_back(ns + name);
-  }
-  for (const char* name : {"/static_map", "/map_server/map", "/dynamic_map"}) names.emplace_back(name);
-  return names;
+  std::vector<std::string> names = namesIn("/static_map /map_server/map /dynamic_map");
+  if (ns.empty()) return names;
+  std::vector<std::string> own;
+  for (const std::string& name : names) own.push_back(ns + name);
+  own.insert(own.end(), names.begin(), names.end());
+  return own;
 }
 
 std::vector<std::string> likeMapServices(const std::vector<std::string>& names, const std::string& ns) {
@@ -234,7 +204,7 @@ std::vector<std::string> likeMapServices(const std::vector<std::string>& names, 
     if (name.size() > kLongestTopicName) continue;
     std::size_t rank = 0;
     while (rank < std::size(kTails) && !endsWith(name, kTails[rank])) ++rank;
-    if (rank < std::size(kTails)) fitting.push_back({{!below(name, ns), rank, name.size(), name}, name});
+    if (rank < std::size(kTails)) fitting.push_back({{!isBelow(name, ns), rank, name.size(), name}, name});
   }
   std::sort(fitting.begin(), fitting.end());
   std::vector<std::string> like;

@@ -35,10 +35,10 @@ enum class Form {
   StaticTf,
 };
 
-/// A topic as listed by the server; the type is empty if the server does not know it.
-struct FoundTopic {
+/// A topic or service as listed by the server, with its type as the server writes it; empty: unknown.
+struct Endpoint {
   std::string name, type;
-  bool operator==(const FoundTopic&) const = default;
+  bool operator==(const Endpoint&) const = default;
 };
 
 /// A topic that carries a kind of data.
@@ -54,18 +54,18 @@ struct Source {
 
 /// All available sources, better ones of a stream first. Without a list of topics (nullopt: not available)
 /// the usual names. Those below `ns` come first.
-std::vector<Source> sourcesOf(const std::optional<std::vector<FoundTopic>>& found, const std::string& ns);
+std::vector<Source> sourcesOf(const std::optional<std::vector<Endpoint>>& found, const std::string& ns);
 
 /// How a topic of that type is read if the user chooses it for `stream`; nullopt: impossible.
 std::optional<Form> formFor(map::Stream stream, const std::string& type);
 /// The topics of `found` that can be used for `stream`; by name.
-std::vector<std::string> choicesFor(map::Stream stream, const std::vector<FoundTopic>& found);
+std::vector<std::string> choicesFor(map::Stream stream, const std::vector<Endpoint>& found);
 /// The user's choices by kind of data.
 using Choices = std::map<map::Stream, std::string>;
 /// Uses exactly the chosen topic for each kind of data. It is subscribed even if it does not exist or has the
 /// wrong type: that may change.
 void choose(std::vector<Source>& sources, const Choices& choices,
-            const std::optional<std::vector<FoundTopic>>& found);
+            const std::optional<std::vector<Endpoint>>& found);
 
 /// The services whose names suggest that they provide a map (`names`), better ones first.
 std::vector<std::string> likeMapServices(const std::vector<std::string>& names, const std::string& ns);
@@ -82,5 +82,7 @@ bool needsTransforms(Form form);
 
 /// "map" of "/robot1/map".
 std::string_view lastPart(std::string_view topic);
+/// "/robot1/map" is below "/robot1"; nothing is below an empty namespace.
+bool isBelow(std::string_view name, std::string_view ns);
 
 }  // namespace mapwright::robot::ros

@@ -53,7 +53,7 @@ void RosWorld::keepGrids(std::set<std::string> topics) {
 void RosWorld::forget(const std::string& topic) {
   grids_.erase(topic);
   waiting_.erase(topic);
-  told_poses_.erase(topic);
+  topic_poses_.erase(topic);
   markers_.forget(topic);
 }
 
@@ -66,22 +66,18 @@ void RosWorld::forgetAll() {
   first_transform_s_ = latest_s_ = 0;
   grids_.clear();
   waiting_.clear();
-  told_poses_.clear();
+  topic_poses_.clear();
   markers_ = {};
 }
 
 std::string RosWorld::robotFrame() const {
-  const std::vector<std::string> frames = transforms_.frames();
   const std::string own = frameName(ns_);
-  const auto known = [&](const std::string& frame) {
-    return std::binary_search(frames.begin(), frames.end(), frame);
-  };
-  for (const char* base : {"base_link", "base_footprint"}) {
-    if (!own.empty() && known(own + '/' + base)) return own + '/' + base;
+  for (const std::string& prefix : {own.empty() ? std::string() : own + '/', std::string()}) {
+    for (const char* base : {"base_link", "base_footprint"}) {
+      if (transforms_.knows(prefix + base)) return prefix + base;
+    }
   }
-  for (const char* base : {"base_link", "base_footprint"}) {
-    if (known(base)) return base;
-  }
+  const std::vector<std::string> frames = transforms_.frames();
   for (const char* base : {"/base_link", "/base_footprint"}) {
     for (const std::string& frame : frames) {
       if (frame.ends_with(base)) return frame;
@@ -90,10 +86,7 @@ std::string RosWorld::robotFrame() const {
   return {};
 }
 
-bool RosWorld::fixedByMap() const {
-  const std::vector<std::string> frames = transforms_.frames();
-  return !map_frame_.empty() || std::binary_search(frames.begin(), frames.end(), kMap);
-}
+bool RosWorld::fixedByMap() const { return !map_frame_.empty() || transforms_.knows(kMap); }
 
 std::vector<std::pair<Transforms::Newest, double>> RosWorld::ages(double now_s) const {
   std::vector<std::pair<Transforms::Newest, double>> ages;
@@ -111,10 +104,9 @@ bool RosWorld::posedByTransforms() const {
 
 std::optional<std::string> RosWorld::toldFrame() const {
   if (!map_frame_.empty()) return map_frame_;
-  const std::vector<std::string> frames = transforms_.frames();
-  if (std::binary_search(frames.begin(), frames.end(), kMap)) return kMap;
+  if (transforms_.knows(kMap)) return kMap;
   // Transforms arrive gradually, static ones first: their root is only valid once the others had time.
-  if (frames.empty() || latest_s_ - first_transform_s_ < kPatienceS) return std::nullopt;
+  if (first_transform_s_ == 0 || latest_s_ - first_transform_s_ < kLongestWaitS) return std::nullopt;
   const std::string robot = robotFrame();
   for (const std::string& root : transforms_.roots()) {
     if (!robot.empty() && root != robot && transforms_.find(root, robot, {})) return root;
@@ -183,7 +175,7 @@ std::optional<RosWorld::Located> RosWorld::located() const {
   }
   // A pose on the map takes precedence over odometry.
   for (const Form form : {Form::PoseWithCovariance, Form::PoseStamped, Form::Odometry}) {
-    for (const auto& [topic, told] : told_poses_) {
+    for (const auto& [topic, told] : topic_poses_) {
       if (told.form != form) continue;
       const auto pose = inFixedFrame(told.placed);
       if (pose) return Located{*pose, topic, {}};
@@ -302,7 +294,7 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
                                                      : readOdometry(msg),
            [&](Placed placed) {
              if (isPose(source)) {
-               told_poses_.insert_or_assign(source.topic, Told{source.form, std::move(placed)});
+               topic_poses_.insert_or_assign(source.topic, TopicPose{source.form, std::move(placed)});
              } else {
                taking(std::move(placed));
              }
@@ -471,13 +463,13 @@ WorldResults RosWorld::overdue(double now_s) {
   for (auto& [topic, queue] : waiting_) {
     std::deque<Waiting>& messages = queue.messages;
     // The newest of those that waited too long stays, in case its transform still arrives.
-    while (messages.size() > 1 && now_s - messages[1].received_s > kPatienceS) messages.pop_front();
-    if (queue.told || now_s - queue.since_s <= kPatienceS) continue;
+    while (messages.size() > 1 && now_s - messages[1].received_s > kLongestWaitS) messages.pop_front();
+    if (queue.told || now_s - queue.since_s <= kLongestWaitS) continue;
     const Waiting& oldest = messages.front();
     // If the end of a scan's sweep is unknown, its beginning is used.
     auto placed = place(oldest.source, oldest.content, Sweep::Beginning);
     const std::string& frame = headerOf(oldest.content).frame;
-    const bool may_be_told = first_transform_s_ > 0 && now_s - first_transform_s_ < kPatienceS;
+    const bool may_be_told = first_transform_s_ > 0 && now_s - first_transform_s_ < kLongestWaitS;
     if (!placed && own_frame_.empty() && !toldFrame() && !may_be_told && !frame.empty() &&
         oldest.source.stream == Stream::Cloud) {
       own_frame_ = ownFrameOf(frame);

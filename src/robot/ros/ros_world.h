@@ -40,7 +40,7 @@ Read<bool> patchGrid(Grid& grid, const GridPatch& patch);
 /// thread.
 class RosWorld {
  public:
-  static constexpr double kPatienceS =
+  static constexpr double kLongestWaitS =
       1;  // how long to wait for a transform before it is reported as missing
   static constexpr std::size_t kWaiting = 8;  // waiting messages per topic
 
@@ -149,11 +149,11 @@ class RosWorld {
   std::set<std::string> kept_topics_;
   std::map<std::string, Grid> grids_;     // by topic
   std::map<std::string, Queue> waiting_;  // by topic
-  struct Told {
+  struct TopicPose {
     Form form;
     Placed placed;
   };
-  std::map<std::string, Told> told_poses_;  // by topic
+  std::map<std::string, TopicPose> topic_poses_;  // by topic
   SeenMarkers markers_;
   double markers_looked_s_ = 0;
   std::size_t gave_way_ = 0;

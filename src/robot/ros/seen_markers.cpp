@@ -1,6 +1,7 @@
 #include "robot/ros/seen_markers.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -11,8 +12,10 @@ namespace {
 
 constexpr std::size_t kMany = 300;
 
+}  // namespace
+
 /// Why its newest version cannot be placed; nullopt: it can.
-std::optional<Fault> place(MarkerBoard::Row& row, const Transforms& transforms, const std::string& fixed) {
+std::optional<Fault> SeenMarkers::place(Row& row, const Transforms& transforms, const std::string& fixed) {
   const Marker& newest = row.next ? *row.next : row.marker;
   const bool stays = !newest.frame_locked;
   if (!row.next && stays && row.placed && row.fixed_frame == fixed) return std::nullopt;
@@ -25,15 +28,39 @@ std::optional<Fault> place(MarkerBoard::Row& row, const Transforms& transforms, 
   return std::nullopt;
 }
 
-}  // namespace
+void SeenMarkers::put(Row& row, const Marker& marker, double now_s) {
+  row.until_s = marker.lifetime_s > 0 ? now_s + marker.lifetime_s : std::numeric_limits<double>::infinity();
+  // One that waits for its transform and is sent again keeps waiting.
+  const bool waits = row.since_s > 0 && (!row.placed || row.next);
+  if (!waits) row.since_s = now_s;
+  if (row.placed) {
+    row.next = marker;
+  } else {
+    row.marker = marker;
+  }
+}
 
 void SeenMarkers::take(const std::string& topic, const std::vector<Marker>& markers, double now_s) {
-  boards_[topic].take(markers, now_s);
+  auto& rows = topics_[topic];
+  for (const Marker& marker : markers) {
+    const std::pair key(marker.ns, marker.id);
+    switch (marker.action) {
+      case Marker::Action::Add:
+        if (rows.size() < kMost || rows.contains(key)) put(rows[key], marker, now_s);
+        break;
+      case Marker::Action::Delete:
+        rows.erase(key);
+        break;
+      case Marker::Action::DeleteAll:
+        rows.clear();
+        break;
+    }
+  }
 }
 
 std::vector<std::string> SeenMarkers::topics() const {
   std::vector<std::string> topics;
-  for (const auto& [topic, board] : boards_) topics.push_back(topic);
+  for (const auto& [topic, rows] : topics_) topics.push_back(topic);
   return topics;
 }
 
@@ -43,26 +70,26 @@ SeenMarkers::Look SeenMarkers::look(const Transforms& transforms, const std::str
   map::SeenObjectsMessage seen;
   waits_ = moves_ = false;
   next_end_s_ = std::numeric_limits<double>::infinity();
-  std::size_t rows = 0;
-  for (auto& [topic, board] : boards_) {
-    board.expire(now_s);
-    next_end_s_ = std::min(next_end_s_, board.nextEnd());
-    board.each([&, of = topic](MarkerBoard::Row& row) {
-      ++rows;
+  std::size_t count = 0;
+  for (auto& [topic, rows] : topics_) {
+    std::erase_if(rows, [now_s](const auto& row) { return row.second.until_s <= now_s; });
+    count += rows.size();
+    for (auto& [key, row] : rows) {
+      next_end_s_ = std::min(next_end_s_, row.until_s);
       moves_ |= row.marker.frame_locked;
       if (auto why = place(row, transforms, fixed_frame)) {
         waits_ = true;
-        if (now_s - row.since_s > kPatienceS) look.unplaced.try_emplace(of, std::move(*why));
+        if (now_s - row.since_s > kLongestWaitS) look.unplaced.try_emplace(topic, std::move(*why));
       }
-      if (!row.placed || row.fixed_frame != fixed_frame) return;
+      if (!row.placed || row.fixed_frame != fixed_frame) continue;
       if (auto box = boxOf(row.marker, *row.placed)) {
         seen.objects.push_back(std::move(*box));
       } else if (auto drawing = drawingOf(row.marker, *row.placed)) {
         seen.drawings.push_back(std::move(*drawing));
       }
-    });
+    }
   }
-  many_ = rows > kMany;
+  many_ = count > kMany;
   if (many_) next_end_s_ = std::numeric_limits<double>::infinity();
   look.changed = !(seen == seen_);
   seen_ = std::move(seen);

@@ -1,27 +1,33 @@
-// The markers of all topics in the fixed frame. Source: visualization_msgs/Marker (header, lifetime,
+// The markers of all topics in the fixed frame. Source: visualization_msgs/Marker (action, header, lifetime,
 // frame_locked).
 #pragma once
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fault/fault.h"
 #include "map/live_topics.h"
-#include "robot/ros/marker_board.h"
+#include "robot/ros/read_messages.h"
 #include "robot/ros/transforms.h"
 
 namespace mapwright::robot::ros {
 
-/// A value; time is passed in. A marker that cannot be placed does not block the others.
+/// A value; time is passed in (seconds, any monotonic clock). A marker that cannot be placed does not block
+/// the others. At most kMost of a topic: further ones are ignored.
 class SeenMarkers {
  public:
-  static constexpr double kPatienceS =
+  static constexpr std::size_t kMost = 20'000;
+  static constexpr double kLongestWaitS =
       1;  // how long to wait for a transform before it is reported as missing
 
+  /// ADD adds a marker or replaces the one with the same namespace and number, DELETE removes it, DELETEALL
+  /// all.
   void take(const std::string& topic, const std::vector<Marker>& markers, double now_s);
-  void forget(const std::string& topic) { boards_.erase(topic); }
+  void forget(const std::string& topic) { topics_.erase(topic); }
   std::vector<std::string> topics() const;
 
   struct Look {
@@ -42,7 +48,20 @@ class SeenMarkers {
   const map::SeenObjectsMessage& seen() const { return seen_; }
 
  private:
-  std::map<std::string, MarkerBoard> boards_;  // by topic
+  struct Row {
+    Marker marker;               // the one to be seen
+    std::optional<Marker> next;  // the newer version, not placed yet
+    double until_s = 0;
+    double since_s = 0;  // when the waiting one was added
+    /// The pose of its frame in the fixed frame when it was placed, and which fixed frame that was.
+    std::optional<Transform3> placed;
+    std::string fixed_frame;
+  };
+  static void put(Row& row, const Marker& marker, double now_s);
+  static std::optional<Fault> place(Row& row, const Transforms& transforms, const std::string& fixed);
+
+  std::map<std::string, std::map<std::pair<std::string, std::int64_t>, Row>>
+      topics_;  // by namespace and number
   map::SeenObjectsMessage seen_;
   bool waits_ = false, moves_ = false, many_ = false;
   double next_end_s_ = std::numeric_limits<double>::infinity();

@@ -262,20 +262,11 @@ std::vector<std::string> Transforms::roots() const {
 }
 
 Fault reasonOf(const Transforms::Missing& missing) {
-  using Kind = Transforms::Missing::Kind;
-  switch (missing.kind) {
-    case Kind::UnknownFrame:
-      return {fault::RosFrameUnknown, {missing.child}};
-    case Kind::NotConnected:
-      return {fault::RosFramesApart, {missing.child, missing.parent}};
-    case Kind::TooOld:
-      return {fault::RosTransformTooOld, {missing.child, missing.parent}};
-    case Kind::TooNew:
-      return {fault::RosTransformTooNew, {missing.child, missing.parent}};
-    case Kind::Loop:
-      break;
-  }
-  return {fault::RosTransformLoop, {missing.child, missing.parent}};
+  constexpr FaultCode kCodes[] = {fault::RosFrameUnknown, fault::RosFramesApart, fault::RosTransformTooOld,
+                                  fault::RosTransformTooNew, fault::RosTransformLoop};  // by their kind
+  Fault reason{kCodes[int(missing.kind)], {missing.child}};
+  if (missing.kind != Transforms::Missing::Kind::UnknownFrame) reason.arguments.push_back(missing.parent);
+  return reason;
 }
 
 }  // namespace mapwright::robot::ros

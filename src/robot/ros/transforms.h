@@ -80,6 +80,7 @@ class Transforms {
                                                             const std::string& child) const;
 
   std::vector<std::string> frames() const;  // by name
+  bool knows(const std::string& frame) const { return indexOf(frame) != kNone; }
   /// The root above the frame; itself, if nothing is known of it.
   std::string rootAbove(const std::string& frame) const;
   /// A dynamic pair with its newest stamp.

@@ -138,7 +138,7 @@ class Bench {
     } else {
       aimdk::LinkOptions options;
       options.base = base;
-      options.patience = options.map_patience = patience;
+      options.timeout = options.map_timeout = patience;
       robot = std::make_unique<aimdk::AimdkRobot>(QStringLiteral("aimdk+test"), options);
     }
   }

@@ -1,4 +1,4 @@
-#include "robot/ros/kabam_book.h"
+#include "robot/ros/kabam_state.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,41 +20,41 @@ bool replace(std::optional<T>& kept, std::optional<T> now) {
 
 }  // namespace
 
-std::vector<std::string> KabamBook::topics() const {
+std::vector<std::string> KabamState::topics() const {
   return {place_ + kCurrent, place_ + kActive, place_ + kArchived, place_ + kWaypoints};
 }
 
-KabamBook::Taken KabamBook::take(const std::string& topic,
-                                 const std::shared_ptr<const net::rosbridge::Frame>& frame,
-                                 const Field& msg) {
-  Taken taken;
-  if (!topic.starts_with(place_)) return taken;
+KabamState::Update KabamState::take(const std::string& topic,
+                                    const std::shared_ptr<const net::rosbridge::Frame>& frame,
+                                    const Field& msg) {
+  Update update;
+  if (!topic.starts_with(place_)) return update;
   const std::string name = topic.substr(place_.size());
-  taken.own = name == kCurrent || name == kActive || name == kArchived || name == kWaypoints;
-  if (!taken.own) return taken;
+  update.own = name == kCurrent || name == kActive || name == kArchived || name == kWaypoints;
+  if (!update.own) return update;
   if (name == kCurrent) {
     auto current = readMapInfo(msg);
-    taken.readable = current.has_value();
-    if (!current) return taken;
+    update.readable = current.has_value();
+    if (!current) return update;
     const bool other = !isCurrent(current->map.id);
-    taken.maps = replace(current_, std::move(current));
-    taken.waypoints = taken.maps && other;
+    update.maps = replace(current_, std::move(current));
+    update.waypoints = update.maps && other;
   } else if (name == kWaypoints) {
-    taken.readable = readWaypoints(msg, {}, {}).has_value();
-    if (!taken.readable) return taken;
+    update.readable = readWaypoints(msg, {}, {}).has_value();
+    if (!update.readable) return update;
     waypoints_frame_ = frame;
     waypoints_ = msg;
-    taken.waypoints = true;
+    update.waypoints = true;
   } else {
     auto maps = readMapList(msg, name == kArchived);
-    taken.readable = maps.has_value();
-    if (!maps) return taken;
-    taken.maps = replace(name == kArchived ? archived_ : active_, std::move(maps));
+    update.readable = maps.has_value();
+    if (!maps) return update;
+    update.maps = replace(name == kArchived ? archived_ : active_, std::move(maps));
   }
-  return taken;
+  return update;
 }
 
-void KabamBook::forget() {
+void KabamState::forget() {
   active_.reset();
   archived_.reset();
   current_.reset();
@@ -63,7 +63,7 @@ void KabamBook::forget() {
   waypoints_lag_ = false;
 }
 
-std::vector<KabamMap> KabamBook::maps() const {
+std::vector<KabamMap> KabamState::maps() const {
   std::vector<KabamMap> all;
   const auto has = [&](const std::vector<KabamMap>& maps, const std::string& id) {
     return std::any_of(maps.begin(), maps.end(), [&](const KabamMap& map) { return map.id == id; });
@@ -81,13 +81,13 @@ std::vector<KabamMap> KabamBook::maps() const {
   return all;
 }
 
-std::optional<KabamMap> KabamBook::find(const std::string& id) const {
+std::optional<KabamMap> KabamState::find(const std::string& id) const {
   const std::vector<KabamMap> all = maps();
   const auto found = std::find_if(all.begin(), all.end(), [&](const KabamMap& map) { return map.id == id; });
   return found == all.end() ? std::nullopt : std::optional(*found);
 }
 
-std::vector<map::CatalogueEntry> KabamBook::entries() const {
+std::vector<map::CatalogueEntry> KabamState::entries() const {
   std::vector<map::CatalogueEntry> entries;
   for (const KabamMap& map : maps()) {
     map::CatalogueEntry entry;
@@ -106,14 +106,14 @@ std::vector<map::CatalogueEntry> KabamBook::entries() const {
   return entries;
 }
 
-std::optional<map::CatalogueEntry> KabamBook::entry(const std::string& id) const {
+std::optional<map::CatalogueEntry> KabamState::entry(const std::string& id) const {
   const std::vector<map::CatalogueEntry> all = entries();
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const map::CatalogueEntry& entry) { return entry.key.id == id; });
   return found == all.end() ? std::nullopt : std::optional(*found);
 }
 
-std::optional<StoredWaypoints> KabamBook::waypoints(const std::string& fixed_frame) const {
+std::optional<StoredWaypoints> KabamState::waypoints(const std::string& fixed_frame) const {
   if (!waypoints_frame_ || !current_ || waypoints_lag_) return std::nullopt;
   auto stored = readWaypoints(waypoints_, current_->map.id, fixed_frame);
   // Only of another map: the topic has not followed the change of maps yet.
@@ -122,7 +122,7 @@ std::optional<StoredWaypoints> KabamBook::waypoints(const std::string& fixed_fra
   return stored;
 }
 
-map::MapInfo KabamBook::mapInfo() const {
+map::MapInfo KabamState::mapInfo() const {
   map::MapInfo info;
   if (!current_) return info;
   // With the name from the catalogue.

@@ -13,21 +13,21 @@
 
 namespace mapwright::robot::ros {
 
-class KabamBook {
+class KabamState {
  public:
   /// Sets their namespace ("/map_manager").
   void setPlace(std::string place) { place_ = std::move(place); }
   const std::string& place() const { return place_; }
   std::vector<std::string> topics() const;
 
-  struct Taken {
+  struct Update {
     bool own = false;      // it is one of these topics
     bool readable = true;  // and was understood
     bool maps = false;     // the list of maps, or the current one, has changed
     bool waypoints = false;
   };
-  Taken take(const std::string& topic, const std::shared_ptr<const net::rosbridge::Frame>& frame,
-             const Field& msg);
+  Update take(const std::string& topic, const std::shared_ptr<const net::rosbridge::Frame>& frame,
+              const Field& msg);
   void forget();
 
   /// Both lists and the current map have arrived.
@@ -42,7 +42,7 @@ class KabamBook {
   const std::optional<KabamCurrent>& current() const { return current_; }
   bool isMapping() const { return current_ && current_->state == "MAPPING"; }
   /// IDLE, MAPPING, ACTIVE, or any other value; empty while unknown.
-  std::string state() const { return current_ ? current_->state : std::string(); }
+  std::string managerState() const { return current_ ? current_->state : std::string(); }
   bool isCurrent(const std::string& id) const { return current_ && !id.empty() && current_->map.id == id; }
   /// Those of the current map; nullopt while the topic has not sent them, or lags.
   std::optional<StoredWaypoints> waypoints(const std::string& fixed_frame) const;
