@@ -14,9 +14,10 @@
 
 #include "foxglove_recordings.h"
 #include "map/world.h"
-#include "recording/seconds.h"
-#include "replay/reading.h"
+#include "recording/message.h"
+#include "replay/chunk.h"
 #include "replay/recorded_message.h"
+#include "replay/reading.h"
 #include "replay/replay_robot.h"
 #include "replay/track.h"
 #include "robot/axbot/parse_topics.h"
