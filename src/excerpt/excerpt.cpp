@@ -8,7 +8,6 @@
 #include "excerpt/whole_target.h"
 #include "recorder/layout.h"
 #include "replay/digest.h"
-#include "replay/prefix_index.h"
 #include "replay/track.h"
 
 namespace mapwright::excerpt {
