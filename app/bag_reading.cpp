@@ -11,7 +11,7 @@
 
 #include "app/exit_code.h"
 #include "map/may_pass.h"
-#include "replay/range_walk.h"
+#include "replay/reading.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"

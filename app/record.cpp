@@ -57,7 +57,7 @@ struct RecordWords {
 };
 
 using recorder::Recorder;
-using recorder::SubmapWishes;
+using recorder::SubmapRequests;
 
 using words::text;
 
@@ -65,7 +65,7 @@ using words::text;
 struct RecordOrder {
   map::Streams streams;
   QStringList topics;
-  SubmapWishes::Which submaps = SubmapWishes::Which::Listed;
+  SubmapRequests::Which submaps = SubmapRequests::Which::Listed;
   QString path;
 };
 
@@ -80,9 +80,9 @@ CommandResult<RecordOrder> orderFrom(const RecordWords& words) {
   for (const QString& topic : text(words.topics).split(QLatin1Char(','), Qt::SkipEmptyParts))
     order.topics << topic.trimmed();
   if (words.submaps == "all") {
-    order.submaps = SubmapWishes::Which::All;
+    order.submaps = SubmapRequests::Which::All;
   } else if (words.submaps == "none") {
-    order.submaps = SubmapWishes::Which::None;
+    order.submaps = SubmapRequests::Which::None;
   } else if (words.submaps != "listed") {
     return wrong(
         RecordText::tr("--submaps must be all, listed or none, not \"%1\".").arg(text(words.submaps)));

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
-#include "disk/written_file.h"
-#include "excerpt/bag_mcap.h"
+#include "excerpt/whole_target.h"
+#include "recorder/layout.h"
 #include "replay/digest.h"
-#include "replay/prefix_index.h"
 #include "replay/track.h"
 
 namespace mapwright::excerpt {
@@ -45,33 +45,96 @@ class Lines : public Writing {
   Written done_;
 };
 
+std::string schemeOf(const std::string& text) {
+  const std::size_t end = text.find_first_of("+:");
+  const std::string scheme = end == std::string::npos ? text : text.substr(0, end);
+  return scheme == "http" || scheme == "https" ? "axbot" : scheme;
+}
+
+/// A part of a bag laid out like a session recorded here (recorder/layout.h): played alone it shows what the
+/// bag shows in that time, except how it came about.
 class Mcap : public Writing {
  public:
-  Mcap(std::unique_ptr<BagMcap> file, std::vector<std::string> topics)
-      : file_(std::move(file)), topics_(std::move(topics)) {}
+  Mcap(WholeMcap file, const Order& order) : file_(std::move(file)), order_(order), span_(order.span) {}
+
+  std::optional<disk::FileError> describe() {
+    recording::Words about{{"version", "1"},
+                           {"address", order_.address},
+                           {"kind", schemeOf(order_.address)},
+                           {"bag", order_.bag},
+                           {"recorded_by", "mapwright " MAPWRIGHT_VERSION}};
+    for (const char* unknown : {"model", "serial", "name", "firmware"}) about[unknown];
+    if (span_.from_s) about["started_ns"] = std::to_string(nanosecondsOf(*span_.from_s));
+    return file_.writer().note({recorder::kAbout, std::move(about)});
+  }
 
   std::optional<disk::FileError> take(const replay::Chunk& chunk) override {
-    odd_ += oddIn(chunk);
+    done_.odd += oddIn(chunk);
     for (std::size_t place = 0; place < chunk.order.size(); ++place) {
       const robot::BagMessage& message = chunk.at(place);
-      if (!isOneOf(topics_, message.message.topic)) continue;
-      if (auto fault = file_->take(message, chunk.source->textOf(message))) return fault;
+      const std::string& topic = message.message.topic;
+      const double stamp_s = message.message.received_s;
+      if (!isOneOf(order_.topics, topic) || (span_.to_s && stamp_s > *span_.to_s)) continue;
+      const std::string_view json = chunk.source->textOf(message);
+      if (span_.from_s && stamp_s < *span_.from_s) {
+        said_before_[topic] = {stamp_s, std::string(json)};
+        continue;
+      }
+      if (auto fault = begin()) return fault;
+      ++done_.messages;
+      if (auto fault = write(topic, false, stamp_s, stamp_s, json)) return fault;
     }
     return std::nullopt;
   }
+
   tl::expected<Written, disk::FileError> place() override {
-    if (auto fault = file_->finish()) return tl::make_unexpected(std::move(*fault));
-    Written done;
-    done.messages = file_->messages();
-    done.said_before = file_->saidBefore();
-    done.odd = odd_;
-    return done;
+    auto fault = begin();
+    recording::Metadata end{
+        recorder::kEnd, {{"messages", std::to_string(done_.messages)}, {"lost", "0"}, {"lost_bytes", "0"}}};
+    if (span_.to_s) end.words["ended_ns"] = std::to_string(nanosecondsOf(*span_.to_s));
+    if (!fault) fault = file_.writer().note(end);
+    if (!fault) fault = file_.finish();
+    if (fault) return tl::make_unexpected(std::move(*fault));
+    return done_;
   }
 
  private:
-  std::unique_ptr<BagMcap> file_;
-  std::vector<std::string> topics_;
-  std::int64_t odd_ = 0;
+  /// Of messages before the span the last one of each topic is kept as its initial state.
+  std::optional<disk::FileError> begin() {
+    if (std::exchange(begun_, true)) return std::nullopt;
+    using Said = std::pair<std::string, std::pair<double, std::string>>;
+    std::vector<Said> said(said_before_.begin(), said_before_.end());
+    std::stable_sort(said.begin(), said.end(),
+                     [](const Said& a, const Said& b) { return a.second.first < b.second.first; });
+    for (const auto& [topic, last] : said) {
+      if (auto fault = write(topic, true, *span_.from_s, last.first, last.second)) return fault;
+      ++done_.said_before;
+    }
+    said_before_.clear();
+    return std::nullopt;
+  }
+
+  std::optional<disk::FileError> write(const std::string& topic, bool before, double log_s, double stamp_s,
+                                       std::string_view json) {
+    recording::Channel channel;
+    channel.topic = topic;
+    channel.message_encoding = "json";
+    channel.schema_name = recorder::kPlainJson;
+    channel.schema_encoding = "jsonschema";
+    channel.schema_data = R"({"type":"object"})";
+    if (before) channel.metadata[recorder::kSaid] = recorder::kBefore;
+    const std::uint32_t sequence = before ? 0 : ++sequences_[topic];
+    return file_.write(channel, {nanosecondsOf(log_s), nanosecondsOf(stamp_s), sequence},
+                       {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()});
+  }
+
+  WholeMcap file_;
+  Order order_;
+  TimeSpan span_;
+  std::map<std::string, std::pair<double, std::string>> said_before_;  // stamp and text, by topic
+  std::map<std::string, std::uint32_t> sequences_;
+  bool begun_ = false;
+  Written done_;
 };
 
 class Track : public Writing {
@@ -124,21 +187,13 @@ std::optional<double> readsFrom(const Order& order) {
 bool wantsWholeTexts(Kind kind) { return kind == Kind::Lines; }
 
 tl::expected<std::unique_ptr<Writing>, disk::FileError> begin(const Order& order) {
-  std::unique_ptr<Writing> writing;
-  switch (order.kind) {
-    case Kind::Mcap: {
-      auto file = BagMcap::create(order.path, order.address, order.bag, order.span);
-      if (!file) return tl::make_unexpected(file.error());
-      return std::make_unique<Mcap>(std::move(*file), order.topics);
-    }
-    case Kind::Lines:
-      return std::make_unique<Lines>(order);
-    case Kind::TrackCsv:
-    case Kind::TrackGeoJson:
-    case Kind::TrackTum:
-      break;
-  }
-  return std::make_unique<Track>(order);
+  if (order.kind == Kind::Lines) return std::make_unique<Lines>(order);
+  if (order.kind != Kind::Mcap) return std::make_unique<Track>(order);
+  auto file = WholeMcap::create(order.path);
+  if (!file) return tl::make_unexpected(file.error());
+  auto mcap = std::make_unique<Mcap>(std::move(*file), order);
+  if (const auto fault = mcap->describe()) return tl::make_unexpected(*fault);
+  return mcap;
 }
 
 }  // namespace mapwright::excerpt

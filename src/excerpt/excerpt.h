@@ -14,7 +14,7 @@
 #include "disk/file_error.h"
 #include "excerpt/time_span.h"
 #include "fault/fault.h"
-#include "replay/chunk.h"
+#include "replay/chunks.h"
 
 namespace mapwright::excerpt {
 

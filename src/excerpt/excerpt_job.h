@@ -10,7 +10,6 @@
 
 #include "excerpt/excerpt.h"
 #include "map/failure.h"
-#include "replay/range_walk.h"
 #include "replay/reading.h"
 #include "robot/bag_library.h"
 #include "work/workers.h"

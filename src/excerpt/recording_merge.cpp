@@ -1,7 +1,6 @@
 #include "excerpt/recording_merge.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -13,19 +12,12 @@
 #include <QByteArray>
 #include <QCryptographicHash>
 
-#include "disk/file_error.h"
 #include "excerpt/whole_target.h"
-#include "recording/mcap_writer.h"
-#include "recording/source.h"
+#include "recorder/layout.h"
 #include "robot/recorded/faults.h"
-#include "robot/recorded/interruption.h"
-#include "robot/recorded/recording_reasons.h"
 
 namespace mapwright::excerpt {
 namespace {
-
-constexpr const char* kSaid = "said";  // metadata of channels, recorder/layout.h
-constexpr const char* kBefore = "before";
 
 using SourcePtr = std::unique_ptr<recording::Source>;
 
@@ -60,7 +52,7 @@ class ChannelNumbers {
     if (!is_new) return known->second;
     recording::Channel plain = *channel;
     plain.id = 0;
-    plain.metadata.erase(kSaid);
+    plain.metadata.erase(recorder::kSaid);
     const auto same = std::find(plain_.begin(), plain_.end(), plain);
     known->second = int(same - plain_.begin());
     if (same == plain_.end()) plain_.push_back(std::move(plain));
@@ -73,8 +65,8 @@ class ChannelNumbers {
 };
 
 bool wasSaidBefore(const recording::Channel& channel) {
-  const auto said = channel.metadata.find(kSaid);
-  return said != channel.metadata.end() && said->second == kBefore;
+  const auto said = channel.metadata.find(recorder::kSaid);
+  return said != channel.metadata.end() && said->second == recorder::kBefore;
 }
 
 /// The initial state of a part is dropped if another part contains these messages or has already given them.
@@ -137,8 +129,8 @@ class SaidBefore {
 
 class Merge {
  public:
-  Merge(const std::vector<SourcePtr>& sources, recording::McapWriter& writer)
-      : sources_(sources), writer_(writer), before_(numbers_) {}
+  Merge(const std::vector<SourcePtr>& sources, WholeMcap& file)
+      : sources_(sources), file_(file), before_(numbers_) {}
 
   std::optional<disk::FileError> describe() {
     // The result is only complete if all inputs are.
@@ -150,7 +142,7 @@ class Merge {
       for (const recording::Metadata& metadata : sources_[of]->metadata()) {
         if (!whole && robot::recorded::isEndMark(metadata)) continue;
         if (!once.isNew(of, {metadata.name, metadata.words})) continue;
-        if (auto fault = writer_.note(metadata)) return fault;
+        if (auto fault = file_.writer().note(metadata)) return fault;
       }
     }
     return std::nullopt;
@@ -203,7 +195,7 @@ class Merge {
         continue;
       }
       last = {std::move(content), {of}};
-      if (auto fault = writer_.attach(it)) return fault;
+      if (auto fault = file_.writer().attach(it)) return fault;
       ++done_.attachments;
     }
     return std::nullopt;
@@ -211,13 +203,8 @@ class Merge {
 
   Written done() const {
     Written done = done_;
-    for (const SourcePtr& source : sources_) {
-      if (robot::recorded::isInterrupted(*source))
-        done.losses.push_back(robot::recorded::interruptionOf(source->summary()));
-      for (const recording::Note& note : source->summary().notes) {
-        if (robot::recorded::isLoss(note.code)) done.losses.push_back(robot::recorded::reasonOf(note));
-      }
-    }
+    for (const SourcePtr& source : sources_)
+      addLosses(done.losses, *source, robot::recorded::isInterrupted(*source));
     return done;
   }
 
@@ -242,22 +229,17 @@ class Merge {
             !once.isNew(of, {numbers_.of(message.channel), wasSaidBefore(*message.channel),
                              message.publish_time_ns, digestOf(message.bytes.data(), message.bytes.size())}))
           continue;
-        if (auto fault = write(message)) return fault;
+        ++done_.messages;
+        if (auto fault = file_.write(*message.channel, {at_ns, message.publish_time_ns, message.sequence},
+                                     message.bytes))
+          return fault;
       }
     }
     return std::nullopt;
   }
 
-  std::optional<disk::FileError> write(const recording::Message& message) {
-    const auto id = writer_.addChannel(*message.channel);
-    if (!id) return disk::systemError(message.channel->topic, ENOSPC);
-    ++done_.messages;
-    return writer_.write(*id, {message.log_time_ns, message.publish_time_ns, message.sequence},
-                         message.bytes);
-  }
-
   const std::vector<SourcePtr>& sources_;
-  recording::McapWriter& writer_;
+  WholeMcap& file_;
   ChannelNumbers numbers_;
   SaidBefore before_;
   Written done_;
@@ -280,20 +262,17 @@ tl::expected<Written, Fault> mergeRecordings(const std::vector<std::string>& pat
   for (const SourcePtr& source : sources) {
     if (source->summary().profile != profile) profile.clear();
   }
-  auto made = std::make_unique<WholeTarget>(order.path);
-  WholeTarget& target = *made;
-  auto writer = recording::McapWriter::create(std::move(made), wholeFileOptions(profile));
-  if (!writer) return tl::make_unexpected(disk::notWritten(writer.error()));
+  auto file = WholeMcap::create(order.path, std::move(profile));
+  if (!file) return tl::make_unexpected(disk::notWritten(file.error()));
   recording::Query query;
   if (order.span.from_s) query.first_ns = firstNanosecondsOf(*order.span.from_s);
   if (order.span.to_s) query.last_ns = lastNanosecondsOf(*order.span.to_s);
   query.topics = order.topics;
-  Merge merge(sources, **writer);
+  Merge merge(sources, *file);
   std::optional<disk::FileError> fault = merge.describe();
   if (!fault) fault = merge.copy(query);
   if (!fault) fault = merge.attach();
-  if (!fault) fault = (*writer)->close();
-  if (!fault) fault = target.place();
+  if (!fault) fault = file->finish();
   if (fault) return tl::make_unexpected(disk::notWritten(*fault));
   return merge.done();
 }

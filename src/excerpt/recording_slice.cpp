@@ -1,7 +1,6 @@
 #include "excerpt/recording_slice.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <limits>
 #include <map>
 #include <memory>
@@ -9,12 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "disk/file_error.h"
 #include "excerpt/whole_target.h"
-#include "recording/mcap_writer.h"
-#include "recording/source.h"
-#include "robot/recorded/interruption.h"
-#include "robot/recorded/recording_reasons.h"
+#include "recorder/layout.h"
 
 namespace mapwright::excerpt {
 namespace {
@@ -29,14 +24,14 @@ using Done = tl::expected<void, Fault>;
 
 class Slice {
  public:
-  Slice(recording::Source& source, recording::McapWriter& writer, const GoesOn& goes_on)
-      : source_(source), writer_(writer), goes_on_(goes_on) {}
+  Slice(recording::Source& source, WholeMcap& file, const GoesOn& goes_on)
+      : source_(source), file_(file), goes_on_(goes_on) {}
 
   bool ended() const { return ended_; }
 
   Done describe() {
     for (const recording::Metadata& metadata : source_.metadata()) {
-      if (auto done = checked(writer_.note(metadata)); !done) return done;
+      if (auto done = checked(file_.writer().note(metadata)); !done) return done;
     }
     return {};
   }
@@ -64,7 +59,7 @@ class Slice {
                      [](const Message& a, const Message& b) { return a.log_time_ns < b.log_time_ns; });
     for (const Message& message : more) {
       recording::Channel channel = *message.channel;
-      channel.metadata["said"] = "before";
+      channel.metadata[recorder::kSaid] = recorder::kBefore;
       if (auto done = write(channel, from_ns, 0, message); !done) return done;
     }
     done_.said_before = std::int64_t(more.size());
@@ -99,7 +94,7 @@ class Slice {
       if (place.log_time_ns > to_ns && first_of.at(place.name) != &place) continue;
       const auto attachment = source_.attachment(place);
       if (!attachment) continue;  // it is damaged, and useless there
-      if (auto done = checked(writer_.attach(*attachment)); !done) return done;
+      if (auto done = checked(file_.writer().attach(*attachment)); !done) return done;
       ++done_.attachments;
     }
     return {};
@@ -111,16 +106,13 @@ class Slice {
     cut_short_ = robot::recorded::isInterrupted(source_) && to_ns >= last_ns;
     if (ended_ || !robot::recorded::isInterrupted(source_)) return {};
     if (cut_short_)
-      return repair ? checked(writer_.note(robot::recorded::repairMark(source_.summary()))) : Done();
-    return checked(writer_.note({"mapwright.end", {{"ended_ns", std::to_string(to_ns)}}}));
+      return repair ? checked(file_.writer().note(robot::recorded::repairMark(source_.summary()))) : Done();
+    return checked(file_.writer().note({recorder::kEnd, {{"ended_ns", std::to_string(to_ns)}}}));
   }
 
   Written done() const {
     Written done = done_;
-    if (cut_short_) done.losses.push_back(robot::recorded::interruptionOf(source_.summary()));
-    for (const recording::Note& note : source_.summary().notes) {
-      if (robot::recorded::isLoss(note.code)) done.losses.push_back(robot::recorded::reasonOf(note));
-    }
+    addLosses(done.losses, source_, cut_short_);
     return done;
   }
 
@@ -135,13 +127,11 @@ class Slice {
   }
   Done write(const recording::Channel& channel, std::int64_t log_ns, std::uint32_t sequence,
              const Message& message) {
-    const auto id = writer_.addChannel(channel);
-    if (!id) return checked(disk::systemError(channel.topic, ENOSPC));
-    return checked(writer_.write(*id, {log_ns, message.publish_time_ns, sequence}, message.bytes));
+    return checked(file_.write(channel, {log_ns, message.publish_time_ns, sequence}, message.bytes));
   }
 
   recording::Source& source_;
-  recording::McapWriter& writer_;
+  WholeMcap& file_;
   const GoesOn& goes_on_;
   Written done_;
   bool ended_ = false, cut_short_ = false;
@@ -153,32 +143,23 @@ tl::expected<std::optional<Written>, Fault> sliceRecording(const std::string& pa
                                                            const GoesOn& goes_on) {
   auto source = recording::openRecording(path);
   if (!source) return tl::make_unexpected(robot::recorded::reasonOf(source.error()));
-  auto made = std::make_unique<WholeTarget>(order.path);
-  WholeTarget& target = *made;
-  auto writer =
-      recording::McapWriter::create(std::move(made), wholeFileOptions((*source)->summary().profile));
-  if (!writer) return tl::make_unexpected(disk::notWritten(writer.error()));
+  auto file = WholeMcap::create(order.path, (*source)->summary().profile);
+  if (!file) return tl::make_unexpected(disk::notWritten(file.error()));
 
   const std::int64_t from_ns =
       order.first_ns.value_or(order.span.from_s ? firstNanosecondsOf(*order.span.from_s) : 0);
   const std::int64_t to_ns =
       order.last_ns.value_or(order.span.to_s ? lastNanosecondsOf(*order.span.to_s) : kEver);
   const std::vector<std::string>& topics = order.topics;
-  Slice slice(**source, **writer, goes_on);
+  Slice slice(**source, *file, goes_on);
   const Done done = slice.describe()
                         .and_then([&] { return slice.sayBefore(from_ns, topics); })
                         .and_then([&] { return slice.copy(from_ns, to_ns, topics); })
                         .and_then([&] { return slice.attach(to_ns); })
-                        .and_then([&] { return slice.markEnd(to_ns, order.repair); })
-                        .and_then([&]() -> Done {
-                          if (slice.ended()) return {};
-                          auto fault = (*writer)->close();
-                          if (!fault) fault = target.place();
-                          if (fault) return tl::make_unexpected(disk::notWritten(*fault));
-                          return {};
-                        });
+                        .and_then([&] { return slice.markEnd(to_ns, order.repair); });
   if (!done) return tl::make_unexpected(done.error());
   if (slice.ended()) return std::nullopt;
+  if (const auto fault = file->finish()) return tl::make_unexpected(disk::notWritten(*fault));
   return slice.done();
 }
 

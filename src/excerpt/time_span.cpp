@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "recording/seconds.h"
+#include "recording/message.h"
 
 namespace mapwright::excerpt {
 namespace {

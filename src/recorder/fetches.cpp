@@ -24,18 +24,83 @@ const char* mediaTypeOf(std::string_view picture) {
 
 }  // namespace
 
-Fetches::Fetches(robot::Robot& robot, SubmapWishes::Which submaps, Keep keep,
+void SubmapRequests::take(const map::SubmapList& list, std::int64_t now_ns) {
+  if (which_ == Which::None) return;
+  if (list.uuid != uuid_) {
+    uuid_ = list.uuid;
+    rows_.clear();
+    due_.clear();
+    asked_ = 0;
+  }
+  for (const map::SubmapEntry& entry : list.entries) {
+    Row& row = rows_[entry.id];
+    if (row.listed != entry.version) row.tries = 0;
+    row.listed = entry.version;
+    judge(entry.id, row, now_ns);
+  }
+}
+
+void SubmapRequests::judge(map::SubmapId id, const Row& row, std::int64_t now_ns) {
+  const bool newer = row.had == 0 || row.listed > row.had;
+  if (newer && !row.asked && row.tries < kTries && now_ns >= row.not_before_ns) due_.insert(id);
+}
+
+std::vector<map::SubmapKey> SubmapRequests::next() {
+  std::vector<map::SubmapKey> keys;
+  while (!due_.empty() && asked_ < kAtOnce) {
+    const map::SubmapId id = *due_.begin();
+    due_.erase(due_.begin());
+    Row& row = rows_[id];
+    row.asked = true;
+    ++asked_;
+    keys.push_back({uuid_, id, row.listed});
+  }
+  return keys;
+}
+
+void SubmapRequests::answered(const map::SubmapKey& key, map::SubmapAnswer::Outcome outcome,
+                              std::int64_t now_ns) {
+  using Outcome = map::SubmapAnswer::Outcome;
+  const auto found = rows_.find(key.id);
+  if (key.uuid != uuid_ || found == rows_.end() || !found->second.asked) return;
+  Row& row = found->second;
+  row.asked = false;
+  --asked_;
+  if (outcome == Outcome::Ok) {
+    row.had = std::max(key.version, 1);
+    row.tries = 0;
+    row.not_before_ns = which_ == Which::All ? now_ns : now_ns + kAgainNs;
+  } else if (outcome == Outcome::NotFound) {
+    if (row.listed == key.version) row.tries = kTries;
+  } else {
+    ++row.tries;
+    row.not_before_ns = now_ns + kRetryNs;
+  }
+  judge(key.id, row, now_ns);
+}
+
+void SubmapRequests::look(std::int64_t now_ns) {
+  for (const auto& [id, row] : rows_) judge(id, row, now_ns);
+}
+
+std::size_t SubmapRequests::missing() const {
+  std::size_t count = 0;
+  for (const auto& [id, row] : rows_) count += row.had == 0;
+  return count;
+}
+
+Fetches::Fetches(robot::Robot& robot, SubmapRequests::Which submaps, Keep keep,
                  std::function<std::int64_t()> now_ns)
-    : robot_(&robot), wishes_(submaps), keep_(std::move(keep)), now_ns_(std::move(now_ns)) {
+    : robot_(&robot), submaps_(submaps), keep_(std::move(keep)), now_ns_(std::move(now_ns)) {
   connect(&robot, &robot::Robot::topicReceived, this, &Fetches::takeTopic);
   connect(&robot, &robot::Robot::mapsChanged, this, &Fetches::askMaps);
   connect(&robot, &robot::Robot::capabilitiesChanged, this, &Fetches::askMaps);
   connect(&robot, &robot::Robot::connectionChanged, this, &Fetches::askMaps);
   connect(&look_, &QTimer::timeout, this, [this] {
-    wishes_.look(now_ns_());
+    submaps_.look(now_ns_());
     pump();
   });
-  if (submaps != SubmapWishes::Which::None) look_.start(kLookEveryMs);
+  if (submaps != SubmapRequests::Which::None) look_.start(kLookEveryMs);
   askMaps();
 }
 
@@ -53,20 +118,20 @@ void Fetches::takeTopic(const map::StampedMessage& stamped) {
 }
 
 void Fetches::takeList(const map::SubmapList& list) {
-  wishes_.take(list, now_ns_());
+  submaps_.take(list, now_ns_());
   pump();
 }
 
 void Fetches::pump() {
   robot::SubmapSource* const source = robot_ ? robot_->submapSource() : nullptr;
   if (!source) return;
-  for (const map::SubmapKey& key : wishes_.next()) {
+  for (const map::SubmapKey& key : submaps_.next()) {
     const quint64 number = ++last_call_;
     calls_[number] =
         source->fetch(key, [self = QPointer<Fetches>(this), number](const map::SubmapAnswer& answer) {
           if (!self) return;
           self->calls_.erase(number);
-          self->wishes_.answered(answer.key, answer.outcome, self->now_ns_());
+          self->submaps_.answered(answer.key, answer.outcome, self->now_ns_());
           self->pump();
         });
   }

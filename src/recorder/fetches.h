@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,17 +16,58 @@
 #include <QPointer>
 #include <QTimer>
 
-#include "recorder/submap_wishes.h"
+#include "map/submap.h"
 #include "robot/robot.h"
 
 namespace mapwright::recorder {
+
+/// Which submaps a recording requests. Pure; time is passed in.
+class SubmapRequests {
+ public:
+  enum class Which : std::uint8_t {
+    None,
+    Listed,  // each listed one, and changed ones at most every kAgainNs
+    All,     // every listed version, as fast as the robot can deliver
+  };
+  static constexpr std::int64_t kAgainNs = 30'000'000'000;
+  static constexpr std::int64_t kRetryNs = 2'000'000'000;
+  static constexpr int kTries = 5;  // for each version
+  static constexpr std::size_t kAtOnce = 4;
+
+  explicit SubmapRequests(Which which) : which_(which) {}
+
+  void take(const map::SubmapList& list, std::int64_t now_ns);
+  /// What to request now; it counts as requested until it is answered.
+  std::vector<map::SubmapKey> next();
+  void answered(const map::SubmapKey& key, map::SubmapAnswer::Outcome outcome, std::int64_t now_ns);
+  /// Checks what has become due.
+  void look(std::int64_t now_ns);
+  /// How many listed ones were never received.
+  std::size_t missing() const;
+
+ private:
+  struct Row {
+    std::int32_t listed = 0, had = 0;  // versions; had 0: none
+    std::int64_t not_before_ns = 0;
+    int tries = 0;  // for the version `listed`
+    bool asked = false;
+  };
+  void judge(map::SubmapId id, const Row& row, std::int64_t now_ns);
+
+  Which which_;
+  std::string uuid_;
+  std::map<map::SubmapId, Row> rows_;
+  std::set<map::SubmapId> due_;
+  std::size_t asked_ = 0;
+};
 
 class Fetches : public QObject {
   Q_OBJECT
  public:
   /// Receives attachments; the bodies of submaps come through the robot's tap.
   using Keep = std::function<void(std::string name, std::string media_type, std::string_view bytes)>;
-  Fetches(robot::Robot& robot, SubmapWishes::Which submaps, Keep keep, std::function<std::int64_t()> now_ns);
+  Fetches(robot::Robot& robot, SubmapRequests::Which submaps, Keep keep,
+          std::function<std::int64_t()> now_ns);
   ~Fetches() override;
 
   /// Adds a map that the user has opened to the recording, like the robot's current one, again whenever it
@@ -33,7 +75,7 @@ class Fetches : public QObject {
   void wantMap(const map::MapKey& key);
   /// The submaps listed before the recording began.
   void takeList(const map::SubmapList& list);
-  std::size_t submapsMissing() const { return wishes_.missing(); }
+  std::size_t submapsMissing() const { return submaps_.missing(); }
 
  Q_SIGNALS:
   /// Something could not be loaded for the recording.
@@ -49,7 +91,7 @@ class Fetches : public QObject {
   void askPlaces(const map::MapKey& key, std::vector<map::OverlayFeature> overlays);
 
   QPointer<robot::Robot> robot_;
-  SubmapWishes wishes_;
+  SubmapRequests submaps_;
   Keep keep_;
   std::function<std::int64_t()> now_ns_;
   QTimer look_;

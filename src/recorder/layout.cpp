@@ -28,18 +28,14 @@ std::string decoded(std::string_view id) {
   return QByteArray::fromPercentEncoding(QByteArray(id.data(), qsizetype(id.size()))).toStdString();
 }
 
-struct KindWord {
-  map::MapKind kind;
-  std::string_view word;
-};
-constexpr KindWord kKinds[] = {{map::MapKind::Live, "live"},
-                               {map::MapKind::Stored, "stored"},
-                               {map::MapKind::Mapping, "mapping"},
-                               {map::MapKind::File, "file"}};
+constexpr std::pair<map::MapKind, std::string_view> kKinds[] = {{map::MapKind::Live, "live"},
+                                                                {map::MapKind::Stored, "stored"},
+                                                                {map::MapKind::Mapping, "mapping"},
+                                                                {map::MapKind::File, "file"}};
 
 std::string_view wordOf(map::MapKind kind) {
-  for (const KindWord& one : kKinds) {
-    if (one.kind == kind) return one.word;
+  for (const auto& [known, word] : kKinds) {
+    if (known == kind) return word;
   }
   return "stored";
 }
@@ -82,17 +78,11 @@ QJsonObject keyed(const map::MapKey& key) {
 }
 
 QString modeOf(map::CellReading::Mode mode) {
-  switch (mode) {
-    case map::CellReading::Mode::Trinary:
-      return QStringLiteral("trinary");
-    case map::CellReading::Mode::Scale:
-      return QStringLiteral("scale");
-    case map::CellReading::Mode::Raw:
-      return QStringLiteral("raw");
-    case map::CellReading::Mode::Picture:
-      break;
-  }
-  return QStringLiteral("picture");
+  using Mode = map::CellReading::Mode;
+  return mode == Mode::Trinary ? QStringLiteral("trinary")
+         : mode == Mode::Scale ? QStringLiteral("scale")
+         : mode == Mode::Raw   ? QStringLiteral("raw")
+                               : QStringLiteral("picture");
 }
 
 QString shapeOf(map::OverlayShape shape) {
@@ -158,8 +148,8 @@ std::optional<map::MapKey> mapFrom(std::string_view name) {
   if (!name.starts_with(kMaps) || name.ends_with(kFacts)) return std::nullopt;
   std::string_view rest = name.substr(kMaps.size());
   const std::string_view word = nextPart(rest);
-  for (const KindWord& one : kKinds) {
-    if (one.word == word && !rest.empty()) return map::MapKey{one.kind, decoded(rest)};
+  for (const auto& [kind, known] : kKinds) {
+    if (known == word && !rest.empty()) return map::MapKey{kind, decoded(rest)};
   }
   return std::nullopt;
 }

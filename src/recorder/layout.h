@@ -81,6 +81,7 @@ namespace mapwright::recorder {
 inline constexpr int kVersion = 2;
 inline constexpr const char* kAbout = "mapwright";
 inline constexpr const char* kEnd = "mapwright.end";
+inline constexpr const char* kRepaired = "mapwright.repaired";
 inline constexpr const char* kLink = "mapwright.link";
 inline constexpr const char* kSaid = "said";  // channel metadata
 inline constexpr const char* kBefore = "before";
@@ -88,7 +89,6 @@ inline constexpr const char* kAxbotAnswer = "/axbot/answer";
 inline constexpr const char* kAxbotBinary = "/axbot/binary";
 inline constexpr const char* kAxbotBinarySchema = "mapwright.axbot.BinaryFrame";
 inline constexpr const char* kPlainJson = "mapwright.Message";
-inline constexpr const char* kAimdkTopics = "/aimdk/";
 
 /// "submaps/UUID/TRAJECTORY/INDEX/VERSION".
 std::string submapName(const map::SubmapKey& key);

@@ -116,18 +116,22 @@ void Recorder::begin() {
 void Recorder::tell() {
   if (!robot_) return;
   const robot::RobotIdentity identity = robot_->identity();
+  putWords(kAbout, {{"version", std::to_string(kVersion)},
+                    {"address", robot_->address().toStdString()},
+                    {"kind", options_.kind},
+                    {"model", identity.model.toStdString()},
+                    {"serial", identity.serial.toStdString()},
+                    {"name", identity.name.toStdString()},
+                    {"firmware", identity.version.toStdString()},
+                    {"recorded_by", options_.recorded_by},
+                    {"started_ns", std::to_string(started_ns_)}});
+}
+
+void Recorder::putWords(const char* name, recording::Words words) {
   Entry entry;
   entry.kind = Entry::Kind::Words;
-  entry.name = kAbout;
-  entry.words["version"] = std::to_string(kVersion);
-  entry.words["address"] = robot_->address().toStdString();
-  entry.words["kind"] = options_.kind;
-  entry.words["model"] = identity.model.toStdString();
-  entry.words["serial"] = identity.serial.toStdString();
-  entry.words["name"] = identity.name.toStdString();
-  entry.words["firmware"] = identity.version.toStdString();
-  entry.words["recorded_by"] = options_.recorded_by;
-  entry.words["started_ns"] = std::to_string(started_ns_);
+  entry.name = name;
+  entry.words = std::move(words);
   queue_->put(std::move(entry), {});
 }
 
@@ -137,13 +141,10 @@ void Recorder::takeLink() {
   was_online_ |= online;
   if (!was_online_ || online == !lost_ns_) return;
   const std::int64_t now_ns = options_.now_ns();
-  Entry entry;
-  entry.kind = Entry::Kind::Words;
-  entry.name = kLink;
-  entry.words["lost_ns"] = std::to_string(lost_ns_.value_or(now_ns));
-  if (online) entry.words["back_ns"] = std::to_string(now_ns);
+  recording::Words words{{"lost_ns", std::to_string(lost_ns_.value_or(now_ns))}};
+  if (online) words["back_ns"] = std::to_string(now_ns);
   lost_ns_ = online ? std::nullopt : std::optional(now_ns);
-  queue_->put(std::move(entry), {});
+  putWords(kLink, std::move(words));
 }
 
 void Recorder::run() {

@@ -17,9 +17,7 @@
 #include <QTimer>
 #include <tl/expected.hpp>
 
-#include "recorder/entry_queue.h"
 #include "recorder/fetches.h"
-#include "recorder/submap_wishes.h"
 #include "recorder/tape.h"
 #include "recording/append_file.h"
 #include "recording/mcap_writer.h"
@@ -36,7 +34,7 @@ class Recorder : public QObject {
   struct Options {
     std::string kind;                       // of the robot: the scheme of its address, "axbot"
     std::string recorded_by = "mapwright";  // with its version
-    SubmapWishes::Which submaps = SubmapWishes::Which::Listed;
+    SubmapRequests::Which submaps = SubmapRequests::Which::Listed;
     std::size_t most_waiting_bytes = std::size_t(256) << 20;  // waiting to be written
     recording::WriterOptions writer;
     std::function<std::int64_t()> now_ns;  // since 1970, on any thread; null = the system's clock
@@ -74,6 +72,7 @@ class Recorder : public QObject {
   Recorder(robot::Robot& robot, std::unique_ptr<recording::McapWriter> writer, Options options);
   void begin();
   void tell();
+  void putWords(const char* name, recording::Words words);
   /// Records when the connection was lost and restored.
   void takeLink();
   void run();

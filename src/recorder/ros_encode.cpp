@@ -1,12 +1,11 @@
 #include "recorder/ros_encode.h"
 
-#include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,18 +24,15 @@ using recording::RosType;
 constexpr std::size_t kMost = std::size_t(512) << 20;
 constexpr std::size_t kEncapsulation = 4;
 
-bool isFloat(RosKind kind) { return kind == RosKind::Float32 || kind == RosKind::Float64; }
-
-bool isUnsigned(RosKind kind) {
-  return kind == RosKind::Uint8 || kind == RosKind::Uint16 || kind == RosKind::Uint32 ||
-         kind == RosKind::Uint64;
-}
-
 bool lieTheSame(RosKind kind, const CborNumbers& numbers) {
   using Of = CborNumbers::Of;
-  const Of of = isFloat(kind) ? Of::Float : isUnsigned(kind) ? Of::Unsigned : Of::Signed;
-  const bool swapped = numbers.big_endian && numbers.width > 1;
-  return kind != RosKind::Flag && numbers.of == of && numbers.width == recording::sizeOf(kind) && !swapped;
+  bool same = false;
+  recording::visitNumber(kind, [&]<typename T>(T) {
+    const Of of = std::is_floating_point_v<T> ? Of::Float : std::is_signed_v<T> ? Of::Signed : Of::Unsigned;
+    const bool swapped = numbers.big_endian && numbers.width > 1;
+    same = !std::is_same_v<T, bool> && numbers.of == of && numbers.width == sizeof(T) && !swapped;
+  });
+  return same;
 }
 
 class Encoder {
@@ -122,65 +118,38 @@ class Encoder {
   }
 
   bool one(const RosField& field, const Field& value) {
+    bool fine = false;
+    if (recording::visitNumber(field.kind, [&]<typename T>(T) { fine = number<T>(value); })) return fine;
     switch (field.kind) {
-      case RosKind::Flag: {
-        const std::optional<bool> flag = value.flag();
-        if (flag) put(std::uint8_t(*flag));
-        return flag.has_value();
-      }
-      case RosKind::Int8:
-        return whole<std::int8_t>(value);
-      case RosKind::Uint8:
-        return whole<std::uint8_t>(value);
-      case RosKind::Int16:
-        return whole<std::int16_t>(value);
-      case RosKind::Uint16:
-        return whole<std::uint16_t>(value);
-      case RosKind::Int32:
-        return whole<std::int32_t>(value);
-      case RosKind::Uint32:
-        return whole<std::uint32_t>(value);
-      case RosKind::Int64:
-        return whole<std::int64_t>(value);
-      case RosKind::Uint64:
-        return natural(value);
-      case RosKind::Float32:
-        return real<float>(value);
-      case RosKind::Float64:
-        return real<double>(value);
       case RosKind::Text:
         return text(value);
       case RosKind::Time:
         return time<std::uint32_t>(value);
       case RosKind::Duration:
         return time<std::int32_t>(value);
-      case RosKind::WideText:  // there is no agreement on its character width
-        return false;
       case RosKind::Nested:
         return object(field.type, value);
+      default:  // WideText: there is no agreement on its character width
+        return false;
     }
-    return false;
   }
 
   template <typename T>
-  bool whole(const Field& value) {
-    const std::optional<std::int64_t> number = value.isNumber() ? value.integer() : std::nullopt;
-    if (!number || !std::in_range<T>(*number)) return false;
-    put(T(*number));
-    return true;
-  }
-
-  bool natural(const Field& value) {
-    const std::optional<std::uint64_t> number = value.isNumber() ? value.natural() : std::nullopt;
-    if (number) put(*number);
-    return number.has_value();
-  }
-
-  template <typename T>
-  bool real(const Field& value) {
-    const std::optional<double> number = value.real();
-    if (number) put(T(*number));
-    return number.has_value();
+  bool number(const Field& value) {
+    const auto putIf = [&](const auto& read) {
+      if (read) put(T(*read));
+      return read.has_value();
+    };
+    if constexpr (std::is_same_v<T, bool>) {
+      return putIf(value.flag());
+    } else if constexpr (std::is_floating_point_v<T>) {
+      return putIf(value.real());
+    } else if constexpr (std::is_same_v<T, std::uint64_t>) {
+      return value.isNumber() && putIf(value.natural());
+    } else {
+      const std::optional<std::int64_t> whole = value.isNumber() ? value.integer() : std::nullopt;
+      return whole && std::in_range<T>(*whole) && putIf(whole);
+    }
   }
 
   bool text(const Field& value) {
@@ -195,8 +164,7 @@ class Encoder {
   template <typename T>
   bool time(const Field& value) {
     for (const auto& [seconds, nanoseconds] : {std::pair("secs", "nsecs"), std::pair("sec", "nanosec")}) {
-      if (const Field whole = value[seconds])
-        return this->whole<T>(whole) && this->whole<T>(value[nanoseconds]);
+      if (const Field whole = value[seconds]) return number<T>(whole) && number<T>(value[nanoseconds]);
     }
     return false;
   }
@@ -211,9 +179,7 @@ class Encoder {
   void put(T value) {
     static_assert(std::endian::native == std::endian::little);
     align(sizeof(T));
-    std::array<char, sizeof(T)> raw;
-    std::memcpy(raw.data(), &value, sizeof(T));
-    out_.append(raw.data(), raw.size());
+    out_.append(reinterpret_cast<const char*>(&value), sizeof(T));
   }
 
   const RosSchema& schema_;

@@ -1,4 +1,4 @@
-// Serialises ROS messages from a rosbridge server as ROS itself does: the reverse of recording/ros_decode.h.
+// Serialises ROS messages from a rosbridge server as ROS itself does: the reverse of recording/ros_cbor.h.
 // Pure; any thread. Sources: as there.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "net/rosbridge/field.h"
-#include "recording/ros_decode.h"
+#include "recording/ros_cbor.h"
 #include "recording/ros_schema.h"
 
 namespace mapwright::recorder {

@@ -2,20 +2,144 @@
 
 #include <functional>
 #include <span>
-#include <utility>
 
+#include <QByteArray>
+
+#include "net/rosbridge/frame.h"
 #include "recorder/layout.h"
+#include "recorder/ros_encode.h"
 
 namespace mapwright::recorder {
 namespace {
 
+constexpr std::size_t kOverhead = 256;  // memory of an entry besides its bytes
 constexpr std::int64_t kTryAgainNs = 1'000'000'000;
 
 std::pair<std::size_t, std::size_t> contentOf(const Entry& entry) {
   return {entry.bytes.size(), std::hash<std::string>()(entry.bytes)};
 }
 
+using net::rosbridge::Frame;
+
+constexpr const char* kAnyObject = R"({"type":"object"})";
+
+QByteArray bytesOf(const std::string& text) { return {text.data(), qsizetype(text.size())}; }
+
+std::shared_ptr<const Frame> frameOf(const Entry& message, const std::string& bytes) {
+  return Frame::read(bytesOf(bytes), message.encoding == "cbor" ? Frame::Wire::Binary : Frame::Wire::Text);
+}
+
+bool isText(const Entry& message) { return message.encoding == "json" || message.encoding == "cbor"; }
+
 }  // namespace
+
+bool EntryQueue::put(Entry entry, std::string_view bytes) {
+  const std::size_t size = bytes.size() + kOverhead;
+  {
+    const std::lock_guard lock(mutex_);
+    if (closed_) return false;
+    if (entry.kind == Entry::Kind::Message && !entry.before) entry.sequence = ++sequences_[entry.name];
+    if (entry.kind == Entry::Kind::Message && entry.before) said_before_.insert(entry.name);
+    // One that exceeds the limit is accepted if it is alone.
+    if (held_bytes_ > 0 && held_bytes_ + size > most_bytes_) {
+      ++lost_.entries;
+      lost_.bytes += bytes.size();
+      return false;
+    }
+    held_bytes_ += size;
+    ++being_put_;
+  }
+  entry.bytes.assign(bytes);
+  {
+    const std::lock_guard lock(mutex_);
+    --being_put_;
+    entries_.push_back(std::move(entry));
+  }
+  came_.notify_one();
+  return true;
+}
+
+bool EntryQueue::heard(const std::string& topic) const {
+  const std::lock_guard lock(mutex_);
+  return sequences_.contains(topic) || said_before_.contains(topic);
+}
+
+std::vector<Entry> EntryQueue::take(std::chrono::milliseconds at_most) {
+  std::unique_lock lock(mutex_);
+  came_.wait_for(lock, at_most, [this] { return !entries_.empty() || (closed_ && being_put_ == 0); });
+  for (const Entry& entry : entries_) held_bytes_ -= entry.bytes.size() + kOverhead;
+  return std::exchange(entries_, {});
+}
+
+void EntryQueue::close() {
+  const std::lock_guard lock(mutex_);
+  closed_ = true;
+  came_.notify_one();
+}
+
+bool EntryQueue::over() const {
+  const std::lock_guard lock(mutex_);
+  return closed_ && entries_.empty() && being_put_ == 0;
+}
+
+EntryQueue::Losses EntryQueue::lost() const {
+  const std::lock_guard lock(mutex_);
+  return lost_;
+}
+
+bool MessageForms::ready(const Entry& message) const {
+  return message.schema.empty() || definitions_.contains(message.schema);
+}
+
+void MessageForms::define(const Entry& definition) {
+  Definition known;
+  if (!definition.bytes.empty()) {
+    known.encoding = definition.encoding;
+    known.text = definition.bytes;
+    if (const auto dialect = recording::rosDialect(known.encoding)) {
+      auto schema = recording::parseRosSchema(definition.name, known.text, *dialect);
+      if (schema) known.ros = std::move(*schema);
+    }
+  }
+  Definition& held = definitions_[definition.name];
+  if (held.encoding.empty()) held = std::move(known);
+}
+
+void MessageForms::giveUp(const std::string& type) { definitions_.try_emplace(type); }
+
+MessageForms::Formed MessageForms::formed(const Entry& message, std::string bytes) const {
+  const auto found = definitions_.find(message.schema);
+  if (found == definitions_.end() || found->second.encoding.empty()) return asJson(message, std::move(bytes));
+  const Definition& definition = found->second;
+  Formed formed{message.encoding, message.schema, definition.encoding, definition.text, {}};
+  if (message.encoding == definition.encoding) {  // "protobuf"
+    formed.bytes = std::move(bytes);
+    return formed;
+  }
+  if (!definition.ros || !isText(message)) return asJson(message, std::move(bytes));
+  const bool ros2 = recording::rosDialect(definition.encoding) == recording::RosDialect::Ros2;
+  const auto frame = frameOf(message, bytes);
+  auto encoded =
+      encodeRos(*definition.ros, ros2 ? recording::RosWire::Cdr : recording::RosWire::Ros1, frame->root());
+  // A message that does not match its definition is written as received.
+  if (!encoded) return asJson(message, std::move(bytes));
+  formed.encoding = ros2 ? "cdr" : "ros1";
+  formed.bytes = std::move(*encoded);
+  return formed;
+}
+
+MessageForms::Formed MessageForms::asJson(const Entry& message, std::string bytes) {
+  Formed formed{"json", message.schema.empty() ? kPlainJson : message.schema, "jsonschema", kAnyObject, {}};
+  if (message.encoding == "json") {
+    formed.bytes = std::move(bytes);
+  } else if (message.encoding == "cbor") {
+    formed.bytes = frameOf(message, bytes)->root().toWholeJson().toStdString();
+  } else {
+    formed.schema_name = kAxbotBinarySchema;
+    formed.bytes = "{\"base64\":\"" + bytesOf(bytes).toBase64().toStdString() + "\"}";
+  }
+  return formed;
+}
 
 void Tape::write(Entry entry) {
   if (entry.kind == Entry::Kind::Definition) {

@@ -1,21 +1,105 @@
-// A recording being written: turns entries into channels, messages and attachments (layout.h). Pure except
-// for its target; time is passed in. One thread.
+// A recording being written: a queue of entries, the form in which others can read them, and the tape, which
+// turns them into channels, messages and attachments (layout.h). Pure except for the target; time is passed
+// in.
 #pragma once
 
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
-#include "recorder/entry_queue.h"
-#include "recorder/message_forms.h"
 #include "recording/mcap_writer.h"
+#include "recording/message.h"
+#include "recording/ros_schema.h"
 
 namespace mapwright::recorder {
+
+/// A message, an attachment, metadata, or a message definition.
+struct Entry {
+  enum class Kind : std::uint8_t { Message, File, Words, Definition };
+  Kind kind = Kind::Message;
+  std::string name;              // topic; or name of an attachment, metadata or type
+  std::string encoding, schema;  // of a message; for an attachment `encoding` is its media type
+  bool before = false;           // sent before the recording began
+  std::int64_t log_ns = 0, publish_ns = 0;
+  std::uint32_t sequence = 0;  // set by the queue
+  std::string bytes;
+  recording::Words words;
+};
+
+/// Thread-safe. Bounded: producers never wait for the disk; entries without space are lost and counted.
+class EntryQueue {
+ public:
+  explicit EntryQueue(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+
+  /// `bytes` become those of the entry. False: full or closed.
+  bool put(Entry entry, std::string_view bytes);
+  /// All entries, in order; waits up to `at_most` for the first. Empty: nothing came, or it is closed.
+  std::vector<Entry> take(std::chrono::milliseconds at_most);
+  /// Nothing more is taken in.
+  void close();
+  /// Closed and empty.
+  bool over() const;
+
+  /// Whether a message of this topic has arrived, including lost ones.
+  bool heard(const std::string& topic) const;
+
+  struct Losses {
+    std::uint64_t entries = 0, bytes = 0;
+  };
+  Losses lost() const;
+
+ private:
+  std::size_t most_bytes_;
+  mutable std::mutex mutex_;
+  std::condition_variable came_;
+  std::vector<Entry> entries_;
+  std::size_t held_bytes_ = 0;
+  int being_put_ = 0;  // space is reserved, they are being copied
+  bool closed_ = false;
+  Losses lost_;
+  std::unordered_map<std::string, std::uint32_t> sequences_;  // by topic
+  std::unordered_set<std::string> said_before_;               // topics
+};
+
+/// The format of recorded messages, so that other programs can read them: by their type definition, or as
+/// JSON if there is none (layout.h). One thread.
+class MessageForms {
+ public:
+  /// Whether it can be written: its type is defined, never will be, or does not matter.
+  bool ready(const Entry& message) const;
+  /// A definition (robot::Delivery::Kind::Definition) of type `name` for `encoding`. Empty bytes: not
+  /// available. The first valid one counts: messages that do not match it are written as received.
+  void define(const Entry& definition);
+  /// Stop waiting for the definition. If it still comes it is used from then on.
+  void giveUp(const std::string& type);
+
+  /// The message with content `bytes` in its final form, and the encodings and schema of its channel.
+  struct Formed {
+    std::string encoding, schema_name, schema_encoding, schema_data;
+    std::string bytes;
+  };
+  Formed formed(const Entry& message, std::string bytes) const;
+
+ private:
+  struct Definition {
+    std::string encoding, text;               // empty: not available
+    std::optional<recording::RosSchema> ros;  // for ROS types, if it can be parsed
+  };
+  static Formed asJson(const Entry& message, std::string bytes);
+  std::map<std::string, Definition> definitions_;  // by type
+};
 
 struct Written {
   std::uint64_t bytes = 0;     // in the file
@@ -26,6 +110,7 @@ struct Written {
   std::optional<disk::FileError> fault;  // why the disk accepts nothing now
 };
 
+/// One thread.
 class Tape {
  public:
   explicit Tape(std::unique_ptr<recording::McapWriter> writer) : writer_(std::move(writer)) {}

@@ -1,16 +1,22 @@
-// The bytes of a recording. One thread.
+// The bytes of a recording, and the values in them: little-endian, untrusted. One thread.
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <tl/expected.hpp>
 
 #include "disk/file_error.h"
 
 namespace mapwright::recording {
+
+static_assert(std::endian::native == std::endian::little);  // like recordings, which are read in place
 
 class Bytes {
  public:
@@ -42,6 +48,51 @@ class Window {
   const Bytes& bytes_;
   std::string held_;
   std::uint64_t from_ = 0;
+};
+
+/// Reads consecutive values. Anything beyond the end is zero or empty, and sound() is false from then on.
+class ByteReader {
+ public:
+  explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  bool sound() const { return sound_; }
+  std::size_t left() const { return bytes_.size(); }
+  void fail() { sound_ = false; }
+
+  template <typename T>
+  T number() {
+    T value{};
+    const auto raw = take(sizeof(T));
+    if (raw.size() == sizeof(T)) std::memcpy(&value, raw.data(), sizeof(T));
+    return value;
+  }
+  template <typename... T>
+  void numbers(T&... values) {
+    ((values = number<T>()), ...);
+  }
+
+  std::span<const std::uint8_t> take(std::uint64_t count) {
+    if (!sound_ || count > bytes_.size()) {
+      sound_ = false;
+      return {};
+    }
+    const auto taken = bytes_.first(std::size_t(count));
+    bytes_ = bytes_.subspan(std::size_t(count));
+    return taken;
+  }
+  std::span<const std::uint8_t> rest() { return take(left()); }
+
+  /// Preceded by its length as uint32.
+  std::span<const std::uint8_t> piece() { return take(number<std::uint32_t>()); }
+  std::string_view text() { return textOf(piece()); }
+
+  static std::string_view textOf(std::span<const std::uint8_t> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  bool sound_ = true;
 };
 
 }  // namespace mapwright::recording

@@ -1,35 +1,179 @@
 #include "recording/chunked_source.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <iterator>
 #include <new>
 #include <tuple>
 #include <utility>
 
-#include "recording/chunk_cursor.h"
+#include <queue>
 
 namespace mapwright::recording {
 namespace {
+
+constexpr std::uint64_t kMostBare = std::uint64_t(1) << 20;  // bytes of bare records read as one chunk
 
 bool byTime(const ChunkEntry& a, const ChunkEntry& b) {
   return std::tie(a.log_ns, a.offset) < std::tie(b.log_ns, b.offset);
 }
 
+bool byChannel(const ChannelShare& a, const ChannelShare& b) { return a.channel < b.channel; }
+
+/// The channels of a query: all, or those on one of its topics.
+class ChannelChoice {
+ public:
+  explicit ChannelChoice(const std::vector<std::string>& topics) : topics_(topics) {
+    std::sort(topics_.begin(), topics_.end());
+  }
+  bool all() const { return topics_.empty(); }
+  bool takes(const Channel& channel) const {
+    return all() || std::binary_search(topics_.begin(), topics_.end(), channel.topic);
+  }
+
+ private:
+  std::vector<std::string> topics_;  // sorted
+};
+
 }  // namespace
 
+/// The messages of chunks that may overlap, merged by time. Opens a chunk only when it may be needed, and
+/// keeps none: unpacked chunks are in the source's bounded store, so many overlapping chunks cost time but no
+/// memory.
+class ChunkCursor final : public Cursor {
+ public:
+  ChunkCursor(ChunkedSource& source, const Query& query);
+  std::optional<Message> next() override;
+
+ private:
+  /// The next message of a chunk. Order: log time, chunk in the file, position in the chunk.
+  struct Head {
+    std::int64_t log_ns = 0;
+    std::uint32_t chunk = 0;
+    std::size_t entry = 0;  // of UnpackedChunk::entries
+  };
+  struct Later {
+    bool backwards = false;
+    bool operator()(const Head& a, const Head& b) const;
+  };
+  bool wants(std::uint32_t channel);
+  bool mayHold(const ChunkPlace& place);
+  void openThose();
+  /// Adds the first matching message from `entry` on (in reading direction) to the heads.
+  void push(std::uint32_t chunk, const UnpackedChunk& unpacked, std::size_t entry);
+
+  ChunkedSource& source_;
+  Query query_;
+  ChannelChoice choice_;
+  std::unordered_map<std::uint32_t, bool> wanted_;
+  std::vector<std::uint32_t> waiting_;  // chunks not opened yet, the next one at the back
+  std::priority_queue<Head, std::vector<Head>, Later> heads_;
+};
+
+bool ChunkCursor::Later::operator()(const Head& a, const Head& b) const {
+  const auto key = [](const Head& head) { return std::tie(head.log_ns, head.chunk, head.entry); };
+  return backwards ? key(a) < key(b) : key(b) < key(a);
+}
+
+ChunkCursor::ChunkCursor(ChunkedSource& source, const Query& query)
+    : source_(source), query_(query), choice_(query.topics), heads_(Later{query.backwards}) {
+  for (std::size_t i = 0; i < source_.chunks_.size(); ++i) {
+    if (mayHold(source_.chunks_[i])) waiting_.push_back(std::uint32_t(i));
+  }
+  const auto& chunks = source_.chunks_;
+  std::sort(waiting_.begin(), waiting_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (query_.backwards) return std::tie(chunks[a].last_ns, a) < std::tie(chunks[b].last_ns, b);
+    return std::tie(chunks[a].first_ns, a) > std::tie(chunks[b].first_ns, b);
+  });
+}
+
+bool ChunkCursor::wants(std::uint32_t channel) {
+  if (const auto found = wanted_.find(channel); found != wanted_.end()) return found->second;
+  const auto known = source_.channels_.find(channel);
+  if (known == source_.channels_.end()) return false;  // unpacking has noted it
+  return wanted_[channel] = choice_.takes(*known->second);
+}
+
+bool ChunkCursor::mayHold(const ChunkPlace& place) {
+  if (place.first_ns > place.last_ns || place.last_ns < query_.first_ns || place.first_ns > query_.last_ns) {
+    return false;
+  }
+  if (choice_.all() || !place.channels_known) return true;
+  return std::any_of(place.shares.begin(), place.shares.end(), [&](const ChannelShare& share) {
+    return !source_.channels_.contains(share.channel) || wants(share.channel);
+  });
+}
+
+void ChunkCursor::push(std::uint32_t chunk, const UnpackedChunk& unpacked, std::size_t entry) {
+  const auto& entries = unpacked.entries;
+  // Backwards the place before the first one is size_t's highest.
+  for (std::size_t i = entry; i < entries.size(); query_.backwards ? --i : ++i) {
+    if (query_.backwards ? entries[i].log_ns < query_.first_ns : entries[i].log_ns > query_.last_ns) return;
+    if (!wants(entries[i].channel)) continue;
+    heads_.push({entries[i].log_ns, chunk, i});
+    return;
+  }
+}
+
+void ChunkCursor::openThose() {
+  while (!waiting_.empty()) {
+    const std::uint32_t chunk = waiting_.back();
+    const ChunkPlace& place = source_.chunks_[chunk];
+    if (!heads_.empty()) {
+      const std::int64_t now = heads_.top().log_ns;
+      if (query_.backwards ? place.last_ns < now : place.first_ns > now) return;
+    }
+    waiting_.pop_back();
+    const UnpackedPtr unpacked = source_.unpacked(chunk);
+    const auto& entries = unpacked->entries;
+    if (query_.backwards) {
+      const auto end =
+          std::upper_bound(entries.begin(), entries.end(), query_.last_ns,
+                           [](std::int64_t time, const ChunkEntry& entry) { return time < entry.log_ns; });
+      if (end != entries.begin()) push(chunk, *unpacked, std::size_t(end - entries.begin()) - 1);
+    } else {
+      const auto first =
+          std::lower_bound(entries.begin(), entries.end(), query_.first_ns,
+                           [](const ChunkEntry& entry, std::int64_t time) { return entry.log_ns < time; });
+      push(chunk, *unpacked, std::size_t(first - entries.begin()));
+    }
+  }
+}
+
+std::optional<Message> ChunkCursor::next() {
+  while (true) {
+    openThose();
+    if (heads_.empty()) return std::nullopt;
+    const Head head = heads_.top();
+    heads_.pop();
+    const UnpackedPtr unpacked = source_.unpacked(head.chunk);
+    // Unpacked again, it may be different: the file was changed meanwhile.
+    if (head.entry >= unpacked->entries.size()) continue;
+    const ChunkEntry& entry = unpacked->entries[head.entry];
+    push(head.chunk, *unpacked, query_.backwards ? head.entry - 1 : head.entry + 1);
+    if (entry.log_ns == head.log_ns && wants(entry.channel)) return source_.messageAt(*unpacked, entry);
+  }
+}
+
 const ChannelShare* ChunkPlace::shareOf(std::uint32_t channel) const {
-  const auto found = std::lower_bound(
-      shares.begin(), shares.end(), channel,
-      [](const ChannelShare& share, std::uint32_t wanted) { return share.channel < wanted; });
+  const auto found = std::lower_bound(shares.begin(), shares.end(), ChannelShare{channel}, byChannel);
   return found != shares.end() && found->channel == channel ? &*found : nullptr;
 }
 
-ChannelChoice::ChannelChoice(const std::vector<std::string>& topics) : topics_(topics) {
-  std::sort(topics_.begin(), topics_.end());
+ChannelShare& ChunkPlace::share(std::uint32_t channel) {
+  const auto found = std::lower_bound(shares.begin(), shares.end(), ChannelShare{channel}, byChannel);
+  return found != shares.end() && found->channel == channel ? *found : *shares.insert(found, {channel});
 }
 
-bool ChannelChoice::takes(const Channel& channel) const {
-  return topics_.empty() || std::binary_search(topics_.begin(), topics_.end(), channel.topic);
+void ChunkPlace::forgetTimes() {
+  first_ns = 1;
+  last_ns = 0;
+}
+
+void ChunkPlace::include(std::int64_t time_ns) {
+  const bool first = first_ns > last_ns;
+  first_ns = first ? time_ns : std::min(first_ns, time_ns);
+  last_ns = first ? time_ns : std::max(last_ns, time_ns);
 }
 
 Summary ChunkedSource::summary() const {
@@ -62,7 +206,6 @@ void ChunkedSource::addChannel(Channel channel, std::uint64_t offset) {
 }
 
 void ChunkedSource::addChunk(ChunkPlace place) {
-  const auto byChannel = [](const ChannelShare& a, const ChannelShare& b) { return a.channel < b.channel; };
   if (!std::is_sorted(place.shares.begin(), place.shares.end(), byChannel)) {
     std::sort(place.shares.begin(), place.shares.end(), byChannel);
   }
@@ -76,17 +219,101 @@ void ChunkedSource::sortChunks() {
   forgetOrder();
 }
 
-void ChunkedSource::dropAll() {
+void ChunkedSource::scanAll(std::uint64_t start) {
   chunks_.clear();
   channels_.clear();
   forgetOrder();
+  attachments_.clear();
+  metadata_.clear();
+  about_.indexed = false;
+  about_.counted = true;
+  about_.finished = false;
+  scanned_to_ = start;
+  refresh();
+}
+
+bool ChunkedSource::refresh() {
+  if (about_.finished) return false;
+  const std::uint64_t size = bytes_->size();
+  if (size <= about_.bytes) return false;
+  const std::uint64_t before = scanned_to_;
+  const bool first = about_.bytes == 0;
+  notes_.drop(NoteCode::CutOff);
+  notes_.drop(NoteCode::NotFinished);
+  about_.bytes = size;
+  const ChunkPlace* const last = chunks_.empty() ? nullptr : &chunks_.back();
+  indexes_follow_ = last != nullptr && !last->bare && last->offset + last->length == scanned_to_;
+  scanned_to_ = scan(scanned_to_, size);
+  if (scanned_to_ < size) notes_.add(NoteCode::CutOff, scanned_to_);
+  if (!about_.finished) notes_.add(NoteCode::NotFinished, size);
+  countChunks();
+  return !first && scanned_to_ > before;
+}
+
+std::uint64_t ChunkedSource::scan(std::uint64_t from, std::uint64_t to) {
+  Window window(*bytes_);
+  while (from < to) {
+    std::uint64_t past = from;
+    const Step step = takeRecord(window, from, to, past);
+    if (step == Step::CutOff) break;
+    if (step == Step::DataEnds) {
+      settleChunk(false);
+      about_.finished = true;
+      return to;
+    }
+    if (step == Step::NoRecord) {
+      settleChunk(true);
+      past = nextChunk(window, from + 1, to);
+      notes_.add(NoteCode::BytesSkipped, from, {}, past - from);
+    }
+    from = past;
+  }
+  settleChunk(true);
+  return from;
+}
+
+void ChunkedSource::addScanned(ChunkPlace place) {
+  addChunk(std::move(place));
+  indexes_follow_ = true;
+}
+
+void ChunkedSource::settleChunk(bool doubtful) {
+  if (!std::exchange(indexes_follow_, false)) return;
+  ChunkPlace& chunk = chunks_.back();
+  if (chunk.channels_known) return;
+  chunk.channels_known =
+      !chunk.shares.empty() && !doubtful && chunk.first_ns <= chunk.last_ns &&
+      std::all_of(chunk.shares.begin(), chunk.shares.end(),
+                  [&](const ChannelShare& share) { return channels_.contains(share.channel); });
+  if (chunk.channels_known) return;
+  // It may lack some or all indexes; its content counts.
+  chunk.forgetTimes();
+  lookInto(chunks_.size() - 1);
+}
+
+void ChunkedSource::addBare(std::uint64_t at, std::uint64_t bytes, std::uint32_t channel,
+                            std::int64_t time_ns) {
+  const bool goes_on = !chunks_.empty() && chunks_.back().bare &&
+                       chunks_.back().offset + chunks_.back().length == at &&
+                       chunks_.back().length + bytes <= kMostBare;
+  if (!goes_on) {
+    ChunkPlace place;
+    place.offset = at;
+    place.bare = true;
+    place.forgetTimes();
+    place.channels_known = true;
+    addChunk(std::move(place));
+  }
+  ChunkPlace& last = chunks_.back();
+  last.length += bytes;
+  last.include(time_ns);
+  ++last.share(channel).count;
 }
 
 /// Data by chunk number, since the numbers have changed.
 void ChunkedSource::forgetOrder() {
   latest_first_.clear();
   held_.clear();
-  held_at_.clear();
   held_bytes_ = 0;
 }
 
@@ -102,10 +329,14 @@ std::optional<UnpackedChunk> ChunkedSource::raw(std::uint64_t at, std::uint64_t 
   return chunk;
 }
 
+std::list<ChunkedSource::Held>::iterator ChunkedSource::heldAt(std::size_t chunk) {
+  return std::find_if(held_.begin(), held_.end(), [&](const Held& one) { return one.chunk == chunk; });
+}
+
 UnpackedPtr ChunkedSource::unpacked(std::size_t chunk) {
-  if (const auto found = held_at_.find(chunk); found != held_at_.end()) {
-    held_.splice(held_.begin(), held_, found->second);
-    return found->second->unpacked;
+  if (const auto found = heldAt(chunk); found != held_.end()) {
+    held_.splice(held_.begin(), held_, found);
+    return found->unpacked;
   }
   auto made = std::make_shared<UnpackedChunk>();
   const bool again = std::exchange(chunks_[chunk].looked_into, true);
@@ -124,11 +355,9 @@ UnpackedPtr ChunkedSource::unpacked(std::size_t chunk) {
   if (again) notes_ = before;  // it was noted when it was first unpacked
   const std::size_t bytes = made->size + made->entries.capacity() * sizeof(ChunkEntry) + 64;
   held_.push_front({chunk, made, bytes});
-  held_at_[chunk] = held_.begin();
   held_bytes_ += bytes;
   while (held_bytes_ > limits_.held_bytes && held_.size() > 1) {
     held_bytes_ -= held_.back().bytes;
-    held_at_.erase(held_.back().chunk);
     held_.pop_back();
   }
   return made;
@@ -158,18 +387,15 @@ void ChunkedSource::learn(ChunkPlace& place, const UnpackedChunk& unpacked) {
   std::map<std::uint32_t, std::uint64_t> counts;
   for (const ChunkEntry& entry : entries) ++counts[entry.channel];
   std::vector<ChannelShare> shares;
-  for (const auto& [channel, count] : counts) {
-    const ChannelShare* const before = place.shareOf(channel);
-    shares.push_back({channel, before ? before->index_offset : 0, count});
-  }
+  for (const auto& [channel, count] : counts) shares.push_back({channel, count});
   place.shares = std::move(shares);
   place.channels_known = true;
 }
 
 void ChunkedSource::lookInto(std::size_t chunk) {
   chunks_[chunk].channels_known = false;
-  if (const auto found = held_at_.find(chunk); found != held_at_.end()) {
-    learn(chunks_[chunk], *found->second->unpacked);
+  if (const auto found = heldAt(chunk); found != held_.end()) {
+    learn(chunks_[chunk], *found->unpacked);
   } else {
     const UnpackedPtr done = unpacked(chunk);
     if (done->entries.empty()) {  // nothing in it is readable
@@ -222,54 +448,25 @@ const std::vector<std::uint32_t>& ChunkedSource::latestFirst() {
   return latest_first_;
 }
 
-std::optional<ChunkedSource::Best> ChunkedSource::latest(std::uint32_t channel, std::int64_t at_ns,
-                                                         bool trust_index) {
-  std::optional<Best> best;
+std::optional<ChunkedSource::Found> ChunkedSource::lastOf(std::uint32_t channel, std::int64_t at_ns) {
+  std::optional<Found> best;
   const std::vector<std::uint32_t> order = latestFirst();  // what is learned below may sort it again
   for (const std::uint32_t i : order) {
     const ChunkPlace& place = chunks_[i];
     if (place.first_ns > place.last_ns || place.first_ns > at_ns) continue;
-    if (best && best->log_ns > std::min(place.last_ns, at_ns)) break;
-    const ChannelShare* const share = place.shareOf(channel);
-    if (place.channels_known && share == nullptr) continue;
-    Latest found;
-    if (trust_index && share != nullptr && share->index_offset != 0) {
-      found = latestByIndex(place, *share, at_ns);
-    }
-    if (found.unknown) {
-      for (const ChunkEntry& entry : unpacked(i)->entries) {
-        if (entry.log_ns > at_ns) break;
-        if (entry.channel == channel) found.log_ns = entry.log_ns;
-      }
-    }
-    if (!found.log_ns) continue;
-    if (!best || std::pair(*found.log_ns, std::size_t(i)) > std::pair(best->log_ns, best->chunk)) {
-      best = Best{*found.log_ns, i};
-    }
+    if (best && best->order.first > std::min(place.last_ns, at_ns)) break;
+    if (place.channels_known && place.shareOf(channel) == nullptr) continue;
+    const UnpackedPtr chunk = unpacked(i);
+    const auto& entries = chunk->entries;
+    auto at =
+        std::upper_bound(entries.begin(), entries.end(), at_ns,
+                         [](std::int64_t time, const ChunkEntry& entry) { return time < entry.log_ns; });
+    while (at != entries.begin() && std::prev(at)->channel != channel) --at;
+    if (at == entries.begin()) continue;
+    const std::pair found(std::prev(at)->log_ns, std::size_t(i));
+    if (!best || found > best->order) best = Found{found, messageAt(*chunk, *std::prev(at))};
   }
   return best;
-}
-
-std::optional<Message> ChunkedSource::lastOf(std::uint32_t channel, std::int64_t at_ns, Best& found) {
-  for (const bool trust : {true, false}) {
-    const std::optional<Best> best = latest(channel, at_ns, trust);
-    if (!best) {
-      if (trust) continue;
-      return std::nullopt;
-    }
-    const UnpackedPtr chunk = unpacked(best->chunk);
-    auto at =
-        std::upper_bound(chunk->entries.begin(), chunk->entries.end(), best->log_ns,
-                         [](std::int64_t time, const ChunkEntry& entry) { return time < entry.log_ns; });
-    while (at != chunk->entries.begin() && (at - 1)->log_ns == best->log_ns) {
-      --at;
-      if (at->channel != channel) continue;
-      found = *best;
-      return messageAt(*chunk, *at);
-    }
-    notes_.add(NoteCode::IndexLies, chunks_[best->chunk].offset);
-  }
-  return std::nullopt;
 }
 
 std::vector<Packing> ChunkedSource::packing() const {
@@ -291,24 +488,43 @@ std::vector<Packing> ChunkedSource::packing() const {
 std::vector<Message> ChunkedSource::lastBefore(std::int64_t at_ns, const std::vector<std::string>& topics) {
   const ChannelChoice choice(topics);
   // Of channels that share a topic, the one that messages() would give last.
-  std::map<std::string, std::pair<std::tuple<std::int64_t, std::size_t, const std::uint8_t*>, Message>>
-      of_topic;
+  std::map<std::string, Found> of_topic;
   for (const auto& [id, channel] : std::map(channels_)) {
     if (!choice.takes(*channel)) continue;
-    Best found;
-    std::optional<Message> message = lastOf(id, at_ns, found);
-    if (!message) continue;
-    const auto key = std::tuple(found.log_ns, found.chunk, message->bytes.data());
+    std::optional<Found> found = lastOf(id, at_ns);
+    if (!found) continue;
     const auto held = of_topic.find(channel->topic);
     if (held == of_topic.end()) {
-      of_topic.emplace(channel->topic, std::pair(key, std::move(*message)));
-    } else if (held->second.first < key) {
-      held->second = std::pair(key, std::move(*message));
+      of_topic.emplace(channel->topic, std::move(*found));
+    } else if (std::tuple(held->second.order, held->second.message.bytes.data()) <
+               std::tuple(found->order, found->message.bytes.data())) {
+      held->second = std::move(*found);
     }
   }
   std::vector<Message> messages;
-  for (auto& [topic, held] : of_topic) messages.push_back(std::move(held.second));
+  for (auto& [topic, held] : of_topic) messages.push_back(std::move(held.message));
   return messages;
+}
+
+bool looksLikeRecording(std::span<const std::uint8_t> start) {
+  return looksLikeMcap(start) || looksLikeBag(start);
+}
+
+Opened openRecording(std::unique_ptr<Bytes> bytes, const Limits& limits) {
+  std::array<std::uint8_t, kLookedAt> start{};
+  const auto there =
+      std::span(start).first(std::size_t(std::min<std::uint64_t>(start.size(), bytes->size())));
+  if (bytes->read(there, 0)) {
+    if (looksLikeMcap(there)) return openMcap(std::move(bytes), limits);
+    if (looksLikeBag(there)) return openBag(std::move(bytes), limits);
+  }
+  return tl::unexpected(Failure{Failure::Code::NotOne, {}});
+}
+
+Opened openRecording(const std::string& path, const Limits& limits) {
+  auto bytes = fileBytes(path);
+  if (!bytes) return tl::unexpected(Failure{Failure::Code::File, std::move(bytes.error())});
+  return openRecording(std::move(*bytes), limits);
 }
 
 }  // namespace mapwright::recording

@@ -1,5 +1,6 @@
 // Common to MCAP and bags: messages in chunks with known time ranges. Merges overlapping chunks, keeps
-// recently unpacked ones, finds the last message before a time. Formats derive from it.
+// recently unpacked ones, finds the last message before a time, scans files without an index. Formats derive
+// from it.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -20,8 +22,7 @@ namespace mapwright::recording {
 /// What a chunk contains of one channel.
 struct ChannelShare {
   std::uint32_t channel = 0;
-  std::uint64_t index_offset = 0;  // offset in the file of the record that lists its messages; 0: unknown
-  std::uint64_t count = 0;         // messages; 0: unknown
+  std::uint64_t count = 0;  // messages; 0: unknown
 };
 
 /// Where a chunk is, and what is known of it without unpacking.
@@ -35,6 +36,11 @@ struct ChunkPlace {
   std::vector<ChannelShare> shares;  // by channel
 
   const ChannelShare* shareOf(std::uint32_t channel) const;
+  /// The share of a channel; a new one is empty.
+  ChannelShare& share(std::uint32_t channel);
+  /// They are found out when it is unpacked.
+  void forgetTimes();
+  void include(std::int64_t time_ns);
 };
 
 /// A message in a chunk.
@@ -55,6 +61,8 @@ using UnpackedPtr = std::shared_ptr<const UnpackedChunk>;
 
 class ChunkedSource : public Source {
  public:
+  ChunkedSource(std::unique_ptr<Bytes> bytes, const Limits& limits)
+      : bytes_(std::move(bytes)), limits_(limits) {}
   Summary summary() const override;
   std::vector<ChannelPtr> channels() const override;
   std::unique_ptr<Cursor> messages(const Query& query) override;
@@ -62,11 +70,9 @@ class ChunkedSource : public Source {
   std::vector<Packing> packing() const override;
   const std::vector<AttachmentPlace>& attachments() const override { return attachments_; }
   const std::vector<Metadata>& metadata() const override { return metadata_; }
+  bool refresh() override;
 
  protected:
-  ChunkedSource(std::unique_ptr<Bytes> bytes, const Limits& limits)
-      : bytes_(std::move(bytes)), limits_(limits) {}
-
   /// To be implemented by the format. Returns the bytes of the chunk and its messages in any order; channels
   /// described in it are added with addChannel().
   virtual tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) = 0;
@@ -74,18 +80,33 @@ class ChunkedSource : public Source {
   virtual Message read(const UnpackedChunk& chunk, const ChunkEntry& entry) const = 0;
   /// Of one chunk, from its header; nullopt: it cannot be read.
   virtual std::optional<Packing> packingOf(const ChunkPlace& place) const = 0;
-  /// The latest log time at or before `at_ns`, from the index alone. An unreadable index is `unknown`.
-  struct Latest {
-    bool unknown = true;
-    std::optional<std::int64_t> log_ns;
+
+  enum class Step : std::uint8_t {
+    Taken,
+    NoRecord,
+    CutOff,    // `to` lies inside the record
+    DataEnds,  // and the file is complete
   };
-  virtual Latest latestByIndex(const ChunkPlace& place, const ChannelShare& share, std::int64_t at_ns) = 0;
+  /// While scanning: takes the record at `from`, which ends at `past`.
+  virtual Step takeRecord(Window& window, std::uint64_t from, std::uint64_t to, std::uint64_t& past) = 0;
+  /// Where the next intact chunk begins; `to`: nowhere.
+  virtual std::uint64_t nextChunk(Window& window, std::uint64_t from, std::uint64_t to) const = 0;
+  /// Forgets everything and scans the file from `start` on.
+  void scanAll(std::uint64_t start);
+  /// Reads all records in [from, to); returns the position of the first incomplete one, or `to`.
+  std::uint64_t scan(std::uint64_t from, std::uint64_t to);
+  /// A chunk that was scanned; its message indexes follow.
+  void addScanned(ChunkPlace place);
+  /// The chunk whose message indexes are being scanned; null: none.
+  ChunkPlace* indexedChunk() { return indexes_follow_ && !chunks_.empty() ? &chunks_.back() : nullptr; }
+  /// That chunk is complete: looks up in it what its indexes do not tell.
+  void settleChunk(bool doubtful);
+  /// A message outside of any chunk.
+  void addBare(std::uint64_t at, std::uint64_t bytes, std::uint32_t channel, std::int64_t time_ns);
 
   void addChannel(Channel channel, std::uint64_t offset);
-  bool knowsChannel(std::uint32_t id) const { return channels_.contains(id); }
   /// Must come after all others in the file, otherwise call sortChunks().
   void addChunk(ChunkPlace place);
-  ChunkPlace* lastChunk() { return chunks_.empty() ? nullptr : &chunks_.back(); }
   std::vector<ChunkPlace>& chunks() { return chunks_; }
   void sortChunks();
   /// Unpacks it to get its times, channels and counts.
@@ -94,7 +115,6 @@ class ChunkedSource : public Source {
   void findChannels();
   /// Computes counts and times from what is known of the chunks.
   void countChunks();
-  void dropAll();
   /// Bytes of the file; nullopt: missing, or not enough memory.
   std::optional<UnpackedChunk> raw(std::uint64_t at, std::uint64_t count) const;
 
@@ -104,45 +124,42 @@ class ChunkedSource : public Source {
   Summary about_;  // everything except the counts
   std::vector<AttachmentPlace> attachments_;
   std::vector<Metadata> metadata_;
+  std::uint64_t scanned_to_ = 0;  // of a file without an end
 
  private:
   friend class ChunkCursor;
-  struct Best {
-    std::int64_t log_ns = 0;
-    std::size_t chunk = 0;
+  /// A message with its place in the order of messages: log time, chunk.
+  struct Found {
+    std::pair<std::int64_t, std::size_t> order;
+    Message message;
   };
-  UnpackedPtr unpacked(std::size_t chunk);
-  void forgetOrder();
-  void dropUnknown(UnpackedChunk& chunk, std::uint64_t offset);
-  void learn(ChunkPlace& place, const UnpackedChunk& unpacked);
-  std::optional<Best> latest(std::uint32_t channel, std::int64_t at_ns, bool trust_index);
-  std::optional<Message> lastOf(std::uint32_t channel, std::int64_t at_ns, Best& found);
-  const std::vector<std::uint32_t>& latestFirst();
-  Message messageAt(const UnpackedChunk& chunk, const ChunkEntry& entry) const;
-
-  std::vector<ChunkPlace> chunks_;  // in file order
-  std::map<std::uint32_t, ChannelPtr> channels_;
-  std::vector<std::uint32_t> latest_first_;  // chunks by last_ns; empty: not sorted yet
-
   struct Held {
     std::size_t chunk = 0;
     UnpackedPtr unpacked;
     std::size_t bytes = 0;
   };
+  std::list<Held>::iterator heldAt(std::size_t chunk);
+  UnpackedPtr unpacked(std::size_t chunk);
+  void forgetOrder();
+  void dropUnknown(UnpackedChunk& chunk, std::uint64_t offset);
+  void learn(ChunkPlace& place, const UnpackedChunk& unpacked);
+  std::optional<Found> lastOf(std::uint32_t channel, std::int64_t at_ns);
+  const std::vector<std::uint32_t>& latestFirst();
+  Message messageAt(const UnpackedChunk& chunk, const ChunkEntry& entry) const;
+
+  std::vector<ChunkPlace> chunks_;  // in file order
+  std::map<std::uint32_t, ChannelPtr> channels_;
+  bool indexes_follow_ = false;              // the preceding records were a chunk and its message indexes
+  std::vector<std::uint32_t> latest_first_;  // chunks by last_ns; empty: not sorted yet
+
   std::list<Held> held_;  // used last in front
-  std::unordered_map<std::size_t, std::list<Held>::iterator> held_at_;
   std::size_t held_bytes_ = 0;
 };
 
-/// The channels of a query: all, or those on one of its topics.
-class ChannelChoice {
- public:
-  explicit ChannelChoice(const std::vector<std::string>& topics);
-  bool all() const { return topics_.empty(); }
-  bool takes(const Channel& channel) const;
-
- private:
-  std::vector<std::string> topics_;  // sorted
-};
+/// Whether the first bytes are those of the format, of any version.
+bool looksLikeMcap(std::span<const std::uint8_t> start);
+bool looksLikeBag(std::span<const std::uint8_t> start);
+Opened openMcap(std::unique_ptr<Bytes> bytes, const Limits& limits);
+Opened openBag(std::unique_ptr<Bytes> bytes, const Limits& limits);
 
 }  // namespace mapwright::recording

@@ -1,42 +1,213 @@
-#include "recording/mcap_reader.h"
-
+// Reads MCAP, version 0. Source: MCAP format specification.
+// A file with an index is opened by the index; everything between its chunks is scanned, so messages outside
+// of chunks are found, too. A file without an index, or with a damaged one, is scanned from start to end:
+// chunks are unpacked only if their message indexes do not tell what they contain. After invalid bytes,
+// reading continues with the next intact chunk.
 #include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+#include <utility>
 
 #include "packed/codec.h"
+#include "recording/chunked_source.h"
+#include "recording/mcap_records.h"
 
 namespace mapwright::recording {
 namespace {
 
 using mcap::Op;
 
-Note noteOf(NoteCode code, const ChunkPlace& place, std::string_view name = {}) {
-  return {code, place.offset, 1, std::string(name)};
+bool isKnownOp(std::uint8_t op) { return op >= std::uint8_t(Op::Header) && op <= std::uint8_t(Op::DataEnd); }
+
+/// A record of the file, without its content.
+struct McapRecord {
+  Op op = Op::Header;
+  std::uint64_t at = 0;
+  std::uint64_t length = 0;  // of its content
+  std::uint64_t content() const { return at + mcap::kRecordHead; }
+  std::uint64_t end() const { return content() + length; }
+};
+
+class McapReader final : public ChunkedSource {
+ public:
+  using ChunkedSource::ChunkedSource;
+
+  std::string format() const override { return "MCAP"; }
+  std::optional<Attachment> attachment(const AttachmentPlace& place) override;
+
+  void open() {
+    const std::uint64_t size = bytes_->size();
+    const std::optional<mcap::Footer> footer = findFooter(size);
+    if (footer && openByIndex(*footer, size - mcap::kMagic.size() - mcap::kFooterRecord)) return;
+    schemas_.clear();
+    scanAll(mcap::kMagic.size());
+    // If the index was cut off, nothing says so.
+    if (about_.finished && notes_.all().empty()) notes_.add(NoteCode::IndexUnusable, scanned_to_);
+  }
+
+ protected:
+  std::optional<Packing> packingOf(const ChunkPlace& place) const override;
+  tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) override;
+  Message read(const UnpackedChunk& chunk, const ChunkEntry& entry) const override;
+  Step takeRecord(Window& window, std::uint64_t from, std::uint64_t to, std::uint64_t& past) override;
+  std::uint64_t nextChunk(Window& window, std::uint64_t from, std::uint64_t to) const override;
+
+ private:
+  std::optional<mcap::Footer> findFooter(std::uint64_t size) const;
+  /// False: there is no usable index, which is noted.
+  bool openByIndex(const mcap::Footer& footer, std::uint64_t footer_at);
+  bool sumFits(const mcap::Footer& footer, std::uint64_t footer_at) const;
+  bool takeChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::uint64_t data_end);
+
+  Step take(Window& window, const McapRecord& record, std::uint64_t to);
+  Step takeChunk(Window& window, const McapRecord& record, std::uint64_t to);
+  Step takeMessage(Window& window, const McapRecord& record);
+  Step takeIndex(Window& window, const McapRecord& record);
+  Step takeAttachment(Window& window, const McapRecord& record);
+  Step takeSmall(const McapRecord& record);
+  void takeSchema(std::span<const std::uint8_t> content, std::uint64_t at);
+  void takeChannel(std::span<const std::uint8_t> content, std::uint64_t at);
+  void listRecords(UnpackedChunk& chunk, const ChunkPlace& place);
+
+  std::map<std::uint16_t, mcap::Schema> schemas_;
+};
+
+std::optional<mcap::Footer> McapReader::findFooter(std::uint64_t size) const {
+  std::array<std::uint8_t, mcap::kFooterRecord + mcap::kMagic.size()> end{};
+  if (size < mcap::kMagic.size() + end.size() || !bytes_->read(end, size - end.size())) return std::nullopt;
+  const auto magic = std::span(end).last(mcap::kMagic.size());
+  if (!std::equal(magic.begin(), magic.end(), mcap::kMagic.begin())) return std::nullopt;
+  ByteReader in(std::span<const std::uint8_t>(end).first(mcap::kFooterRecord));
+  const auto op = in.number<std::uint8_t>();
+  const auto length = in.number<std::uint64_t>();
+  if (op != std::uint8_t(Op::Footer) || length != mcap::kFooterContent) return std::nullopt;
+  return mcap::read<mcap::Footer>(in.rest());
 }
 
-}  // namespace
-
-bool looksLikeMcap(std::span<const std::uint8_t> start) {
-  constexpr std::size_t kName = 5;  // the byte after it is the version
-  return start.size() >= mcap::kMagic.size() &&
-         std::equal(start.begin(), start.begin() + kName, mcap::kMagic.begin());
+/// The summary and the first fields of the footer.
+bool McapReader::sumFits(const mcap::Footer& footer, std::uint64_t footer_at) const {
+  if (footer.summary_crc == 0) return true;
+  const std::uint64_t end = footer_at + mcap::kFooterRecord - sizeof footer.summary_crc;
+  Window window(*bytes_);
+  std::uint32_t crc = 0;
+  for (std::uint64_t at = footer.summary_start; at < end;) {
+    const auto piece = window.look(at, Window::kMostInView, end);
+    if (piece.empty()) return false;
+    crc = packed::crc32(crc, piece);
+    at += piece.size();
+  }
+  return crc == footer.summary_crc;
 }
 
-Opened McapReader::open(std::unique_ptr<Bytes> bytes, const Limits& limits) {
-  std::array<std::uint8_t, mcap::kMagic.size()> magic{};
-  if (!bytes->read(magic, 0) || !looksLikeMcap(magic))
-    return tl::unexpected(Failure{Failure::Code::NotOne, {}});
-  if (magic != mcap::kMagic) return tl::unexpected(Failure{Failure::Code::Version, {}});
-  std::unique_ptr<McapReader> reader(new McapReader(std::move(bytes), limits));
-  const std::uint64_t size = reader->bytes_->size();
-  const std::optional<mcap::Footer> footer = reader->findFooter(size);
-  const std::uint64_t footer_at = footer ? size - mcap::kMagic.size() - mcap::kFooterRecord : 0;
-  if (!footer || !reader->openByIndex(*footer, footer_at)) reader->scanAll();
-  return reader;
+bool McapReader::openByIndex(const mcap::Footer& footer, std::uint64_t footer_at) {
+  const auto unusable = [&] {
+    notes_.add(NoteCode::IndexUnusable, footer.summary_start);
+    return false;
+  };
+  if (footer.summary_start == 0) {
+    notes_.add(NoteCode::NoIndex, footer_at);
+    return false;
+  }
+  const std::uint64_t start = footer.summary_start;
+  const std::uint64_t end = footer.summary_offset_start == 0 ? footer_at : footer.summary_offset_start;
+  if (start < mcap::kMagic.size() || start > end || end > footer_at || !sumFits(footer, footer_at))
+    return unusable();
+  if (footer_at - start > 16 * limits_.most_record_bytes) return unusable();
+  const std::optional<UnpackedChunk> summary = raw(start, end - start);
+  if (!summary) return unusable();
+
+  std::vector<mcap::ChunkIndex> indexes;
+  std::optional<mcap::Statistics> statistics;
+  ByteReader in(summary->all());
+  while (in.left() > 0) {
+    const std::uint64_t at = start + summary->size - in.left();
+    const auto op = Op(in.number<std::uint8_t>());
+    const auto content = in.take(in.number<std::uint64_t>());
+    if (!in.sound()) return unusable();
+    if (op == Op::Schema) {
+      takeSchema(content, at);
+    } else if (op == Op::Channel) {
+      takeChannel(content, at);
+    } else if (op == Op::Statistics) {
+      statistics = mcap::read<mcap::Statistics>(content);
+    } else if (op == Op::ChunkIndex) {
+      auto index = mcap::read<mcap::ChunkIndex>(content);
+      if (!index) return unusable();
+      indexes.push_back(std::move(*index));
+    }
+  }
+  if (indexes.empty() && (!statistics || statistics->messages != 0)) {
+    notes_.add(NoteCode::NoIndex, start);
+    return false;
+  }
+  if (!takeChunkIndexes(indexes, start)) return unusable();
+  findChannels();
+  for (std::size_t i = 0; i < chunks().size(); ++i) {
+    if (chunks()[i].first_ns > chunks()[i].last_ns) lookInto(i);
+  }
+  about_.bytes = bytes_->size();
+  countChunks();
+  const auto uncounted = [](const ChannelShare& share) { return share.count == 0; };
+  about_.counted = std::none_of(chunks().begin(), chunks().end(), [&](const ChunkPlace& chunk) {
+    return std::any_of(chunk.shares.begin(), chunk.shares.end(), uncounted);
+  });
+  if (about_.counted) return true;
+  about_.messages_of.clear();
+  about_.messages = statistics ? statistics->messages : 0;
+  about_.counted = statistics && (!statistics->messages_of.empty() || statistics->messages == 0);
+  if (!about_.counted) return true;
+  for (const auto& [channel, count] : statistics->messages_of) about_.messages_of[channel] = count;
+  return true;
+}
+
+/// Also scans what lies between the chunks: attachments, metadata, and messages outside of any chunk.
+bool McapReader::takeChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::uint64_t data_end) {
+  std::sort(indexes.begin(), indexes.end(), [](const auto& a, const auto& b) { return a.offset < b.offset; });
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> gaps;
+  std::uint64_t past = mcap::kMagic.size();
+  for (const mcap::ChunkIndex& index : indexes) {
+    if (index.offset < past || index.offset > data_end || index.length < mcap::kRecordHead + 40 ||
+        index.length > data_end - index.offset ||
+        index.index_length > data_end - index.offset - index.length) {
+      return false;
+    }
+    if (index.offset > past) gaps.emplace_back(past, index.offset);
+    past = index.offset + index.length + index.index_length;
+    for (const auto& [channel, offset] : index.index_offsets) {
+      if (offset < index.offset + index.length || offset >= past) return false;
+    }
+  }
+  if (past < data_end) gaps.emplace_back(past, data_end);
+  for (const mcap::ChunkIndex& index : indexes) {
+    ChunkPlace place;
+    place.offset = index.offset;
+    place.length = index.length;
+    place.first_ns = mcap::timeOf(index.start);
+    place.last_ns = mcap::timeOf(index.end);
+    place.channels_known = !index.index_offsets.empty();
+    // A chunk without messages, or without indexes, may state 0 and 0.
+    if (place.first_ns > place.last_ns || !mcap::isTime(index.end) ||
+        (!place.channels_known && index.start == 0 && index.end == 0)) {
+      place.channels_known = false;
+      place.forgetTimes();
+    }
+    place.shares.reserve(index.index_offsets.size());
+    for (const auto& [channel, offset] : index.index_offsets) place.shares.push_back({channel, 0});
+    addChunk(std::move(place));
+  }
+  for (const auto& [from, to] : gaps) {
+    const std::uint64_t read = scan(from, to);
+    if (read < to) notes_.add(NoteCode::BytesSkipped, read, {}, to - read);
+  }
+  if (chunks().size() != indexes.size()) sortChunks();
+  scanned_to_ = data_end;
+  return true;
 }
 
 void McapReader::takeSchema(std::span<const std::uint8_t> content, std::uint64_t at) {
-  std::optional<mcap::Schema> schema = mcap::schemaIn(content);
-  if (!schema) {
+  auto schema = mcap::read<mcap::Schema>(content);
+  if (!schema || schema->id == 0) {
     notes_.add(NoteCode::RecordCorrupt, at);
     return;
   }
@@ -45,22 +216,21 @@ void McapReader::takeSchema(std::span<const std::uint8_t> content, std::uint64_t
 }
 
 void McapReader::takeChannel(std::span<const std::uint8_t> content, std::uint64_t at) {
-  std::optional<mcap::ChannelRecord> record = mcap::channelIn(content);
+  auto record = mcap::read<mcap::ChannelRecord>(content);
   if (!record) {
     notes_.add(NoteCode::RecordCorrupt, at);
     return;
   }
-  if (const auto schema = schemas_.find(record->schema_id); schema != schemas_.end()) {
-    record->channel.schema_name = schema->second.name;
-    record->channel.schema_encoding = schema->second.encoding;
-    record->channel.schema_data = schema->second.data;
-  }
-  addChannel(std::move(record->channel), at);
+  const auto schema = schemas_.find(record->schema_id);
+  const mcap::Schema of = schema == schemas_.end() ? mcap::Schema() : schema->second;
+  addChannel({record->id, std::move(record->topic), std::move(record->message_encoding), of.name, of.encoding,
+              of.data, std::move(record->metadata)},
+             at);
 }
 
 tl::expected<UnpackedChunk, Note> McapReader::unpack(const ChunkPlace& place) {
   const auto failed = [&](NoteCode code, std::string_view name = {}) {
-    return tl::unexpected(noteOf(code, place, name));
+    return tl::unexpected(Note{code, place.offset, 1, std::string(name)});
   };
   if (place.length > limits_.most_chunk_bytes + mcap::kMostChunkHead) return failed(NoteCode::ChunkTooLarge);
   std::optional<UnpackedChunk> stored = raw(place.offset, place.length);
@@ -72,7 +242,7 @@ tl::expected<UnpackedChunk, Note> McapReader::unpack(const ChunkPlace& place) {
   ByteReader in(stored->all());
   const bool is_chunk = in.number<std::uint8_t>() == std::uint8_t(Op::Chunk);
   const auto length = in.number<std::uint64_t>();
-  const auto content = in.take(in.left());
+  const auto content = in.rest();
   const std::optional<mcap::ChunkHead> head = mcap::chunkHeadIn(content, content.size());
   if (!is_chunk || length != content.size() || !head) return failed(NoteCode::ChunkCorrupt);
   if (head->unpacked_size > limits_.most_chunk_bytes) return failed(NoteCode::ChunkTooLarge);
@@ -101,8 +271,7 @@ std::optional<Packing> McapReader::packingOf(const ChunkPlace& place) const {
   const std::uint64_t length = place.length - mcap::kRecordHead;
   const std::optional<UnpackedChunk> start =
       raw(place.offset + mcap::kRecordHead, std::min<std::uint64_t>(length, mcap::kMostChunkHead));
-  const std::optional<mcap::ChunkHead> head =
-      start ? mcap::chunkHeadIn(start->all(), length) : std::optional<mcap::ChunkHead>();
+  const auto head = start ? mcap::chunkHeadIn(start->all(), length) : std::nullopt;
   if (!head) return std::nullopt;
   return Packing{head->compression, 1, head->records_size, head->unpacked_size};
 }
@@ -119,17 +288,14 @@ void McapReader::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
     }
     if (op == Op::Message) {
       ByteReader message(content);
-      ChunkEntry entry;
-      entry.channel = message.number<std::uint16_t>();
+      const auto channel = message.number<std::uint16_t>();
       message.number<std::uint32_t>();
       const auto stamp = message.number<std::uint64_t>();
       message.number<std::uint64_t>();
-      entry.log_ns = mcap::timeOf(stamp);
-      entry.offset = at;
       if (!message.sound()) {
         notes_.add(NoteCode::RecordCorrupt, place.offset);
       } else if (mcap::isTime(stamp)) {
-        chunk.entries.push_back(entry);
+        chunk.entries.push_back({mcap::timeOf(stamp), at, channel});
       } else {
         notes_.add(NoteCode::TimeUnusable, place.offset);
       }
@@ -150,33 +316,8 @@ Message McapReader::read(const UnpackedChunk& chunk, const ChunkEntry& entry) co
   message.sequence = content.number<std::uint32_t>();
   content.number<std::uint64_t>();
   message.publish_time_ns = mcap::timeOf(content.number<std::uint64_t>());
-  message.bytes = content.take(content.left());
+  message.bytes = content.rest();
   return message;
-}
-
-ChunkedSource::Latest McapReader::latestByIndex(const ChunkPlace&, const ChannelShare& share,
-                                                std::int64_t at_ns) {
-  const std::optional<UnpackedChunk> start = raw(share.index_offset, mcap::kRecordHead + 6);
-  if (!start) return {};
-  ByteReader in(start->all());
-  const bool is_index = in.number<std::uint8_t>() == std::uint8_t(Op::MessageIndex);
-  const auto length = in.number<std::uint64_t>();
-  const auto channel = in.number<std::uint16_t>();
-  const auto bytes = in.number<std::uint32_t>();
-  if (!is_index || channel != share.channel || length != std::uint64_t(bytes) + 6) return {};
-  if (bytes > limits_.most_record_bytes) return {};
-  const std::optional<UnpackedChunk> rows = raw(share.index_offset + mcap::kRecordHead + 6, bytes);
-  if (!rows) return {};
-  Latest latest{false, std::nullopt};
-  ByteReader row(rows->all());
-  while (row.left() >= 16) {
-    const auto stamp = row.number<std::uint64_t>();
-    const std::int64_t time = mcap::timeOf(stamp);
-    row.number<std::uint64_t>();
-    if (mcap::isTime(stamp) && time <= at_ns && (!latest.log_ns || time > *latest.log_ns))
-      latest.log_ns = time;
-  }
-  return latest;
 }
 
 std::optional<Attachment> McapReader::attachment(const AttachmentPlace& place) {
@@ -202,10 +343,197 @@ std::optional<Attachment> McapReader::attachment(const AttachmentPlace& place) {
   attachment.bytes = ByteReader::textOf(in.take(in.number<std::uint64_t>()));
   const std::size_t summed = content->size - in.left();
   const auto crc = in.number<std::uint32_t>();
-  if (!in.sound()) return failed(NoteCode::AttachmentCorrupt);
-  if (crc != 0 && packed::crc32(0, content->all().first(summed)) != crc)
-    return failed(NoteCode::AttachmentCorrupt);
+  const bool sound = in.sound() && (crc == 0 || packed::crc32(0, content->all().first(summed)) == crc);
+  if (!sound) return failed(NoteCode::AttachmentCorrupt);
   return attachment;
+}
+
+/// An unknown record may be skipped if another one follows it. Source: MCAP format specification, "Records"
+/// (opcodes 0x10 to 0x7F are for later versions, 0x80 and above are private).
+bool leadsOn(Window& window, const McapRecord& record, std::uint64_t to) {
+  if (std::uint8_t(record.op) == 0) return false;
+  if (record.length > to - record.content()) return true;  // take() detects whether it was cut off
+  ByteReader in(window.look(record.end(), mcap::kRecordHead, to));
+  const auto op = in.number<std::uint8_t>();
+  const auto length = in.number<std::uint64_t>();
+  if (!in.sound()) return true;                  // the file ends here
+  if (Op(op) == Op::MessageIndex) return false;  // it was a chunk, so this is damage
+  return isKnownOp(op) || (op != 0 && length <= to - record.end() - mcap::kRecordHead);
+}
+
+ChunkedSource::Step McapReader::takeRecord(Window& window, std::uint64_t from, std::uint64_t to,
+                                           std::uint64_t& past) {
+  const auto start = window.look(from, mcap::kRecordHead, to);
+  if (start.size() != mcap::kRecordHead) return Step::CutOff;
+  ByteReader in(start);
+  const auto op = in.number<std::uint8_t>();
+  const McapRecord record{Op(op), from, in.number<std::uint64_t>()};
+  past = record.end();
+  return isKnownOp(op) || leadsOn(window, record, to) ? take(window, record, to) : Step::NoRecord;
+}
+
+ChunkedSource::Step McapReader::take(Window& window, const McapRecord& record, std::uint64_t to) {
+  const bool whole = record.length <= to - record.content();
+  if (record.op != Op::MessageIndex) settleChunk(false);
+  if (record.op == Op::Chunk) return takeChunk(window, record, to);
+  if (!whole) {
+    // A length beyond the end belongs to the last, truncated record, or is invalid. An attachment or a
+    // message may be large, but not larger than the reading limit.
+    const bool may_be_long =
+        record.op == Op::Attachment || record.op == Op::Message || record.op == Op::MessageIndex;
+    const bool likely = record.length <= (may_be_long ? limits_.most_chunk_bytes : limits_.most_record_bytes);
+    return likely && nextChunk(window, record.at + 1, to) == to ? Step::CutOff : Step::NoRecord;
+  }
+  switch (record.op) {
+    case Op::Message:
+      return takeMessage(window, record);
+    case Op::MessageIndex:
+      return takeIndex(window, record);
+    case Op::Attachment:
+      return takeAttachment(window, record);
+    case Op::Header:
+    case Op::Schema:
+    case Op::Channel:
+    case Op::Metadata:
+      return takeSmall(record);
+    case Op::DataEnd:
+      return record.length >= 4 && record.length <= 64 ? Step::DataEnds : Step::NoRecord;
+    case Op::Footer:
+      return record.length == mcap::kFooterContent ? Step::DataEnds : Step::NoRecord;
+    default:
+      return Step::Taken;  // part of a summary, or private
+  }
+}
+
+ChunkedSource::Step McapReader::takeChunk(Window& window, const McapRecord& record, std::uint64_t to) {
+  const auto least = std::min<std::uint64_t>(record.length, mcap::kMostChunkHead);
+  const auto content = window.look(record.content(), std::size_t(least), to);
+  const std::optional<mcap::ChunkHead> head = mcap::chunkHeadIn(content, record.length);
+  if (!head) return content.size() == least ? Step::NoRecord : Step::CutOff;
+  if (record.length > to - record.content()) {
+    // Truncated, if both of its lengths agree; otherwise one of them is wrong.
+    return head->records_at + head->records_size == record.length ? Step::CutOff : Step::NoRecord;
+  }
+  ChunkPlace place;
+  place.offset = record.at;
+  place.length = record.end() - record.at;
+  place.first_ns = mcap::timeOf(head->start);
+  place.last_ns = mcap::timeOf(head->end);
+  if (!mcap::isTime(head->end)) place.forgetTimes();  // it will be unpacked
+  addScanned(std::move(place));
+  return Step::Taken;
+}
+
+ChunkedSource::Step McapReader::takeIndex(Window& window, const McapRecord& record) {
+  ByteReader in(window.look(record.content(), 6, record.end()));
+  const auto channel = in.number<std::uint16_t>();
+  const auto bytes = in.number<std::uint32_t>();
+  if (!in.sound() || std::uint64_t(bytes) + 6 > record.length) return Step::NoRecord;
+  ChunkPlace* const chunk = indexedChunk();
+  if (chunk == nullptr || bytes == 0) return Step::Taken;
+  ChannelShare& share = chunk->share(channel);
+  if (share.count == 0) share.count = bytes / 16;  // it was counted if the file ended here before
+  return Step::Taken;
+}
+
+ChunkedSource::Step McapReader::takeMessage(Window& window, const McapRecord& record) {
+  ByteReader in(window.look(record.content(), mcap::kMessageHead, record.end()));
+  const auto channel = in.number<std::uint16_t>();
+  in.number<std::uint32_t>();
+  const auto stamp = in.number<std::uint64_t>();
+  in.number<std::uint64_t>();
+  if (!in.sound()) return Step::NoRecord;
+  if (mcap::isTime(stamp)) {
+    addBare(record.at, record.end() - record.at, channel, mcap::timeOf(stamp));
+  } else {
+    notes_.add(NoteCode::TimeUnusable, record.at);
+  }
+  return Step::Taken;
+}
+
+ChunkedSource::Step McapReader::takeAttachment(Window& window, const McapRecord& record) {
+  // Names are short; one that does not fit into the window is ignored.
+  ByteReader in(window.look(record.content(),
+                            std::size_t(std::min<std::uint64_t>(record.length, Window::kMostInView)),
+                            record.end()));
+  AttachmentPlace place;
+  place.offset = record.at;
+  place.log_time_ns = mcap::timeOf(in.number<std::uint64_t>());
+  place.create_time_ns = mcap::timeOf(in.number<std::uint64_t>());
+  place.name = in.text();
+  place.media_type = in.text();
+  place.size = in.number<std::uint64_t>();
+  if (!in.sound() || place.size > record.length) return Step::NoRecord;
+  attachments_.push_back(std::move(place));
+  return Step::Taken;
+}
+
+ChunkedSource::Step McapReader::takeSmall(const McapRecord& record) {
+  if (record.length > limits_.most_record_bytes) {
+    notes_.add(NoteCode::RecordTooLarge, record.at);
+    return Step::Taken;
+  }
+  const std::optional<UnpackedChunk> content = raw(record.content(), record.length);
+  if (!content) return Step::CutOff;
+  if (record.op == Op::Schema) {
+    takeSchema(content->all(), record.at);
+  } else if (record.op == Op::Channel) {
+    takeChannel(content->all(), record.at);
+  } else if (record.op == Op::Header) {
+    const auto header = mcap::read<mcap::Header>(content->all());
+    if (!header) return Step::NoRecord;
+    about_.profile = header->profile;
+    about_.library = header->library;
+  } else if (auto read = mcap::read<mcap::MetadataRecord>(content->all())) {
+    metadata_.push_back(std::move(read->metadata));
+  } else {
+    return Step::NoRecord;
+  }
+  return Step::Taken;
+}
+
+std::uint64_t McapReader::nextChunk(Window& window, std::uint64_t from, std::uint64_t to) const {
+  constexpr std::size_t kStart = mcap::kRecordHead + mcap::kMostChunkHead;
+  while (from < to) {
+    const auto view = window.rest(from, kStart, to);
+    if (view.empty()) return to;
+    const void* const found = std::memchr(view.data(), int(Op::Chunk), view.size());
+    if (found == nullptr) {
+      from += view.size();
+      continue;
+    }
+    from += std::uint64_t(static_cast<const std::uint8_t*>(found) - view.data());
+    ByteReader in(window.look(from, kStart, to));
+    in.number<std::uint8_t>();
+    const auto length = in.number<std::uint64_t>();
+    const auto content = in.take(std::min<std::uint64_t>(in.left(), length));
+    const std::optional<mcap::ChunkHead> head = mcap::chunkHeadIn(content, length);
+    const bool known =
+        head && (head->compression.empty() || head->compression == "zstd" || head->compression == "lz4");
+    if (known && head->records_at + head->records_size == length && length <= to - from - mcap::kRecordHead &&
+        head->start <= head->end) {
+      return from;
+    }
+    ++from;
+  }
+  return to;
+}
+
+}  // namespace
+
+bool looksLikeMcap(std::span<const std::uint8_t> start) {
+  constexpr std::size_t kName = 5;  // the byte after it is the version
+  return start.size() >= mcap::kMagic.size() &&
+         std::equal(start.begin(), start.begin() + kName, mcap::kMagic.begin());
+}
+
+Opened openMcap(std::unique_ptr<Bytes> bytes, const Limits& limits) {
+  std::array<std::uint8_t, mcap::kMagic.size()> magic{};
+  if (!bytes->read(magic, 0)) return tl::unexpected(Failure{Failure::Code::NotOne, {}});
+  if (magic != mcap::kMagic) return tl::unexpected(Failure{Failure::Code::Version, {}});
+  auto reader = std::make_unique<McapReader>(std::move(bytes), limits);
+  reader->open();
+  return reader;
 }
 
 }  // namespace mapwright::recording

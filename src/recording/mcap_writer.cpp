@@ -32,9 +32,7 @@ tl::expected<std::unique_ptr<McapWriter>, disk::FileError> McapWriter::create(
   std::unique_ptr<McapWriter> writer(new McapWriter(std::move(target), std::move(options)));
   mcap::RecordWriter start;
   start.raw(mcap::kMagic);
-  start.begin(mcap::Op::Header);
-  start.text(writer->options_.profile).text(writer->options_.library);
-  start.end();
+  mcap::write(start, mcap::Header{writer->options_.profile, writer->options_.library});
   if (std::optional<disk::FileError> fault = writer->append(start.bytes())) {
     writer->closed_ = true;
     return tl::unexpected(std::move(*fault));
@@ -57,10 +55,7 @@ std::optional<disk::FileError> McapWriter::append(std::span<const std::uint8_t> 
 }
 
 std::optional<ChannelId> McapWriter::addChannel(const Channel& channel) {
-  mcap::ChannelRecord record{0, channel};
-  record.channel.schema_name.clear();
-  record.channel.schema_encoding.clear();
-  record.channel.schema_data.clear();
+  mcap::ChannelRecord record{0, 0, channel.topic, channel.message_encoding, channel.metadata};
   const bool has_schema = !channel.schema_name.empty() || !channel.schema_encoding.empty();
   if (textOf(channel) > kMostText) return std::nullopt;
   if (has_schema) {
@@ -72,16 +67,15 @@ std::optional<ChannelId> McapWriter::addChannel(const Channel& channel) {
     record.schema_id = std::uint16_t(same - schemas_.begin() + 1);
   }
   for (const mcap::ChannelRecord& known : channels_) {
-    record.channel.id = known.channel.id;
-    if (known.schema_id == record.schema_id && known.channel == record.channel)
-      return ChannelId(record.channel.id);
+    record.id = known.id;
+    if (known == record) return known.id;
   }
   if (channels_.size() == kMostIds) return std::nullopt;
   if (record.schema_id > schemas_.size()) {
     schemas_.push_back({record.schema_id, channel.schema_name, channel.schema_encoding, channel.schema_data});
     described_schema_.push_back(false);
   }
-  record.channel.id = std::uint32_t(channels_.size() + 1);
+  record.id = ChannelId(channels_.size() + 1);
   channels_.push_back(std::move(record));
   described_channel_.push_back(false);
   return ChannelId(channels_.size());
@@ -183,10 +177,7 @@ void McapWriter::pack() {
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     due.index.index_offsets.emplace_back(channel, due.index.length + indexes.size());
     due.messages_of[channel] = places.size();
-    indexes.begin(mcap::Op::MessageIndex);
-    indexes.u16(channel).u32(std::uint32_t(places.size() * 16));
-    for (const auto& [time, offset] : places) indexes.u64(time).u64(offset);
-    indexes.end();
+    mcap::write(indexes, mcap::MessageIndex{channel, places});
   }
   due.index.index_length = indexes.size();
   due.bytes.reserve(std::size_t(due.index.length) + indexes.size());
@@ -231,64 +222,49 @@ std::optional<disk::FileError> McapWriter::attach(const Attachment& attachment) 
   const std::uint64_t at = progress_.bytes;
   std::optional<disk::FileError> fault = append(record.bytes());
   if (progress_.bytes == at) return fault;
-  mcap::AttachmentIndex index;
-  index.offset = at;
-  index.length = record.size();
-  index.place.name = attachment.name;
-  index.place.media_type = attachment.media_type;
-  index.place.log_time_ns = std::int64_t(stampOf(attachment.log_time_ns));
-  index.place.create_time_ns = std::int64_t(stampOf(attachment.create_time_ns));
-  index.place.size = data.size();
-  attachments_.push_back(std::move(index));
+  const AttachmentPlace place{attachment.name,
+                              attachment.media_type,
+                              std::int64_t(stampOf(attachment.log_time_ns)),
+                              std::int64_t(stampOf(attachment.create_time_ns)),
+                              data.size(),
+                              at};
+  attachments_.push_back({at, record.size(), place});
   return fault;
 }
 
 std::optional<disk::FileError> McapWriter::note(const Metadata& metadata) {
   if (data_ended_) return disk::systemError({}, EINVAL);
   mcap::RecordWriter record;
-  mcap::write(record, metadata);
+  mcap::write(record, mcap::MetadataRecord{metadata});
   const std::uint64_t at = progress_.bytes;
   std::optional<disk::FileError> fault = append(record.bytes());
-  if (progress_.bytes != at) metadata_.emplace_back(at, record.size(), metadata.name);
+  if (progress_.bytes != at) metadata_.push_back({at, record.size(), metadata.name});
   return fault;
 }
 
 mcap::RecordWriter McapWriter::summary(std::uint64_t at) const {
   mcap::RecordWriter out, offsets;
-  const auto group = [&](mcap::Op op, const auto& write_all) {
+  const auto group = [&]<typename Record>(const std::vector<Record>& records) {
     const std::size_t start = out.size();
-    write_all();
-    if (out.size() == start) return;
+    for (const Record& record : records) mcap::write(out, record);
+    if (records.empty()) return;
     offsets.begin(mcap::Op::SummaryOffset);
-    offsets.u8(std::uint8_t(op)).u64(at + start).u64(out.size() - start);
+    offsets.u8(std::uint8_t(Record::kOp)).u64(at + start).u64(out.size() - start);
     offsets.end();
   };
-  const auto each = [&](const auto& rows) {
-    return [&] {
-      for (const auto& row : rows) mcap::write(out, row);
-    };
-  };
-  group(mcap::Op::Schema, each(schemas_));
-  group(mcap::Op::Channel, each(channels_));
-  group(mcap::Op::Statistics, [&] {
-    mcap::Statistics all = statistics_;
-    all.schemas = std::uint16_t(schemas_.size());
-    all.channels = std::uint32_t(channels_.size());
-    all.attachments = std::uint32_t(attachments_.size());
-    all.metadata = std::uint32_t(metadata_.size());
-    all.chunks = std::uint32_t(chunk_indexes_.size());
-    all.messages_of.assign(messages_of_.begin(), messages_of_.end());
-    mcap::write(out, all);
-  });
-  group(mcap::Op::ChunkIndex, each(chunk_indexes_));
-  group(mcap::Op::AttachmentIndex, each(attachments_));
-  group(mcap::Op::MetadataIndex, [&] {
-    for (const auto& [offset, length, name] : metadata_) {
-      out.begin(mcap::Op::MetadataIndex);
-      out.u64(offset).u64(length).text(name);
-      out.end();
-    }
-  });
+  mcap::Statistics all = statistics_;
+  all.schemas = std::uint16_t(schemas_.size());
+  all.channels = std::uint32_t(channels_.size());
+  all.attachments = std::uint32_t(attachments_.size());
+  all.metadata = std::uint32_t(metadata_.size());
+  all.chunks = std::uint32_t(chunk_indexes_.size());
+  all.messages_of.assign(messages_of_.begin(), messages_of_.end());
+  group(schemas_);
+  group(channels_);
+  group(std::vector{all});
+  group(chunk_indexes_);
+  group(attachments_);
+  group(metadata_);
   const std::uint64_t offsets_start = at + out.size();
   out.raw(offsets.bytes());
   out.u8(std::uint8_t(mcap::Op::Footer)).u64(mcap::kFooterContent).u64(at).u64(offsets_start);

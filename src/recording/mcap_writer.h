@@ -9,7 +9,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -116,7 +115,7 @@ class McapWriter {
   std::int64_t failed_ns_ = 0;            // when
   std::vector<mcap::ChunkIndex> chunk_indexes_;
   std::vector<mcap::AttachmentIndex> attachments_;
-  std::vector<std::tuple<std::uint64_t, std::uint64_t, std::string>> metadata_;  // offset, length, name
+  std::vector<mcap::MetadataIndex> metadata_;
   mcap::Statistics statistics_;
   std::map<ChannelId, std::uint64_t> messages_of_;
   std::uint32_t crc_ = 0;  // of everything in the file

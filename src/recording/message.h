@@ -1,4 +1,5 @@
-// The content of a recording, in any format: channels, messages, attachments. Value types, any thread. Times
+// The content of a recording, in any format: channels, messages, attachments, and problems (the texts are
+// made elsewhere). Value types, any thread. Times
 // are nanoseconds since the epoch of the recorder's clock (usually 1970, UTC); texts are UTF-8 as in the
 // file, and untrusted. Sources: MCAP format specification, "Records"; "ROS bag format 2.0".
 #pragma once
@@ -9,9 +10,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "recording/note.h"
+#include "disk/file_error.h"
 
 namespace mapwright::recording {
 
@@ -61,6 +63,59 @@ struct Metadata {
   bool operator==(const Metadata&) const = default;
 };
 
+/// Something found in a file that is still readable.
+enum class NoteCode : std::uint8_t {
+  NotFinished,        // its end is missing: the writer was interrupted, or is still writing
+  NoIndex,            // complete but without an index: it was scanned
+  IndexUnusable,      // its index is damaged: it was scanned
+  CutOff,             // ends within the record at `offset`
+  BytesSkipped,       // `count` bytes that are no records
+  ChunkCorrupt,       // chunks that cannot be unpacked, or that end in the middle of a record
+  ChunkChecksum,      // chunks with a wrong checksum: skipped
+  ChunkTooLarge,      // chunks larger than allowed (Limits::most_chunk_bytes)
+  ChunkCompression,   // chunks with an unknown compression: `name`
+  ChunkTimes,         // chunks with messages outside of their stated times
+  RecordTooLarge,     // schemas, channels, metadata beyond Limits::most_record_bytes: skipped
+  RecordCorrupt,      // such records that say nothing sound
+  UnknownChannel,     // messages of an undescribed channel
+  ChannelChanged,     // channels described again differently; the first description is used
+  TimeUnusable,       // messages with an invalid log time: after the year 2261
+  AttachmentCorrupt,  // wrong checksum, or cut off: `name`
+  Unreadable,         // the disk could not read it
+};
+
+/// How often, and where first.
+struct Note {
+  NoteCode code = NoteCode::NotFinished;
+  std::uint64_t offset = 0;  // bytes from the start of the file
+  std::uint64_t count = 1;   // number of occurrences
+  std::string name;          // untrusted
+  bool operator==(const Note&) const = default;
+};
+
+/// One note for each code and name, however often it occurs: keeps the list short for broken files.
+class Notes {
+ public:
+  void add(NoteCode code, std::uint64_t offset, std::string_view name = {}, std::uint64_t count = 1);
+  void drop(NoteCode code);
+  const std::vector<Note>& all() const { return notes_; }
+
+ private:
+  std::vector<Note> notes_;
+};
+
+/// Why a recording cannot be opened at all.
+struct Failure {
+  enum class Code : std::uint8_t {
+    File,       // `file` says it
+    NotOne,     // neither MCAP nor a bag, or too short to tell
+    Version,    // another major version of MCAP, or a bag before 2.0
+    Encrypted,  // a bag whose chunks are encrypted
+  };
+  Code code = Code::File;
+  disk::FileError file;
+};
+
 struct Summary {
   std::string profile, library;                  // the program that wrote it; empty in bags
   std::optional<std::int64_t> start_ns, end_ns;  // of the log times; nullopt: no messages
@@ -75,5 +130,14 @@ struct Summary {
 
   std::int64_t durationNs() const { return start_ns && end_ns ? *end_ns - *start_ns : 0; }
 };
+
+/// The double nearest to the decimal value, so that printing and parsing it gives the same value.
+constexpr double secondsOf(std::int64_t ns) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  return double(ns / kSecond) + double(ns % kSecond) / double(kSecond);
+}
+
+/// The shortest decimal form of this double, rounded to a nanosecond. Clamped to 63 bits; NaN is 0.
+std::int64_t nanosecondsOf(double s);
 
 }  // namespace mapwright::recording

@@ -1,94 +1,254 @@
-#include "recording/ros1_bag.h"
-
+// Reads ROS 1 bags, version 2.0, with uncompressed, bzip2 or LZ4 chunks. Source: "ROS bag format 2.0":
+// <header_len><header><data_len><data>, headers of <len>name=value.
+// Our own reader, not Debian's librosbag-storage: that one throws on a bag without an index (.bag.active
+// files of `rosbag record`, and every truncated bag), while we want everything intact; it trusts the lengths
+// in the file, and depends on a plug-in loader, GnuPG and five Boost libraries.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "packed/codec.h"
+#include "recording/chunked_source.h"
 
 namespace mapwright::recording {
 namespace {
 
-std::optional<packed::Codec> codecOf(std::string_view compression) {
-  if (compression == "bz2") return packed::Codec::Bzip2;
-  if (compression == "lz4") return packed::Codec::Lz4;
-  return std::nullopt;
+constexpr std::string_view kBagMagic = "#ROSBAG V2.0\n";
+constexpr std::uint32_t kMostHeader = 1 << 20;  // bytes: the longest field is a topic
+
+enum class BagOp : std::uint8_t {
+  Message = 2,
+  BagHeader = 3,
+  Index = 4,
+  Chunk = 5,
+  ChunkInfo = 6,
+  Connection = 7
+};
+
+std::int64_t bagTimeOf(std::uint64_t stamp) {
+  return std::int64_t(stamp & 0xffffffff) * 1'000'000'000 + std::int64_t(stamp >> 32);
 }
 
-}  // namespace
-
-bool looksLikeBag(std::span<const std::uint8_t> start) {
-  const std::string_view text = ByteReader::textOf(start);
-  return text.starts_with("#ROSBAG V") || text.starts_with("#ROSRECORD V") || text.starts_with("#ROSLOG V");
+std::span<const std::uint8_t> spanOf(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-bag::Fields Ros1Bag::Head::fields() const {
-  // Checked when the head was made.
-  return *bag::Fields::in(std::span(reinterpret_cast<const std::uint8_t*>(header.data()), header.size()));
+/// The fields of a record's header, views into its bytes.
+class BagFields {
+ public:
+  /// nullopt: they do not fill the bytes exactly, or one has no name.
+  static std::optional<BagFields> in(std::span<const std::uint8_t> header) {
+    BagFields fields;
+    ByteReader in(header);
+    while (in.left() > 0) {
+      const std::string_view field = in.text();
+      const std::size_t equals = field.find('=');
+      if (!in.sound() || equals == std::string_view::npos || equals == 0) return std::nullopt;
+      fields.all_.emplace_back(field.substr(0, equals), field.substr(equals + 1));
+    }
+    return fields;
+  }
+
+  std::optional<std::string_view> find(std::string_view name) const {
+    for (const auto& [known, value] : all_) {
+      if (known == name) return value;
+    }
+    return std::nullopt;
+  }
+  /// nullopt if it is missing or of another size.
+  template <typename T>
+  std::optional<T> number(std::string_view name) const {
+    const auto value = find(name);
+    if (!value || value->size() != sizeof(T)) return std::nullopt;
+    return ByteReader(spanOf(*value)).number<T>();
+  }
+  std::optional<BagOp> op() const {
+    const auto op = number<std::uint8_t>("op");
+    return op ? std::optional(BagOp(*op)) : std::nullopt;
+  }
+  /// A ROS time in nanoseconds: seconds and nanoseconds, 32 bits each.
+  std::optional<std::int64_t> time(std::string_view name) const {
+    const auto stamp = number<std::uint64_t>(name);
+    return stamp ? std::optional(bagTimeOf(*stamp)) : std::nullopt;
+  }
+  std::string text(std::string_view name) const { return std::string(find(name).value_or("")); }
+  const std::vector<std::pair<std::string_view, std::string_view>>& all() const { return all_; }
+
+ private:
+  std::vector<std::pair<std::string_view, std::string_view>> all_;
+};
+
+/// What a Connection record describes.
+std::optional<Channel> channelIn(const BagFields& header, std::span<const std::uint8_t> data) {
+  const auto id = header.number<std::uint32_t>("conn");
+  const std::optional<BagFields> about = BagFields::in(data);
+  if (!id || !about) return std::nullopt;
+  Channel channel;
+  channel.id = *id;
+  channel.topic = header.text("topic");  // as recorded; remapped ones differ from the other's
+  if (channel.topic.empty()) channel.topic = about->text("topic");
+  channel.message_encoding = "ros1";
+  channel.schema_name = about->text("type");
+  channel.schema_encoding = "ros1msg";
+  channel.schema_data = about->text("message_definition");
+  for (const auto& [name, value] : about->all()) {
+    if (name != "topic" && name != "type" && name != "message_definition")
+      channel.metadata.emplace(name, value);
+  }
+  return channel;
 }
 
-Opened Ros1Bag::open(std::unique_ptr<Bytes> bytes, const Limits& limits) {
-  std::array<std::uint8_t, bag::kMagic.size()> magic{};
-  if (!bytes->read(magic, 0) || !looksLikeBag(magic))
-    return tl::unexpected(Failure{Failure::Code::NotOne, {}});
-  if (ByteReader::textOf(magic) != bag::kMagic) return tl::unexpected(Failure{Failure::Code::Version, {}});
-  std::unique_ptr<Ros1Bag> reader(new Ros1Bag(std::move(bytes), limits));
-  if (const std::optional<Failure> failure = reader->readStart()) return tl::unexpected(*failure);
-  if (!reader->openByIndex()) reader->scanAll();
-  return reader;
-}
+/// A record of the file, without its data.
+struct BagRecord {
+  BagOp op = BagOp::Message;
+  std::uint64_t at = 0, data_at = 0, data_size = 0;
+  std::string header;  // its bytes, which were checked when it was made
+  std::uint64_t end() const { return data_at + data_size; }
+  BagFields fields() const { return *BagFields::in(spanOf(header)); }
+};
 
-/// The header of the bag. If it is truncated or damaged the bag has no index.
-std::optional<Failure> Ros1Bag::readStart() {
-  start_ = bag::kMagic.size();
-  const std::uint64_t size = bytes_->size();
+class Ros1Bag final : public ChunkedSource {
+ public:
+  using ChunkedSource::ChunkedSource;
+
+  std::string format() const override { return "ROS bag 2.0"; }
+  /// Bags have no attachments.
+  std::optional<Attachment> attachment(const AttachmentPlace&) override { return std::nullopt; }
+
+  std::optional<Failure> open();
+
+ protected:
+  std::optional<Packing> packingOf(const ChunkPlace& place) const override;
+  tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) override;
+  Message read(const UnpackedChunk& chunk, const ChunkEntry& entry) const override;
+  Step takeRecord(Window& window, std::uint64_t from, std::uint64_t to, std::uint64_t& past) override;
+  std::uint64_t nextChunk(Window& window, std::uint64_t from, std::uint64_t to) const override;
+
+ private:
+  /// nullopt: there is none; `cut`: because `end` lies inside it.
+  std::optional<BagRecord> recordAt(Window& window, std::uint64_t at, std::uint64_t end, bool& cut) const;
+  bool openByIndex();
+  std::optional<ChunkPlace> infoIn(const BagRecord& record) const;
+  Step take(const BagRecord& record);
+  Step takeMessage(const BagRecord& record);
+  Step takeIndex(const BagRecord& record);
+  Step takeConnection(const BagRecord& record);
+  void listRecords(UnpackedChunk& chunk, const ChunkPlace& place);
+
+  std::uint64_t start_ = kBagMagic.size();  // after the header of the bag
+  std::uint64_t index_at_ = 0;              // 0: there is none
+  std::uint32_t connections_ = 0, chunk_count_ = 0;
+};
+
+std::optional<Failure> Ros1Bag::open() {
+  // If the header of the bag is truncated or damaged the bag has no index.
   Window window(*bytes_);
   bool cut = false;
-  const std::optional<Head> head = headAt(window, start_, size, cut);
-  if (!head || head->op != bag::Op::BagHeader) return std::nullopt;
-  const bag::Fields fields = head->fields();
-  if (!fields.text("encryptor").empty()) return Failure{Failure::Code::Encrypted, {}};
-  index_at_ = fields.number<std::uint64_t>("index_pos").value_or(0);
-  connections_ = fields.number<std::uint32_t>("conn_count").value_or(0);
-  chunk_count_ = fields.number<std::uint32_t>("chunk_count").value_or(0);
-  // Padding fills it up to 4096 bytes: a larger length is invalid, and the first chunk is searched.
-  constexpr std::uint64_t kMostPadding = 4096;
-  start_ = head->data_size <= kMostPadding ? head->end() : head->data_at;
+  const std::optional<BagRecord> record = recordAt(window, start_, bytes_->size(), cut);
+  if (record && record->op == BagOp::BagHeader) {
+    const BagFields fields = record->fields();
+    if (!fields.text("encryptor").empty()) return Failure{Failure::Code::Encrypted, {}};
+    index_at_ = fields.number<std::uint64_t>("index_pos").value_or(0);
+    connections_ = fields.number<std::uint32_t>("conn_count").value_or(0);
+    chunk_count_ = fields.number<std::uint32_t>("chunk_count").value_or(0);
+    // Padding fills it up to 4096 bytes: a larger length is invalid, and the first chunk is searched.
+    constexpr std::uint64_t kMostPadding = 4096;
+    start_ = record->data_size <= kMostPadding ? record->end() : record->data_at;
+  }
+  if (!openByIndex()) scanAll(start_);
   return std::nullopt;
 }
 
-std::optional<Ros1Bag::Head> Ros1Bag::headAt(Window& window, std::uint64_t at, std::uint64_t end,
-                                             bool& cut) const {
-  cut = false;
-  Head head;
-  head.at = at;
+std::optional<BagRecord> Ros1Bag::recordAt(Window& window, std::uint64_t at, std::uint64_t end,
+                                           bool& cut) const {
+  BagRecord record;
+  record.at = at;
   ByteReader length(window.look(at, 4, end));
   const auto header_size = length.number<std::uint32_t>();
   cut = !length.sound();
-  if (cut || header_size > bag::kMostHeader || header_size == 0) return std::nullopt;
+  if (cut || header_size > kMostHeader || header_size == 0) return std::nullopt;
   if (header_size + 8 > end - at) {
     cut = true;
     return std::nullopt;
   }
-  head.header.resize(header_size);
+  record.header.resize(header_size);
   if (header_size <= Window::kMostInView / 2) {
     const auto seen = window.look(at + 4, header_size, end);
     if (seen.size() != header_size) return std::nullopt;
-    head.header = ByteReader::textOf(seen);
-  } else if (!bytes_->read({reinterpret_cast<std::uint8_t*>(head.header.data()), header_size}, at + 4)) {
+    record.header = ByteReader::textOf(seen);
+  } else if (!bytes_->read({reinterpret_cast<std::uint8_t*>(record.header.data()), header_size}, at + 4)) {
     return std::nullopt;
   }
-  const auto fields = bag::Fields::in(
-      std::span(reinterpret_cast<const std::uint8_t*>(head.header.data()), head.header.size()));
+  const auto fields = BagFields::in(spanOf(record.header));
   if (!fields || !fields->op()) return std::nullopt;
-  head.op = *fields->op();
+  record.op = *fields->op();
   ByteReader data(window.look(at + 4 + header_size, 4, end));
-  head.data_size = data.number<std::uint32_t>();
-  head.data_at = at + 8 + header_size;
-  if (!data.sound() || head.data_size > end - head.data_at) {
-    cut = true;
+  record.data_size = data.number<std::uint32_t>();
+  record.data_at = at + 8 + header_size;
+  cut = !data.sound() || record.data_size > end - record.data_at;
+  return cut ? std::nullopt : std::optional(std::move(record));
+}
+
+std::optional<ChunkPlace> Ros1Bag::infoIn(const BagRecord& record) const {
+  const BagFields fields = record.fields();
+  const auto offset = fields.number<std::uint64_t>("chunk_pos");
+  const auto first = fields.time("start_time");
+  const auto last = fields.time("end_time");
+  if (fields.number<std::uint32_t>("ver") != 1u || !offset || !first || !last) return std::nullopt;
+  if (*offset < start_ || *offset >= index_at_ || record.data_size > limits_.most_record_bytes)
     return std::nullopt;
+  const std::optional<UnpackedChunk> rows = raw(record.data_at, record.data_size);
+  if (!rows) return std::nullopt;
+  ChunkPlace place;
+  place.offset = *offset;
+  place.first_ns = *first;
+  place.last_ns = *last;
+  place.channels_known = true;
+  ByteReader row(rows->all());
+  while (row.left() >= 8) {
+    ChannelShare share;
+    share.channel = row.number<std::uint32_t>();
+    share.count = row.number<std::uint32_t>();
+    if (share.count > 0) place.shares.push_back(share);
   }
-  return head;
+  if (place.shares.empty()) place.forgetTimes();
+  return place;
+}
+
+bool Ros1Bag::openByIndex() {
+  const std::uint64_t size = bytes_->size();
+  const auto unusable = [&] {
+    notes_.add(NoteCode::IndexUnusable, index_at_);
+    return false;
+  };
+  if (index_at_ == 0) return false;  // the scan finds out whether it is finished
+  if (index_at_ < start_ || index_at_ > size) return unusable();
+  Window window(*bytes_);
+  std::vector<ChunkPlace> places;
+  std::uint32_t connections = 0;
+  for (std::uint64_t at = index_at_; at < size;) {
+    bool cut = false;
+    const std::optional<BagRecord> record = recordAt(window, at, size, cut);
+    if (!record) return unusable();
+    if (record->op == BagOp::Connection) {
+      if (takeConnection(*record) != Step::Taken) return unusable();
+      ++connections;
+    } else if (record->op == BagOp::ChunkInfo) {
+      std::optional<ChunkPlace> place = infoIn(*record);
+      if (!place) return unusable();
+      places.push_back(std::move(*place));
+    }
+    at = record->end();
+  }
+  if (places.size() != chunk_count_ || connections != connections_) return unusable();
+  std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.offset < b.offset; });
+  const auto twice = [](const ChunkPlace& a, const ChunkPlace& b) { return a.offset == b.offset; };
+  if (std::adjacent_find(places.begin(), places.end(), twice) != places.end()) return unusable();
+  for (ChunkPlace& place : places) addChunk(std::move(place));
+  about_.bytes = size;
+  findChannels();
+  countChunks();
+  return true;
 }
 
 tl::expected<UnpackedChunk, Note> Ros1Bag::unpack(const ChunkPlace& place) {
@@ -104,21 +264,22 @@ tl::expected<UnpackedChunk, Note> Ros1Bag::unpack(const ChunkPlace& place) {
   }
   Window window(*bytes_);
   bool cut = false;
-  const std::optional<Head> head = headAt(window, place.offset, bytes_->size(), cut);
-  if (!head || head->op != bag::Op::Chunk) return failed(cut ? NoteCode::Unreadable : NoteCode::ChunkCorrupt);
-  const bag::Fields fields = head->fields();
+  const std::optional<BagRecord> record = recordAt(window, place.offset, bytes_->size(), cut);
+  if (!record || record->op != BagOp::Chunk)
+    return failed(cut ? NoteCode::Unreadable : NoteCode::ChunkCorrupt);
+  const BagFields fields = record->fields();
   const auto size = fields.number<std::uint32_t>("size");
   if (!size) return failed(NoteCode::ChunkCorrupt);
-  if (head->data_size > limits_.most_chunk_bytes || *size > limits_.most_chunk_bytes) {
+  if (record->data_size > limits_.most_chunk_bytes || *size > limits_.most_chunk_bytes)
     return failed(NoteCode::ChunkTooLarge);
-  }
-  std::optional<UnpackedChunk> stored = raw(head->data_at, head->data_size);
+  std::optional<UnpackedChunk> stored = raw(record->data_at, record->data_size);
   if (!stored) return failed(NoteCode::Unreadable);
   const std::string compression = fields.text("compression");
   if (compression != "none" && !compression.empty()) {
-    const std::optional<packed::Codec> codec = codecOf(compression);
-    if (!codec) return failed(NoteCode::ChunkCompression, compression);
-    auto unpacked = packed::unpackExactly(*codec, stored->all(), *size);
+    const bool bzip2 = compression == "bz2";
+    if (!bzip2 && compression != "lz4") return failed(NoteCode::ChunkCompression, compression);
+    auto unpacked =
+        packed::unpackExactly(bzip2 ? packed::Codec::Bzip2 : packed::Codec::Lz4, stored->all(), *size);
     if (!unpacked) return failed(NoteCode::ChunkCorrupt);
     stored->size = unpacked->size;
     stored->bytes = std::move(unpacked->data);
@@ -130,12 +291,12 @@ tl::expected<UnpackedChunk, Note> Ros1Bag::unpack(const ChunkPlace& place) {
 std::optional<Packing> Ros1Bag::packingOf(const ChunkPlace& place) const {
   Window window(*bytes_);
   bool cut = false;
-  const std::optional<Head> head = headAt(window, place.offset, bytes_->size(), cut);
-  if (!head || head->op != bag::Op::Chunk) return std::nullopt;
-  const bag::Fields fields = head->fields();
+  const std::optional<BagRecord> record = recordAt(window, place.offset, bytes_->size(), cut);
+  if (!record || record->op != BagOp::Chunk) return std::nullopt;
+  const BagFields fields = record->fields();
   std::string compression = fields.text("compression");
   if (compression == "none") compression.clear();
-  return Packing{std::move(compression), 1, head->data_size,
+  return Packing{std::move(compression), 1, record->data_size,
                  fields.number<std::uint32_t>("size").value_or(0)};
 }
 
@@ -143,21 +304,24 @@ void Ros1Bag::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
   ByteReader in(chunk.all());
   while (in.left() > 0) {
     const std::uint64_t at = chunk.size - in.left();
-    const std::optional<bag::Record> record = bag::recordIn(in);
-    if (!record) {
+    const auto header = in.piece();
+    const auto data = in.piece();
+    const bool whole = in.sound() && header.size() <= kMostHeader;
+    const auto fields = whole ? BagFields::in(header) : std::nullopt;
+    if (!fields || !fields->op()) {
       notes_.add(NoteCode::ChunkCorrupt, place.offset);  // everything before that is intact
       return;
     }
-    if (record->header.op() == bag::Op::Message) {
-      const auto channel = record->header.number<std::uint32_t>("conn");
-      const auto time = record->header.time("time");
+    if (fields->op() == BagOp::Message) {
+      const auto channel = fields->number<std::uint32_t>("conn");
+      const auto time = fields->time("time");
       if (channel && time) {
         chunk.entries.push_back({*time, at, *channel});
       } else {
         notes_.add(NoteCode::RecordCorrupt, place.offset);
       }
-    } else if (record->header.op() == bag::Op::Connection) {
-      if (std::optional<Channel> channel = bag::channelIn(*record)) {
+    } else if (fields->op() == BagOp::Connection) {
+      if (std::optional<Channel> channel = channelIn(*fields, data)) {
         addChannel(std::move(*channel), place.offset);
       } else {
         notes_.add(NoteCode::RecordCorrupt, place.offset);
@@ -175,34 +339,130 @@ Message Ros1Bag::read(const UnpackedChunk& chunk, const ChunkEntry& entry) const
   return message;
 }
 
-ChunkedSource::Latest Ros1Bag::latestByIndex(const ChunkPlace& place, const ChannelShare& share,
-                                             std::int64_t at_ns) {
-  // The indexes follow the chunk, one for each channel, in any order.
-  const std::uint64_t size = bytes_->size();
-  Window window(*bytes_);
+ChunkedSource::Step Ros1Bag::takeRecord(Window& window, std::uint64_t from, std::uint64_t to,
+                                        std::uint64_t& past) {
   bool cut = false;
-  std::optional<Head> head = headAt(window, place.offset, size, cut);
-  for (std::size_t i = 0; head && i <= place.shares.size(); ++i) {
-    if (i > 0) {
-      const bag::Fields fields = head->fields();
-      if (head->op != bag::Op::Index || fields.number<std::uint32_t>("ver") != 1u) return {};
-      if (fields.number<std::uint32_t>("conn") == share.channel) {
-        if (head->data_size > limits_.most_record_bytes) return {};
-        const std::optional<UnpackedChunk> rows = raw(head->data_at, head->data_size);
-        if (!rows) return {};
-        Latest latest{false, std::nullopt};
-        ByteReader row(rows->all());
-        while (row.left() >= 12) {
-          const std::int64_t time = bag::timeOf(row.number<std::uint64_t>());
-          row.number<std::uint32_t>();
-          if (time <= at_ns && (!latest.log_ns || time > *latest.log_ns)) latest.log_ns = time;
-        }
-        return latest;
-      }
+  const std::optional<BagRecord> record = recordAt(window, from, to, cut);
+  if (record && (record->op != BagOp::Index || indexedChunk() == nullptr)) settleChunk(false);
+  Step step = record ? take(*record) : cut ? Step::CutOff : Step::NoRecord;
+  if (record) past = record->end();
+  // A length beyond the end belongs to the last, truncated record, or is invalid.
+  if (step == Step::CutOff && nextChunk(window, from + 1, to) != to) step = Step::NoRecord;
+  return step;
+}
+
+ChunkedSource::Step Ros1Bag::take(const BagRecord& record) {
+  switch (record.op) {
+    case BagOp::Message:
+      return takeMessage(record);
+    case BagOp::Index:
+      return takeIndex(record);
+    case BagOp::Connection:
+      return takeConnection(record);
+    case BagOp::Chunk: {
+      ChunkPlace place;
+      place.offset = record.at;
+      place.length = record.end() - record.at;
+      place.forgetTimes();  // known from its indexes, or its content
+      addScanned(std::move(place));
+      return Step::Taken;
     }
-    head = headAt(window, head->end(), size, cut);
+    case BagOp::ChunkInfo:
+      about_.finished = true;  // this is written last
+      return Step::Taken;
+    case BagOp::BagHeader:
+      return Step::Taken;
   }
-  return {};
+  return Step::NoRecord;
+}
+
+ChunkedSource::Step Ros1Bag::takeConnection(const BagRecord& record) {
+  if (record.data_size > limits_.most_record_bytes) {
+    notes_.add(NoteCode::RecordTooLarge, record.at);
+    return Step::Taken;
+  }
+  const std::optional<UnpackedChunk> data = raw(record.data_at, record.data_size);
+  if (!data) return Step::CutOff;
+  std::optional<Channel> channel = channelIn(record.fields(), data->all());
+  if (!channel) return Step::NoRecord;
+  addChannel(std::move(*channel), record.at);
+  return Step::Taken;
+}
+
+ChunkedSource::Step Ros1Bag::takeIndex(const BagRecord& record) {
+  const BagFields fields = record.fields();
+  const auto channel = fields.number<std::uint32_t>("conn");
+  const auto count = fields.number<std::uint32_t>("count");
+  if (!channel || !count || fields.number<std::uint32_t>("ver") != 1u) return Step::NoRecord;
+  if (std::uint64_t(*count) * 12 != record.data_size) return Step::NoRecord;
+  ChunkPlace* const chunk = indexedChunk();
+  if (chunk == nullptr || *count == 0) return Step::Taken;
+  if (chunk->shareOf(*channel) != nullptr) return Step::Taken;           // it was counted before
+  if (record.data_size > limits_.most_record_bytes) return Step::Taken;  // it will be unpacked
+  const std::optional<UnpackedChunk> rows = raw(record.data_at, record.data_size);
+  if (!rows) return Step::CutOff;
+  chunk->share(*channel).count = *count;
+  ByteReader row(rows->all());
+  while (row.left() >= 12) {
+    chunk->include(bagTimeOf(row.number<std::uint64_t>()));
+    row.number<std::uint32_t>();
+  }
+  return Step::Taken;
+}
+
+/// Messages outside of chunks: nobody writes them, but the format allows it.
+ChunkedSource::Step Ros1Bag::takeMessage(const BagRecord& record) {
+  const BagFields fields = record.fields();
+  const auto channel = fields.number<std::uint32_t>("conn");
+  const auto time = fields.time("time");
+  if (!channel || !time) return Step::NoRecord;
+  addBare(record.at, record.end() - record.at, *channel, *time);
+  return Step::Taken;
+}
+
+/// A header of three fields, "compression", "op" and "size", in any order.
+std::uint64_t Ros1Bag::nextChunk(Window& window, std::uint64_t from, std::uint64_t to) const {
+  constexpr std::size_t kStart = 256;
+  while (from < to) {
+    const auto view = window.rest(from, kStart, to);
+    if (view.empty()) return to;
+    // The length of such a header is below 256, so its second and later bytes are zero.
+    const std::string_view text = ByteReader::textOf(view);
+    const std::size_t zeros = text.find(std::string_view("\0\0\0", 3));
+    if (zeros == std::string_view::npos) {
+      from += view.size() > 2 && from + view.size() < to ? view.size() - 2 : view.size();
+      continue;
+    }
+    if (zeros == 0) {
+      ++from;
+      continue;
+    }
+    from += zeros - 1;
+    bool cut = false;
+    const std::optional<BagRecord> record = recordAt(window, from, to, cut);
+    if (record && record->op == BagOp::Chunk && record->fields().number<std::uint32_t>("size") &&
+        record->fields().find("compression")) {
+      return from;
+    }
+    ++from;
+  }
+  return to;
+}
+
+}  // namespace
+
+bool looksLikeBag(std::span<const std::uint8_t> start) {
+  const std::string_view text = ByteReader::textOf(start);
+  return text.starts_with("#ROSBAG V") || text.starts_with("#ROSRECORD V") || text.starts_with("#ROSLOG V");
+}
+
+Opened openBag(std::unique_ptr<Bytes> bytes, const Limits& limits) {
+  std::array<std::uint8_t, kBagMagic.size()> magic{};
+  if (!bytes->read(magic, 0)) return tl::unexpected(Failure{Failure::Code::NotOne, {}});
+  if (ByteReader::textOf(magic) != kBagMagic) return tl::unexpected(Failure{Failure::Code::Version, {}});
+  auto reader = std::make_unique<Ros1Bag>(std::move(bytes), limits);
+  if (const std::optional<Failure> failure = reader->open()) return tl::unexpected(*failure);
+  return reader;
 }
 
 }  // namespace mapwright::recording

@@ -1,7 +1,6 @@
 #include "recording/ros_schema.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <map>
 #include <utility>
@@ -14,28 +13,16 @@ constexpr std::size_t kMostTypes = 1000, kMostFields = 10'000, kDeepest = 32;
 
 using Fault = RosSchemaFault;
 
-struct Word {
-  std::string_view word;
-  RosKind kind;
-};
-constexpr std::array<Word, 14> kWords{{{"bool", RosKind::Flag},
-                                       {"int8", RosKind::Int8},
-                                       {"uint8", RosKind::Uint8},
-                                       {"int16", RosKind::Int16},
-                                       {"uint16", RosKind::Uint16},
-                                       {"int32", RosKind::Int32},
-                                       {"uint32", RosKind::Uint32},
-                                       {"int64", RosKind::Int64},
-                                       {"uint64", RosKind::Uint64},
-                                       {"float32", RosKind::Float32},
-                                       {"float64", RosKind::Float64},
-                                       {"string", RosKind::Text},
-                                       {"wstring", RosKind::WideText},
-                                       {"char", RosKind::Uint8}}};
+constexpr std::pair<std::string_view, RosKind> kWords[] = {
+    {"bool", RosKind::Flag},        {"int8", RosKind::Int8},       {"uint8", RosKind::Uint8},
+    {"int16", RosKind::Int16},      {"uint16", RosKind::Uint16},   {"int32", RosKind::Int32},
+    {"uint32", RosKind::Uint32},    {"int64", RosKind::Int64},     {"uint64", RosKind::Uint64},
+    {"float32", RosKind::Float32},  {"float64", RosKind::Float64}, {"string", RosKind::Text},
+    {"wstring", RosKind::WideText}, {"char", RosKind::Uint8}};
 
 std::optional<RosKind> builtIn(std::string_view word, RosDialect dialect) {
-  for (const Word& known : kWords) {
-    if (known.word == word) return known.kind;
+  for (const auto& [known, kind] : kWords) {
+    if (known == word) return kind;
   }
   const bool ros1 = dialect == RosDialect::Ros1;
   if (word == "byte") return ros1 ? RosKind::Int8 : RosKind::Uint8;
@@ -159,19 +146,9 @@ tl::expected<std::vector<Section>, Fault> sectionsIn(std::string_view name, std:
 }
 
 /// Well-known types that some recorders do not include.
-std::optional<RosType> wellKnown(std::string_view name) {
-  const auto pair = [&](RosKind first) {
-    RosType type{std::string(name), {}};
-    RosField seconds, nanoseconds;
-    seconds.name = "sec";
-    seconds.kind = first;
-    nanoseconds.name = "nanosec";
-    nanoseconds.kind = RosKind::Uint32;
-    type.fields = {seconds, nanoseconds};
-    return type;
-  };
-  if (name == "builtin_interfaces/Time" || name == "builtin_interfaces/Duration") return pair(RosKind::Int32);
-  return std::nullopt;
+std::optional<RosType> wellKnown(const std::string& name) {
+  if (name != "builtin_interfaces/Time" && name != "builtin_interfaces/Duration") return std::nullopt;
+  return RosType{name, {{"sec", RosKind::Int32}, {"nanosec", RosKind::Uint32}}};
 }
 
 class Linker {
@@ -243,28 +220,6 @@ class Linker {
 };
 
 }  // namespace
-
-std::size_t sizeOf(RosKind kind) {
-  switch (kind) {
-    case RosKind::Flag:
-    case RosKind::Int8:
-    case RosKind::Uint8:
-      return 1;
-    case RosKind::Int16:
-    case RosKind::Uint16:
-      return 2;
-    case RosKind::Int32:
-    case RosKind::Uint32:
-    case RosKind::Float32:
-      return 4;
-    case RosKind::Int64:
-    case RosKind::Uint64:
-    case RosKind::Float64:
-      return 8;
-    default:
-      return 0;
-  }
-}
 
 std::optional<RosDialect> rosDialect(std::string_view schema_encoding) {
   if (schema_encoding == "ros1msg") return RosDialect::Ros1;

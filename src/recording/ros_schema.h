@@ -34,8 +34,42 @@ enum class RosKind : std::uint8_t {
   Duration,  // of ROS 1: signed
   Nested,    // RosField::type
 };
+/// Calls `take` with a zero of the number type (or bool) of a kind; false: it is another kind.
+template <typename Take>
+bool visitNumber(RosKind kind, Take&& take) {
+  switch (kind) {
+    case RosKind::Flag:
+      return take(false), true;
+    case RosKind::Int8:
+      return take(std::int8_t()), true;
+    case RosKind::Uint8:
+      return take(std::uint8_t()), true;
+    case RosKind::Int16:
+      return take(std::int16_t()), true;
+    case RosKind::Uint16:
+      return take(std::uint16_t()), true;
+    case RosKind::Int32:
+      return take(std::int32_t()), true;
+    case RosKind::Uint32:
+      return take(std::uint32_t()), true;
+    case RosKind::Int64:
+      return take(std::int64_t()), true;
+    case RosKind::Uint64:
+      return take(std::uint64_t()), true;
+    case RosKind::Float32:
+      return take(0.0F), true;
+    case RosKind::Float64:
+      return take(0.0), true;
+    default:
+      return false;
+  }
+}
 /// Size in bytes; 0 if it has no fixed size.
-std::size_t sizeOf(RosKind kind);
+inline std::size_t sizeOf(RosKind kind) {
+  std::size_t size = 0;
+  visitNumber(kind, [&](auto zero) { size = sizeof(zero); });
+  return size;
+}
 
 struct RosField {
   enum class Many : std::uint8_t { One, Fixed, Open };

@@ -14,7 +14,6 @@
 
 #include "recording/bytes.h"
 #include "recording/message.h"
-#include "recording/note.h"
 
 namespace mapwright::recording {
 
@@ -59,7 +58,7 @@ class Source {
   /// what refresh() has found so far.
   virtual std::unique_ptr<Cursor> messages(const Query& query) = 0;
   /// For each of the topics (none = all) the last message at or before `at_ns`: the one that messages() would
-  /// give last. Uses the index; only chunks with one of these messages are unpacked.
+  /// give last. Only chunks that may hold one are unpacked.
   virtual std::vector<Message> lastBefore(std::int64_t at_ns, const std::vector<std::string>& topics) = 0;
 
   /// "MCAP", "ROS bag 2.0".
@@ -78,6 +77,9 @@ class Source {
 
 using Opened = tl::expected<std::unique_ptr<Source>, Failure>;
 
+/// How many of a file's first bytes tell whether it is a recording.
+inline constexpr std::size_t kLookedAt = 16;
+bool looksLikeRecording(std::span<const std::uint8_t> start);
 /// Detects the format from the first bytes.
 Opened openRecording(const std::string& path, const Limits& limits = {});
 Opened openRecording(std::unique_ptr<Bytes> bytes, const Limits& limits = {});

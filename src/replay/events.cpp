@@ -14,6 +14,15 @@ namespace {
 
 constexpr int kPoor = 3;  // SlamStatus::position_quality
 
+// A bag of few messages has pauses between all of them.
+constexpr double kTimesUsual = 10;
+
+/// By kind.
+constexpr EventGroup kGroupOf[] = {
+    EventGroup::Alerts, EventGroup::Alerts,   EventGroup::Planner,  EventGroup::Position, EventGroup::Maps,
+    EventGroup::Maps,   EventGroup::Position, EventGroup::Position, EventGroup::Stops,    EventGroup::Stops};
+constexpr const char* kGroupWords[] = {"alerts", "planner", "position", "maps", "stops"};
+
 struct Telling {
   std::vector<Event> events = {};
   std::map<std::pair<std::int64_t, std::string>, int> alerts = {};  // active ones
@@ -87,42 +96,9 @@ struct Telling {
 
 }  // namespace
 
-EventGroup groupOf(EventKind kind) {
-  switch (kind) {
-    case EventKind::AlertBegan:
-    case EventKind::AlertEnded:
-      return EventGroup::Alerts;
-    case EventKind::MoveState:
-      return EventGroup::Planner;
-    case EventKind::PositionJump:
-    case EventKind::QualityLow:
-    case EventKind::QualityGood:
-      return EventGroup::Position;
-    case EventKind::MapChanged:
-    case EventKind::SessionChanged:
-      return EventGroup::Maps;
-    case EventKind::EmergencyStopOn:
-    case EventKind::EmergencyStopOff:
-      return EventGroup::Stops;
-  }
-  return EventGroup::Alerts;
-}
+EventGroup groupOf(EventKind kind) { return kGroupOf[std::size_t(kind)]; }
 
-std::string wordOf(EventGroup group) {
-  switch (group) {
-    case EventGroup::Alerts:
-      return "alerts";
-    case EventGroup::Planner:
-      return "planner";
-    case EventGroup::Position:
-      return "position";
-    case EventGroup::Maps:
-      return "maps";
-    case EventGroup::Stops:
-      break;
-  }
-  return "stops";
-}
+std::string wordOf(EventGroup group) { return kGroupWords[std::size_t(group)]; }
 
 std::vector<Event> eventsOf(const std::map<Tick, Digest>& digests) {
   Telling telling;
@@ -148,6 +124,43 @@ std::vector<Event> eventsOf(const std::map<Tick, Digest>& digests) {
   std::stable_sort(telling.events.begin(), telling.events.end(),
                    [](const Event& a, const Event& b) { return a.at_s < b.at_s; });
   return std::move(telling.events);
+}
+
+std::vector<Silence> silencesIn(const Chunks& chunks, const std::map<Tick, Digest>& digests) {
+  std::size_t messages = 0;
+  double read_s = 0;
+  for (const auto& [from, cell] : chunks.cells()) {
+    if (cell.state != CellState::Read || cell.beyond) continue;
+    messages += cell.messages;
+    read_s += secondsOf(cell.until) - secondsOf(cell.from);
+  }
+  const double least_s =
+      std::max(kSilenceS, messages > 0 ? kTimesUsual * read_s / double(messages) : kSilenceS);
+  std::vector<Silence> silences;
+  double since_s = chunks.start_s();  // the last message
+  bool known = true;                  // everything in between has been read
+  const auto endAt = [&](double at_s) {
+    if (known && at_s - since_s >= least_s) silences.push_back({since_s, at_s});
+  };
+  for (const auto& [from, cell] : chunks.cells()) {
+    if (cell.beyond) continue;
+    const auto digest = digests.find(from);
+    if (cell.state != CellState::Read || digest == digests.end()) {
+      endAt(secondsOf(cell.from));
+      known = false;
+      continue;
+    }
+    if (!std::exchange(known, true)) since_s = std::max(secondsOf(cell.from), chunks.start_s());
+    if (digest->second.messages == 0) continue;
+    endAt(digest->second.first_s);
+    for (const auto& [before_s, after_s] : digest->second.silences) {
+      since_s = before_s;
+      endAt(after_s);
+    }
+    since_s = digest->second.last_s;
+  }
+  endAt(chunks.end_s());
+  return silences;
 }
 
 }  // namespace mapwright::replay

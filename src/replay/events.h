@@ -1,4 +1,4 @@
-// The events of a bag, for marks on a timeline. Pure.
+// The events and the pauses of a bag, for marks on a timeline. Pure.
 #pragma once
 
 #include <cstdint>
@@ -44,5 +44,15 @@ std::string wordOf(EventGroup group);
 /// In order of time. Missing ranges give no events: changes inside them appear at the start of the next
 /// range. The initial state of a bag counts as events, except a move state and the first map.
 std::vector<Event> eventsOf(const std::map<Tick, Digest>& digests);
+
+/// From one message to the next; at the ends of a bag, and next to unread parts, from or to there.
+struct Silence {
+  double from_s = 0, until_s = 0;
+  bool operator==(const Silence&) const = default;
+};
+
+/// By time, those of at least kSilenceS within the bag's stated times that are much longer than usual in it.
+/// Unread ranges count as unknown.
+std::vector<Silence> silencesIn(const Chunks& chunks, const std::map<Tick, Digest>& digests);
 
 }  // namespace mapwright::replay

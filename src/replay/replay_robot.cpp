@@ -5,7 +5,7 @@
 
 #include <QPointer>
 
-#include "replay/recorded_message.h"
+#include "replay/chunks.h"
 #include "robot/faults.h"
 
 namespace mapwright::replay {

@@ -99,8 +99,6 @@ constexpr Singular kSingulars[] = {
      "%1 chunk of it uses an unknown compression: %3 (at byte %2). It is skipped."},
     {"%1 chunks of it state a wrong time range (the first at byte %2).",
      "%1 chunk of it states a wrong time range (at byte %2)."},
-    {"Its index lists %1 messages that are not in the file (the first at byte %2).",
-     "Its index lists %1 message that is not in the file (at byte %2)."},
     {"%1 message definitions in it are too large (the first at byte %2) and are skipped.",
      "%1 message definition in it is too large (at byte %2) and is skipped."},
     {"%1 message definitions in it cannot be read (the first at byte %2) and are skipped.",

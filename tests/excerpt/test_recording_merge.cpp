@@ -11,8 +11,8 @@
 #include "../recording/recordings.h"
 #include "excerpt/recording_merge.h"
 #include "excerpt/recording_slice.h"
-#include "recording/seconds.h"
-#include "robot/recorded/interruption.h"
+#include "recording/message.h"
+#include "robot/recorded/recording_reasons.h"
 #include "test_program.h"
 
 namespace test_recording_merge {

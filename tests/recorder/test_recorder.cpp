@@ -152,7 +152,7 @@ class RecorderTest : public QObject {
     robot_->connectToRobot();
     QTRY_COMPARE(robot_->connection().phase, ConnectionPhase::Online);
   }
-  void startRecording(SubmapWishes::Which submaps = SubmapWishes::Which::Listed) {
+  void startRecording(SubmapRequests::Which submaps = SubmapRequests::Which::Listed) {
     auto target = recording::appendFile(path_.toStdString(), recording::Existing::Replace);
     QVERIFY(target);
     Recorder::Options options;
@@ -189,7 +189,7 @@ class RecorderTest : public QObject {
   void everyFrameOfAnAutoxingRobotIsInTheFileAsItWasSentAndInOrder() {
     startSimulator();
     makeAxbot();
-    startRecording(SubmapWishes::Which::None);
+    startRecording(SubmapRequests::Which::None);
     tapFrames();
     connectRobot();
     QTRY_VERIFY(messages() > 100);
@@ -271,7 +271,7 @@ class RecorderTest : public QObject {
     const auto current =
         std::find_if(maps.begin(), maps.end(), [](const auto& entry) { return entry.is_current; });
     QVERIFY(other != maps.end() && current != maps.end());
-    startRecording(SubmapWishes::Which::None);
+    startRecording(SubmapRequests::Which::None);
     recorder_->fetches().wantMap(other->key);
     recorder_->fetches().wantMap(other->key);
     recorder_->fetches().wantMap({map::MapKind::Live, {}});
@@ -297,7 +297,7 @@ class RecorderTest : public QObject {
     connectRobot();
     QTRY_VERIFY(topics.contains("/robot_model") && topics.contains("/submap_list") &&
                 topics.contains("/tracked_pose"));
-    startRecording(SubmapWishes::Which::None);
+    startRecording(SubmapRequests::Which::None);
     QTRY_VERIFY(messages() > 40);
     const Film film = end();
     for (const char* topic : {"/robot_model", "/submap_list", "/tracked_pose"}) {
@@ -396,7 +396,7 @@ class RecorderTest : public QObject {
     startSimulator();
     makeAxbot();
     connectRobot();
-    startRecording(SubmapWishes::Which::None);
+    startRecording(SubmapRequests::Which::None);
     QTRY_VERIFY(recorder_->progress().written.messages > 60);
     const Film now = read(path_);
     QVERIFY(!now.finished);
@@ -410,7 +410,7 @@ class RecorderTest : public QObject {
     startSimulator();
     makeAxbot();
     connectRobot();
-    startRecording(SubmapWishes::Which::None);
+    startRecording(SubmapRequests::Which::None);
     QTRY_VERIFY(messages() > 10);
     simulator::Options again;
     again.port = simulator_->port();
@@ -434,7 +434,7 @@ class RecorderTest : public QObject {
     startSimulator();
     makeAxbot();
     connectRobot();
-    startRecording(SubmapWishes::Which::None);
+    startRecording(SubmapRequests::Which::None);
     QTRY_VERIFY(messages() > 10);
     robot_.reset();
     recorder_->finish();

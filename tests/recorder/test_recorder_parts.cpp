@@ -8,9 +8,8 @@
 
 #include <QtTest>
 
-#include "recorder/entry_queue.h"
+#include "recorder/fetches.h"
 #include "recorder/layout.h"
-#include "recorder/submap_wishes.h"
 #include "recorder/tape.h"
 #include "recording/bytes.h"
 #include "recording/source.h"
@@ -286,10 +285,10 @@ class RecorderPartsTest : public QObject {
   }
 
   void everyListedSubmapIsAskedForAFewAtOnce() {
-    SubmapWishes wishes(SubmapWishes::Which::Listed);
+    SubmapRequests wishes(SubmapRequests::Which::Listed);
     wishes.take(listOf("u", {1, 1, 1, 1, 1, 1}), 0);
     auto asked = wishes.next();
-    QCOMPARE(asked.size(), SubmapWishes::kAtOnce);
+    QCOMPARE(asked.size(), SubmapRequests::kAtOnce);
     QVERIFY(wishes.next().empty());
     wishes.answered(asked[0], Outcome::Ok, 1);
     QCOMPARE(wishes.next().size(), std::size_t(1));
@@ -300,18 +299,18 @@ class RecorderPartsTest : public QObject {
 
   void listedOnesAreAskedForAgainAfterAWhileAndAllOnesAtOnce() {
     for (const bool every : {false, true}) {
-      SubmapWishes wishes(every ? SubmapWishes::Which::All : SubmapWishes::Which::Listed);
+      SubmapRequests wishes(every ? SubmapRequests::Which::All : SubmapRequests::Which::Listed);
       wishes.take(listOf("u", {1}), 0);
       wishes.answered(wishes.next().front(), Outcome::Ok, 0);
       wishes.take(listOf("u", {2}), kSecond);
       QCOMPARE(wishes.next().size(), std::size_t(every ? 1 : 0));
-      wishes.look(SubmapWishes::kAgainNs);
+      wishes.look(SubmapRequests::kAgainNs);
       QCOMPARE(wishes.next().size(), std::size_t(every ? 0 : 1));
     }
   }
 
   void oneThatFailsIsTriedAgainAFewTimesAndAnotherSessionBeginsAnew() {
-    SubmapWishes wishes(SubmapWishes::Which::Listed);
+    SubmapRequests wishes(SubmapRequests::Which::Listed);
     std::int64_t now = 0;
     wishes.take(listOf("u", {1}), now);
     int tries = 0;
@@ -321,10 +320,10 @@ class RecorderPartsTest : public QObject {
         wishes.answered(key, Outcome::Failed, now);
       }
       QVERIFY(wishes.next().empty());  // not at once
-      now += SubmapWishes::kRetryNs;
+      now += SubmapRequests::kRetryNs;
       wishes.look(now);
     }
-    QCOMPARE(tries, SubmapWishes::kTries);
+    QCOMPARE(tries, SubmapRequests::kTries);
     wishes.take(listOf("v", {1, 1}), now);
     const auto keys = wishes.next();
     QCOMPARE(keys.size(), std::size_t(2));
@@ -334,7 +333,7 @@ class RecorderPartsTest : public QObject {
   }
 
   void noneIsNone() {
-    SubmapWishes wishes(SubmapWishes::Which::None);
+    SubmapRequests wishes(SubmapRequests::Which::None);
     wishes.take(listOf("u", {1, 2}), 0);
     QVERIFY(wishes.next().empty());
   }

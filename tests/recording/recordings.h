@@ -149,9 +149,9 @@ struct RawMcap {
   }
   static void channel(mcap::RecordWriter& to, std::uint16_t id, const std::string& topic) {
     mcap::ChannelRecord record;
-    record.channel.id = id;
-    record.channel.topic = topic;
-    record.channel.message_encoding = "json";
+    record.id = id;
+    record.topic = topic;
+    record.message_encoding = "json";
     mcap::write(to, record);
   }
   static void message(mcap::RecordWriter& to, std::uint16_t id, std::uint64_t time,

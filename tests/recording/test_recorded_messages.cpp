@@ -1,8 +1,8 @@
 #include <QtTest>
 
 #include "net/rosbridge/frame.h"
+#include "recording/message.h"
 #include "recording/ros_cbor.h"
-#include "recording/seconds.h"
 #include "recordings.h"
 #include "robot/ros/read_messages.h"
 #include "test_program.h"

@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "replay/player.h"
-#include "replay/presentation.h"
+#include "replay/world_at.h"
 #include "test_program.h"
 
 namespace test_replay_player {

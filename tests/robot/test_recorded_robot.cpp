@@ -14,9 +14,9 @@
 
 #include "foxglove_recordings.h"
 #include "map/world.h"
-#include "recording/seconds.h"
+#include "recording/message.h"
+#include "replay/chunks.h"
 #include "replay/reading.h"
-#include "replay/recorded_message.h"
 #include "replay/replay_robot.h"
 #include "replay/track.h"
 #include "robot/axbot/parse_topics.h"

@@ -7,7 +7,6 @@
 #include <QtTest>
 
 #include "series/series.h"
-#include "series/speed.h"
 #include "test_program.h"
 
 namespace test_series {

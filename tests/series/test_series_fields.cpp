@@ -4,8 +4,7 @@
 
 #include <QtTest>
 
-#include "series/quantity.h"
-#include "series/read_fields.h"
+#include "series/fields.h"
 #include "test_program.h"
 
 namespace test_series_fields {

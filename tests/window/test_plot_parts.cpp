@@ -5,15 +5,14 @@
 #include <QMouseEvent>
 #include <QtTest>
 
-#include "series/read_fields.h"
+#include "series/fields.h"
 #include "test_program.h"
 #include "ui/kit/plot_ticks.h"
 #include "ui/kit/pretty_json.h"
 #include "ui/kit/ui_colors.h"
-#include "ui/plots/field_at.h"
-#include "ui/plots/field_drag.h"
 #include "ui/plots/message_view.h"
-#include "ui/plots/plot_look.h"
+#include "ui/plots/plot_selection.h"
+#include "ui/plots/plot_widget.h"
 
 namespace test_plot_parts {
 
@@ -123,9 +122,9 @@ void TestPlotParts::curvesAreToldApartInEitherTheme() {
 void TestPlotParts::wishesAreWrittenAndRead() {
   for (const series::Quantity quantity : series::kQuantities) {
     QVERIFY(!plotName(quantity).isEmpty());
-    QVERIFY(plotFromWord(plotWord(quantity)) == PlotWish(quantity));
+    QVERIFY(plotFromWord(plotWord(quantity)) == PlotSelection(quantity));
   }
-  const PlotWish field = *series::FieldPath::parse("/t.a[0]");
+  const PlotSelection field = *series::FieldPath::parse("/t.a[0]");
   QVERIFY(plotFromWord(plotWord(field)) == field);
   QVERIFY(!plotFromWord(QStringLiteral("nonsense")));
   QVERIFY(!plotFromWord({}));
@@ -201,19 +200,19 @@ void TestPlotParts::aNumberIsDraggedOutOfAMessage() {
 }
 
 void TestPlotParts::whatIsDroppedIsAFieldOrNothing() {
-  const PlotWish field = *series::FieldPath::parse("/t.a[0]");
-  QVERIFY(wishFromMime(*mimeOf(field)) == field);
+  const PlotSelection field = *series::FieldPath::parse("/t.a[0]");
+  QVERIFY(plotFromMime(*mimeOf(field)) == field);
   QMimeData text;
   text.setText(QStringLiteral(" /t.b "));
-  QVERIFY(wishFromMime(text) == PlotWish(*series::FieldPath::parse("/t.b")));
+  QVERIFY(plotFromMime(text) == PlotSelection(*series::FieldPath::parse("/t.b")));
   for (const char* word : {"", "word.other", "/t", "http://x.y/z", "/t..a"}) {
     QMimeData other;
     other.setText(QLatin1String(word));
-    QVERIFY2(!wishFromMime(other), word);
+    QVERIFY2(!plotFromMime(other), word);
   }
   QMimeData broken;
   broken.setData(QLatin1String(kFieldMime), QByteArray("\x80\xff[", 3));
-  QVERIFY(!wishFromMime(broken));
+  QVERIFY(!plotFromMime(broken));
 }
 
 }  // namespace test_plot_parts

@@ -15,7 +15,7 @@
 #include "ink.h"
 #include "test_program.h"
 #include "text_bag.h"
-#include "ui/plots/field_drag.h"
+#include "ui/plots/plot_selection.h"
 #include "ui/plots/plots_dock.h"
 
 namespace test_window_plots {
@@ -28,7 +28,7 @@ namespace {
 
 constexpr double kStart_s = 1'717'405'200;
 
-PlotWish field(const char* text) { return *series::FieldPath::parse(text); }
+PlotSelection field(const char* text) { return *series::FieldPath::parse(text); }
 
 /// Ten minutes: poses at 10 Hz along x with 0.5 m/s, a counter, and a battery.
 void fill(test::TextBag& bag) {
@@ -61,10 +61,10 @@ struct Desk {
     feed.setReading(reading.get());
     dock.openBag(reading->chunks().start_s(), reading->chunks().end_s());
   }
-  double value(const PlotWish& wish, double s) {
+  double value(const PlotSelection& wish, double s) {
     for (const PlotWidget* plot : dock.plots()) {
       for (const PlotCurve& curve : plot->curves()) {
-        const auto sample = curve.wish == wish ? curve.series->at(kStart_s + s) : std::nullopt;
+        const auto sample = curve.selection == wish ? curve.series->at(kStart_s + s) : std::nullopt;
         if (sample) return sample->value;
       }
     }
@@ -130,7 +130,7 @@ void TestWindowPlots::theMenuRemovesCurves() {
   plot->fillMenu(menu);
   menu.actions().front()->trigger();
   QCOMPARE(plot->curves().size(), std::size_t(1));
-  QVERIFY(plot->curves()[0].wish == PlotWish(Quantity::Y));
+  QVERIFY(plot->curves()[0].selection == PlotSelection(Quantity::Y));
   QCOMPARE(plot->curves()[0].look, 1);  // it looks as before
   QVERIFY(desk.dock.addCurve(plot, Quantity::X));
   QCOMPARE(plot->curves()[1].look, 0);
@@ -157,8 +157,8 @@ void TestWindowPlots::aFieldIsDropped() {
 void TestWindowPlots::curvesOfTheBagCome() {
   Desk desk(narrow());
   PlotWidget* plot = desk.dock.plots().front();
-  for (const PlotWish& wish : {PlotWish(Quantity::X), PlotWish(Quantity::Speed), PlotWish(Quantity::Battery),
-                               field("/count.list[1]")})
+  for (const PlotSelection& wish : {PlotSelection(Quantity::X), PlotSelection(Quantity::Speed),
+                                    PlotSelection(Quantity::Battery), field("/count.list[1]")})
     QVERIFY(desk.dock.addCurve(plot, wish));
   desk.open();
   desk.reading->want(kStart_s + 300);
@@ -211,7 +211,7 @@ void TestWindowPlots::theOrderInWhichRangesComeDoesNotMatter() {
   std::vector<std::vector<series::Sample>> all;
   for (const std::vector<double>& wants : {std::vector<double>{599}, {10, 500, 200, 599}, {300, 100, 599}}) {
     Desk desk(narrow());
-    for (const PlotWish& wish : {PlotWish(Quantity::Speed), field("/count.n")})
+    for (const PlotSelection& wish : {PlotSelection(Quantity::Speed), field("/count.n")})
       QVERIFY(desk.dock.addCurve(desk.dock.plots().front(), wish));
     desk.open();
     for (const double s : wants) {

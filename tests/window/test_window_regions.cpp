@@ -397,7 +397,7 @@ class TestWindowRegions : public QObject {
     open();
     connectRobot();
     const QString path = folder_->filePath(QStringLiteral("part.yaml"));
-    controller()->task().saveRectangle({-10, -5, 10, 5}, path);
+    controller()->errand().saveRectangle({-10, -5, 10, 5}, path);
     QTRY_VERIFY(QFile::exists(path));
     QTRY_VERIFY(!toasts().isEmpty() && toasts().last().startsWith(QStringLiteral("Saved")));
     QFile pgm(folder_->filePath(QStringLiteral("part.pgm"))), yaml(path);
@@ -413,7 +413,7 @@ class TestWindowRegions : public QObject {
     action("disconnect")->trigger();
     QTRY_VERIFY(!window_->session());  // nothing was fetched: nothing is asked
     connectRobot();
-    controller()->task().keepRectangle({-10, -10, 10, 10});
+    controller()->errand().keepRectangle({-10, -10, 10, 10});
     QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
     action("disconnect")->trigger();
     QTRY_VERIFY(leaving());
@@ -435,7 +435,7 @@ class TestWindowRegions : public QObject {
   void whatWasKeptMayBeDiscarded() {
     open();
     connectRobot();
-    controller()->task().keepRectangle({-10, -10, 10, 10});
+    controller()->errand().keepRectangle({-10, -10, 10, 10});
     QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
     action("disconnect")->trigger();
     QTRY_VERIFY(leaving());
@@ -456,7 +456,7 @@ class TestWindowRegions : public QObject {
       return QModelIndex();
     };
     QVERIFY(!row().isValid());
-    controller()->task().keepRectangle({-10, -5, 10, 5});
+    controller()->errand().keepRectangle({-10, -5, 10, 5});
     QTRY_VERIFY(row().isValid());
     QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
     QCOMPARE(row().data().toString(), QStringLiteral("Region 20.0 × 10.0 m"));
@@ -504,7 +504,7 @@ class TestWindowRegions : public QObject {
   void whatIsTooLargeIsRefused() {
     open();
     connectRobot();
-    controller()->task().saveRectangle({-4000, -4000, 4000, 4000},
+    controller()->errand().saveRectangle({-4000, -4000, 4000, 4000},
                                          folder_->filePath(QStringLiteral("huge.yaml")));
     QTRY_VERIFY(!toasts().isEmpty() && toasts().last().contains(QStringLiteral("too large")));
     QVERIFY(!QFile::exists(folder_->filePath(QStringLiteral("huge.yaml"))));
@@ -514,7 +514,7 @@ class TestWindowRegions : public QObject {
     open();
     connectRobot();
     look(0.05);
-    controller()->task().keepRectangle({-10, -10, 10, 10});
+    controller()->errand().keepRectangle({-10, -10, 10, 10});
     QVERIFY(notice().contains(QStringLiteral("Fetching")));
     window_->leaveRobot();
     QVERIFY(!controller()->map());

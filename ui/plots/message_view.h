@@ -8,10 +8,18 @@
 #include <QMimeData>
 #include <QPlainTextEdit>
 
-#include "ui/plots/field_at.h"
-#include "ui/plots/plot_wish.h"
+#include "ui/plots/plot_selection.h"
 
 namespace mapwright::window {
+
+struct FieldAt {
+  series::FieldPath path;
+  qsizetype from = 0, until = 0;  // range of its value in the text
+};
+
+/// `text` is JSON formatted by prettyJson(): strings and its end may be truncated. nullopt: there is no
+/// number, boolean or null at `place`, nor the key of one.
+std::optional<FieldAt> fieldAt(const QString& text, qsizetype place, const QString& topic);
 
 class MessageView : public QPlainTextEdit {
   Q_OBJECT
@@ -26,7 +34,7 @@ class MessageView : public QPlainTextEdit {
   std::function<void(std::unique_ptr<QMimeData>)> carry;
 
  Q_SIGNALS:
-  void plotWanted(const mapwright::window::PlotWish& wish);
+  void plotWanted(const mapwright::window::PlotSelection& selection);
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;

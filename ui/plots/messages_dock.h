@@ -9,7 +9,7 @@
 #include <QTimer>
 
 #include "session/session.h"
-#include "ui/plots/plot_wish.h"
+#include "ui/plots/plot_selection.h"
 #include "ui/plots/topics_model.h"
 
 class QCompleter;
@@ -51,7 +51,7 @@ class MessagesDock : public QDockWidget {
 
  Q_SIGNALS:
   void copyWanted(const QString& text, const QString& what);
-  void plotWanted(const mapwright::window::PlotWish& wish);
+  void plotWanted(const mapwright::window::PlotSelection& selection);
 
  private:
   QWidget* buildControls();

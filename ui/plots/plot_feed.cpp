@@ -6,9 +6,9 @@
 
 #include <QDateTime>
 
-#include "replay/recorded_message.h"
-#include "series/read_fields.h"
-#include "series/speed.h"
+#include "replay/replay_robot.h"
+#include "series/fields.h"
+#include "series/series.h"
 
 namespace mapwright::window {
 
@@ -17,11 +17,14 @@ using series::Sample;
 
 namespace {
 
+const QString kPlotsOwner = QStringLiteral("plots");
+constexpr int kPlotsTickMs = 500;
+constexpr std::size_t kMostTopics = 300;
 constexpr int kNoteMs = 100;
 constexpr std::size_t kSmall = 64 * 1024, kMostFields = 4'000;
 
-bool isPose(const PlotWish& wish) {
-  const auto* quantity = std::get_if<Quantity>(&wish);
+bool isPose(const PlotSelection& selection) {
+  const auto* quantity = std::get_if<Quantity>(&selection);
   return quantity && series::isOfPose(*quantity);
 }
 
@@ -44,7 +47,7 @@ PlotFeed::~PlotFeed() = default;
 void PlotFeed::clear() {
   ++*reading_number_;
   share_.drop();
-  for (auto& [wish, entry] : entries_) entry.series->clear();
+  for (auto& [selection, entry] : entries_) entry.series->clear();
   x_.clear();
   y_.clear();
   last_raw_.clear();
@@ -55,21 +58,21 @@ void PlotFeed::noteSoon() {
   if (!note_.isActive()) note_.start(kNoteMs);
 }
 
-PlotFeed::SeriesPtr PlotFeed::want(const PlotWish& wish) {
-  Entry& entry = entries_[wish];
+PlotFeed::SeriesPtr PlotFeed::want(const PlotSelection& selection) {
+  Entry& entry = entries_[selection];
   if (entry.users++ == 0) {
     entry.series = std::make_shared<series::Series>(series::Series::Options{.most_samples = kMostSamples});
     catch_up_.start(0);
-    tellWishes();
+    subscribe();
   }
   return entry.series;
 }
 
-void PlotFeed::letGo(const PlotWish& wish) {
-  const auto found = entries_.find(wish);
+void PlotFeed::letGo(const PlotSelection& selection) {
+  const auto found = entries_.find(selection);
   if (found == entries_.end() || --found->second.users > 0) return;
   entries_.erase(found);
-  tellWishes();
+  subscribe();
 }
 
 void PlotFeed::setReading(replay::Reading* reading) {
@@ -85,15 +88,16 @@ void PlotFeed::setReading(replay::Reading* reading) {
     });
     catch_up_.start(0);
   }
-  tellWishes();
+  subscribe();
 }
 
-PlotFeed::Wishes PlotFeed::lacking(double from_s, double until_s, bool poses) const {
-  Wishes wishes;
-  for (const auto& [wish, entry] : entries_) {
-    if (isPose(wish) == poses && !entry.series->isCovered(from_s, until_s)) wishes.push_back(wish);
+PlotFeed::Selections PlotFeed::lacking(double from_s, double until_s, bool poses) const {
+  Selections selections;
+  for (const auto& [selection, entry] : entries_) {
+    if (isPose(selection) == poses && !entry.series->isCovered(from_s, until_s))
+      selections.push_back(selection);
   }
-  return wishes;
+  return selections;
 }
 
 void PlotFeed::catchUp() {
@@ -115,8 +119,8 @@ void PlotFeed::catchUp() {
   if (!again.empty()) reading_->readAgain(again);
 }
 
-void PlotFeed::takePoses(const replay::Digest& digest, const Wishes& wishes) {
-  if (wishes.empty()) return;
+void PlotFeed::takePoses(const replay::Digest& digest, const Selections& selections) {
+  if (selections.empty()) return;
   const double from_s = digest.from_s, until_s = digest.until_s;
   const auto samplesOf = [&](Quantity quantity) {
     std::vector<Sample> samples;
@@ -125,9 +129,9 @@ void PlotFeed::takePoses(const replay::Digest& digest, const Wishes& wishes) {
       samples.push_back({each.stamp_s, series::valueOf(quantity, each.pose).value_or(std::nan(""))});
     return samples;
   };
-  for (const PlotWish& wish : wishes) {
-    const Quantity quantity = std::get<Quantity>(wish);
-    series::Series& series = *entries_.at(wish).series;
+  for (const PlotSelection& selection : selections) {
+    const Quantity quantity = std::get<Quantity>(selection);
+    series::Series& series = *entries_.at(selection).series;
     if (quantity != Quantity::Speed) {
       series.insert(from_s, until_s, samplesOf(quantity));
       continue;
@@ -144,26 +148,26 @@ void PlotFeed::takePoses(const replay::Digest& digest, const Wishes& wishes) {
 }
 
 void PlotFeed::takeMessages(const replay::ChunkPtr& chunk) {
-  const Wishes wishes = lacking(chunk->from_s, chunk->until_s, false);
-  if (wishes.empty()) return;
+  const Selections selections = lacking(chunk->from_s, chunk->until_s, false);
+  if (selections.empty()) return;
   share_.start(work::Urgency::Wanted,
-               [this, chunk, wishes, number = *reading_number_, current = reading_number_] {
+               [this, chunk, selections, number = *reading_number_, current = reading_number_] {
                  std::vector<Read> all;
                  std::vector<series::FieldPath> paths;
                  std::vector<std::size_t> of_path;
-                 for (const PlotWish& wish : wishes) {
-                   if (const auto* path = std::get_if<series::FieldPath>(&wish)) {
+                 for (const PlotSelection& selection : selections) {
+                   if (const auto* path = std::get_if<series::FieldPath>(&selection)) {
                      paths.push_back(*path);
                      of_path.push_back(all.size());
                    }
-                   all.push_back({wish, {}});
+                   all.push_back({selection, {}});
                  }
                  series::FieldReader reader(std::move(paths));
                  for (std::size_t place = 0; place < chunk->order.size(); ++place) {
                    const robot::BagMessage& message = chunk->at(place);
                    const double at_s = chunk->stampAt(place);
                    for (Read& read : all) {
-                     const auto* quantity = std::get_if<Quantity>(&read.wish);
+                     const auto* quantity = std::get_if<Quantity>(&read.selection);
                      if (!quantity || !message.known) continue;
                      if (const auto value = series::valueOf(*quantity, message.message.message))
                        read.samples.push_back({at_s, *value});
@@ -186,7 +190,7 @@ void PlotFeed::takeMessages(const replay::ChunkPtr& chunk) {
 
 void PlotFeed::putIn(double from_s, double until_s, std::vector<Read> all) {
   for (const Read& read : all) {
-    const auto found = entries_.find(read.wish);
+    const auto found = entries_.find(read.selection);
     if (found != entries_.end()) found->second.series->insert(from_s, until_s, read.samples);
   }
   noteSoon();
@@ -218,6 +222,121 @@ QStringList PlotFeed::fields() const {
     for (const auto& [topic, json] : last_raw_) add(topic, {json.constData(), std::size_t(json.size())});
   }
   return words;
+}
+
+// Of a live robot: the last half hour.
+
+void PlotFeed::setSession(session::Session* session) {
+  if (live_) live_->disconnect(this);
+  if (session_) session_->disconnect(this);
+  live_ = nullptr;
+  live_since_s_.reset();
+  tick_.stop();
+  session_ = session;
+  if (!replays()) clear();
+  const bool speaks = session && session->robot().liveTopics() != nullptr;
+  if (speaks && !qobject_cast<replay::ReplayRobot*>(&session->robot())) {
+    live_ = &session->robot();
+    connect(live_, &QObject::destroyed, this, [this] { live_ = nullptr; });
+    connect(live_, &robot::Robot::topicReceived, this, &PlotFeed::heard);
+    connect(live_, &robot::Robot::rawReceived, this, &PlotFeed::heardRaw);
+    connect(live_, &robot::Robot::connectionChanged, this, &PlotFeed::listen);
+    listen();
+  }
+  subscribe();
+}
+
+void PlotFeed::listen() {
+  const bool online = live_ && live_->connection().phase == robot::ConnectionPhase::Online;
+  // From here on there are no gaps; earlier data is a separate stretch.
+  if (!online) live_since_s_.reset();
+  if (online && !live_since_s_) live_since_s_ = now();
+}
+
+void PlotFeed::subscribe() {
+  bool raw = false;
+  map::Streams streams;
+  QStringList topics;
+  if (live_ && !replays()) {
+    for (const auto& [selection, entry] : entries_) {
+      if (const auto* path = std::get_if<series::FieldPath>(&selection)) {
+        raw = true;
+        topics << QString::fromStdString(path->topic);
+      } else if (std::get<Quantity>(selection) == Quantity::Battery) {
+        streams.insert(map::Stream::Battery);
+      } else if (series::isOfPose(std::get<Quantity>(selection))) {
+        streams.insert(map::Stream::Pose);
+      }
+    }
+    topics.removeDuplicates();
+    if (session_) session_->want(kPlotsOwner, streams, topics);
+  }
+  // Without viewers no clock is needed.
+  if (!live_ || replays() || entries_.empty()) {
+    tick_.stop();
+  } else if (!tick_.isActive()) {
+    tick_.start(kPlotsTickMs);
+  }
+  if (std::exchange(raw_wanted_, raw) != raw) Q_EMIT rawWanted(raw);
+}
+
+void PlotFeed::add(const PlotSelection& selection, double at_s, double value) {
+  const auto found = entries_.find(selection);
+  if (found == entries_.end()) return;
+  found->second.series->append(at_s, value);
+  noteSoon();
+}
+
+void PlotFeed::heard(const map::StampedMessage& message) {
+  if (replays()) return;
+  const double at_s = message.at_s();
+  for (const auto& [selection, entry] : entries_) {
+    const auto* quantity = std::get_if<Quantity>(&selection);
+    const auto value = quantity ? series::valueOf(*quantity, message.message) : std::nullopt;
+    if (value) add(selection, at_s, *value);
+  }
+  const auto* tracked = std::get_if<map::TrackedPose>(&message.message);
+  if (!tracked || !entries_.contains(Quantity::Speed)) return;
+  x_.append(at_s, tracked->pose.x_m);
+  y_.append(at_s, tracked->pose.y_m);
+  coverLive();
+  const auto speeds = series::speeds(x_, y_, at_s, std::nextafter(at_s, 1e300));
+  if (!speeds.empty()) add(Quantity::Speed, at_s, speeds.back().value);
+}
+
+void PlotFeed::heardRaw(const robot::RawMessage& message) {
+  if (replays()) return;
+  const std::string topic = message.topic.toStdString();
+  if (message.text.size() <= qsizetype(kSmall) &&
+      (last_raw_.size() < kMostTopics || last_raw_.contains(topic)))
+    last_raw_[topic] = message.text;
+  std::vector<series::FieldPath> paths;
+  for (const auto& [selection, entry] : entries_) {
+    if (const auto* path = std::get_if<series::FieldPath>(&selection); path && path->topic == topic)
+      paths.push_back(*path);
+  }
+  if (paths.empty()) return;
+  series::FieldReader reader(paths);
+  const auto& values = reader.read(topic, {message.text.constData(), std::size_t(message.text.size())});
+  const double at_s =
+      message.received.isValid() ? double(message.received.toMSecsSinceEpoch()) / 1000 : now();
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (values[i]) add(paths[i], at_s, *values[i]);
+  }
+}
+
+void PlotFeed::coverLive() {
+  if (!live_since_s_ || replays()) return;
+  // Messages may have stamps of the present or slightly later.
+  const double until_s = now() + 1, oldest_s = until_s - kLive_s;
+  const auto keep = [&](series::Series& series) {
+    series.forgetBefore(oldest_s);
+    series.cover(std::max(*live_since_s_, oldest_s), until_s);
+  };
+  for (auto& [selection, entry] : entries_) keep(*entry.series);
+  keep(x_);
+  keep(y_);
+  noteSoon();
 }
 
 }  // namespace mapwright::window

@@ -16,7 +16,7 @@
 #include "replay/reading.h"
 #include "series/series.h"
 #include "session/session.h"
-#include "ui/plots/plot_wish.h"
+#include "ui/plots/plot_selection.h"
 #include "work/workers.h"
 
 namespace mapwright::window {
@@ -43,8 +43,8 @@ class PlotFeed : public QObject {
 
   /// Its samples, from now on until it is released as often as it was requested. Reads data again if
   /// necessary.
-  SeriesPtr want(const PlotWish& wish);
-  void letGo(const PlotWish& wish);
+  SeriesPtr want(const PlotSelection& selection);
+  void letGo(const PlotSelection& selection);
 
   /// Paths that can be plotted, for completion; from the messages in memory.
   QStringList fields() const;
@@ -62,29 +62,29 @@ class PlotFeed : public QObject {
     int users = 0;
   };
   struct Read {
-    PlotWish wish;
+    PlotSelection selection;
     std::vector<series::Sample> samples;
   };
-  using Wishes = std::vector<PlotWish>;
+  using Selections = std::vector<PlotSelection>;
 
   void clear();
   void noteSoon();
   // Of a bag.
   void catchUp();
-  void takePoses(const replay::Digest& digest, const Wishes& wishes);
+  void takePoses(const replay::Digest& digest, const Selections& selections);
   void takeMessages(const replay::ChunkPtr& chunk);
   void putIn(double from_s, double until_s, std::vector<Read> all);
-  Wishes lacking(double from_s, double until_s, bool poses) const;
+  Selections lacking(double from_s, double until_s, bool poses) const;
   // Of a robot.
   void listen();
-  void tellWishes();
+  void subscribe();
   void heard(const map::StampedMessage& message);
   void heardRaw(const robot::RawMessage& message);
-  void add(const PlotWish& wish, double at_s, double value);
+  void add(const PlotSelection& selection, double at_s, double value);
   void coverLive();
 
   std::function<double()> wall_;
-  std::map<PlotWish, Entry> entries_;
+  std::map<PlotSelection, Entry> entries_;
   series::Series x_, y_;  // to compute speeds
   QPointer<replay::Reading> reading_;
   QPointer<session::Session> session_;

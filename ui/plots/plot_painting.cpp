@@ -1,17 +1,24 @@
 // Painting of a plot.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <QPainter>
+#include <QPolygonF>
 
 #include "ui/kit/plot_ticks.h"
 #include "ui/kit/ui_colors.h"
-#include "ui/plots/plot_look.h"
 #include "ui/plots/plot_widget.h"
 
 namespace mapwright::window {
 
 namespace {
+
+// Neighbours differ in lightness, too.
+constexpr std::array<QRgb, kPlotLooks> kLight{0xff0060a8, 0xffc94f00, 0xff007a58, 0xff9c3f86,
+                                              0xff8a6a00, 0xff1b1f24, 0xff2a86c8, 0xff8c2d04};
+constexpr std::array<QRgb, kPlotLooks> kDark{0xff56b4e9, 0xfff08a3c, 0xff2fc79a, 0xffe39cc4,
+                                             0xfff0e442, 0xffe4e8ee, 0xff6f95ff, 0xffc98f6b};
 
 constexpr int kMarkGap_px = 90, kMostLegendLines = 3;
 constexpr double kMark_px = 3.2, kFullTurn = 360;
@@ -23,13 +30,62 @@ QColor faint(QColor color, int alpha) {
 
 }  // namespace
 
+QColor plotColor(int look, bool dark) {
+  const auto at = std::size_t(((look % kPlotLooks) + kPlotLooks) % kPlotLooks);
+  return QColor(dark ? kDark[at] : kLight[at]);
+}
+
+void paintPlotMark(QPainter& painter, int look, const QColor& color, const QPointF& at, double r) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(color);
+  painter.setPen(Qt::NoPen);
+  const auto polygon = [&](std::initializer_list<QPointF> corners) {
+    QPolygonF shape;
+    for (const QPointF& corner : corners) shape << at + corner * r;
+    painter.drawPolygon(shape);
+  };
+  switch (((look % kPlotLooks) + kPlotLooks) % kPlotLooks) {
+    case 0:
+      painter.drawEllipse(at, r, r);
+      break;
+    case 1:
+      painter.drawRect(QRectF(at.x() - 0.9 * r, at.y() - 0.9 * r, 1.8 * r, 1.8 * r));
+      break;
+    case 2:
+      polygon({{0, -1.2}, {1.1, 0.9}, {-1.1, 0.9}});
+      break;
+    case 3:
+      polygon({{0, -1.3}, {1.3, 0}, {0, 1.3}, {-1.3, 0}});
+      break;
+    case 4:
+      polygon({{0, 1.2}, {1.1, -0.9}, {-1.1, -0.9}});
+      break;
+    default: {
+      // Hollow ones, and a cross.
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(color, 1.6));
+      const int shape = look % kPlotLooks;
+      if (shape == 5) {
+        painter.drawEllipse(at, r, r);
+      } else if (shape == 6) {
+        painter.drawRect(QRectF(at.x() - 0.9 * r, at.y() - 0.9 * r, 1.8 * r, 1.8 * r));
+      } else {
+        painter.drawLine(at + QPointF(-r, -r), at + QPointF(r, r));
+        painter.drawLine(at + QPointF(-r, r), at + QPointF(r, -r));
+      }
+    }
+  }
+  painter.restore();
+}
+
 PlotWidget::Legend PlotWidget::legend() const {
   Legend legend;
   const QFontMetrics metrics = fontMetrics();
   const int line = metrics.height() + 4, digits = metrics.horizontalAdvance(QStringLiteral("-0000.000 m/s"));
   int x = 8, y = 2;
   for (std::size_t i = 0; i < curves_.size(); ++i) {
-    const int wanted = 18 + metrics.horizontalAdvance(plotName(curves_[i].wish)) + 8 + digits;
+    const int wanted = 18 + metrics.horizontalAdvance(plotName(curves_[i].selection)) + 8 + digits;
     const int wide = std::min(wanted, std::max(width() - 16, 40));
     if (x > 8 && x + wide > width() - 8) {
       x = 8;
@@ -90,7 +146,7 @@ void PlotWidget::paintAxes(QPainter& painter) const {
 
 void PlotWidget::paintCurve(QPainter& painter, const PlotCurve& curve) const {
   const QColor color = plotColor(curve.look, appColors().dark);
-  const auto* const quantity = std::get_if<series::Quantity>(&curve.wish);
+  const auto* const quantity = std::get_if<series::Quantity>(&curve.selection);
   const bool stepped = quantity && series::isStepped(*quantity);
   const bool turns = quantity && *quantity == series::Quantity::Yaw;
   const QRect area = this->area();
@@ -188,7 +244,7 @@ void PlotWidget::paintMoving(QPainter& painter) const {
     paintPlotMark(painter, curve.look, color, QPointF(rect.left() + 6, y), kMark_px);
     const QString value = valueAtCursor(index);
     const int value_wide = metrics.horizontalAdvance(value);
-    const QString name = metrics.elidedText(plotName(curve.wish), Qt::ElideMiddle,
+    const QString name = metrics.elidedText(plotName(curve.selection), Qt::ElideMiddle,
                                             std::max(rect.width() - 18 - 8 - value_wide, 10));
     painter.setPen(colors.secondary_text);
     painter.drawText(rect.adjusted(18, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, name);

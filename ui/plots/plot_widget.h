@@ -9,19 +9,28 @@
 #include <utility>
 #include <vector>
 
+#include <QColor>
 #include <QPixmap>
 #include <QString>
 #include <QWidget>
 
 #include "series/series.h"
-#include "ui/plots/plot_wish.h"
+#include "ui/plots/plot_selection.h"
 
 class QMenu;
 
 namespace mapwright::window {
 
+// The looks of curves: colours, and shapes of their marks.
+inline constexpr int kPlotLooks = 8;
+/// Of curve `look` (any number; they repeat). At least 3:1 against the background of both themes, and
+/// distinguishable for colour-blind people. After Okabe and Ito, "Color Universal Design" (2008).
+QColor plotColor(int look, bool dark);
+/// Its mark: a disc, a square, a triangle … around `at`.
+void paintPlotMark(QPainter& painter, int look, const QColor& color, const QPointF& at, double radius_px);
+
 struct PlotCurve {
-  PlotWish wish;
+  PlotSelection selection;
   std::shared_ptr<const series::Series> series;
   int look = 0;
 };
@@ -75,7 +84,7 @@ class PlotWidget : public QWidget {
   void spanWanted(double from_s, double until_s);
   void allWanted();
   void pointed(std::optional<double> at_s);
-  void dropped(const mapwright::window::PlotWish& wish);
+  void dropped(const mapwright::window::PlotSelection& selection);
   void curveUnwanted(int curve);
   void plotUnwanted();
   void sinceWanted(bool seconds);  // or the time of day

@@ -53,9 +53,9 @@ void PlotsController::remember(QSettings& settings) { settings.setValue(kLayout,
 
 void PlotsController::reset() { dock_->clearPlots(); }
 
-void PlotsController::plot(const PlotWish& wish) {
+void PlotsController::plot(const PlotSelection& selection) {
   context_.panels.open(dock_);
-  dock_->addCurve(dock_->plots().back(), wish);
+  dock_->addCurve(dock_->plots().back(), selection);
 }
 
 }  // namespace mapwright::window

@@ -24,7 +24,7 @@ class PlotsController : public Controller {
   void remember(QSettings& settings) override;
   void reset() override;
   /// A field chosen elsewhere: adds it to the active plot and shows the dock.
-  void plot(const PlotWish& wish);
+  void plot(const PlotSelection& selection);
 
  Q_SIGNALS:
   /// Raw messages of the robot are needed, or no longer.

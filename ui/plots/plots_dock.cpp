@@ -17,7 +17,6 @@
 #include <QVBoxLayout>
 
 #include "ui/kit/plain_label.h"
-#include "ui/plots/plot_look.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -161,9 +160,9 @@ void PlotsDock::wire(PlotWidget* plot) {
   connect(plot, &PlotWidget::pointed, this, [this](std::optional<double> at_s) {
     for (PlotWidget* const each : plots_) each->setPointed(at_s);
   });
-  connect(plot, &PlotWidget::dropped, this, [this, plot](const PlotWish& wish) {
+  connect(plot, &PlotWidget::dropped, this, [this, plot](const PlotSelection& selection) {
     at_hand_ = plot;
-    addCurve(plot, wish);
+    addCurve(plot, selection);
   });
   connect(plot, &PlotWidget::curveUnwanted, this, [this, plot](int curve) { removeCurve(plot, curve); });
   connect(plot, &PlotWidget::plotUnwanted, this, [this, plot] { removePlot(plot); });
@@ -196,14 +195,14 @@ void PlotsDock::removePlot(PlotWidget* plot) {
 void PlotsDock::setCurves(PlotWidget* plot, std::vector<PlotCurve> curves) {
   for (const PlotCurve& before : plot->curves()) {
     const bool stays = std::any_of(curves.begin(), curves.end(),
-                                   [&](const PlotCurve& each) { return each.wish == before.wish; });
-    if (!stays) feed_.letGo(before.wish);
+                                   [&](const PlotCurve& each) { return each.selection == before.selection; });
+    if (!stays) feed_.letGo(before.selection);
   }
   plot->setCurves(std::move(curves));
   refresh();
 }
 
-bool PlotsDock::addCurve(PlotWidget* plot, const PlotWish& wish) {
+bool PlotsDock::addCurve(PlotWidget* plot, const PlotSelection& selection) {
   say({});
   std::vector<PlotCurve> curves = plot->curves();
   int all = 0;
@@ -212,15 +211,16 @@ bool PlotsDock::addCurve(PlotWidget* plot, const PlotWish& wish) {
     say(tr("There are already as many curves as can be told apart. Remove one first: right-click the plot."));
     return false;
   }
-  if (std::any_of(curves.begin(), curves.end(), [&](const PlotCurve& each) { return each.wish == wish; })) {
-    say(tr("%1 is already in this plot.").arg(plotName(wish).left(100)));
+  if (std::any_of(curves.begin(), curves.end(),
+                  [&](const PlotCurve& each) { return each.selection == selection; })) {
+    say(tr("%1 is already in this plot.").arg(plotName(selection).left(100)));
     return false;
   }
   // The first free look: removing a curve does not change the others.
   int look = 0;
   while (std::any_of(curves.begin(), curves.end(), [&](const PlotCurve& each) { return each.look == look; }))
     ++look;
-  curves.push_back({wish, feed_.want(wish), look});
+  curves.push_back({selection, feed_.want(selection), look});
   setCurves(plot, std::move(curves));
   return true;
 }
@@ -235,8 +235,8 @@ void PlotsDock::removeCurve(PlotWidget* plot, int curve) {
 void PlotsDock::addQuantity(Quantity quantity) {
   PlotWidget* plot = atHand();
   const auto fits = [&](const PlotWidget* each) {
-    return each->curves().empty() ||
-           (plotUnit(each->curves().front().wish) == plotUnit(quantity) && !plotUnit(quantity).isEmpty());
+    return each->curves().empty() || (plotUnit(each->curves().front().selection) == plotUnit(quantity) &&
+                                      !plotUnit(quantity).isEmpty());
   };
   if (!fits(plot)) {
     const auto other = std::find_if(plots_.begin(), plots_.end(),
@@ -372,7 +372,7 @@ QString PlotsDock::layout() const {
   QJsonArray all;
   for (const PlotWidget* const plot : plots_) {
     QJsonArray words;
-    for (const PlotCurve& curve : plot->curves()) words << plotWord(curve.wish);
+    for (const PlotCurve& curve : plot->curves()) words << plotWord(curve.selection);
     all << words;
   }
   return QString::fromUtf8(QJsonDocument(all).toJson(QJsonDocument::Compact));
@@ -387,7 +387,7 @@ bool PlotsDock::restoreLayout(const QString& layout) {
     PlotWidget* const plot = std::exchange(first, false) ? plots_.front() : addPlot();
     if (!plot) break;
     for (const QJsonValue& word : words.toArray()) {
-      if (const auto wish = plotFromWord(word.toString())) addCurve(plot, *wish);
+      if (const auto selection = plotFromWord(word.toString())) addCurve(plot, *selection);
     }
   }
   say({});

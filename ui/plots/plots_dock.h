@@ -47,7 +47,7 @@ class PlotsDock : public QDockWidget {
   PlotWidget* addPlot();
   void removePlot(PlotWidget* plot);
   /// False: it exists already, or the maximum is reached; a sentence explains it.
-  bool addCurve(PlotWidget* plot, const PlotWish& wish);
+  bool addCurve(PlotWidget* plot, const PlotSelection& selection);
   void removeCurve(PlotWidget* plot, int curve);
   /// In the active plot if its unit fits, otherwise in a new one.
   void addQuantity(series::Quantity quantity);

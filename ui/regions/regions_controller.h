@@ -44,7 +44,7 @@ class RegionsController : public Controller {
   RectangleTool* tool() const { return tool_; }
 
   /// Fetches the whole map or a rectangle of it, once.
-  MapErrand& task() const { return *errand_; }
+  MapErrand& errand() const { return *errand_; }
   /// Seconds; 0 = never automatically.
   void setRefreshEvery(int seconds);
   int refreshEvery() const { return refresh_every_s_; }

@@ -5,47 +5,216 @@
 #include <utility>
 
 #include <QComboBox>
-#include <QHBoxLayout>
+#include <QFont>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QTableView>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "sentences/plural.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
-#include "ui/kit/row_table.h"
-#include "ui/kit/tree_view.h"
+#include "ui/kit/ui_colors.h"
+#include "ui/replay/timeline_axis.h"
 #include "ui/replay/timeline_events.h"
 
 namespace mapwright::window {
 
+using replay::Event;
+
+namespace {
+
+// As with steps from event to event: the one just reached counts as past.
+constexpr double kHairS = 1e-6;
+constexpr int kMarkPx = 14;
+
+std::string quotedField(const QString& text) {
+  QString quoted = text;
+  quoted.replace(QLatin1Char('"'), QStringLiteral("\"\""));
+  return '"' + quoted.toStdString() + '"';
+}
+
+}  // namespace
+
+bool EventsModel::passes(const Event& event) const {
+  if (filter_.group && replay::groupOf(event.kind) != *filter_.group) return false;
+  return filter_.text.isEmpty() || eventText(event).contains(filter_.text, Qt::CaseInsensitive) ||
+         kindName(event.kind).contains(filter_.text, Qt::CaseInsensitive);
+}
+
+std::vector<std::uint32_t> EventsModel::passing(const std::vector<Event>& events) const {
+  std::vector<std::uint32_t> rows;
+  rows.reserve(events.size());
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (passes(events[i])) rows.push_back(std::uint32_t(i));
+  }
+  return rows;
+}
+
+void EventsModel::setEvents(std::vector<Event> events, double start_s) {
+  const bool moved = std::exchange(start_s_, start_s) != start_s;
+  if (events != events_) take(std::move(events));
+  if (moved && !rows_.empty())
+    Q_EMIT dataChanged(index(0, SinceColumn), index(int(rows_.size()) - 1, SinceColumn));
+  takePresent();
+}
+
+void EventsModel::setFilter(const EventFilter& filter) {
+  if (filter == filter_) return;
+  filter_ = filter;
+  take(events_);
+  takePresent();
+}
+
+void EventsModel::take(std::vector<Event> events) {
+  std::vector<std::uint32_t> rows = passing(events);
+  const std::size_t least = std::min(rows.size(), rows_.size());
+  std::size_t same = 0, same_after = 0;
+  while (same < least && events[rows[same]] == events_[rows_[same]]) ++same;
+  while (same_after < least - same &&
+         events[rows[rows.size() - 1 - same_after]] == events_[rows_[rows_.size() - 1 - same_after]])
+    ++same_after;
+  present_ = -1;  // takePresent() tells anew
+  if (const std::size_t gone = rows_.size() - same - same_after; gone > 0) {
+    beginRemoveRows({}, int(same), int(same + gone) - 1);
+    rows_.erase(rows_.begin() + std::ptrdiff_t(same), rows_.begin() + std::ptrdiff_t(same + gone));
+    endRemoveRows();
+  }
+  const std::size_t come = rows.size() - same - same_after;
+  if (come > 0) beginInsertRows({}, int(same), int(same + come) - 1);
+  events_ = std::move(events);
+  rows_ = std::move(rows);
+  if (come > 0) endInsertRows();
+}
+
+void EventsModel::setAt(std::optional<double> at_s) {
+  at_s_ = at_s;
+  takePresent();
+}
+
+void EventsModel::takePresent() {
+  int now = -1;
+  if (at_s_) {
+    const auto after = std::partition_point(rows_.begin(), rows_.end(), [&](std::uint32_t place) {
+      return events_[place].at_s <= *at_s_ + kHairS;
+    });
+    now = int(after - rows_.begin()) - 1;
+  }
+  const int before = std::exchange(present_, now);
+  if (before == now) return;
+  for (const int row : {before, now}) {
+    if (row >= 0 && row < int(rows_.size())) Q_EMIT dataChanged(index(row, 0), index(row, kColumns - 1));
+  }
+}
+
+const Event* EventsModel::event(int row) const {
+  return row >= 0 && row < int(rows_.size()) ? &events_[at(row)] : nullptr;
+}
+
+int EventsModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : int(rows_.size());
+}
+
+QString EventsModel::text(const Event& event, int column) const {
+  switch (column) {
+    case TimeColumn:
+      return clockText(event.at_s);
+    case SinceColumn:
+      return elapsedText(event.at_s - start_s_);
+    case KindColumn:
+      return kindName(event.kind);
+    default:
+      return eventText(event);
+  }
+}
+
+QVariant EventsModel::data(const QModelIndex& index, int role) const {
+  const Event* const event = index.isValid() ? this->event(index.row()) : nullptr;
+  if (!event) return {};
+  const bool present = index.row() == present_;
+  switch (role) {
+    case Qt::DisplayRole:
+      return text(*event, index.column());
+    case Qt::ToolTipRole:
+      return plainToolTip(
+          QStringLiteral("%1 %2\n%3").arg(dayText(event->at_s), clockText(event->at_s), eventText(*event)));
+    case Qt::TextAlignmentRole:
+      return int((index.column() == SinceColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    case Qt::DecorationRole:
+      if (index.column() != KindColumn) return {};
+      return eventMarkPixmap(markOf(*event), kMarkPx, qApp->devicePixelRatio());
+    case Qt::FontRole: {
+      if (!present) return {};
+      QFont font = QGuiApplication::font();
+      font.setBold(true);
+      return font;
+    }
+    case Qt::BackgroundRole: {
+      if (!present) return {};
+      QColor color = appColors().accent;
+      color.setAlpha(48);
+      return color;
+    }
+    default:
+      return {};
+  }
+}
+
+QVariant EventsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return int((section == SinceColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  const QStringList names{tr("Time (UTC)"), tr("Since start"), tr("Kind"), tr("Event")};
+  return role == Qt::DisplayRole ? names.value(section) : QVariant();
+}
+
+QString EventsModel::copied(const QModelIndexList& rows) const {
+  std::vector<int> places;
+  for (const QModelIndex& index : rows) places.push_back(index.row());
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  QString lines;
+  for (const int row : places) {
+    const Event* const event = this->event(row);
+    if (!event) continue;
+    lines += QStringLiteral("%1 %2").arg(dayText(event->at_s), text(*event, TimeColumn));
+    for (const int column : {SinceColumn, KindColumn, TextColumn})
+      lines += QLatin1Char('\t') + text(*event, column);
+    lines += QLatin1Char('\n');
+  }
+  return lines;
+}
+
+std::string EventsModel::csv() const {
+  std::string csv = "stamp_s,time_utc,since_start_s,kind,event\r\n";
+  for (const std::uint32_t place : rows_) {
+    const Event& event = events_[place];
+    csv += QByteArray::number(event.at_s, 'f', 6).toStdString() + ',' + dayText(event.at_s).toStdString() +
+           'T' + clockText(event.at_s).toStdString() + "Z," +
+           QByteArray::number(event.at_s - start_s_, 'f', 3).toStdString() + ',' +
+           quotedField(kindName(event.kind)) + ',' + quotedField(eventText(event)) + "\r\n";
+  }
+  return csv;
+}
+
 EventsDock::EventsDock(ReplayClock& clock, QWidget* parent)
-    : QDockWidget(tr("Events"), parent),
+    : ListDock(tr("Events"), tr("Search events"), parent),
       clock_(clock),
       model_(new EventsModel(this)),
-      table_(new QuietTableView(this)),
-      search_(new QLineEdit(this)),
       group_(new QComboBox(this)),
-      summary_(new PlainLabel(this)),
-      empty_(new QLabel(this)),
       follow_(new QToolButton(this)),
       read_(new QPushButton(tr("Read the rest"), this)),
       retry_(new QPushButton(tr("Retry"), this)),
       save_(new QPushButton(tr("Save…"), this)) {
   setObjectName(QStringLiteral("events"));
-  showRows(*table_, model_, tr("Events"));
+  layOut(model_, {group_, follow_}, 2, {read_, retry_, save_});
+  setTabOrder(table_, search_);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  table_->setContextMenuPolicy(Qt::CustomContextMenu);
-  table_->installEventFilter(this);
   QHeaderView* const header = table_->horizontalHeader();
-  header->setHighlightSections(false);
-  header->setStretchLastSection(true);
   const auto wide = [this](const QString& sample) {
     QFont bold = font();
     bold.setBold(true);
@@ -56,9 +225,6 @@ EventsDock::EventsDock(ReplayClock& clock, QWidget* parent)
       EventsModel::SinceColumn,
       wide(model_->headerData(EventsModel::SinceColumn, Qt::Horizontal, Qt::DisplayRole).toString()));
   header->resizeSection(EventsModel::KindColumn, wide(kindName(replay::EventKind::EmergencyStopOn)) + 20);
-  search_->setPlaceholderText(tr("Search events"));
-  search_->setClearButtonEnabled(true);
-  search_->setAccessibleName(tr("Search events"));
   search_->setMaximumWidth(220);
   group_->addItem(tr("All kinds"));
   for (const replay::EventGroup group : replay::kEventGroups) group_->addItem(groupName(group), int(group));
@@ -74,14 +240,14 @@ EventsDock::EventsDock(ReplayClock& clock, QWidget* parent)
   follow_->setAccessibleName(tr("Follow the time"));
   follow_->setToolTip(tr("Scroll to the event at the current time"));
   read_->setToolTip(tr("Read to the end to find all events"));
+  retry_->setIcon(themedIcon(QStringLiteral("retry")));
   retry_->setToolTip(tr("Retry what could not be loaded"));
+  save_->setIcon(themedIcon(QStringLiteral("save")));
   save_->setToolTip(tr("Save the listed events as CSV"));
-  layOut();
 
   connect(search_, &QLineEdit::textChanged, this, &EventsDock::takeFilter);
   connect(group_, &QComboBox::currentIndexChanged, this, &EventsDock::takeFilter);
   connect(table_, &QTableView::doubleClicked, this, &EventsDock::goTo);
-  connect(table_, &QTableView::customContextMenuRequested, this, &EventsDock::showMenu);
   connect(follow_, &QToolButton::toggled, this, &EventsDock::scrollToPresent);
   connect(read_, &QPushButton::clicked, this, &EventsDock::readAllWanted);
   connect(retry_, &QPushButton::clicked, &clock_, &ReplayClock::retry);
@@ -90,39 +256,6 @@ EventsDock::EventsDock(ReplayClock& clock, QWidget* parent)
   connect(&clock_, &ReplayClock::stateChanged, this, &EventsDock::takeState);
   connect(&clock_, &ReplayClock::closed, this, [this] { setEvents({}); });
   takeState();
-}
-
-EventsDock::~EventsDock() { table_->removeEventFilter(this); }
-
-void EventsDock::layOut() {
-  empty_->setTextFormat(Qt::PlainText);
-  empty_->setWordWrap(true);
-  empty_->setContentsMargins(12, 8, 12, 8);
-  empty_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  retry_->setIcon(themedIcon(QStringLiteral("retry")));
-  save_->setIcon(themedIcon(QStringLiteral("save")));
-  summary_->setSample(QStringLiteral("x"));
-  summary_->setSecondary(true);
-  summary_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  auto* const body = new QWidget(this);
-  auto* const row = new QHBoxLayout;
-  row->setContentsMargins(8, 4, 8, 4);
-  row->setSpacing(6);
-  row->addWidget(search_, 1);
-  row->addWidget(group_);
-  row->addWidget(follow_);
-  row->addWidget(summary_, 2);
-  for (QPushButton* const button : {read_, retry_, save_}) {
-    button->setObjectName(QStringLiteral("compact"));
-    row->addWidget(button);
-  }
-  auto* const column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addLayout(row);
-  column->addWidget(empty_, 1);
-  column->addWidget(table_, 1);
-  setWidget(body);
 }
 
 void EventsDock::setEvents(const std::vector<replay::Event>& events) {
@@ -156,8 +289,6 @@ void EventsDock::setReadsAll(bool all) {
 
 bool EventsDock::follows() const { return follow_->isChecked(); }
 void EventsDock::setFollows(bool follows) { follow_->setChecked(follows); }
-QString EventsDock::summaryShown() const { return summary_->text(); }
-QString EventsDock::emptyShown() const { return empty_->isHidden() ? QString() : empty_->text(); }
 
 QString EventsDock::summaryText() const {
   if (!clock_.isOpen()) return {};
@@ -173,15 +304,11 @@ QString EventsDock::summaryText() const {
 void EventsDock::takeState() {
   const replay::Reading* const reading = clock_.reading();
   const bool open = reading != nullptr;
-  for (QWidget* const control :
-       {static_cast<QWidget*>(search_), static_cast<QWidget*>(group_), static_cast<QWidget*>(follow_)})
+  for (QWidget* const control : std::initializer_list<QWidget*>{search_, group_, follow_})
     control->setEnabled(open);
   const bool missing = open && !reading->chunks().wholeRead();
-  const bool failed =
-      missing && std::any_of(reading->chunks().cells().begin(), reading->chunks().cells().end(),
-                             [](const auto& cell) { return cell.second.state == replay::CellState::Failed; });
   read_->setVisible(missing && !reads_all_);
-  retry_->setVisible(failed);
+  retry_->setVisible(missing && reading->chunks().anyFailed());
   save_->setEnabled(model_->rowCount() > 0);
   summary_->setText(summaryText());
   QString why;
@@ -192,9 +319,7 @@ void EventsDock::takeState() {
   } else if (model_->rowCount() == 0) {
     why = tr("No event matches the search.");
   }
-  empty_->setText(why);
-  empty_->setVisible(!why.isEmpty());
-  table_->setVisible(why.isEmpty());
+  showInstead(why);
 }
 
 void EventsDock::takeFilter() {

@@ -1,31 +1,79 @@
 // The panel that lists the events of a bag, as far as it has been read.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include <QDockWidget>
+#include <QAbstractTableModel>
 
 #include "replay/events.h"
-#include "ui/replay/events_model.h"
+#include "ui/replay/list_dock.h"
 #include "ui/shell/replay_clock.h"
 
 class QComboBox;
-class QLabel;
-class QLineEdit;
 class QPushButton;
-class QTableView;
 class QToolButton;
 
 namespace mapwright::window {
 
-class PlainLabel;
+/// Which events are rows.
+struct EventFilter {
+  std::optional<replay::EventGroup> group;  // nullopt: of all
+  QString text;                             // in the texts of kind and event, case-insensitive; empty: all
+  bool operator==(const EventFilter&) const = default;
+};
 
-class EventsDock : public QDockWidget {
+/// The events of a bag as rows, by time.
+class EventsModel : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column { TimeColumn, SinceColumn, KindColumn, TextColumn, kColumns };
+  using QAbstractTableModel::QAbstractTableModel;
+
+  /// `events` by time, of a bag that begins at `start_s`. Unchanged rows stay selected.
+  void setEvents(std::vector<replay::Event> events, double start_s);
+  void setFilter(const EventFilter& filter);
+  /// The present time; the last event before it is marked. nullopt: none.
+  void setAt(std::optional<double> at_s);
+  /// -1: none.
+  int presentRow() const { return present_; }
+
+  const replay::Event* event(int row) const;
+  /// Including those that the filter hides.
+  std::size_t total() const { return events_.size(); }
+  /// Tab-separated cells, one line per row.
+  QString copied(const QModelIndexList& rows) const;
+  /// All rows, for tables: stamp_s, time_utc, since_start_s, kind, event. Lines end in "\r\n" (RFC 4180).
+  std::string csv() const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  std::vector<std::uint32_t> passing(const std::vector<replay::Event>& events) const;
+  bool passes(const replay::Event& event) const;
+  void take(std::vector<replay::Event> events);
+  void takePresent();
+  QString text(const replay::Event& event, int column) const;
+  std::size_t at(int row) const { return rows_[std::size_t(row)]; }
+
+  std::vector<replay::Event> events_;
+  std::vector<std::uint32_t> rows_;  // places in events_
+  EventFilter filter_;
+  std::optional<double> at_s_;
+  double start_s_ = 0;
+  int present_ = -1;
+};
+
+class EventsDock : public ListDock {
   Q_OBJECT
  public:
   /// `clock` outlives it.
   explicit EventsDock(ReplayClock& clock, QWidget* parent = nullptr);
-  ~EventsDock() override;
 
   /// By time; of the open bag, as far as it has been read.
   void setEvents(const std::vector<replay::Event>& events);
@@ -35,29 +83,22 @@ class EventsDock : public QDockWidget {
   void setFollows(bool follows);
 
   EventsModel* model() const { return model_; }
-  QTableView* table() const { return table_; }
-  QLineEdit* search() const { return search_; }
   QComboBox* groupBox() const { return group_; }
   QToolButton* followButton() const { return follow_; }
   QPushButton* readButton() const { return read_; }
   QPushButton* retryButton() const { return retry_; }
   QPushButton* saveButton() const { return save_; }
-  /// How many there are, and how much of the bag has been read.
-  QString summaryShown() const;
-  /// Shown instead of the list; empty = the list.
-  QString emptyShown() const;
 
  Q_SIGNALS:
   void readAllWanted();
-  void copyWanted(const QString& text, const QString& said);
   void saveWanted();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void showMenu(const QPoint& at) override;
 
  private:
-  void layOut();
   void takeTime();
   bool presentInView() const;
   void scrollToPresent();
@@ -65,16 +106,12 @@ class EventsDock : public QDockWidget {
   void takeFilter();
   void goTo(const QModelIndex& index);
   void copy();
-  void showMenu(const QPoint& at);
+  /// How many there are, and how much of the bag has been read.
   QString summaryText() const;
 
   ReplayClock& clock_;
   EventsModel* model_;
-  QTableView* table_;
-  QLineEdit* search_;
   QComboBox* group_;
-  PlainLabel* summary_;
-  QLabel* empty_;
   QToolButton* follow_;
   QPushButton *read_, *retry_, *save_;
   std::vector<replay::Event> waiting_;  // while nobody sees the list

@@ -31,23 +31,22 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr const char* kSuffixes[] = {".mcap", ".jsonl", ".geojson", ".csv", ".tum"};
-
-const char* suffixOf(excerpt::Kind kind) {
-  switch (kind) {
-    case excerpt::Kind::Mcap:
-      return ".mcap";
-    case excerpt::Kind::Lines:
-      return ".jsonl";
-    case excerpt::Kind::TrackGeoJson:
-      return ".geojson";
-    case excerpt::Kind::TrackCsv:
-      return ".csv";
-    case excerpt::Kind::TrackTum:
-      break;
-  }
-  return ".tum";
-}
+struct KindChoice {
+  excerpt::Kind kind;
+  const char* suffix;
+  const char* text;
+};
+constexpr KindChoice kKindChoices[] = {
+    {excerpt::Kind::Mcap, ".mcap",
+     QT_TRANSLATE_NOOP("mapwright::window::RangeExportDialog", "Messages, can be replayed (MCAP)")},
+    {excerpt::Kind::Lines, ".jsonl",
+     QT_TRANSLATE_NOOP("mapwright::window::RangeExportDialog", "Messages, one per line (JSON lines)")},
+    {excerpt::Kind::TrackGeoJson, ".geojson",
+     QT_TRANSLATE_NOOP("mapwright::window::RangeExportDialog", "Path of the robot (GeoJSON)")},
+    {excerpt::Kind::TrackCsv, ".csv",
+     QT_TRANSLATE_NOOP("mapwright::window::RangeExportDialog", "Path of the robot (CSV)")},
+    {excerpt::Kind::TrackTum, ".tum",
+     QT_TRANSLATE_NOOP("mapwright::window::RangeExportDialog", "Path of the robot (TUM)")}};
 
 QString fileNameOf(const QString& bag) {
   QString name = QFileInfo(words::plainName(bag)).completeBaseName();
@@ -99,11 +98,7 @@ RangeExportDialog::RangeExportDialog(RangeOffer offer, QWidget* parent)
       said_(new QLabel(this)) {
   setWindowTitle(tr("Export a range of the bag"));
   setMinimumWidth(560);
-  kind_->addItem(tr("Messages, can be replayed (MCAP)"), int(excerpt::Kind::Mcap));
-  kind_->addItem(tr("Messages, one per line (JSON lines)"), int(excerpt::Kind::Lines));
-  kind_->addItem(tr("Path of the robot (GeoJSON)"), int(excerpt::Kind::TrackGeoJson));
-  kind_->addItem(tr("Path of the robot (CSV)"), int(excerpt::Kind::TrackCsv));
-  kind_->addItem(tr("Path of the robot (TUM)"), int(excerpt::Kind::TrackTum));
+  for (const KindChoice& choice : kKindChoices) kind_->addItem(tr(choice.text), int(choice.kind));
   from_s_ = offer_.loop ? offer_.loop->from_s : offer_.first_s;
   to_s_ = offer_.loop ? offer_.loop->until_s : offer_.last_s;
   from_shown_ = shownDayTime(from_s_);
@@ -207,17 +202,17 @@ void RangeExportDialog::takeRange() {
 void RangeExportDialog::takeKind() {
   // The name stays, the extension follows the kind.
   QString path = path_->text();
-  for (const char* const suffix : kSuffixes) {
-    if (!path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive)) continue;
-    path.chop(int(qstrlen(suffix)));
+  for (const KindChoice& choice : kKindChoices) {
+    if (!path.endsWith(QLatin1String(choice.suffix), Qt::CaseInsensitive)) continue;
+    path.chop(int(qstrlen(choice.suffix)));
     break;
   }
-  path_->setText(path + QLatin1String(suffixOf(excerpt::Kind(kind_->currentData().toInt()))));
+  path_->setText(path + QLatin1String(kKindChoices[kind_->currentIndex()].suffix));
   say({});
 }
 
 void RangeExportDialog::browse() {
-  const QString suffix = QLatin1String(suffixOf(excerpt::Kind(kind_->currentData().toInt())));
+  const QString suffix = QLatin1String(kKindChoices[kind_->currentIndex()].suffix);
   QString path = QFileDialog::getSaveFileName(this, tr("Export to"), path_->text(),
                                               QStringLiteral("%1 (*%2)").arg(kind_->currentText(), suffix));
   if (path.isEmpty()) return;
@@ -270,9 +265,7 @@ void RangeExportDialog::start() {
 }
 
 void RangeExportDialog::setRunning(bool running) {
-  for (QWidget* const widget :
-       {static_cast<QWidget*>(from_), static_cast<QWidget*>(to_), static_cast<QWidget*>(kind_),
-        static_cast<QWidget*>(path_), static_cast<QWidget*>(browse_), static_cast<QWidget*>(export_)})
+  for (QWidget* const widget : std::initializer_list<QWidget*>{from_, to_, kind_, path_, browse_, export_})
     widget->setEnabled(!running && !left_);
   progress_->setValue(0);
   progress_->setVisible(running);

@@ -18,6 +18,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/replay/timeline_axis.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/window_status_bar.h"
 #include "ui/view/map_overlay.h"
@@ -27,7 +28,7 @@ namespace mapwright::window {
 namespace {
 
 const QString kRecordingFolderKey = QStringLiteral("recording/folder");
-const QString kWish = QStringLiteral("recording");
+const QString kRecordingOwner = QStringLiteral("recording");
 constexpr int kIconPx = 20;
 
 /// The scheme of an address without its separator: "axbot".
@@ -39,13 +40,7 @@ std::string kindOf(const robot::Addresses& addresses, const QString& address) {
 }
 
 /// "1:02:03".
-QString recordedFor(double seconds) {
-  const qint64 whole = qint64(std::max(0.0, seconds));
-  const QChar zero = QLatin1Char('0');
-  const QString last = QStringLiteral("%1").arg(whole % 60, 2, 10, zero);
-  if (whole < 3'600) return QStringLiteral("%1:%2").arg(whole / 60).arg(last);
-  return QStringLiteral("%1:%2:%3").arg(whole / 3'600).arg(whole / 60 % 60, 2, 10, zero).arg(last);
-}
+QString recordedFor(double seconds) { return elapsedText(seconds).chopped(2); }
 
 /// The robot's name, as far as it can be part of a file name.
 QString fileNameFor(const robot::RobotIdentity& identity) {
@@ -140,7 +135,7 @@ std::optional<QString> RecordingController::startInto(const QString& path) {
     if (session_) session_->report(map::problemOf(failure, map::Severity::Warning));
   });
   // Everything it can send, not only what is on screen.
-  session_->want(kWish, recorder::everyStream());
+  session_->want(kRecordingOwner, recorder::everyStream());
   map::SubmapList listed;
   listed.uuid = session_->book().uuid();
   for (const auto& [id, row] : session_->book().rows()) listed.entries.push_back(row.entry);
@@ -153,14 +148,14 @@ std::optional<QString> RecordingController::startInto(const QString& path) {
 
 void RecordingController::stop() {
   if (!recorder_) return;
-  if (session_) session_->want(kWish, {});
+  if (session_) session_->want(kRecordingOwner, {});
   recorder_->stop();  // conclude() follows
   refresh();
 }
 
 recorder::Recorder* RecordingController::conclude() {
   recorder::Recorder* const recorder = recorder_.release();
-  if (session_) session_->want(kWish, {});
+  if (session_) session_->want(kRecordingOwner, {});
   const recorder::Recorder::Progress done = recorder->progress();
   const QString file = QDir::toNativeSeparators(path_);
   ToastStack* const toasts = context_.overlay.toasts();

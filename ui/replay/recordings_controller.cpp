@@ -14,7 +14,6 @@
 #include "ui/kit/folders.h"
 #include "ui/kit/panels.h"
 #include "ui/replay/record_dialog.h"
-#include "ui/replay/recordings_dock.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/clipboard.h"
 #include "ui/view/map_overlay.h"

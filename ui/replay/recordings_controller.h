@@ -9,13 +9,12 @@
 
 #include "robot/bag_library.h"
 #include "ui/kit/controller.h"
-#include "ui/replay/bags_model.h"
+#include "ui/replay/recordings_dock.h"
 #include "ui/shell/window_context.h"
 
 namespace mapwright::window {
 
 class RecordDialog;
-class RecordingsDock;
 
 class RecordingsController : public Controller {
   Q_OBJECT

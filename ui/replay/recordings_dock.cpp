@@ -1,70 +1,221 @@
 #include "ui/replay/recordings_dock.h"
 
-#include <QHBoxLayout>
+#include <algorithm>
+
+#include <QColor>
+#include <QCoreApplication>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QTableView>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "sentences/plural.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
-#include "ui/kit/row_table.h"
-#include "ui/kit/tree_view.h"
+#include "ui/kit/ui_colors.h"
+#include "ui/replay/timeline_axis.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
+namespace {
+
+constexpr int kNameLength = 200;
+
+bool isFigure(int column) { return column == BagsModel::SizeColumn || column == BagsModel::DurationColumn; }
+
+QString iconOf(BagNote::Kind kind) {
+  switch (kind) {
+    case BagNote::Kind::Failed:
+      return QStringLiteral("error");
+    case BagNote::Kind::Downloaded:
+      return QStringLiteral("ok");
+    case BagNote::Kind::Stopped:
+      return QStringLiteral("waiting");
+    case BagNote::Kind::None:
+      return {};
+    default:
+      return QStringLiteral("fetching");
+  }
+}
+
+QColor colorOf(BagNote::Kind kind, const UiColors& colors) {
+  if (kind == BagNote::Kind::Failed) return colors.error_text;
+  if (kind == BagNote::Kind::Downloaded) return colors.ok_text;
+  return colors.secondary_text;
+}
+
+}  // namespace
+
+QString kindWord(robot::BagKind kind) {
+  switch (kind) {
+    case robot::BagKind::Bag:
+      return QCoreApplication::translate("window", "bag");
+    case robot::BagKind::Recording:
+      return QCoreApplication::translate("window", "recording");
+    case robot::BagKind::File:
+      break;
+  }
+  return QCoreApplication::translate("window", "file");
+}
+
+QString bagCalled(const robot::BagKey& key) { return plainWords(key.name, kNameLength); }
+
+void BagsModel::setRows(std::vector<robot::BagEntry> rows) {
+  beginResetModel();
+  rows_ = std::move(rows);
+  std::erase_if(notes_, [&](const auto& note) {
+    return std::none_of(rows_.begin(), rows_.end(), [&](const auto& row) { return row.key == note.first; });
+  });
+  endResetModel();
+}
+
+void BagsModel::clear() {
+  notes_.clear();
+  setRows({});
+}
+
+void BagsModel::setNote(const robot::BagKey& key, BagNote note) {
+  if (note.kind == BagNote::Kind::None) {
+    notes_.erase(key);
+  } else {
+    notes_[key] = std::move(note);
+  }
+  const QModelIndex first = indexOf(key);
+  if (first.isValid()) Q_EMIT dataChanged(first, first.siblingAtColumn(kColumns - 1));
+}
+
+void BagsModel::setDuration(const robot::BagKey& key, double length_s) {
+  durations_[key] = std::max(length_s, 0.0);
+  const QModelIndex row = indexOf(key);
+  if (row.isValid()) {
+    const QModelIndex cell = row.siblingAtColumn(DurationColumn);
+    Q_EMIT dataChanged(cell, cell);
+  }
+}
+
+BagNote BagsModel::note(const robot::BagKey& key) const {
+  const auto found = notes_.find(key);
+  return found == notes_.end() ? BagNote{} : found->second;
+}
+
+const robot::BagEntry* BagsModel::entry(int row) const {
+  return row >= 0 && row < int(rows_.size()) ? &rows_[std::size_t(row)] : nullptr;
+}
+
+QModelIndex BagsModel::indexOf(const robot::BagKey& key) const {
+  const auto found =
+      std::find_if(rows_.begin(), rows_.end(), [&](const auto& row) { return row.key == key; });
+  return found == rows_.end() ? QModelIndex() : index(int(found - rows_.begin()), 0);
+}
+
+QString BagsModel::text(const robot::BagEntry& entry, int column) const {
+  switch (column) {
+    case NameColumn:
+      return bagCalled(entry.key);
+    case KindColumn:
+      return kindWord(entry.key.kind);
+    case SizeColumn:
+      return entry.size_bytes ? bytesText(*entry.size_bytes) : plainWords(entry.size_text, 20);
+    case DurationColumn: {
+      const auto known = durations_.find(entry.key);
+      // Robots give whole seconds.
+      return known == durations_.end() ? QStringLiteral("—") : elapsedText(known->second).chopped(2);
+    }
+    case EndColumn:
+      return entry.end_s ? QStringLiteral("%1 %2").arg(dayText(*entry.end_s), clockText(*entry.end_s, 0))
+                         : plainWords(entry.end_text, 40);
+    case NoteColumn:
+      return note(entry.key).text;
+    default:
+      return {};
+  }
+}
+
+QVariant BagsModel::sortValue(const robot::BagEntry& entry, int column) const {
+  if (column == SizeColumn) return qint64(entry.size_bytes.value_or(-1));
+  if (column == DurationColumn) {
+    const auto known = durations_.find(entry.key);
+    return known == durations_.end() ? -1 : known->second;
+  }
+  if (column == EndColumn) return entry.end_s.value_or(-1);
+  return text(entry, column);
+}
+
+QVariant BagsModel::data(const QModelIndex& index, int role) const {
+  const robot::BagEntry* const entry = index.isValid() ? this->entry(index.row()) : nullptr;
+  if (!entry) return {};
+  const bool of_note = index.column() == NoteColumn;
+  const BagNote::Kind kind = of_note ? note(entry->key).kind : BagNote::Kind::None;
+  switch (role) {
+    case Qt::DisplayRole:
+      return text(*entry, index.column());
+    case kSortRole:
+      return sortValue(*entry, index.column());
+    case Qt::ToolTipRole:
+      if (index.column() == DurationColumn && !durations_.contains(entry->key))
+        return tr("The robot reports the length when the bag is opened.");
+      return plainToolTip(text(*entry, index.column()));
+    case Qt::TextAlignmentRole:
+      return int((isFigure(index.column()) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    case Qt::ForegroundRole:
+      return kind == BagNote::Kind::None ? QVariant() : QVariant(colorOf(kind, appColors()));
+    case Qt::DecorationRole:
+      return kind == BagNote::Kind::None ? QVariant()
+                                         : QVariant(iconPixmap(iconOf(kind), 16, qApp->devicePixelRatio(),
+                                                               colorOf(kind, appColors())));
+    default:
+      return {};
+  }
+}
+
+QVariant BagsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return int((isFigure(section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  const QStringList names{tr("Name"), tr("Kind"), tr("Size"), tr("Duration"), tr("Ended (UTC)"), tr("State")};
+  return role == Qt::DisplayRole ? names.value(section) : QVariant();
+}
+
 RecordingsDock::RecordingsDock(QWidget* parent)
-    : QDockWidget(tr("Recordings"), parent),
+    : ListDock(tr("Recordings"), tr("Search recordings"), parent),
       model_(new BagsModel(this)),
       sorted_(new QSortFilterProxyModel(this)),
-      search_(new QLineEdit(this)),
       refresh_(new QToolButton(this)),
-      table_(new QuietTableView(this)),
-      empty_(new QLabel(this)),
-      summary_(new PlainLabel(this)),
       retry_(new QPushButton(tr("Retry"), this)),
-      open_(new QPushButton(tr("Replay"), this)),
-      download_(new QPushButton(tr("Download…"), this)),
-      stop_(new QPushButton(tr("Stop"), this)),
-      delete_(new QPushButton(tr("Delete…"), this)),
-      record_(new QPushButton(tr("Record on the robot…"), this)) {
+      open_(new QPushButton(themedIcon(QStringLiteral("play")), tr("Replay"), this)),
+      download_(new QPushButton(themedIcon(QStringLiteral("download")), tr("Download…"), this)),
+      stop_(new QPushButton(themedIcon(QStringLiteral("close")), tr("Stop"), this)),
+      delete_(new QPushButton(themedIcon(QStringLiteral("trash")), tr("Delete…"), this)),
+      record_(new QPushButton(themedIcon(QStringLiteral("recordings")), tr("Record on the robot…"), this)) {
   setObjectName(QStringLiteral("recordings"));
   sorted_->setSourceModel(model_);
   sorted_->setSortRole(BagsModel::kSortRole);
   sorted_->setFilterKeyColumn(BagsModel::NameColumn);
   sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
-  search_->setPlaceholderText(tr("Search recordings"));
-  search_->setClearButtonEnabled(true);
-  search_->setAccessibleName(tr("Search recordings"));
+  layOut(sorted_, {refresh_}, 1, {retry_, open_, download_, stop_, delete_, record_});
+  setTabOrder(search_, refresh_);
   search_->setMaximumWidth(260);
   refresh_->setIcon(themedIcon(QStringLiteral("retry")));
   refresh_->setIconSize({16, 16});
   refresh_->setAccessibleName(tr("Refresh the list of recordings"));
   refresh_->setToolTip(tr("Ask the robot for its recordings again"));
-  showRows(*table_, sorted_, tr("Recordings"));
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   // The ends of names distinguish them.
   table_->setTextElideMode(Qt::ElideMiddle);
-  table_->setContextMenuPolicy(Qt::CustomContextMenu);
-  table_->installEventFilter(this);
   table_->setSortingEnabled(true);
   table_->sortByColumn(BagsModel::EndColumn, Qt::DescendingOrder);
   QHeaderView* const header = table_->horizontalHeader();
-  header->setHighlightSections(false);
-  header->setStretchLastSection(true);
   const auto wide = [this](const QString& sample) { return fontMetrics().horizontalAdvance(sample) + 24; };
   header->resizeSection(BagsModel::NameColumn, wide(QStringLiteral("2023-10-31_14-36-17.bag")));
   header->resizeSection(BagsModel::KindColumn, wide(QStringLiteral("recording")));
   header->resizeSection(BagsModel::SizeColumn, wide(QStringLiteral("000.0 MB")));
   header->resizeSection(BagsModel::DurationColumn, wide(QStringLiteral("00:00:00")));
   header->resizeSection(BagsModel::EndColumn, wide(QStringLiteral("2023-10-31 14:36:17")));
-  layOut();
 
   connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
     sorted_->setFilterFixedString(text.trimmed());
@@ -73,9 +224,9 @@ RecordingsDock::RecordingsDock(QWidget* parent)
   connect(refresh_, &QToolButton::clicked, this, &RecordingsDock::refreshWanted);
   connect(retry_, &QPushButton::clicked, this, &RecordingsDock::refreshWanted);
   connect(record_, &QPushButton::clicked, this, &RecordingsDock::recordWanted);
-  const auto of_row = [this](QPushButton* button, void (RecordingsDock::*wish)(const robot::BagKey&)) {
-    connect(button, &QPushButton::clicked, this, [this, wish] {
-      if (const auto key = selected()) Q_EMIT(this->*wish)(*key);
+  const auto of_row = [this](QPushButton* button, void (RecordingsDock::*wanted)(const robot::BagKey&)) {
+    connect(button, &QPushButton::clicked, this, [this, wanted] {
+      if (const auto key = selected()) Q_EMIT(this->*wanted)(*key);
     });
   };
   of_row(open_, &RecordingsDock::openWanted);
@@ -85,7 +236,6 @@ RecordingsDock::RecordingsDock(QWidget* parent)
   connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
     if (const auto key = keyAt(index)) Q_EMIT openWanted(*key);
   });
-  connect(table_, &QTableView::customContextMenuRequested, this, &RecordingsDock::showMenu);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &RecordingsDock::refreshButtons);
   connect(model_, &QAbstractItemModel::dataChanged, this, &RecordingsDock::refreshButtons);
@@ -96,42 +246,6 @@ RecordingsDock::~RecordingsDock() {
   // The table is destroyed later than the object it reports to.
   table_->selectionModel()->disconnect(this);
   model_->disconnect(this);
-  table_->removeEventFilter(this);
-}
-
-void RecordingsDock::layOut() {
-  for (QLabel* const label : {empty_}) {
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->setContentsMargins(12, 8, 12, 8);
-    label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  }
-  open_->setIcon(themedIcon(QStringLiteral("play")));
-  download_->setIcon(themedIcon(QStringLiteral("download")));
-  stop_->setIcon(themedIcon(QStringLiteral("close")));
-  delete_->setIcon(themedIcon(QStringLiteral("trash")));
-  record_->setIcon(themedIcon(QStringLiteral("recordings")));
-  summary_->setSample(QStringLiteral("x"));
-  summary_->setSecondary(true);
-  summary_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  auto* const body = new QWidget(this);
-  auto* const row = new QHBoxLayout;
-  row->setContentsMargins(8, 4, 8, 4);
-  row->setSpacing(6);
-  row->addWidget(search_, 1);
-  row->addWidget(refresh_);
-  row->addWidget(summary_, 1);
-  for (QPushButton* const button : {retry_, open_, download_, stop_, delete_, record_}) {
-    button->setObjectName(QStringLiteral("compact"));
-    row->addWidget(button);
-  }
-  auto* const column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addLayout(row);
-  column->addWidget(empty_, 1);
-  column->addWidget(table_, 1);
-  setWidget(body);
 }
 
 void RecordingsDock::setState(const RecordingsState& state) {
@@ -151,16 +265,11 @@ QString RecordingsDock::emptyText() const {
   return sorted_->rowCount() == 0 ? tr("No recording matches the search.") : QString();
 }
 
-QString RecordingsDock::emptyShown() const { return empty_->isHidden() ? QString() : empty_->text(); }
-QString RecordingsDock::summaryShown() const { return summary_->text(); }
-
 void RecordingsDock::refresh() {
   const bool offered = state_.connected && state_.why_not.isEmpty();
   search_->setEnabled(offered);
   refresh_->setEnabled(offered && !state_.loading);
-  empty_->setText(emptyText());
-  empty_->setVisible(!empty_->text().isEmpty());
-  table_->setVisible(empty_->text().isEmpty());
+  showInstead(emptyText());
   retry_->setVisible(offered && !state_.error.isEmpty() && !state_.loading);
   QString text;
   const int rows = model_->rowCount();
@@ -220,9 +329,9 @@ void RecordingsDock::showMenu(const QPoint& at) {
   const auto key = keyAt(table_->indexAt(at));
   if (!key) return;
   QMenu menu(this);
-  const auto add = [&](QPushButton* button, auto wish) {
-    QAction* const action = menu.addAction(button->icon(), button->text(), this, [this, key, wish] {
-      Q_EMIT(this->*wish)(*key);
+  const auto add = [&](QPushButton* button, auto wanted) {
+    QAction* const action = menu.addAction(button->icon(), button->text(), this, [this, key, wanted] {
+      Q_EMIT(this->*wanted)(*key);
     });
     action->setEnabled(button->isEnabled());
   };

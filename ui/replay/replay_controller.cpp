@@ -9,17 +9,18 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QStandardPaths>
 
 #include "disk/file_error.h"
 #include "disk/written_file.h"
 #include "scene/pose_between.h"
 #include "sentences/fault_sentence.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/panels.h"
 #include "ui/replay/events_dock.h"
 #include "ui/replay/range_export_dialog.h"
-#include "ui/replay/replay_actions.h"
 #include "ui/replay/timeline_axis.h"
 #include "ui/replay/timeline_dock.h"
 #include "ui/replay/track_on_map.h"
@@ -51,6 +52,19 @@ constexpr double kOnePassS = 3;  // poses within this time belong to one pass of
 
 }  // namespace
 
+template <typename What>
+QAction* ReplayController::entry(const char* id, const QString& text, const char* icon, const char* key,
+                                 const QString& tip, What&& what) {
+  QList<QKeySequence> keys;
+  if (*key) keys << QKeySequence(QLatin1String(key));
+  QAction* const action = context_.actions.add(tr("Replay"), QLatin1String(id), text, QLatin1String(icon),
+                                               keys, Reach::Everywhere, tip);
+  connect(action, &QAction::triggered, this, std::forward<What>(what));
+  menu_->addAction(action);
+  of_open_bag_.push_back(action);
+  return action;
+}
+
 ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot, QObject* parent)
     : Controller(parent),
       context_(context),
@@ -60,16 +74,10 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
       events_(new EventsDock(*clock_, &context.window)) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Bottom, .tab = 40, .menu_rank = 48, .open = false});
   context_.panels.add(events_, {.side = PanelPlace::Side::Bottom, .tab = 45, .menu_rank = 49, .open = false});
-  actions_ = new ReplayActions(context_, *clock_, *dock_, this);
-  connect(actions_, &ReplayActions::backWanted, this, &ReplayController::back);
-  connect(actions_, &ReplayActions::readsAllChanged, this, [this](bool all) {
-    if (replay::Reading* const reading = clock_->reading()) reading->setWhole(all);
-    events_->setReadsAll(all);
-  });
+  addActions();
   connectEvents();
   connect(dock_, &TimelineDock::backWanted, this, &ReplayController::back);
   connect(dock_, &TimelineDock::exportWanted, this, &ReplayController::exportRange);
-  connect(actions_, &ReplayActions::exportWanted, this, &ReplayController::exportRange);
   connect(clock_, &ReplayClock::opened, this, &ReplayController::takeOpened);
   connect(clock_, &ReplayClock::timeChanged, this, &ReplayController::showPose);
   connect(clock_, &ReplayClock::timeChanged, this, &ReplayController::noteLink);
@@ -84,6 +92,59 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
   context_.view.viewport()->installEventFilter(this);
 }
 
+void ReplayController::addActions() {
+  menu_ = new QMenu(tr("Re&play"), &context_.window);
+  menu_->setToolTipsVisible(true);
+  context_.actions.place({MenuGroup::Link, 40}, menu_->menuAction());
+  entry("replayPlay", tr("&Play or pause"), "play", "Ctrl+Space", tr("Play or pause the bag"),
+        [this] { clock_->togglePlaying(); });
+  entry("replayBackwards", tr("&Backwards or forwards"), "", "", tr("Reverse the direction"),
+        [this] { clock_->setSpeed(-clock_->speed()); });
+  entry("replayFaster", tr("&Faster"), "", "", tr("Play faster"), [this] { dock_->faster(1); });
+  entry("replaySlower", tr("&Slower"), "", "", tr("Play slower"), [this] { dock_->faster(-1); });
+  menu_->addSeparator();
+  entry("replayMessageBack", tr("Previous &message"), "message-back", "", tr("To the previous message"),
+        [this] { clock_->stepMessage(-1); });
+  entry("replayMessageForward", tr("Next m&essage"), "message-forward", "", tr("To the next message"),
+        [this] { clock_->stepMessage(1); });
+  entry("replayEventBack", tr("Previous e&vent"), "event-back", "", tr("To the previous event"),
+        [this] { dock_->goToNextEvent(-1); });
+  entry("replayEventForward", tr("&Next event"), "event-forward", "", tr("To the next event"),
+        [this] { dock_->goToNextEvent(1); });
+  entry("replayTime", tr("Go to a &time…"), "goto", "Ctrl+T", tr("Type the time to go to"), [this] {
+    context_.panels.open(dock_);
+    dock_->askForTime();
+  });
+  menu_->addSeparator();
+  end_loop_ = entry("replayEndLoop", tr("End the &loop"), "", "", tr("Continue playing beyond the loop"),
+                    [this] { clock_->setLoop(std::nullopt); });
+  read_all_ =
+      context_.actions.addToggle(tr("Replay"), QStringLiteral("replayReadAll"), tr("&Read the whole bag"), {},
+                                 {}, Reach::Everywhere, tr("Read to the end to find all events"));
+  read_all_->setChecked(true);
+  menu_->addAction(read_all_);
+  connect(read_all_, &QAction::toggled, this, [this](bool all) {
+    if (replay::Reading* const reading = clock_->reading()) reading->setWhole(all);
+    events_->setReadsAll(all);
+  });
+  entry("replayExport", tr("E&xport a range…"), "export", "",
+        tr("Write a part of the bag or the path of the robot to a file"), [this] { exportRange(); });
+  menu_->addSeparator();
+  back_ = context_.actions.add(tr("Replay"), QStringLiteral("replayBack"), tr("Back to the r&obot"),
+                               QStringLiteral("robot"), {}, Reach::Everywhere, tr("End the replay"));
+  connect(back_, &QAction::triggered, this, &ReplayController::back);
+  menu_->addAction(back_);
+  for (const auto signal : {&ReplayClock::opened, &ReplayClock::closed, &ReplayClock::stateChanged})
+    connect(clock_, signal, this, &ReplayController::refreshActions);
+  back_->setEnabled(false);
+  refreshActions();
+}
+
+void ReplayController::refreshActions() {
+  for (QAction* const action : of_open_bag_) action->setEnabled(clock_->isOpen());
+  end_loop_->setEnabled(clock_->loop().has_value());
+}
+
 ReplayController::~ReplayController() {
   if (range_dialog_) range_dialog_->leaveBag();
   clock_->detach();
@@ -93,7 +154,7 @@ void ReplayController::connectEvents() {
   connect(dock_, &TimelineDock::listWanted, this, [this] { context_.panels.open(events_); });
   connect(dock_, &TimelineDock::eventsChanged, this,
           [this] { events_->setEvents(dock_->view()->content().events); });
-  connect(events_, &EventsDock::readAllWanted, this, [this] { actions_->setReadsAll(true); });
+  connect(events_, &EventsDock::readAllWanted, this, [this] { read_all_->setChecked(true); });
   connect(events_, &EventsDock::copyWanted, this,
           [this](const QString& text, const QString& said) { copyText(context_.overlay, text, said); });
   connect(events_, &EventsDock::saveWanted, this, &ReplayController::saveEvents);
@@ -225,7 +286,7 @@ void ReplayController::takeConnection() {
 }
 
 void ReplayController::takeOpened() {
-  clock_->reading()->setWhole(actions_->readsAll());
+  clock_->reading()->setWhole(read_all_->isChecked());
   dock_->view()->setFocus();
   refresh();
 }
@@ -285,7 +346,9 @@ QString ReplayController::backWords() const {
 
 void ReplayController::refresh() {
   const replay::ReplayRobot* const robot = replayOf(context_.current.session());
-  actions_->setReplay(robot != nullptr, backWords());
+  back_->setEnabled(robot != nullptr);
+  back_->setText(backWords());
+  refreshActions();
   dock_->setBack(robot ? backWords() : QString());
   Notice notice;
   if (robot && clock_->isOpen()) {
@@ -348,13 +411,13 @@ void ReplayController::clickedOnMap(const Eigen::Vector2d& world_m) {
 }
 
 void ReplayController::recall(const QSettings& settings) {
-  actions_->setReadsAll(settings.value(kReadAllKey, true).toBool());
+  read_all_->setChecked(settings.value(kReadAllKey, true).toBool());
   dock_->setHiddenGroups(settings.value(kHiddenEventsKey).toStringList());
   events_->setFollows(settings.value(kFollowEventsKey, true).toBool());
 }
 
 void ReplayController::remember(QSettings& settings) {
-  settings.setValue(kReadAllKey, actions_->readsAll());
+  settings.setValue(kReadAllKey, read_all_->isChecked());
   settings.setValue(kHiddenEventsKey, dock_->hiddenGroups());
   settings.setValue(kFollowEventsKey, events_->follows());
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 #include <QPointer>
@@ -14,11 +15,13 @@
 #include "ui/shell/window_context.h"
 #include "ui/view/view_mode.h"
 
+class QAction;
+class QMenu;
+
 namespace mapwright::window {
 
 class EventsDock;
 class RangeExportDialog;
-class ReplayActions;
 class ReplayClock;
 class TimelineDock;
 
@@ -59,6 +62,12 @@ class ReplayController : public Controller {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// The submenu of the Robot menu.
+  void addActions();
+  template <typename What>
+  QAction* entry(const char* id, const QString& text, const char* icon, const char* key, const QString& tip,
+                 What&& what);
+  void refreshActions();
   void show(std::unique_ptr<robot::Robot> replay);
   void takeConnection();
   void takeOpened();
@@ -80,7 +89,9 @@ class ReplayController : public Controller {
   TimelineDock* dock_;
   EventsDock* events_;
   QPointer<RangeExportDialog> range_dialog_;
-  ReplayActions* actions_;
+  QMenu* menu_ = nullptr;
+  std::vector<QAction*> of_open_bag_;
+  QAction *read_all_ = nullptr, *end_loop_ = nullptr, *back_ = nullptr;
   QString live_address_;        // of the robot that was on screen before; empty = none
   bool space_pressed_ = false;  // on the map, without other input since
   bool dock_was_open_ = true;

@@ -344,10 +344,8 @@ void TimelineDock::takeState() {
   const replay::Reading* const reading = clock_.reading();
   const bool open = reading != nullptr;
   for (QWidget* const control :
-       {static_cast<QWidget*>(event_back_), static_cast<QWidget*>(message_back_),
-        static_cast<QWidget*>(play_), static_cast<QWidget*>(message_forward_),
-        static_cast<QWidget*>(event_forward_), static_cast<QWidget*>(events_), static_cast<QWidget*>(list_),
-        static_cast<QWidget*>(speed_), static_cast<QWidget*>(time_)})
+       std::initializer_list<QWidget*>{event_back_, message_back_, play_, message_forward_, event_forward_,
+                                       events_, list_, speed_, time_})
     control->setEnabled(open);
   const bool playing = clock_.playing();
   play_->setIcon(themedIcon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
@@ -370,10 +368,7 @@ void TimelineDock::takeState() {
   }
   state_->setState(state);
   state_->setToolTip(gap ? plainToolTip(rangeOf(*gap).why) : QString());
-  const bool failed =
-      open && std::any_of(reading->chunks().cells().begin(), reading->chunks().cells().end(),
-                          [](const auto& cell) { return cell.second.state == replay::CellState::Failed; });
-  retry_->setVisible(failed);
+  retry_->setVisible(open && reading->chunks().anyFailed());
   fitBack();
 }
 

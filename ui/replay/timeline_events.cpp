@@ -1,8 +1,12 @@
 #include "ui/replay/timeline_events.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QCoreApplication>
+#include <QPainter>
+#include <QPen>
+#include <QPolygonF>
 
 #include "words/qt_plain.h"
 
@@ -21,32 +25,37 @@ constexpr qsizetype kTextLength = 120;
 // Manual steps end exactly at an event.
 constexpr double kSameInstantS = 1e-6;
 
+/// By kind.
+struct KindLook {
+  EventMark mark;
+  const char* name;
+};
+constexpr KindLook kKinds[] = {
+    {{EventShape::Triangle, Mark::Bad}, QT_TRANSLATE_NOOP("TimelineEvents", "Alert")},
+    {{EventShape::Ring, Mark::Good}, QT_TRANSLATE_NOOP("TimelineEvents", "Alert ended")},
+    {{EventShape::Tick, Mark::Neutral}, QT_TRANSLATE_NOOP("TimelineEvents", "Planner")},
+    {{EventShape::Diamond, Mark::Warning}, QT_TRANSLATE_NOOP("TimelineEvents", "Position jump")},
+    {{EventShape::Square, Mark::Busy}, QT_TRANSLATE_NOOP("TimelineEvents", "Map")},
+    {{EventShape::Square, Mark::Busy}, QT_TRANSLATE_NOOP("TimelineEvents", "SLAM session")},
+    {{EventShape::Diamond, Mark::Warning}, QT_TRANSLATE_NOOP("TimelineEvents", "Localization poor")},
+    {{EventShape::Ring, Mark::Good}, QT_TRANSLATE_NOOP("TimelineEvents", "Localization good")},
+    {{EventShape::Disc, Mark::Bad}, QT_TRANSLATE_NOOP("TimelineEvents", "Emergency stop")},
+    {{EventShape::Ring, Mark::Good}, QT_TRANSLATE_NOOP("TimelineEvents", "Stop released")}};
+/// By group.
+constexpr const char* kGroups[] = {
+    QT_TRANSLATE_NOOP("TimelineEvents", "Alerts"),
+    QT_TRANSLATE_NOOP("TimelineEvents", "States of the planner"),
+    QT_TRANSLATE_NOOP("TimelineEvents", "Localization: jumps, poor and good again"),
+    QT_TRANSLATE_NOOP("TimelineEvents", "Maps and SLAM sessions"),
+    QT_TRANSLATE_NOOP("TimelineEvents", "Emergency stops")};
+
 QString said(const std::string& text) { return words::plainName(text).left(kTextLength); }
 
 }  // namespace
 
 EventMark markOf(const Event& event) {
-  switch (event.kind) {
-    case EventKind::AlertBegan:
-      return {EventShape::Triangle, Mark::Bad};
-    case EventKind::AlertEnded:
-      return {EventShape::Ring, Mark::Good};
-    case EventKind::MoveState:
-      return {EventShape::Tick, event.text == "failed" ? Mark::Warning : Mark::Neutral};
-    case EventKind::PositionJump:
-      return {EventShape::Diamond, Mark::Warning};
-    case EventKind::MapChanged:
-    case EventKind::SessionChanged:
-      return {EventShape::Square, Mark::Busy};
-    case EventKind::QualityLow:
-      return {EventShape::Diamond, Mark::Warning};
-    case EventKind::QualityGood:
-    case EventKind::EmergencyStopOff:
-      return {EventShape::Ring, Mark::Good};
-    case EventKind::EmergencyStopOn:
-      return {EventShape::Disc, Mark::Bad};
-  }
-  return {};
+  if (event.kind == EventKind::MoveState && event.text == "failed") return {EventShape::Tick, Mark::Warning};
+  return kKinds[std::size_t(event.kind)].mark;
 }
 
 QString eventText(const Event& event) {
@@ -80,47 +89,9 @@ QString eventText(const Event& event) {
   return {};
 }
 
-QString kindName(EventKind kind) {
-  switch (kind) {
-    case EventKind::AlertBegan:
-      return TimelineEventsText::tr("Alert");
-    case EventKind::AlertEnded:
-      return TimelineEventsText::tr("Alert ended");
-    case EventKind::MoveState:
-      return TimelineEventsText::tr("Planner");
-    case EventKind::PositionJump:
-      return TimelineEventsText::tr("Position jump");
-    case EventKind::MapChanged:
-      return TimelineEventsText::tr("Map");
-    case EventKind::SessionChanged:
-      return TimelineEventsText::tr("SLAM session");
-    case EventKind::QualityLow:
-      return TimelineEventsText::tr("Localization poor");
-    case EventKind::QualityGood:
-      return TimelineEventsText::tr("Localization good");
-    case EventKind::EmergencyStopOn:
-      return TimelineEventsText::tr("Emergency stop");
-    case EventKind::EmergencyStopOff:
-      return TimelineEventsText::tr("Stop released");
-  }
-  return {};
-}
+QString kindName(EventKind kind) { return TimelineEventsText::tr(kKinds[std::size_t(kind)].name); }
 
-QString groupName(replay::EventGroup group) {
-  switch (group) {
-    case replay::EventGroup::Alerts:
-      return TimelineEventsText::tr("Alerts");
-    case replay::EventGroup::Planner:
-      return TimelineEventsText::tr("States of the planner");
-    case replay::EventGroup::Position:
-      return TimelineEventsText::tr("Localization: jumps, poor and good again");
-    case replay::EventGroup::Maps:
-      return TimelineEventsText::tr("Maps and SLAM sessions");
-    case replay::EventGroup::Stops:
-      return TimelineEventsText::tr("Emergency stops");
-  }
-  return {};
-}
+QString groupName(replay::EventGroup group) { return TimelineEventsText::tr(kGroups[std::size_t(group)]); }
 
 std::vector<EventCluster> clustersOf(std::span<const Event> events, const TimelineAxis& axis,
                                      const ClusterSizes& sizes) {
@@ -188,6 +159,62 @@ std::vector<Stretch> poorStretches(std::span<const Event> events, double last_s)
     }
   }
   return stretches;
+}
+
+QColor eventMarkColor(Mark mark, const UiColors& colors) {
+  switch (mark) {
+    case Mark::Good:
+      return colors.ok;
+    case Mark::Warning:
+      return colors.warning;
+    case Mark::Bad:
+      return colors.error;
+    case Mark::Busy:
+      return colors.accent;
+    default:
+      return colors.neutral;
+  }
+}
+
+void paintEventMark(QPainter& painter, const QPointF& at, const EventMark& mark, const UiColors& colors) {
+  const QColor color = eventMarkColor(mark.mark, colors);
+  const bool hollow = mark.shape == EventShape::Ring;
+  painter.setPen(QPen(hollow ? color : colors.base, hollow ? 1.5 : 1));
+  painter.setBrush(hollow ? QBrush(colors.base) : QBrush(color));
+  const double r = kEventMarkPx;
+  switch (mark.shape) {
+    case EventShape::Triangle:
+      painter.drawPolygon(
+          QPolygonF{{at.x(), at.y() - r}, {at.x() + r, at.y() + r}, {at.x() - r, at.y() + r}});
+      break;
+    case EventShape::Diamond:
+      painter.drawPolygon(
+          QPolygonF{{at.x(), at.y() - r}, {at.x() + r, at.y()}, {at.x(), at.y() + r}, {at.x() - r, at.y()}});
+      break;
+    case EventShape::Square:
+      painter.drawRect(QRectF(at.x() - r + 1, at.y() - r + 1, 2 * r - 2, 2 * r - 2));
+      break;
+    case EventShape::Tick:
+      painter.setPen(QPen(color, 1.5));
+      painter.drawLine(QPointF(at.x(), at.y() - r + 1), QPointF(at.x(), at.y() + r - 1));
+      break;
+    case EventShape::Ring:
+      painter.drawEllipse(at, r - 1.5, r - 1.5);
+      break;
+    case EventShape::Disc:
+      painter.drawEllipse(at, r, r);
+      break;
+  }
+}
+
+QPixmap eventMarkPixmap(const EventMark& mark, int px, double pixel_ratio) {
+  QPixmap pixmap(int(std::ceil(px * pixel_ratio)), int(std::ceil(px * pixel_ratio)));
+  pixmap.setDevicePixelRatio(pixel_ratio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintEventMark(painter, QPointF(px / 2.0, px / 2.0), mark, appColors());
+  return pixmap;
 }
 
 }  // namespace mapwright::window

@@ -1,15 +1,19 @@
-// Marks and texts for the events of a bag. Pure.
+// Marks and texts for the events of a bag, for the timeline and the list. Pure.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <vector>
 
+#include <QPixmap>
 #include <QString>
 
 #include "replay/events.h"
 #include "ui/kit/status_text.h"
+#include "ui/kit/ui_colors.h"
 #include "ui/replay/timeline_axis.h"
+
+class QPainter;
 
 namespace mapwright::window {
 
@@ -54,5 +58,14 @@ struct Stretch {
 };
 /// Where localization was lost or poor; an open end extends to `last_s`.
 std::vector<Stretch> poorStretches(std::span<const replay::Event> events, double last_s);
+
+/// Half of a mark, in pixels.
+inline constexpr double kEventMarkPx = 4.5;
+
+QColor eventMarkColor(Mark mark, const UiColors& colors);
+/// Around `at`, in the colours of the present theme.
+void paintEventMark(QPainter& painter, const QPointF& at, const EventMark& mark, const UiColors& colors);
+/// A square of `px` with the mark in its centre; transparent around it.
+QPixmap eventMarkPixmap(const EventMark& mark, int px, double pixel_ratio);
 
 }  // namespace mapwright::window

@@ -11,7 +11,6 @@
 
 #include "replay/events.h"
 #include "replay/player.h"
-#include "replay/silences.h"
 #include "ui/replay/timeline_axis.h"
 #include "ui/replay/timeline_events.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "replay/presentation.h"
+#include "replay/world_at.h"
 
 namespace mapwright::window {
 

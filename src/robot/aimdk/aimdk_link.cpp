@@ -7,7 +7,6 @@
 #include "robot/aimdk/faults.h"
 #include "robot/wire/failures.h"
 #include "robot/wire/net_results.h"
-#include "robot/wire/net_results.h"
 #include "sentences/failure_sentence.h"
 
 namespace mapwright::robot::aimdk {

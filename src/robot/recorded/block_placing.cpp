@@ -1,9 +1,9 @@
 #include "robot/recorded/block_placing.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
-#include "recording/seconds.h"
 #include "robot/ros/faults.h"
 
 namespace mapwright::robot::recorded {
@@ -14,15 +14,26 @@ constexpr int kMostOfFirst = 2000, kMostOfLast = 16;
 constexpr std::int64_t kMissingNs = 2'000'000'000;  // after the start, while transforms are still missing
 using recording::secondsOf;
 
-}  // namespace
-
-std::optional<StaticTransforms::Told> StaticTransforms::told(const recording::Message& message) {
-  auto frame = fields_.read(message);
-  if (!frame) return std::nullopt;  // handled in its own block
-  return Told{message.channel->topic, message.log_time_ns, std::move(*frame)};
+void append(ros::WorldResults& all, ros::WorldResults more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-const std::vector<StaticTransforms::Told>& StaticTransforms::until(std::int64_t at_ns) {
+ros::WorldResult resultOf(const std::string& topic, std::int64_t at_ns) {
+  ros::WorldResult result;
+  result.topic = topic;
+  result.received_s = secondsOf(at_ns);
+  return result;
+}
+
+}  // namespace
+
+void StaticTransforms::add(std::vector<Transform>& all, const recording::Message& message) {
+  // One that cannot be read is reported in its own block.
+  if (auto frame = fields_.read(message))
+    all.push_back({message.channel->topic, message.log_time_ns, std::move(*frame)});
+}
+
+const std::vector<StaticTransforms::Transform>& StaticTransforms::until(std::int64_t at_ns) {
   if (shape_.statics.empty()) return until_;
   if (!first_) {
     first_.emplace();
@@ -33,7 +44,7 @@ const std::vector<StaticTransforms::Told>& StaticTransforms::until(std::int64_t 
     for (int count = 0; count < kMostOfFirst; ++count) {
       const auto message = cursor->next();
       if (!message) break;
-      if (auto one = told(*message)) first_->push_back(std::move(*one));
+      add(*first_, *message);
     }
   }
   // Some publishers share a topic, each sending its own part: the last message alone is incomplete.
@@ -54,11 +65,53 @@ const std::vector<StaticTransforms::Told>& StaticTransforms::until(std::int64_t 
   }
   until_.clear();
   std::copy_if(first_->begin(), first_->end(), std::back_inserter(until_),
-               [&](const Told& one) { return one.at_ns <= at_ns; });
-  for (auto message = last.rbegin(); message != last.rend(); ++message) {
-    if (auto one = told(*message)) until_.push_back(std::move(*one));
-  }
+               [&](const Transform& one) { return one.at_ns <= at_ns; });
+  for (auto message = last.rbegin(); message != last.rend(); ++message) add(until_, *message);
   return until_;
+}
+
+void GridFolds::set(const std::string& topic, const ros::Grid& grid, std::int64_t at_ns) {
+  folds_.insert_or_assign(topic, Fold{grid, at_ns, at_ns});
+}
+
+ros::Grid* GridFolds::made(const std::string& topic) {
+  const auto known = folds_.find(topic);
+  return known == folds_.end() ? nullptr : &known->second.grid;
+}
+
+void GridFolds::patched(const std::string& topic, std::int64_t at_ns) {
+  if (const auto known = folds_.find(topic); known != folds_.end()) known->second.until_ns = at_ns;
+}
+
+ros::Grid* GridFolds::before(const std::string& topic, const std::string& patches, std::int64_t at_ns) {
+  const std::vector<recording::Message> last = file_.lastBefore(at_ns, {topic});
+  if (last.empty()) return nullptr;
+  const std::int64_t whole_ns = last.front().log_time_ns;
+  const auto known = folds_.find(topic);
+  if (known == folds_.end() || known->second.whole_ns != whole_ns || known->second.until_ns > at_ns) {
+    const auto frame = fields_.read(last.front());
+    if (!frame) return nullptr;
+    auto grid = ros::readGrid((*frame)->root());
+    if (!grid) return nullptr;
+    set(topic, *grid, whole_ns);
+  }
+  Fold& fold = folds_.at(topic);
+  recording::Query query;
+  query.first_ns = fold.until_ns;
+  query.last_ns = at_ns - 1;
+  query.topics = {patches};
+  if (query.last_ns <= query.first_ns) return &fold.grid;
+  const bool anew = fold.until_ns == fold.whole_ns;
+  const auto cursor = file_.messages(query);
+  while (const auto message = cursor->next()) {
+    if (!anew && message->log_time_ns == fold.until_ns) continue;  // already applied
+    const auto frame = fields_.read(*message);
+    if (!frame) continue;
+    // Its errors are reported where it is played.
+    if (const auto patch = ros::readGridPatch((*frame)->root())) (void)ros::patchGrid(fold.grid, *patch);
+  }
+  fold.until_ns = query.last_ns;
+  return &fold.grid;
 }
 
 std::int64_t BlockPlacing::blockOf(std::int64_t at_ns) {
@@ -86,7 +139,7 @@ BlockPlacing::BlockPlacing(const PlacingParts& parts, std::int64_t block_ns, std
 }
 
 void BlockPlacing::readStatics() {
-  for (const StaticTransforms::Told& one : parts_.statics.until(block_ns_ - kBeforeNs - 1)) {
+  for (const StaticTransforms::Transform& one : parts_.statics.until(block_ns_ - kBeforeNs - 1)) {
     for (const ros::Source& source : parts_.shape.by_topic.at(one.topic)) {
       ahead_.take(source, one.frame->root(), secondsOf(one.at_ns));
       now_.take(source, one.frame->root(), secondsOf(one.at_ns));
@@ -135,30 +188,24 @@ ros::WorldResults BlockPlacing::before(std::int64_t at_ns) {
   if (parts_.shape.markers.empty()) return all;
   for (; next_look_ns_ <= at_ns; next_look_ns_ += kMarkersEveryNs) {
     endMarkers(next_look_ns_, all);
-    for (ros::WorldResult& result : now_.overdue(secondsOf(next_look_ns_))) all.push_back(std::move(result));
+    append(all, now_.overdue(secondsOf(next_look_ns_)));
     if (next_look_ns_ < block_ns_ || std::exchange(told_beginning_, true) || !any_markers_) continue;
-    ros::WorldResult result;
-    result.topic = parts_.shape.markers.front();
-    result.received_s = secondsOf(next_look_ns_);
-    result.message = now_.seenObjects();
-    all.push_back(std::move(result));
+    all.push_back(resultOf(parts_.shape.markers.front(), next_look_ns_));
+    all.back().message = now_.seenObjects();
   }
   endMarkers(at_ns, all);
   return all;
 }
 
 void BlockPlacing::endMarkers(std::int64_t until_ns, ros::WorldResults& results) {
-  while (now_.nextMarkerEnd() <= secondsOf(until_ns)) {
-    for (ros::WorldResult& result : now_.overdue(now_.nextMarkerEnd())) results.push_back(std::move(result));
-  }
+  while (now_.nextMarkerEnd() <= secondsOf(until_ns)) append(results, now_.overdue(now_.nextMarkerEnd()));
 }
 
 ros::WorldResults BlockPlacing::takeNow(const recording::Message& message, const FramePtr& frame) {
   ros::WorldResults all;
   for (const ros::Source& source : parts_.shape.by_topic.at(message.channel->topic)) {
     any_markers_ |= source.form == ros::Form::Markers;
-    for (ros::WorldResult& result : now_.take(source, frame->root(), secondsOf(message.log_time_ns)))
-      all.push_back(std::move(result));
+    append(all, now_.take(source, frame->root(), secondsOf(message.log_time_ns)));
   }
   return all;
 }
@@ -167,9 +214,7 @@ ros::WorldResult BlockPlacing::takeGrid(const ros::Source& source, const ros::Fi
                                         std::int64_t at_ns) {
   const auto grid = ros::readGrid(msg);
   if (!grid) {
-    ros::WorldResult result;
-    result.topic = source.topic;
-    result.received_s = secondsOf(at_ns);
+    ros::WorldResult result = resultOf(source.topic, at_ns);
     result.unreadable = grid.error();
     return result;
   }
@@ -182,9 +227,7 @@ ros::WorldResult BlockPlacing::takeGrid(const ros::Source& source, const ros::Fi
 
 ros::WorldResult BlockPlacing::takePatch(const ros::Source& source, const ros::Field& msg,
                                          std::int64_t at_ns) {
-  ros::WorldResult result;
-  result.topic = source.topic;
-  result.received_s = secondsOf(at_ns);
+  ros::WorldResult result = resultOf(source.topic, at_ns);
   const auto patch = ros::readGridPatch(msg);
   if (!patch) {
     result.unreadable = patch.error();
@@ -223,8 +266,7 @@ ros::WorldResults BlockPlacing::take(const recording::Message& message, const Fr
       case ros::Form::StaticTf:
       case ros::Form::Markers:
         any_markers_ |= source.form == ros::Form::Markers;
-        for (ros::WorldResult& result : now_.take(source, frame->root(), secondsOf(at_ns)))
-          all.push_back(std::move(result));
+        append(all, now_.take(source, frame->root(), secondsOf(at_ns)));
         break;
       case ros::Form::MapService:
         all.push_back(takeGrid(source, frame->root()["map"], at_ns));
@@ -238,8 +280,7 @@ ros::WorldResults BlockPlacing::take(const recording::Message& message, const Fr
       default:
         // Poses use the latest data, everything else its own stamp.
         ros::RosWorld& world = source.stream == map::Stream::Pose ? now_ : ahead_;
-        for (ros::WorldResult& result : world.take(source, frame->root(), secondsOf(at_ns)))
-          all.push_back(std::move(result));
+        append(all, world.take(source, frame->root(), secondsOf(at_ns)));
         break;
     }
     of_pose |= source.stream == map::Stream::Pose;
@@ -262,9 +303,7 @@ bool BlockPlacing::isOfBeginning(const ros::WorldResult& result, std::int64_t at
 void BlockPlacing::addPose(ros::WorldResults& results, const std::string& topic, std::int64_t at_ns) {
   const auto now = now_.located();
   if (!now) return;
-  ros::WorldResult result;
-  result.topic = topic;
-  result.received_s = secondsOf(at_ns);
+  ros::WorldResult result = resultOf(topic, at_ns);
   if (now->pose) {
     // A message that does not affect it adds nothing: earlier data is not news at its time.
     const bool brought = !located_ || !(*located_ == *now) || (!now->topic.empty() && now->topic == topic);

@@ -7,8 +7,7 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
-#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -16,7 +15,6 @@
 #include <vector>
 
 #include "recording/source.h"
-#include "robot/recorded/grid_folds.h"
 #include "robot/recorded/message_fields.h"
 #include "robot/recorded/ros_shape.h"
 #include "robot/ros/ros_world.h"
@@ -28,22 +26,48 @@ class StaticTransforms {
  public:
   StaticTransforms(recording::Source& file, MessageFields& fields, const RosShape& shape)
       : file_(file), fields_(fields), shape_(shape) {}
-  struct Told {
+  struct Transform {
     std::string topic;
     std::int64_t at_ns = 0;
     FramePtr frame;
   };
   /// Those of the file's first minute and the last ones before `at_ns`, in order.
-  const std::vector<Told>& until(std::int64_t at_ns);
+  const std::vector<Transform>& until(std::int64_t at_ns);
 
  private:
-  std::optional<Told> told(const recording::Message& message);
+  void add(std::vector<Transform>& all, const recording::Message& message);
   recording::Source& file_;
   MessageFields& fields_;
   const RosShape& shape_;
-  std::optional<std::vector<Told>> first_;  // of the first minute
-  std::vector<Told> until_;
+  std::optional<std::vector<Transform>> first_;  // of the first minute
+  std::vector<Transform> until_;
   std::int64_t last_ns_ = -1;  // the last one before, for which until_ is valid
+};
+
+/// A grid at a time is the last whole one before it with all patches since, whatever was read before. The
+/// latest result for each grid is kept, so that continuing only costs the new patches. One thread.
+class GridFolds {
+ public:
+  GridFolds(recording::Source& file, MessageFields& fields) : file_(file), fields_(fields) {}
+
+  /// A whole grid arrived.
+  void set(const std::string& topic, const ros::Grid& grid, std::int64_t at_ns);
+  /// The grid of `topic` as it was before `at_ns`; null: there is none. Valid until the next call.
+  ros::Grid* before(const std::string& topic, const std::string& patches, std::int64_t at_ns);
+  /// The latest result without a check for newer data; null: there is none.
+  ros::Grid* made(const std::string& topic);
+  /// The patches up to then have been applied.
+  void patched(const std::string& topic, std::int64_t at_ns);
+
+ private:
+  struct Fold {
+    ros::Grid grid;
+    std::int64_t whole_ns = 0;  // when the whole grid was sent
+    std::int64_t until_ns = 0;  // patches up to this time are applied
+  };
+  recording::Source& file_;
+  MessageFields& fields_;
+  std::map<std::string, Fold> folds_;  // by topic
 };
 
 /// What messages are placed by.

@@ -80,11 +80,6 @@ inline constexpr FaultCode RecordingChunkTimesWrong{
     "recorded",
     QT_TRANSLATE_N_NOOP("recorded", "%1 chunks of it state a wrong time range (the first at byte %2).")};
 /// likewise
-inline constexpr FaultCode RecordingIndexLies{
-    "recorded",
-    QT_TRANSLATE_N_NOOP("recorded",
-                        "Its index lists %1 messages that are not in the file (the first at byte %2).")};
-/// likewise
 inline constexpr FaultCode RecordingRecordsTooLarge{
     "recorded",
     QT_TRANSLATE_N_NOOP(

@@ -35,14 +35,15 @@ constexpr std::int8_t kUnknown = -1, kOccupied = 100;
 struct KindName {
   FoxgloveKind kind;
   std::string_view name;
+  const char* ros_type;
 };
-constexpr KindName kKinds[] = {{FoxgloveKind::Grid, "Grid"},
-                               {FoxgloveKind::LaserScan, "LaserScan"},
-                               {FoxgloveKind::PointCloud, "PointCloud"},
-                               {FoxgloveKind::PoseInFrame, "PoseInFrame"},
-                               {FoxgloveKind::PosesInFrame, "PosesInFrame"},
-                               {FoxgloveKind::FrameTransform, "FrameTransform"},
-                               {FoxgloveKind::FrameTransforms, "FrameTransforms"}};
+constexpr KindName kKinds[] = {{FoxgloveKind::Grid, "Grid", "nav_msgs/OccupancyGrid"},
+                               {FoxgloveKind::LaserScan, "LaserScan", "sensor_msgs/PointCloud2"},
+                               {FoxgloveKind::PointCloud, "PointCloud", "sensor_msgs/PointCloud2"},
+                               {FoxgloveKind::PoseInFrame, "PoseInFrame", "geometry_msgs/PoseStamped"},
+                               {FoxgloveKind::PosesInFrame, "PosesInFrame", "nav_msgs/Path"},
+                               {FoxgloveKind::FrameTransform, "FrameTransform", "tf2_msgs/TFMessage"},
+                               {FoxgloveKind::FrameTransforms, "FrameTransforms", "tf2_msgs/TFMessage"}};
 
 tl::unexpected<Fault> missing(const char* member) {
   return tl::unexpected(Fault(robot::ros::fault::RosFieldMissing, {member}));
@@ -50,6 +51,7 @@ tl::unexpected<Fault> missing(const char* member) {
 
 using wire::NumberType;
 using Packed = wire::NumberPlace;
+using PackedFields = std::vector<std::pair<std::string, Packed>>;
 
 /// NumericType, by its name or by its number in the schema.
 std::optional<NumberType> typeOf(const Field& field) {
@@ -69,9 +71,9 @@ std::optional<NumberType> typeOf(const Field& field) {
 }
 
 /// Those inside a record of `stride` bytes.
-std::vector<std::pair<std::string, Packed>> packedFields(const Field& fields, std::size_t stride) {
+PackedFields packedFields(const Field& fields, std::size_t stride) {
   constexpr std::size_t kMostFields = 256;
-  std::vector<std::pair<std::string, Packed>> all;
+  PackedFields all;
   fields.each([&](const Field& field) {
     const auto type = typeOf(field["type"]);
     // What is 0 may be left out.
@@ -83,12 +85,13 @@ std::vector<std::pair<std::string, Packed>> packedFields(const Field& fields, st
   return all;
 }
 
-std::optional<Packed> called(const std::vector<std::pair<std::string, Packed>>& fields,
-                             std::string_view name) {
+std::optional<Packed> called(const PackedFields& fields, std::string_view name) {
   const auto found =
       std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.first == name; });
   return found == fields.end() ? std::nullopt : std::optional(found->second);
 }
+
+QByteArray cborOf(const QCborMap& map) { return map.toCborValue().toCbor(); }
 
 /// {"sec","nsec"} of JSON, {"seconds","nanos"} of protobuf, a time of ROS.
 QCborMap timeOf(const Field& time) {
@@ -176,7 +179,7 @@ class Points {
                          {QStringLiteral("row_step"), qint64(bytes_.size())},
                          {QStringLiteral("data"), bytes_},
                          {QStringLiteral("is_dense"), true}};
-    return cloud.toCborValue().toCbor();
+    return cborOf(cloud);
   }
 
  private:
@@ -229,7 +232,7 @@ Read<QByteArray> cloud(const Field& message) {
 /// to 1.
 class CellReader {
  public:
-  explicit CellReader(const std::vector<std::pair<std::string, Packed>>& fields) {
+  explicit CellReader(const PackedFields& fields) {
     red_ = called(fields, "red");
     green_ = called(fields, "green");
     blue_ = called(fields, "blue");
@@ -309,7 +312,7 @@ Read<QByteArray> grid(const Field& message) {
   const QCborMap map{{QStringLiteral("header"), headerOf(message)},
                      {QStringLiteral("info"), info},
                      {QStringLiteral("data"), QCborValue(QCborTag(kInt8List), QCborValue(cells))}};
-  return map.toCborValue().toCbor();
+  return cborOf(map);
 }
 
 QCborMap transform(const Field& message) {
@@ -320,9 +323,7 @@ QCborMap transform(const Field& message) {
                     {QStringLiteral("rotation"), turnMap(message["rotation"])}}}};
 }
 
-QByteArray transforms(const QCborArray& all) {
-  return QCborMap{{QStringLiteral("transforms"), all}}.toCborValue().toCbor();
-}
+QByteArray transforms(const QCborArray& all) { return cborOf({{QStringLiteral("transforms"), all}}); }
 
 }  // namespace
 
@@ -339,23 +340,7 @@ std::optional<FoxgloveKind> foxgloveKind(const recording::Channel& channel) {
   return std::nullopt;
 }
 
-const char* rosTypeOf(FoxgloveKind kind) {
-  switch (kind) {
-    case FoxgloveKind::Grid:
-      return "nav_msgs/OccupancyGrid";
-    case FoxgloveKind::LaserScan:
-    case FoxgloveKind::PointCloud:
-      return "sensor_msgs/PointCloud2";
-    case FoxgloveKind::PoseInFrame:
-      return "geometry_msgs/PoseStamped";
-    case FoxgloveKind::PosesInFrame:
-      return "nav_msgs/Path";
-    case FoxgloveKind::FrameTransform:
-    case FoxgloveKind::FrameTransforms:
-      return "tf2_msgs/TFMessage";
-  }
-  return "";
-}
+const char* rosTypeOf(FoxgloveKind kind) { return kKinds[std::size_t(kind)].ros_type; }
 
 Read<QByteArray> foxgloveToRos(FoxgloveKind kind, const Field& message) {
   switch (kind) {
@@ -366,19 +351,15 @@ Read<QByteArray> foxgloveToRos(FoxgloveKind kind, const Field& message) {
     case FoxgloveKind::PointCloud:
       return cloud(message);
     case FoxgloveKind::PoseInFrame:
-      return QCborMap{{QStringLiteral("header"), headerOf(message)},
-                      {QStringLiteral("pose"), poseOf(message["pose"])}}
-          .toCborValue()
-          .toCbor();
+      return cborOf(
+          {{QStringLiteral("header"), headerOf(message)}, {QStringLiteral("pose"), poseOf(message["pose"])}});
     case FoxgloveKind::PosesInFrame: {
       QCborArray poses;
       const QCborMap header = headerOf(message);
       message["poses"].each([&](const Field& pose) {
         poses.append(QCborMap{{QStringLiteral("header"), header}, {QStringLiteral("pose"), poseOf(pose)}});
       });
-      return QCborMap{{QStringLiteral("header"), header}, {QStringLiteral("poses"), poses}}
-          .toCborValue()
-          .toCbor();
+      return cborOf({{QStringLiteral("header"), header}, {QStringLiteral("poses"), poses}});
     }
     case FoxgloveKind::FrameTransform:
       return transforms({transform(message)});

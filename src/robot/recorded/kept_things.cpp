@@ -5,8 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include <QByteArray>
-
+#include "recorder/layout.h"
 #include "robot/axbot/parse_maps.h"
 #include "robot/recorded/faults.h"
 #include "robot/wire/failures.h"
@@ -18,72 +17,6 @@ namespace {
 
 constexpr std::uint64_t kMostKeptBytes = std::uint64_t(512) << 20;  // of one attachment
 constexpr char kNumberMark = '\n';  // never part of an attachment name written by us
-
-/// RFC 3986: everything except A-Z a-z 0-9 - . _ ~; an empty one is "-".
-std::string encoded(const std::string& text) {
-  if (text.empty()) return "-";
-  return QByteArray(text.data(), qsizetype(text.size())).toPercentEncoding().toStdString();
-}
-
-std::string decoded(std::string_view text) {
-  if (text == "-") return {};
-  return QByteArray::fromPercentEncoding(QByteArray(text.data(), qsizetype(text.size()))).toStdString();
-}
-
-struct MapKindName {
-  map::MapKind kind;
-  std::string_view name;
-};
-constexpr MapKindName kMapKinds[] = {{map::MapKind::Live, "live"},
-                                     {map::MapKind::Stored, "stored"},
-                                     {map::MapKind::Mapping, "mapping"},
-                                     {map::MapKind::File, "file"}};
-
-std::string placeOf(const map::MapKey& key) {
-  const auto* const kind = std::find_if(std::begin(kMapKinds), std::end(kMapKinds),
-                                        [&](const MapKindName& one) { return one.kind == key.kind; });
-  return std::string(kind->name) + '/' + encoded(key.id);
-}
-
-/// "maps/KIND/ID", nothing else.
-std::optional<map::MapKey> keyFrom(std::string_view name) {
-  constexpr std::string_view kMaps = "maps/", kFacts = ".json";
-  if (!name.starts_with(kMaps) || name.ends_with(kFacts)) return std::nullopt;
-  name.remove_prefix(kMaps.size());
-  for (const MapKindName& kind : kMapKinds) {
-    if (name.size() > kind.name.size() && name.starts_with(kind.name) && name[kind.name.size()] == '/')
-      return map::MapKey{kind.kind, decoded(name.substr(kind.name.size() + 1))};
-  }
-  return std::nullopt;
-}
-
-std::optional<std::int32_t> number(std::string_view text) {
-  std::int32_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole ? std::optional(value) : std::nullopt;
-}
-
-struct SubmapName {
-  std::string uuid;
-  std::int32_t trajectory = 0, index = 0, version = 0;
-};
-/// "submaps/UUID/TRAJECTORY/INDEX/VERSION".
-std::optional<SubmapName> submapFrom(std::string_view name) {
-  constexpr std::string_view kSubmaps = "submaps/";
-  if (!name.starts_with(kSubmaps)) return std::nullopt;
-  name.remove_prefix(kSubmaps.size());
-  std::vector<std::string_view> parts;
-  for (std::size_t slash = name.find('/'); slash != std::string_view::npos; slash = name.find('/')) {
-    parts.push_back(name.substr(0, slash));
-    name.remove_prefix(slash + 1);
-  }
-  parts.push_back(name);
-  if (parts.size() != 4) return std::nullopt;
-  const auto trajectory = number(parts[1]), index = number(parts[2]), version = number(parts[3]);
-  if (!trajectory || !index || !version) return std::nullopt;
-  return SubmapName{decoded(parts[0]), *trajectory, *index, *version};
-}
 
 void readGrid(const wire::Json& facts, map::WholeMap& whole) {
   if (const auto grid = wire::member(facts, {"grid"})) {
@@ -153,8 +86,8 @@ void KeptThings::look() {
   for (; looked_ < all.size(); ++looked_) {
     Places& places = by_name_[all[looked_].name];
     places.insert(std::upper_bound(places.begin(), places.end(), looked_, earlier), looked_);
-    if (const auto submap = submapFrom(all[looked_].name))
-      submaps_[{submap->uuid, submap->trajectory, submap->index}][submap->version] = looked_;
+    if (const auto submap = recorder::submapFrom(all[looked_].name))
+      submaps_[{submap->uuid, submap->id}][submap->version] = looked_;
   }
 }
 
@@ -176,7 +109,7 @@ map::SubmapAnswer KeptThings::submap(const map::SubmapKey& key) {
   answer.key = key;
   answer.outcome = map::SubmapAnswer::Outcome::NotFound;
   answer.reason = fault::RecordingLacksSubmap;
-  const auto found = submaps_.find({key.uuid, key.id.trajectory, key.id.index});
+  const auto found = submaps_.find({key.uuid, key.id});
   if (found == submaps_.end()) return answer;
   auto version = found->second.upper_bound(key.version);
   if (version != found->second.begin()) --version;
@@ -193,7 +126,7 @@ map::SubmapAnswer KeptThings::submap(const map::SubmapKey& key) {
 }
 
 Outcome<map::WholeMap> KeptThings::wholeMap(const map::MapKey& key) {
-  const std::string name = "maps/" + placeOf(key);
+  const std::string name = recorder::mapName(key), facts_name = recorder::mapFactsName(key);
   const map::Subject subject = map::subjectOf(key);
   if (!by_name_.contains(name)) return fail(wire::notThere(subject));
   auto picture = lastOf(name);
@@ -205,22 +138,22 @@ Outcome<map::WholeMap> KeptThings::wholeMap(const map::MapKey& key) {
   whole.from_cache = true;
   whole.bytes = std::make_shared<const std::string>(std::move(*picture));
   wire::JsonReader json;
-  const std::string text = lastOf(name + ".json").value_or(std::string());
+  const std::string text = lastOf(facts_name).value_or(std::string());
   const auto facts = json.read(text);
   if (!facts || !facts->is_object())
-    return fail(wire::unfit(subject, {fault::RecordingFileInItCorrupt, {name + ".json"}}));
+    return fail(wire::unfit(subject, {fault::RecordingFileInItCorrupt, {facts_name}}));
   whole.name = wire::text(*facts, {"name"});
   readGrid(*facts, whole);
   if (auto why = map::whyUnusable(whole.grid)) return fail(wire::unfit(subject, std::move(*why)));
   whole.display_rotation_rad = wire::number(*facts, {"display_rotation_rad"});
   readThingsOn(*facts, whole);
-  const std::string places = lastOf("waypoints/" + placeOf(key) + ".json").value_or(std::string());
+  const std::string places = lastOf(recorder::waypointsName(key)).value_or(std::string());
   if (const auto list = json.read(places); list && list->is_object()) whole.overlays = overlaysOf(*list);
   return whole;
 }
 
 Outcome<map::WaypointList> KeptThings::waypoints(const map::MapKey& key) {
-  const std::string name = "waypoints/" + placeOf(key) + ".json";
+  const std::string name = recorder::waypointsName(key);
   const map::Subject subject = map::placesOf(key);
   if (!by_name_.contains(name)) return fail(wire::notThere(subject));
   const std::string text = lastOf(name).value_or(std::string());
@@ -250,13 +183,14 @@ std::vector<map::CatalogueEntry> KeptThings::maps() {
   std::vector<map::CatalogueEntry> entries;
   std::int64_t current_ns = std::numeric_limits<std::int64_t>::min();
   for (const auto& [name, places] : by_name_) {
-    const auto key = keyFrom(name);
+    const auto key = recorder::mapFrom(name);
     if (!key) continue;
     map::CatalogueEntry entry;
     entry.key = *key;
     entry.bytes = file_.attachments()[places.back()].size;
     wire::JsonReader json;
-    const std::string text = lastOf(name + ".json").value_or(std::string());
+    const std::string facts_name = recorder::mapFactsName(*key);
+    const std::string text = lastOf(facts_name).value_or(std::string());
     if (const auto facts = json.read(text); facts && facts->is_object()) {
       map::WholeMap whole;
       readGrid(*facts, whole);
@@ -264,8 +198,7 @@ std::vector<map::CatalogueEntry> KeptThings::maps() {
       entry.uid = wire::text(*facts, {"uid"});
       entry.map_version = wire::smallInteger(*facts, {"map_version"});
       // If it used several maps, the last one counts.
-      const auto facts_of = by_name_.find(name + ".json");
-      const std::int64_t told_ns = file_.attachments()[facts_of->second.back()].log_time_ns;
+      const std::int64_t told_ns = file_.attachments()[by_name_.at(facts_name).back()].log_time_ns;
       if (wire::flag(*facts, {"current"}).value_or(false) && told_ns >= current_ns) {
         for (map::CatalogueEntry& other : entries) other.is_current = false;
         entry.is_current = true;
@@ -280,7 +213,7 @@ std::vector<map::CatalogueEntry> KeptThings::maps() {
 }
 
 std::string KeptThings::pictureName(const std::string& url, std::int64_t at_ns) const {
-  const auto found = by_name_.find("pictures/" + url);
+  const auto found = by_name_.find(recorder::pictureName(url));
   if (found == by_name_.end()) return url;
   const Places& places = found->second;
   const auto later = std::upper_bound(
@@ -294,13 +227,12 @@ Outcome<std::shared_ptr<const std::string>> KeptThings::picture(const std::strin
                                                                 const std::string& name) {
   const std::size_t mark = name.rfind(kNumberMark);
   const std::string url = name.substr(0, mark);
-  const auto which =
-      mark == std::string::npos ? std::nullopt : number(std::string_view(name).substr(mark + 1));
-  const auto found = by_name_.find("pictures/" + url);
+  std::size_t which = 0;
+  if (mark != std::string::npos) std::from_chars(name.data() + mark + 1, name.data() + name.size(), which);
+  const auto found = by_name_.find(recorder::pictureName(url));
   const map::Subject subject(map::SubjectKind::Topic, topic);
   if (found == by_name_.end()) return fail(wire::unfit(subject, fault::RecordingLacksPicture));
-  const std::size_t place = std::min(std::size_t(std::max(which.value_or(0), 0)), found->second.size() - 1);
-  auto bytes = bytesAt(found->second[place]);
+  auto bytes = bytesAt(found->second[std::min(which, found->second.size() - 1)]);
   if (!bytes) return fail(wire::unfit(subject, {fault::RecordingFileInItCorrupt, {found->first}}));
   return std::make_shared<const std::string>(std::move(*bytes));
 }

@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "map/catalogue.h"
@@ -39,12 +39,12 @@ class KeptThings {
   using Places = std::vector<std::size_t>;  // with the same name, by log time
   std::optional<std::string> bytesAt(std::size_t place);
   std::optional<std::string> lastOf(const std::string& name);
-  using SubmapPlace = std::tuple<std::string, std::int32_t, std::int32_t>;  // uuid, trajectory, index
 
   recording::Source& file_;
   std::size_t looked_ = 0;
   std::unordered_map<std::string, Places> by_name_;
-  std::map<SubmapPlace, std::map<std::int32_t, std::size_t>> submaps_;  // by version
+  /// By uuid and id, then by version.
+  std::map<std::pair<std::string, map::SubmapId>, std::map<std::int32_t, std::size_t>> submaps_;
 };
 
 }  // namespace mapwright::robot::recorded

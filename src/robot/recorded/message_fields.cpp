@@ -2,8 +2,10 @@
 
 #include <utility>
 
+#include "recorder/layout.h"
 #include "recording/ros_cbor.h"
 #include "robot/axbot/faults.h"
+#include "robot/axbot/parse_topics.h"
 #include "robot/recorded/faults.h"
 #include "robot/recorded/foxglove.h"
 #include "robot/recorded/recording_reasons.h"
@@ -14,8 +16,6 @@ namespace mapwright::robot::recorded {
 using net::rosbridge::Frame;
 
 namespace {
-
-constexpr const char* kPlainJson = "mapwright.Message";  // recorder/layout.h
 
 tl::expected<FramePtr, Fault> frameOf(const QByteArray& bytes, Frame::Wire wire) {
   FramePtr frame = Frame::read(bytes, wire);
@@ -31,8 +31,46 @@ tl::expected<FramePtr, Fault> frameOf(const QByteArray& bytes, Frame::Wire wire)
 
 Fault missing(const recording::Channel& channel) { return {fault::RosSchemaMissing, {channel.schema_name}}; }
 
+tl::expected<recording::RosSchema, Fault> rosSchemaOf(const recording::Channel& channel) {
+  const auto dialect = recording::rosDialect(channel.schema_encoding);
+  if (channel.schema_data.empty() && !dialect) return tl::unexpected(missing(channel));
+  if (!dialect)
+    return tl::unexpected(
+        Fault(fault::RosEncodingUnknown, {channel.message_encoding, channel.schema_encoding}));
+  return recording::parseRosSchema(channel.schema_name, channel.schema_data, *dialect)
+      .map_error(
+          [&](const recording::RosSchemaFault& fault) { return reasonOf(fault, channel.schema_name); });
+}
+
+/// The schema of a channel, which is read once.
+template <typename Known, typename Read>
+const auto& schemaOf(Known& all, const recording::ChannelPtr& channel, Read read) {
+  const auto known = all.find(channel->id);
+  if (known != all.end() && known->second.channel == channel) return known->second.schema;
+  return all.insert_or_assign(channel->id, typename Known::mapped_type{channel, read(*channel)})
+      .first->second.schema;
+}
+
 /// The maximum size of a message without members: CDR has a header, a byte for the members, and padding.
 std::size_t bytesOfNothing(recording::RosWire wire) { return wire == recording::RosWire::Cdr ? 8 : 0; }
+
+constexpr std::int64_t kNsOfASecond = 1'000'000'000;
+constexpr qsizetype kMostText = qsizetype(8) << 10;            // of a message with truncated lists
+constexpr std::size_t kMostForPeople = std::size_t(64) << 10;  // larger ones are not parsed just for display
+constexpr std::size_t kMostWhole = std::size_t(16) << 10;
+
+std::string secondsText(std::int64_t ns) {
+  const std::int64_t whole = ns / kNsOfASecond - (ns % kNsOfASecond < 0), rest = ns - whole * kNsOfASecond;
+  std::string digits = std::to_string(rest);
+  return std::to_string(whole) + '.' + std::string(9 - digits.size(), '0') + digits;
+}
+
+std::string_view viewOf(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
+
+/// Numbers that robots send although they are not valid JSON.
+bool holdsNoNumbers(std::string_view json) {
+  return json.find("NaN") != json.npos || json.find("nan") != json.npos || json.find("nf") != json.npos;
+}
 
 }  // namespace
 
@@ -47,37 +85,13 @@ bool isRos(const recording::Channel& channel, bool untyped) {
 }
 
 bool isUntyped(const recording::Channel& channel) {
-  return channel.schema_name.empty() || channel.schema_name == kPlainJson;
-}
-
-const MessageFields::Schema& MessageFields::schemaOf(const recording::ChannelPtr& channel) {
-  const auto known = schemas_.find(channel->id);
-  if (known != schemas_.end() && known->second.channel == channel) return known->second.schema;
-  const auto read = [&]() -> Schema {
-    const auto dialect = recording::rosDialect(channel->schema_encoding);
-    if (channel->schema_data.empty() && !dialect) return tl::unexpected(missing(*channel));
-    if (!dialect) {
-      return tl::unexpected(
-          Fault(fault::RosEncodingUnknown, {channel->message_encoding, channel->schema_encoding}));
-    }
-    return recording::parseRosSchema(channel->schema_name, channel->schema_data, *dialect)
-        .map_error(
-            [&](const recording::RosSchemaFault& fault) { return reasonOf(fault, channel->schema_name); });
-  };
-  return schemas_.insert_or_assign(channel->id, Known{channel, read()}).first->second.schema;
+  return channel.schema_name.empty() || channel.schema_name == recorder::kPlainJson;
 }
 
 std::string rosTypeOf(const recording::Channel& channel) {
   const auto kind = foxgloveKind(channel);
   if (kind) return rosTypeOf(*kind);
   return isUntyped(channel) ? std::string() : channel.schema_name;
-}
-
-const MessageFields::Protobuf& MessageFields::protobufOf(const recording::ChannelPtr& channel) {
-  const auto known = protobufs_.find(channel->id);
-  if (known != protobufs_.end() && known->second.channel == channel) return known->second.schema;
-  return protobufs_.insert_or_assign(channel->id, KnownProtobuf{channel, ProtobufSchema::of(*channel)})
-      .first->second.schema;
 }
 
 tl::expected<FramePtr, Fault> MessageFields::read(const recording::Message& message) {
@@ -91,7 +105,7 @@ tl::expected<FramePtr, Fault> MessageFields::read(const recording::Message& mess
 
 tl::expected<FramePtr, Fault> MessageFields::readAsItIs(const recording::Message& message) {
   if (message.channel->message_encoding == "protobuf") {
-    const Protobuf& schema = protobufOf(message.channel);
+    const auto& schema = schemaOf(protobuf_schemas_, message.channel, ProtobufSchema::of);
     if (!schema) return tl::unexpected(schema.error());
     const auto cbor = schema->toCbor(message.bytes);
     if (!cbor) return tl::unexpected(cbor.error());
@@ -105,7 +119,7 @@ tl::expected<FramePtr, Fault> MessageFields::readAsItIs(const recording::Message
                            qsizetype(message.bytes.size()));
     return frameOf(bytes, encoding == "cbor" ? Frame::Wire::Binary : Frame::Wire::Text);
   }
-  const Schema& schema = schemaOf(message.channel);
+  const auto& schema = schemaOf(ros_schemas_, message.channel, rosSchemaOf);
   if (!schema) return tl::unexpected(schema.error());
   // An empty definition means a type without members (std_msgs/Empty), if the message agrees.
   if (message.channel->schema_data.empty() && message.bytes.size() > bytesOfNothing(*wire))
@@ -113,6 +127,88 @@ tl::expected<FramePtr, Fault> MessageFields::readAsItIs(const recording::Message
   const auto cbor = recording::rosToCbor(*schema, *wire, message.bytes);
   if (!cbor) return tl::unexpected(reasonOf(cbor.error(), encoding));
   return frameOf(*cbor, Frame::Wire::Binary);
+}
+
+std::string jsonText(std::string_view text) {
+  constexpr char kHex[] = "0123456789abcdef";
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += {'\\', c};
+    } else if (std::uint8_t(c) < 0x20) {
+      out += {'\\', 'u', '0', '0', kHex[std::uint8_t(c) >> 4], kHex[c & 15]};
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+std::string_view MessageText::bytes() const {
+  return {reinterpret_cast<const char*>(message_.bytes.data()), message_.bytes.size()};
+}
+
+std::string MessageText::wrapped(std::string_view member, std::string_view json) const {
+  std::string text =
+      "{\"topic\":" + jsonText(message_.channel->topic) + ",\"__stamp\":" + secondsText(message_.log_time_ns);
+  if (!isUntyped(*message_.channel)) text += ",\"type\":" + jsonText(message_.channel->schema_name);
+  return text.append(",\"").append(member).append("\":").append(json).append("}");
+}
+
+std::string MessageText::whole(const FramePtr& frame) const {
+  if (message_.channel->message_encoding == "json" && !holdsNoNumbers(bytes()))
+    return wrapped("msg", bytes());
+  return wrapped("msg", viewOf(frame->root().toWholeJson()));
+}
+
+std::string MessageText::ofRos(const tl::expected<FramePtr, Fault>& frame, MessageFields& fields) const {
+  if (programs_) {
+    // The recorded message, not the ROS message made from it for layers.
+    const auto recorded = foxgloveKind(*message_.channel) ? fields.readAsItIs(message_) : frame;
+    return recorded ? whole(*recorded) : ofBytes();
+  }
+  if (!frame) return ofBytes();
+  const bool as_it_is = message_.channel->message_encoding == "json" && message_.bytes.size() <= kMostWhole;
+  return wrapped("msg", as_it_is ? bytes() : viewOf((*frame)->root().toJson(kMostText)));
+}
+
+std::string MessageText::ofFrame(const wire::Json& root) const {
+  const bool named = !wire::text(root, {"topic"}).empty();
+  const bool misnamed = !named && root["topic"].error() == simdjson::SUCCESS;
+  if (misnamed) return wrapped("msg", bytes());
+  std::string added;
+  if (!named) added += ",\"topic\":" + jsonText(message_.channel->topic);
+  if (root["__stamp"].error() != simdjson::SUCCESS)
+    added += ",\"__stamp\":" + secondsText(message_.log_time_ns);
+  std::string text(bytes());
+  const std::size_t end = text.rfind('}');
+  if (added.empty() || end == text.npos) return text;
+  simdjson::dom::object members;
+  const bool alone = root.get(members) == simdjson::SUCCESS && members.size() == 0;
+  return text.insert(end, alone ? added.substr(1) : added);
+}
+
+std::string MessageText::ofBinaryFrame() const {
+  if (programs_) return ofBytes();
+  const QByteArray raw = axbot::rawBinary(bytes()).text;
+  const bool json = raw.startsWith('{') && std::size_t(raw.size()) <= kMostWhole;
+  return json ? wrapped("msg", viewOf(raw)) : ofBytes();
+}
+
+std::string MessageText::ofOther(MessageFields& fields) const {
+  if (message_.channel->message_encoding != "protobuf") return ofBytes();
+  if (!programs_ && message_.bytes.size() > kMostForPeople) return ofBytes();
+  const auto frame = fields.readAsItIs(message_);
+  if (!frame) return ofBytes();
+  return programs_ ? whole(*frame) : wrapped("msg", viewOf((*frame)->root().toJson(kMostText)));
+}
+
+std::string MessageText::ofBytes() const {
+  std::string count = std::to_string(message_.bytes.size());
+  if (!programs_) return wrapped("bytes", count);
+  const QByteArray base64 =
+      QByteArray::fromRawData(bytes().data(), qsizetype(message_.bytes.size())).toBase64();
+  return wrapped("bytes", count.append(",\"base64\":\"").append(viewOf(base64)).append("\""));
 }
 
 }  // namespace mapwright::robot::recorded

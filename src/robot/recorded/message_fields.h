@@ -1,10 +1,11 @@
 // Reads ROS messages in recordings like those of a rosbridge server: JSON and CBOR directly, ROS 1 and CDR by
-// their definition. One thread.
+// their definition. And what people and programs read of them. One thread.
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 
 #include <tl/expected.hpp>
@@ -14,6 +15,7 @@
 #include "recording/message.h"
 #include "recording/ros_schema.h"
 #include "robot/recorded/protobuf_schema.h"
+#include "robot/wire/read_json.h"
 
 namespace mapwright::robot::recorded {
 
@@ -37,20 +39,52 @@ class MessageFields {
   tl::expected<FramePtr, Fault> readAsItIs(const recording::Message& message);
 
  private:
-  using Schema = tl::expected<recording::RosSchema, Fault>;
-  const Schema& schemaOf(const recording::ChannelPtr& channel);
-  using Protobuf = tl::expected<ProtobufSchema, Fault>;
-  const Protobuf& protobufOf(const recording::ChannelPtr& channel);
+  /// What was made of the definition of a channel; a channel of the same id may be another one later.
+  template <typename Schema>
   struct Known {
     recording::ChannelPtr channel;
-    Schema schema;
+    tl::expected<Schema, Fault> schema;
   };
-  std::unordered_map<std::uint32_t, Known> schemas_;  // by channel id
-  struct KnownProtobuf {
-    recording::ChannelPtr channel;
-    Protobuf schema;
-  };
-  std::unordered_map<std::uint32_t, KnownProtobuf> protobufs_;
+  template <typename Schema>
+  using KnownSchemas = std::unordered_map<std::uint32_t, Known<Schema>>;  // by channel id
+  KnownSchemas<recording::RosSchema> ros_schemas_;
+  KnownSchemas<ProtobufSchema> protobuf_schemas_;
+};
+
+/// A text as JSON.
+std::string jsonText(std::string_view text);
+
+/// A message of a recording as one JSON object: for people (the inspector) or for programs (frames, export).
+/// Source: docs/command-line.md, "mapwright bags" (frames).
+/// All of them contain "topic" and "__stamp", the log time. Messages that are not JSON are put into {"topic",
+/// "__stamp", "type", "msg"}.
+class MessageText {
+ public:
+  /// People see the beginnings of long lists and texts (net::rosbridge::Field::toJson); for programs nothing
+  /// is truncated, and unreadable data is included as bytes.
+  enum class For { People, Programs };
+  /// The message outlives it.
+  MessageText(const recording::Message& message, For whom)
+      : message_(message), programs_(whom == For::Programs) {}
+
+  std::string_view bytes() const;
+  /// `frame` is the result of MessageFields::read().
+  std::string ofRos(const tl::expected<FramePtr, Fault>& frame, MessageFields& fields) const;
+  /// A JSON object as recorded, with missing members appended.
+  std::string ofFrame(const wire::Json& root) const;
+  /// A non-text frame of Autoxing.
+  std::string ofBinaryFrame() const;
+  /// For an encoding that no layer uses.
+  std::string ofOther(MessageFields& fields) const;
+  /// {"bytes": how many}; for programs also "base64".
+  std::string ofBytes() const;
+
+ private:
+  std::string wrapped(std::string_view member, std::string_view json) const;
+  std::string whole(const FramePtr& frame) const;
+
+  const recording::Message& message_;
+  bool programs_;
 };
 
 }  // namespace mapwright::robot::recorded

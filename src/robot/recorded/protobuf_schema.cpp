@@ -13,6 +13,7 @@
 #include <google/protobuf/reflection.h>
 #include <google/protobuf/stubs/logging.h>
 
+#include "recording/ros_cbor.h"
 #include "robot/recorded/faults.h"
 #include "robot/ros/faults.h"
 
@@ -22,16 +23,6 @@ namespace {
 namespace pb = google::protobuf;
 
 constexpr int kDeepest = 100;  // nested messages: as deep as protobuf itself allows
-
-/// RFC 8746, 2.1: little-endian ones.
-enum NumberList : std::uint64_t {
-  kUint32 = 70,
-  kUint64 = 71,
-  kInt32 = 78,
-  kInt64 = 79,
-  kFloat32 = 85,
-  kFloat64 = 86
-};
 
 /// Errors in a definition are reported by the channel's reason.
 class Silent final : public pb::DescriptorPool::ErrorCollector {
@@ -122,17 +113,17 @@ class CborOut {
     const int count = of.FieldSize(message, &field);
     switch (field.cpp_type()) {
       case pb::FieldDescriptor::CPPTYPE_INT32:
-        return numbers<std::int32_t>(kInt32, message, field);
+        return numbers<std::int32_t>(message, field);
       case pb::FieldDescriptor::CPPTYPE_INT64:
-        return numbers<std::int64_t>(kInt64, message, field);
+        return numbers<std::int64_t>(message, field);
       case pb::FieldDescriptor::CPPTYPE_UINT32:
-        return numbers<std::uint32_t>(kUint32, message, field);
+        return numbers<std::uint32_t>(message, field);
       case pb::FieldDescriptor::CPPTYPE_UINT64:
-        return numbers<std::uint64_t>(kUint64, message, field);
+        return numbers<std::uint64_t>(message, field);
       case pb::FieldDescriptor::CPPTYPE_DOUBLE:
-        return numbers<double>(kFloat64, message, field);
+        return numbers<double>(message, field);
       case pb::FieldDescriptor::CPPTYPE_FLOAT:
-        return numbers<float>(kFloat32, message, field);
+        return numbers<float>(message, field);
       default:
         break;
     }
@@ -153,12 +144,12 @@ class CborOut {
   }
 
   template <typename Number>
-  void numbers(NumberList tag, const pb::Message& message, const pb::FieldDescriptor& field) {
+  void numbers(const pb::Message& message, const pb::FieldDescriptor& field) {
     const auto all = message.GetReflection()->GetRepeatedFieldRef<Number>(message, &field);
     std::vector<Number> values;
     values.reserve(std::size_t(all.size()));
     for (const Number value : all) values.push_back(value);
-    writer_.append(QCborTag(tag));
+    writer_.append(QCborTag(recording::cborTagOf<Number>()));
     writer_.appendByteString(reinterpret_cast<const char*>(values.data()),
                              qsizetype(values.size() * sizeof(Number)));
   }

@@ -6,10 +6,9 @@
 #include <utility>
 #include <variant>
 
-#include "recording/seconds.h"
+#include "recorder/layout.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_topics.h"
-#include "robot/recorded/message_text.h"
 
 namespace mapwright::robot::recorded {
 namespace {
@@ -20,7 +19,6 @@ constexpr std::size_t kMostAtAll = std::size_t(1) << 30;
 constexpr std::size_t kMostUnknown = std::size_t(64) << 10;  // larger useless ones are not parsed for display
 constexpr std::size_t kMostProblems = 200;
 constexpr std::int64_t kMostLast = std::int64_t(16) << 20;  // of the initial state before a range
-constexpr const char* kBinaryFrame = "mapwright.axbot.BinaryFrame";
 
 /// Approximate memory besides its text.
 struct Weight {
@@ -248,7 +246,7 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
       // One outside the range is counted in its own.
       if (!range_.whole_texts && placed && takes(stamp_s)) ++chunk_->unreadable;
     }
-  } else if (channel.message_encoding == "json" && channel.schema_name == kBinaryFrame) {
+  } else if (channel.message_encoding == "json" && channel.schema_name == recorder::kAxbotBinarySchema) {
     // One that could not be unpacked during recording.
     const auto root = json_.read(texts.bytes());
     told.known = root.has_value();
@@ -273,7 +271,7 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
       }
       text = texts.ofBytes();
     }
-  } else if (channel.schema_name == kBinaryFrame) {
+  } else if (channel.schema_name == recorder::kAxbotBinarySchema) {
     if (auto read = axbot::parseBinaryFrame(texts.bytes())) {
       told.known = true;
       told.message.message = std::move(*read);

@@ -8,18 +8,14 @@
 #include <QFileInfo>
 #include <QThread>
 
-#include "recording/seconds.h"
+#include "recorder/layout.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_topics.h"
-#include "robot/recorded/interruption.h"
 #include "robot/recorded/recording_reasons.h"
 #include "robot/wire/failures.h"
 
 namespace mapwright::robot::recorded {
 namespace {
-
-constexpr const char* kAbout = "mapwright";  // metadata, recorder/layout.h
-constexpr const char* kSaid = "said";        // of channels, likewise
 
 constexpr map::Stream kLastStream = map::Stream::GlobalPositioning;
 
@@ -167,7 +163,7 @@ bool RecordedFile::refresh() {
 RecordingFacts RecordedFile::facts() const {
   RecordingFacts facts;
   for (const recording::Metadata& metadata : parts_->file->metadata()) {
-    if (metadata.name != kAbout) continue;  // the last one counts
+    if (metadata.name != recorder::kAbout) continue;  // the last one counts
     facts.identity.model = text(metadata.words, "model");
     facts.identity.serial = text(metadata.words, "serial");
     facts.identity.name = text(metadata.words, "name");
@@ -264,7 +260,7 @@ std::optional<double> RecordedFile::rateOf(const Form& form,
                                            const std::map<std::uint32_t, std::uint64_t>& counts) {
   const auto isOf = [&](const recording::Channel& channel) {
     return Form(channel.topic, channel.schema_name, channel.message_encoding) == form &&
-           !channel.metadata.contains(kSaid);
+           !channel.metadata.contains(recorder::kSaid);
   };
   std::uint64_t messages = 0;
   for (const recording::ChannelPtr& channel : parts_->file->channels()) {

@@ -5,8 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include "recording/mcap_reader.h"
-#include "recording/ros1_bag.h"
+#include "recording/source.h"
 #include "robot/recorded/faults.h"
 
 namespace mapwright::robot::recorded {
@@ -32,10 +31,9 @@ bool isRecording(const QString& path) {
   if (!info.isFile()) return false;
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) return false;
-  const QByteArray start = file.read(16);
-  const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(start.constData()),
-                                            std::size_t(start.size()));
-  return recording::looksLikeMcap(bytes) || recording::looksLikeBag(bytes);
+  const QByteArray start = file.read(recording::kLookedAt);
+  return recording::looksLikeRecording(
+      {reinterpret_cast<const std::uint8_t*>(start.constData()), std::size_t(start.size())});
 }
 
 std::string bagNameOf(const QString& path) { return QFileInfo(path).fileName().toStdString(); }

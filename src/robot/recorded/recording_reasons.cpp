@@ -1,105 +1,189 @@
 #include "robot/recorded/recording_reasons.h"
 
-#include "disk/file_error.h"
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <map>
+
+#include <QDateTime>
+
+#include "recorder/layout.h"
 #include "robot/recorded/faults.h"
 
 namespace mapwright::robot::recorded {
+namespace {
+
+constexpr const char* kBrokeOff = "broke_off_ns";
+
+/// Which arguments the fault of a note has.
+enum class Says { Nothing, Place, CountAndPlace, CountPlaceAndName, Name };
+struct NoteFault {
+  recording::NoteCode note;
+  FaultCode fault;
+  Says says;
+  bool is_loss;
+};
+using Code = recording::NoteCode;
+// Without NotFinished (interruptionOf) and TimeUnusable, which is counted when messages are read
+// (BagChunk::without_stamp).
+constexpr NoteFault kNoteFaults[] = {
+    {Code::NoIndex, fault::RecordingWithoutIndex, Says::Nothing, false},
+    {Code::IndexUnusable, fault::RecordingIndexUnusable, Says::Nothing, false},
+    {Code::CutOff, fault::RecordingCutOff, Says::Place, true},
+    {Code::BytesSkipped, fault::RecordingBytesSkipped, Says::CountAndPlace, true},
+    {Code::ChunkCorrupt, fault::RecordingChunksCorrupt, Says::CountAndPlace, true},
+    {Code::ChunkChecksum, fault::RecordingChunksChanged, Says::CountAndPlace, true},
+    {Code::ChunkTooLarge, fault::RecordingChunksTooLarge, Says::CountAndPlace, true},
+    {Code::ChunkCompression, fault::RecordingChunksPacked, Says::CountPlaceAndName, true},
+    {Code::ChunkTimes, fault::RecordingChunkTimesWrong, Says::CountAndPlace, false},
+    {Code::RecordTooLarge, fault::RecordingRecordsTooLarge, Says::CountAndPlace, true},
+    {Code::RecordCorrupt, fault::RecordingRecordsCorrupt, Says::CountAndPlace, true},
+    {Code::UnknownChannel, fault::RecordingChannelsUnknown, Says::CountAndPlace, true},
+    {Code::ChannelChanged, fault::RecordingChannelsChanged, Says::CountAndPlace, false},
+    {Code::AttachmentCorrupt, fault::RecordingFileInItCorrupt, Says::Name, true},
+    {Code::Unreadable, fault::RecordingNotReadByDisk, Says::Place, true}};
+
+std::optional<std::int64_t> numberIn(const recording::Words& words, const char* name) {
+  const auto found = words.find(name);
+  if (found == words.end()) return std::nullopt;
+  std::int64_t value = 0;
+  const char* const end = found->second.data() + found->second.size();
+  const auto [stop, error] = std::from_chars(found->second.data(), end, value);
+  return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
+}
+
+/// "2024-06-03 09:00:00.250 UTC".
+std::string timeWords(std::int64_t epoch_ns) {
+  return QDateTime::fromMSecsSinceEpoch(epoch_ns / 1'000'000, Qt::UTC)
+      .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz 'UTC'"))
+      .toStdString();
+}
+
+}  // namespace
 
 Fault reasonOf(const recording::Note& note) {
-  using Code = recording::NoteCode;
-  const std::vector<FaultArgument> counted{std::int64_t(note.count), std::int64_t(note.offset)};
-  const std::int64_t place(static_cast<std::int64_t>(note.offset));
-  switch (note.code) {
-    case Code::NotFinished:
-      break;  // reasonOf(Interruption)
-    case Code::NoIndex:
-      return fault::RecordingWithoutIndex;
-    case Code::IndexUnusable:
-      return fault::RecordingIndexUnusable;
-    case Code::CutOff:
-      return {fault::RecordingCutOff, {place}};
-    case Code::BytesSkipped:
-      return {fault::RecordingBytesSkipped, counted};
-    case Code::ChunkCorrupt:
-      return {fault::RecordingChunksCorrupt, counted};
-    case Code::ChunkChecksum:
-      return {fault::RecordingChunksChanged, counted};
-    case Code::ChunkTooLarge:
-      return {fault::RecordingChunksTooLarge, counted};
-    case Code::ChunkCompression:
-      return {fault::RecordingChunksPacked, {std::int64_t(note.count), place, note.name}};
-    case Code::ChunkTimes:
-      return {fault::RecordingChunkTimesWrong, counted};
-    case Code::IndexLies:
-      return {fault::RecordingIndexLies, counted};
-    case Code::RecordTooLarge:
-      return {fault::RecordingRecordsTooLarge, counted};
-    case Code::RecordCorrupt:
-      return {fault::RecordingRecordsCorrupt, counted};
-    case Code::UnknownChannel:
-      return {fault::RecordingChannelsUnknown, counted};
-    case Code::ChannelChanged:
-      return {fault::RecordingChannelsChanged, counted};
-    case Code::AttachmentCorrupt:
-      return {fault::RecordingFileInItCorrupt, {note.name}};
-    case Code::TimeUnusable:
-      break;  // counted when messages are read (BagChunk::without_stamp)
-    case Code::Unreadable:
-      return {fault::RecordingNotReadByDisk, {place}};
+  const std::int64_t count = std::int64_t(note.count), place = std::int64_t(note.offset);
+  for (const NoteFault& one : kNoteFaults) {
+    if (one.note != note.code) continue;
+    switch (one.says) {
+      case Says::Nothing:
+        return one.fault;
+      case Says::Place:
+        return {one.fault, {place}};
+      case Says::CountAndPlace:
+        return {one.fault, {count, place}};
+      case Says::CountPlaceAndName:
+        return {one.fault, {count, place, note.name}};
+      case Says::Name:
+        return {one.fault, {note.name}};
+    }
   }
   return {};
 }
 
 bool isLoss(recording::NoteCode code) {
-  using Code = recording::NoteCode;
-  return code != Code::NotFinished && code != Code::NoIndex && code != Code::IndexUnusable &&
-         code != Code::TimeUnusable && code != Code::ChunkTimes && code != Code::IndexLies &&
-         code != Code::ChannelChanged;
+  const auto* const found = std::find_if(std::begin(kNoteFaults), std::end(kNoteFaults),
+                                         [&](const NoteFault& one) { return one.note == code; });
+  return found != std::end(kNoteFaults) && found->is_loss;
 }
 
 Fault reasonOf(const recording::Failure& failure) {
-  using Code = recording::Failure::Code;
-  switch (failure.code) {
-    case Code::File:
-      break;
-    case Code::NotOne:
-      return fault::RecordingIsNone;
-    case Code::Version:
-      return fault::RecordingOfOtherVersion;
-    case Code::Encrypted:
-      return fault::RecordingEncrypted;
-  }
+  using Why = recording::Failure::Code;
+  if (failure.code == Why::NotOne) return fault::RecordingIsNone;
+  if (failure.code == Why::Version) return fault::RecordingOfOtherVersion;
+  if (failure.code == Why::Encrypted) return fault::RecordingEncrypted;
   return {fault::RecordingNotOpened, {failure.file.path}, {failure.file.cause}};
 }
 
 Fault reasonOf(const recording::RosSchemaFault& fault, const std::string& type) {
-  using Code = recording::RosSchemaFault::Code;
+  using Why = recording::RosSchemaFault::Code;
   switch (fault.code) {
-    case Code::TooLong:
+    case Why::TooLong:
       return {fault::RosSchemaTooLong, {type}};
-    case Code::NotAField:
+    case Why::NotAField:
       return {fault::RosSchemaBroken, {type, std::int64_t(fault.line), fault.word}};
-    case Code::UnknownType:
+    case Why::UnknownType:
       return {fault::RosSchemaTypeUnknown, {type, fault.word}};
-    case Code::HoldsItself:
+    case Why::HoldsItself:
       return {fault::RosSchemaHoldsItself, {type, fault.word}};
   }
   return {};
 }
 
 Fault reasonOf(const recording::RosDecodeFault& fault, const std::string& encoding) {
-  using Code = recording::RosDecodeFault::Code;
+  using Why = recording::RosDecodeFault::Code;
   switch (fault.code) {
-    case Code::NotThisEncoding:
+    case Why::NotThisEncoding:
       return {fault::RosMessageOtherwise, {encoding}};
-    case Code::CutOff:
+    case Why::CutOff:
       return {fault::RosMessageCutOff, {fault.field}};
-    case Code::TooMany:
+    case Why::TooMany:
       return {fault::RosMessageTooLarge, {fault.field}};
-    case Code::NotSupported:
+    case Why::NotSupported:
       return {fault::RosMessageWideText, {fault.field}};
   }
   return {};
+}
+
+bool isInterrupted(const recording::Source& file) {
+  if (!file.summary().finished) return true;
+  const std::vector<recording::Metadata>& all = file.metadata();
+  const auto has = [&](const char* name) {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const recording::Metadata& one) { return one.name == name; });
+  };
+  return has(recorder::kAbout) && !has(recorder::kEnd) && !has(recorder::kRepaired);
+}
+
+bool isEndMark(const recording::Metadata& metadata) {
+  return metadata.name == recorder::kEnd || metadata.name == recorder::kRepaired;
+}
+
+recording::Metadata repairMark(const recording::Summary& interrupted) {
+  recording::Metadata mark{recorder::kRepaired, {}};
+  if (interrupted.end_ns) mark.words[kBrokeOff] = std::to_string(*interrupted.end_ns);
+  return mark;
+}
+
+std::optional<BagRepair> repairOf(const recording::Source& file) {
+  std::optional<BagRepair> repair;
+  for (const recording::Metadata& metadata : file.metadata()) {
+    if (metadata.name != recorder::kRepaired) continue;
+    repair.emplace();  // the last one counts
+    if (const auto at_ns = numberIn(metadata.words, kBrokeOff))
+      repair->broke_off_s = recording::secondsOf(*at_ns);
+  }
+  return repair;
+}
+
+Fault interruptionOf(const recording::Summary& summary) {
+  if (!summary.end_ns) return fault::RecordingNotBegun;
+  return {fault::RecordingNotFinished, {timeWords(*summary.end_ns)}};
+}
+
+std::vector<BagAway> awayIn(const recording::Source& file) {
+  // The record of a reconnect repeats the time of the loss.
+  std::map<std::int64_t, std::optional<std::int64_t>> back_of;
+  for (const recording::Metadata& metadata : file.metadata()) {
+    if (metadata.name != recorder::kLink) continue;
+    const auto lost_ns = numberIn(metadata.words, "lost_ns");
+    if (!lost_ns) continue;
+    std::optional<std::int64_t>& back_ns = back_of[*lost_ns];
+    if (const auto told_ns = numberIn(metadata.words, "back_ns")) back_ns = told_ns;
+  }
+  std::vector<BagAway> all;
+  for (const auto& [lost_ns, back_ns] : back_of) {
+    BagAway away{recording::secondsOf(lost_ns), std::nullopt};
+    if (back_ns) away.until_s = recording::secondsOf(*back_ns);
+    all.push_back(away);
+  }
+  return all;
+}
+
+Fault reasonOf(const BagAway& away) {
+  const std::string from = timeWords(recording::nanosecondsOf(away.from_s));
+  if (!away.until_s) return {fault::RecordingLinkGone, {from}};
+  return {fault::RecordingLinkAway, {from, timeWords(recording::nanosecondsOf(*away.until_s))}};
 }
 
 }  // namespace mapwright::robot::recorded

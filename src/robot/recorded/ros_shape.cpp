@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "recording/seconds.h"
+#include "recorder/layout.h"
 #include "robot/recorded/foxglove.h"
 #include "robot/ros/ros_world.h"
 
@@ -68,7 +68,7 @@ bool recordedOfRos(const recording::Source& file) {
   bool ros = false;
   for (const recording::Metadata& metadata : file.metadata()) {
     const auto kind = metadata.words.find("kind");
-    if (metadata.name != "mapwright" || kind == metadata.words.end()) continue;
+    if (metadata.name != recorder::kAbout || kind == metadata.words.end()) continue;
     ros = kind->second == "ros" || kind->second == "kabam" || kind->second == "aimdk";
   }
   return ros;

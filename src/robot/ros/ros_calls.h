@@ -10,7 +10,6 @@
 #include "net/rosbridge/client.h"
 #include "robot/call.h"
 #include "robot/wire/task.h"
-#include "robot/wire/task.h"
 
 namespace mapwright::robot::ros {
 

@@ -1,18 +1,32 @@
-#include "recording/seconds.h"
+#include "recording/message.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <string_view>
 
 namespace mapwright::recording {
 namespace {
 
+constexpr std::size_t kMostNotes = 200;  // names come from the file
 constexpr double kMostS = 9.2e9;  // the maximum for nanoseconds in 63 bits
 constexpr int kDigits = 9;        // of nanoseconds
 
 }  // namespace
+
+void Notes::add(NoteCode code, std::uint64_t offset, std::string_view name, std::uint64_t count) {
+  const auto same = [&](const Note& note) { return note.code == code && note.name == name; };
+  const auto found = std::find_if(notes_.begin(), notes_.end(), same);
+  if (found != notes_.end()) {
+    found->count += count;
+    return;
+  }
+  if (notes_.size() < kMostNotes) notes_.push_back({code, offset, count, std::string(name)});
+}
+
+void Notes::drop(NoteCode code) {
+  std::erase_if(notes_, [&](const Note& note) { return note.code == code; });
+}
 
 std::int64_t nanosecondsOf(double s) {
   const double within = std::clamp(std::isnan(s) ? 0 : s, -kMostS, kMostS);

@@ -1,0 +1,76 @@
+#include "ui/replay/list_dock.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "ui/kit/plain_label.h"
+#include "ui/kit/row_table.h"
+#include "ui/kit/tree_view.h"
+
+namespace mapwright::window {
+
+ListDock::ListDock(const QString& title, const QString& search, QWidget* parent)
+    : QDockWidget(title, parent),
+      search_(new QLineEdit(this)),
+      table_(new QuietTableView(this)),
+      summary_(new PlainLabel(this)),
+      empty_(new QLabel(this)) {
+  search_->setPlaceholderText(search);
+  search_->setClearButtonEnabled(true);
+  search_->setAccessibleName(search);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  table_->installEventFilter(this);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  empty_->setTextFormat(Qt::PlainText);
+  empty_->setWordWrap(true);
+  empty_->setContentsMargins(12, 8, 12, 8);
+  empty_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  summary_->setSample(QStringLiteral("x"));
+  summary_->setSecondary(true);
+  summary_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  connect(table_, &QTableView::customContextMenuRequested, this, &ListDock::showMenu);
+}
+
+ListDock::~ListDock() { table_->removeEventFilter(this); }
+
+void ListDock::layOut(QAbstractItemModel* rows, std::initializer_list<QWidget*> tools, int summary_stretch,
+                      std::initializer_list<QPushButton*> buttons) {
+  showRows(*table_, rows, windowTitle());
+  auto* const body = new QWidget(this);
+  auto* const row = new QHBoxLayout;
+  row->setContentsMargins(8, 4, 8, 4);
+  row->setSpacing(6);
+  row->addWidget(search_, 1);
+  for (QWidget* const tool : tools) row->addWidget(tool);
+  row->addWidget(summary_, summary_stretch);
+  for (QPushButton* const button : buttons) {
+    button->setObjectName(QStringLiteral("compact"));
+    row->addWidget(button);
+  }
+  auto* const column = new QVBoxLayout(body);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(row);
+  column->addWidget(empty_, 1);
+  column->addWidget(table_, 1);
+  setWidget(body);
+}
+
+void ListDock::showInstead(const QString& sentence) {
+  empty_->setText(sentence);
+  empty_->setVisible(!sentence.isEmpty());
+  table_->setVisible(sentence.isEmpty());
+}
+
+QString ListDock::summaryShown() const { return summary_->text(); }
+QString ListDock::emptyShown() const { return empty_->isHidden() ? QString() : empty_->text(); }
+
+}  // namespace mapwright::window
+
+#include "moc_list_dock.cpp"
