@@ -6,7 +6,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kEdge = picture::Canvas::kEdge;
+using picture::kEdge;
 constexpr qsizetype kTileBytes = qsizetype(kEdge) * kEdge;
 constexpr int kQuickly = 1;  // how hard it is packed
 // The first row identifies the picture.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "picture/fill.h"
+#include "picture/draw.h"
 
 namespace mapwright::window {
 

@@ -13,7 +13,6 @@
 #include <QUndoStack>
 
 #include "map/grid_reference.h"
-#include "picture/clip.h"
 #include "picture/draw.h"
 #include "picture/merge.h"
 #include "picture/tidy.h"

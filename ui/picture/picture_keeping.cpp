@@ -111,7 +111,7 @@ void PictureEditing::noteSaved(const std::shared_ptr<const EditedGrid>& saved) {
 void PictureEditing::revert() {
   if (!grid_ || waits([this] { revert(); })) return;
   endStroke();
-  constexpr int kEdge = Canvas::kEdge;
+  using picture::kEdge;
   std::vector<picture::TilePlace> places;
   for (const auto& [place, count] : count_.tiles) places.push_back(place);
   change(tr("discard changes"), std::int64_t(places.size()) * kEdge * kEdge,
