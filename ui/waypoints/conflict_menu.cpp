@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QMenu>
 
-#include "placing/names.h"
+#include "placing/arrange.h"
 #include "ui/kit/icons.h"
 #include "ui/waypoints/waypoint_editing.h"
 #include "ui/waypoints/waypoint_text.h"

@@ -2,7 +2,7 @@
 
 #include <QMenu>
 
-#include "placing/names.h"
+#include "placing/arrange.h"
 #include "scene/layer_item.h"
 #include "ui/kit/plain_label.h"
 #include "ui/shell/current_session.h"

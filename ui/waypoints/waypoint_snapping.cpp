@@ -91,7 +91,7 @@ placing::SnappedPlace WaypointSnapping::place(const Eigen::Vector2d& free_m, Qt:
       });
     };
     const placing::PlacedMap under = rules_.walls ? mapUnder(*scene_) : placing::PlacedMap{};
-    if (!ground_ || !(ground_->map() == under)) ground_.emplace(under, placing::Ground::Patience::AtHand);
+    if (!ground_ || !(ground_->map() == under)) ground_.emplace(under, placing::Ground::Access::AtHand);
     around.ground = &*ground_;
     place = placing::snapped(free_m, rules_, around);
   }

@@ -71,7 +71,6 @@ void WaypointWarnings::cellsChanged(const geometry::WorldRect& where) {
 void WaypointWarnings::begin() {
   std::set<std::string> gone;
   for (const auto& [key, warnings] : all_) gone.insert(key);
-  names_.clear();
   of_ground_.clear();
   all_.clear();
   waiting_.clear();
@@ -79,7 +78,7 @@ void WaypointWarnings::begin() {
   preview_waits_ = false;
   if (const edit::WaypointDocument* const document = editing_->document()) {
     std::set<std::string> touched;
-    for (const auto& [key, point] : document->items()) names_.put(key, point.name, touched);
+    lookForNames(touched);
     for (const auto& [key, point] : document->items()) settle(key);
   }
   everythingAnew();
@@ -113,22 +112,34 @@ void WaypointWarnings::take(const edit::DocumentChange& change) {
     for (const edit::Key& key : *keys) {
       const map::Waypoint* const point = editing_->find(key);
       if (!point) continue;
-      names_.put(key, point->name, touched);
       touched.insert(key);
       waiting_.insert(key);
     }
   }
   for (const edit::Key& key : change.removed) {
-    names_.remove(key, touched);
+    touched.insert(key);
     of_ground_.erase(key);
     waiting_.erase(key);
   }
+  if (!change.added.empty() || !change.removed.empty() || change.fields & kName) lookForNames(touched);
   std::set<std::string> other;
   for (const edit::Key& key : touched) {
     if (settle(key)) other.insert(key);
   }
   tell(other);
   lookSoon();
+}
+
+void WaypointWarnings::lookForNames(std::set<std::string>& touched) {
+  const auto& items = editing_->document()->items();
+  std::vector<std::string> names;
+  names.reserve(items.size());
+  for (const auto& [key, point] : items) names.push_back(point.name);
+  const std::set<std::string> before = std::exchange(twice_, placing::namesTwice(names));
+  if (before == twice_) return;
+  for (const auto& [key, point] : items) {
+    if (before.contains(point.name) != twice_.contains(point.name)) touched.insert(key);
+  }
 }
 
 void WaypointWarnings::takePreview() {
@@ -224,7 +235,7 @@ bool WaypointWarnings::settle(const edit::Key& key) {
     const auto ground = of_ground_.find(key);
     const bool zero_turn = point->yaw_rad == 0.0 && zero_turns_.contains(key);
     now = placing::together(ground == of_ground_.end() ? placing::Warnings{} : ground->second, point->name,
-                            names_.twice(key), zero_turn);
+                            twice_.contains(point->name), zero_turn);
   }
   const auto before = all_.find(key);
   if (now.empty()) {

@@ -14,7 +14,6 @@
 #include <QObject>
 
 #include "geometry/rect.h"
-#include "placing/names.h"
 #include "placing/warnings.h"
 #include "ui/waypoints/waypoint_editing.h"
 #include "work/workers.h"
@@ -65,6 +64,8 @@ class WaypointWarnings : public QObject {
   void takeGround(const Asked& asked, const placing::GroundWarnings& found);
   void endLook();
   void everythingAnew();
+  /// Looks for names that several have; adds to `touched` the waypoints for which that has changed.
+  void lookForNames(std::set<std::string>& touched);
   /// What holds of it now; true when that is another thing than before.
   bool settle(const edit::Key& key);
   void tell(const std::set<std::string>& keys);
@@ -73,7 +74,7 @@ class WaypointWarnings : public QObject {
   placing::PlacedMap map_;
   double radius_m_ = 0;
   std::set<edit::Key> zero_turns_;
-  placing::NameBook names_;
+  std::set<std::string> twice_;  // names that several have
   placing::GroundState ground_ = placing::GroundState::None;
   std::unordered_map<edit::Key, placing::Warnings> of_ground_;  // where there are any
   std::map<edit::Key, placing::Warnings> all_;                  // likewise
