@@ -24,7 +24,7 @@ struct SentOutcome {
   std::optional<map::Failure> failure = {};  // of one that is Applied: only its answer was lost
 };
 
-using SentRequest = edit::SubmittedRequest<robot::WaypointRequest>;
+using SentRequest = edit::SubmittedRequest;
 
 /// From the answer alone; a request in progress is Unknown.
 SentOutcome answered(const SentRequest& sent);

@@ -59,7 +59,7 @@ QStringList fieldWords(edit::FieldMask fields) {
   return words;
 }
 
-QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
+QString conflictText(const edit::Conflict& conflict) {
   switch (conflict.kind) {
     case edit::ConflictKind::DeletedHere:
       return WaypointStepsText::tr("you delete it, but it was changed on the robot");

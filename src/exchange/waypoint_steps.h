@@ -11,15 +11,15 @@
 #include <QString>
 #include <QStringList>
 
-#include "edit/waypoint_fields.h"
+#include "edit/document.h"
 #include "robot/waypoint_store.h"
 
 namespace mapwright::exchange {
 
-using WaypointItems = edit::Items<map::Waypoint>;
+using WaypointItems = edit::Items;
 /// A created waypoint without an id (`after->id` is empty) is identified by `key` until it has one.
-using WaypointEdit = edit::Change<map::Waypoint>;
-using WaypointConflicts = std::map<edit::Key, edit::Conflict<map::Waypoint>>;
+using WaypointEdit = edit::Change;
+using WaypointConflicts = std::map<edit::Key, edit::Conflict>;
 
 WaypointItems itemsOf(const std::vector<map::Waypoint>& points);
 

@@ -205,7 +205,7 @@ class NameSwapsTest : public QObject {
                : nullptr;
   }
   static void edited(edit::OpenWaypoints& list, const Trial& trial) {
-    std::vector<edit::Change<map::Waypoint>> changes;
+    std::vector<edit::Change> changes;
     for (const map::Waypoint& point : trial.wanted) changes.push_back(list.document().to(point.id, point));
     list.document().change(std::move(changes), QStringLiteral("names"));
   }

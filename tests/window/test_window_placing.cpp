@@ -66,7 +66,7 @@ struct Desk : test::Bench {
   WaypointWarnings& warnings() { return *control().placing()->warnings(); }
   LineTool& line() { return *control().placing()->actions()->lineTool(); }
   LineBar& lineBar() { return *control().placing()->actions()->lineBar(); }
-  const edit::Items<map::Waypoint>& items() { return editing().document()->items(); }
+  const edit::Items& items() { return editing().document()->items(); }
   QUndoStack& undo() { return editing().document()->undoStack(); }
   QPoint px(double x, double y) {
     const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld({x, y});

@@ -61,7 +61,7 @@ struct WaypointsDesk : Bench {
   WaypointsController& control() { return *window->waypoints(); }
   WaypointEditing& editing() { return *control().editing(); }
   WaypointsDock& dock() { return *control().dock(); }
-  const edit::Items<map::Waypoint>& items() { return editing().document()->items(); }
+  const edit::Items& items() { return editing().document()->items(); }
   QUndoStack& undo() { return editing().document()->undoStack(); }
   QPoint px(double x, double y) {
     const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld({x, y});

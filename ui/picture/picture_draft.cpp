@@ -41,7 +41,7 @@ QByteArray pictureDraftBytes(const edit::DraftIdentity& of, const QDateTime& mad
     if (!is || !was) continue;
     rows << QJsonObject{{kX, place.x}, {kY, place.y}, {kWas, packed(*was)}, {kIs, packed(*is)}};
   }
-  return edit::draftBytes(of, made, rows);
+  return edit::toBytes(edit::DraftFrame{of, made, rows});
 }
 
 std::optional<PictureDraft> pictureDraftFrom(const QByteArray& bytes) {

@@ -7,7 +7,7 @@
 
 #include <QByteArray>
 
-#include "edit/draft.h"
+#include "edit/drafts.h"
 #include "picture/merge.h"
 
 namespace mapwright::window {

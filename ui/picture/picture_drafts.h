@@ -7,7 +7,7 @@
 
 #include <QObject>
 
-#include "edit/draft_keeper.h"
+#include "edit/drafts.h"
 #include "edit/open_waypoints.h"
 #include "ui/picture/picture_draft.h"
 #include "ui/picture/picture_editing.h"

@@ -4,7 +4,7 @@
 
 #include <QFrame>
 
-#include "edit/waypoint_fields.h"
+#include "edit/document.h"
 
 class QLabel;
 class QPushButton;

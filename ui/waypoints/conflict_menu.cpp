@@ -33,13 +33,13 @@ std::optional<edit::Key> conflictAt(const edit::WaypointDocument& document, cons
   return nearest;
 }
 
-bool mayKeepBoth(const edit::Conflict<map::Waypoint>& conflict) { return conflict.mine && conflict.theirs; }
+bool mayKeepBoth(const edit::Conflict& conflict) { return conflict.mine && conflict.theirs; }
 
 void fillConflictMenu(QMenu& menu, const edit::WaypointDocument& document, const edit::Key& key,
                       const std::function<void(ConflictChoice)>& decided) {
   const auto found = document.conflicts().find(key);
   if (found == document.conflicts().end()) return;
-  const edit::Conflict<map::Waypoint>& conflict = found->second;
+  const edit::Conflict& conflict = found->second;
   const auto& any = conflict.mine ? conflict.mine : conflict.theirs;
   // Untrusted names: an ampersand in them is not a mnemonic.
   const QString which =

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "edit/waypoint_fields.h"
+#include "edit/document.h"
 
 class QMenu;
 
@@ -22,7 +22,7 @@ enum class ConflictChoice {
 std::optional<edit::Key> conflictAt(const edit::WaypointDocument& document, const Eigen::Vector2d& world_m,
                                     double reach_m);
 /// Impossible if one of them is deleted.
-bool mayKeepBoth(const edit::Conflict<map::Waypoint>& conflict);
+bool mayKeepBoth(const edit::Conflict& conflict);
 /// Its description and the choices.
 void fillConflictMenu(QMenu& menu, const edit::WaypointDocument& document, const edit::Key& key,
                       const std::function<void(ConflictChoice)>& decided);

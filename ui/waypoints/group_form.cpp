@@ -127,7 +127,7 @@ GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
     turn_how_->removeItem(kNoTurn);
     if (keeps.no_heading) turn_how_->addItem(tr("none"));
     if (editing_->document())
-      connect(editing_->document(), &edit::DocumentEvents::changed, this, &GroupForm::refresh);
+      connect(editing_->document(), &edit::WaypointDocument::changed, this, &GroupForm::refresh);
     refresh();
   });
   connect(shift_, &QPushButton::clicked, this, &GroupForm::shift);

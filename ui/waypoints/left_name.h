@@ -7,7 +7,7 @@
 
 #include <QString>
 
-#include "edit/waypoint_fields.h"
+#include "edit/document.h"
 
 namespace mapwright::window {
 

@@ -43,7 +43,7 @@ class ReviewModel : public QAbstractTableModel {
     QString text;
     QString sentence = {};  // with its result; empty = the text says it
   };
-  using State = edit::WaypointSubmission::Row::State;
+  using State = edit::SubmittedRequest::State;
   const robot::WaypointRequest& request(int row) const;
   robot::WaypointCall call(int row) const;
   Outcome outcome(int row) const;

@@ -17,7 +17,7 @@ void WaypointEditing::setDocument(edit::WaypointDocument* document, const QStrin
   keeps_ = keeps;
   selected_.clear();
   preview_.clear();
-  if (document_) connect(document_, &edit::DocumentEvents::changed, this, &WaypointEditing::takeChange);
+  if (document_) connect(document_, &edit::WaypointDocument::changed, this, &WaypointEditing::takeChange);
   Q_EMIT opened();
   Q_EMIT selectionChanged();
 }
@@ -83,7 +83,7 @@ std::set<edit::Key> WaypointEditing::addAll(std::vector<map::Waypoint> points, c
   if (!editable() || points.empty() || !all_finite) return {};
   std::set<std::string> taken = names();
   std::set<edit::Key> keys;
-  std::vector<edit::Change<map::Waypoint>> changes;
+  std::vector<edit::Change> changes;
   std::size_t number = 0;
   for (map::Waypoint& point : points) {
     point.id = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
@@ -116,7 +116,7 @@ void WaypointEditing::set(const edit::Key& key, const map::Waypoint& to, const Q
 
 void WaypointEditing::removeSelected() {
   if (!editable() || selected_.empty()) return;
-  std::vector<edit::Change<map::Waypoint>> changes;
+  std::vector<edit::Change> changes;
   for (const edit::Key& key : selected_) changes.push_back(document_->to(key, std::nullopt));
   const QString what = tr("delete %1").arg(called(selected_));
   document_->change(std::move(changes), what);
@@ -125,7 +125,7 @@ void WaypointEditing::removeSelected() {
 void WaypointEditing::changeSelected(const QString& what, const std::function<void(map::Waypoint&)>& change,
                                      edit::Gesture gesture) {
   if (!editable() || selected_.empty()) return;
-  std::vector<edit::Change<map::Waypoint>> changes;
+  std::vector<edit::Change> changes;
   for (const edit::Key& key : selected_) {
     map::Waypoint to = *find(key);
     change(to);
@@ -135,7 +135,7 @@ void WaypointEditing::changeSelected(const QString& what, const std::function<vo
 }
 
 void WaypointEditing::restore(const std::vector<edit::Key>& keys) {
-  std::vector<edit::Change<map::Waypoint>> changes;
+  std::vector<edit::Change> changes;
   for (const edit::Key& key : keys) {
     const map::Waypoint* const kept = editable() && !find(key) ? document_->findKept(key) : nullptr;
     if (kept) changes.push_back(document_->to(key, *kept));
@@ -143,7 +143,7 @@ void WaypointEditing::restore(const std::vector<edit::Key>& keys) {
   if (!changes.empty()) make(std::move(changes), tr("restore %1"));
 }
 
-void WaypointEditing::make(std::vector<edit::Change<map::Waypoint>> changes, const QString& what) {
+void WaypointEditing::make(std::vector<edit::Change> changes, const QString& what) {
   if (!editable() || changes.empty()) return;
   std::set<edit::Key> there;
   for (const auto& change : changes) {
@@ -159,7 +159,7 @@ void WaypointEditing::make(std::vector<edit::Change<map::Waypoint>> changes, con
 
 void WaypointEditing::moveSelected(const Eigen::Vector2d& by_m, edit::Gesture gesture) {
   if (!editable() || selected_.empty()) return;
-  std::vector<edit::Change<map::Waypoint>> changes;
+  std::vector<edit::Change> changes;
   changes.reserve(selected_.size());
   for (const edit::Key& key : selected_) {
     const map::Waypoint& now = *find(key);
@@ -190,7 +190,7 @@ void WaypointEditing::applyPreview(const QString& what) {
 
 void WaypointEditing::apply(const WaypointPreview& to, const QString& what, edit::Gesture gesture) {
   if (!editable()) return;
-  std::vector<edit::Change<map::Waypoint>> changes;
+  std::vector<edit::Change> changes;
   changes.reserve(to.size());
   for (const auto& [key, spot] : to) {
     const map::Waypoint* const now = find(key);

@@ -9,7 +9,7 @@
 #include <QObject>
 #include <QPointer>
 
-#include "edit/waypoint_fields.h"
+#include "edit/document.h"
 #include "placing/arrange.h"
 
 namespace mapwright::window {
@@ -62,7 +62,7 @@ class WaypointEditing : public QObject {
   /// What I deleted of these is there again, as it is kept.
   void restore(const std::vector<edit::Key>& keys);
   /// The changes as one command; those that are there afterwards are selected.
-  void make(std::vector<edit::Change<map::Waypoint>> changes, const QString& what);
+  void make(std::vector<edit::Change> changes, const QString& what);
   void removeSelected();
   void moveSelected(const Eigen::Vector2d& by_m, edit::Gesture gesture = 0);
 

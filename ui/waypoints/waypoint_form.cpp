@@ -89,7 +89,7 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
     yaw_->setRange(may_be_none ? kNoHeading : -180, 180);
     yaw_->setSpecialValueText(may_be_none ? tr("none") : QString());
     if (editing_->document())
-      connect(editing_->document(), &edit::DocumentEvents::changed, this, &WaypointForm::refresh);
+      connect(editing_->document(), &edit::WaypointDocument::changed, this, &WaypointForm::refresh);
     refresh();
   });
   // Typed text is in the list, and so in the draft, at once; continuous typing is one step.

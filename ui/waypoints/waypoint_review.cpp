@@ -110,7 +110,7 @@ void WaypointReview::review(edit::OpenWaypoints* list, const QString& map) {
     list_ = list;
     connect(list, &edit::OpenWaypoints::changed, this, &WaypointReview::refresh);
     // Further edits update the plan; at most once per turn of the event loop.
-    connect(&list->document(), &edit::DocumentEvents::changed, this, [this] {
+    connect(&list->document(), &edit::WaypointDocument::changed, this, [this] {
       if (isHidden() || !list_ || list_->saving() || !model_->showsPlan() || std::exchange(waiting_, true))
         return;
       QTimer::singleShot(0, this, [this] {
@@ -159,7 +159,7 @@ void WaypointReview::send() {
   }
   overtaken_ = unreached_ = false;
   const std::set<edit::Key> refused = list_->refused();
-  for (const edit::Change<map::Waypoint>& change : list_->document().changes()) {
+  for (const edit::Change& change : list_->document().changes()) {
     if (!refused.contains(change.key)) wanted_.insert_or_assign(change.key, change);
   }
   sent_ = true;

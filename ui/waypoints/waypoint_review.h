@@ -63,7 +63,7 @@ class WaypointReview : public QDialog {
   QCheckBox* go_on_;
   QProgressBar* progress_;
   QPushButton *send_, *cancel_, *close_;
-  std::map<edit::Key, edit::Change<map::Waypoint>> wanted_;  // all that was sent since it was shown
+  std::map<edit::Key, edit::Change> wanted_;  // all that was sent since it was shown
   bool sent_ = false, overtaken_ = false, waiting_ = false;
   bool unreached_ = false;  // nothing was sent, for how they are kept could not be read
 };

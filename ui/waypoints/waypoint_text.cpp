@@ -121,7 +121,7 @@ QString changeText(const std::optional<map::Waypoint>& before, const std::option
   return parts.isEmpty() ? WaypointsText::tr("unchanged") : parts.join(QStringLiteral("; "));
 }
 
-QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
+QString conflictText(const edit::Conflict& conflict) {
   edit::FieldMask mine = conflict.fields, theirs = conflict.fields;
   if (!conflict.mine || !conflict.theirs) {
     mine = conflict.mine && conflict.base ? edit::difference(*conflict.mine, *conflict.base) : 0;

@@ -41,7 +41,7 @@ QString pendingText(const edit::ItemState& state, int pending);
 /// "name “A” to “B”, position 1.000, 2.000 m to 2.000, 2.000 m"; "new: …", "deleted".
 QString changeText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after);
 /// "Changed here: position 1.000, 2.000. Changed elsewhere: position 4.000, 2.000."
-QString conflictText(const edit::Conflict<map::Waypoint>& conflict);
+QString conflictText(const edit::Conflict& conflict);
 /// What went wrong.
 QString failureText(const map::Failure& failure);
 /// What has become of a request of the list's submission, and of all of them, as far as it is known.

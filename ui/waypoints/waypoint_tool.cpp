@@ -28,7 +28,7 @@ WaypointTool::WaypointTool(WaypointEditing* editing, const scene::MapScene* scen
   connect(editing, &WaypointEditing::opened, this, [this, look_anew] {
     dragCancelled();
     if (editing_->document())
-      connect(editing_->document(), &edit::DocumentEvents::changed, this, [this] {
+      connect(editing_->document(), &edit::WaypointDocument::changed, this, [this] {
         group_.reset();
         Q_EMIT changed();
       });

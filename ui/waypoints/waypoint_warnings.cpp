@@ -15,7 +15,7 @@ WaypointWarnings::WaypointWarnings(WaypointEditing* editing, std::shared_ptr<wor
     : QObject(parent), editing_(editing), share_(std::move(workers)) {
   connect(editing_, &WaypointEditing::opened, this, [this] {
     if (editing_->document())
-      connect(editing_->document(), &edit::DocumentEvents::changed, this, &WaypointWarnings::take,
+      connect(editing_->document(), &edit::WaypointDocument::changed, this, &WaypointWarnings::take,
               Qt::UniqueConnection);
     begin();
   });

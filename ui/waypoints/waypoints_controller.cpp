@@ -196,14 +196,14 @@ void WaypointsController::openList(const map::MapKey& key) {
     if (const auto then = std::exchange(when_saved_, nullptr))
       QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
   });
-  connect(&list_->document(), &edit::DocumentEvents::changed, this, &WaypointsController::takeChange);
+  connect(&list_->document(), &edit::WaypointDocument::changed, this, &WaypointsController::takeChange);
   joinUndo(context_.undo, list_->document().undoStack());
   context_.undo.setActiveStack(&list_->document().undoStack());
 }
 
 void WaypointsController::openReadOnly() {
   const map::WaypointList& told = session_->wholeMap().waypoints();
-  edit::Items<map::Waypoint> items;
+  edit::Items items;
   for (const map::Waypoint& point : told.points) {
     edit::Key key = point.id;
     for (int turn = 2; items.contains(key) || key.empty(); ++turn)
@@ -213,7 +213,7 @@ void WaypointsController::openReadOnly() {
   if (shown_only_ && shown_only_->items() == items) return;
   if (!shown_only_) {
     shown_only_ = std::make_unique<edit::WaypointDocument>();
-    connect(shown_only_.get(), &edit::DocumentEvents::changed, this, &WaypointsController::takeChange);
+    connect(shown_only_.get(), &edit::WaypointDocument::changed, this, &WaypointsController::takeChange);
     constexpr auto kEditing = robot::Capability::WaypointEditing;
     editing_.setDocument(shown_only_.get(),
                          sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing)));

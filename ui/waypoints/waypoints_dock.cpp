@@ -138,7 +138,7 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   connect(editing_, &WaypointEditing::opened, this, [this] {
     model_->setDocument(editing_->document());
     if (editing_->document())
-      connect(editing_->document(), &edit::DocumentEvents::changed, this, &WaypointsDock::refresh);
+      connect(editing_->document(), &edit::WaypointDocument::changed, this, &WaypointsDock::refresh);
     refresh();
   });
   refresh();

@@ -51,7 +51,7 @@ QVariant stateMark(const edit::ItemState& state, int pending) {
 void WaypointsModel::setDocument(edit::WaypointDocument* document) {
   if (document_) document_->disconnect(this);
   document_ = document;
-  if (document_) connect(document_, &edit::DocumentEvents::changed, this, &WaypointsModel::take);
+  if (document_) connect(document_, &edit::WaypointDocument::changed, this, &WaypointsModel::take);
   begin();
 }
 

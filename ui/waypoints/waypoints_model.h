@@ -8,7 +8,7 @@
 #include <QAbstractTableModel>
 #include <QPointer>
 
-#include "edit/waypoint_fields.h"
+#include "edit/document.h"
 #include "placing/warnings.h"
 
 namespace mapwright::window {

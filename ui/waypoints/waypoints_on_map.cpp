@@ -20,7 +20,7 @@ WaypointsOnMap::WaypointsOnMap(WaypointEditing* editing, scene::MapScene* scene,
   hits->add(scene::Layer::Waypoints, &places_);
   connect(editing_, &WaypointEditing::opened, this, [this] {
     if (edit::WaypointDocument* const document = editing_->document())
-      connect(document, &edit::DocumentEvents::changed, this, &WaypointsOnMap::take, Qt::UniqueConnection);
+      connect(document, &edit::WaypointDocument::changed, this, &WaypointsOnMap::take, Qt::UniqueConnection);
     begin();
   });
   connect(editing_, &WaypointEditing::selectionChanged, this, &WaypointsOnMap::takeSelection);
