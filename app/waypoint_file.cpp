@@ -9,7 +9,7 @@
 #include "app/robot_factory.h"
 #include "disk/file_error.h"
 #include "disk/read_file.h"
-#include "exchange/waypoint_csv.h"
+#include "exchange/waypoint_table.h"
 #include "exchange/waypoint_json.h"
 #include "robot/files/waypoint_file.h"
 #include "sentences/fault_sentence.h"

@@ -11,7 +11,7 @@
 #include "app/waypoint_list.h"
 #include "app/waypoint_preview.h"
 #include "app/waypoint_sending.h"
-#include "exchange/waypoint_csv.h"
+#include "exchange/waypoint_table.h"
 #include "exchange/waypoint_json.h"
 #include "exchange/waypoint_plan.h"
 #include "geometry/pose.h"

@@ -12,7 +12,7 @@
 #include "app/waypoint_warnings.h"
 #include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "exchange/waypoint_csv.h"
+#include "exchange/waypoint_table.h"
 #include "exchange/waypoint_json.h"
 #include "exchange/waypoint_steps.h"
 #include "geometry/pose.h"

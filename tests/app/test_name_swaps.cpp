@@ -11,7 +11,7 @@
 
 #include "../edit/fake_waypoint_store.h"
 #include "app/waypoint_sending.h"
-#include "exchange/temporary_names.h"
+#include "exchange/waypoint_steps.h"
 #include "exchange/waypoint_plan.h"
 #include "robot/ros/kabam_plan.h"
 #include "test_program.h"

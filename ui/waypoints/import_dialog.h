@@ -8,7 +8,7 @@
 
 #include <QDialog>
 
-#include "exchange/pasted_waypoints.h"
+#include "exchange/waypoint_table.h"
 #include "exchange/waypoint_plan.h"
 
 class QCheckBox;

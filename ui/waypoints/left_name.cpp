@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "exchange/temporary_names.h"
+#include "exchange/waypoint_steps.h"
 #include "map/temporary_name.h"
 #include "ui/waypoints/waypoint_text.h"
 

@@ -7,7 +7,7 @@
 #include <QPointer>
 
 #include "edit/open_waypoints.h"
-#include "exchange/sent_outcome.h"
+#include "exchange/waypoint_steps.h"
 #include "ui/kit/status_text.h"
 
 namespace mapwright::window {

@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "edit/open_waypoints.h"
-#include "exchange/sent_outcome.h"
+#include "exchange/waypoint_steps.h"
 
 namespace mapwright::window {
 

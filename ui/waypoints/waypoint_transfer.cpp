@@ -13,7 +13,7 @@
 #include "disk/file_error.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
-#include "exchange/waypoint_csv.h"
+#include "exchange/waypoint_table.h"
 #include "exchange/waypoint_json.h"
 #include "sentences/fault_sentence.h"
 #include "ui/kit/folders.h"

@@ -1,5 +1,6 @@
-// Waypoints as tables pasted from a spreadsheet (tabs, commas or semicolons), with or without a header, with
-// decimal points or commas. Pure functions.
+// Waypoints as tables: CSV (RFC 4180: fields in quotes, quotes doubled, CRLF or LF; a header, decimal points,
+// UTF-8 with or without its mark), and what is pasted from a spreadsheet (tabs, commas or semicolons, with or
+// without a header, with decimal points or commas). Pure functions.
 #pragma once
 
 #include <string>
@@ -8,8 +9,27 @@
 
 #include "exchange/wanted_waypoint.h"
 #include "exchange/waypoint_steps.h"
+#include "map/waypoint.h"
 
 namespace mapwright::exchange {
+
+struct CsvRecord {
+  int line = 0;  // where it begins, counted from 1
+  std::vector<std::string> fields;
+};
+/// Empty lines are left out. The error is a sentence. Between tabs a quote in the middle of a field is a
+/// letter: that is how spreadsheets copy.
+tl::expected<std::vector<CsvRecord>, QString> csvRecords(std::string_view text, char separator = ',');
+/// One line without line ending.
+std::string csvLine(const std::vector<std::string>& fields, char separator = ',');
+
+/// "a,b" as tags: a line of CSV itself, so that tags may contain commas. Empty = none.
+tl::expected<std::vector<std::string>, QString> tagsOf(std::string_view text);
+
+/// id,name,x,y,yaw_rad,tags,frame,map; also type if any has one. `map`: the id of their map.
+std::string waypointsCsv(const std::vector<map::Waypoint>& points, const std::string& map);
+/// Columns by name, in any order; id or name is required.
+WantedFile wantedFromCsv(std::string_view bytes);
 
 /// How to read a table.
 struct TableShape {
@@ -17,7 +37,6 @@ struct TableShape {
   bool header = true;            // the first row contains the column names
   bool decimal_comma = false;    // 1,5
   bool turns_in_degrees = true;  // unless the header says yaw_rad
-  bool operator==(const TableShape&) const = default;
 };
 /// What it looks like.
 TableShape shapeOf(std::string_view text);
