@@ -9,14 +9,14 @@
 #include <set>
 #include <string>
 
+#include <QMessageBox>
 #include <QPointer>
 
 #include "robot/picture_store.h"
 #include "ui/kit/controller.h"
 #include "ui/picture/picture_editing.h"
+#include "ui/shell/unsaved_question.h"
 #include "ui/shell/window_context.h"
-
-class QMessageBox;
 
 namespace mapwright::window {
 
@@ -39,8 +39,9 @@ class PictureController : public Controller {
   PictureTool* tool() const { return tool_; }
   PictureDock* dock() const { return dock_; }
   PictureDrafts* drafts() const { return drafts_.get(); }  // null: there are none
-  QMessageBox* question() const;                           // null: nothing is asked
-  QMessageBox* sendingQuestion() const;                    // the same, before a robot's map is overwritten
+  QMessageBox* question() const { return question_; }      // null: nothing is asked
+  /// The same, before a robot's map is overwritten.
+  QMessageBox* sendingQuestion() const { return sending_question_; }
   bool saving() const { return saving_; }
 
  Q_SIGNALS:
@@ -74,7 +75,7 @@ class PictureController : public Controller {
   QString copiesHere() const;
   void watchDrafts();
   void keepDraft();
-  void answer(int button);
+  void answer(Leaving leaving);
   /// The stored map that corresponds to the live map on screen: it can be edited instead.
   std::optional<map::MapKey> mapInstead() const;
   bool opening() const;

@@ -20,6 +20,9 @@
 
 namespace mapwright::window {
 
+/// "1,204 cells"
+QString cellsText(std::int64_t cells);
+
 enum class Tidying { Specks, Gaps, Edges };
 
 /// A change with its undo data and its effect on the count of changed cells, computed together if that is
