@@ -11,8 +11,8 @@
 
 #include "../edit/fake_waypoint_store.h"
 #include "app/waypoint_sending.h"
-#include "exchange/waypoint_steps.h"
 #include "exchange/waypoint_plan.h"
+#include "exchange/waypoint_steps.h"
 #include "robot/ros/kabam_plan.h"
 #include "test_program.h"
 

@@ -18,10 +18,8 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "ui/waypoints/conflict_box.h"
-#include "ui/waypoints/group_form.h"
-#include "ui/waypoints/import_dialog.h"
-#include "ui/waypoints/waypoint_form.h"
+#include "ui/waypoints/waypoint_conflicts.h"
+#include "ui/waypoints/waypoint_forms.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "ui/waypoints/waypoint_transfer.h"
 #include "waypoints_desk.h"

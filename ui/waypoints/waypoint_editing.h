@@ -16,6 +16,8 @@ namespace mapwright::window {
 
 /// Where waypoints are during a drag: only positions and headings, so that thousands cost little.
 using WaypointPreview = std::map<edit::Key, placing::Spot>;
+/// It moves these, and no others. `keys`: sorted.
+bool areSame(const std::vector<edit::Key>& keys, const WaypointPreview& preview);
 
 class WaypointEditing : public QObject {
   Q_OBJECT
@@ -84,7 +86,7 @@ class WaypointEditing : public QObject {
 
  private:
   void takeChange(const edit::DocumentChange& change);
-  QString called(const std::set<edit::Key>& keys) const;
+  void selectAllBut(const std::set<edit::Key>& others);
 
   QPointer<edit::WaypointDocument> document_;
   QString why_not_;

@@ -1,8 +1,13 @@
 // The words about waypoints. Pure functions, so that they can be checked.
 #pragma once
 
+#include <optional>
+#include <set>
+#include <string>
+
 #include <QString>
 
+#include "edit/document.h"
 #include "edit/open_waypoints.h"
 #include "exchange/waypoint_steps.h"
 
@@ -53,5 +58,20 @@ QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stoppe
 QString whyText(const map::Failure& failure);
 /// "There is a draft of these waypoints of today 19:20:05 that was not saved: 3 changes."
 QString offerText(const edit::WaypointDraft& draft, const QDateTime& now);
+
+/// A temporary name left by an interrupted swap of names, and how to fix it.
+struct LeftName {
+  enum class Remedy {
+    SendRest,  // what is not saved ends it
+    CallItSo,  // `permanent`, which nobody else is called
+    Ask,       // for a name
+  };
+  edit::Key key;
+  Remedy remedy = Remedy::Ask;
+  std::string permanent;
+  QString sentence, offer;  // the text, and the button
+};
+/// The first one; ignores those in `accepted`.
+std::optional<LeftName> leftName(const edit::WaypointDocument& document, const std::set<edit::Key>& accepted);
 
 }  // namespace mapwright::window

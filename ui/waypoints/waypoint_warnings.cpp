@@ -1,6 +1,5 @@
 #include "ui/waypoints/waypoint_warnings.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace mapwright::window {
@@ -131,7 +130,7 @@ void WaypointWarnings::take(const edit::DocumentChange& change) {
 }
 
 void WaypointWarnings::lookForNames(std::set<std::string>& touched) {
-  const auto& items = editing_->document()->items();
+  const edit::Items& items = editing_->document()->items();
   std::vector<std::string> names;
   names.reserve(items.size());
   for (const auto& [key, point] : items) names.push_back(point.name);
@@ -144,11 +143,7 @@ void WaypointWarnings::lookForNames(std::set<std::string>& touched) {
 
 void WaypointWarnings::takePreview() {
   const WaypointPreview& preview = editing_->preview();
-  const bool same_ones =
-      preview.size() == previewed_.size() &&
-      std::equal(previewed_.begin(), previewed_.end(), preview.begin(),
-                 [](const edit::Key& key, const auto& moved) { return key == moved.first; });
-  if (!same_ones) {
+  if (!areSame(previewed_, preview)) {
     // Released or restored ones are checked again.
     for (edit::Key& key : std::exchange(previewed_, {})) waiting_.insert(std::move(key));
     previewed_.reserve(preview.size());

@@ -1,11 +1,10 @@
-// What is doubtful about the waypoints of the open list, on the map under them: follows both, and looks anew
-// at what changed alone, on the crew. GUI thread.
+// Warnings about the waypoints of the open list, on the map under them: follows both, and checks only what
+// has changed, on the thread pool. GUI thread.
 #pragma once
 
 #include <atomic>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>

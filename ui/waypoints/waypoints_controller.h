@@ -7,13 +7,13 @@
 #include <optional>
 #include <set>
 
+#include <QMessageBox>
 #include <QPointer>
 
 #include "ui/kit/controller.h"
+#include "ui/shell/unsaved_question.h"
 #include "ui/shell/window_context.h"
-#include "ui/waypoints/left_name.h"
 #include "ui/waypoints/waypoint_editing.h"
-#include "ui/waypoints/waypoint_questions.h"
 
 namespace mapwright::window {
 
@@ -24,6 +24,7 @@ class WaypointTool;
 class WaypointTransfer;
 class WaypointsDock;
 class WaypointsOnMap;
+struct LeftName;
 
 class WaypointsController : public Controller {
   Q_OBJECT
@@ -47,7 +48,7 @@ class WaypointsController : public Controller {
   WaypointTransfer* transfer() const { return transfer_; }
   WaypointReview* review() const { return review_; }
   NameEditor* nameEditor() const { return name_editor_; }
-  QMessageBox* question() const { return questions_.shown(); }  // null: nothing is asked
+  QMessageBox* question() const { return question_; }  // null: nothing is asked
 
  private:
   void addActions();
@@ -66,7 +67,7 @@ class WaypointsController : public Controller {
   void revertAll();
   void askName(const edit::Key& key, edit::Gesture gesture);
   void noteSaving();
-  void answer(WaypointQuestions::Leaving answer, const std::function<void()>& then);
+  void answer(Leaving leaving, const std::function<void()>& then);
   QString mapName() const;
 
   WindowContext& context_;
@@ -75,7 +76,7 @@ class WaypointsController : public Controller {
   std::unique_ptr<edit::WaypointDocument> shown_only_;  // of a robot whose waypoints can only be read
   std::unique_ptr<edit::OpenWaypoints> list_;
   std::optional<map::MapKey> open_map_;
-  WaypointQuestions questions_;
+  QPointer<QMessageBox> question_;  // before unsaved waypoints are lost or left behind
   WaypointPlacing* placing_;
   WaypointsOnMap* on_map_;
   WaypointsDock* dock_;

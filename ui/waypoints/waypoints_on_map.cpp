@@ -87,11 +87,7 @@ void WaypointsOnMap::takeSelection() {
 void WaypointsOnMap::takePreview() {
   const WaypointPreview& preview = editing_->preview();
   // Consecutive steps move the same ones: only their positions change.
-  const bool same_ones =
-      preview.size() == previewed_.size() &&
-      std::equal(previewed_.begin(), previewed_.end(), preview.begin(),
-                 [](const edit::Key& key, const auto& moved) { return key == moved.first; });
-  if (same_ones) {
+  if (areSame(previewed_, preview)) {
     for (const auto& [key, spot] : preview) {
       const auto known = at_.find(key);
       if (known == at_.end()) continue;

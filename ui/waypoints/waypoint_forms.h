@@ -1,4 +1,5 @@
-// Several waypoints as a form: common values, differences, and changes to all. GUI thread.
+// Forms for the selected waypoints: one with its name, place, heading and tags, or several with what they
+// have in common. GUI thread.
 #pragma once
 
 #include <QWidget>
@@ -13,6 +14,39 @@ class QPushButton;
 
 namespace mapwright::window {
 
+class WaypointWarnings;
+
+/// One waypoint: name, place, heading, tags.
+class WaypointForm : public QWidget {
+  Q_OBJECT
+ public:
+  explicit WaypointForm(WaypointEditing* editing, QWidget* parent = nullptr);
+  QLineEdit* nameEdit() const { return name_; }
+  QLineEdit* tagsEdit() const { return tags_; }
+  QDoubleSpinBox* yawBox() const { return yaw_; }
+  /// What is doubtful about them; must outlive this.
+  void setWarnings(const WaypointWarnings* warnings);
+  QString warningsShown() const;  // empty = none
+
+ private:
+  void refresh();
+  void showWarnings();
+  void takeName(const QString& text);
+  /// What the hand does to one field without a break is one command.
+  void apply(const QString& what, edit::FieldMask field, const std::function<void(map::Waypoint&)>& change);
+
+  WaypointEditing* editing_;
+  QLineEdit *name_, *tags_;
+  QDoubleSpinBox *x_, *y_, *yaw_;
+  QLabel* doubtful_;
+  const WaypointWarnings* warnings_ = nullptr;
+  edit::Key shown_;
+  edit::FieldMask last_field_ = 0;
+  edit::Gesture gesture_ = 0;
+  QString name_before_;  // what is typed now
+  bool refreshing_ = false, typing_ = false;
+};
+
 /// What several waypoints have in common. Pure.
 struct GroupSummary {
   std::size_t count = 0;
@@ -25,6 +59,7 @@ struct GroupSummary {
 };
 GroupSummary summaryOf(const edit::WaypointDocument& document, const std::set<edit::Key>& keys);
 
+/// Several: common values, differences, and changes to all.
 class GroupForm : public QWidget {
   Q_OBJECT
  public:
