@@ -12,7 +12,6 @@
 #include "test_program.h"
 #include "ui/view/map_overlay.h"
 #include "ui/waypoints/line_tool.h"
-#include "ui/waypoints/name_editor.h"
 #include "ui/waypoints/waypoint_forms.h"
 #include "ui/waypoints/waypoint_placing.h"
 #include "ui/waypoints/waypoint_tool.h"

@@ -119,8 +119,8 @@ void PictureController::setSession(session::Session* session) {
   closeMap();
   session_ = session;
   wanted_map_.reset();
-  if (looked_.stop) looked_.stop->store(true);
-  looked_ = {};
+  if (cell_check_.stop) cell_check_.stop->store(true);
+  cell_check_ = {};
   if (session_) {
     dock_->setLocal(session_->robot().isLocal());
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &PictureController::refresh);
@@ -139,7 +139,7 @@ void PictureController::syncMap() {
                      !slot->broken() && slot->key() == *key;
   if (whole && !session_->robot().pictureStore()->obstacle(slot->shown())) {
     if (!open_map_) {
-      openOnceLookedAt(*slot);
+      openOnceChecked(*slot);
     } else if (slot->cells() != seen_ && !saving_) {
       takeOther(*slot);
     }
@@ -147,25 +147,25 @@ void PictureController::syncMap() {
   refresh();
 }
 
-void PictureController::openOnceLookedAt(const MapSlot& slot) {
-  if (looked_.cells == slot.cells()) {
-    if (looked_.done && !looked_.between) openMap(slot);
+void PictureController::openOnceChecked(const MapSlot& slot) {
+  if (cell_check_.cells == slot.cells()) {
+    if (cell_check_.done && !cell_check_.between) openMap(slot);
     return;
   }
   std::array<bool, 256> held{};
   for (std::size_t cell = 0; cell < held.size(); ++cell)
     held[cell] = session_->robot().pictureStore()->holdsCell(slot.shown(), std::uint8_t(cell));
   if (std::all_of(held.begin(), held.end(), [](bool is_held) { return is_held; })) return openMap(slot);
-  if (looked_.stop) looked_.stop->store(true);
-  looked_ = {slot.cells(), std::make_shared<std::atomic<bool>>(false), false, std::nullopt};
-  share_.startLong([this, held, cells = looked_.cells, stop = looked_.stop] {
+  if (cell_check_.stop) cell_check_.stop->store(true);
+  cell_check_ = {slot.cells(), std::make_shared<std::atomic<bool>>(false), false, std::nullopt};
+  share_.startLong([this, held, cells = cell_check_.cells, stop = cell_check_.stop] {
     const auto between = picture::firstOther(*cells, held, *stop);
     QMetaObject::invokeMethod(
         this,
         [this, stop, between] {
-          if (stop != looked_.stop) return;
-          looked_.done = true;
-          looked_.between = between;
+          if (stop != cell_check_.stop) return;
+          cell_check_.done = true;
+          cell_check_.between = between;
           syncMap();
         },
         Qt::QueuedConnection);
@@ -173,12 +173,12 @@ void PictureController::openOnceLookedAt(const MapSlot& slot) {
 }
 
 void PictureController::openMap(const MapSlot& slot) {
-  looked_ = {};
+  cell_check_ = {};
   open_map_ = slot.shown().key;
   seen_ = slot.cells();
   revision_ = slot.shown().fingerprint;
   own_revisions_.clear();
-  forgetting_told_ = false;
+  forgetting_reported_ = false;
   ++opened_;
   editing_.open(seen_, slot.reference(), session_->robot().pictureStore()->holdsUnknown(slot.shown()));
   watchDrafts();
@@ -192,7 +192,7 @@ void PictureController::closeMap() {
   dock_->setTravelled(std::nullopt);
   trouble_.clear();
   copy_.clear();
-  conflicts_told_ = false;
+  conflicts_reported_ = false;
   seen_.reset();
   open_map_.reset();
   ++opened_;
@@ -276,14 +276,14 @@ std::optional<map::MapKey> PictureController::mapInstead() const {
 bool PictureController::opening() const {
   if (!session_ || editing_.isOpen()) return false;
   const MapSlot& slot = session_->wholeMap();
-  if (looked_.cells && looked_.cells == slot.cells() && !looked_.done) return true;
+  if (cell_check_.cells && cell_check_.cells == slot.cells() && !cell_check_.done) return true;
   if (!wanted_map_) return false;
   const bool on_its_way = slot.phase() == MapSlot::Phase::Fetching || slot.phase() == MapSlot::Phase::Reading;
   return on_its_way && slot.key() == *wanted_map_;
 }
 
 void PictureController::noteForgotten() {
-  if (std::exchange(forgetting_told_, true)) return;
+  if (std::exchange(forgetting_reported_, true)) return;
   context_.overlay.toasts()->add(
       Mark::Warning,
       tr("The oldest changes to this map can no longer be undone: that would take too much memory."));
@@ -308,12 +308,12 @@ QString PictureController::whyNot() const {
     return tr("Only stored maps can be edited, not the live one.");
   if (obstacle)
     return tr("Pictures of this format are read-only. Export the map as PGM and YAML and edit that.");
-  if (looked_.between && looked_.cells == slot.cells())
+  if (cell_check_.between && cell_check_.cells == slot.cells())
     return tr("Some cells of this map are neither free, occupied nor unknown but in between (%1 of 100), and "
               "the robot's map manager has no gray level for these, so the map could not be sent back. "
               "Export "
               "the map to edit it as files.")
-        .arg(int(*looked_.between));
+        .arg(int(*cell_check_.between));
   if (slot.broken()) return tr("Parts of this map could not be read, so it cannot be saved.");
   return tr("The map is loading.");
 }
@@ -475,9 +475,9 @@ void PictureController::noteMerged(qint64 taken, const std::string& revision) {
   revision_ = revision;
   trouble_.clear();
   const bool again = std::exchange(again_, false);
-  if (editing_.conflicts() == 0) conflicts_told_ = false;
+  if (editing_.conflicts() == 0) conflicts_reported_ = false;
   if (editing_.conflicts() > 0) {
-    if (!std::exchange(conflicts_told_, true) || again) askToDecide();
+    if (!std::exchange(conflicts_reported_, true) || again) askToDecide();
   } else if (again) {
     if (editing_.unsaved()) {
       send();

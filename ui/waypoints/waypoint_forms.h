@@ -24,7 +24,7 @@ class WaypointForm : public QWidget {
   QLineEdit* nameEdit() const { return name_; }
   QLineEdit* tagsEdit() const { return tags_; }
   QDoubleSpinBox* yawBox() const { return yaw_; }
-  /// What is doubtful about them; must outlive this.
+  /// Must outlive this.
   void setWarnings(const WaypointWarnings* warnings);
   QString warningsShown() const;  // empty = none
 
@@ -32,7 +32,7 @@ class WaypointForm : public QWidget {
   void refresh();
   void showWarnings();
   void takeName(const QString& text);
-  /// What the hand does to one field without a break is one command.
+  /// Continuous changes of one field are one command.
   void apply(const QString& what, edit::FieldMask field, const std::function<void(map::Waypoint&)>& change);
 
   WaypointEditing* editing_;

@@ -98,12 +98,12 @@ map::Waypoint NewWaypointDialog::waypoint() const {
   return point;
 }
 
-PlacingDialog::PlacingDialog(const PlacingNumbers& present, double told_radius_m, QWidget* parent)
+PlacingDialog::PlacingDialog(const PlacingNumbers& present, double reported_radius_m, QWidget* parent)
     : QDialog(parent),
       present_(present),
       grid_(metres(0.01, 100, present.grid_m, this)),
       wall_(metres(0.01, 100, present.wall_m, this)),
-      radius_(metres(0, 10, told_radius_m > 0 ? told_radius_m : present.radius_m, this)) {
+      radius_(metres(0, 10, reported_radius_m > 0 ? reported_radius_m : present.radius_m, this)) {
   setWindowTitle(tr("Distances"));
   setMinimumWidth(380);
   auto* const column = new QVBoxLayout(this);
@@ -112,11 +112,12 @@ PlacingDialog::PlacingDialog(const PlacingNumbers& present, double told_radius_m
   form->addRow(tr("Distance to &walls"), wall_);
   form->addRow(tr("&Radius of the robot"), radius_);
   radius_->setSpecialValueText(tr("not checked"));
-  radius_->setEnabled(told_radius_m <= 0);
-  auto* const about = textLabel(
-      this, told_radius_m > 0 ? tr("The robot reports its own footprint, which is used instead.")
-                              : tr("Waypoints closer to a wall than this get a warning. This robot does not "
-                                   "report its footprint."));
+  radius_->setEnabled(reported_radius_m <= 0);
+  auto* const about =
+      textLabel(this, reported_radius_m > 0
+                          ? tr("The robot reports its own footprint, which is used instead.")
+                          : tr("Waypoints closer to a wall than this get a warning. This robot does not "
+                               "report its footprint."));
   setTextColor(about, appColors().secondary_text);
   column->addWidget(about);
   column->addLayout(buttonsOf(this, tr("OK")));
@@ -459,8 +460,8 @@ void WaypointPlacing::lookAtBareOnes() {
 }
 
 void WaypointPlacing::syncRadius() {
-  told_radius_m_ = session_ ? placing::radiusOf(session_->live().model) : 0;
-  warnings_->setRadius(told_radius_m_ > 0 ? told_radius_m_ : radius_m_);
+  reported_radius_m_ = session_ ? placing::radiusOf(session_->live().model) : 0;
+  warnings_->setRadius(reported_radius_m_ > 0 ? reported_radius_m_ : radius_m_);
 }
 
 void WaypointPlacing::recall(const QSettings& settings) {
@@ -478,7 +479,7 @@ void WaypointPlacing::remember(QSettings& settings) const {
 void WaypointPlacing::askDistances() {
   if (dialog_) return;
   dialog_ = new PlacingDialog({snapping_->rules().grid_m, snapping_->rules().wall_m, radius_m_},
-                              told_radius_m_, &context_.window);
+                              reported_radius_m_, &context_.window);
   dialog_->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog_, &QDialog::accepted, this, [this] {
     const PlacingNumbers numbers = dialog_->numbers();

@@ -47,8 +47,8 @@ struct PlacingNumbers {
 class PlacingDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `told_radius_m`: from the robot's footprint, 0 = unknown; then the typed one is hidden.
-  PlacingDialog(const PlacingNumbers& present, double told_radius_m, QWidget* parent = nullptr);
+  /// `reported_radius_m`: from the robot's footprint, 0 = unknown; then the typed one is hidden.
+  PlacingDialog(const PlacingNumbers& present, double reported_radius_m, QWidget* parent = nullptr);
   PlacingNumbers numbers() const;
   QDoubleSpinBox* grid() const { return grid_; }
   QDoubleSpinBox* wall() const { return wall_; }
@@ -108,7 +108,7 @@ class PlacingActions : public QObject {
 class WaypointPlacing : public QObject {
   Q_OBJECT
  public:
-  /// What a robot is taken to be that does not tell its shape, until somebody says otherwise.
+  /// Of a robot that does not report its footprint, until the user sets another.
   static constexpr double kRadiusM = placing::kUsualRadiusM;
 
   /// Both must outlive this.
@@ -122,7 +122,7 @@ class WaypointPlacing : public QObject {
   WaypointWarnings* warnings() const { return warnings_; }
   PlacingActions* actions() const { return actions_; }
   PlacingDialog* dialog() const { return dialog_; }  // null: none is open
-  /// Selects the next one that is warned of, and looks at it.
+  /// Selects the next waypoint with a warning, and shows it.
   void showNextWarning();
 
  Q_SIGNALS:
@@ -143,8 +143,8 @@ class WaypointPlacing : public QObject {
   WaypointWarnings* warnings_;
   PlacingActions* actions_;
   QPointer<session::Session> session_;
-  double radius_m_ = kRadiusM;  // where the robot does not tell
-  double told_radius_m_ = 0;    // 0 = it does not
+  double radius_m_ = kRadiusM;    // if the robot does not report one
+  double reported_radius_m_ = 0;  // 0 = unknown
   QMenu* snap_menu_;
   QAction *snap_ = nullptr, *next_ = nullptr;
   std::vector<std::pair<QAction*, bool placing::SnapRules::*>> rules_;

@@ -61,7 +61,7 @@ void ReviewModel::showPlan(edit::OpenWaypoints* list, std::vector<edit::PlannedR
   list_ = list;
   plan_ = std::move(plan);
   follows_ = false;
-  told_rows_ = int(plan_.size());
+  shown_rows_ = int(plan_.size());
   endResetModel();
 }
 
@@ -70,7 +70,7 @@ void ReviewModel::showSubmission(edit::OpenWaypoints* list) {
     beginResetModel();
     list_ = list;
     follows_ = true;
-    told_rows_ = int(list->submission().rows().size());
+    shown_rows_ = int(list->submission().rows().size());
     endResetModel();
     connect(list, &edit::OpenWaypoints::changed, this, &ReviewModel::follow, Qt::UniqueConnection);
   }
@@ -83,16 +83,16 @@ void ReviewModel::clear() {
   list_.clear();
   plan_.clear();
   follows_ = false;
-  told_rows_ = 0;
+  shown_rows_ = 0;
   endResetModel();
 }
 
 void ReviewModel::follow() {
   if (!follows_ || !list_) return;
   const int rows = int(list_->submission().rows().size());
-  if (rows != told_rows_) {
+  if (rows != shown_rows_) {
     beginResetModel();
-    told_rows_ = rows;
+    shown_rows_ = rows;
     endResetModel();
   } else if (rows > 0) {
     Q_EMIT dataChanged(index(0, 0), index(rows - 1, kColumns - 1));
@@ -146,7 +146,7 @@ std::vector<robot::WaypointRequest> ReviewModel::rest() const {
 int ReviewModel::rowCount(const QModelIndex& parent) const {
   if (parent.isValid() || !list_) return 0;
   // When a submission starts, its rows change before it emits the signal.
-  return follows_ ? std::min(told_rows_, int(list_->submission().rows().size())) : int(plan_.size());
+  return follows_ ? std::min(shown_rows_, int(list_->submission().rows().size())) : int(plan_.size());
 }
 int ReviewModel::columnCount(const QModelIndex&) const { return kColumns; }
 
@@ -368,7 +368,7 @@ void WaypointReview::refresh() {
 
 QString WaypointReview::statusText() const {
   using edit::SubmissionPhase;
-  const auto figure = [](std::size_t count) { return QLocale::c().toString(qulonglong(count)); };
+  const auto figure = [](std::size_t count) { return countText(qint64(count)); };
   if (!list_->document().conflicts().empty() && !list_->saving())
     return tr("%1 changed here and elsewhere. Choose which version to keep in the Waypoints panel: nothing "
               "is sent before that.")

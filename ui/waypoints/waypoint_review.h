@@ -63,7 +63,7 @@ class ReviewModel : public QAbstractTableModel {
   QPointer<edit::OpenWaypoints> list_;
   std::vector<edit::PlannedRequest> plan_;
   bool follows_ = false;
-  int told_rows_ = 0;
+  int shown_rows_ = 0;
 };
 
 class WaypointReview : public QDialog {
@@ -71,11 +71,11 @@ class WaypointReview : public QDialog {
  public:
   explicit WaypointReview(QWidget* parent = nullptr);
 
-  /// Saving this list is something to look at first: a robot is called, and not just a file written.
+  /// Saving this list should be reviewed first: it calls a robot, it does not just write a file.
   static bool isWorthIt(const edit::OpenWaypoints& list);
-  /// Shows what saving takes now. `map`: what people call it.
+  /// Shows what saving takes now. `map`: its name.
   void review(edit::OpenWaypoints* list, const QString& map);
-  /// The list goes.
+  /// The list is being closed.
   void forget();
 
   ReviewModel* model() const { return model_; }
@@ -113,7 +113,7 @@ class WaypointReview : public QDialog {
   QPushButton *send_, *cancel_, *close_;
   std::map<edit::Key, edit::Change> wanted_;  // all that was sent since it was shown
   bool sent_ = false, overtaken_ = false, waiting_ = false;
-  bool unreached_ = false;  // nothing was sent, for how they are kept could not be read
+  bool unreached_ = false;  // nothing was sent, because the stored waypoints could not be read
 };
 
 }  // namespace mapwright::window

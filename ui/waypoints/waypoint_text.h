@@ -1,4 +1,4 @@
-// The words about waypoints. Pure functions, so that they can be checked.
+// Texts about waypoints. Pure functions.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ QString waypointsText(qsizetype count);
 /// "3 changes".
 QString changesText(qsizetype count);
 
-/// How an item stands, in words; empty when it is as it is kept.
+/// The state of an item in words; empty if it is saved.
 QString stateText(const edit::ItemState& state);
 
 /// What is pending of one waypoint, as flags; several may be so at once.
@@ -49,14 +49,14 @@ QString changeText(const std::optional<map::Waypoint>& before, const std::option
 QString conflictText(const edit::Conflict& conflict);
 /// What went wrong.
 QString failureText(const map::Failure& failure);
-/// What has become of a request of the list's submission, and of all of them, as far as it is known.
+/// The result of a request of the list's submission, and of all of them, as far as known.
 exchange::SentOutcome outcomeOf(const edit::OpenWaypoints& list, const exchange::SentRequest& sent);
 exchange::SentCounts countsOf(const edit::OpenWaypoints& list);
 /// "Not all is saved: of 3 requests 1 was carried out. The connection is gone."
 QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stopped_by);
-/// Why it went wrong, without what has become of it.
+/// Why it went wrong, without its result.
 QString whyText(const map::Failure& failure);
-/// "There is a draft of these waypoints of today 19:20:05 that was not saved: 3 changes."
+/// "There is an unsaved draft of these waypoints from today 19:20:05: 3 changes."
 QString offerText(const edit::WaypointDraft& draft, const QDateTime& now);
 
 /// A temporary name left by an interrupted swap of names, and how to fix it.

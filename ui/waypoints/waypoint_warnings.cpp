@@ -168,22 +168,22 @@ void WaypointWarnings::look() {
   if (groups_left_ > 0 || !looking()) return;
   std::set<edit::Key> keys = std::exchange(waiting_, {});
   if (std::exchange(preview_waits_, false)) keys.insert(previewed_.begin(), previewed_.end());
-  Asked asked;
+  Batch batch;
   for (const edit::Key& key : keys) {
     const auto spot = editing_->spotOf(key);
     if (!spot) continue;
-    asked.keys.push_back(key);
-    asked.places_m.push_back(spot->position_m);
+    batch.keys.push_back(key);
+    batch.places_m.push_back(spot->position_m);
   }
-  if (asked.keys.empty()) return;
+  if (batch.keys.empty()) return;
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   // In groups: the threads of the pool share them, and the window is not blocked for long.
   for (const std::vector<std::size_t>& group :
-       placing::groupsOf(asked.places_m, map_.reference, kMostOfGroup)) {
-    auto part = std::make_shared<Asked>();
+       placing::groupsOf(batch.places_m, map_.reference, kMostOfGroup)) {
+    auto part = std::make_shared<Batch>();
     for (const std::size_t i : group) {
-      part->keys.push_back(std::move(asked.keys[i]));
-      part->places_m.push_back(asked.places_m[i]);
+      part->keys.push_back(std::move(batch.keys[i]));
+      part->places_m.push_back(batch.places_m[i]);
     }
     ++groups_left_;
     share_.start(work::Urgency::Wanted,
@@ -201,12 +201,12 @@ void WaypointWarnings::look() {
   }
 }
 
-void WaypointWarnings::takeGround(const Asked& asked, const placing::GroundWarnings& found) {
+void WaypointWarnings::takeGround(const Batch& batch, const placing::GroundWarnings& found) {
   if (std::exchange(ground_, found.state) != found.state) other_ground_ = true;
-  for (std::size_t i = 0; i < asked.keys.size(); ++i) {
-    const edit::Key& key = asked.keys[i];
+  for (std::size_t i = 0; i < batch.keys.size(); ++i) {
+    const edit::Key& key = batch.keys[i];
     const auto spot = editing_->spotOf(key);
-    if (!spot || spot->position_m != asked.places_m[i]) continue;  // it has moved since, and is queued again
+    if (!spot || spot->position_m != batch.places_m[i]) continue;  // it has moved since, and is queued again
     if (!found.of[i].empty()) {
       of_ground_[key] = found.of[i];
     } else if (of_ground_.erase(key) == 0) {

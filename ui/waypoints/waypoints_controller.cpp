@@ -17,7 +17,6 @@
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
-#include "ui/waypoints/name_editor.h"
 #include "ui/waypoints/waypoint_conflicts.h"
 #include "ui/waypoints/waypoint_placing.h"
 #include "ui/waypoints/waypoint_review.h"
@@ -266,14 +265,14 @@ void WaypointsController::noteSaving() {
   if (phase != edit::SubmissionPhase::Undecided) said_decide_ = false;
   const auto& failure = list_->submission().failure();
   if (phase == edit::SubmissionPhase::Stopped && failure && failure->kind != map::FailureKind::Conflict &&
-      std::exchange(told_failure_, failure) != failure) {
+      std::exchange(reported_failure_, failure) != failure) {
     // The review shows it, and can continue.
     if (!review_->isVisible()) {
       when_saved_ = nullptr;
       context_.overlay.toasts()->add(Mark::Bad, tr("Waypoints: %1").arg(notSavedText(*list_, *failure)));
     }
   }
-  if (list_->saving()) told_failure_.reset();
+  if (list_->saving()) reported_failure_.reset();
   refresh();
 }
 

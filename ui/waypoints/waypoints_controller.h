@@ -56,8 +56,8 @@ class WaypointsController : public Controller {
   void openList(const map::MapKey& key);
   void openReadOnly();
   void closeList();
-  bool comesFirst() const;  // of what is there the waypoints are most to the point
-  /// A new one there, and its name asked for.
+  bool comesFirst() const;  // waypoints are the main subject of what is open
+  /// Adds one there, and asks for its name.
   void addAt(const Eigen::Vector2d& world_m);
   void takeChange();
   void refresh();
@@ -87,7 +87,7 @@ class WaypointsController : public Controller {
   WaypointReview* review_;
   QAction *tool_action_ = nullptr, *revert_action_ = nullptr;
   std::function<void()> when_saved_;
-  std::optional<map::Failure> told_failure_;  // that of the last save
+  std::optional<map::Failure> reported_failure_;  // that of the last save
   bool was_unsaved_ = false, could_save_ = false, said_decide_ = false;
   std::set<edit::Key> accepted_names_;  // that look temporary and may stay
   bool may_leave_ = false;              // the draft is to be kept as it is

@@ -321,9 +321,6 @@ QString WaypointsDock::emptyText() const {
 }
 
 QString WaypointsDock::statusShown() const { return status_->isHidden() ? QString() : status_->text(); }
-QString WaypointsDock::conflictShown() const { return conflicts_->shown(); }
-QPushButton* WaypointsDock::mineButton() const { return conflicts_->mineButton(); }
-QPushButton* WaypointsDock::theirsButton() const { return conflicts_->theirsButton(); }
 QString WaypointsDock::emptyShown() const { return empty_->isHidden() ? QString() : empty_->text(); }
 
 std::vector<edit::Key> WaypointsDock::selectedDeleted() const {

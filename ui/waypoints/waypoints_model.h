@@ -29,7 +29,7 @@ class WaypointsModel : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
   /// null = none.
   void setDocument(edit::WaypointDocument* document);
-  /// What is doubtful about them; must outlive this.
+  /// Must outlive this.
   void setWarnings(const WaypointWarnings* warnings);
 
   edit::Key key(const QModelIndex& index) const;  // empty = none
@@ -73,7 +73,7 @@ class WaypointFilter : public QSortFilterProxyModel {
   bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
  private:
-  /// What a text is ordered by; made once of each, since thousands of rows are compared often.
+  /// Made once for each text, since thousands of rows are compared often.
   const QCollatorSortKey& sortKey(const QString& text) const;
 
   QString wanted_;
