@@ -6,7 +6,7 @@
 
 #include "app/exit_code.h"
 #include "app/output_paths.h"
-#include "exchange/temporary_names.h"
+#include "exchange/waypoint_steps.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"

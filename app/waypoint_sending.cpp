@@ -55,7 +55,7 @@ class Sending {
   }
 
  private:
-  using Row = edit::WaypointSubmission::Row;
+  using Row = edit::SubmittedRequest;
 
   /// True if the stored state was read at the end.
   bool send() {

@@ -9,7 +9,7 @@
 
 #include "app/waypoint_list.h"
 #include "edit/open_waypoints.h"
-#include "exchange/sent_outcome.h"
+#include "exchange/waypoint_steps.h"
 
 namespace mapwright::app {
 

@@ -7,7 +7,6 @@
 #include <QCoreApplication>
 #include <QJsonObject>
 
-#include "placing/names.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/placing_sentence.h"
 #include "sentences/problem_sentence.h"
@@ -90,19 +89,18 @@ DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::W
   const Ground ground = groundOf(*list.robot, list.map);
   std::vector<Eigen::Vector2d> places;
   places.reserve(points.size());
-  placing::NameBook names;
-  std::set<std::string> touched;
-  std::vector<std::string> keys;  // a new one has no id yet
+  std::vector<std::string> names;
   for (const map::Waypoint& point : points) {
     places.push_back(point.position_m);
-    keys.push_back(std::to_string(keys.size()));
-    names.put(keys.back(), point.name, touched);
+    names.push_back(point.name);
   }
+  const std::set<std::string> twice = placing::namesTwice(names);
   const placing::GroundWarnings found = placing::groundWarnings(places, ground.map, radius, nullptr);
   DoubtfulWaypoints doubtful;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool zero_turn = points[i].yaw_rad == 0.0 && list.stored.zero_turns.contains(points[i].id);
-    doubtful.of.push_back(placing::together(found.of[i], points[i].name, names.twice(keys[i]), zero_turn));
+    doubtful.of.push_back(
+        placing::together(found.of[i], points[i].name, twice.contains(points[i].name), zero_turn));
   }
   doubtful.looked = found.state != placing::GroundState::None;
   if (!doubtful.looked) {

@@ -16,7 +16,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "picture/draw.h"
-#include "picture/fill.h"
 #include "picture/merge.h"
 #include "picture/tidy.h"
 #include "robot/files/file_address.h"

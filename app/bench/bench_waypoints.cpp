@@ -21,8 +21,8 @@ namespace {
 
 using namespace mapwright;
 
-edit::Items<map::Waypoint> waypoints(int count) {
-  edit::Items<map::Waypoint> items;
+edit::Items waypoints(int count) {
+  edit::Items items;
   for (int i = 0; i < count; ++i) {
     map::Waypoint point;
     point.id = "0c5f6a1e-77b0-4c11-9d9c-" + std::to_string(100'000 + i);

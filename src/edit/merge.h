@@ -1,75 +1,44 @@
-// Three-way merge of items: the common base, my version and theirs. Pure functions, any thread.
-// Items are values with independent fields (such as a name and a position): changes to different fields can
-// be merged. Fields<Item> lists them:
-//
-//   template <> struct Fields<Thing> {
-//     static constexpr std::tuple all{&Thing::name, &Thing::position};
-//     /// Copies what is not a field but belongs to the store that `theirs` came from.
-//     static void carry(Thing& into, const Thing& theirs);
-//     /// Whether two different values of a field count as the same. Optional.
-//     static bool alike(const Distance& a, const Distance& b);
-//     /// The fields in which theirs is an intermediate step from base to mine. Optional.
-//     static FieldMask onTheWay(const Thing& base, const Thing& mine, const Thing& theirs);
-//   };
+// Waypoints as items of a document: compared field by field, and merged three ways (the common base, mine and
+// theirs). Changes to different fields can be merged. Pure functions, any thread.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
-#include <tuple>
-#include <utility>
+#include <vector>
+
+#include "map/waypoint.h"
+#include "robot/waypoint_store.h"
 
 namespace mapwright::edit {
 
-/// Names an item of a document as long as the document is open.
+/// nullopt = it does not exist.
+using Item = std::optional<map::Waypoint>;
+/// Names an item as long as its document is open.
 using Key = std::string;
-template <typename Item>
-using Items = std::map<Key, Item>;
-template <typename Item>
-struct Fields;
+using Items = std::map<Key, map::Waypoint>;
+Items itemsOf(const std::vector<map::Waypoint>& points);  // by their ids
 
-/// One bit for each field, in the order of Fields<Item>::all.
+/// The fields of a waypoint, one bit each. The other members belong to the store.
 using FieldMask = std::uint32_t;
-
-/// Calls visit(member pointer, bit) for every field.
-template <typename Item, typename Visit>
-void eachField(Visit visit) {
-  std::apply(
-      [&](auto... member) {
-        FieldMask bit = 1;
-        ((visit(member, bit), bit <<= 1), ...);
-      },
-      Fields<Item>::all);
+namespace waypoint_field {
+inline constexpr FieldMask kName = 1, kPosition = 2, kYaw = 4, kTags = 8, kType = 16;
 }
 
-/// The fields in which they differ.
-template <typename Item>
-FieldMask difference(const Item& a, const Item& b) {
-  FieldMask mask = 0;
-  eachField<Item>([&](auto member, FieldMask bit) {
-    bool is_same = a.*member == b.*member;
-    if constexpr (requires { Fields<Item>::alike(a.*member, b.*member); })
-      is_same = is_same || Fields<Item>::alike(a.*member, b.*member);
-    if (!is_same) mask |= bit;
-  });
-  return mask;
-}
+/// An item before and after a change.
+struct Change {
+  Key key;
+  Item before = {}, after = {};
+};
 
+/// The fields in which they differ by more than rounding (map/waypoint_likeness.h).
+FieldMask difference(const map::Waypoint& a, const map::Waypoint& b);
 /// Equal in every field, or both absent.
-template <typename Item>
-bool same(const std::optional<Item>& a, const std::optional<Item>& b) {
-  return a.has_value() == b.has_value() && (!a || difference(*a, *b) == 0);
-}
-
+bool same(const Item& a, const Item& b);
 /// Sets those fields of `into` to what they are in `from`.
-template <typename Item>
-void assign(Item& into, const Item& from, FieldMask fields) {
-  eachField<Item>([&](auto member, FieldMask bit) {
-    if (fields & bit) into.*member = from.*member;
-  });
-}
+void assign(map::Waypoint& into, const map::Waypoint& from, FieldMask fields);
 
 enum class ConflictKind {
   BothChanged,   // the same field, differently
@@ -78,58 +47,28 @@ enum class ConflictKind {
   BothAdded,     // the same key, differently
 };
 
-/// What is in conflict. nullopt = the item does not exist.
-template <typename Item>
+/// What is in conflict.
 struct Conflict {
   ConflictKind kind = ConflictKind::BothChanged;
-  std::optional<Item> base, mine, theirs;
+  Item base, mine, theirs;
   FieldMask fields = 0;  // of BothChanged and BothAdded: the conflicting fields
 };
 
 /// The merge of one item. In a conflict `item` is mine, with their changes to the other fields.
-template <typename Item>
 struct Merged {
-  std::optional<Item> item;
-  std::optional<Conflict<Item>> conflict;
+  Item item;
+  std::optional<Conflict> conflict;
 };
-
-template <typename Item>
-Merged<Item> merge(const std::optional<Item>& base, const std::optional<Item>& mine,
-                   const std::optional<Item>& theirs) {
-  if (same(mine, base) || same(mine, theirs)) return {theirs, std::nullopt};
-  if (same(theirs, base)) {
-    Merged<Item> merged{mine, std::nullopt};
-    if (merged.item && theirs) Fields<Item>::carry(*merged.item, *theirs);
-    return merged;
-  }
-  if (!mine) return {mine, Conflict<Item>{ConflictKind::DeletedHere, base, mine, theirs}};
-  if (!theirs) return {mine, Conflict<Item>{ConflictKind::DeletedThere, base, mine, theirs}};
-  const FieldMask between = difference(*mine, *theirs);
-  const FieldMask by_me = base ? difference(*mine, *base) : between;
-  FieldMask by_them = base ? difference(*theirs, *base) : between;
-  if constexpr (requires { Fields<Item>::onTheWay(*base, *mine, *theirs); }) {
-    if (base) by_them &= ~Fields<Item>::onTheWay(*base, *mine, *theirs);
-  }
-  const FieldMask collide = by_me & by_them & between;
-  Merged<Item> merged{mine, std::nullopt};
-  assign(*merged.item, *theirs, by_them & ~collide);
-  Fields<Item>::carry(*merged.item, *theirs);
-  if (collide != 0) {
-    const ConflictKind kind = base ? ConflictKind::BothChanged : ConflictKind::BothAdded;
-    merged.conflict = Conflict<Item>{kind, base, mine, theirs, collide};
-  }
-  return merged;
-}
+Merged merge(const Item& base, const Item& mine, const Item& theirs);
 
 /// Which version of conflicting fields to take; the others are merged in either case.
 enum class Side { Mine, Theirs };
-template <typename Item>
-std::optional<Item> decided(const Conflict<Item>& conflict, Side side) {
-  const bool both_there = conflict.mine && conflict.theirs;
-  if (!both_there) return side == Side::Mine ? conflict.mine : conflict.theirs;
-  std::optional<Item> item = merge(conflict.base, conflict.mine, conflict.theirs).item;
-  if (side == Side::Theirs) assign(*item, *conflict.theirs, conflict.fields);
-  return item;
-}
+Item decided(const Conflict& conflict, Side side);
+
+/// Makes it fit for the store: drops unsupported fields, and sets a missing heading to 0 if one is required.
+void fit(map::Waypoint& point, const robot::KeptFields& keeps);
+/// Which changes the store would certainly refuse because another waypoint has that name.
+std::set<Key> refusedNames(const Items& kept, const std::vector<Change>& changes,
+                           const robot::KeptFields& keeps);
 
 }  // namespace mapwright::edit

@@ -9,12 +9,6 @@ namespace {
 
 constexpr int kMostOvertaken = 3;
 
-Items<map::Waypoint> itemsOf(const robot::StoredWaypoints& stored) {
-  Items<map::Waypoint> items;
-  for (const map::Waypoint& point : stored.points) items.emplace(point.id, point);
-  return items;
-}
-
 EditOptions withWorkers(EditOptions options) {
   options.workers = work::orOwn(std::move(options.workers));
   return options;
@@ -30,7 +24,7 @@ OpenWaypoints::OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const
       keeps_(store.keeps()),
       options_(withWorkers(std::move(options))),
       identity_{address, QString::fromStdString(map::toText(map_)), QStringLiteral("waypoints")},
-      submission_(storeOf(), listener()),
+      submission_(store, map_, listener()),
       looking_(options_.workers) {
   document_.setFit([keeps = keeps_](map::Waypoint& point) { fit(point, keeps); });
   if (!options_.drafts_folder.isEmpty()) {
@@ -44,14 +38,9 @@ OpenWaypoints::OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const
         },
         options_.later, options_.workers);
     connect(keeper_.get(), &DraftKeeper::troubleChanged, this, &OpenWaypoints::draftTroubleChanged);
-    connect(keeper_.get(), &DraftKeeper::written, this, [this] {
-      // Only now are the restored changes saved elsewhere.
-      if (keeper_->trouble().any()) return;
-      for (LeftDraft& draft : std::exchange(taken_up_, {})) removeDraft(std::move(draft));
-    });
-    connect(&document_, &DocumentEvents::changed, keeper_.get(), &DraftKeeper::touch);
+    connect(&document_, &WaypointDocument::changed, keeper_.get(), &DraftKeeper::touch);
   }
-  connect(&submission_, &SubmissionEvents::changed, this, &OpenWaypoints::noteSubmission);
+  connect(&submission_, &WaypointSubmission::changed, this, &OpenWaypoints::noteSubmission);
   connect(&store, &robot::WaypointStore::changed, this, &OpenWaypoints::read);
   read();
 }
@@ -115,11 +104,11 @@ void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
   looked_ = true;
   if (std::exchange(has_read_, true)) {
     const bool gone = !stored.there && !document_.kept().empty();
-    if (!gone) return document_.take(itemsOf(stored));
+    if (!gone) return document_.take(itemsOf(stored.points));
     document_.takeGone();
     Q_EMIT remarked(fault::WaypointListGone);
   } else {
-    document_.reset(itemsOf(stored));
+    document_.reset(itemsOf(stored.points));
     lookForDrafts();
   }
 }
@@ -192,14 +181,6 @@ void OpenWaypoints::robotGone() {
   store_.clear();
 }
 
-WaypointSubmission::Store OpenWaypoints::storeOf() {
-  return {
-      [this](robot::OutcomeTo<robot::StoredWaypoints> reply) { return store_->read(map_, std::move(reply)); },
-      [this](const robot::WaypointRequest& request, robot::OutcomeTo<robot::WaypointReceipt> reply) {
-        return store_->perform(map_, request, std::move(reply));
-      }};
-}
-
 WaypointSubmission::Listener OpenWaypoints::listener() {
   WaypointSubmission::Listener hears;
   hears.plan =
@@ -208,17 +189,6 @@ WaypointSubmission::Listener OpenWaypoints::listener() {
     if (!document_.conflicts().empty()) return std::nullopt;
     auto requests = store_->plan(stored, wireChanges());
     return areReviewed(requests) ? std::optional(std::move(requests)) : std::nullopt;
-  };
-  hears.needs = [](const robot::WaypointRequest& later, const robot::WaypointRequest& failed) {
-    // The same waypoint, or the name that it still has.
-    return std::any_of(later.changes.begin(), later.changes.end(), [&](const robot::WaypointChange& one) {
-      return std::any_of(failed.changes.begin(), failed.changes.end(),
-                         [&](const robot::WaypointChange& other) {
-                           return one.id == other.id ||
-                                  (one.after && other.before && one.after->name == other.before->name &&
-                                   (!one.before || one.before->name != one.after->name));
-                         });
-    });
   };
   hears.sending = [this](const robot::WaypointRequest& request) {
     looked_ = false;
@@ -246,16 +216,15 @@ std::set<Key> OpenWaypoints::refused() const {
 std::vector<robot::WaypointChange> OpenWaypoints::wireChanges() const {
   const std::set<Key> refused = this->refused();
   std::vector<robot::WaypointChange> wire;
-  for (const Change<map::Waypoint>& change : document_.changes()) {
+  for (const Change& change : document_.changes()) {
     if (!refused.contains(change.key))
       wire.push_back({document_.theirName(change.key), change.before, change.after});
   }
   return wire;
 }
 
-std::vector<Change<map::Waypoint>> OpenWaypoints::ownChanges(
-    const std::vector<robot::WaypointChange>& changes) const {
-  std::vector<Change<map::Waypoint>> own;
+std::vector<Change> OpenWaypoints::ownChanges(const std::vector<robot::WaypointChange>& changes) const {
+  std::vector<Change> own;
   for (const robot::WaypointChange& change : changes)
     own.push_back({document_.ourName(change.id), change.before, change.after});
   return own;
@@ -273,13 +242,13 @@ void OpenWaypoints::lookForDrafts() {
 void OpenWaypoints::offer(LeftDrafts left) {
   for (const Fault& note : left.notes) Q_EMIT remarked(note);
   for (LeftDraft& file : left.drafts) {
-    auto draft = draftFromBytes<map::Waypoint>(file.bytes);
+    auto draft = waypointDraftFrom(file.bytes);
     if (!draft || !(draft->of == identity_)) {
       Q_EMIT remarked(setAside(std::move(file)));
       continue;
     }
     // Changes that were saved after all are not offered.
-    std::erase_if(draft->changes, [&](const Change<map::Waypoint>& change) {
+    std::erase_if(draft->changes, [&](const Change& change) {
       const map::Waypoint* const now = document_.find(change.key);
       return same(now ? std::optional(*now) : std::nullopt, change.after);
     });
@@ -297,7 +266,7 @@ void OpenWaypoints::offer(LeftDrafts left) {
 void OpenWaypoints::takeUp(const QString& text) {
   if (offered_.empty()) return;
   document_.rebase(offered_.front().changes, text);
-  taken_up_.push_back(left_.front());
+  keeper_->replace(left_.front());
   forgetFirstOffer();
 }
 
@@ -319,14 +288,7 @@ void OpenWaypoints::discard() {
   read();
 }
 
-std::optional<Fault> OpenWaypoints::keepDraft() {
-  if (!keeper_) return std::nullopt;
-  const auto trouble = keeper_->flush();
-  if (!trouble) {
-    for (LeftDraft& draft : std::exchange(taken_up_, {})) removeDraft(std::move(draft));
-  }
-  return trouble;
-}
+std::optional<Fault> OpenWaypoints::keepDraft() { return keeper_ ? keeper_->flush() : std::nullopt; }
 
 Fault OpenWaypoints::draftTrouble() const { return keeper_ ? keeper_->trouble() : Fault(); }
 

@@ -11,18 +11,14 @@
 #include <QDateTime>
 #include <QObject>
 #include <QPointer>
-#include <QStringList>
 
-#include "edit/draft_keeper.h"
+#include "edit/document.h"
+#include "edit/drafts.h"
 #include "edit/submission.h"
-#include "edit/waypoint_fields.h"
 #include "robot/waypoint_store.h"
 #include "work/workers.h"
 
 namespace mapwright::edit {
-
-using WaypointSubmission = Submission<robot::StoredWaypoints, robot::WaypointRequest, robot::WaypointReceipt>;
-using WaypointDraft = Draft<map::Waypoint>;
 
 /// A request that saving would send, for the store and as text.
 struct PlannedRequest {
@@ -111,11 +107,10 @@ class OpenWaypoints : public QObject {
   void take(const robot::StoredWaypoints& stored);
   bool areReviewed(const std::vector<robot::WaypointRequest>& requests) const;
   void startSaving();
-  WaypointSubmission::Store storeOf();
   WaypointSubmission::Listener listener();
   /// What to send, in the form that the store takes.
   std::vector<robot::WaypointChange> wireChanges() const;
-  std::vector<Change<map::Waypoint>> ownChanges(const std::vector<robot::WaypointChange>& changes) const;
+  std::vector<Change> ownChanges(const std::vector<robot::WaypointChange>& changes) const;
   void lookForDrafts();
   void offer(LeftDrafts left);
   void noteSubmission();
@@ -141,8 +136,7 @@ class OpenWaypoints : public QObject {
   std::vector<WaypointDraft> offered_;
   std::vector<LeftDraft> left_;  // the files of `offered_`
   std::unique_ptr<DraftKeeper> keeper_;
-  std::vector<LeftDraft> taken_up_;  // removed when the keeper has written
-  work::Share looking_;              // for drafts
+  work::Share looking_;  // for drafts
 };
 
 }  // namespace mapwright::edit

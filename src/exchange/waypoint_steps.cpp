@@ -1,13 +1,19 @@
 #include "exchange/waypoint_steps.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
+#include <string_view>
 
 #include <QCoreApplication>
 #include <QJsonDocument>
 
 #include "exchange/waypoint_json.h"
 #include "geometry/pose.h"
+#include "map/temporary_name.h"
 #include "map/waypoint_likeness.h"
+#include "sentences/failure_sentence.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -34,17 +40,8 @@ QJsonValue rowOr(const std::optional<map::Waypoint>& point, const std::string& m
 }
 
 QString wordOf(edit::ConflictKind kind) {
-  switch (kind) {
-    case edit::ConflictKind::BothChanged:
-      return QStringLiteral("both-changed");
-    case edit::ConflictKind::DeletedHere:
-      return QStringLiteral("deleted-here");
-    case edit::ConflictKind::DeletedThere:
-      return QStringLiteral("deleted-there");
-    case edit::ConflictKind::BothAdded:
-      break;
-  }
-  return QStringLiteral("both-added");
+  static constexpr std::array kWords{"both-changed", "deleted-here", "deleted-there", "both-added"};
+  return QLatin1String(kWords.at(std::size_t(kind)));
 }
 
 QStringList fieldWords(edit::FieldMask fields) {
@@ -59,44 +56,35 @@ QStringList fieldWords(edit::FieldMask fields) {
   return words;
 }
 
-QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
-  switch (conflict.kind) {
-    case edit::ConflictKind::DeletedHere:
-      return WaypointStepsText::tr("you delete it, but it was changed on the robot");
-    case edit::ConflictKind::DeletedThere:
-      return WaypointStepsText::tr("you change it, but it was deleted on the robot");
-    case edit::ConflictKind::BothChanged:
-    case edit::ConflictKind::BothAdded:
-      break;
-  }
+std::string nameIn(const edit::Conflict& conflict) {
+  const auto& known = conflict.base ? conflict.base : conflict.theirs ? conflict.theirs : conflict.mine;
+  return known ? known->name : std::string();
+}
+
+QString conflictText(const edit::Conflict& conflict) {
+  if (conflict.kind == edit::ConflictKind::DeletedHere)
+    return WaypointStepsText::tr("you delete it, but it was changed on the robot");
+  if (conflict.kind == edit::ConflictKind::DeletedThere)
+    return WaypointStepsText::tr("you change it, but it was deleted on the robot");
   return WaypointStepsText::tr("it was changed on the robot, too (%1)")
       .arg(fieldWords(conflict.fields).join(QStringLiteral(", ")));
 }
 
-}  // namespace
-
-WaypointItems itemsOf(const std::vector<map::Waypoint>& points) {
-  WaypointItems items;
-  for (const map::Waypoint& point : points) items.emplace(point.id, point);
-  return items;
+/// The stored state is what the request should produce.
+bool isSo(const robot::WaypointRequest& request, const edit::WaypointDocument& document) {
+  return std::all_of(request.changes.begin(), request.changes.end(), [&](const robot::WaypointChange& one) {
+    const edit::Key key = document.ourName(one.id);
+    const std::vector<WaypointStep> steps = stepsOf({{key, one.before, one.after}});
+    return std::all_of(steps.begin(), steps.end(),
+                       [&](const WaypointStep& step) { return isDone(step, document.findKept(key)); });
+  });
 }
 
+}  // namespace
+
 QString wordOf(StepKind kind) {
-  switch (kind) {
-    case StepKind::Create:
-      return QStringLiteral("create");
-    case StepKind::Move:
-      return QStringLiteral("move");
-    case StepKind::Rename:
-      return QStringLiteral("rename");
-    case StepKind::Retag:
-      return QStringLiteral("retag");
-    case StepKind::Retype:
-      return QStringLiteral("retype");
-    case StepKind::Delete:
-      break;
-  }
-  return QStringLiteral("delete");
+  static constexpr std::array kWords{"create", "move", "rename", "retag", "retype", "delete"};
+  return QLatin1String(kWords.at(std::size_t(kind)));
 }
 
 std::vector<WaypointStep> stepsOf(const std::vector<WaypointEdit>& edits) {
@@ -185,20 +173,10 @@ QString tagText(const map::Waypoint& point) {
 }
 
 QString detailOf(const WaypointStep& step) {
-  switch (step.kind) {
-    case StepKind::Create:
-    case StepKind::Move:
-      return placeText(*step.after);
-    case StepKind::Rename:
-      return words::plainName(step.after->name);
-    case StepKind::Retag:
-      return tagText(*step.after);
-    case StepKind::Retype:
-      return words::plainName(step.after->type);
-    case StepKind::Delete:
-      break;
-  }
-  return {};
+  if (step.kind == StepKind::Delete) return {};
+  if (step.kind == StepKind::Rename) return words::plainName(step.after->name);
+  if (step.kind == StepKind::Retag) return tagText(*step.after);
+  return step.kind == StepKind::Retype ? words::plainName(step.after->type) : placeText(*step.after);
 }
 
 QJsonArray callsJson(const robot::WaypointStore& store, const std::vector<robot::WaypointRequest>& requests,
@@ -225,9 +203,8 @@ QJsonArray callsJson(const robot::WaypointStore& store, const std::vector<robot:
 QJsonArray conflictsJson(const WaypointConflicts& conflicts, const std::string& map) {
   QJsonArray rows;
   for (const auto& [key, conflict] : conflicts) {
-    const auto& known = conflict.base ? conflict.base : conflict.theirs ? conflict.theirs : conflict.mine;
     rows << QJsonObject{{QStringLiteral("id"), text(key)},
-                        {QStringLiteral("name"), known ? text(known->name) : QString()},
+                        {QStringLiteral("name"), text(nameIn(conflict))},
                         {QStringLiteral("kind"), wordOf(conflict.kind)},
                         {QStringLiteral("fields"), QJsonArray::fromStringList(fieldWords(conflict.fields))},
                         {QStringLiteral("base"), rowOr(conflict.base, map)},
@@ -240,12 +217,72 @@ QJsonArray conflictsJson(const WaypointConflicts& conflicts, const std::string& 
 QStringList conflictLines(const WaypointConflicts& conflicts) {
   QStringList lines;
   for (const auto& [key, conflict] : conflicts) {
-    const auto& known = conflict.base ? conflict.base : conflict.theirs ? conflict.theirs : conflict.mine;
     lines << QStringLiteral("%1  %2: %3")
-                 .arg(words::plainName(key), words::plainName(known ? known->name : std::string()),
-                      conflictText(conflict));
+                 .arg(words::plainName(key), words::plainName(nameIn(conflict)), conflictText(conflict));
   }
   return lines;
+}
+
+SentOutcome answered(const SentRequest& sent) {
+  if (sent.state == SentRequest::State::Done) return {SentState::Applied};
+  if (sent.state == SentRequest::State::UnderWay) return {SentState::Unknown};
+  if (sent.state != SentRequest::State::Failed) return {};
+  map::Failure failure = *sent.failure;
+  failure.asked_for = map::AskedFor::Change;
+  const SentState state = failure.applied == map::Applied::Yes     ? SentState::Applied
+                          : failure.applied == map::Applied::Maybe ? SentState::Unknown
+                                                                   : SentState::Failed;
+  return {state, std::move(failure)};
+}
+
+SentOutcome judged(SentOutcome by_answer, bool is_so) {
+  if (is_so) return {SentState::Applied};
+  if (by_answer.state == SentState::Applied) {
+    // A partial result says which part was applied.
+    const bool says_why = by_answer.failure && by_answer.failure->reason == map::FailureReason::Unfit;
+    return {SentState::Failed, says_why ? std::move(by_answer.failure) : std::nullopt};
+  }
+  // A request without an answer may still be carried out: not seeing its effect yet proves nothing.
+  const bool may_come = !by_answer.failure || edit::isOfTheLink(*by_answer.failure);
+  if (by_answer.state == SentState::Unknown && !may_come) {
+    by_answer.state = SentState::Failed;
+    by_answer.failure->applied = map::Applied::No;
+  }
+  return by_answer;
+}
+
+SentOutcome outcomeOf(const SentRequest& sent, const edit::WaypointDocument* looked) {
+  SentOutcome outcome = answered(sent);
+  const bool in_doubt = sent.state == SentRequest::State::Failed;
+  return in_doubt && looked ? judged(std::move(outcome), isSo(sent.request, *looked)) : outcome;
+}
+
+SentCounts countsOf(const std::vector<SentRequest>& sent, const edit::WaypointDocument* looked) {
+  std::map<SentState, std::size_t> counts;
+  for (const SentRequest& one : sent) ++counts[outcomeOf(one, looked).state];
+  return {counts[SentState::Applied], counts[SentState::Failed], counts[SentState::Unknown],
+          counts[SentState::NotSent]};
+}
+
+QString sentenceOf(const SentOutcome& outcome) {
+  if (outcome.state == SentState::Applied || outcome.state == SentState::NotSent) return {};
+  if (outcome.failure) return QString::fromStdString(sentences::sentenceOf(*outcome.failure));
+  if (outcome.state == SentState::Unknown) return WaypointStepsText::tr("Whether it was changed is unknown.");
+  return WaypointStepsText::tr("The robot accepted the change, but it has no effect.");
+}
+
+std::vector<TemporaryName> temporaryNamesIn(const WaypointItems& items) {
+  std::vector<TemporaryName> found;
+  for (const auto& [key, point] : items) {
+    const std::string_view permanent = map::permanentName(point.name);
+    if (!permanent.empty()) found.push_back({key, point.name, std::string(permanent)});
+  }
+  if (found.empty()) return found;
+  std::set<std::string> names;
+  for (const auto& [key, point] : items) names.insert(point.name);
+  // Of two with the same original name only the first can have it back.
+  for (TemporaryName& one : found) one.is_free = names.insert(one.permanent).second;
+  return found;
 }
 
 }  // namespace mapwright::exchange

@@ -1,4 +1,5 @@
-// Changes of waypoints as single steps. Pure functions.
+// Changes of waypoints as single steps, and what became of them: from the answer to a request and from
+// reading the stored state afterwards. Pure functions.
 #pragma once
 
 #include <map>
@@ -11,17 +12,18 @@
 #include <QString>
 #include <QStringList>
 
-#include "edit/waypoint_fields.h"
+#include "edit/document.h"
+#include "edit/submission.h"
 #include "robot/waypoint_store.h"
 
 namespace mapwright::exchange {
 
-using WaypointItems = edit::Items<map::Waypoint>;
+using WaypointItems = edit::Items;
 /// A created waypoint without an id (`after->id` is empty) is identified by `key` until it has one.
-using WaypointEdit = edit::Change<map::Waypoint>;
-using WaypointConflicts = std::map<edit::Key, edit::Conflict<map::Waypoint>>;
+using WaypointEdit = edit::Change;
+using WaypointConflicts = std::map<edit::Key, edit::Conflict>;
 
-WaypointItems itemsOf(const std::vector<map::Waypoint>& points);
+using edit::itemsOf;
 
 enum class StepKind { Create, Move, Rename, Retag, Retype, Delete };
 /// "create", "move", …: stable (docs/command-line.md).
@@ -65,5 +67,43 @@ QJsonArray callsJson(const robot::WaypointStore& store, const std::vector<robot:
 QJsonArray conflictsJson(const WaypointConflicts& conflicts, const std::string& map);
 /// One line of text each.
 QStringList conflictLines(const WaypointConflicts& conflicts);
+
+enum class SentState {
+  Applied,
+  Failed,   // it has not been made
+  Unknown,  // it was sent, but neither an answer nor the stored state tells
+  NotSent,
+};
+
+struct SentOutcome {
+  SentState state = SentState::NotSent;
+  std::optional<map::Failure> failure = {};  // of one that is Applied: only its answer was lost
+};
+
+using SentRequest = edit::SubmittedRequest;
+
+/// From the answer alone; a request in progress is Unknown.
+SentOutcome answered(const SentRequest& sent);
+/// From reading afterwards; `is_so`: the stored state is as requested.
+SentOutcome judged(SentOutcome by_answer, bool is_so);
+/// Both. `looked`: what has been read since; null = nothing yet.
+SentOutcome outcomeOf(const SentRequest& sent, const edit::WaypointDocument* looked);
+
+/// How many requests stand so.
+struct SentCounts {
+  std::size_t applied = 0, failed = 0, unknown = 0, not_sent = 0;
+};
+SentCounts countsOf(const std::vector<SentRequest>& sent, const edit::WaypointDocument* looked);
+
+/// Why it Failed or is Unknown; else empty.
+QString sentenceOf(const SentOutcome& outcome);
+
+struct TemporaryName {
+  edit::Key key;
+  std::string name;       // "Dock ~1"
+  std::string permanent;  // "Dock"
+  bool is_free = true;    // nobody else is called so now
+};
+std::vector<TemporaryName> temporaryNamesIn(const WaypointItems& items);
 
 }  // namespace mapwright::exchange

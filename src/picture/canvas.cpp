@@ -5,8 +5,10 @@
 #include <map>
 
 namespace mapwright::picture {
-
 namespace {
+
+constexpr std::uint8_t kFreeGray = 255, kOccupiedGray = 0, kFreePercent = 0, kOccupiedPercent = 100;
+constexpr int kOccupiedFrom = 50;
 
 bool allSame(const std::uint8_t* cells, std::size_t count) {
   return std::memcmp(cells, cells + 1, count - 1) == 0;
@@ -17,6 +19,49 @@ bool alreadyIs(const std::uint8_t* cells, std::size_t count, std::uint8_t byte) 
 }
 
 }  // namespace
+
+std::array<Kind, 256> kindsOf(grids::CellCode code) {
+  const grids::CellMeaning& meaning = grids::meaningOf(code);
+  std::array<Kind, 256> kinds{};
+  for (std::size_t byte = 0; byte < kinds.size(); ++byte) {
+    kinds[byte] = !meaning.known[byte]                       ? Kind::Unknown
+                  : meaning.occupancy[byte] >= kOccupiedFrom ? Kind::Occupied
+                                                             : Kind::Free;
+  }
+  return kinds;
+}
+
+std::optional<std::uint8_t> byteOf(Kind kind, grids::CellCode code) {
+  switch (kind) {
+    case Kind::Free:
+      return grids::isGray(code) ? kFreeGray : kFreePercent;
+    case Kind::Occupied:
+      return grids::isGray(code) ? kOccupiedGray : kOccupiedPercent;
+    case Kind::Unknown:
+      break;
+  }
+  if (code == grids::CellCode::FullGray) return std::nullopt;
+  return grids::unknownByte(code);
+}
+
+std::optional<std::uint8_t> firstOther(const grids::GridPyramid& cells, const std::array<bool, 256>& held,
+                                       const std::atomic<bool>& cancelled) {
+  for (int y = 0; y * kEdge < cells.height() && !cancelled; ++y) {
+    for (int x = 0; x * kEdge < cells.width(); ++x) {
+      const auto tile = cells.tile(0, x, y);
+      if (!tile) continue;
+      const int right = std::min(kEdge, cells.width() - x * kEdge),
+                bottom = std::min(kEdge, cells.height() - y * kEdge);
+      for (int v = 0; v < (tile->uniform ? 1 : bottom); ++v) {
+        const std::uint8_t* const row = tile->cells.get() + std::size_t(v) * kEdge;
+        const std::uint8_t* const other =
+            std::find_if(row, row + right, [&held](std::uint8_t byte) { return !held[byte]; });
+        if (other != row + right) return *other;
+      }
+    }
+  }
+  return std::nullopt;
+}
 
 Canvas::Canvas(const EditedGrid& grid) : grid_(grid), reducer_(grid.code(), grid.reduction()) {}
 
@@ -43,11 +88,6 @@ const std::uint8_t* Canvas::read(int tile_x, int tile_y) {
   return found.wrote ? found.wrote.get() : found.read.cells.get();
 }
 
-bool Canvas::uniform(int tile_x, int tile_y) {
-  const Sheet& found = sheet(tile_x, tile_y);
-  return !found.wrote && found.read.uniform;
-}
-
 std::uint8_t* Canvas::write(int tile_x, int tile_y, const CellRect& within) {
   Sheet& found = sheet(tile_x, tile_y);
   if (!found.wrote) {
@@ -55,42 +95,55 @@ std::uint8_t* Canvas::write(int tile_x, int tile_y, const CellRect& within) {
     std::memcpy(found.wrote.get(), found.read.cells.get(), kTileCells);
   }
   found.dirty = found.dirty.united(within);
-  touched_ = touched_.united(within.moved(tile_x * Canvas::kEdge, tile_y * Canvas::kEdge));
+  touched_ = touched_.united(within.moved(tile_x * kEdge, tile_y * kEdge));
   return found.wrote.get();
 }
 
-void Canvas::paintRow(int row, int from, int to, const Ink& ink) {
+/// Calls visit(tile_x, piece, at) for each tile that a row crosses: the cells of that tile, and the index of
+/// the first of them.
+template <typename Visit>
+void Canvas::eachPiece(int row, int from, int to, Visit visit) {
   from = std::max(from, 0);
   to = std::min(to, grid_.width());
-  if (row < 0 || row >= grid_.height() || from >= to) return;
-  const int tile_y = row / Canvas::kEdge, v = row % Canvas::kEdge;
-  for (int tile_x = from / Canvas::kEdge; tile_x * Canvas::kEdge < to; ++tile_x) {
-    const int u0 = std::max(from - tile_x * Canvas::kEdge, 0),
-              u1 = std::min(to - tile_x * Canvas::kEdge, Canvas::kEdge);
-    const std::size_t at = std::size_t(v) * Canvas::kEdge + std::size_t(u0), count = std::size_t(u1 - u0);
-    const std::uint8_t* const now = read(tile_x, tile_y) + at;
-    if (ink.from) {
-      const auto source = ink.from->tile(0, tile_x, tile_y);
-      if (!source || std::memcmp(now, source->cells.get() + at, count) == 0) continue;
-      std::memcpy(write(tile_x, tile_y, {u0, v, u1, v + 1}) + at, source->cells.get() + at, count);
-    } else if (!alreadyIs(now, count, ink.byte)) {
-      std::memset(write(tile_x, tile_y, {u0, v, u1, v + 1}) + at, ink.byte, count);
-    }
+  if (row < 0 || row >= grid_.height()) return;
+  const int v = row % kEdge;
+  for (int tile_x = from / kEdge; tile_x * kEdge < to; ++tile_x) {
+    const int left = std::max(from - tile_x * kEdge, 0), right = std::min(to - tile_x * kEdge, kEdge);
+    if (left < right)
+      visit(tile_x, CellRect{left, v, right, v + 1}, std::size_t(v) * kEdge + std::size_t(left));
   }
 }
 
+void Canvas::paintRow(int row, int from, int to, const Ink& ink) {
+  const int tile_y = row / kEdge;
+  eachPiece(row, from, to, [&](int tile_x, const CellRect& piece, std::size_t at) {
+    const std::size_t count = std::size_t(piece.width());
+    const std::uint8_t* const now = read(tile_x, tile_y) + at;
+    if (ink.from) {
+      const auto source = ink.from->tile(0, tile_x, tile_y);
+      if (!source || std::memcmp(now, source->cells.get() + at, count) == 0) return;
+      std::memcpy(write(tile_x, tile_y, piece) + at, source->cells.get() + at, count);
+    } else if (!alreadyIs(now, count, ink.byte)) {
+      std::memset(write(tile_x, tile_y, piece) + at, ink.byte, count);
+    }
+  });
+}
+
 void Canvas::putRow(int row, int from, int to, const std::uint8_t* bytes) {
-  const int begin = std::max(from, 0), end = std::min(to, grid_.width());
-  if (row < 0 || row >= grid_.height() || begin >= end) return;
-  const int tile_y = row / Canvas::kEdge, v = row % Canvas::kEdge;
-  for (int tile_x = begin / Canvas::kEdge; tile_x * Canvas::kEdge < end; ++tile_x) {
-    const int u0 = std::max(begin - tile_x * Canvas::kEdge, 0),
-              u1 = std::min(end - tile_x * Canvas::kEdge, Canvas::kEdge);
-    const std::size_t at = std::size_t(v) * Canvas::kEdge + std::size_t(u0), count = std::size_t(u1 - u0);
-    const std::uint8_t* const wanted = bytes + (tile_x * Canvas::kEdge + u0 - from);
-    if (std::memcmp(read(tile_x, tile_y) + at, wanted, count) == 0) continue;
-    std::memcpy(write(tile_x, tile_y, {u0, v, u1, v + 1}) + at, wanted, count);
-  }
+  const int tile_y = row / kEdge;
+  eachPiece(row, from, to, [&](int tile_x, const CellRect& piece, std::size_t at) {
+    const std::uint8_t* const wanted = bytes + (tile_x * kEdge + piece.left - from);
+    const std::size_t count = std::size_t(piece.width());
+    if (std::memcmp(read(tile_x, tile_y) + at, wanted, count) != 0)
+      std::memcpy(write(tile_x, tile_y, piece) + at, wanted, count);
+  });
+}
+
+void Canvas::getRow(int row, int from, int to, std::uint8_t* bytes) {
+  eachPiece(row, from, to, [&](int tile_x, const CellRect& piece, std::size_t at) {
+    std::memcpy(bytes + (tile_x * kEdge + piece.left - from), read(tile_x, row / kEdge) + at,
+                std::size_t(piece.width()));
+  });
 }
 
 TileState Canvas::stateOf(std::shared_ptr<std::uint8_t[]> cells) {
@@ -123,19 +176,18 @@ std::vector<Canvas::Changed> Canvas::reduced(const std::vector<Changed>& finer, 
     const TilePlace place{level + 1, fine.place.x / 2, fine.place.y / 2};
     Coarse& under = coarse[place];
     if (!under.cells) under.cells = copyOf(place);
-    const int width = std::min(Canvas::kEdge, grid_.levelWidth(level) - fine.place.x * Canvas::kEdge);
-    const int height = std::min(Canvas::kEdge, grid_.levelHeight(level) - fine.place.y * Canvas::kEdge);
+    const int width = std::min(kEdge, grid_.levelWidth(level) - fine.place.x * kEdge);
+    const int height = std::min(kEdge, grid_.levelHeight(level) - fine.place.y * kEdge);
     const CellRect part{fine.dirty.left & ~1, fine.dirty.top & ~1,
                         std::min((fine.dirty.right + 1) & ~1, width),
                         std::min((fine.dirty.bottom + 1) & ~1, height)};
-    const int shift_x = fine.place.x % 2 * (Canvas::kEdge / 2),
-              shift_y = fine.place.y % 2 * (Canvas::kEdge / 2);
+    const int shift_x = fine.place.x % 2 * (kEdge / 2), shift_y = fine.place.y % 2 * (kEdge / 2);
     for (int v = part.top; v < part.bottom; v += 2) {
-      const std::uint8_t* const upper = fine.cells + std::size_t(v) * Canvas::kEdge + std::size_t(part.left);
-      const std::uint8_t* const lower = v + 1 < height ? upper + Canvas::kEdge : upper;
-      reducer_.reduceRow(upper, lower, std::size_t(part.width()),
-                         under.cells.get() + std::size_t(v / 2 + shift_y) * Canvas::kEdge +
-                             std::size_t(part.left / 2 + shift_x));
+      const std::uint8_t* const upper = fine.cells + std::size_t(v) * kEdge + std::size_t(part.left);
+      const std::uint8_t* const lower = v + 1 < height ? upper + kEdge : upper;
+      reducer_.reduceRow(
+          upper, lower, std::size_t(part.width()),
+          under.cells.get() + std::size_t(v / 2 + shift_y) * kEdge + std::size_t(part.left / 2 + shift_x));
     }
     under.dirty = under.dirty.united({part.left / 2 + shift_x, part.top / 2 + shift_y,
                                       (part.right + 1) / 2 + shift_x, (part.bottom + 1) / 2 + shift_y});

@@ -1,8 +1,12 @@
-// Painting: strokes of a round brush, lines, rectangles, polygons. All positions in cells, continuous: (0, 0)
-// is the outer corner of the first cell of the top row, rows run down. One thread.
+// Painting: strokes of a round brush, lines, rectangles, polygons, fills, and pieces that are copied and
+// pasted. All positions in cells, continuous: (0, 0) is the outer corner of the first cell of the top row,
+// rows run down. One thread.
 #pragma once
 
+#include <atomic>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -47,5 +51,30 @@ class Stroke {
   std::optional<Eigen::Vector2d> last_;
   Patch patch_;
 };
+
+/// The maximum size of a copy in cells.
+inline constexpr std::int64_t kMostClippedCells = std::int64_t(1) << 28;
+
+struct Clip {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> cells;  // row-major, in the code of its grid
+  grids::CellCode code = grids::CellCode::Gray;
+};
+
+/// nullopt: entirely outside the picture, or larger than kMostClippedCells.
+std::optional<Clip> copyCells(Canvas& canvas, const CellRect& rect);
+/// Pastes it with its upper left cell at (left, top); parts outside the picture are dropped. A clip with
+/// another code is pasted as free, occupied and unknown.
+void putClip(Canvas& canvas, const Clip& clip, int left, int top);
+
+/// The maximum number of tiles for a fill: 32,768 x 32,768 cells.
+inline constexpr std::size_t kMostFilledTiles = 16'384;
+
+/// Paints the cell and all of its kind (free, occupied, unknown) that are connected to it by edges. False: it
+/// would need more than kMostFilledTiles or was cancelled; the canvas is then unchanged. Does nothing outside
+/// the picture.
+/// Works tile by tile on rows of bits: filling a whole map costs little more than reading it.
+bool floodFill(Canvas& canvas, int column, int row, const Ink& ink,
+               const std::atomic<bool>* cancelled = nullptr);
 
 }  // namespace mapwright::picture

@@ -1,10 +1,48 @@
 #include "picture/edited_grid.h"
 
-namespace mapwright::picture {
+#include <set>
 
+namespace mapwright::picture {
 namespace {
-constexpr std::size_t kTileBytes = std::size_t(grids::GridPyramid::kTileEdge) * grids::GridPyramid::kTileEdge;
+
+/// Calls visit(cells) for each tile that a patch holds.
+template <typename Visit>
+void eachHeld(const Patch& patch, Visit visit) {
+  for (const auto& [place, change] : patch.tiles) {
+    for (const TileState* state : {&change.before, &change.after}) {
+      if (state->cells) visit(state->cells.get());
+    }
+  }
 }
+
+}  // namespace
+
+void Patch::append(const Patch& later) {
+  for (const auto& [place, change] : later.tiles) {
+    const auto [found, added] = tiles.try_emplace(place, change);
+    if (!added) found->second.after = change.after;
+  }
+  cells = cells.united(later.cells);
+}
+
+std::size_t Patch::bytes() const {
+  std::set<const std::uint8_t*> held;
+  eachHeld(*this, [&](const std::uint8_t* cells) { held.insert(cells); });
+  return held.size() * kTileCells;
+}
+
+void PatchMemory::add(const Patch& patch) {
+  eachHeld(patch, [this](const std::uint8_t* cells) { ++held_[cells]; });
+}
+
+void PatchMemory::remove(const Patch& patch) {
+  eachHeld(patch, [this](const std::uint8_t* cells) {
+    const auto found = held_.find(cells);
+    if (found != held_.end() && --found->second == 0) held_.erase(found);
+  });
+}
+
+std::size_t PatchMemory::bytes() const { return held_.size() * kTileCells; }
 
 std::size_t EditedGrid::PlaceHash::operator()(const TilePlace& place) const noexcept {
   const std::uint64_t key =
@@ -25,7 +63,7 @@ std::optional<grids::GridTile> EditedGrid::tile(int level, int tile_x, int tile_
 
 std::size_t EditedGrid::bytes() const {
   const std::lock_guard lock(mutex_);
-  return base_->bytes() + tiles_.size() * kTileBytes;
+  return base_->bytes() + tiles_.size() * kTileCells;
 }
 
 std::shared_ptr<EditedGrid> EditedGrid::snapshot() const {

@@ -2,16 +2,93 @@
 // docs/decisions/0015-edits-are-documents-with-drafts.md.
 #pragma once
 
+#include <algorithm>
+#include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
 #include <vector>
 
 #include "grids/grid_pyramid.h"
-#include "picture/patch.h"
 
 namespace mapwright::picture {
+
+inline constexpr int kEdge = grids::GridPyramid::kTileEdge;            // of a tile
+inline constexpr std::size_t kTileCells = std::size_t(kEdge) * kEdge;  // one byte each
+
+/// A rectangle of cells: columns left .. right and rows top .. bottom, the second of each excluded; rows
+/// count from the top.
+struct CellRect {
+  int left = 0, top = 0, right = 0, bottom = 0;
+
+  bool empty() const { return left >= right || top >= bottom; }
+  int width() const { return empty() ? 0 : right - left; }
+  int height() const { return empty() ? 0 : bottom - top; }
+  std::int64_t area() const { return std::int64_t(width()) * height(); }
+  bool contains(int column, int row) const {
+    return column >= left && column < right && row >= top && row < bottom;
+  }
+  CellRect intersected(const CellRect& other) const {
+    const CellRect both{std::max(left, other.left), std::max(top, other.top), std::min(right, other.right),
+                        std::min(bottom, other.bottom)};
+    return both.empty() ? CellRect{} : both;
+  }
+  CellRect united(const CellRect& other) const {
+    if (empty()) return other;
+    if (other.empty()) return *this;
+    return {std::min(left, other.left), std::min(top, other.top), std::max(right, other.right),
+            std::max(bottom, other.bottom)};
+  }
+  CellRect grown(int cells) const { return {left - cells, top - cells, right + cells, bottom + cells}; }
+  CellRect moved(int columns, int rows) const {
+    return {left + columns, top + rows, right + columns, bottom + rows};
+  }
+  bool operator==(const CellRect&) const = default;
+};
+
+/// Of a pyramid: level 0 is exact.
+struct TilePlace {
+  int level = 0, x = 0, y = 0;
+  auto operator<=>(const TilePlace&) const = default;
+};
+
+/// kTileCells bytes as in grids::GridTile, shared and immutable; null: as in the original picture.
+struct TileState {
+  std::shared_ptr<const std::uint8_t> cells;
+  bool uniform = false;
+  bool operator==(const TileState& other) const { return cells == other.cells; }
+};
+
+struct TileChange {
+  TileState before, after;
+};
+
+/// Tiles of all levels, so that undo and redo only swap pointers.
+struct Patch {
+  std::map<TilePlace, TileChange> tiles;
+  bool finest_only = false;  // coarser levels have to be rebuilt first (withCoarserLevels)
+  CellRect cells;            // of level 0: nothing outside changes
+
+  bool empty() const { return tiles.empty(); }
+  /// Combines both, `later` after this one.
+  void append(const Patch& later);
+  /// Upper bound of the memory it holds in bytes: tiles may be shared.
+  std::size_t bytes() const;
+};
+
+/// The memory that several patches hold together in bytes: a tile shared by two counts once.
+class PatchMemory {
+ public:
+  void add(const Patch& patch);
+  void remove(const Patch& patch);
+  std::size_t bytes() const;
+
+ private:
+  std::unordered_map<const std::uint8_t*, int> held_;
+};
 
 /// Acts like any other pyramid, with the same code, size and reduction: the edited map is what is drawn,
 /// exported and compared. One thread edits it, any thread reads; tiles handed out never change.

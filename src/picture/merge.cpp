@@ -9,9 +9,9 @@ namespace {
 
 std::int64_t differing(const std::uint8_t* one, const std::uint8_t* other) {
   std::int64_t count = 0;
-  for (std::size_t row = 0; row < Canvas::kTileCells; row += Canvas::kEdge) {
+  for (std::size_t row = 0; row < kTileCells; row += kEdge) {
     unsigned in_row = 0;
-    for (std::size_t u = 0; u < Canvas::kEdge; ++u) in_row += one[row + u] != other[row + u] ? 1 : 0;
+    for (std::size_t u = 0; u < kEdge; ++u) in_row += one[row + u] != other[row + u] ? 1 : 0;
     count += in_row;
   }
   return count;
@@ -26,15 +26,27 @@ std::int64_t differing(const EditedGrid& one, const EditedGrid& other, const Til
 /// The smallest rectangle around the differing cells of a tile; there is one.
 CellRect differingRect(const std::uint8_t* one, const std::uint8_t* other) {
   CellRect rect;
-  for (int v = 0; v < Canvas::kEdge; ++v) {
-    const std::uint8_t *a = one + std::size_t(v) * Canvas::kEdge, *b = other + std::size_t(v) * Canvas::kEdge;
-    if (std::memcmp(a, b, Canvas::kEdge) == 0) continue;
-    const int left = int(std::mismatch(a, a + Canvas::kEdge, b).first - a);
-    int right = Canvas::kEdge;
+  for (int v = 0; v < kEdge; ++v) {
+    const std::uint8_t *a = one + std::size_t(v) * kEdge, *b = other + std::size_t(v) * kEdge;
+    if (std::memcmp(a, b, kEdge) == 0) continue;
+    const int left = int(std::mismatch(a, a + kEdge, b).first - a);
+    int right = kEdge;
     while (a[right - 1] == b[right - 1]) --right;
     rect = rect.united({left, v, right, v + 1});
   }
   return rect;
+}
+
+/// Makes a tile of the canvas, whose cells are `now`, equal to `wanted`.
+void overwrite(Canvas& canvas, const TilePlace& place, const std::uint8_t* now, const std::uint8_t* wanted) {
+  if (std::memcmp(now, wanted, kTileCells) == 0) return;
+  std::memcpy(canvas.write(place.x, place.y, differingRect(now, wanted)), wanted, kTileCells);
+}
+
+/// The cell with that index in its tile.
+CellRect cellAt(std::size_t at) {
+  const int u = int(at % kEdge), v = int(at / kEdge);
+  return {u, v, u + 1, v + 1};
 }
 
 }  // namespace
@@ -91,16 +103,13 @@ bool sameShape(const grids::GridPyramid& one, const grids::GridPyramid& other) {
 Patch differenceTo(const EditedGrid& grid, const grids::GridPyramid& other,
                    const std::atomic<bool>* cancelled) {
   Canvas canvas(grid);
-  const int columns = (grid.width() + Canvas::kEdge - 1) / Canvas::kEdge,
-            rows = (grid.height() + Canvas::kEdge - 1) / Canvas::kEdge;
+  const int columns = (grid.width() + kEdge - 1) / kEdge, rows = (grid.height() + kEdge - 1) / kEdge;
   for (int y = 0; y < rows; ++y) {
     if (cancelled && cancelled->load(std::memory_order_relaxed)) return {};
     for (int x = 0; x < columns; ++x) {
       const auto now = grid.tile(0, x, y), wanted = other.tile(0, x, y);
       if (!now || !wanted || now->cells == wanted->cells) continue;
-      if (std::memcmp(now->cells.get(), wanted->cells.get(), Canvas::kTileCells) == 0) continue;
-      const CellRect rect = differingRect(now->cells.get(), wanted->cells.get());
-      std::memcpy(canvas.write(x, y, rect), wanted->cells.get(), Canvas::kTileCells);
+      overwrite(canvas, {0, x, y}, now->cells.get(), wanted->cells.get());
     }
   }
   return canvas.take();
@@ -115,18 +124,17 @@ Changes changesOf(const EditedGrid& grid, const Patch& patch, std::size_t most_r
     const auto cells =
         change.after.cells ? change.after.cells : grid.base()->tile(0, place.x, place.y)->cells;
     const std::uint8_t *was = before->cells.get(), *is = cells.get();
-    for (int v = 0; v < Canvas::kEdge; ++v, was += Canvas::kEdge, is += Canvas::kEdge) {
-      if (std::memcmp(was, is, Canvas::kEdge) == 0) continue;
-      for (int u = 0; u < Canvas::kEdge; ++u) {
+    for (int v = 0; v < kEdge; ++v, was += kEdge, is += kEdge) {
+      if (std::memcmp(was, is, kEdge) == 0) continue;
+      for (int u = 0; u < kEdge; ++u) {
         if (was[u] == is[u]) continue;
         const int from = u;
         const Kind becomes = kinds[is[u]];
-        while (u + 1 < Canvas::kEdge && was[u + 1] != is[u + 1] && kinds[is[u + 1]] == becomes) ++u;
+        while (u + 1 < kEdge && was[u + 1] != is[u + 1] && kinds[is[u + 1]] == becomes) ++u;
         changes.become[std::size_t(becomes)] += u + 1 - from;
         if (changes.runs.size() < most_runs)
           changes.runs.push_back(
-              {CellRect{from, v, u + 1, v + 1}.moved(place.x * Canvas::kEdge, place.y * Canvas::kEdge),
-               becomes});
+              {CellRect{from, v, u + 1, v + 1}.moved(place.x * kEdge, place.y * kEdge), becomes});
       }
     }
   }
@@ -143,12 +151,10 @@ std::pair<std::int64_t, CellRect> CellSet::differing(const EditedGrid& one, cons
   for (const auto& [place, cells] : tiles) {
     const auto a = one.tile(0, place.x, place.y), b = other.tile(0, place.x, place.y);
     if (!a || !b || a->cells == b->cells) continue;
-    for (std::size_t at = 0; at < Canvas::kTileCells; ++at) {
+    for (std::size_t at = 0; at < kTileCells; ++at) {
       if (!cells[at] || a->cells.get()[at] == b->cells.get()[at]) continue;
       ++count;
-      const int u = int(at % Canvas::kEdge), v = int(at / Canvas::kEdge);
-      where =
-          where.united(CellRect{u, v, u + 1, v + 1}.moved(place.x * Canvas::kEdge, place.y * Canvas::kEdge));
+      where = where.united(cellAt(at).moved(place.x * kEdge, place.y * kEdge));
     }
   }
   return {count, where};
@@ -159,11 +165,10 @@ Patch copied(const EditedGrid& grid, const EditedGrid& source, const CellSet& ce
   for (const auto& [place, of_tile] : cells.tiles) {
     const auto from = source.tile(0, place.x, place.y);
     if (!from) continue;
-    for (std::size_t at = 0; at < Canvas::kTileCells; ++at) {
+    for (std::size_t at = 0; at < kTileCells; ++at) {
       const std::uint8_t wanted = from->cells.get()[at];
       if (!of_tile[at] || canvas.read(place.x, place.y)[at] == wanted) continue;
-      const int u = int(at % Canvas::kEdge), v = int(at / Canvas::kEdge);
-      canvas.write(place.x, place.y, {u, v, u + 1, v + 1})[at] = wanted;
+      canvas.write(place.x, place.y, cellAt(at))[at] = wanted;
     }
   }
   return canvas.take();
@@ -179,15 +184,14 @@ Merge mergeCells(const EditedGrid& mine, const Patch& theirs, const EditedGrid& 
     const std::uint8_t *was = before->cells.get(), *their = change.after.cells.get();
     const std::uint8_t* my = canvas.read(place.x, place.y);
     std::uint8_t* out = nullptr;
-    for (std::size_t at = 0; at < Canvas::kTileCells; ++at) {
+    for (std::size_t at = 0; at < kTileCells; ++at) {
       if (their[at] == was[at] || their[at] == my[at]) continue;
       if (my[at] != was[at]) {
         merge.conflicts.tiles[place].set(at);
         continue;
       }
       ++merge.taken;
-      const int u = int(at % Canvas::kEdge), v = int(at / Canvas::kEdge);
-      out = canvas.write(place.x, place.y, {u, v, u + 1, v + 1});
+      out = canvas.write(place.x, place.y, cellAt(at));
       my = out;
       out[at] = their[at];
     }
@@ -218,21 +222,21 @@ TileState Rebase::rebased(const TilePlace& place, const TileState& state) {
   const auto my = state.cells ? std::optional(grids::GridTile{state.cells, state.uniform, false})
                               : base_->base()->tile(0, place.x, place.y);
   if (!was || !my) return state;
-  if (my->cells == was->cells || std::memcmp(my->cells.get(), was->cells.get(), Canvas::kTileCells) == 0)
+  if (my->cells == was->cells || std::memcmp(my->cells.get(), was->cells.get(), kTileCells) == 0)
     return made.to = their->second;
   std::shared_ptr<std::uint8_t[]> out;
-  for (std::size_t at = 0; at < Canvas::kTileCells; ++at) {
+  for (std::size_t at = 0; at < kTileCells; ++at) {
     const std::uint8_t now = my->cells.get()[at], before = was->cells.get()[at],
                        theirs = their->second.cells.get()[at];
     if (now != before || theirs == now) continue;
     if (!out) {
-      out = std::make_shared_for_overwrite<std::uint8_t[]>(Canvas::kTileCells);
-      std::memcpy(out.get(), my->cells.get(), Canvas::kTileCells);
+      out = std::make_shared_for_overwrite<std::uint8_t[]>(kTileCells);
+      std::memcpy(out.get(), my->cells.get(), kTileCells);
     }
     out[at] = theirs;
   }
   if (out) {
-    const bool uniform = std::memcmp(out.get(), out.get() + 1, Canvas::kTileCells - 1) == 0;
+    const bool uniform = std::memcmp(out.get(), out.get() + 1, kTileCells - 1) == 0;
     made.to = {std::shared_ptr<const std::uint8_t>(out, out.get()), uniform};
   }
   return made.to;
@@ -263,9 +267,7 @@ Patch withCoarserLevels(const EditedGrid& grid, const Patch& patch, bool done) {
     const TileState& wanted = done ? change.before : change.after;
     const auto cells = wanted.cells ? wanted.cells : grid.base()->tile(0, place.x, place.y)->cells;
     const auto now = grid.tile(0, place.x, place.y);
-    if (std::memcmp(now->cells.get(), cells.get(), Canvas::kTileCells) == 0) continue;
-    const CellRect rect = differingRect(now->cells.get(), cells.get());
-    std::memcpy(canvas.write(place.x, place.y, rect), cells.get(), Canvas::kTileCells);
+    overwrite(canvas, place, now->cells.get(), cells.get());
   }
   Patch made = canvas.take();
   for (auto& [place, change] : made.tiles) {

@@ -53,7 +53,7 @@ Changes changesOf(const EditedGrid& grid, const Patch& patch, std::size_t most_r
 
 /// A set of cells of a grid, by tile of level 0; row-major.
 struct CellSet {
-  using OfTile = std::bitset<std::size_t(Canvas::kEdge) * Canvas::kEdge>;
+  using OfTile = std::bitset<kTileCells>;
   std::map<TilePlace, OfTile> tiles;
   void unite(const CellSet& other);
   /// How many of them differ between the two, and their bounds.

@@ -22,19 +22,11 @@ struct Block {
 
 cv::Mat kindsIn(Canvas& canvas, const CellRect& rect, const std::array<Kind, 256>& kinds) {
   cv::Mat mat(rect.height(), rect.width(), CV_8U);
-  for (int tile_y = rect.top / Canvas::kEdge; tile_y * Canvas::kEdge < rect.bottom; ++tile_y) {
-    for (int tile_x = rect.left / Canvas::kEdge; tile_x * Canvas::kEdge < rect.right; ++tile_x) {
-      const CellRect part = rect.intersected(
-          CellRect{0, 0, Canvas::kEdge, Canvas::kEdge}.moved(tile_x * Canvas::kEdge, tile_y * Canvas::kEdge));
-      const std::uint8_t* const cells = canvas.read(tile_x, tile_y);
-      for (int row = part.top; row < part.bottom; ++row) {
-        const std::uint8_t* from =
-            cells + std::size_t(row % Canvas::kEdge) * Canvas::kEdge + std::size_t(part.left % Canvas::kEdge);
-        std::uint8_t* to = mat.ptr(row - rect.top) + (part.left - rect.left);
-        std::transform(from, from + part.width(), to,
-                       [&](std::uint8_t cell) { return std::uint8_t(kinds[cell]); });
-      }
-    }
+  for (int row = 0; row < mat.rows; ++row) {
+    std::uint8_t* const cells = mat.ptr(row);
+    canvas.getRow(rect.top + row, rect.left, rect.right, cells);
+    std::transform(cells, cells + mat.cols, cells,
+                   [&](std::uint8_t cell) { return std::uint8_t(kinds[cell]); });
   }
   return mat;
 }

@@ -13,6 +13,7 @@ namespace mapwright::placing {
 namespace {
 
 constexpr double kRounding = 1e-9;  // of a spacing: rounding errors
+constexpr std::size_t kLongestNumber = 9;
 
 std::pair<double, double> rangeOf(const std::vector<Spot>& spots, int axis) {
   const auto [least, most] = std::minmax_element(
@@ -35,11 +36,6 @@ std::vector<Spot> turned(std::vector<Spot> spots, const Eigen::Vector2d& pivot_m
     spot.position_m = pivot_m + turn * (spot.position_m - pivot_m);
     if (spot.yaw_rad) spot.yaw_rad = geometry::normalizeAngle(*spot.yaw_rad + by_rad);
   }
-  return spots;
-}
-
-std::vector<Spot> shifted(std::vector<Spot> spots, const Eigen::Vector2d& by_m) {
-  for (Spot& spot : spots) spot.position_m += by_m;
   return spots;
 }
 
@@ -77,6 +73,21 @@ std::vector<Spot> distributed(std::vector<Spot> spots, Axis axis) {
   for (std::size_t i = 0; i < order.size(); ++i)
     spots[order[i]].position_m[at] = least + (most - least) * double(i) / double(order.size() - 1);
   return spots;
+}
+
+std::string nextName(const std::string& name, std::set<std::string>& taken) {
+  std::size_t digits = name.size();
+  while (digits > 0 && name.size() - digits < kLongestNumber && name[digits - 1] >= '0' &&
+         name[digits - 1] <= '9')
+    --digits;
+  const bool numbered = digits < name.size() && digits > 0 && name[digits - 1] == ' ';
+  const std::string stem = numbered ? name.substr(0, digits) : name + " ";
+  std::int64_t number = numbered ? std::stoll(name.substr(digits)) : 1;
+  std::string next;
+  do {
+    next = stem + std::to_string(++number);
+  } while (!taken.insert(next).second);
+  return next;
 }
 
 }  // namespace mapwright::placing

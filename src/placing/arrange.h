@@ -1,9 +1,11 @@
-// Arranges waypoints as a group: rotate, place along a line, align, distribute. Pure functions; world metres,
-// radians counter-clockwise.
+// Arranges waypoints as a group: rotate, place along a line, align, distribute; and names for new ones. Pure
+// functions; world metres, radians counter-clockwise.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,8 +24,6 @@ Eigen::Vector2d middleOf(const std::vector<Spot>& spots);
 /// Rotates all around `pivot_m`, including their headings.
 std::vector<Spot> turned(std::vector<Spot> spots, const Eigen::Vector2d& pivot_m, double by_rad);
 
-std::vector<Spot> shifted(std::vector<Spot> spots, const Eigen::Vector2d& by_m);
-
 /// The maximum number of waypoints on one line.
 inline constexpr std::size_t kMostAlongLine = 2000;
 
@@ -36,5 +36,8 @@ enum class Axis { X, Y };
 std::vector<Spot> aligned(std::vector<Spot> spots, Axis axis);
 /// The outermost two stay; the others are spaced evenly between them along that axis, in their present order.
 std::vector<Spot> distributed(std::vector<Spot> spots, Axis axis);
+
+/// "Rack 3" -> "Rack 4", "Dock" -> "Dock 2": the next free name, which is taken then.
+std::string nextName(const std::string& name, std::set<std::string>& taken);
 
 }  // namespace mapwright::placing

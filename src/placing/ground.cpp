@@ -7,6 +7,7 @@
 namespace mapwright::placing {
 namespace {
 
+constexpr int kEdge = grids::GridPyramid::kTileEdge;
 constexpr std::size_t kHeldTiles = 64;  // one slot for each level and tile; the latest stays
 constexpr int kMostCellsAcross = 4;     // of the level at which a search begins
 constexpr double kMostCellsFine = 300;  // of a search that can only begin at level 0
@@ -35,7 +36,7 @@ bool coarseTells(const grids::GridPyramid& cells, const std::array<bool, 256>& o
 
 }  // namespace
 
-Ground::Ground(PlacedMap map, Patience patience) : map_(std::move(map)), patience_(patience) {
+Ground::Ground(PlacedMap map, Access access) : map_(std::move(map)), access_(access) {
   usable_ = map_.cells && !map::whyUnusable(map_.reference) && map_.reference.width > 0 &&
             map_.reference.height > 0;
   if (!usable_) return;
@@ -50,15 +51,12 @@ Ground::Ground(PlacedMap map, Patience patience) : map_(std::move(map)), patienc
 }
 
 std::uint8_t Ground::byteAt(int level, int column, int row) {
-  if (patience_ == Patience::AtHand) return map_.cells->at(column, row);  // level 0, always
+  if (access_ == Access::AtHand) return map_.cells->at(column, row);  // level 0, always
   if (column < 0 || row < 0 || column >= map_.cells->levelWidth(level) ||
       row >= map_.cells->levelHeight(level))
     return unknown_;
-  const std::uint8_t* const cells =
-      tileAt(level, column / grids::GridPyramid::kTileEdge, row / grids::GridPyramid::kTileEdge);
-  return cells ? cells[(row % grids::GridPyramid::kTileEdge) * grids::GridPyramid::kTileEdge +
-                       column % grids::GridPyramid::kTileEdge]
-               : unknown_;
+  const std::uint8_t* const cells = tileAt(level, column / kEdge, row / kEdge);
+  return cells ? cells[(row % kEdge) * kEdge + column % kEdge] : unknown_;
 }
 
 const std::uint8_t* Ground::tileAt(int level, int x, int y) {
@@ -106,20 +104,16 @@ void Ground::lookNear(Search& search) {
   };
   const auto [left, right] = range(search.from.x(), map_.reference.width);
   const auto [top, bottom] = range(search.from.y(), map_.reference.height);
-  for (int tile_y = top / grids::GridPyramid::kTileEdge; tile_y * grids::GridPyramid::kTileEdge < bottom;
-       ++tile_y) {
-    for (int tile_x = left / grids::GridPyramid::kTileEdge; tile_x * grids::GridPyramid::kTileEdge < right;
-         ++tile_x) {
+  for (int tile_y = top / kEdge; tile_y * kEdge < bottom; ++tile_y) {
+    for (int tile_x = left / kEdge; tile_x * kEdge < right; ++tile_x) {
       const std::uint8_t* const cells = tileAt(0, tile_x, tile_y);
       if (!cells) continue;
-      const int to_row = std::min(bottom, (tile_y + 1) * grids::GridPyramid::kTileEdge),
-                to_column = std::min(right, (tile_x + 1) * grids::GridPyramid::kTileEdge);
-      for (int row = std::max(top, tile_y * grids::GridPyramid::kTileEdge); row < to_row; ++row) {
-        const std::uint8_t* const line =
-            cells + (row % grids::GridPyramid::kTileEdge) * grids::GridPyramid::kTileEdge;
-        for (int column = std::max(left, tile_x * grids::GridPyramid::kTileEdge); column < to_column;
-             ++column) {
-          if (!occupied_[line[column % grids::GridPyramid::kTileEdge]]) continue;
+      const int to_row = std::min(bottom, (tile_y + 1) * kEdge),
+                to_column = std::min(right, (tile_x + 1) * kEdge);
+      for (int row = std::max(top, tile_y * kEdge); row < to_row; ++row) {
+        const std::uint8_t* const line = cells + (row % kEdge) * kEdge;
+        for (int column = std::max(left, tile_x * kEdge); column < to_column; ++column) {
+          if (!occupied_[line[column % kEdge]]) continue;
           const Eigen::Vector2d nearest = nearestIn(search.from, column, row, 1);
           const double distance = (nearest - search.from).norm();
           if (distance >= search.best) continue;
@@ -134,7 +128,7 @@ void Ground::lookNear(Search& search) {
 void Ground::lookAround(Search& search) {
   // The level at which a handful of cells covers the reach.
   int level = 0;
-  if (coarse_tells_ && patience_ == Patience::Wait) {
+  if (coarse_tells_ && access_ == Access::Wait) {
     while (level + 1 < map_.cells->levels() && search.best * 2 / double(1 << level) > kMostCellsAcross)
       ++level;
   }
@@ -166,9 +160,9 @@ std::optional<Wall> Ground::nearestWall(const Eigen::Vector2d& world_m, double r
   const double cell_m = map_.reference.resolution_m;
   double reach = std::min(reach_m / cell_m, 1e6);
   if (!coarse_tells_) reach = std::min(reach, kMostCellsFine);
-  if (patience_ == Patience::AtHand) reach = std::min(reach, double(kMostCellsAtHand));
+  if (access_ == Access::AtHand) reach = std::min(reach, double(kMostCellsAtHand));
   Search search{map_.reference.cellFromWorld(world_m), reach, std::nullopt};
-  reach <= kNearCells&& patience_ == Patience::Wait ? lookNear(search) : lookAround(search);
+  reach <= kNearCells&& access_ == Access::Wait ? lookNear(search) : lookAround(search);
   if (!search.nearest) return std::nullopt;
   return Wall{search.best * cell_m, map_.reference.worldFromCell(*search.nearest)};
 }
@@ -180,7 +174,7 @@ bool Ground::allUnknown() {
   if (!tile) return true;
   for (int row = 0; row < map_.cells->levelHeight(level); ++row) {
     for (int column = 0; column < map_.cells->levelWidth(level); ++column) {
-      if (known_[tile->cells.get()[row * grids::GridPyramid::kTileEdge + column]]) return false;
+      if (known_[tile->cells.get()[row * kEdge + column]]) return false;
     }
   }
   return true;

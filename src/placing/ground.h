@@ -34,11 +34,11 @@ struct Wall {
 /// Reads the cells of one map. Do not share it between threads; the cells may be shared.
 class Ground {
  public:
-  enum class Patience {
+  enum class Access {
     AtHand,  // fast, for the GUI thread. Anything slow to get counts as unknown.
     Wait,    // exact: reads whatever is needed
   };
-  Ground(PlacedMap map, Patience patience);
+  Ground(PlacedMap map, Access access);
 
   /// There are cells, and their position is valid.
   bool there() const { return usable_; }
@@ -68,7 +68,7 @@ class Ground {
   void lookAround(Search& search);
 
   PlacedMap map_;
-  Patience patience_;
+  Access access_;
   bool usable_ = false, coarse_tells_ = false;
   std::uint8_t unknown_ = 0;
   std::array<bool, 256> known_{}, occupied_{};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <string_view>
+#include <unordered_set>
 #include <utility>
 
 #include "map/live_topics.h"
@@ -95,7 +97,7 @@ GroundWarnings groundWarnings(const std::vector<Eigen::Vector2d>& places_m, cons
                               double radius_m, const std::atomic<bool>* cancelled) {
   GroundWarnings found;
   found.of.resize(places_m.size());
-  Ground ground(map, Ground::Patience::Wait);
+  Ground ground(map, Ground::Access::Wait);
   if (!ground.there()) return found;
   const bool known = !ground.allUnknown();
   found.state = known ? GroundState::Known : GroundState::Unknown;
@@ -104,6 +106,15 @@ GroundWarnings groundWarnings(const std::vector<Eigen::Vector2d>& places_m, cons
     found.of[i] = warningsAt(ground, places_m[i], radius_m, known, map.is_part);
   }
   return found;
+}
+
+std::set<std::string> namesTwice(const std::vector<std::string>& names) {
+  std::unordered_set<std::string_view> once;
+  std::set<std::string> twice;
+  for (const std::string& name : names) {
+    if (!name.empty() && !once.insert(name).second) twice.insert(name);
+  }
+  return twice;
 }
 
 Warnings together(const Warnings& of_ground, const std::string& name, bool name_twice, bool zero_turn) {

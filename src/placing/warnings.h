@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,9 @@ double radiusOf(const map::RobotModel& model);
 /// The default radius for a robot that does not report its footprint.
 inline constexpr double kUsualRadiusM = 0.3;
 inline constexpr double kMostRadiusM = 10;
+
+/// The names that several of them have. Empty ones do not count.
+std::set<std::string> namesTwice(const std::vector<std::string>& names);
 
 /// All warnings of one waypoint, most severe first.
 Warnings together(const Warnings& of_ground, const std::string& name, bool name_twice, bool zero_turn);

@@ -11,8 +11,8 @@
 
 #include "../edit/fake_waypoint_store.h"
 #include "app/waypoint_sending.h"
-#include "exchange/temporary_names.h"
 #include "exchange/waypoint_plan.h"
+#include "exchange/waypoint_steps.h"
 #include "robot/ros/kabam_plan.h"
 #include "test_program.h"
 
@@ -205,7 +205,7 @@ class NameSwapsTest : public QObject {
                : nullptr;
   }
   static void edited(edit::OpenWaypoints& list, const Trial& trial) {
-    std::vector<edit::Change<map::Waypoint>> changes;
+    std::vector<edit::Change> changes;
     for (const map::Waypoint& point : trial.wanted) changes.push_back(list.document().to(point.id, point));
     list.document().change(std::move(changes), QStringLiteral("names"));
   }

@@ -4,7 +4,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "edit/waypoint_fields.h"
+#include "edit/document.h"
 #include "test_program.h"
 
 namespace test_document {
@@ -23,8 +23,8 @@ Waypoint point(const std::string& id, double x = 0, double y = 0, const std::str
   return made;
 }
 
-Items<Waypoint> items(std::initializer_list<Waypoint> points) {
-  Items<Waypoint> made;
+Items items(std::initializer_list<Waypoint> points) {
+  Items made;
   for (const Waypoint& one : points) made.emplace(one.id, one);
   return made;
 }
@@ -90,14 +90,14 @@ class TestDocument : public QObject {
 
   void aNameThatAnotherOneHasIsRefused() {
     const robot::KeptFields one_of_each{.name_twice = false};
-    const Items<Waypoint> kept =
+    const Items kept =
         items({point("a", 0, 0, "A"), point("b", 0, 0, "B"), point("c", 0, 0, "C"), point("d", 0, 0, "C")});
     const auto to = [&](const Key& key, const std::string& name) {
       const bool there = kept.contains(key);
-      return Change<Waypoint>{key, there ? std::optional(kept.at(key)) : std::nullopt,
+      return Change{key, there ? std::optional(kept.at(key)) : std::nullopt,
                               point(key, 0, 0, name)};
     };
-    const auto refused = [&](const std::vector<Change<Waypoint>>& changes) {
+    const auto refused = [&](const std::vector<Change>& changes) {
       return refusedNames(kept, changes, one_of_each);
     };
     QCOMPARE(refused({to("n", "N")}), (std::set<Key>{}));
@@ -151,7 +151,7 @@ class TestDocument : public QObject {
   void oneSignalTellsWhatChanged() {
     Desk desk;
     std::vector<DocumentChange> told;
-    connect(&desk.document, &DocumentEvents::changed, this,
+    connect(&desk.document, &WaypointDocument::changed, this,
             [&](const DocumentChange& change) { told.push_back(change); });
     desk.document.change({desk.document.to("a", moved(point("a"), 3)), desk.document.to("b", std::nullopt),
                           desk.document.to("c", point("c"))},
@@ -369,15 +369,15 @@ class TestDocument : public QObject {
     Waypoint theirs = mine;
     theirs.yaw_rad = 0.5000000000000001;
     theirs.position_m.y() = std::nextafter(2, 3);
-    QVERIFY(!merge<Waypoint>(base, mine, theirs).conflict);
+    QVERIFY(!merge(base, mine, theirs).conflict);
     Waypoint named = theirs;
     named.name = "theirs";
-    const auto merged = merge<Waypoint>(base, mine, named);
+    const auto merged = merge(base, mine, named);
     QVERIFY(!merged.conflict);
     QCOMPARE(merged.item->name, std::string("theirs"));
     Waypoint rounded = base;
     rounded.yaw_rad = 1e-16;
-    const auto kept = merge<Waypoint>(base, mine, rounded);
+    const auto kept = merge(base, mine, rounded);
     QVERIFY(!kept.conflict);
     QCOMPARE(*kept.item->yaw_rad, 0.5);
   }
@@ -398,15 +398,15 @@ class TestDocument : public QObject {
   void aTemporaryNameOfMineIsNoConflict() {
     const Waypoint base = point("a", 0, 0, "alfa"), mine = renamed(base, "bravo");
     Waypoint theirs = moved(renamed(base, "alfa ~1"), 3);
-    const auto merged = merge<Waypoint>(base, mine, theirs);
+    const auto merged = merge(base, mine, theirs);
     QVERIFY(!merged.conflict);
     QCOMPARE(merged.item->name, std::string("bravo"));
     QCOMPARE(merged.item->position_m.x(), 3.0);
     // Who does not rename it lets it be, and what others call it is still theirs.
-    QCOMPARE(merge<Waypoint>(base, moved(base, 5), renamed(base, "alfa ~1")).item->name,
+    QCOMPARE(merge(base, moved(base, 5), renamed(base, "alfa ~1")).item->name,
              std::string("alfa ~1"));
-    QVERIFY(merge<Waypoint>(base, mine, renamed(base, "golf")).conflict);
-    QVERIFY(merge<Waypoint>(base, mine, renamed(base, "bravo ~1")).conflict);
+    QVERIFY(merge(base, mine, renamed(base, "golf")).conflict);
+    QVERIFY(merge(base, mine, renamed(base, "bravo ~1")).conflict);
   }
 };
 

@@ -5,9 +5,9 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "edit/draft_keeper.h"
+#include "edit/document.h"
+#include "edit/drafts.h"
 #include "edit/faults.h"
-#include "edit/waypoint_fields.h"
 #include "test_program.h"
 
 namespace test_drafts {
@@ -63,10 +63,10 @@ class TestDrafts : public QObject {
     point.yaw_rad = 1.0 / 3;
     point.tags = {"dock", ""};
     point.source = R"({"n": 12345678901234567890})";
-    const Draft<map::Waypoint> draft{kOffice,
-                                     QDateTime::fromMSecsSinceEpoch(1'700'000'000'123),
-                                     {{"k", std::nullopt, point}, {"d", point, std::nullopt}}};
-    const auto read = draftFromBytes<map::Waypoint>(toBytes(draft));
+    const WaypointDraft draft{kOffice,
+                              QDateTime::fromMSecsSinceEpoch(1'700'000'000'123),
+                              {{"k", std::nullopt, point}, {"d", point, std::nullopt}}};
+    const auto read = waypointDraftFrom(toBytes(draft));
     QVERIFY(read);
     QCOMPARE(read->of, kOffice);
     QCOMPARE(read->made, draft.made);
@@ -78,8 +78,8 @@ class TestDrafts : public QObject {
   void whatIsNoDraftIsNone_data() {
     QTest::addColumn<QByteArray>("bytes");
     const QByteArray good =
-        toBytes(Draft<map::Waypoint>{kOffice, QDateTime::currentDateTime(), {{"k", {}, map::Waypoint{}}}});
-    QVERIFY(draftFromBytes<map::Waypoint>(good));
+        toBytes(WaypointDraft{kOffice, QDateTime::currentDateTime(), {{"k", {}, map::Waypoint{}}}});
+    QVERIFY(waypointDraftFrom(good));
     QTest::newRow("nothing") << QByteArray();
     QTest::newRow("text") << QByteArray("hello");
     QTest::newRow("half") << good.left(good.size() / 2);
@@ -91,7 +91,7 @@ class TestDrafts : public QObject {
   }
   void whatIsNoDraftIsNone() {
     QFETCH(QByteArray, bytes);
-    QVERIFY(!draftFromBytes<map::Waypoint>(bytes));
+    QVERIFY(!waypointDraftFrom(bytes));
   }
 
   void onlyThoseOfProgramsThatAreGoneAreLeft() {

@@ -12,7 +12,7 @@ using namespace mapwright;
 using namespace mapwright::edit;
 using test::FakeWaypointStore;
 using test::waypoint;
-using State = WaypointSubmission::Row::State;
+using State = SubmittedRequest::State;
 
 namespace {
 

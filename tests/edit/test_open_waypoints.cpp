@@ -14,7 +14,7 @@ using namespace mapwright::edit;
 using test::FakeWaypointStore;
 using test::waypoint;
 using Way = FakeWaypointStore::Way;
-using State = WaypointSubmission::Row::State;
+using State = SubmittedRequest::State;
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Tables out of spreadsheets: what they look like is found out, and what they say is read.
 #include <QTest>
 
-#include "exchange/pasted_waypoints.h"
+#include "exchange/waypoint_table.h"
 #include "test_program.h"
 
 namespace test_pasted_waypoints {

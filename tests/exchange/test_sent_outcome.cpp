@@ -2,7 +2,7 @@
 // have been.
 #include <QTest>
 
-#include "exchange/sent_outcome.h"
+#include "exchange/waypoint_steps.h"
 #include "test_program.h"
 
 namespace test_sent_outcome {

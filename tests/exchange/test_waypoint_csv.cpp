@@ -1,8 +1,8 @@
 // Waypoints as CSV and GeoJSON: what is written is read back, and what is none is refused with its place.
 #include <QTest>
 
-#include "exchange/waypoint_csv.h"
 #include "exchange/waypoint_json.h"
+#include "exchange/waypoint_table.h"
 #include "test_program.h"
 
 namespace test_waypoint_csv {

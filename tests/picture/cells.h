@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "picture/canvas.h"
 #include "picture/edited_grid.h"
-#include "picture/paint.h"
 
 namespace mapwright::test {
 

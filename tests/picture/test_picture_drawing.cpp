@@ -4,9 +4,7 @@
 #include <QtTest>
 
 #include "cells.h"
-#include "picture/clip.h"
 #include "picture/draw.h"
-#include "picture/fill.h"
 #include "test_program.h"
 
 namespace test_picture_drawing {

@@ -3,7 +3,7 @@
 
 #include "geometry/pose.h"
 #include "placing/arrange.h"
-#include "placing/names.h"
+#include "placing/warnings.h"
 #include "test_program.h"
 
 namespace test_arrange {
@@ -80,27 +80,10 @@ class TestArrange : public QObject {
     QCOMPARE(distributed(two, Axis::Y), two);
   }
 
-  void aNameIsTwiceAsLongAsTwoBearIt() {
-    NameBook names;
-    std::set<std::string> touched;
-    names.put("a", "Dock", touched);
-    names.put("b", "Gate", touched);
-    touched.clear();
-    names.put("c", "Dock", touched);
-    QVERIFY(names.twice("a") && names.twice("c") && !names.twice("b"));
-    QCOMPARE(touched, (std::set<std::string>{"a", "c"}));
-    touched.clear();
-    names.put("c", "Gate", touched);
-    QVERIFY(!names.twice("a") && names.twice("b"));
-    QCOMPARE(touched, (std::set<std::string>{"a", "b", "c"}));
-    names.remove("c", touched);
-    QVERIFY(!names.twice("b") && !names.twice("c"));
-    names.put("d", "", touched);
-    names.put("e", "", touched);
-    QVERIFY(!names.twice("d"));  // no name is none that is borne twice
-    touched.clear();
-    names.put("b", "Gate", touched);
-    QVERIFY(touched.empty());
+  void namesThatTwoBearAreFound() {
+    QCOMPARE(namesTwice({"Dock", "Gate", "Dock", "Rack", "Dock"}), std::set<std::string>{"Dock"});
+    QVERIFY(namesTwice({"Dock", "Gate", "dock"}).empty());
+    QVERIFY(namesTwice({"", "", "Gate"}).empty());  // no name is none that is borne twice
   }
 
   void theNextNameIsFree() {

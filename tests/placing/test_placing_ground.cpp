@@ -14,7 +14,7 @@ using namespace mapwright::placing;
 
 namespace {
 
-using Patience = Ground::Patience;
+using Patience = Ground::Access;
 
 bool near(double a, double b) { return std::abs(a - b) < 1e-9; }
 

@@ -112,7 +112,7 @@ class TestPlacingSnap : public QObject {
     bench.rules.wall_m = 0.5;
     // A wall of 10 cm along the left edge.
     bench.ground.emplace(test::mapOf(100, 100, [](int x, int) { return x == 0 ? '#' : '.'; }),
-                         Ground::Patience::AtHand);
+                         Ground::Access::AtHand);
     const SnappedPlace place = bench.at(0.65, 5.23);
     QVERIFY(same(place.at_m, {0.6, 5.23}));
     QCOMPARE(place.guides.size(), std::size_t(1));
@@ -133,7 +133,7 @@ class TestPlacingSnap : public QObject {
     bench.rules.walls = true;
     bench.rules.wall_m = 0.5;
     bench.ground.emplace(test::mapOf(100, 100, [](int x, int y) { return x == 0 || y == 99 ? '#' : '.'; }),
-                         Ground::Patience::AtHand);
+                         Ground::Access::AtHand);
     for (const auto& [x, y] : {std::pair(0.62, 0.57), std::pair(0.57, 0.63), std::pair(0.66, 0.66)}) {
       const SnappedPlace place = bench.at(x, y);
       if (place.guides.empty()) continue;
@@ -149,7 +149,7 @@ class TestPlacingSnap : public QObject {
     bench.rules.wall_m = 0.5;
     bench.rules.grid = true;  // which must not pull it off
     bench.ground.emplace(test::mapOf(100, 100, [](int x, int y) { return x + 99 - y < 60 ? '#' : '.'; }),
-                         Ground::Patience::AtHand);
+                         Ground::Access::AtHand);
     const Eigen::Vector2d free = Eigen::Vector2d(3.03, 3.03) + Eigen::Vector2d(0.53, 0.53) / std::sqrt(2.0);
     const SnappedPlace place = bench.at(free.x(), free.y());
     QVERIFY(!place.guides.empty());

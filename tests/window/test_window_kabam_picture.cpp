@@ -10,7 +10,7 @@
 #include "simulator/simulator.h"
 #include "test_program.h"
 #include "ui/picture/picture_controller.h"
-#include "ui/picture/picture_copies.h"
+#include "ui/picture/picture_drafts.h"
 #include "ui/picture/picture_dock.h"
 #include "ui/picture/picture_tool.h"
 #include "ui/view/map_overlay.h"

@@ -11,10 +11,8 @@
 #include "geometry/pose.h"
 #include "test_program.h"
 #include "ui/view/map_overlay.h"
-#include "ui/waypoints/line_bar.h"
 #include "ui/waypoints/line_tool.h"
-#include "ui/waypoints/name_editor.h"
-#include "ui/waypoints/waypoint_form.h"
+#include "ui/waypoints/waypoint_forms.h"
 #include "ui/waypoints/waypoint_placing.h"
 #include "ui/waypoints/waypoint_tool.h"
 #include "ui/waypoints/waypoints_controller.h"
@@ -66,7 +64,7 @@ struct Desk : test::Bench {
   WaypointWarnings& warnings() { return *control().placing()->warnings(); }
   LineTool& line() { return *control().placing()->actions()->lineTool(); }
   LineBar& lineBar() { return *control().placing()->actions()->lineBar(); }
-  const edit::Items<map::Waypoint>& items() { return editing().document()->items(); }
+  const edit::Items& items() { return editing().document()->items(); }
   QUndoStack& undo() { return editing().document()->undoStack(); }
   QPoint px(double x, double y) {
     const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld({x, y});

@@ -17,9 +17,8 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
-#include "ui/waypoints/group_form.h"
-#include "ui/waypoints/name_editor.h"
-#include "ui/waypoints/waypoint_form.h"
+#include "ui/waypoints/waypoint_conflicts.h"
+#include "ui/waypoints/waypoint_forms.h"
 #include "ui/waypoints/waypoint_snapping.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "ui/waypoints/waypoint_tool.h"
@@ -494,21 +493,21 @@ class TestWindowWaypoints : public QObject {
     desk.store.put(waypoint("b", 3, 2, "Kitchen renamed"));
     Q_EMIT desk.store.changed();
     QTRY_COMPARE(desk.editing().find("b")->name, std::string("Kitchen renamed"));
-    QVERIFY(desk.dock().conflictShown().isEmpty());
+    QVERIFY(desk.dock().conflicts()->shown().isEmpty());
     desk.store.put(waypoint("a", 0.5, 0.5, "Dock"));
     Q_EMIT desk.store.changed();
-    QTRY_VERIFY(!desk.dock().conflictShown().isEmpty());
-    QVERIFY2(desk.dock().conflictShown().contains(
+    QTRY_VERIFY(!desk.dock().conflicts()->shown().isEmpty());
+    QVERIFY2(desk.dock().conflicts()->shown().contains(
                  QLatin1String("Here: position 1.500, 1.000 m. Elsewhere: position 0.500, 0.500 m.")),
-             qPrintable(desk.dock().conflictShown()));
+             qPrintable(desk.dock().conflicts()->shown()));
     QVERIFY(desk.notice()->isVisible());
     QVERIFY(!desk.dock().saveButton()->isEnabled() && !desk.action("save")->isEnabled());
     desk.editing().add({3, 1});
     QVERIFY(!desk.dock().saveButton()->isEnabled() && !desk.action("save")->isEnabled());
-    desk.dock().theirsButton()->click();
+    desk.dock().conflicts()->theirsButton()->click();
     QVERIFY(desk.dock().saveButton()->isEnabled() && desk.action("save")->isEnabled());
     QVERIFY(desk.near("a", 0.5, 0.5));
-    QVERIFY(desk.dock().conflictShown().isEmpty() && !desk.notice()->isVisible());
+    QVERIFY(desk.dock().conflicts()->shown().isEmpty() && !desk.notice()->isVisible());
   }
 
   void aConflictIsDecidedOnTheMap_data() {
@@ -533,7 +532,7 @@ class TestWindowWaypoints : public QObject {
     desk.editing().moveSelected({0.5, 0});
     desk.store.put(waypoint("a", 0.5, 0.5, "Dock"));
     Q_EMIT desk.store.changed();
-    QTRY_VERIFY(!desk.dock().conflictShown().isEmpty());
+    QTRY_VERIFY(!desk.dock().conflicts()->shown().isEmpty());
     const auto menuAt = [&](const QPointF& at) {
       auto menu = std::make_unique<QMenu>();
       window::fillMapMenu(*menu, desk.window->actionList(), {at.x(), at.y()});
@@ -544,7 +543,7 @@ class TestWindowWaypoints : public QObject {
     QAction* const action = menu->findChild<QAction*>(choice);
     QVERIFY(action && action->isEnabled());
     action->trigger();
-    QVERIFY(desk.dock().conflictShown().isEmpty());
+    QVERIFY(desk.dock().conflicts()->shown().isEmpty());
     QVERIFY(desk.near("a", a.x(), a.y()));
     QCOMPARE(int(desk.items().size()), count);
     if (count == 3) {

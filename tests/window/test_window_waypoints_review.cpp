@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "test_program.h"
+#include "ui/waypoints/waypoint_conflicts.h"
 #include "ui/waypoints/waypoint_review.h"
 #include "waypoints_desk.h"
 
@@ -254,7 +255,7 @@ class TestWindowWaypointsReview : public QObject {
     QCOMPARE(desk.outcome(1), arrives ? QStringLiteral("done, answer lost")
                                       : QStringLiteral("unknown. The connection was lost."));
     // The link is back: what it did to the others is over.
-    QVERIFY2(desk.review().statusShown().startsWith(QLatin1String("Of 3 calls")),
+    QVERIFY2(desk.review().statusShown().startsWith(QLatin1String("Of 3 requests")),
              qPrintable(desk.review().statusShown()));
     QVERIFY2(!desk.dock().statusShown().contains(QLatin1String("saved:")),
              qPrintable(desk.dock().statusShown()));
@@ -292,7 +293,7 @@ class TestWindowWaypointsReview : public QObject {
                  qPrintable(desk.review().statusShown()));
     QVERIFY(desk.store.asked.empty());
     QVERIFY(!desk.review().sendButton()->isEnabled());
-    QTest::mouseClick(desk.dock().mineButton(), Qt::LeftButton);
+    QTest::mouseClick(desk.dock().conflicts()->mineButton(), Qt::LeftButton);
     QTRY_VERIFY(desk.review().sendButton()->isEnabled());
     desk.send();
     QTRY_VERIFY(!desk.control().unsaved());

@@ -18,10 +18,8 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "ui/waypoints/conflict_box.h"
-#include "ui/waypoints/group_form.h"
-#include "ui/waypoints/import_dialog.h"
-#include "ui/waypoints/waypoint_form.h"
+#include "ui/waypoints/waypoint_conflicts.h"
+#include "ui/waypoints/waypoint_forms.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "ui/waypoints/waypoint_transfer.h"
 #include "waypoints_desk.h"
@@ -251,20 +249,20 @@ class TestWindowWaypointsTable : public QObject {
     desk.store.put(waypoint("a", 0.5, 2.5, "Dock"));
     desk.store.put(waypoint("b", 3.5, 1, "Kitchen"));
     Q_EMIT desk.store.changed();
-    QTRY_VERIFY2(
-        desk.dock().conflictShown().contains(QLatin1String("Dock was changed here and elsewhere (1 of 2).")),
-        qPrintable(desk.dock().conflictShown()));
+    QTRY_VERIFY2(desk.dock().conflicts()->shown().contains(
+                     QLatin1String("Dock was changed here and elsewhere (1 of 2).")),
+                 qPrintable(desk.dock().conflicts()->shown()));
     QVERIFY(desk.window->mapPicture() != before);
     QTest::mouseClick(desk.dock().conflicts()->nextButton(), Qt::LeftButton);
-    QVERIFY(desk.dock().conflictShown().contains(
+    QVERIFY(desk.dock().conflicts()->shown().contains(
         QLatin1String("Kitchen was changed here and elsewhere (2 of 2).")));
     desk.show(kConflicting);
     QCOMPARE(desk.rowsShown(), 2);
-    QTest::mouseClick(desk.dock().theirsButton(), Qt::LeftButton);
+    QTest::mouseClick(desk.dock().conflicts()->theirsButton(), Qt::LeftButton);
     QVERIFY(desk.near("b", 3.5, 1));
-    QVERIFY(desk.dock().conflictShown().contains(QLatin1String("Dock was changed here and elsewhere.")));
-    QTest::mouseClick(desk.dock().mineButton(), Qt::LeftButton);
-    QVERIFY(desk.dock().conflictShown().isEmpty());
+    QVERIFY(desk.dock().conflicts()->shown().contains(QLatin1String("Dock was changed here and elsewhere.")));
+    QTest::mouseClick(desk.dock().conflicts()->mineButton(), Qt::LeftButton);
+    QVERIFY(desk.dock().conflicts()->shown().isEmpty());
   }
 
   void theHistoryGoesBackByAClick() {

@@ -9,7 +9,6 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
-#include "ui/waypoints/name_editor.h"
 #include "ui/waypoints/waypoint_tool.h"
 #include "ui/waypoints/waypoints_controller.h"
 #include "ui/waypoints/waypoints_dock.h"
@@ -61,7 +60,7 @@ struct WaypointsDesk : Bench {
   WaypointsController& control() { return *window->waypoints(); }
   WaypointEditing& editing() { return *control().editing(); }
   WaypointsDock& dock() { return *control().dock(); }
-  const edit::Items<map::Waypoint>& items() { return editing().document()->items(); }
+  const edit::Items& items() { return editing().document()->items(); }
   QUndoStack& undo() { return editing().document()->undoStack(); }
   QPoint px(double x, double y) {
     const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld({x, y});

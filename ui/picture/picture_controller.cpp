@@ -3,29 +3,32 @@
 #include <algorithm>
 #include <utility>
 
+#include <QDir>
 #include <QMessageBox>
+#include <QPushButton>
 
 #include "sentences/absence_sentence.h"
+#include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
+#include "ui/kit/form.h"
 #include "ui/kit/panels.h"
-#include "ui/kit/plain_label.h"
 #include "ui/kit/undo_stacks.h"
 #include "ui/picture/picture_dock.h"
 #include "ui/picture/picture_drafts.h"
-#include "ui/picture/picture_text.h"
-#include "ui/picture/picture_tool.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
+#include "ui/view/on_screen.h"
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
 
 namespace mapwright::window {
+namespace {
 
 using session::MapSlot;
 
-namespace {
 const QString kUndoMb = QStringLiteral("picture/undo_mb");
 constexpr unsigned kUsualUndoMb = 256;
+
 }  // namespace
 
 PictureController::PictureController(WindowContext& context, QObject* parent)
@@ -96,8 +99,6 @@ PictureController::~PictureController() {
   delete dock_;  // it refers to members of this object
 }
 
-QMessageBox* PictureController::question() const { return question_; }
-
 void PictureController::addActions() {
   tool_action_ = context_.actions.add({.id = "pictureTool",
                                        .text = tr("&Edit map"),
@@ -108,7 +109,6 @@ void PictureController::addActions() {
                                        .toggle = true,
                                        .menu = {MenuGroup::Waypoints, 30},
                                        .bar = {BarGroup::Tools, 40}});
-  tool_action_->setProperty("tip", tool_action_->toolTip());
   context_.tools.add(tool_, tool_action_);
 }
 
@@ -119,8 +119,8 @@ void PictureController::setSession(session::Session* session) {
   closeMap();
   session_ = session;
   wanted_map_.reset();
-  if (looked_.stop) looked_.stop->store(true);
-  looked_ = {};
+  if (cell_check_.stop) cell_check_.stop->store(true);
+  cell_check_ = {};
   if (session_) {
     dock_->setLocal(session_->robot().isLocal());
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &PictureController::refresh);
@@ -139,7 +139,7 @@ void PictureController::syncMap() {
                      !slot->broken() && slot->key() == *key;
   if (whole && !session_->robot().pictureStore()->obstacle(slot->shown())) {
     if (!open_map_) {
-      openOnceLookedAt(*slot);
+      openOnceChecked(*slot);
     } else if (slot->cells() != seen_ && !saving_) {
       takeOther(*slot);
     }
@@ -147,25 +147,25 @@ void PictureController::syncMap() {
   refresh();
 }
 
-void PictureController::openOnceLookedAt(const MapSlot& slot) {
-  if (looked_.cells == slot.cells()) {
-    if (looked_.done && !looked_.between) openMap(slot);
+void PictureController::openOnceChecked(const MapSlot& slot) {
+  if (cell_check_.cells == slot.cells()) {
+    if (cell_check_.done && !cell_check_.between) openMap(slot);
     return;
   }
   std::array<bool, 256> held{};
   for (std::size_t cell = 0; cell < held.size(); ++cell)
     held[cell] = session_->robot().pictureStore()->holdsCell(slot.shown(), std::uint8_t(cell));
   if (std::all_of(held.begin(), held.end(), [](bool is_held) { return is_held; })) return openMap(slot);
-  if (looked_.stop) looked_.stop->store(true);
-  looked_ = {slot.cells(), std::make_shared<std::atomic<bool>>(false), false, std::nullopt};
-  share_.startLong([this, held, cells = looked_.cells, stop = looked_.stop] {
+  if (cell_check_.stop) cell_check_.stop->store(true);
+  cell_check_ = {slot.cells(), std::make_shared<std::atomic<bool>>(false), false, std::nullopt};
+  share_.startLong([this, held, cells = cell_check_.cells, stop = cell_check_.stop] {
     const auto between = picture::firstOther(*cells, held, *stop);
     QMetaObject::invokeMethod(
         this,
         [this, stop, between] {
-          if (stop != looked_.stop) return;
-          looked_.done = true;
-          looked_.between = between;
+          if (stop != cell_check_.stop) return;
+          cell_check_.done = true;
+          cell_check_.between = between;
           syncMap();
         },
         Qt::QueuedConnection);
@@ -173,12 +173,12 @@ void PictureController::openOnceLookedAt(const MapSlot& slot) {
 }
 
 void PictureController::openMap(const MapSlot& slot) {
-  looked_ = {};
+  cell_check_ = {};
   open_map_ = slot.shown().key;
   seen_ = slot.cells();
   revision_ = slot.shown().fingerprint;
   own_revisions_.clear();
-  forgetting_told_ = false;
+  forgetting_reported_ = false;
   ++opened_;
   editing_.open(seen_, slot.reference(), session_->robot().pictureStore()->holdsUnknown(slot.shown()));
   watchDrafts();
@@ -192,7 +192,7 @@ void PictureController::closeMap() {
   dock_->setTravelled(std::nullopt);
   trouble_.clear();
   copy_.clear();
-  conflicts_told_ = false;
+  conflicts_reported_ = false;
   seen_.reset();
   open_map_.reset();
   ++opened_;
@@ -208,7 +208,7 @@ void PictureController::watchDrafts() {
   drafts_ = std::make_unique<PictureDrafts>(
       &editing_,
       edit::DraftIdentity{session_->robot().address(), QString::fromStdString(map::toText(*open_map_)),
-                          kPictureDraft},
+                          QStringLiteral("picture")},
       context_.edit, context_.workers);
   connect(drafts_.get(), &PictureDrafts::changed, this, [this] {
     if (drafts_->offered()) context_.panels.open(dock_);
@@ -276,14 +276,14 @@ std::optional<map::MapKey> PictureController::mapInstead() const {
 bool PictureController::opening() const {
   if (!session_ || editing_.isOpen()) return false;
   const MapSlot& slot = session_->wholeMap();
-  if (looked_.cells && looked_.cells == slot.cells() && !looked_.done) return true;
+  if (cell_check_.cells && cell_check_.cells == slot.cells() && !cell_check_.done) return true;
   if (!wanted_map_) return false;
   const bool on_its_way = slot.phase() == MapSlot::Phase::Fetching || slot.phase() == MapSlot::Phase::Reading;
   return on_its_way && slot.key() == *wanted_map_;
 }
 
 void PictureController::noteForgotten() {
-  if (std::exchange(forgetting_told_, true)) return;
+  if (std::exchange(forgetting_reported_, true)) return;
   context_.overlay.toasts()->add(
       Mark::Warning,
       tr("The oldest changes to this map can no longer be undone: that would take too much memory."));
@@ -303,8 +303,17 @@ QString PictureController::whyNot() const {
   }
   const MapSlot& slot = session_->wholeMap();
   if (!slot.cells()) return tr("Only a whole map has a picture to edit. Open one in the Maps panel.");
-  if (const auto obstacle = store->obstacle(slot.shown())) return obstacleText(*obstacle);
-  if (looked_.between && looked_.cells == slot.cells()) return cellBetweenText(*looked_.between);
+  const auto obstacle = store->obstacle(slot.shown());
+  if (obstacle == robot::PictureObstacle::NotStored)
+    return tr("Only stored maps can be edited, not the live one.");
+  if (obstacle)
+    return tr("Pictures of this format are read-only. Export the map as PGM and YAML and edit that.");
+  if (cell_check_.between && cell_check_.cells == slot.cells())
+    return tr("Some cells of this map are neither free, occupied nor unknown but in between (%1 of 100), and "
+              "the robot's map manager has no gray level for these, so the map could not be sent back. "
+              "Export "
+              "the map to edit it as files.")
+        .arg(int(*cell_check_.between));
   if (slot.broken()) return tr("Parts of this map could not be read, so it cannot be saved.");
   return tr("The map is loading.");
 }
@@ -315,10 +324,211 @@ void PictureController::refresh() {
   dock_->setSaving(saving_, !trouble_.isEmpty() || !drafts_ ? trouble_ : drafts_->trouble());
   dock_->setOffer(drafts_ ? drafts_->offer() : QString());
   const bool usable = sentence.isEmpty() || mapInstead() || opening();
-  tool_action_->setEnabled(usable);
-  tool_action_->setToolTip(usable ? tool_action_->property("tip").toString() : plainToolTip(sentence));
+  allow(tool_action_, usable, sentence);
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
   if (std::exchange(was_unsaved_, unsaved()) != unsaved()) Q_EMIT unsavedChanged();
+}
+
+void PictureController::askToDecide() {
+  when_saved_ = nullptr;
+  context_.overlay.toasts()->add(Mark::Warning, tr("The map is not saved yet: some cells were changed both "
+                                                   "here and elsewhere. Choose which ones to keep."));
+  context_.panels.open(dock_);
+}
+
+void PictureController::save() {
+  editing_.endStroke();
+  if (saving_ || !editing_.unsaved() || !session_ || !open_map_) return;
+  if (editing_.conflicts() > 0) return askToDecide();
+  // A robot drives by it from then on.
+  session_->robot().isLocal() ? send() : askToSend();
+}
+
+void PictureController::askToSend() {
+  if (sending_question_) return sending_question_->raise();
+  sending_question_ =
+      new QMessageBox(QMessageBox::Question, tr("Send the map to the robot"),
+                      tr("Overwrite %1 on the robot %2?").arg(mapName(), robotCalled(session_->robot())),
+                      QMessageBox::Cancel, &context_.window);
+  sending_question_->setTextFormat(Qt::PlainText);
+  const QString copies = copiesHere();
+  QString about = tr("%1 changed. The robot will use the new picture. It does not keep the old one.")
+                      .arg(cellsText(editing_.changedCells()));
+  if (!copies.isEmpty())
+    about += QLatin1Char('\n') + tr("A copy of the old picture is saved in %1 as a local map. The latest %2 "
+                                    "copies of each map are kept.")
+                                     .arg(QDir::toNativeSeparators(copies))
+                                     .arg(kMostCopies);
+  sending_question_->setInformativeText(about);
+  sending_question_->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* const send_button = sending_question_->addButton(tr("Send"), QMessageBox::AcceptRole);
+  send_button->setObjectName(QStringLiteral("sendPicture"));
+  sending_question_->setDefaultButton(QMessageBox::Cancel);
+  sending_question_->setEscapeButton(QMessageBox::Cancel);
+  connect(sending_question_, &QMessageBox::finished, this, [this, send_button, opened = opened_] {
+    QMessageBox* const asked = std::exchange(sending_question_, nullptr);
+    if (asked->clickedButton() == send_button && opened == opened_) {
+      const QString folder = copiesHere();
+      copy_ = folder.isEmpty() ? QString() : copyPath(folder, context_.edit.now());
+      return send();
+    }
+    when_saved_ = nullptr;
+  });
+  sending_question_->open();
+}
+
+void PictureController::send() {
+  if (saving_ || !editing_.unsaved() || !session_ || !open_map_) return;
+  if (editing_.conflicts() > 0) return askToDecide();
+  if (editing_.merging()) {
+    again_ = true;  // it would be refused: the stored picture has already changed
+    return;
+  }
+  if (!session_->robot().pictureStore()) return;
+  saving_ = true;
+  trouble_.clear();
+  refresh();
+  if (copy_.isEmpty()) return write();
+  share_.startLong(
+      [this, path = copy_, cells = editing_.saved(), place = editing_.reference(), opened = opened_] {
+        const auto trouble = keepCopy(*cells, place, path);
+        QMetaObject::invokeMethod(
+            this,
+            [this, trouble, opened] {
+              if (opened == opened_) noteCopied(trouble);
+            },
+            Qt::QueuedConnection);
+      });
+}
+
+QString PictureController::copiesHere() const {
+  return copiesFolder(context_.edit.drafts_folder, session_->robot().address(), mapName());
+}
+
+/// Without a backup nothing is overwritten.
+void PictureController::noteCopied(const std::optional<Fault>& trouble) {
+  if (!saving_) return;
+  if (!trouble) return write();
+  saving_ = false;
+  noteNotWritten(tr("Nothing was sent, because the robot's map could not be backed up: %1")
+                     .arg(sentences::wordsOf(*trouble)));
+  syncMap();
+}
+
+void PictureController::noteNotWritten(const QString& sentence) {
+  when_saved_ = nullptr;
+  trouble_ = sentence;
+  context_.overlay.toasts()->add(Mark::Bad, tr("The map was not saved. %1").arg(trouble_));
+}
+
+void PictureController::write() {
+  robot::PictureStore* const store = session_->robot().pictureStore();
+  if (!store) {
+    saving_ = false;
+    return refresh();
+  }
+  const auto cells = editing_.snapshot();
+  write_call_ = store->write({*open_map_, cells, revision_},
+                             [this, cells, opened = opened_](robot::Outcome<robot::PictureReceipt> outcome) {
+                               if (opened == opened_) noteWritten(cells, outcome);
+                             });
+  write_call_.onProgress([this, opened = opened_](robot::Progress progress) {
+    if (opened != opened_ || !saving_ || !progress.of_bytes || *progress.of_bytes <= 0) return;
+    dock_->setTravelled(double(progress.bytes) / double(*progress.of_bytes));
+  });
+  refresh();
+}
+
+void PictureController::noteWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
+                                    const robot::Outcome<robot::PictureReceipt>& outcome) {
+  saving_ = false;
+  dock_->setTravelled(std::nullopt);
+  if (outcome) {
+    revision_ = outcome->revision;
+    own_revisions_.insert(revision_);
+    Q_EMIT written();
+    editing_.noteSaved(cells);
+    if (copy_.isEmpty()) {
+      context_.overlay.toasts()->add(Mark::Good, tr("%1 saved").arg(mapName()));
+    } else {
+      context_.overlay.toasts()->add(
+          Mark::Good, tr("%1 saved. Previous version: %2").arg(mapName(), QDir::toNativeSeparators(copy_)),
+          {tr("Open it"), [this, copy = copy_] { Q_EMIT fileWanted(copy); }});
+    }
+    // Leaving ends the session, and its robot is emitting this signal.
+    if (const auto then = std::exchange(when_saved_, nullptr))
+      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+  } else if (outcome.error().kind == map::FailureKind::Conflict) {
+    again_ = true;
+    trouble_ = tr("It was changed elsewhere in the meantime and is being reloaded.");
+  } else if (outcome.error().kind == map::FailureKind::Cancelled &&
+             outcome.error().applied == map::Applied::No) {
+    when_saved_ = nullptr;
+  } else {
+    noteNotWritten(QString::fromStdString(sentences::sentenceOf(outcome.error())));
+  }
+  // Changes that arrived during the write were ignored.
+  syncMap();
+}
+
+void PictureController::noteMerged(qint64 taken, const std::string& revision) {
+  revision_ = revision;
+  trouble_.clear();
+  const bool again = std::exchange(again_, false);
+  if (editing_.conflicts() == 0) conflicts_reported_ = false;
+  if (editing_.conflicts() > 0) {
+    if (!std::exchange(conflicts_reported_, true) || again) askToDecide();
+  } else if (again) {
+    if (editing_.unsaved()) {
+      send();
+    } else if (const auto then = std::exchange(when_saved_, nullptr)) {
+      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+    }
+  } else if (taken > 0) {
+    const QString told = tr("%1 was changed elsewhere. The two versions were merged.").arg(mapName());
+    // Someone painting there causes this with every stroke.
+    if (!context_.overlay.toasts()->texts().contains(told))
+      context_.overlay.toasts()->add(Mark::Warning, told);
+  }
+  refresh();
+}
+
+QString PictureController::mapName() const {
+  return session_ ? mapCalled(session_->wholeMap().name(), session_->wholeMap().key()) : QString();
+}
+
+void PictureController::beforeLeaving(std::function<void()> then) {
+  editing_.endStroke();
+  if (!unsaved() || may_leave_) return then();
+  when_left_ = std::move(then);
+  if (question_) return question_->raise();
+  question_ =
+      askToLeave(this, &context_.window, tr("The map is not saved"),
+                 tr("Changes to %1 are not saved: %2.").arg(mapName(), cellsText(editing_.changedCells())),
+                 drafts_ != nullptr, [this](Leaving leaving) {
+                   question_ = nullptr;
+                   answer(leaving);
+                 });
+}
+
+void PictureController::answer(Leaving leaving) {
+  const auto then = std::exchange(when_left_, nullptr);
+  if (!then || !open_map_) return;
+  if (leaving == Leaving::Save) {
+    when_saved_ = then;
+    save();
+  } else if (leaving == Leaving::Discard) {
+    editing_.revert();
+    if (!editing_.reckoning()) return then();
+    when_reverted_ = then;
+  } else if (leaving == Leaving::Keep && drafts_) {
+    if (const auto trouble = drafts_->keep()) {
+      context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
+    } else {
+      may_leave_ = true;
+      then();
+    }
+  }
 }
 
 }  // namespace mapwright::window

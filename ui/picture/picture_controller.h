@@ -9,14 +9,14 @@
 #include <set>
 #include <string>
 
+#include <QMessageBox>
 #include <QPointer>
 
 #include "robot/picture_store.h"
 #include "ui/kit/controller.h"
 #include "ui/picture/picture_editing.h"
+#include "ui/shell/unsaved_question.h"
 #include "ui/shell/window_context.h"
-
-class QMessageBox;
 
 namespace mapwright::window {
 
@@ -39,8 +39,9 @@ class PictureController : public Controller {
   PictureTool* tool() const { return tool_; }
   PictureDock* dock() const { return dock_; }
   PictureDrafts* drafts() const { return drafts_.get(); }  // null: there are none
-  QMessageBox* question() const;                           // null: nothing is asked
-  QMessageBox* sendingQuestion() const;                    // the same, before a robot's map is overwritten
+  QMessageBox* question() const { return question_; }      // null: nothing is asked
+  /// The same, before a robot's map is overwritten.
+  QMessageBox* sendingQuestion() const { return sending_question_; }
   bool saving() const { return saving_; }
 
  Q_SIGNALS:
@@ -55,7 +56,7 @@ class PictureController : public Controller {
   void addActions();
   void syncMap();
   void noteForgotten();
-  void openOnceLookedAt(const session::MapSlot& slot);
+  void openOnceChecked(const session::MapSlot& slot);
   void openMap(const session::MapSlot& slot);
   void closeMap();
   void takeOther(const session::MapSlot& slot);
@@ -74,7 +75,7 @@ class PictureController : public Controller {
   QString copiesHere() const;
   void watchDrafts();
   void keepDraft();
-  void answer(int button);
+  void answer(Leaving leaving);
   /// The stored map that corresponds to the live map on screen: it can be edited instead.
   std::optional<map::MapKey> mapInstead() const;
   bool opening() const;
@@ -89,14 +90,14 @@ class PictureController : public Controller {
   std::optional<map::MapKey> open_map_;
   std::optional<map::MapKey> wanted_map_;  // requested by the tool
   robot::Call write_call_;
-  bool forgetting_told_ = false;
+  bool forgetting_reported_ = false;
   std::shared_ptr<const grids::GridPyramid> seen_;  // of the last map received
   std::string revision_;                            // of what is saved
   std::set<std::string> own_revisions_;             // saved from here since the last change by someone else
   bool shown_ = false;                              // the edited cells are drawn
   bool saving_ = false, again_ = false;             // again: saves once more after merging theirs
   bool was_unsaved_ = false;
-  bool conflicts_told_ = false;  // only once, however often others paint there
+  bool conflicts_reported_ = false;  // only once, however often others paint there
   std::unique_ptr<PictureDrafts> drafts_;
   bool may_leave_ = false;  // keeps the draft and leaves
   quint64 opened_ = 0;      // counts maps: results about earlier ones are ignored
@@ -105,13 +106,13 @@ class PictureController : public Controller {
   QPointer<QMessageBox> question_, sending_question_;
   std::function<void()> when_left_, when_saved_, when_reverted_;
   /// Whether all cells of a map can be written is checked before painting starts.
-  struct Looked {
+  struct CellCheck {
     std::shared_ptr<const grids::GridPyramid> cells;
     std::shared_ptr<std::atomic<bool>> stop;
     bool done = false;
     std::optional<std::uint8_t> between;  // a cell that cannot be
   };
-  Looked looked_;
+  CellCheck cell_check_;
   work::Share share_;  // last
 };
 

@@ -13,33 +13,21 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "sentences/plural.h"
+#include "ui/kit/form.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/ui_colors.h"
-#include "ui/picture/picture_text.h"
 
 namespace mapwright::window {
 
 namespace {
 
-QLabel* pictureText(QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  return label;
-}
-
-QLabel* pictureHeading(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
+QLabel* heading(const QString& text, QWidget* parent) {
+  auto* const label = new QLabel(text, parent);
   QFont font = label->font();
   font.setBold(true);
   label->setFont(font);
   return label;
-}
-
-QPushButton* pictureButton(const QString& text, QWidget* parent) {
-  auto* button = new QPushButton(text, parent);
-  button->setObjectName(QStringLiteral("compact"));
-  return button;
 }
 
 /// The mark of cells of this kind on the map.
@@ -54,10 +42,12 @@ QPixmap signOf(picture::Kind kind, double ratio) {
   return sign;
 }
 
-void colour(QLabel* label, const QColor& color) {
-  QPalette palette = label->palette();
-  palette.setColor(QPalette::WindowText, color);
-  label->setPalette(palette);
+/// A part of the dock that is shown at times.
+QVBoxLayout* partOf(QWidget* part, QVBoxLayout* column, const QMargins& margins) {
+  auto* const rows = new QVBoxLayout(part);
+  rows->setContentsMargins(margins);
+  column->addWidget(part);
+  return rows;
 }
 
 }  // namespace
@@ -66,7 +56,7 @@ PictureDock::PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* pa
     : QDockWidget(tr("Edit map"), parent),
       editing_(editing),
       tool_(tool),
-      empty_(pictureText(this)),
+      empty_(textLabel(this)),
       body_(new QWidget(this)) {
   setObjectName(QStringLiteral("picture"));
   auto* column = new QVBoxLayout(body_);
@@ -100,46 +90,50 @@ PictureDock::PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* pa
 
 void PictureDock::buildOffer(QVBoxLayout* column) {
   offer_box_ = new QWidget(body_);
-  auto* rows = new QVBoxLayout(offer_box_);
-  rows->setContentsMargins(0, 0, 0, 6);
-  offer_ = pictureText(offer_box_);
-  restore_ = pictureButton(tr("Restore"), offer_box_);
-  auto* drop = pictureButton(tr("Discard draft"), offer_box_);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(restore_);
-  buttons->addWidget(drop);
-  buttons->addStretch();
+  offer_ = textLabel(offer_box_);
+  auto* const restore = compactButton(tr("Restore"), offer_box_);
+  auto* const drop = compactButton(tr("Discard draft"), offer_box_);
+  QVBoxLayout* const rows = partOf(offer_box_, column, {0, 0, 0, 6});
   rows->addWidget(offer_);
-  rows->addLayout(buttons);
-  connect(restore_, &QPushButton::clicked, this, &PictureDock::draftWanted);
+  rows->addLayout(rowOf({restore, drop, nullptr}));
+  connect(restore, &QPushButton::clicked, this, &PictureDock::draftWanted);
   connect(drop, &QPushButton::clicked, this, &PictureDock::draftNotWanted);
   offer_box_->hide();
-  column->addWidget(offer_box_);
 }
 
 void PictureDock::setOffer(const QString& sentence) {
   offer_->setText(sentence);
-  colour(offer_, appColors().warning_text);
+  setTextColor(offer_, appColors().warning_text);
   offer_box_->setVisible(!sentence.isEmpty());
 }
 
 void PictureDock::buildModes(QVBoxLayout* column) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(2);
+  struct Texts {
+    QString name, tip, icon;
+  };
+  const std::array<Texts, kPaintModes> texts{{
+      {tr("Brush"), tr("Brush: paint freehand"), QStringLiteral("brush")},
+      {tr("Eraser"), tr("Eraser: restore the saved map where you paint"), QStringLiteral("eraser")},
+      {tr("Line"), tr("Line: a straight wall, as wide as the brush"), QStringLiteral("line")},
+      {tr("Rectangle"), tr("Rectangle: filled"), QStringLiteral("rectangle")},
+      {tr("Polygon"), tr("Polygon: filled, corner by corner"), QStringLiteral("polygon")},
+      {tr("Fill"), tr("Fill: a connected area of the same kind"), QStringLiteral("fill")},
+      {tr("Select"), tr("Select: a part to copy, move, paint or clean up"), QStringLiteral("select")},
+  }};
+  auto* row = rowOf({}, 2);
   auto* group = new QButtonGroup(this);
-  for (int i = 0; i < kPaintModes; ++i) {
-    const PaintMode mode = PaintMode(i);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
     auto* button = new QToolButton(body_);
-    button->setIcon(themedIcon(modeIcon(mode)));
+    button->setIcon(themedIcon(texts[i].icon));
     button->setIconSize({20, 20});
     button->setCheckable(true);
     button->setAutoRaise(true);
-    button->setToolTip(modeTip(mode));
-    button->setAccessibleName(modeName(mode));
+    button->setToolTip(texts[i].tip);
+    button->setAccessibleName(texts[i].name);
     group->addButton(button);
     row->addWidget(button);
-    modes_[std::size_t(i)] = button;
-    connect(button, &QToolButton::clicked, this, [this, mode] { Q_EMIT modeWanted(mode); });
+    modes_[i] = button;
+    connect(button, &QToolButton::clicked, this, [this, i] { Q_EMIT modeWanted(PaintMode(i)); });
   }
   row->addStretch();
   column->addLayout(row);
@@ -148,19 +142,18 @@ void PictureDock::buildModes(QVBoxLayout* column) {
 void PictureDock::buildKinds(QVBoxLayout* column) {
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(8);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(2);
+  auto* row = rowOf({}, 2);
   auto* group = new QButtonGroup(this);
-  for (int i = 0; i < picture::kKinds; ++i) {
-    const picture::Kind kind = picture::Kind(i);
+  const std::array<QString, picture::kKinds> names{tr("Free"), tr("Occupied"), tr("Unknown")};
+  for (std::size_t i = 0; i < names.size(); ++i) {
     auto* button = new QToolButton(body_);
-    button->setText(kindName(kind));
+    button->setText(names[i]);
     button->setCheckable(true);
     group->addButton(button);
     row->addWidget(button, 1);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    kinds_[std::size_t(i)] = button;
-    connect(button, &QToolButton::clicked, this, [this, kind] { editing_->setKind(kind); });
+    kinds_[i] = button;
+    connect(button, &QToolButton::clicked, this, [this, i] { editing_->setKind(picture::Kind(i)); });
   }
   size_ = new QSpinBox(body_);
   size_->setRange(1, picture::kWidestBrush);
@@ -183,29 +176,40 @@ void PictureDock::buildKinds(QVBoxLayout* column) {
 
 void PictureDock::buildTidying(QVBoxLayout* column) {
   column->addSpacing(6);
-  column->addWidget(pictureHeading(tr("Clean up"), body_));
-  tidy_where_ = pictureText(body_);
+  column->addWidget(heading(tr("Clean up"), body_));
+  tidy_where_ = textLabel(body_);
   column->addWidget(tidy_where_);
+  struct Texts {
+    QString name, tip;
+    int most, usual;
+  };
+  const std::array<Texts, 3> texts{{
+      {tr("Specks up to"),
+       tr("Removes groups of at most this many occupied cells: they become like their surroundings"),
+       picture::kLargestSpeck, 4},
+      {tr("Gaps in walls up to"), tr("Closes gaps of at most this many cells between occupied cells"),
+       picture::kWidestGap, 3},
+      {tr("Ragged edges up to"),
+       tr("Smooths spikes and notches of at most this width between free and unknown areas"),
+       picture::kWidestGap, 3},
+  }};
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(8);
-  const std::array<int, 3> most{picture::kLargestSpeck, picture::kWidestGap, picture::kWidestGap};
-  const std::array<int, 3> usual{4, 3, 3};
-  for (int i = 0; i < 3; ++i) {
-    const Tidying what = Tidying(i);
+  for (int i = 0; i < int(texts.size()); ++i) {
+    const auto& [name, tip, most, usual] = texts[std::size_t(i)];
     auto* spin = new QSpinBox(body_);
-    spin->setRange(1, most[std::size_t(i)]);
-    spin->setValue(usual[std::size_t(i)]);
+    spin->setRange(1, most);
+    spin->setValue(usual);
     spin->setSuffix(tr(" cells"));
-    spin->setToolTip(tidyTip(what));
-    auto* label = new QLabel(tidyName(what), body_);
-    label->setToolTip(tidyTip(what));
+    spin->setToolTip(tip);
+    spin->setAccessibleName(name);
+    auto* label = new QLabel(name, body_);
+    label->setToolTip(tip);
     label->setBuddy(spin);
-    spin->setAccessibleName(tidyName(what));
-    auto* look = pictureButton(tr("Look"), body_);
-    look->setToolTip(tr("Preview the result without changing anything"));
-    look->setAccessibleName(tr("Preview: %1").arg(tidyName(what)));
+    auto* look = compactButton(tr("Look"), body_, tr("Preview the result without changing anything"));
+    look->setAccessibleName(tr("Preview: %1").arg(name));
     connect(look, &QPushButton::clicked, this,
-            [this, what, spin] { Q_EMIT lookWanted(what, spin->value()); });
+            [this, i, spin] { Q_EMIT lookWanted(Tidying(i), spin->value()); });
     grid->addWidget(label, i, 0);
     grid->addWidget(spin, i, 1);
     grid->addWidget(look, i, 2);
@@ -217,14 +221,14 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
   preview_row_ = new QWidget(body_);
   auto* row = new QHBoxLayout(preview_row_);
   row->setContentsMargins(0, 0, 0, 0);
-  found_ = pictureText(preview_row_);
-  apply_ = pictureButton(tr("Apply"), preview_row_);
-  drop_ = pictureButton(tr("Cancel"), preview_row_);
+  found_ = textLabel(preview_row_);
+  apply_ = compactButton(tr("Apply"), preview_row_);
+  auto* const drop = compactButton(tr("Cancel"), preview_row_);
   row->addWidget(found_, 1);
   row->addWidget(apply_);
-  row->addWidget(drop_);
+  row->addWidget(drop);
   connect(apply_, &QPushButton::clicked, editing_, &PictureEditing::applyPreview);
-  connect(drop_, &QPushButton::clicked, editing_, [this] {
+  connect(drop, &QPushButton::clicked, editing_, [this] {
     editing_->stop();
     editing_->dropPreview();
   });
@@ -246,44 +250,29 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
 
 void PictureDock::buildDecision(QVBoxLayout* column) {
   decision_ = new QWidget(body_);
-  auto* rows = new QVBoxLayout(decision_);
-  rows->setContentsMargins(0, 6, 0, 0);
-  conflict_ = pictureText(decision_);
-  mine_ = pictureButton(tr("Keep mine"), decision_);
-  theirs_ = pictureButton(tr("Take theirs"), decision_);
-  auto* show = pictureButton(tr("Show"), decision_);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(mine_);
-  buttons->addWidget(theirs_);
-  buttons->addStretch();
-  buttons->addWidget(show);
+  conflict_ = textLabel(decision_);
+  mine_ = compactButton(tr("Keep mine"), decision_);
+  theirs_ = compactButton(tr("Take theirs"), decision_);
+  auto* show = compactButton(tr("Show"), decision_);
+  QVBoxLayout* const rows = partOf(decision_, column, {0, 6, 0, 0});
   rows->addWidget(conflict_);
-  rows->addLayout(buttons);
+  rows->addLayout(rowOf({mine_, theirs_, nullptr, show}));
   connect(mine_, &QPushButton::clicked, this, [this] { editing_->decide(false); });
   connect(theirs_, &QPushButton::clicked, this, [this] { editing_->decide(true); });
   connect(show, &QPushButton::clicked, this, &PictureDock::locateConflictWanted);
-  column->addWidget(decision_);
 }
 
 void PictureDock::buildEnd(QVBoxLayout* column) {
-  status_ = pictureText(body_);
-  compare_ = pictureButton(tr("Before…"), body_);
-  compare_->setToolTip(tr("Compare the saved map with the current one, with a divider that can be dragged"));
-  discard_ = pictureButton(tr("Discard"), body_);
-  discard_->setToolTip(tr("Restore the saved map; can be undone"));
-  save_ = pictureButton(tr("Save"), body_);
+  status_ = textLabel(body_);
+  compare_ =
+      compactButton(tr("Before…"), body_,
+                    tr("Compare the saved map with the current one, with a divider that can be dragged"));
+  discard_ = compactButton(tr("Discard"), body_, tr("Restore the saved map; can be undone"));
+  save_ = compactButton(tr("Save"), body_);
   save_->setIcon(themedIcon(QStringLiteral("save")));
-  stop_ = pictureButton(tr("Stop"), body_);
-  stop_->setToolTip(tr("Stop sending; the robot keeps its current picture"));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
-  row->addWidget(compare_);
-  row->addStretch();
-  row->addWidget(discard_);
-  row->addWidget(stop_);
-  row->addWidget(save_);
+  stop_ = compactButton(tr("Stop"), body_, tr("Stop sending; the robot keeps its current picture"));
   column->addWidget(status_);
-  column->addLayout(row);
+  column->addLayout(rowOf({compare_, nullptr, discard_, stop_, save_}, 6));
   connect(compare_, &QPushButton::clicked, this, &PictureDock::compareWanted);
   connect(discard_, &QPushButton::clicked, this, &PictureDock::discardWanted);
   connect(save_, &QPushButton::clicked, this, &PictureDock::saveWanted);
@@ -315,10 +304,26 @@ void PictureDock::setLocal(bool local) {
             : tr("Send the picture to the robot (Ctrl+S). Its position, size and resolution stay the same"));
 }
 
-QString PictureDock::savingText() const {
-  if (!travelled_) return tr("Saving…");
-  if (*travelled_ < 100) return tr("Sending: %1 %").arg(*travelled_);
-  return tr("Sent. Waiting for the robot to show it…");
+QString PictureDock::statusText() const {
+  if (!trouble_.isEmpty()) return trouble_;
+  if (saving_ && !travelled_) return tr("Saving…");
+  if (saving_ && *travelled_ < 100) return tr("Sending: %1 %").arg(*travelled_);
+  if (saving_) return tr("Sent. Waiting for the robot to show it…");
+  const std::int64_t cells = editing_->changedCells();
+  return cells == 0 ? tr("Nothing was changed.") : tr("Changed: %1.").arg(cellsText(cells));
+}
+
+/// "12 specks, 48 cells would change."
+QString PictureDock::previewText() const {
+  if (editing_->reckoning()) return tr("Computing…");
+  if (!editing_->preview()) return tr("Preparing the preview…");
+  const TidyPreview& preview = *editing_->preview();
+  if (preview.step.patch.empty()) return tr("There is nothing to clean up.");
+  const QString cells = cellsText(preview.found.cells);
+  if (preview.what != Tidying::Specks) return tr("%1 would change.").arg(cells);
+  const QString specks = sentences::counted(tr("%1 specks", nullptr, sentences::formOf(preview.found.pieces)),
+                                            preview.found.pieces);
+  return tr("%1 of %2 would be removed.").arg(specks, cells);
 }
 
 QStringList PictureDock::legend() const {
@@ -338,12 +343,15 @@ void PictureDock::refresh() {
   body_->setVisible(open);
   if (!open) return;
   modes_[std::size_t(tool_->mode())]->setChecked(true);
+  const std::array<QString, picture::kKinds> tips{tr("Free: where robots may drive"),
+                                                  tr("Occupied: walls and other obstacles"),
+                                                  tr("Unknown: not observed yet")};
   for (int i = 0; i < picture::kKinds; ++i) {
     const picture::Kind kind = picture::Kind(i);
     QToolButton* const button = kinds_[std::size_t(i)];
     button->setEnabled(editing_->holds(kind));
     button->setToolTip(editing_->holds(kind)
-                           ? kindTip(kind)
+                           ? tips[std::size_t(i)]
                            : tr("According to its map.yaml, no gray level of this picture means unknown."));
     if (kind == editing_->kind()) button->setChecked(true);
   }
@@ -356,29 +364,28 @@ void PictureDock::refresh() {
   tidy_where_->setText(editing_->selection().empty()
                            ? tr("Applies to the whole map. To clean up only a part, select it.")
                            : tr("Applies to the selection."));
-  colour(tidy_where_, appColors().secondary_text);
+  setTextColor(tidy_where_, appColors().secondary_text);
   const bool reckoning = editing_->reckoning();
   const bool previewing = editing_->preview().has_value() || editing_->looking() || reckoning;
   for (QPushButton* button : tidy_buttons_) button->setEnabled(!saving_);
   preview_row_->setVisible(previewing);
-  found_->setText(reckoning             ? tr("Computing…")
-                  : editing_->preview() ? previewText(*editing_->preview())
-                                        : tr("Preparing the preview…"));
+  found_->setText(previewText());
+  const std::array<QString, picture::kKinds> becomes{tr("becomes free: %1"), tr("becomes occupied: %1"),
+                                                     tr("becomes unknown: %1")};
   for (int i = 0; i < picture::kKinds; ++i) {
     const auto& preview = editing_->preview();
     const std::int64_t cells = preview ? preview->changes.become[std::size_t(i)] : 0;
-    legend_[std::size_t(i)].text->setText(becomesText(picture::Kind(i), cells));
+    legend_[std::size_t(i)].text->setText(becomes[std::size_t(i)].arg(cellsText(cells)));
     legend_[std::size_t(i)].row->setVisible(cells > 0);
   }
   apply_->setVisible(!reckoning);
   apply_->setEnabled(editing_->preview() && !editing_->preview()->step.patch.empty());
   decision_->setVisible(editing_->conflicts() > 0);
-  conflict_->setText(conflictText(editing_->conflicts()));
-  colour(conflict_, appColors().warning_text);
-  status_->setText(!trouble_.isEmpty() ? trouble_
-                   : saving_           ? savingText()
-                                       : changedText(editing_->changedCells()));
-  colour(status_, trouble_.isEmpty() ? appColors().secondary_text : appColors().error_text);
+  conflict_->setText(tr("Changed differently here and elsewhere: %1. Which version do you want to keep?")
+                         .arg(cellsText(editing_->conflicts())));
+  setTextColor(conflict_, appColors().warning_text);
+  status_->setText(statusText());
+  setTextColor(status_, trouble_.isEmpty() ? appColors().secondary_text : appColors().error_text);
   const bool unsaved = editing_->unsaved();
   compare_->setEnabled(unsaved);
   discard_->setEnabled(unsaved && !saving_);

@@ -38,11 +38,9 @@ class PictureDock : public QDockWidget {
   QSpinBox* tidySize(Tidying what) const { return tidy_sizes_[std::size_t(what)]; }
   QPushButton* tidyButton(Tidying what) const { return tidy_buttons_[std::size_t(what)]; }
   QPushButton* applyButton() const { return apply_; }
-  QPushButton* keepMineButton() const { return mine_; }
   QPushButton* takeTheirsButton() const { return theirs_; }
   /// An earlier draft; empty = none.
   void setOffer(const QString& sentence);
-  QPushButton* restoreButton() const { return restore_; }
   QPushButton* stopButton() const { return stop_; }
   QString status() const;
   /// The meaning of the preview's colours.
@@ -67,7 +65,8 @@ class PictureDock : public QDockWidget {
   void buildDecision(QVBoxLayout* column);
   void buildEnd(QVBoxLayout* column);
   void refresh();
-  QString savingText() const;
+  QString statusText() const;
+  QString previewText() const;
 
   PictureEditing* editing_;
   PictureTool* tool_;
@@ -88,11 +87,10 @@ class PictureDock : public QDockWidget {
     QLabel* text = nullptr;
   };
   std::array<LegendRow, picture::kKinds> legend_{};
-  QPushButton *apply_ = nullptr, *drop_ = nullptr;
+  QPushButton* apply_ = nullptr;
   QWidget *preview_row_ = nullptr, *decision_ = nullptr;
   QLabel *conflict_ = nullptr, *offer_ = nullptr;
   QWidget* offer_box_ = nullptr;
-  QPushButton* restore_ = nullptr;
   QPushButton *mine_ = nullptr, *theirs_ = nullptr;
   QLabel* status_ = nullptr;
   QPushButton *compare_ = nullptr, *discard_ = nullptr, *save_ = nullptr, *stop_ = nullptr;

@@ -1,11 +1,147 @@
 #include "ui/picture/picture_drafts.h"
 
+#include <set>
 #include <utility>
 
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QRegularExpression>
+
+#include "grids/export_grid.h"
+#include "jobs/export_map.h"
 #include "sentences/fault_sentence.h"
-#include "ui/picture/picture_text.h"
+#include "ui/shell/unsaved_question.h"
 
 namespace mapwright::window {
+namespace {
+
+/// Sorted by time, according to the names from copyPath().
+QStringList copiesIn(const QDir& folder) {
+  static const QRegularExpression made(
+      QStringLiteral("^\\d{4}-\\d\\d-\\d\\d_\\d\\d-\\d\\d-\\d\\d-\\d{3}\\.yaml$"));
+  return folder.entryList(QDir::Files, QDir::Name).filter(made);
+}
+
+using picture::kEdge;
+constexpr qsizetype kTileBytes = picture::kTileCells;
+constexpr int kQuickly = 1;  // how hard it is packed
+// The first row identifies the picture.
+constexpr auto kWidth = QLatin1String("width"), kHeight = QLatin1String("height"),
+               kCode = QLatin1String("code"), kX = QLatin1String("x"), kY = QLatin1String("y"),
+               kWas = QLatin1String("was"), kIs = QLatin1String("is");
+
+QString packed(const grids::GridTile& tile) {
+  const auto bytes = QByteArray::fromRawData(reinterpret_cast<const char*>(tile.cells.get()), kTileBytes);
+  return QString::fromLatin1(qCompress(bytes, kQuickly).toBase64());
+}
+
+/// Exactly a tile, or nothing: checks the stated size before unpacking.
+std::optional<QByteArray> unpacked(const QString& text) {
+  const QByteArray bytes = QByteArray::fromBase64(text.toLatin1());
+  if (bytes.size() < 5) return std::nullopt;
+  quint32 size = 0;
+  for (int i = 0; i < 4; ++i) size = size << 8 | quint8(bytes[i]);
+  if (size != quint32(kTileBytes)) return std::nullopt;
+  QByteArray cells = qUncompress(bytes);
+  if (cells.size() != kTileBytes) return std::nullopt;
+  return cells;
+}
+
+/// A draft applied to a grid of its size and code: its cells where they differ from those saved at that time.
+struct TakenDraft {
+  picture::Patch patch;
+  std::int64_t cells = 0;      // that become others
+  std::int64_t elsewhere = 0;  // of these, the ones that others have changed differently since
+};
+std::optional<TakenDraft> takeDraft(const PictureDraft& draft, const picture::EditedGrid& grid) {
+  if (draft.width != grid.width() || draft.height != grid.height() || draft.code != grid.code())
+    return std::nullopt;
+  TakenDraft taken;
+  picture::Canvas canvas(grid);
+  for (const PictureDraft::Tile& tile : draft.tiles) {
+    const picture::CellRect inside =
+        canvas.all().moved(-tile.x * kEdge, -tile.y * kEdge).intersected({0, 0, kEdge, kEdge});
+    for (int v = inside.top; v < inside.bottom; ++v) {
+      for (int u = inside.left; u < inside.right; ++u) {
+        const qsizetype at = qsizetype(v) * kEdge + u;
+        const auto was = std::uint8_t(tile.was[at]), is = std::uint8_t(tile.is[at]);
+        const std::uint8_t now = canvas.read(tile.x, tile.y)[at];
+        if (was == is || now == is) continue;
+        ++taken.cells;
+        if (now != was) ++taken.elsewhere;
+        canvas.write(tile.x, tile.y, {u, v, u + 1, v + 1})[at] = is;
+      }
+    }
+  }
+  taken.patch = canvas.take();
+  return taken;
+}
+
+}  // namespace
+
+QString copiesFolder(const QString& drafts_folder, const QString& robot, const QString& map) {
+  if (drafts_folder.isEmpty()) return {};
+  return QDir(QFileInfo(QDir(drafts_folder).absolutePath()).path())
+      .filePath(QStringLiteral("overwritten/%1/%2").arg(jobs::fileNameFrom(robot), jobs::fileNameFrom(map)));
+}
+
+QString copyPath(const QString& folder, const QDateTime& now) {
+  return QDir(folder).filePath(now.toUTC().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss-zzz")) +
+                               QStringLiteral(".yaml"));
+}
+
+std::optional<Fault> keepCopy(const grids::GridPyramid& cells, const map::GridReference& reference,
+                              const QString& path) {
+  const QDir folder = QFileInfo(path).dir();
+  QDir().mkpath(folder.path());  // if that fails, the next step fails, too, and reports why
+  if (auto trouble = grids::writeMapServer(cells, reference, QFile::encodeName(path).toStdString()))
+    return trouble;
+  const QStringList copies = copiesIn(folder);
+  for (qsizetype i = 0; i + kMostCopies < copies.size(); ++i) {
+    const auto files = grids::mapServerFiles(QFile::encodeName(folder.filePath(copies[i])).toStdString());
+    QFile::remove(QFile::decodeName(files.yaml.c_str()));
+    QFile::remove(QFile::decodeName(files.pgm.c_str()));
+  }
+  return std::nullopt;
+}
+
+QByteArray pictureDraftBytes(const edit::DraftIdentity& of, const QDateTime& made,
+                             const picture::EditedGrid& now, const picture::EditedGrid& saved) {
+  QJsonArray rows{QJsonObject{{kWidth, now.width()}, {kHeight, now.height()}, {kCode, int(now.code())}}};
+  for (const auto& [place, count] : picture::DifferenceCount::between(now, saved).tiles) {
+    const auto is = now.tile(0, place.x, place.y), was = saved.tile(0, place.x, place.y);
+    if (!is || !was) continue;
+    rows << QJsonObject{{kX, place.x}, {kY, place.y}, {kWas, packed(*was)}, {kIs, packed(*is)}};
+  }
+  return edit::toBytes(edit::DraftFrame{of, made, rows});
+}
+
+std::optional<PictureDraft> pictureDraftFrom(const QByteArray& bytes) {
+  const auto frame = edit::draftFrame(bytes);
+  if (!frame || frame->changes.isEmpty()) return std::nullopt;
+  const QJsonObject head = frame->changes.first().toObject();
+  PictureDraft draft;
+  draft.made = frame->made;
+  draft.width = head.value(kWidth).toInt();
+  draft.height = head.value(kHeight).toInt();
+  const int code = head.value(kCode).toInt(-1);
+  if (draft.width < 1 || draft.height < 1 || code < 0 || code >= grids::kCellCodes) return std::nullopt;
+  draft.code = grids::CellCode(code);
+  std::set<std::pair<int, int>> places;
+  for (qsizetype i = 1; i < frame->changes.size(); ++i) {
+    const QJsonObject row = frame->changes.at(i).toObject();
+    PictureDraft::Tile tile{row.value(kX).toInt(-1), row.value(kY).toInt(-1), {}, {}};
+    const bool inside = tile.x >= 0 && tile.y >= 0 && tile.x <= (draft.width - 1) / kEdge &&
+                        tile.y <= (draft.height - 1) / kEdge;
+    auto was = unpacked(row.value(kWas).toString()), is = unpacked(row.value(kIs).toString());
+    if (!inside || !was || !is || !places.emplace(tile.x, tile.y).second) return std::nullopt;
+    tile.was = std::move(*was);
+    tile.is = std::move(*is);
+    draft.tiles.push_back(std::move(tile));
+  }
+  return draft;
+}
 
 PictureDrafts::PictureDrafts(PictureEditing* editing, edit::DraftIdentity of, edit::EditOptions options,
                              const std::shared_ptr<work::Workers>& workers, QObject* parent)
@@ -24,7 +160,6 @@ PictureDrafts::PictureDrafts(PictureEditing* editing, edit::DraftIdentity of, ed
           options_.later, workers),
       share_(workers) {
   connect(&keeper_, &edit::DraftKeeper::troubleChanged, this, &PictureDrafts::changed);
-  connect(&keeper_, &edit::DraftKeeper::written, this, &PictureDrafts::forgetTakenUp);
   share_.startLong([this, folder = options_.drafts_folder, identity = of_, grid = editing_->snapshot()] {
     const auto found = std::make_shared<Found>(look(folder, identity, *grid));
     QMetaObject::invokeMethod(
@@ -37,8 +172,6 @@ PictureDrafts::PictureDrafts(PictureEditing* editing, edit::DraftIdentity of, ed
         Qt::QueuedConnection);
   });
 }
-
-PictureDrafts::~PictureDrafts() = default;
 
 PictureDrafts::Found PictureDrafts::look(const QString& folder, const edit::DraftIdentity& of,
                                          const picture::EditedGrid& grid) {
@@ -61,7 +194,9 @@ PictureDrafts::Found PictureDrafts::look(const QString& folder, const edit::Draf
 }
 
 QString PictureDrafts::offer() const {
-  return offered() ? draftText(left_.front().draft.made, options_.now(), left_.front().cells) : QString();
+  if (!offered()) return {};
+  return tr("There is an unsaved draft of this map from %1: %2.")
+      .arg(draftTimeText(left_.front().draft.made, options_.now()), cellsText(left_.front().cells));
 }
 
 QString PictureDrafts::trouble() const {
@@ -70,24 +205,12 @@ QString PictureDrafts::trouble() const {
       .arg(sentences::wordsOf(keeper_.trouble()));
 }
 
-std::optional<Fault> PictureDrafts::keep() {
-  const auto trouble = keeper_.flush();
-  forgetTakenUp();
-  return trouble;
-}
-
-void PictureDrafts::forgetTakenUp() {
-  // Only when it is saved elsewhere.
-  if (keeper_.trouble().any()) return;
-  for (edit::LeftDraft& file : std::exchange(taken_up_, {})) edit::removeDraft(std::move(file));
-}
-
 void PictureDrafts::takeUp() {
   if (!offered() || !editing_->isOpen()) return;
   Left left = std::move(left_.front());
   left_.erase(left_.begin());
   if (auto taken = takeDraft(left.draft, *editing_->grid())) {
-    taken_up_.push_back(std::move(left.file));
+    keeper_.replace(std::move(left.file));
     editing_->takeUp(std::move(taken->patch), tr("restore the draft"));
     if (taken->elsewhere > 0)
       Q_EMIT remarked(tr("Since this draft was made, someone else has also changed these parts of the map: "

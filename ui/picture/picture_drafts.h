@@ -1,18 +1,54 @@
-// The drafts of one map's picture: saves unsaved changes and offers earlier drafts. GUI-thread object; disk
-// access is on separate threads.
+// What is kept of a map's picture on this computer: drafts of unsaved changes, which are offered again, and
+// backups of a robot's picture before it is overwritten.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include <QByteArray>
+#include <QDateTime>
 #include <QObject>
+#include <QString>
 
-#include "edit/draft_keeper.h"
+#include "edit/drafts.h"
 #include "edit/open_waypoints.h"
-#include "ui/picture/picture_draft.h"
+#include "fault/fault.h"
+#include "grids/grid_pyramid.h"
+#include "map/grid_reference.h"
+#include "picture/merge.h"
 #include "ui/picture/picture_editing.h"
 
 namespace mapwright::window {
+
+/// The oldest beyond this number are deleted.
+inline constexpr int kMostCopies = 10;
+
+/// The folder for one map, next to the drafts; empty: no backups. Names are sanitised.
+QString copiesFolder(const QString& drafts_folder, const QString& robot, const QString& map);
+/// The map.yaml of a backup at that time; its picture is in the same folder.
+QString copyPath(const QString& folder, const QDateTime& now);
+/// Writes it completely or not at all, and deletes the oldest in its folder; nullopt = success, otherwise why
+/// not.
+std::optional<Fault> keepCopy(const grids::GridPyramid& cells, const map::GridReference& reference,
+                              const QString& path);
+
+/// The unsaved changes of a picture: each changed tile before and after.
+struct PictureDraft {
+  QDateTime made;
+  int width = 0, height = 0;
+  grids::CellCode code = grids::CellCode::Gray;
+  struct Tile {
+    int x = 0, y = 0;
+    QByteArray was, is;  // cells, row-major
+  };
+  std::vector<Tile> tiles;
+};
+
+QByteArray pictureDraftBytes(const edit::DraftIdentity& of, const QDateTime& made,
+                             const picture::EditedGrid& now, const picture::EditedGrid& saved);
+/// nullopt: not such a draft, or damaged. Contains nothing larger than a tile.
+std::optional<PictureDraft> pictureDraftFrom(const QByteArray& bytes);
 
 class PictureDrafts : public QObject {
   Q_OBJECT
@@ -20,12 +56,11 @@ class PictureDrafts : public QObject {
   /// Looks for earlier drafts at once. `editing` must outlive this, with its map open.
   PictureDrafts(PictureEditing* editing, edit::DraftIdentity of, edit::EditOptions options,
                 const std::shared_ptr<work::Workers>& workers, QObject* parent = nullptr);
-  ~PictureDrafts() override;
 
   /// Something has changed.
   void touch() { keeper_.touch(); }
   /// Writes the draft to disk; otherwise returns why not.
-  std::optional<Fault> keep();
+  std::optional<Fault> keep() { return keeper_.flush(); }
   /// Why it is not on disk; empty = nothing is wrong.
   QString trouble() const;
 
@@ -50,13 +85,11 @@ class PictureDrafts : public QObject {
     QStringList remarks;
   };
   static Found look(const QString& folder, const edit::DraftIdentity& of, const picture::EditedGrid& grid);
-  void forgetTakenUp();
 
   PictureEditing* editing_;
   edit::DraftIdentity of_;
   edit::EditOptions options_;
   std::vector<Left> left_;
-  std::vector<edit::LeftDraft> taken_up_;  // until their content is in a new draft on disk
   edit::DraftKeeper keeper_;
   work::Share share_;  // last
 };

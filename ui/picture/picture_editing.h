@@ -13,13 +13,15 @@
 #include <QUndoStack>
 
 #include "map/grid_reference.h"
-#include "picture/clip.h"
 #include "picture/draw.h"
 #include "picture/merge.h"
 #include "picture/tidy.h"
 #include "work/workers.h"
 
 namespace mapwright::window {
+
+/// "1,204 cells"
+QString cellsText(std::int64_t cells);
 
 enum class Tidying { Specks, Gaps, Edges };
 

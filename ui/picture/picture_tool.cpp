@@ -8,7 +8,6 @@
 
 #include "scene/layer_item.h"
 #include "ui/kit/ui_colors.h"
-#include "ui/picture/picture_text.h"
 
 namespace mapwright::window {
 
@@ -28,6 +27,14 @@ void strokeTwice(QPainter& painter, const auto& draw) {
 }
 
 }  // namespace
+
+BecomesLook becomesLook(picture::Kind kind) {
+  static const std::array<BecomesLook, picture::kKinds> kLooks{
+      {{QColor(86, 180, 233), Qt::NoBrush},
+       {QColor(213, 94, 0), Qt::FDiagPattern},
+       {QColor(170, 51, 119), Qt::DiagCrossPattern}}};
+  return kLooks[std::size_t(kind)];
+}
 
 PictureTool::PictureTool(PictureEditing* editing, scene::MapScene* scene, QObject* parent)
     : MapTool(parent), editing_(editing), scene_(scene) {

@@ -11,6 +11,14 @@
 
 namespace mapwright::window {
 
+/// How to mark a cell that would become this kind: distinguishable by lightness and hatching, not only by
+/// colour.
+struct BecomesLook {
+  QColor color;
+  Qt::BrushStyle lines;  // over the colour, if there is room
+};
+BecomesLook becomesLook(picture::Kind kind);
+
 enum class PaintMode { Brush, Eraser, Line, Rectangle, Polygon, Fill, Select };
 inline constexpr int kPaintModes = 7;
 

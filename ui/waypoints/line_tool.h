@@ -1,14 +1,22 @@
-// Places waypoints along a line: two clicks or a drag define it, with a preview of the result.
+// Places waypoints along a line: two clicks or a drag define it, with a preview of the result; a strip over
+// the map has spacing, number and Create.
 #pragma once
 
 #include <optional>
+
+#include <QFrame>
 
 #include "placing/arrange.h"
 #include "scene/map_scene.h"
 #include "ui/view/map_tool.h"
 #include "ui/waypoints/waypoint_snapping.h"
 
+class QDoubleSpinBox;
+class QPushButton;
+
 namespace mapwright::window {
+
+class PlainLabel;
 
 class LineTool : public MapTool {
   Q_OBJECT
@@ -58,6 +66,33 @@ class LineTool : public MapTool {
   bool fixed_ = false;     // the second end is final
   bool dragging_ = false;  // from the first to the second end
   placing::SnappedPlace landing_;
+};
+
+/// The strip over the map.
+class LineBar : public QFrame {
+  Q_OBJECT
+ public:
+  /// A child of `map`, at its lower edge. `tool` must outlive this.
+  LineBar(LineTool* tool, QWidget* map);
+  QDoubleSpinBox* spacing() const { return spacing_; }
+  QPushButton* createButton() const { return create_; }
+  QString countShown() const;
+
+ Q_SIGNALS:
+  void createWanted();
+  void closed();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void refresh();
+  void place();
+  LineTool* tool_;
+  QDoubleSpinBox* spacing_;
+  PlainLabel* count_;
+  QPushButton *create_, *close_;
 };
 
 }  // namespace mapwright::window

@@ -8,6 +8,16 @@
 #include "ui/waypoints/waypoint_text.h"
 
 namespace mapwright::window {
+namespace {
+
+/// What a command is about: the name of the only waypoint, as it was, or how many there are.
+QString calledOf(const std::vector<edit::Change>& changes) {
+  if (changes.size() != 1) return waypointsText(qsizetype(changes.size()));
+  const edit::Change& one = changes.front();
+  return shortWaypointName(one.before ? *one.before : *one.after);
+}
+
+}  // namespace
 
 void WaypointEditing::setDocument(edit::WaypointDocument* document, const QString& why_not,
                                   const robot::KeptFields& keeps) {
@@ -17,7 +27,7 @@ void WaypointEditing::setDocument(edit::WaypointDocument* document, const QStrin
   keeps_ = keeps;
   selected_.clear();
   preview_.clear();
-  if (document_) connect(document_, &edit::DocumentEvents::changed, this, &WaypointEditing::takeChange);
+  if (document_) connect(document_, &edit::WaypointDocument::changed, this, &WaypointEditing::takeChange);
   Q_EMIT opened();
   Q_EMIT selectionChanged();
 }
@@ -43,19 +53,14 @@ void WaypointEditing::toggle(const edit::Key& key) {
   select(std::move(keys));
 }
 
-void WaypointEditing::selectAll() {
-  std::set<edit::Key> keys;
-  if (document_) {
-    for (const auto& [key, point] : document_->items()) keys.insert(keys.end(), key);
-  }
-  select(std::move(keys));
-}
+void WaypointEditing::selectAll() { selectAllBut({}); }
+void WaypointEditing::invertSelection() { selectAllBut(selected_); }
 
-void WaypointEditing::invertSelection() {
+void WaypointEditing::selectAllBut(const std::set<edit::Key>& others) {
   std::set<edit::Key> keys;
   if (document_) {
     for (const auto& [key, point] : document_->items()) {
-      if (!selected_.contains(key)) keys.insert(keys.end(), key);
+      if (!others.contains(key)) keys.insert(keys.end(), key);
     }
   }
   select(std::move(keys));
@@ -83,7 +88,7 @@ std::set<edit::Key> WaypointEditing::addAll(std::vector<map::Waypoint> points, c
   if (!editable() || points.empty() || !all_finite) return {};
   std::set<std::string> taken = names();
   std::set<edit::Key> keys;
-  std::vector<edit::Change<map::Waypoint>> changes;
+  std::vector<edit::Change> changes;
   std::size_t number = 0;
   for (map::Waypoint& point : points) {
     point.id = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
@@ -94,8 +99,7 @@ std::set<edit::Key> WaypointEditing::addAll(std::vector<map::Waypoint> points, c
     keys.insert(point.id);
     changes.push_back(document_->to(point.id, point));
   }
-  const QString called =
-      points.size() == 1 ? shortWaypointName(points.front()) : waypointsText(qsizetype(points.size()));
+  const QString called = calledOf(changes);
   document_->change(std::move(changes), what.arg(called), gesture);
   select(keys);
   return keys;
@@ -116,26 +120,27 @@ void WaypointEditing::set(const edit::Key& key, const map::Waypoint& to, const Q
 
 void WaypointEditing::removeSelected() {
   if (!editable() || selected_.empty()) return;
-  std::vector<edit::Change<map::Waypoint>> changes;
+  std::vector<edit::Change> changes;
   for (const edit::Key& key : selected_) changes.push_back(document_->to(key, std::nullopt));
-  const QString what = tr("delete %1").arg(called(selected_));
-  document_->change(std::move(changes), what);
+  const QString called = calledOf(changes);
+  document_->change(std::move(changes), tr("delete %1").arg(called));
 }
 
 void WaypointEditing::changeSelected(const QString& what, const std::function<void(map::Waypoint&)>& change,
                                      edit::Gesture gesture) {
   if (!editable() || selected_.empty()) return;
-  std::vector<edit::Change<map::Waypoint>> changes;
+  std::vector<edit::Change> changes;
   for (const edit::Key& key : selected_) {
     map::Waypoint to = *find(key);
     change(to);
     changes.push_back(document_->to(key, std::move(to)));
   }
-  document_->change(std::move(changes), what.arg(called(selected_)), gesture);
+  const QString called = calledOf(changes);
+  document_->change(std::move(changes), what.arg(called), gesture);
 }
 
 void WaypointEditing::restore(const std::vector<edit::Key>& keys) {
-  std::vector<edit::Change<map::Waypoint>> changes;
+  std::vector<edit::Change> changes;
   for (const edit::Key& key : keys) {
     const map::Waypoint* const kept = editable() && !find(key) ? document_->findKept(key) : nullptr;
     if (kept) changes.push_back(document_->to(key, *kept));
@@ -143,30 +148,21 @@ void WaypointEditing::restore(const std::vector<edit::Key>& keys) {
   if (!changes.empty()) make(std::move(changes), tr("restore %1"));
 }
 
-void WaypointEditing::make(std::vector<edit::Change<map::Waypoint>> changes, const QString& what) {
+void WaypointEditing::make(std::vector<edit::Change> changes, const QString& what) {
   if (!editable() || changes.empty()) return;
   std::set<edit::Key> there;
   for (const auto& change : changes) {
     if (change.after) there.insert(change.key);
   }
-  const QString about =
-      changes.size() == 1
-          ? shortWaypointName(changes.front().after ? *changes.front().after : *changes.front().before)
-          : waypointsText(qsizetype(changes.size()));
-  document_->change(std::move(changes), what.arg(about));
+  const bool one_is_there = changes.size() == 1 && changes.front().after;
+  const QString called = one_is_there ? shortWaypointName(*changes.front().after) : calledOf(changes);
+  document_->change(std::move(changes), what.arg(called));
   select(std::move(there));
 }
 
 void WaypointEditing::moveSelected(const Eigen::Vector2d& by_m, edit::Gesture gesture) {
-  if (!editable() || selected_.empty()) return;
-  std::vector<edit::Change<map::Waypoint>> changes;
-  changes.reserve(selected_.size());
-  for (const edit::Key& key : selected_) {
-    const map::Waypoint& now = *find(key);
-    changes.push_back({key, now, now});
-    changes.back().after->position_m += by_m;
-  }
-  document_->change(std::move(changes), tr("move %1").arg(called(selected_)), gesture);
+  changeSelected(
+      tr("move %1"), [&](map::Waypoint& to) { to.position_m += by_m; }, gesture);
 }
 
 std::optional<placing::Spot> WaypointEditing::spotOf(const edit::Key& key) const {
@@ -190,7 +186,7 @@ void WaypointEditing::applyPreview(const QString& what) {
 
 void WaypointEditing::apply(const WaypointPreview& to, const QString& what, edit::Gesture gesture) {
   if (!editable()) return;
-  std::vector<edit::Change<map::Waypoint>> changes;
+  std::vector<edit::Change> changes;
   changes.reserve(to.size());
   for (const auto& [key, spot] : to) {
     const map::Waypoint* const now = find(key);
@@ -202,9 +198,9 @@ void WaypointEditing::apply(const WaypointPreview& to, const QString& what, edit
   document_->change(std::move(changes), what, gesture);
 }
 
-QString WaypointEditing::called(const std::set<edit::Key>& keys) const {
-  if (keys.size() == 1 && find(*keys.begin())) return shortWaypointName(*find(*keys.begin()));
-  return waypointsText(qsizetype(keys.size()));
+bool areSame(const std::vector<edit::Key>& keys, const WaypointPreview& preview) {
+  return std::equal(keys.begin(), keys.end(), preview.begin(), preview.end(),
+                    [](const edit::Key& key, const auto& moved) { return key == moved.first; });
 }
 
 }  // namespace mapwright::window

@@ -9,13 +9,15 @@
 #include <QObject>
 #include <QPointer>
 
-#include "edit/waypoint_fields.h"
+#include "edit/document.h"
 #include "placing/arrange.h"
 
 namespace mapwright::window {
 
 /// Where waypoints are during a drag: only positions and headings, so that thousands cost little.
 using WaypointPreview = std::map<edit::Key, placing::Spot>;
+/// It moves these, and no others. `keys`: sorted.
+bool areSame(const std::vector<edit::Key>& keys, const WaypointPreview& preview);
 
 class WaypointEditing : public QObject {
   Q_OBJECT
@@ -59,21 +61,21 @@ class WaypointEditing : public QObject {
   /// The same change of all that are selected, as one command; `what` names it, with %1 for what it is about.
   void changeSelected(const QString& what, const std::function<void(map::Waypoint&)>& change,
                       edit::Gesture gesture = 0);
-  /// What I deleted of these is there again, as it is kept.
+  /// Restores those of these that I deleted, as stored.
   void restore(const std::vector<edit::Key>& keys);
   /// The changes as one command; those that are there afterwards are selected.
-  void make(std::vector<edit::Change<map::Waypoint>> changes, const QString& what);
+  void make(std::vector<edit::Change> changes, const QString& what);
   void removeSelected();
   void moveSelected(const Eigen::Vector2d& by_m, edit::Gesture gesture = 0);
 
-  /// While a hand moves them they are drawn here; empty = where they are.
+  /// Where they are drawn during a drag; empty = where they are.
   const WaypointPreview& preview() const { return preview_; }
-  /// Where it is now, in a hand or not; nullopt = it is not there.
+  /// Where it is now, dragged or not; nullopt = there is none.
   std::optional<placing::Spot> spotOf(const edit::Key& key) const;
   void setPreview(WaypointPreview preview);
-  /// Makes the preview true, as one command.
+  /// Applies the preview, as one command.
   void applyPreview(const QString& what);
-  /// Several items put there, as one command.
+  /// Moves several items there, as one command.
   void apply(const WaypointPreview& to, const QString& what, edit::Gesture gesture = 0);
 
  Q_SIGNALS:
@@ -84,7 +86,7 @@ class WaypointEditing : public QObject {
 
  private:
   void takeChange(const edit::DocumentChange& change);
-  QString called(const std::set<edit::Key>& keys) const;
+  void selectAllBut(const std::set<edit::Key>& others);
 
   QPointer<edit::WaypointDocument> document_;
   QString why_not_;

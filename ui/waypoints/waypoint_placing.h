@@ -1,21 +1,114 @@
-// Placing waypoints with the map in mind: what they are caught by, what is doubtful about them, and what
-// these two have to know of the map and the robot. GUI thread.
+// Placing waypoints with the map in mind: other ways of creating them than a click, arranging the selected
+// ones, what they snap to, warnings about them, and what these have to know of the map and the robot. GUI
+// thread.
 #pragma once
 
+#include <QDialog>
 #include <QObject>
 #include <QPointer>
 
+#include "map/waypoint.h"
+#include "placing/arrange.h"
 #include "ui/shell/window_context.h"
-#include "ui/waypoints/placing_actions.h"
+#include "ui/waypoints/waypoint_editing.h"
 #include "ui/waypoints/waypoint_snapping.h"
 #include "ui/waypoints/waypoint_warnings.h"
 
+class QDoubleSpinBox;
+class QLineEdit;
+
 namespace mapwright::window {
+
+class LineBar;
+class LineTool;
+
+class NewWaypointDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// `present`: the initial values.
+  explicit NewWaypointDialog(const map::Waypoint& present, QWidget* parent = nullptr);
+  /// As typed, without an id.
+  map::Waypoint waypoint() const;
+  QLineEdit* nameEdit() const { return name_; }
+  QDoubleSpinBox* x() const { return x_; }
+  QDoubleSpinBox* y() const { return y_; }
+  QDoubleSpinBox* heading() const { return heading_; }
+
+ private:
+  QLineEdit* name_;
+  QDoubleSpinBox *x_, *y_, *heading_;
+};
+
+/// The numbers for snapping and warnings.
+struct PlacingNumbers {
+  double grid_m = 0.5, wall_m = 0.5, radius_m = 0.3;
+};
+
+class PlacingDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// `reported_radius_m`: from the robot's footprint, 0 = unknown; then the typed one is hidden.
+  PlacingDialog(const PlacingNumbers& present, double reported_radius_m, QWidget* parent = nullptr);
+  PlacingNumbers numbers() const;
+  QDoubleSpinBox* grid() const { return grid_; }
+  QDoubleSpinBox* wall() const { return wall_; }
+  QDoubleSpinBox* radius() const { return radius_; }
+
+ private:
+  PlacingNumbers present_;
+  QDoubleSpinBox *grid_, *wall_, *radius_;
+};
+
+class PlacingActions : public QObject {
+  Q_OBJECT
+ public:
+  /// All must outlive this.
+  PlacingActions(WindowContext& context, WaypointEditing* editing, WaypointSnapping* snapping,
+                 QObject* parent = nullptr);
+
+  LineTool* lineTool() const { return line_; }
+  LineBar* lineBar() const { return bar_; }
+  NewWaypointDialog* dialog() const { return dialog_; }  // null: none is open
+  /// What can be done now.
+  void refresh();
+  /// Only what depends on the robot's pose, which changes many times a second.
+  void refreshRobot();
+
+ Q_SIGNALS:
+  /// They were created by number or name: show them.
+  void made();
+
+ private:
+  void addCreating();
+  void addSelecting();
+  void addArranging();
+  QAction* entry(const char* id, const QString& text, const char* icon, const char* key, Reach reach,
+                 const QString& tip);
+  void createAtRobot();
+  void askForNumbers();
+  void createAlongLine();
+  void duplicate();
+  using Arranging = std::vector<placing::Spot> (*)(std::vector<placing::Spot>, placing::Axis);
+  void arrange(Arranging how, placing::Axis axis, const QString& what);
+  /// The robot's pose on the map on screen; nullopt, with the reason in `why_not`: unknown.
+  std::optional<geometry::Pose2> robotPose(QString* why_not) const;
+
+  WindowContext& context_;
+  WaypointEditing* editing_;
+  WaypointSnapping* snapping_;
+  LineTool* line_;
+  LineBar* bar_;
+  bool robot_known_ = false;
+  QAction *at_robot_, *at_numbers_, *along_line_, *duplicate_, *all_, *invert_;
+  std::vector<QAction*> arranging_;
+  QMenu *creating_menu_, *arranging_menu_;
+  QPointer<NewWaypointDialog> dialog_;
+};
 
 class WaypointPlacing : public QObject {
   Q_OBJECT
  public:
-  /// What a robot is taken to be that does not tell its shape, until somebody says otherwise.
+  /// Of a robot that does not report its footprint, until the user sets another.
   static constexpr double kRadiusM = placing::kUsualRadiusM;
 
   /// Both must outlive this.
@@ -29,7 +122,7 @@ class WaypointPlacing : public QObject {
   WaypointWarnings* warnings() const { return warnings_; }
   PlacingActions* actions() const { return actions_; }
   PlacingDialog* dialog() const { return dialog_; }  // null: none is open
-  /// Selects the next one that is warned of, and looks at it.
+  /// Selects the next waypoint with a warning, and shows it.
   void showNextWarning();
 
  Q_SIGNALS:
@@ -37,7 +130,6 @@ class WaypointPlacing : public QObject {
 
  private:
   void addSnapping();
-  QAction* addRule(const char* id, const QString& text, const QString& tip, bool placing::SnapRules::*rule);
   void refresh();
   void syncGround();
   void syncRadius();
@@ -51,8 +143,8 @@ class WaypointPlacing : public QObject {
   WaypointWarnings* warnings_;
   PlacingActions* actions_;
   QPointer<session::Session> session_;
-  double radius_m_ = kRadiusM;  // where the robot does not tell
-  double told_radius_m_ = 0;    // 0 = it does not
+  double radius_m_ = kRadiusM;    // if the robot does not report one
+  double reported_radius_m_ = 0;  // 0 = unknown
   QMenu* snap_menu_;
   QAction *snap_ = nullptr, *next_ = nullptr;
   std::vector<std::pair<QAction*, bool placing::SnapRules::*>> rules_;

@@ -1,14 +1,18 @@
-// Review and send: the calls that saving takes, in their order, before they are sent; then what becomes of
-// each, and at the end how what is kept compares with what was wanted. Stays open beside the map. GUI thread.
+// Review and send: the requests that saving takes, in their order, before they are sent; then the result of
+// each, and at the end how the stored waypoints compare with what was intended. Stays open beside the map.
+// GUI thread.
 #pragma once
 
 #include <map>
+#include <vector>
 
+#include <QAbstractTableModel>
 #include <QDialog>
 #include <QPointer>
 
 #include "edit/open_waypoints.h"
-#include "ui/waypoints/review_model.h"
+#include "exchange/waypoint_steps.h"
+#include "ui/kit/status_text.h"
 
 class QCheckBox;
 class QLabel;
@@ -18,16 +22,60 @@ class QTableView;
 
 namespace mapwright::window {
 
+/// The requests, each with its changes and its result.
+class ReviewModel : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column { NumberColumn, CallColumn, WaypointColumn, ChangeColumn, OutcomeColumn, kColumns };
+
+  using QAbstractTableModel::QAbstractTableModel;
+  /// The requests to send.
+  void showPlan(edit::OpenWaypoints* list, std::vector<edit::PlannedRequest> plan);
+  /// The requests sent or being sent: follows the list's submission.
+  void showSubmission(edit::OpenWaypoints* list);
+  /// Nothing.
+  void clear();
+  bool showsPlan() const { return list_ && !follows_; }
+  const std::vector<edit::PlannedRequest>& plan() const { return plan_; }
+
+  /// How many rows are in each state.
+  exchange::SentCounts counts() const;
+  /// The requests that were not carried out, as far as known.
+  std::vector<robot::WaypointRequest> rest() const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  struct Outcome {
+    Mark mark = Mark::None;
+    QString text;
+    QString sentence = {};  // with its result; empty = the text says it
+  };
+  using State = edit::SubmittedRequest::State;
+  const robot::WaypointRequest& request(int row) const;
+  robot::WaypointCall call(int row) const;
+  Outcome outcome(int row) const;
+  void follow();
+
+  QPointer<edit::OpenWaypoints> list_;
+  std::vector<edit::PlannedRequest> plan_;
+  bool follows_ = false;
+  int shown_rows_ = 0;
+};
+
 class WaypointReview : public QDialog {
   Q_OBJECT
  public:
   explicit WaypointReview(QWidget* parent = nullptr);
 
-  /// Saving this list is something to look at first: a robot is called, and not just a file written.
+  /// Saving this list should be reviewed first: it calls a robot, it does not just write a file.
   static bool isWorthIt(const edit::OpenWaypoints& list);
-  /// Shows what saving takes now. `map`: what people call it.
+  /// Shows what saving takes now. `map`: its name.
   void review(edit::OpenWaypoints* list, const QString& map);
-  /// The list goes.
+  /// The list is being closed.
   void forget();
 
   ReviewModel* model() const { return model_; }
@@ -63,9 +111,9 @@ class WaypointReview : public QDialog {
   QCheckBox* go_on_;
   QProgressBar* progress_;
   QPushButton *send_, *cancel_, *close_;
-  std::map<edit::Key, edit::Change<map::Waypoint>> wanted_;  // all that was sent since it was shown
+  std::map<edit::Key, edit::Change> wanted_;  // all that was sent since it was shown
   bool sent_ = false, overtaken_ = false, waiting_ = false;
-  bool unreached_ = false;  // nothing was sent, for how they are kept could not be read
+  bool unreached_ = false;  // nothing was sent, because the stored waypoints could not be read
 };
 
 }  // namespace mapwright::window

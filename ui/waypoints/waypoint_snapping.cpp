@@ -1,6 +1,7 @@
 #include "ui/waypoints/waypoint_snapping.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +18,16 @@ namespace {
 
 constexpr double kHeadingReach = geometry::radiansFromDegrees(3);
 constexpr double kLeastM = 0.01, kMostM = 100;
+
+// By their names in the settings.
+using placing::SnapRules;
+constexpr std::array<std::pair<const char*, bool SnapRules::*>, 4> kRules{
+    {{"waypoints", &SnapRules::waypoints},
+     {"grid", &SnapRules::grid},
+     {"walls", &SnapRules::walls},
+     {"headings", &SnapRules::headings}}};
+constexpr std::array<std::pair<const char*, double SnapRules::*>, 2> kDistances{
+    {{"grid_m", &SnapRules::grid_m}, {"wall_m", &SnapRules::wall_m}}};
 
 double exactEnough(double metres) { return std::round(metres * 1000) / 1000; }
 
@@ -47,29 +58,20 @@ void WaypointSnapping::setRules(const placing::SnapRules& rules) {
 }
 
 void WaypointSnapping::recall(const QSettings& settings) {
-  const auto metres = [&](const char* name, double otherwise) {
-    const double value = settings.value(key(name), otherwise).toDouble();
-    return std::isfinite(value) ? value : otherwise;
-  };
   placing::SnapRules rules;
-  rules.waypoints = settings.value(key("waypoints"), rules.waypoints).toBool();
-  rules.grid = settings.value(key("grid"), rules.grid).toBool();
-  rules.walls = settings.value(key("walls"), rules.walls).toBool();
-  rules.headings = settings.value(key("headings"), rules.headings).toBool();
-  rules.grid_m = metres("grid_m", rules.grid_m);
-  rules.wall_m = metres("wall_m", rules.wall_m);
+  for (const auto& [name, rule] : kRules) rules.*rule = settings.value(key(name), rules.*rule).toBool();
+  for (const auto& [name, distance] : kDistances) {
+    const double value = settings.value(key(name), rules.*distance).toDouble();
+    if (std::isfinite(value)) rules.*distance = value;
+  }
   setRules(rules);
   setOn(settings.value(key("on"), true).toBool());
 }
 
 void WaypointSnapping::remember(QSettings& settings) const {
   settings.setValue(key("on"), on_);
-  settings.setValue(key("waypoints"), rules_.waypoints);
-  settings.setValue(key("grid"), rules_.grid);
-  settings.setValue(key("walls"), rules_.walls);
-  settings.setValue(key("headings"), rules_.headings);
-  settings.setValue(key("grid_m"), rules_.grid_m);
-  settings.setValue(key("wall_m"), rules_.wall_m);
+  for (const auto& [name, rule] : kRules) settings.setValue(key(name), rules_.*rule);
+  for (const auto& [name, distance] : kDistances) settings.setValue(key(name), rules_.*distance);
 }
 
 placing::SnappedPlace WaypointSnapping::place(const Eigen::Vector2d& free_m, Qt::KeyboardModifiers modifiers,
@@ -91,7 +93,7 @@ placing::SnappedPlace WaypointSnapping::place(const Eigen::Vector2d& free_m, Qt:
       });
     };
     const placing::PlacedMap under = rules_.walls ? mapUnder(*scene_) : placing::PlacedMap{};
-    if (!ground_ || !(ground_->map() == under)) ground_.emplace(under, placing::Ground::Patience::AtHand);
+    if (!ground_ || !(ground_->map() == under)) ground_.emplace(under, placing::Ground::Access::AtHand);
     around.ground = &*ground_;
     place = placing::snapped(free_m, rules_, around);
   }

@@ -1,5 +1,5 @@
-// What waypoints are caught by while a hand moves or creates them: the rules that the user has chosen, asked
-// for one place at a time, and drawn as guides. GUI thread.
+// What waypoints snap to while they are moved or created: the user's rules, applied to one place at a time,
+// and drawn as guides. GUI thread.
 #pragma once
 
 #include <functional>
@@ -28,13 +28,13 @@ class WaypointSnapping : public QObject {
   void remember(QSettings& settings) const;
 
   using Ignored = std::function<bool(const Hit&)>;
-  /// Ctrl: the lines of the grid on screen, whatever the rules say. Alt: nothing is caught. What is caught by
-  /// nothing is as exact as a hand: a millimetre.
+  /// Ctrl: the lines of the grid on screen, whatever the rules say. Alt: no snapping. What does not snap is
+  /// rounded to a millimetre.
   placing::SnappedPlace place(const Eigen::Vector2d& free_m, Qt::KeyboardModifiers modifiers,
                               const Ignored& ignored);
   /// Ctrl or Shift: the nearest multiple of 15 degrees. Alt: as it is.
   double heading(double yaw_rad, Qt::KeyboardModifiers modifiers) const;
-  /// Where it was caught, and by what, in viewport pixels.
+  /// Where it has snapped, and to what, in viewport pixels.
   void paint(QPainter& painter, const placing::SnappedPlace& place) const;
 
  Q_SIGNALS:
@@ -45,7 +45,7 @@ class WaypointSnapping : public QObject {
   const HitList* hits_;
   bool on_ = true;
   placing::SnapRules rules_;
-  std::optional<placing::Ground> ground_;  // of the map that was asked last
+  std::optional<placing::Ground> ground_;  // of the last map
 };
 
 /// What lies under the waypoints: the whole map on screen; none while it is being read.

@@ -3,10 +3,12 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include "exchange/waypoint_steps.h"
 #include "geometry/pose.h"
+#include "map/temporary_name.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/plural.h"
-#include "ui/kit/status_text.h"
+#include "ui/shell/unsaved_question.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -34,6 +36,12 @@ QString fieldsText(const std::optional<map::Waypoint>& point, edit::FieldMask fi
                                   : WaypointsText::tr("tags %1").arg(tagsText(point->tags)));
   if (fields & kType) parts << WaypointsText::tr("type %1").arg(words::plainName(point->type).left(40));
   return parts.isEmpty() ? WaypointsText::tr("unchanged") : parts.join(QStringLiteral(", "));
+}
+
+QString shown(const std::string& name) {
+  map::Waypoint point;
+  point.name = name;
+  return shortWaypointName(point);
 }
 
 }  // namespace
@@ -121,7 +129,7 @@ QString changeText(const std::optional<map::Waypoint>& before, const std::option
   return parts.isEmpty() ? WaypointsText::tr("unchanged") : parts.join(QStringLiteral("; "));
 }
 
-QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
+QString conflictText(const edit::Conflict& conflict) {
   edit::FieldMask mine = conflict.fields, theirs = conflict.fields;
   if (!conflict.mine || !conflict.theirs) {
     mine = conflict.mine && conflict.base ? edit::difference(*conflict.mine, *conflict.base) : 0;
@@ -166,12 +174,35 @@ QString whyText(const map::Failure& failure) {
 }
 
 QString offerText(const edit::WaypointDraft& draft, const QDateTime& now) {
-  const bool today = draft.made.date() == now.date();
-  const QString when =
-      today ? WaypointsText::tr("today %1").arg(QLocale::c().toString(draft.made, QStringLiteral("HH:mm:ss")))
-            : QLocale::c().toString(draft.made, QStringLiteral("d MMMM yyyy HH:mm"));
   return WaypointsText::tr("There is an unsaved draft of these waypoints from %1: %2.")
-      .arg(when, changesText(qsizetype(draft.changes.size())));
+      .arg(draftTimeText(draft.made, now), changesText(qsizetype(draft.changes.size())));
+}
+
+std::optional<LeftName> leftName(const edit::WaypointDocument& document,
+                                 const std::set<edit::Key>& accepted) {
+  for (const edit::Key& key : document.unsaved()) {
+    const map::Waypoint *const kept = document.findKept(key), *const here = document.find(key);
+    if (!kept || !here || kept->name == here->name || map::permanentName(kept->name).empty()) continue;
+    return LeftName{key, LeftName::Remedy::SendRest, here->name,
+                    WaypointsText::tr("\"%1\" is a temporary name left by an interrupted swap of names. When "
+                                      "the rest is sent, it will be called \"%2\".")
+                        .arg(shown(kept->name), shown(here->name)),
+                    WaypointsText::tr("Send the rest")};
+  }
+  for (exchange::TemporaryName& left : exchange::temporaryNamesIn(document.items())) {
+    const map::Waypoint* const kept = document.findKept(left.key);
+    if (accepted.contains(left.key) || !kept || kept->name != left.name) continue;
+    const QString sentence = left.is_free ? WaypointsText::tr(
+                                                "\"%1\" looks like a temporary name left by an interrupted "
+                                                "swap of names. It was called \"%2\" before.")
+                                          : WaypointsText::tr(
+                                                "\"%1\" looks like a temporary name left by an interrupted "
+                                                "swap of names. Another waypoint is called \"%2\" now.");
+    const auto remedy = left.is_free ? LeftName::Remedy::CallItSo : LeftName::Remedy::Ask;
+    return LeftName{left.key, remedy, left.permanent, sentence.arg(shown(left.name), shown(left.permanent)),
+                    left.is_free ? WaypointsText::tr("Rename back") : WaypointsText::tr("Rename…")};
+  }
+  return std::nullopt;
 }
 
 }  // namespace mapwright::window

@@ -1,10 +1,15 @@
-// The words about waypoints. Pure functions, so that they can be checked.
+// Texts about waypoints. Pure functions.
 #pragma once
+
+#include <optional>
+#include <set>
+#include <string>
 
 #include <QString>
 
+#include "edit/document.h"
 #include "edit/open_waypoints.h"
-#include "exchange/sent_outcome.h"
+#include "exchange/waypoint_steps.h"
 
 namespace mapwright::window {
 
@@ -21,7 +26,7 @@ QString waypointsText(qsizetype count);
 /// "3 changes".
 QString changesText(qsizetype count);
 
-/// How an item stands, in words; empty when it is as it is kept.
+/// The state of an item in words; empty if it is saved.
 QString stateText(const edit::ItemState& state);
 
 /// What is pending of one waypoint, as flags; several may be so at once.
@@ -41,17 +46,32 @@ QString pendingText(const edit::ItemState& state, int pending);
 /// "name “A” to “B”, position 1.000, 2.000 m to 2.000, 2.000 m"; "new: …", "deleted".
 QString changeText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after);
 /// "Changed here: position 1.000, 2.000. Changed elsewhere: position 4.000, 2.000."
-QString conflictText(const edit::Conflict<map::Waypoint>& conflict);
+QString conflictText(const edit::Conflict& conflict);
 /// What went wrong.
 QString failureText(const map::Failure& failure);
-/// What has become of a request of the list's submission, and of all of them, as far as it is known.
+/// The result of a request of the list's submission, and of all of them, as far as known.
 exchange::SentOutcome outcomeOf(const edit::OpenWaypoints& list, const exchange::SentRequest& sent);
 exchange::SentCounts countsOf(const edit::OpenWaypoints& list);
 /// "Not all is saved: of 3 requests 1 was carried out. The connection is gone."
 QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stopped_by);
-/// Why it went wrong, without what has become of it.
+/// Why it went wrong, without its result.
 QString whyText(const map::Failure& failure);
-/// "There is a draft of these waypoints of today 19:20:05 that was not saved: 3 changes."
+/// "There is an unsaved draft of these waypoints from today 19:20:05: 3 changes."
 QString offerText(const edit::WaypointDraft& draft, const QDateTime& now);
+
+/// A temporary name left by an interrupted swap of names, and how to fix it.
+struct LeftName {
+  enum class Remedy {
+    SendRest,  // what is not saved ends it
+    CallItSo,  // `permanent`, which nobody else is called
+    Ask,       // for a name
+  };
+  edit::Key key;
+  Remedy remedy = Remedy::Ask;
+  std::string permanent;
+  QString sentence, offer;  // the text, and the button
+};
+/// The first one; ignores those in `accepted`.
+std::optional<LeftName> leftName(const edit::WaypointDocument& document, const std::set<edit::Key>& accepted);
 
 }  // namespace mapwright::window

@@ -3,17 +3,70 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
+#include <QDialog>
+#include <QLabel>
 #include <QObject>
 #include <QPointer>
 
+#include "exchange/waypoint_plan.h"
+#include "exchange/waypoint_table.h"
 #include "map/catalogue.h"
 #include "ui/shell/window_context.h"
 #include "ui/view/map_tool.h"
-#include "ui/waypoints/import_dialog.h"
 #include "ui/waypoints/waypoint_editing.h"
 
+class QCheckBox;
+class QComboBox;
+class QPushButton;
+class QTableWidget;
+
 namespace mapwright::window {
+
+/// The imported data, unparsed.
+struct ImportSource {
+  enum class Kind { Table, GeoJson };
+  Kind kind = Kind::Table;
+  QString name;      // of the file; empty = the clipboard
+  std::string text;  // untrusted
+};
+
+/// What a file or a pasted table would change, with options for reading it.
+class ImportDialog : public QDialog {
+  Q_OBJECT
+ public:
+  using Edits = std::vector<exchange::WaypointEdit>;
+  /// `kept`: the present waypoints; `keeps`: what the store can keep.
+  ImportDialog(ImportSource source, exchange::WaypointItems kept, const robot::KeptFields& keeps,
+               QWidget* parent = nullptr);
+
+  QTableWidget* table() const { return table_; }
+  QCheckBox* headerBox() const { return header_; }
+  QCheckBox* commaBox() const { return comma_; }
+  QComboBox* turnChoice() const { return turns_; }
+  QCheckBox* othersBox() const { return others_; }
+  QPushButton* applyButton() const { return apply_; }
+  QString statusShown() const { return status_->text(); }
+
+ Q_SIGNALS:
+  void chosen(const std::vector<mapwright::exchange::WaypointEdit>& edits);
+
+ private:
+  void look();
+  void fill(const std::vector<exchange::WaypointStep>& steps);
+
+  ImportSource source_;
+  exchange::WaypointItems kept_;
+  robot::KeptFields keeps_;
+  Edits edits_;
+  QTableWidget* table_;
+  QLabel* status_;
+  QCheckBox *header_, *comma_, *others_;
+  QComboBox *separator_, *turns_;
+  QPushButton* apply_;
+};
 
 class WaypointTransfer : public QObject {
   Q_OBJECT

@@ -1,6 +1,5 @@
 #include "ui/waypoints/waypoint_warnings.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace mapwright::window {
@@ -15,7 +14,7 @@ WaypointWarnings::WaypointWarnings(WaypointEditing* editing, std::shared_ptr<wor
     : QObject(parent), editing_(editing), share_(std::move(workers)) {
   connect(editing_, &WaypointEditing::opened, this, [this] {
     if (editing_->document())
-      connect(editing_->document(), &edit::DocumentEvents::changed, this, &WaypointWarnings::take,
+      connect(editing_->document(), &edit::WaypointDocument::changed, this, &WaypointWarnings::take,
               Qt::UniqueConnection);
     begin();
   });
@@ -71,7 +70,6 @@ void WaypointWarnings::cellsChanged(const geometry::WorldRect& where) {
 void WaypointWarnings::begin() {
   std::set<std::string> gone;
   for (const auto& [key, warnings] : all_) gone.insert(key);
-  names_.clear();
   of_ground_.clear();
   all_.clear();
   waiting_.clear();
@@ -79,7 +77,7 @@ void WaypointWarnings::begin() {
   preview_waits_ = false;
   if (const edit::WaypointDocument* const document = editing_->document()) {
     std::set<std::string> touched;
-    for (const auto& [key, point] : document->items()) names_.put(key, point.name, touched);
+    lookForNames(touched);
     for (const auto& [key, point] : document->items()) settle(key);
   }
   everythingAnew();
@@ -113,16 +111,16 @@ void WaypointWarnings::take(const edit::DocumentChange& change) {
     for (const edit::Key& key : *keys) {
       const map::Waypoint* const point = editing_->find(key);
       if (!point) continue;
-      names_.put(key, point->name, touched);
       touched.insert(key);
       waiting_.insert(key);
     }
   }
   for (const edit::Key& key : change.removed) {
-    names_.remove(key, touched);
+    touched.insert(key);
     of_ground_.erase(key);
     waiting_.erase(key);
   }
+  if (!change.added.empty() || !change.removed.empty() || change.fields & kName) lookForNames(touched);
   std::set<std::string> other;
   for (const edit::Key& key : touched) {
     if (settle(key)) other.insert(key);
@@ -131,13 +129,21 @@ void WaypointWarnings::take(const edit::DocumentChange& change) {
   lookSoon();
 }
 
+void WaypointWarnings::lookForNames(std::set<std::string>& touched) {
+  const edit::Items& items = editing_->document()->items();
+  std::vector<std::string> names;
+  names.reserve(items.size());
+  for (const auto& [key, point] : items) names.push_back(point.name);
+  const std::set<std::string> before = std::exchange(twice_, placing::namesTwice(names));
+  if (before == twice_) return;
+  for (const auto& [key, point] : items) {
+    if (before.contains(point.name) != twice_.contains(point.name)) touched.insert(key);
+  }
+}
+
 void WaypointWarnings::takePreview() {
   const WaypointPreview& preview = editing_->preview();
-  const bool same_ones =
-      preview.size() == previewed_.size() &&
-      std::equal(previewed_.begin(), previewed_.end(), preview.begin(),
-                 [](const edit::Key& key, const auto& moved) { return key == moved.first; });
-  if (!same_ones) {
+  if (!areSame(previewed_, preview)) {
     // Released or restored ones are checked again.
     for (edit::Key& key : std::exchange(previewed_, {})) waiting_.insert(std::move(key));
     previewed_.reserve(preview.size());
@@ -162,22 +168,22 @@ void WaypointWarnings::look() {
   if (groups_left_ > 0 || !looking()) return;
   std::set<edit::Key> keys = std::exchange(waiting_, {});
   if (std::exchange(preview_waits_, false)) keys.insert(previewed_.begin(), previewed_.end());
-  Asked asked;
+  Batch batch;
   for (const edit::Key& key : keys) {
     const auto spot = editing_->spotOf(key);
     if (!spot) continue;
-    asked.keys.push_back(key);
-    asked.places_m.push_back(spot->position_m);
+    batch.keys.push_back(key);
+    batch.places_m.push_back(spot->position_m);
   }
-  if (asked.keys.empty()) return;
+  if (batch.keys.empty()) return;
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   // In groups: the threads of the pool share them, and the window is not blocked for long.
   for (const std::vector<std::size_t>& group :
-       placing::groupsOf(asked.places_m, map_.reference, kMostOfGroup)) {
-    auto part = std::make_shared<Asked>();
+       placing::groupsOf(batch.places_m, map_.reference, kMostOfGroup)) {
+    auto part = std::make_shared<Batch>();
     for (const std::size_t i : group) {
-      part->keys.push_back(std::move(asked.keys[i]));
-      part->places_m.push_back(asked.places_m[i]);
+      part->keys.push_back(std::move(batch.keys[i]));
+      part->places_m.push_back(batch.places_m[i]);
     }
     ++groups_left_;
     share_.start(work::Urgency::Wanted,
@@ -195,12 +201,12 @@ void WaypointWarnings::look() {
   }
 }
 
-void WaypointWarnings::takeGround(const Asked& asked, const placing::GroundWarnings& found) {
+void WaypointWarnings::takeGround(const Batch& batch, const placing::GroundWarnings& found) {
   if (std::exchange(ground_, found.state) != found.state) other_ground_ = true;
-  for (std::size_t i = 0; i < asked.keys.size(); ++i) {
-    const edit::Key& key = asked.keys[i];
+  for (std::size_t i = 0; i < batch.keys.size(); ++i) {
+    const edit::Key& key = batch.keys[i];
     const auto spot = editing_->spotOf(key);
-    if (!spot || spot->position_m != asked.places_m[i]) continue;  // it has moved since, and is queued again
+    if (!spot || spot->position_m != batch.places_m[i]) continue;  // it has moved since, and is queued again
     if (!found.of[i].empty()) {
       of_ground_[key] = found.of[i];
     } else if (of_ground_.erase(key) == 0) {
@@ -224,7 +230,7 @@ bool WaypointWarnings::settle(const edit::Key& key) {
     const auto ground = of_ground_.find(key);
     const bool zero_turn = point->yaw_rad == 0.0 && zero_turns_.contains(key);
     now = placing::together(ground == of_ground_.end() ? placing::Warnings{} : ground->second, point->name,
-                            names_.twice(key), zero_turn);
+                            twice_.contains(point->name), zero_turn);
   }
   const auto before = all_.find(key);
   if (now.empty()) {

@@ -1,11 +1,10 @@
-// What is doubtful about the waypoints of the open list, on the map under them: follows both, and looks anew
-// at what changed alone, on the crew. GUI thread.
+// Warnings about the waypoints of the open list, on the map under them: follows both, and checks only what
+// has changed, on the thread pool. GUI thread.
 #pragma once
 
 #include <atomic>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -14,7 +13,6 @@
 #include <QObject>
 
 #include "geometry/rect.h"
-#include "placing/names.h"
 #include "placing/warnings.h"
 #include "ui/waypoints/waypoint_editing.h"
 #include "work/workers.h"
@@ -29,27 +27,26 @@ class WaypointWarnings : public QObject {
                    QObject* parent = nullptr);
   ~WaypointWarnings() override;
 
-  /// What lies under them; without cells nothing does.
+  /// The map under them; without cells there is none.
   void setMap(const placing::PlacedMap& map);
-  /// Some of its cells have become others.
+  /// Some of its cells have changed.
   void cellsChanged(const geometry::WorldRect& where);
-  /// Walls that are closer are warned of; 0 = of none.
+  /// Warns of walls that are closer; 0 = of none.
   void setRadius(double radius_m);
   double radius() const { return radius_m_; }
-  /// Those that are kept with a quaternion of zero; one that has been turned since has another.
+  /// Those stored with a zero quaternion, unless they have been turned since.
   void setZeroTurns(std::set<edit::Key> keys);
 
-  /// The gravest first; empty = there are none, or it has not been looked at yet.
+  /// Most severe first; empty = none, or not checked yet.
   const placing::Warnings& of(const edit::Key& key) const;
   std::size_t count() const { return all_.size(); }  // of waypoints
-  /// The one with a warning that comes after `key` in the order of keys, and round again; empty = there is
-  /// none.
+  /// The next one with a warning after `key`, starting over at the end; empty = there is none.
   edit::Key next(const edit::Key& key) const;
   placing::GroundState ground() const { return ground_; }
   bool looking() const { return groups_left_ > 0 || !waiting_.empty() || preview_waits_; }
 
  Q_SIGNALS:
-  /// Of these they may be others now; comes with no key when only ground() is another one.
+  /// Those of these may have changed; without keys only ground() has.
   void changed(const std::vector<std::string>& keys);
 
  private:
@@ -58,14 +55,16 @@ class WaypointWarnings : public QObject {
   void takePreview();
   void lookSoon();
   void look();
-  struct Asked {
+  struct Batch {
     std::vector<edit::Key> keys;
     std::vector<Eigen::Vector2d> places_m;  // of keys
   };
-  void takeGround(const Asked& asked, const placing::GroundWarnings& found);
+  void takeGround(const Batch& batch, const placing::GroundWarnings& found);
   void endLook();
   void everythingAnew();
-  /// What holds of it now; true when that is another thing than before.
+  /// Looks for names that several have; adds to `touched` the waypoints for which that has changed.
+  void lookForNames(std::set<std::string>& touched);
+  /// Updates those of one waypoint; true if they have changed.
   bool settle(const edit::Key& key);
   void tell(const std::set<std::string>& keys);
 
@@ -73,7 +72,7 @@ class WaypointWarnings : public QObject {
   placing::PlacedMap map_;
   double radius_m_ = 0;
   std::set<edit::Key> zero_turns_;
-  placing::NameBook names_;
+  std::set<std::string> twice_;  // names that several have
   placing::GroundState ground_ = placing::GroundState::None;
   std::unordered_map<edit::Key, placing::Warnings> of_ground_;  // where there are any
   std::map<edit::Key, placing::Warnings> all_;                  // likewise

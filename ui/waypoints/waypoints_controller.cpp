@@ -8,17 +8,16 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "session/lacks_picture.h"
+#include "ui/kit/form.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
-#include "ui/kit/plain_label.h"
 #include "ui/kit/undo_stacks.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
-#include "ui/waypoints/conflict_menu.h"
-#include "ui/waypoints/name_editor.h"
+#include "ui/waypoints/waypoint_conflicts.h"
 #include "ui/waypoints/waypoint_placing.h"
 #include "ui/waypoints/waypoint_review.h"
 #include "ui/waypoints/waypoint_text.h"
@@ -32,7 +31,6 @@ namespace mapwright::window {
 WaypointsController::WaypointsController(WindowContext& context, QObject* parent)
     : Controller(parent),
       context_(context),
-      questions_(&context.window),
       placing_(new WaypointPlacing(context, &editing_, this)),
       on_map_(new WaypointsOnMap(&editing_, &context.scene, &context.hits, this)),
       dock_(new WaypointsDock(&editing_, &context.window)),
@@ -107,7 +105,6 @@ void WaypointsController::addActions() {
                                        .toggle = true,
                                        .menu = {MenuGroup::Waypoints, 10},
                                        .bar = {BarGroup::Tools, 30}});
-  tool_action_->setProperty("tip", tool_action_->toolTip());
   context_.tools.add(tool_, tool_action_);
   context_.actions.placeOnMapMenu(
       {MapMenuGroup::Edit, 10}, [this](QMenu& menu, const Eigen::Vector2d& world_m) {
@@ -196,14 +193,14 @@ void WaypointsController::openList(const map::MapKey& key) {
     if (const auto then = std::exchange(when_saved_, nullptr))
       QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
   });
-  connect(&list_->document(), &edit::DocumentEvents::changed, this, &WaypointsController::takeChange);
+  connect(&list_->document(), &edit::WaypointDocument::changed, this, &WaypointsController::takeChange);
   joinUndo(context_.undo, list_->document().undoStack());
   context_.undo.setActiveStack(&list_->document().undoStack());
 }
 
 void WaypointsController::openReadOnly() {
   const map::WaypointList& told = session_->wholeMap().waypoints();
-  edit::Items<map::Waypoint> items;
+  edit::Items items;
   for (const map::Waypoint& point : told.points) {
     edit::Key key = point.id;
     for (int turn = 2; items.contains(key) || key.empty(); ++turn)
@@ -213,7 +210,7 @@ void WaypointsController::openReadOnly() {
   if (shown_only_ && shown_only_->items() == items) return;
   if (!shown_only_) {
     shown_only_ = std::make_unique<edit::WaypointDocument>();
-    connect(shown_only_.get(), &edit::DocumentEvents::changed, this, &WaypointsController::takeChange);
+    connect(shown_only_.get(), &edit::WaypointDocument::changed, this, &WaypointsController::takeChange);
     constexpr auto kEditing = robot::Capability::WaypointEditing;
     editing_.setDocument(shown_only_.get(),
                          sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing)));
@@ -268,14 +265,14 @@ void WaypointsController::noteSaving() {
   if (phase != edit::SubmissionPhase::Undecided) said_decide_ = false;
   const auto& failure = list_->submission().failure();
   if (phase == edit::SubmissionPhase::Stopped && failure && failure->kind != map::FailureKind::Conflict &&
-      std::exchange(told_failure_, failure) != failure) {
+      std::exchange(reported_failure_, failure) != failure) {
     // The review shows it, and can continue.
     if (!review_->isVisible()) {
       when_saved_ = nullptr;
       context_.overlay.toasts()->add(Mark::Bad, tr("Waypoints: %1").arg(notSavedText(*list_, *failure)));
     }
   }
-  if (list_->saving()) told_failure_.reset();
+  if (list_->saving()) reported_failure_.reset();
   refresh();
 }
 
@@ -301,8 +298,7 @@ void WaypointsController::refresh() {
   placing_->warnings()->setZeroTurns(list_ ? list_->zeroTurns() : std::set<edit::Key>());
   dock_->setList(list_.get(), sentence);
   const bool usable = editing_.document() != nullptr;
-  tool_action_->setEnabled(usable);
-  tool_action_->setToolTip(usable ? tool_action_->property("tip").toString() : plainToolTip(sentence));
+  allow(tool_action_, usable, sentence);
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
   revert_action_->setEnabled(unsaved());
   refreshNotice();
@@ -388,40 +384,56 @@ QString WaypointsController::mapName() const {
 
 void WaypointsController::revertAll() {
   if (!unsaved()) return;
-  questions_.askToDiscard(tr("Discard %1 to the waypoints of %2? This cannot be undone.")
-                              .arg(changesText(qsizetype(list_->document().unsaved().size())), mapName()),
-                          [this] {
-                            if (list_) list_->discard();
-                          });
+  if (question_) return question_->raise();
+  question_ = new QMessageBox(QMessageBox::Warning, tr("Discard changes"),
+                              tr("Discard %1 to the waypoints of %2? This cannot be undone.")
+                                  .arg(changesText(qsizetype(list_->document().unsaved().size())), mapName()),
+                              QMessageBox::Discard | QMessageBox::Cancel, &context_.window);
+  question_->setTextFormat(Qt::PlainText);
+  question_->setAttribute(Qt::WA_DeleteOnClose);
+  question_->setDefaultButton(QMessageBox::Cancel);
+  connect(question_, &QMessageBox::finished, this, [this](int button) {
+    question_ = nullptr;
+    if (button == QMessageBox::Discard && list_) list_->discard();
+  });
+  question_->open();
 }
 
 void WaypointsController::beforeLeaving(std::function<void()> then) {
   name_editor_->finish();
   if (!unsaved() || may_leave_) return then();
-  questions_.askToLeave(
-      tr("Waypoints of %1: %2 not saved.")
-          .arg(mapName(), changesText(qsizetype(list_->document().unsaved().size()))),
-      !context_.edit.drafts_folder.isEmpty(),
-      [this, then = std::move(then)](WaypointQuestions::Leaving said) { answer(said, then); });
+  if (question_) {
+    // Only the newest question matters.
+    question_->disconnect(this);
+    question_->close();
+  }
+  question_ =
+      askToLeave(this, &context_.window, tr("Waypoints are not saved"),
+                 tr("Waypoints of %1: %2 not saved.")
+                     .arg(mapName(), changesText(qsizetype(list_->document().unsaved().size()))),
+                 !context_.edit.drafts_folder.isEmpty(), [this, then = std::move(then)](Leaving leaving) {
+                   question_ = nullptr;
+                   answer(leaving, then);
+                 });
 }
 
-void WaypointsController::answer(WaypointQuestions::Leaving answer, const std::function<void()>& then) {
+void WaypointsController::answer(Leaving leaving, const std::function<void()>& then) {
   if (!list_) return;
-  switch (answer) {
-    case WaypointQuestions::Leaving::Save:
+  switch (leaving) {
+    case Leaving::Save:
       when_saved_ = then;
       return save();
-    case WaypointQuestions::Leaving::Discard:
+    case Leaving::Discard:
       list_->discard();
       return then();
-    case WaypointQuestions::Leaving::Keep:
+    case Leaving::Keep:
       if (const auto trouble = list_->keepDraft()) {
         context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
         return;
       }
       may_leave_ = true;
       return then();
-    case WaypointQuestions::Leaving::Stay:
+    case Leaving::Stay:
       return;
   }
 }

@@ -7,13 +7,13 @@
 #include <optional>
 #include <set>
 
+#include <QMessageBox>
 #include <QPointer>
 
 #include "ui/kit/controller.h"
+#include "ui/shell/unsaved_question.h"
 #include "ui/shell/window_context.h"
-#include "ui/waypoints/left_name.h"
 #include "ui/waypoints/waypoint_editing.h"
-#include "ui/waypoints/waypoint_questions.h"
 
 namespace mapwright::window {
 
@@ -24,6 +24,7 @@ class WaypointTool;
 class WaypointTransfer;
 class WaypointsDock;
 class WaypointsOnMap;
+struct LeftName;
 
 class WaypointsController : public Controller {
   Q_OBJECT
@@ -47,7 +48,7 @@ class WaypointsController : public Controller {
   WaypointTransfer* transfer() const { return transfer_; }
   WaypointReview* review() const { return review_; }
   NameEditor* nameEditor() const { return name_editor_; }
-  QMessageBox* question() const { return questions_.shown(); }  // null: nothing is asked
+  QMessageBox* question() const { return question_; }  // null: nothing is asked
 
  private:
   void addActions();
@@ -55,8 +56,8 @@ class WaypointsController : public Controller {
   void openList(const map::MapKey& key);
   void openReadOnly();
   void closeList();
-  bool comesFirst() const;  // of what is there the waypoints are most to the point
-  /// A new one there, and its name asked for.
+  bool comesFirst() const;  // waypoints are the main subject of what is open
+  /// Adds one there, and asks for its name.
   void addAt(const Eigen::Vector2d& world_m);
   void takeChange();
   void refresh();
@@ -66,7 +67,7 @@ class WaypointsController : public Controller {
   void revertAll();
   void askName(const edit::Key& key, edit::Gesture gesture);
   void noteSaving();
-  void answer(WaypointQuestions::Leaving answer, const std::function<void()>& then);
+  void answer(Leaving leaving, const std::function<void()>& then);
   QString mapName() const;
 
   WindowContext& context_;
@@ -75,7 +76,7 @@ class WaypointsController : public Controller {
   std::unique_ptr<edit::WaypointDocument> shown_only_;  // of a robot whose waypoints can only be read
   std::unique_ptr<edit::OpenWaypoints> list_;
   std::optional<map::MapKey> open_map_;
-  WaypointQuestions questions_;
+  QPointer<QMessageBox> question_;  // before unsaved waypoints are lost or left behind
   WaypointPlacing* placing_;
   WaypointsOnMap* on_map_;
   WaypointsDock* dock_;
@@ -86,7 +87,7 @@ class WaypointsController : public Controller {
   WaypointReview* review_;
   QAction *tool_action_ = nullptr, *revert_action_ = nullptr;
   std::function<void()> when_saved_;
-  std::optional<map::Failure> told_failure_;  // that of the last save
+  std::optional<map::Failure> reported_failure_;  // that of the last save
   bool was_unsaved_ = false, could_save_ = false, said_decide_ = false;
   std::set<edit::Key> accepted_names_;  // that look temporary and may stay
   bool may_leave_ = false;              // the draft is to be kept as it is

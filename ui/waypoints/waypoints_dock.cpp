@@ -18,15 +18,14 @@
 #include "sentences/fault_sentence.h"
 #include "sentences/placing_sentence.h"
 #include "sentences/plural.h"
+#include "ui/kit/form.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/row_table.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
-#include "ui/waypoints/conflict_box.h"
-#include "ui/waypoints/group_form.h"
-#include "ui/waypoints/waypoint_filter.h"
-#include "ui/waypoints/waypoint_form.h"
+#include "ui/waypoints/waypoint_conflicts.h"
+#include "ui/waypoints/waypoint_forms.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "ui/waypoints/waypoint_warnings.h"
 
@@ -35,13 +34,6 @@ namespace mapwright::window {
 namespace {
 
 constexpr int kWaypointRowPx = 24;
-
-void secondary(QLabel* label, bool bad) {
-  const UiColors colors = appColors();
-  QPalette palette = label->palette();
-  palette.setColor(QPalette::WindowText, bad ? colors.error_text : colors.secondary_text);
-  label->setPalette(palette);
-}
 
 }  // namespace
 
@@ -53,14 +45,15 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
       filter_(new QLineEdit(this)),
       table_(new QuietTableView(this)),
       pending_(new QComboBox(this)),
-      empty_(new QLabel(this)),
-      status_(new QLabel(this)),
+      empty_(textLabel(this)),
+      status_(textLabel(this)),
       conflicts_(new ConflictBox(this)),
-      add_(new QPushButton(tr("Add"), this)),
-      remove_(new QPushButton(tr("Delete"), this)),
-      save_(new QPushButton(tr("Save"), this)),
-      cancel_(new QPushButton(tr("Cancel"), this)),
-      retry_(new QPushButton(tr("Retry"), this)),
+      add_(compactButton(tr("Add"), this,
+                         tr("Add a waypoint in the centre of the view. On the map: press W, then click"))),
+      remove_(compactButton(tr("Delete"), this, tr("Delete the selected waypoints (Delete)"))),
+      save_(compactButton(tr("Save"), this, tr("Save the changes (Ctrl+S)"))),
+      cancel_(compactButton(tr("Cancel"), this)),
+      retry_(compactButton(tr("Retry"), this)),
       next_warning_(new QToolButton(this)),
       form_(new WaypointForm(editing, this)),
       group_(new GroupForm(editing, this)) {
@@ -68,19 +61,12 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   buildTable();
   buildFilter();
   for (QLabel* label : {empty_, status_}) {
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
     label->setContentsMargins(8, 4, 8, 4);
+    label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   }
-  for (QLabel* label : {empty_, status_}) label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  add_->setToolTip(tr("Add a waypoint in the centre of the view. On the map: press W, then click"));
-  remove_->setToolTip(tr("Delete the selected waypoints (Delete)"));
-  save_->setToolTip(tr("Save the changes (Ctrl+S)"));
   add_->setIcon(themedIcon(QStringLiteral("add")));
   remove_->setIcon(themedIcon(QStringLiteral("trash")));
   save_->setIcon(themedIcon(QStringLiteral("save")));
-  for (QPushButton* button : {add_, remove_, save_, cancel_, retry_})
-    button->setObjectName(QStringLiteral("compact"));
 
   next_warning_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   next_warning_->setIconSize({16, 16});
@@ -94,14 +80,8 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   top->setSpacing(4);
   top->addWidget(filter_, 1);
   top->addWidget(pending_);
-  auto* buttons = new QHBoxLayout;
+  auto* buttons = rowOf({add_, remove_, nullptr, next_warning_, retry_, cancel_, save_}, 6);
   buttons->setContentsMargins(8, 4, 8, 4);
-  buttons->setSpacing(6);
-  buttons->addWidget(add_);
-  buttons->addWidget(remove_);
-  buttons->addStretch();
-  buttons->addWidget(next_warning_);
-  for (QPushButton* button : {retry_, cancel_, save_}) buttons->addWidget(button);
   auto* column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -138,7 +118,7 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   connect(editing_, &WaypointEditing::opened, this, [this] {
     model_->setDocument(editing_->document());
     if (editing_->document())
-      connect(editing_->document(), &edit::DocumentEvents::changed, this, &WaypointsDock::refresh);
+      connect(editing_->document(), &edit::WaypointDocument::changed, this, &WaypointsDock::refresh);
     refresh();
   });
   refresh();
@@ -299,7 +279,7 @@ void WaypointsDock::refresh() {
   status_->setText(statusText());
   status_->setToolTip(plainToolTip(status_->text()));  // if there is no room for all of it
   status_->setVisible(!status_->text().isEmpty());
-  secondary(status_, status_bad_);
+  setTextColor(status_, status_bad_ ? appColors().error_text : appColors().secondary_text);
 
   conflicts_->refresh(document, editing_->selected());
 }
@@ -341,9 +321,6 @@ QString WaypointsDock::emptyText() const {
 }
 
 QString WaypointsDock::statusShown() const { return status_->isHidden() ? QString() : status_->text(); }
-QString WaypointsDock::conflictShown() const { return conflicts_->shown(); }
-QPushButton* WaypointsDock::mineButton() const { return conflicts_->mineButton(); }
-QPushButton* WaypointsDock::theirsButton() const { return conflicts_->theirsButton(); }
 QString WaypointsDock::emptyShown() const { return empty_->isHidden() ? QString() : empty_->text(); }
 
 std::vector<edit::Key> WaypointsDock::selectedDeleted() const {

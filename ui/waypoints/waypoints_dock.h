@@ -33,10 +33,10 @@ class WaypointsDock : public QDockWidget {
   explicit WaypointsDock(WaypointEditing* editing, QWidget* parent = nullptr);
   ~WaypointsDock() override;
 
-  /// The list that is open to be changed; null = none, then `sentence` says what there is instead.
+  /// The list that can be edited; null = none, and `sentence` says why.
   void setList(const edit::OpenWaypoints* list, const QString& sentence);
 
-  /// What is doubtful about them; must outlive this.
+  /// Must outlive this.
   void setWarnings(const WaypointWarnings* warnings);
 
   WaypointsModel* model() const { return model_; }
@@ -49,15 +49,12 @@ class WaypointsDock : public QDockWidget {
   QPushButton* removeButton() const { return remove_; }
   QPushButton* saveButton() const { return save_; }
   ConflictBox* conflicts() const { return conflicts_; }
-  QPushButton* mineButton() const;
-  QPushButton* theirsButton() const;
   QToolButton* warningsButton() const { return next_warning_; }
   QString statusShown() const;
   bool statusIsBad() const { return status_bad_; }  // in red
-  QString conflictShown() const;                    // empty = none
   /// Keys of the rows that are selected and that I deleted.
   std::vector<edit::Key> selectedDeleted() const;
-  /// What stands in the place of rows; empty while there are some.
+  /// The text in place of rows; empty if there are rows.
   QString emptyShown() const;
 
  Q_SIGNALS:

@@ -1,6 +1,7 @@
 #include "ui/waypoints/waypoints_model.h"
 
 #include <algorithm>
+#include <array>
 
 #include <QFont>
 #include <QGuiApplication>
@@ -18,7 +19,6 @@
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
-
 namespace {
 
 constexpr std::size_t kManyRows = 200;  // more at once are signalled as a whole
@@ -46,12 +46,14 @@ QVariant stateMark(const edit::ItemState& state, int pending) {
   return pixmap;
 }
 
+constexpr std::size_t kMostSortKeys = 200'000;
+
 }  // namespace
 
 void WaypointsModel::setDocument(edit::WaypointDocument* document) {
   if (document_) document_->disconnect(this);
   document_ = document;
-  if (document_) connect(document_, &edit::DocumentEvents::changed, this, &WaypointsModel::take);
+  if (document_) connect(document_, &edit::WaypointDocument::changed, this, &WaypointsModel::take);
   begin();
 }
 
@@ -266,24 +268,56 @@ QVariant WaypointsModel::sortValue(const edit::Key& key, const map::Waypoint& po
 }
 
 QVariant WaypointsModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
+  if (orientation != Qt::Horizontal || section >= kColumns) return {};
   if (role == Qt::TextAlignmentRole && section >= XColumn && section <= YawColumn)
     return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
-  switch (section) {
-    case NameColumn:
-      return tr("Name");
-    case XColumn:
-      return tr("x m");
-    case YColumn:
-      return tr("y m");
-    case YawColumn:
-      return QStringLiteral("yaw °");
-    case TagsColumn:
-      return tr("Tags");
-    default:
-      return {};
+  const std::array<QString, kColumns> names{
+      QString(), tr("Name"), tr("x m"), tr("y m"), QStringLiteral("yaw °"), tr("Tags")};
+  return names.at(std::size_t(section)).isEmpty() ? QVariant() : names[std::size_t(section)];
+}
+
+WaypointFilter::WaypointFilter(QObject* parent) : QSortFilterProxyModel(parent) {
+  // The C locale always compares bytes.
+  if (order_.locale().language() == QLocale::C)
+    order_.setLocale(QLocale(QLocale::English, QLocale::UnitedStates));
+  order_.setNumericMode(true);
+  order_.setCaseSensitivity(Qt::CaseInsensitive);
+}
+
+void WaypointFilter::look(const QString& text) {
+  if (sort_keys_.size() > kMostSortKeys) sort_keys_.clear();
+  wanted_ = text.trimmed();
+  invalidateFilter();
+}
+
+void WaypointFilter::lookForPending(int flags) {
+  pending_ = flags;
+  invalidateFilter();
+}
+
+bool WaypointFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
+  const auto at = [&](int column) { return sourceModel()->index(row, column, parent); };
+  if (pending_ != 0 &&
+      !(at(WaypointsModel::StateColumn).data(WaypointsModel::kPendingRole).toInt() & pending_))
+    return false;
+  if (wanted_.isEmpty()) return true;
+  for (const int column : {WaypointsModel::NameColumn, WaypointsModel::TagsColumn}) {
+    if (at(column).data().toString().contains(wanted_, Qt::CaseInsensitive)) return true;
   }
+  return false;
+}
+
+bool WaypointFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+  const QVariant one = left.data(sortRole()), other = right.data(sortRole());
+  if (one.typeId() != QMetaType::QString) return QSortFilterProxyModel::lessThan(left, right);
+  return sortKey(one.toString()).compare(sortKey(other.toString())) < 0;
+}
+
+const QCollatorSortKey& WaypointFilter::sortKey(const QString& text) const {
+  const auto known = sort_keys_.find(text);
+  return known != sort_keys_.end() ? known->second
+                                   : sort_keys_.emplace(text, order_.sortKey(text)).first->second;
 }
 
 }  // namespace mapwright::window

@@ -1,14 +1,16 @@
-// The rows of the waypoint list: follows a document change by change. Those that I deleted stay as rows until
-// that is saved.
+// The rows of the waypoint list, which follow a document change by change, and which of them are shown in
+// which order. Those that I deleted stay as rows until that is saved.
 #pragma once
 
 #include <unordered_map>
 #include <vector>
 
 #include <QAbstractTableModel>
+#include <QCollator>
 #include <QPointer>
+#include <QSortFilterProxyModel>
 
-#include "edit/waypoint_fields.h"
+#include "edit/document.h"
 #include "placing/warnings.h"
 
 namespace mapwright::window {
@@ -27,7 +29,7 @@ class WaypointsModel : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
   /// null = none.
   void setDocument(edit::WaypointDocument* document);
-  /// What is doubtful about them; must outlive this.
+  /// Must outlive this.
   void setWarnings(const WaypointWarnings* warnings);
 
   edit::Key key(const QModelIndex& index) const;  // empty = none
@@ -54,6 +56,30 @@ class WaypointsModel : public QAbstractTableModel {
   const WaypointWarnings* warnings_ = nullptr;
   std::vector<edit::Key> rows_;
   std::unordered_map<edit::Key, int> row_of_;
+};
+
+/// By name or tag, and by what is pending; "Rack 2" stands before "Rack 10".
+class WaypointFilter : public QSortFilterProxyModel {
+  Q_OBJECT
+ public:
+  explicit WaypointFilter(QObject* parent = nullptr);
+  /// Those with this in their name or tags; empty = all.
+  void look(const QString& text);
+  /// Those of which any of these (Pending) is so; 0 = all.
+  void lookForPending(int flags);
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+
+ private:
+  /// Made once for each text, since thousands of rows are compared often.
+  const QCollatorSortKey& sortKey(const QString& text) const;
+
+  QString wanted_;
+  int pending_ = 0;
+  QCollator order_;
+  mutable std::unordered_map<QString, QCollatorSortKey> sort_keys_;
 };
 
 }  // namespace mapwright::window

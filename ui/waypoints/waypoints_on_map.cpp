@@ -20,7 +20,7 @@ WaypointsOnMap::WaypointsOnMap(WaypointEditing* editing, scene::MapScene* scene,
   hits->add(scene::Layer::Waypoints, &places_);
   connect(editing_, &WaypointEditing::opened, this, [this] {
     if (edit::WaypointDocument* const document = editing_->document())
-      connect(document, &edit::DocumentEvents::changed, this, &WaypointsOnMap::take, Qt::UniqueConnection);
+      connect(document, &edit::WaypointDocument::changed, this, &WaypointsOnMap::take, Qt::UniqueConnection);
     begin();
   });
   connect(editing_, &WaypointEditing::selectionChanged, this, &WaypointsOnMap::takeSelection);
@@ -87,11 +87,7 @@ void WaypointsOnMap::takeSelection() {
 void WaypointsOnMap::takePreview() {
   const WaypointPreview& preview = editing_->preview();
   // Consecutive steps move the same ones: only their positions change.
-  const bool same_ones =
-      preview.size() == previewed_.size() &&
-      std::equal(previewed_.begin(), previewed_.end(), preview.begin(),
-                 [](const edit::Key& key, const auto& moved) { return key == moved.first; });
-  if (same_ones) {
+  if (areSame(previewed_, preview)) {
     for (const auto& [key, spot] : preview) {
       const auto known = at_.find(key);
       if (known == at_.end()) continue;

@@ -1,5 +1,5 @@
-// The waypoints of the open list as the map shows them and as hands find them: follows document, selection
-// and what a hand moves, waypoint by waypoint. GUI thread.
+// The waypoints of the open list as the map shows them and as clicks find them: follows document, selection
+// and drags, waypoint by waypoint. GUI thread.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ class WaypointsOnMap : public QObject {
   WaypointsOnMap(WaypointEditing* editing, scene::MapScene* scene, HitList* hits, QObject* parent = nullptr);
   /// The map that they belong to; nullopt = nothing is drawn.
   void setMap(const std::optional<map::MapKey>& map);
-  /// What is doubtful about them; must outlive this.
+  /// Must outlive this.
   void setWarnings(const WaypointWarnings* warnings);
 
  private:
@@ -32,7 +32,7 @@ class WaypointsOnMap : public QObject {
   void take(const edit::DocumentChange& change);
   void takeSelection();
   void takePreview();
-  /// As it is drawn now; nullopt = it is not.
+  /// nullopt = it is not drawn.
   std::optional<scene::DrawnWaypoint> drawnOf(const edit::Key& key) const;
   void place(const edit::Key& key);  // in the index
   void placeAll();                   // anew

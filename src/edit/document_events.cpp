@@ -1,9 +1,0 @@
-#include "edit/document_events.h"
-
-namespace mapwright::edit {
-
-DocumentEvents::~DocumentEvents() = default;
-
-}  // namespace mapwright::edit
-
-#include "moc_document_events.cpp"
