@@ -7,10 +7,10 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "clouds/cloud_store.h"
 #include "fake_robot.h"
 #include "known_addresses.h"
 #include "robot/map_dispatch.h"
-#include "scene/map_clouds.h"
 #include "test_program.h"
 #include "ui/clouds/clouds_controller.h"
 #include "ui/clouds/clouds_dock.h"
@@ -128,7 +128,7 @@ struct Desk {
   CloudsController& clouds() { return *window->clouds(); }
   CloudsDock& dock() { return *clouds().dock(); }
   FakeDispatch& dispatch() { return robot->dispatch; }
-  scene::MapClouds& held() { return scene::MapClouds::of(*window->mapScene()); }
+  clouds::CloudStore& held() { return window->clouds()->store(); }
   QAction* action(const char* id) { return window->actionList().find(QLatin1String(id)); }
   QPoint px(double x, double y) {
     const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld({x, y});
@@ -336,7 +336,7 @@ class TestWindowClouds : public QObject {
     desk.dock().lowBox()->setValue(0.25);
     QVERIFY(std::abs(desk.held().heightRange()->low_m - 0.25) < 1e-9);
     desk.dock().highBox()->setValue(0.1);
-    QCOMPARE(*desk.held().heightRange(), (scene::CloudRange{0.1, 0.1}));
+    QCOMPARE(*desk.held().heightRange(), (clouds::HeightRange{0.1, 0.1}));
     QTest::mouseDClick(slider, Qt::LeftButton, {}, QPoint(60, 30));
     QVERIFY(!desk.held().heightRange());
     QTRY_COMPARE(desk.held().sums().shown, std::uint64_t(12'100));

@@ -17,7 +17,6 @@
 #include "../regions/fake_dispatch.h"
 #include "fake_robot.h"
 #include "known_addresses.h"
-#include "scene/regions_on_map.h"
 #include "test_program.h"
 #include "ui/maps/maps_dock.h"
 #include "ui/regions/map_errand.h"
@@ -518,7 +517,7 @@ class TestWindowRegions : public QObject {
     QVERIFY(notice().contains(QStringLiteral("Fetching")));
     window_->leaveRobot();
     QVERIFY(!controller()->map());
-    QVERIFY(!scene::RegionsOnMap::of(*window_->mapScene()).map());
+    QVERIFY(!window_->mapScene()->regions());
     QVERIFY(!action("fetchRegion")->isEnabled());
     QVERIFY(!action("fetchWholeMap")->isEnabled());
     QVERIFY(!action("refreshRegions")->isEnabled());
@@ -533,7 +532,7 @@ class TestWindowRegions : public QObject {
     open();
     connectRobot();
     look(0.05);
-    QVERIFY(!scene::RegionsOnMap::of(*window_->mapScene()).map());  // nothing is hatched
+    QVERIFY(!window_->mapScene()->regions());  // nothing is hatched
     QVERIFY2(notice().isEmpty(), qPrintable(notice()));
     QVERIFY2(tip().isEmpty(), qPrintable(tip()));
     window::EmptyStateCard* const card = window_->overlay()->card();
@@ -548,7 +547,7 @@ class TestWindowRegions : public QObject {
     // Its dispatcher may learn to give regions.
     robot_->dispatch.offers_regions = true;
     Q_EMIT robot_->dispatch.offersChanged();
-    QTRY_VERIFY(scene::RegionsOnMap::of(*window_->mapScene()).map());
+    QTRY_VERIFY(window_->mapScene()->regions());
     QTRY_VERIFY(!card->isVisible());
     waitUntilFetched();
   }

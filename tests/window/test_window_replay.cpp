@@ -18,7 +18,6 @@
 #include "recording/source.h"
 #include "robot/axbot/axbot_address.h"
 #include "robot/axbot/axbot_robot.h"
-#include "scene/pose_between.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
@@ -796,8 +795,9 @@ class TestWindowReplay : public QObject {
     const geometry::Pose2 from = before->pose, to = after->pose;
     desk.clock().seek((before->stamp_s + after->stamp_s) / 2);
     QTRY_VERIFY(desk.isThere());
-    const auto& drawn = scene::PoseBetween::of(*desk.window->mapScene()).pose();
-    QTRY_VERIFY(drawn && std::abs(drawn->x_m - (from.x_m + to.x_m) / 2) < 1e-6);
+    std::optional<geometry::Pose2> drawn;
+    QTRY_VERIFY((drawn = desk.window->mapScene()->robotPose()) &&
+                std::abs(drawn->x_m - (from.x_m + to.x_m) / 2) < 1e-6);
     NEAR(drawn->y_m, (from.y_m + to.y_m) / 2, 1e-6);
     // The world says what was recorded.
     QTRY_VERIFY(std::abs(desk.window->session()->live().robot_pose->x_m - from.x_m) < 1e-9);

@@ -211,7 +211,7 @@ void CloudsDock::buildEnd(QVBoxLayout* column) {
   connect(clear_, &QPushButton::clicked, this, &CloudsDock::clearWanted);
 }
 
-scene::CloudRange CloudsDock::askedHeights() const {
+clouds::HeightRange CloudsDock::askedHeights() const {
   return {std::min(ask_low_->value(), ask_high_->value()), std::max(ask_low_->value(), ask_high_->value())};
 }
 
@@ -223,7 +223,7 @@ void CloudsDock::typedRange() {
     const QSignalBlocker quiet(other);
     other->setValue((typed ? typed : low_)->value());
   }
-  Q_EMIT rangeChosen(scene::CloudRange{low_->value(), high_->value()});
+  Q_EMIT rangeChosen(clouds::HeightRange{low_->value(), high_->value()});
 }
 
 void CloudsDock::setAbsence(const QString& sentence) {
@@ -265,8 +265,8 @@ void CloudsDock::refresh() {
   clear_->setEnabled(has_clouds_);
 }
 
-void CloudsDock::setClouds(const scene::CloudSums& sums, const scene::CloudHeights& heights,
-                           const std::optional<scene::CloudRange>& range) {
+void CloudsDock::setClouds(const clouds::CloudSums& sums, const clouds::Heights& heights,
+                           const std::optional<clouds::HeightRange>& range) {
   has_clouds_ = sums.clouds > 0;
   counts_->setText(cloudSumsText(sums));
   slider_->setHeights(heights);

@@ -52,8 +52,7 @@ SectionDock::SectionDock(std::shared_ptr<work::Workers> workers, QWidget* parent
   tell();
 }
 
-void SectionDock::showSection(std::shared_ptr<const scene::CloudSection> section,
-                              render::TilePainter painter) {
+void SectionDock::showSection(std::shared_ptr<const clouds::Section> section, render::TilePainter painter) {
   view_->showSection(std::move(section), std::move(painter));
   tell();
 }

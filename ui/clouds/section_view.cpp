@@ -9,7 +9,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "ui/kit/plot_ticks.h"
 #include "ui/kit/ui_colors.h"
 
@@ -43,8 +43,7 @@ QRect SectionView::field() const {
           std::max(1, height() - kTopPx - kBottomPx)};
 }
 
-void SectionView::showSection(std::shared_ptr<const scene::CloudSection> section,
-                              render::TilePainter painter) {
+void SectionView::showSection(std::shared_ptr<const clouds::Section> section, render::TilePainter painter) {
   const bool other = !section || !section_ || section->cut.from_m != section_->cut.from_m ||
                      section->cut.to_m != section_->cut.to_m;
   section_ = std::move(section);
@@ -226,7 +225,7 @@ void SectionView::read(const QPointF& px) {
   reading_.reset();
   if (section_ && field().contains(px.toPoint())) {
     const Eigen::Vector2d at = placeAt(px);
-    reading_ = Reading{at, section_->nearest(at, kReachPx * view_.scale_m_per_px)};
+    reading_ = Reading{at, clouds::nearestIn(*section_, at, kReachPx * view_.scale_m_per_px)};
   }
   Q_EMIT readingChanged();
   update();

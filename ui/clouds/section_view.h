@@ -6,8 +6,8 @@
 
 #include <QWidget>
 
+#include "clouds/cloud_store.h"
 #include "render/painted_tiles.h"
-#include "scene/map_clouds.h"
 #include "ui/clouds/section_bands.h"
 
 namespace mapwright::window {
@@ -20,8 +20,8 @@ class SectionView : public QWidget {
   SectionView(std::shared_ptr<work::Workers> workers, QWidget* parent = nullptr);
 
   /// null = none. `painter` draws it; a new one for the same section keeps the view.
-  void showSection(std::shared_ptr<const scene::CloudSection> section, render::TilePainter painter);
-  const std::shared_ptr<const scene::CloudSection>& section() const { return section_; }
+  void showSection(std::shared_ptr<const clouds::Section> section, render::TilePainter painter);
+  const std::shared_ptr<const clouds::Section>& section() const { return section_; }
   void fit();
   /// Height ranges shown over it.
   void setBands(std::vector<SectionBand> bands);
@@ -70,7 +70,7 @@ class SectionView : public QWidget {
   void paintBands(QPainter& painter) const;
   std::optional<BandEdge> edgeAt(const QPointF& px) const;
 
-  std::shared_ptr<const scene::CloudSection> section_;
+  std::shared_ptr<const clouds::Section> section_;
   render::PaintedTiles tiles_;
   geometry::ViewTransform view_;
   std::vector<SectionBand> bands_;

@@ -7,8 +7,6 @@
 #include <QStringList>
 #include <QUrl>
 
-#include "scene/layer_topic.h"
-
 namespace mapwright::window {
 
 using scene::Layer;
@@ -81,8 +79,7 @@ void restoreLayers(scene::MapScene& scene, const QSettings& settings) {
     const double opacity = settings.value(key(layer, "opacity"), 1.0).toDouble();
     scene.setLayerOpacity(layer, std::isfinite(opacity) ? opacity : 1.0);
     scene.setLayerStyle(layer, readStyle(layer, settings));
-    scene.setLayerVisible(layer,
-                          settings.value(key(layer, "visible"), scene::shownByDefault(layer)).toBool());
+    scene.setLayerVisible(layer, settings.value(key(layer, "visible"), scene::specOf(layer).shown).toBool());
   }
 }
 
@@ -118,7 +115,7 @@ void resetOrderAndStyles(scene::MapScene& scene) {
 }
 
 void resetVisibility(scene::MapScene& scene) {
-  for (const Layer layer : scene::allLayers()) scene.setLayerVisible(layer, scene::shownByDefault(layer));
+  for (const Layer layer : scene::allLayers()) scene.setLayerVisible(layer, scene::specOf(layer).shown);
 }
 
 }  // namespace mapwright::window

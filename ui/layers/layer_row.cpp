@@ -9,7 +9,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "scene/layer_topic.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/opacity_slider.h"
 #include "ui/kit/plain_label.h"
@@ -140,7 +139,7 @@ void LayerRow::mousePressEvent(QMouseEvent* event) {
 }
 
 void LayerRow::mouseMoveEvent(QMouseEvent* event) {
-  if (!press_ || !(event->buttons() & Qt::LeftButton) || scene::orderFixed(layer_)) return;
+  if (!press_ || !(event->buttons() & Qt::LeftButton) || scene::specOf(layer_).order_fixed) return;
   const QPoint at = event->position().toPoint();
   if (!dragging_ && (at - *press_).manhattanLength() >= QApplication::startDragDistance()) {
     dragging_ = true;

@@ -11,7 +11,6 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
-#include "scene/layer_topic.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"

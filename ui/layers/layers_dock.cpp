@@ -9,9 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "scene/layer_topic.h"
 #include "ui/kit/icons.h"
-#include "ui/layers/layer_availability.h"
 #include "ui/layers/layer_memory.h"
 #include "ui/layers/layer_row.h"
 
@@ -64,7 +62,7 @@ void LayersDock::setSession(session::Session* session) {
 
 void LayersDock::noteAvailability() {
   for (LayerRow* row : rows_) {
-    row->setUnavailable(whyLayerStaysEmpty(row->layer(), session_));
+    row->setUnavailable(session_ ? scene::specOf(row->layer()).why_empty(session_->robot()) : QString());
     noteTopics(row);
   }
 }
@@ -123,7 +121,7 @@ void LayersDock::drag(LayerRow* row, int y) {
   std::size_t target = 0;
   for (LayerRow* other : rows_) {
     if (other == row) continue;
-    if (y > other->geometry().center().y() || scene::orderFixed(other->layer())) ++target;
+    if (y > other->geometry().center().y() || scene::specOf(other->layer()).order_fixed) ++target;
   }
   if (target == std::size_t(here - rows_.begin())) return;
   rows_.erase(here);
@@ -140,8 +138,8 @@ void LayersDock::commit() {
 void LayersDock::move(LayerRow* row, int rows) {
   const auto here = std::find(rows_.begin(), rows_.end(), row) - rows_.begin();
   const auto there = here + rows;
-  if (there < 0 || there >= std::ptrdiff_t(rows_.size()) || scene::orderFixed(row->layer()) ||
-      scene::orderFixed(rows_[std::size_t(there)]->layer()))
+  if (there < 0 || there >= std::ptrdiff_t(rows_.size()) || scene::specOf(row->layer()).order_fixed ||
+      scene::specOf(rows_[std::size_t(there)]->layer()).order_fixed)
     return;
   std::swap(rows_[std::size_t(here)], rows_[std::size_t(there)]);
   place();

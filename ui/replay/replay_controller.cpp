@@ -13,7 +13,6 @@
 
 #include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "scene/pose_between.h"
 #include "sentences/fault_sentence.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/panels.h"
@@ -189,7 +188,7 @@ void ReplayController::setSession(session::Session* session) {
   // Readers of the bag must not outlive its robot.
   if (range_dialog_) range_dialog_->leaveBag();
   clock_->detach();
-  scene::PoseBetween::of(context_.scene).show(std::nullopt);
+  context_.scene.setPoseBetween(std::nullopt);
   auto* const robot = session ? qobject_cast<replay::ReplayRobot*>(&session->robot()) : nullptr;
   if (robot) {
     dock_was_open_ = dock_was_open_ && dock_->toggleViewAction()->isChecked();
@@ -231,7 +230,7 @@ void ReplayController::takeOpened() {
 }
 
 void ReplayController::showPose() {
-  if (clock_->isOpen()) scene::PoseBetween::of(context_.scene).show(clock_->poseBetween());
+  if (clock_->isOpen()) context_.scene.setPoseBetween(clock_->poseBetween());
 }
 
 void ReplayController::noteLink() {

@@ -9,7 +9,6 @@
 #include <QStyle>
 
 #include "geometry/pose.h"
-#include "scene/pose_between.h"
 
 namespace mapwright::window {
 
@@ -190,9 +189,9 @@ void MapView::setFollowing(bool following) {
   if (session::Session* session = scene_->session()) {
     if (following) {
       connect(session, &session::Session::liveHeard, this, &MapView::centreOnRobot, Qt::UniqueConnection);
-      connect(&scene::PoseBetween::of(*scene_), &scene::PoseBetween::changed, this, &MapView::centreOnRobot,
+      connect(scene_, &scene::MapScene::poseBetweenChanged, this, &MapView::centreOnRobot,
               Qt::UniqueConnection);
-      const auto pose = scene::poseDrawn(*scene_);
+      const auto pose = scene_->robotPose();
       if (pose && scene_->robotPlace().drawn != scene::ScreenPart::None) {
         geometry::ViewTransform to = destination();
         to.center_m = {pose->x_m, pose->y_m};
@@ -200,15 +199,14 @@ void MapView::setFollowing(bool following) {
       }
     } else {
       disconnect(session, &session::Session::liveHeard, this, &MapView::centreOnRobot);
-      disconnect(&scene::PoseBetween::of(*scene_), &scene::PoseBetween::changed, this,
-                 &MapView::centreOnRobot);
+      disconnect(scene_, &scene::MapScene::poseBetweenChanged, this, &MapView::centreOnRobot);
     }
   }
   Q_EMIT followingChanged(following);
 }
 
 void MapView::centreOnRobot() {
-  const auto pose = scene::poseDrawn(*scene_);
+  const auto pose = scene_->robotPose();
   if (!following_ || !pose) return;
   // If it is not drawn there is nothing to follow.
   if (scene_->robotPlace().drawn == scene::ScreenPart::None) return;

@@ -6,8 +6,6 @@
 
 #include "map/whereabouts.h"
 #include "regions/region_map.h"
-#include "scene/map_clouds.h"
-#include "scene/regions_on_map.h"
 #include "ui/kit/status_text.h"
 #include "ui/view/replay_state.h"
 #include "words/qt_plain.h"
@@ -54,7 +52,7 @@ bool scansInView(const scene::MapScene& scene) {
 }
 
 MapsInView mapsInView(const scene::MapScene& scene) {
-  const regions::RegionMap* const regions = scene::RegionsOnMap::of(scene).map();
+  const regions::RegionMap* const regions = scene.regions();
   const bool by_region = regions && scene.layerVisible(scene::Layer::Regions);
   const bool submaps = comparing(scene) ? scene.compareMode() == scene::CompareMode::Swipe &&
                                               scene.halves().left == scene::HalfContent::Submaps
@@ -63,7 +61,7 @@ MapsInView mapsInView(const scene::MapScene& scene) {
           scene.layerVisible(scene::Layer::WholeMap) || comparing(scene),
           by_region,
           by_region && regions->regions().bytes() > 0,
-          scene.layerVisible(scene::Layer::DispatchedCloud) && !scene::MapClouds::of(scene).empty(),
+          scene.showsClouds(),
           scansInView(scene)};
 }
 

@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <QPainter>
 
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "ui/waypoints/waypoint_text.h"
 
 namespace mapwright::window {

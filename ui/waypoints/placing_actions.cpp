@@ -3,7 +3,7 @@
 #include <QMenu>
 
 #include "placing/names.h"
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "ui/kit/plain_label.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_view.h"

@@ -5,7 +5,7 @@
 
 #include <QMenu>
 
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "session/lacks_picture.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/view/map_view.h"

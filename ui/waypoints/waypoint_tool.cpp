@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "geometry/pose.h"
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "ui/waypoints/waypoint_text.h"
 
 namespace mapwright::window {

@@ -5,7 +5,7 @@
 #include <QPainter>
 
 #include "geometry/pose.h"
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "ui/waypoints/waypoint_tool.h"
 

@@ -4,7 +4,7 @@
 
 #include <QMenu>
 
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "session/lacks_picture.h"

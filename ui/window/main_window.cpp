@@ -78,7 +78,9 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
     : QMainWindow(parent),
       settings_(dependencies.settings),
       workers_(work::orOwn(dependencies.workers)),
-      scene_(std::make_unique<scene::MapScene>(with(workers_, dependencies.budgets, dependencies.renderer))) {
+      cloud_store_(std::make_shared<clouds::CloudStore>(workers_)),
+      scene_(std::make_unique<scene::MapScene>(with(workers_, dependencies.budgets, dependencies.renderer),
+                                               cloud_store_)) {
   loadResources();
   setWindowTitle(QStringLiteral("mapwright"));
   setWindowIcon(QIcon(QStringLiteral(":/mapwright.svg")));
@@ -165,7 +167,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(replay_, [this](const QString& address) { return connection_->another(address); });
   make(plots_, replay_->clock());
   make(regions_);
-  make(clouds_);
+  make(clouds_, *cloud_store_);
   make(projections_);
   make(problems_);
   make(maps_);

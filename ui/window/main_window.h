@@ -15,6 +15,7 @@
 #include <QUndoGroup>
 #include <tl/expected.hpp>
 
+#include "clouds/cloud_store.h"
 #include "edit/open_waypoints.h"
 #include "robot/robot.h"
 #include "scene/map_scene.h"
@@ -164,6 +165,7 @@ class MainWindow : public QMainWindow {
   QSettings& settings_;
   std::shared_ptr<work::Workers> workers_;
   Actions actions_;
+  std::shared_ptr<clouds::CloudStore> cloud_store_;
   std::unique_ptr<scene::MapScene> scene_;
   HitList hits_{*scene_};
   QUndoGroup undo_;

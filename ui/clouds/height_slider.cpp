@@ -1,4 +1,4 @@
-#include "ui/kit/height_slider.h"
+#include "ui/clouds/height_slider.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,14 +23,14 @@ HeightSlider::HeightSlider(QWidget* parent) : QWidget(parent) {
   tell();
 }
 
-void HeightSlider::setHeights(const scene::CloudHeights& heights) {
+void HeightSlider::setHeights(const clouds::Heights& heights) {
   heights_ = heights;
   setEnabled(usable());
   tell();
   update();
 }
 
-void HeightSlider::setRange(std::optional<scene::CloudRange> range) {
+void HeightSlider::setRange(std::optional<clouds::HeightRange> range) {
   range_ = range;
   tell();
   update();
@@ -38,15 +38,15 @@ void HeightSlider::setRange(std::optional<scene::CloudRange> range) {
 
 void HeightSlider::tell() {
   setAccessibleName(tr("Visible heights"));
-  const scene::CloudRange now = shown();
+  const clouds::HeightRange now = shown();
   setAccessibleDescription(
       usable() ? tr("from %1 m to %2 m")
                      .arg(QString::number(now.low_m, 'f', 2), QString::number(now.high_m, 'f', 2))
                : tr("There are no heights to choose from."));
 }
 
-scene::CloudRange HeightSlider::shown() const {
-  return range_.value_or(scene::CloudRange{heights_.usual_low_m, heights_.usual_high_m});
+clouds::HeightRange HeightSlider::shown() const {
+  return range_.value_or(clouds::HeightRange{heights_.usual_low_m, heights_.usual_high_m});
 }
 
 double HeightSlider::xOf(double z_m) const {
@@ -62,7 +62,7 @@ double HeightSlider::zAt(double x) const {
 }
 
 void HeightSlider::moveHandle(Handle handle, double z_m) {
-  scene::CloudRange next = shown();
+  clouds::HeightRange next = shown();
   if (handle == Handle::Low) {
     next.low_m = std::clamp(z_m, heights_.usual_low_m, std::max(heights_.usual_low_m, next.high_m));
   } else {
@@ -70,7 +70,7 @@ void HeightSlider::moveHandle(Handle handle, double z_m) {
   }
   // From end to end means everything, including values beyond.
   const bool all = next.low_m <= heights_.usual_low_m && next.high_m >= heights_.usual_high_m;
-  const std::optional<scene::CloudRange> chosen = all ? std::nullopt : std::optional(next);
+  const std::optional<clouds::HeightRange> chosen = all ? std::nullopt : std::optional(next);
   if (chosen == range_) return;
   setRange(chosen);
   Q_EMIT rangeChosen(range_);
@@ -79,7 +79,7 @@ void HeightSlider::moveHandle(Handle handle, double z_m) {
 void HeightSlider::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !usable()) return;
   const double x = event->position().x();
-  const scene::CloudRange now = shown();
+  const clouds::HeightRange now = shown();
   const double low = xOf(now.low_m), high = xOf(now.high_m);
   // If both are in one place, the one that can move towards the cursor.
   active_ = dragged_ =
@@ -104,7 +104,7 @@ void HeightSlider::keyPressEvent(QKeyEvent* event) {
   if (!usable()) return QWidget::keyPressEvent(event);
   const double step =
       (heights_.usual_high_m - heights_.usual_low_m) * (event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01);
-  const scene::CloudRange now = shown();
+  const clouds::HeightRange now = shown();
   const double at = active_ == Handle::Low ? now.low_m : now.high_m;
   switch (event->key()) {
     case Qt::Key_Left:
@@ -126,16 +126,6 @@ void HeightSlider::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-void HeightSlider::focusInEvent(QFocusEvent* event) {
-  QWidget::focusInEvent(event);
-  update();
-}
-
-void HeightSlider::focusOutEvent(QFocusEvent* event) {
-  QWidget::focusOutEvent(event);
-  update();
-}
-
 void HeightSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -145,7 +135,7 @@ void HeightSlider::paintEvent(QPaintEvent*) {
   painter.setPen(colors.border);
   painter.drawRect(field.adjusted(0.5, 0.5, -0.5, -0.5));
   if (!usable()) return;
-  const scene::CloudRange now = shown();
+  const clouds::HeightRange now = shown();
   const double low = xOf(now.low_m), high = xOf(now.high_m);
   // Square roots: a floor has a hundred times as many points as the objects on it, and both should be
   // visible.

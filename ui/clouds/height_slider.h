@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "scene/map_clouds.h"
+#include "clouds/heights.h"
 
 namespace mapwright::window {
 
@@ -17,10 +17,10 @@ class HeightSlider : public QWidget {
  public:
   explicit HeightSlider(QWidget* parent = nullptr);
 
-  void setHeights(const scene::CloudHeights& heights);
+  void setHeights(const clouds::Heights& heights);
   /// nullopt = all.
-  void setRange(std::optional<scene::CloudRange> range);
-  const std::optional<scene::CloudRange>& range() const { return range_; }
+  void setRange(std::optional<clouds::HeightRange> range);
+  const std::optional<clouds::HeightRange>& range() const { return range_; }
   /// The position of a height, pixels from the left.
   double xOf(double z_m) const;
 
@@ -28,7 +28,7 @@ class HeightSlider : public QWidget {
   QSize minimumSizeHint() const override { return {120, 60}; }
 
  Q_SIGNALS:
-  void rangeChosen(std::optional<mapwright::scene::CloudRange> range);
+  void rangeChosen(std::optional<mapwright::clouds::HeightRange> range);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -37,19 +37,17 @@ class HeightSlider : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void focusInEvent(QFocusEvent* event) override;
-  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   enum class Handle { None, Low, High };
   bool usable() const { return heights_.points > 0 && heights_.usual_high_m > heights_.usual_low_m; }
-  scene::CloudRange shown() const;
+  clouds::HeightRange shown() const;
   double zAt(double x) const;
   void moveHandle(Handle handle, double z_m);
   void tell();
 
-  scene::CloudHeights heights_;
-  std::optional<scene::CloudRange> range_;
+  clouds::Heights heights_;
+  std::optional<clouds::HeightRange> range_;
   Handle active_ = Handle::Low, dragged_ = Handle::None;
 };
 
