@@ -18,6 +18,7 @@
 #include "fake_robot.h"
 #include "known_addresses.h"
 #include "test_program.h"
+#include "ui/maps/maps_controller.h"
 #include "ui/maps/maps_dock.h"
 #include "ui/regions/map_errand.h"
 #include "ui/regions/rectangle_tool.h"
@@ -30,6 +31,7 @@
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
 #include "window/main_window.h"
+#include "window_parts.h"
 
 namespace test_window_regions {
 
@@ -85,7 +87,7 @@ class TestWindowRegions : public QObject {
     robot_->goOnline();
     QTRY_VERIFY(controller()->map() || !robot_->has_dispatch);
   }
-  window::RegionsController* controller() const { return window_->regions(); }
+  window::RegionsController* controller() const { return window::part<window::RegionsController>(*window_); }
   QAction* action(const char* id) const { return window_->actionList().find(QLatin1String(id)); }
   void look(double scale) {
     geometry::ViewTransform view = window_->mapScene()->view();
@@ -97,8 +99,8 @@ class TestWindowRegions : public QObject {
     QTRY_VERIFY(!controller()->map()->regions().inView().empty() &&
                 controller()->map()->regions().plan().settled(1));
   }
-  QString notice() const { return window_->overlay()->notice()->sentence(); }
-  QPushButton* offer() const { return window_->overlay()->notice()->offerButton(); }
+  QString notice() const { return window::part<window::MapOverlay>(*window_)->notice()->sentence(); }
+  QPushButton* offer() const { return window::part<window::MapOverlay>(*window_)->notice()->offerButton(); }
   QStringList toasts() const { return window_->findChild<window::ToastStack*>()->texts(); }
   QPushButton* answerCalled(const char* name) const {
     return controller()->question()->findChild<QPushButton*>(QLatin1String(name));
@@ -446,11 +448,11 @@ class TestWindowRegions : public QObject {
     connectRobot();
     look(0.05);
     waitUntilFetched();
-    QListView* const list = window_->maps()->list();
+    QListView* const list = window::part<window::MapsDock>(*window_)->list();
     const auto row = [&] {
       for (int at = 0; at < list->model()->rowCount(); ++at) {
         const QModelIndex index = list->model()->index(at, 0);
-        if (window_->maps()->model()->isFetched(index)) return index;
+        if (window::part<window::MapsDock>(*window_)->model()->isFetched(index)) return index;
       }
       return QModelIndex();
     };
@@ -462,8 +464,8 @@ class TestWindowRegions : public QObject {
     const QString detail = row().data(window::MapsModel::DetailRole).toString();
     const QRegularExpression told(QStringLiteral("^fetched \\d\\d:\\d\\d:\\d\\d, 400 x 200 cells$"));
     QVERIFY2(told.match(detail).hasMatch(), qPrintable(detail));
-    window_->maps()->show();
-    window_->maps()->raise();
+    window::part<window::MapsDock>(*window_)->show();
+    window::part<window::MapsDock>(*window_)->raise();
     QTRY_VERIFY(list->isVisible());
     // It is looked at by mouse and by keyboard, and nobody is asked for it.
     const auto seen = [&] {
@@ -535,7 +537,7 @@ class TestWindowRegions : public QObject {
     QVERIFY(!window_->mapScene()->regions());  // nothing is hatched
     QVERIFY2(notice().isEmpty(), qPrintable(notice()));
     QVERIFY2(tip().isEmpty(), qPrintable(tip()));
-    window::EmptyStateCard* const card = window_->overlay()->card();
+    window::EmptyStateCard* const card = window::part<window::MapOverlay>(*window_)->card();
     QTRY_VERIFY(card->isVisible());
     QCOMPARE(card->kind(), std::optional(window::EmptyState::Kind::NoMap));
     QPushButton* clouds = nullptr;
@@ -559,7 +561,7 @@ class TestWindowRegions : public QObject {
     robot_->goAway(QStringLiteral("unplugged"));
     QCoreApplication::processEvents();
     QVERIFY(controller()->map()->regions().bytes() > 0);
-    QVERIFY(!window_->overlay()->card()->isVisible());
+    QVERIFY(!window::part<window::MapOverlay>(*window_)->card()->isVisible());
   }
   void whatCameStaysInSightWhenItsDispatcherGoes() {
     open();
@@ -593,7 +595,7 @@ class TestWindowRegions : public QObject {
     answerCalled("fetchWhole")->click();
     QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
     QVERIFY(window_->mapScene()->robotPlace().drawn == scene::ScreenPart::All);
-    window_->openMap({map::MapKind::Live, {}});
+    window::part<window::MapsController>(*window_)->open({map::MapKind::Live, {}});
     QVERIFY(window_->mapScene()->layerVisible(Layer::Regions));
     QVERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Empty);
   }

@@ -73,36 +73,36 @@ CloudsController::CloudsController(WindowContext& context, clouds::CloudStore& c
     region.radius_m = radius;
     fetch(region);
   });
-  connect(dock_, &CloudsDock::kindChosen, this, &CloudsController::refreshOffer);
-  connect(dock_, &CloudsDock::shapeChosen, region_tool_, &RegionTool::setShape);
-  connect(dock_, &CloudsDock::viewWanted, this,
+  connect(dock_->kindBox(), &QComboBox::activated, this, &CloudsController::refreshOffer);
+  connect(dock_->shapeBox(), &QComboBox::activated, this, [this] { region_tool_->setShape(dock_->shape()); });
+  connect(dock_->viewButton(), &QPushButton::clicked, this,
           [this] { fetchBox(context_.view.destination().visibleWorld()); });
-  connect(dock_, &CloudsDock::regionWanted, this, [this] {
+  connect(dock_->regionButton(), &QPushButton::clicked, this, [this] {
     region_tool_->setShape(dock_->shape());
     context_.tools.choose(region_tool_);
   });
   connect(dock_, &CloudsDock::wholeWanted, this, [this] { fetch(std::nullopt); });
-  connect(dock_, &CloudsDock::cancelWanted, this, [this] { call_.cancel(); });
-  connect(dock_, &CloudsDock::clearWanted, this, [this] {
+  connect(dock_->cancelButton(), &QPushButton::clicked, this, [this] { call_.cancel(); });
+  connect(dock_->clearButton(), &QPushButton::clicked, this, [this] {
     clouds_.clear();
     unsaved_ = false;
     dock_->setOutcome({}, false);
   });
-  connect(dock_, &CloudsDock::saveWanted, this, [this] { askAndSave(); });
+  connect(dock_->saveButton(), &QPushButton::clicked, this, [this] { askAndSave(); });
   connect(dock_, &CloudsDock::rangeChosen, this, [this](std::optional<clouds::HeightRange> range) {
     clouds_.setHeightRange(range);
     refreshClouds();
   });
-  connect(dock_, &CloudsDock::voxelChosen, this,
-          [this](std::optional<double> metres) { clouds_.setVoxel(metres); });
+  connect(dock_->voxelBox(), &QDoubleSpinBox::valueChanged, this,
+          [this](double metres) { clouds_.setVoxel(metres > 0 ? std::optional(metres) : std::nullopt); });
   const auto restyle = [this](auto change) {
     scene::LayerStyle changed = style();
     change(changed);
     context_.scene.setLayerStyle(scene::Layer::DispatchedCloud, changed);
   };
-  connect(dock_, &CloudsDock::colorChosen, this,
+  connect(dock_->colorBox(), &QComboBox::activated, this,
           [restyle](int choice) { restyle([choice](scene::LayerStyle& style) { style.choice = choice; }); });
-  connect(dock_, &CloudsDock::sizeChosen, this,
+  connect(dock_->sizeBox(), &QDoubleSpinBox::valueChanged, this,
           [restyle](double px) { restyle([px](scene::LayerStyle& style) { style.size = px; }); });
   connect(&context_.scene, &scene::MapScene::layersChanged, this, [this] {
     dock_->setStyle(style());
@@ -112,8 +112,9 @@ CloudsController::CloudsController(WindowContext& context, clouds::CloudStore& c
   connect(&clouds_, &clouds::CloudStore::summed, this, &CloudsController::refreshClouds);
   connect(&clouds_, &clouds::CloudStore::changed, this, &CloudsController::cut);
   connect(&clouds_, &clouds::CloudStore::summed, &context_.current, &CurrentSession::stateChanged);
-  connect(context_.overlay.card(), &EmptyStateCard::cloudsWanted, this,
-          [this] { context_.panels.open(dock_); });
+  connect(context_.overlay.card(), &EmptyStateCard::wanted, this, [this](CardOffer offer) {
+    if (offer == CardOffer::Clouds) context_.panels.open(dock_);
+  });
   connect(section_tool_, &SectionTool::lineDrawn, this,
           [this](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
             cut_ = clouds::Cut{from, to, section_dock_->widthBox()->value()};

@@ -74,18 +74,8 @@ class CloudsDock : public QDockWidget {
   QString absence() const { return absence_->text(); }
 
  Q_SIGNALS:
-  void kindChosen();
-  void viewWanted();
-  void regionWanted();
-  void shapeChosen(mapwright::window::RegionShape shape);
   void wholeWanted();
-  void cancelWanted();
-  void clearWanted();
-  void saveWanted();
   void rangeChosen(std::optional<mapwright::clouds::HeightRange> range);
-  void voxelChosen(std::optional<double> metres);
-  void colorChosen(int choice);
-  void sizeChosen(double px);
 
  private:
   void buildAsking(QVBoxLayout* column);

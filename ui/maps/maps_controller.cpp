@@ -12,11 +12,9 @@
 #include "ui/shell/notices.h"
 #include "ui/shell/unsaved_changes.h"
 #include "ui/shell/viewpoint.h"
-#include "ui/view/clipboard.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/on_screen.h"
 #include "ui/view/toast_stack.h"
-#include "ui/view/view_mode.h"
 
 namespace mapwright::window {
 

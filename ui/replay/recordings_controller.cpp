@@ -16,7 +16,6 @@
 #include "ui/replay/record_dialog.h"
 #include "ui/replay/recordings_dock.h"
 #include "ui/shell/current_session.h"
-#include "ui/view/clipboard.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/replay_state.h"
 #include "ui/view/toast_stack.h"

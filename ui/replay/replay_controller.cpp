@@ -27,7 +27,6 @@
 #include "ui/shell/replay_clock.h"
 #include "ui/shell/unsaved_changes.h"
 #include "ui/shell/viewpoint.h"
-#include "ui/view/clipboard.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/on_screen.h"

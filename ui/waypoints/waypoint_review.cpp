@@ -16,7 +16,6 @@
 #include "exchange/waypoint_plan.h"
 #include "exchange/waypoint_steps.h"
 #include "sentences/plural.h"
-#include "ui/kit/row_table.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/waypoints/waypoint_text.h"

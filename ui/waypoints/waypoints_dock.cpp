@@ -20,7 +20,6 @@
 #include "sentences/plural.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
-#include "ui/kit/row_table.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/waypoints/conflict_box.h"
