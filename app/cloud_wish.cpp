@@ -34,7 +34,7 @@ void CloudWish::ask(const geometry::WorldRect& seen) {
       robot::CloudKind::Points, region,
       [answer = answer_, region](const robot::Outcome<std::shared_ptr<const map::SpatialCloud>>& outcome) {
         if (outcome && *outcome) {
-          answer->came = scene::CloudPiece{*outcome, false, region};
+          answer->came = clouds::CloudPiece{*outcome, false, region};
         } else if (outcome) {
           answer->problem = CloudWishText::tr("The robot sent an empty cloud of the map.");
         } else {

@@ -6,8 +6,8 @@
 
 #include <QString>
 
+#include "clouds/cloud_store.h"
 #include "geometry/rect.h"
-#include "scene/map_clouds.h"
 #include "session/session.h"
 
 namespace mapwright::app {
@@ -22,13 +22,13 @@ class CloudWish {
   bool asked() const { return asked_; }
   /// True when it has arrived or cannot be loaded.
   bool in() const { return answer_->came.has_value() || !answer_->problem.isEmpty(); }
-  const std::optional<scene::CloudPiece>& came() const { return answer_->came; }
+  const std::optional<clouds::CloudPiece>& came() const { return answer_->came; }
   /// Why it cannot be loaded, as a sentence; empty = nothing is known to be wrong.
   QString problem() const { return answer_->problem; }
 
  private:
   struct Answer {
-    std::optional<scene::CloudPiece> came;
+    std::optional<clouds::CloudPiece> came;
     QString problem;
   };
   session::Session& session_;

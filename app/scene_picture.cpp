@@ -7,10 +7,7 @@
 
 #include "app/snapshot_picture.h"
 #include "jobs/write_picture.h"
-#include "scene/bag_track.h"
-#include "scene/map_clouds.h"
 #include "scene/map_scene.h"
-#include "scene/regions_on_map.h"
 #include "sentences/fault_sentence.h"
 
 namespace mapwright::app {
@@ -45,11 +42,12 @@ render::TileRenderer::Options exactOnly(std::shared_ptr<work::Workers> workers, 
 class ScenePicture : public SnapshotPicture {
  public:
   ScenePicture(const SnapshotOptions& options, session::Session& session, const SnapshotContent& content,
-               std::shared_ptr<work::Workers> workers)
+               const std::shared_ptr<work::Workers>& workers)
       : options_(options),
         session_(session),
         content_(content),
-        scene_(exactOnly(std::move(workers), drawsGrids(options, content))) {}
+        clouds_(std::make_shared<clouds::CloudStore>(workers)),
+        scene_(exactOnly(workers, drawsGrids(options, content)), clouds_) {}
 
   void start() override {
     scene_.setTheme(options_.dark ? scene::darkMapTheme() : scene::lightMapTheme());
@@ -62,9 +60,9 @@ class ScenePicture : public SnapshotPicture {
     scene_.setLayerVisible(scene::Layer::Regions, content_.regions != nullptr);
     scene_.setView(content_.view);
     scene_.setSession(&session_);
-    scene::BagTrack::of(scene_).show(content_.track);
-    scene::RegionsOnMap::of(scene_).show(content_.regions);
-    if (content_.cloud) scene::MapClouds::of(scene_).add(*content_.cloud);
+    scene_.setTrack(content_.track);
+    scene_.setRegions(content_.regions);
+    if (content_.cloud) clouds_->add(*content_.cloud);
     if (options_.robot_anyway) scene_.setRobotWanted(true);
     connect(&scene_, &scene::MapScene::tilesSettled, this, &ScenePicture::look);
     QTimer::singleShot(0, this, &ScenePicture::look);
@@ -124,6 +122,7 @@ class ScenePicture : public SnapshotPicture {
   const SnapshotOptions& options_;
   session::Session& session_;
   SnapshotContent content_;
+  std::shared_ptr<clouds::CloudStore> clouds_;
   mutable scene::MapScene scene_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -14,7 +15,7 @@
 #include "app/robot_factory.h"
 #include "geometry/pose.h"
 #include "geometry/view_transform.h"
-#include "scene/layer_topic.h"
+#include "scene/layer.h"
 #include "submap/submap_book.h"
 #include "words/text.h"
 
@@ -103,12 +104,8 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, 
   const auto every = scene::allLayers();
   std::set<Layer> chosen;
   if (words == QLatin1String("all")) {
-    chosen.insert(every.begin(), every.end());
-    chosen.erase(Layer::Submaps);
-    chosen.erase(Layer::WholeMap);
-    chosen.erase(Layer::Regions);          // --region says which
-    chosen.erase(Layer::Track);            // it needs the whole bag
-    chosen.erase(Layer::DispatchedCloud);  // its size is not known in advance
+    std::copy_if(every.begin(), every.end(), std::inserter(chosen, chosen.end()),
+                 [](Layer layer) { return scene::specOf(layer).in_all; });
     return chosen;
   }
   if (words == QLatin1String("none")) return chosen;

@@ -11,12 +11,12 @@
 #include <QStringList>
 
 #include "app/snapshot_options.h"
+#include "clouds/cloud_store.h"
 #include "geometry/view_transform.h"
 #include "regions/region_map.h"
 #include "render/compositor.h"
 #include "render/sample_grid.h"
-#include "scene/bag_track.h"
-#include "scene/map_clouds.h"
+#include "scene/track.h"
 #include "session/session.h"
 #include "work/workers.h"
 
@@ -29,7 +29,7 @@ struct SnapshotContent {
   std::vector<render::PlacedTexture> textures;  // of a raw picture of submaps
   regions::RegionMap* regions = nullptr;        // a part of a map by regions; null = none
   std::shared_ptr<const scene::Track> track;    // of a whole bag; null = none
-  std::optional<scene::CloudPiece> cloud;       // of the map; nullopt = none came
+  std::optional<clouds::CloudPiece> cloud;      // of the map; nullopt = none came
   std::optional<render::PlacedGrid> grid;       // of a raw picture of a whole map; nullopt = none came
 };
 

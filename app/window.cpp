@@ -17,7 +17,7 @@
 #include "robot/files/local_maps.h"
 #include "robot/recorded/recorded_robot.h"
 #include "robot/second_server.h"
-#include "ui/robot/trusted_certificates.h"
+#include "ui/robot/recent_robots.h"
 #include "ui/view/replay_state.h"
 #include "window/main_window.h"
 #include "window/work_settings.h"

@@ -14,8 +14,8 @@
 #include <QPainter>
 #include <benchmark/benchmark.h>
 
+#include "clouds/cloud_store.h"
 #include "clouds/draw_cloud.h"
-#include "scene/map_clouds.h"
 #include "scene/map_scene.h"
 
 namespace {
@@ -89,16 +89,15 @@ void report(benchmark::State& state, std::vector<double> ms) {
 }
 
 struct CloudView {
-  CloudView() : scene_(render::TileRenderer::Options{}), view_(&scene_) {
+  CloudView() : scene_(render::TileRenderer::Options{}, clouds_), view_(&scene_) {
     for (const scene::Layer layer : scene::allLayers())
       scene_.setLayerVisible(layer, layer == scene::Layer::DispatchedCloud);
     view_.setFrameShape(QFrame::NoFrame);
     view_.resize(1920, 1080);
     view_.show();
     scene_.setView(camera_ = camera());
-    scene::MapClouds& clouds = scene::MapClouds::of(scene_);
     const auto from = Clock::now();
-    clouds.add({fiveMillion()});
+    clouds_->add({fiveMillion()});
     settle();
     first_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - from).count();
   }
@@ -109,6 +108,7 @@ struct CloudView {
     } while (!scene_.picturesSettled());
   }
   void look(const geometry::ViewTransform& to) { scene_.setView(camera_ = to); }
+  std::shared_ptr<clouds::CloudStore> clouds_ = std::make_shared<clouds::CloudStore>();
   scene::MapScene scene_;
   QGraphicsView view_;
   geometry::ViewTransform camera_;

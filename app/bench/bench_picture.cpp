@@ -273,7 +273,7 @@ class Desk {
     window_->view()->moveTo(camera, false);
     (void)waitFor([this] { return settled(); });
   }
-  window::PictureEditing& editing() { return *window_->pictureEditor()->editing(); }
+  window::PictureEditing& editing() { return *window_->findChild<window::PictureController*>()->editing(); }
   bool settled() { return window_->mapScene()->settled(); }
   QWidget* map() { return window_->view()->viewport(); }
   void mouse(QEvent::Type type, const QPointF& at) {

@@ -105,7 +105,8 @@ class Desk {
   bool settles() {
     const auto there = [this] {
       if (!session()) return true;
-      if (!window_->overlay()->toasts()->texts().isEmpty()) return false;  // they go by themselves
+      if (!window_->findChild<window::MapOverlay*>()->toasts()->texts().isEmpty())
+        return false;  // they go by themselves
       if (session()->robot().connection().phase != robot::ConnectionPhase::Online) return false;
       const bool known = !replay() || (replay()->knowledge() == replay::Knowledge::Exact &&
                                        replay()->picturesUnderWay() == 0);
@@ -201,7 +202,8 @@ class IdleWindowTest : public QObject {
     for (const double share : {0.0, 0.5}) {
       const replay::Chunks& chunks = desk.replay()->reading()->chunks();
       if (share > 0) {
-        desk.window().replay()->clock().seek(chunks.start_s() + share * (chunks.end_s() - chunks.start_s()));
+        desk.window().findChild<window::ReplayController*>()->clock().seek(
+            chunks.start_s() + share * (chunks.end_s() - chunks.start_s()));
       }
       QVERIFY(desk.settles());
       const Seen seen = watched(desk);

@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "scene/label_space.h"
+#include "scene/layer_item.h"
 #include "test_program.h"
 
 namespace test_label_space {

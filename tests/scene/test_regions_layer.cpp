@@ -6,8 +6,8 @@
 #include "../patience.h"
 #include "fake_dispatch.h"
 #include "fake_robot.h"
+#include "regions/region_map.h"
 #include "scene/map_scene.h"
-#include "scene/regions_on_map.h"
 #include "test_program.h"
 
 namespace test_regions_layer {
@@ -70,7 +70,7 @@ class RegionsLayerTest : public QObject {
     options.previews = false;
     scene_ = std::make_unique<MapScene>(options);
     for (const Layer layer : scene::allLayers()) scene_->setLayerVisible(layer, layer == Layer::Regions);
-    scene::RegionsOnMap::of(*scene_).show(map_.get());
+    scene_->setRegions(map_.get());
   }
   void cleanup() {
     scene_.reset();
@@ -143,11 +143,11 @@ class RegionsLayerTest : public QObject {
   }
   void withoutAMapByRegionsNothingIsDrawn() {
     look(0.05);
-    scene::RegionsOnMap::of(*scene_).show(nullptr);
+    scene_->setRegions(nullptr);
     QCOMPARE(odd(painted(), {0, 0, kEdge, kEdge}), 0);
-    scene::RegionsOnMap::of(*scene_).show(map_.get());
+    scene_->setRegions(map_.get());
     map_.reset();
-    QVERIFY(!scene::RegionsOnMap::of(*scene_).map());
+    QVERIFY(!scene_->regions());
     QCOMPARE(odd(painted(), {0, 0, kEdge, kEdge}), 0);
   }
   void aHiddenLayerIsHidden() {

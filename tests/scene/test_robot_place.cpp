@@ -5,7 +5,6 @@
 #include <QTest>
 
 #include "fake_robot.h"
-#include "scene/bag_track.h"
 #include "scene/map_scene.h"
 #include "test_program.h"
 
@@ -134,7 +133,7 @@ class RobotPlaceTest : public QObject {
     list.entries = {entry};
     robot_->say(list);
     robot_->answer(map::SubmapAnswer::Outcome::Ok, 0, 127);
-    scene::BagTrack::of(*scene_).show(std::make_shared<scene::Track>(
+    scene_->setTrack(std::make_shared<scene::Track>(
         scene::Track{{{-0.3, -0.3}, 0, 1, 10, true}, {{0.3, 0.3}, 1, 1, 10, false}}));
     QTRY_COMPARE(session_->counts().shown, 1);
     QTRY_VERIFY(session_->layerGrids().find(map::GridKind::EnvSymmetry));

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "scene/map_layers.h"
+#include "scene/lengths.h"
 #include "test_program.h"
 
 namespace test_scale_bar {

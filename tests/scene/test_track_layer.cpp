@@ -7,9 +7,8 @@
 #include <QPainter>
 #include <QTest>
 
-#include "scene/bag_track.h"
 #include "scene/map_scene.h"
-#include "scene/track_layer.h"
+#include "scene/track.h"
 #include "test_program.h"
 
 namespace test_track_layer {
@@ -66,13 +65,13 @@ class TrackLayerTest : public QObject {
   void timeGoesFromTheFirstColourToTheLast() {
     Desk desk;
     const QRgb ground = desk.painted().pixel(200, 150);
-    BagTrack::of(desk.scene).show(straight(16));
+    desk.scene.setTrack(straight(16));
     const QImage image = desk.painted();
     const auto colors = trackColors(TrackChoice::Time, lightMapTheme());
     QCOMPARE(image.pixel(45, 150), colors.front().rgb());
     QCOMPARE(image.pixel(355, 150), colors.back().rgb());
     QCOMPARE(image.pixel(200, 130), ground);
-    BagTrack::of(desk.scene).show(nullptr);
+    desk.scene.setTrack(nullptr);
     QCOMPARE(desk.painted().pixel(200, 150), ground);
   }
 
@@ -82,7 +81,7 @@ class TrackLayerTest : public QObject {
     auto track = straight(16);
     track->erase(track->begin() + 70, track->begin() + 90);
     (*track)[70].begins = true;
-    BagTrack::of(desk.scene).show(track);
+    desk.scene.setTrack(track);
     QCOMPARE(desk.painted().pixel(200, 150), ground);
     QVERIFY(desk.painted().pixel(100, 150) != ground);
   }
@@ -92,7 +91,7 @@ class TrackLayerTest : public QObject {
     desk.choose(TrackChoice::Quality);
     auto track = straight(16);
     for (std::size_t i = 0; i < 80; ++i) (*track)[i].quality = 1;
-    BagTrack::of(desk.scene).show(track);
+    desk.scene.setTrack(track);
     const auto colors = trackColors(TrackChoice::Quality, lightMapTheme());
     QCOMPARE(desk.painted().pixel(100, 150), colors[1].rgb());
     QCOMPARE(desk.painted().pixel(300, 150), colors[3].rgb());
@@ -119,7 +118,7 @@ class TrackLayerTest : public QObject {
     auto track = straight(16);
     (*track)[40].position_m = {std::numeric_limits<double>::quiet_NaN(), 0};
     (*track)[50].position_m = {1e300, -1e300};
-    BagTrack::of(desk.scene).show(track);
+    desk.scene.setTrack(track);
     QVERIFY(!desk.painted().isNull());
   }
 

@@ -5,7 +5,7 @@
 
 #include "test_program.h"
 #include "ui/clouds/projection_draft.h"
-#include "ui/clouds/section_bands.h"
+#include "ui/clouds/section_view.h"
 
 namespace test_projection_draft {
 

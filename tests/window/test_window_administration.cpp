@@ -11,6 +11,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_administration {
 
@@ -62,9 +63,9 @@ struct Desk {
     };
     bench.open();
     (void)bench.window->connectTo(kAddress);
-    (void)QTest::qWaitFor([this] { return bench.window->maps()->model()->maps() == 3; }, 30'000);
+    (void)QTest::qWaitFor([this] { return part<MapsDock>(*bench.window)->model()->maps() == 3; }, 30'000);
   }
-  AdministrationController& controller() { return *bench.window->administration(); }
+  AdministrationController& controller() { return *part<AdministrationController>(*bench.window); }
   /// The menu of this map, as the dock fills it.
   std::unique_ptr<QMenu> menu(const char* id) {
     auto made = std::make_unique<QMenu>();
@@ -316,9 +317,9 @@ class TestWindowAdministration : public QObject {
     bench.offerMaps();
     bench.open();
     QVERIFY(!bench.window->connectTo(kAddress));
-    QTRY_COMPARE(bench.window->maps()->model()->maps(), 3);
+    QTRY_COMPARE(part<MapsDock>(*bench.window)->model()->maps(), 3);
     QMenu menu;
-    bench.window->administration()->fillMenu(&menu, {map::MapKind::Stored, "2"});
+    part<AdministrationController>(*bench.window)->fillMenu(&menu, {map::MapKind::Stored, "2"});
     QVERIFY(menu.isEmpty());
     QVERIFY(!bench.action("startMapping")->isVisible());
   }

@@ -6,11 +6,11 @@
 #include "test_program.h"
 #include "ui/robot/certificate_dialog.h"
 #include "ui/robot/recent_robots.h"
-#include "ui/robot/trusted_certificates.h"
 #include "ui/view/empty_state.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/notice_bar.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_certificates {
 
@@ -153,7 +153,7 @@ class WindowCertificatesTest : public QObject {
     QVERIFY(!bench.window->connectTo(kAddress));
     bench.load();
     bench.robot->setState(refused(kSecond, kFirst));
-    window::NoticeBar* const notice = bench.window->overlay()->notice();
+    window::NoticeBar* const notice = window::part<window::MapOverlay>(*bench.window)->notice();
     QVERIFY(notice);
     QTRY_VERIFY(notice->isVisible());
     QPushButton* const offer = button(*notice, QStringLiteral("Certificate…"));
@@ -167,7 +167,7 @@ class WindowCertificatesTest : public QObject {
     bench.open();
     QVERIFY(!bench.window->connectTo(kAddress));
     bench.load();
-    window::NoticeBar* const notice = bench.window->overlay()->notice();
+    window::NoticeBar* const notice = window::part<window::MapOverlay>(*bench.window)->notice();
     robot::UntrustedCertificate beside = *refused(kSecond).certificate;
     beside.host = QStringLiteral("192.0.2.7:9090");
     bench.robot->beside = beside;

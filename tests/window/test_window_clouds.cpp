@@ -7,20 +7,22 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "clouds/cloud_store.h"
 #include "fake_robot.h"
 #include "known_addresses.h"
 #include "robot/map_dispatch.h"
-#include "scene/map_clouds.h"
 #include "test_program.h"
 #include "ui/clouds/clouds_controller.h"
 #include "ui/clouds/clouds_dock.h"
 #include "ui/clouds/region_tool.h"
 #include "ui/clouds/section_dock.h"
 #include "ui/clouds/section_tool.h"
+#include "ui/maps/export_controller.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
 #include "window/main_window.h"
+#include "window_parts.h"
 
 namespace test_window_clouds {
 
@@ -125,10 +127,10 @@ struct Desk {
     view.height_px = 500;
     return view;
   }
-  CloudsController& clouds() { return *window->clouds(); }
+  CloudsController& clouds() { return *part<CloudsController>(*window); }
   CloudsDock& dock() { return *clouds().dock(); }
   FakeDispatch& dispatch() { return robot->dispatch; }
-  scene::MapClouds& held() { return scene::MapClouds::of(*window->mapScene()); }
+  clouds::CloudStore& held() { return part<CloudsController>(*window)->store(); }
   QAction* action(const char* id) { return window->actionList().find(QLatin1String(id)); }
   QPoint px(double x, double y) {
     const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld({x, y});
@@ -199,7 +201,7 @@ class TestWindowClouds : public QObject {
     QVERIFY(desk.dock().counts().contains(QStringLiteral("12,100 points are shown.")));
     QVERIFY(desk.dock().outcome().contains(QStringLiteral("12,100 points were received.")));
     QTRY_VERIFY(desk.window->mapScene()->picturesSettled());
-    const QImage picture = desk.window->mapPicture();
+    const QImage picture = part<ExportController>(*desk.window)->mapPicture();
     const QPoint inside = desk.px(5, 5), outside = desk.px(-2, 5);
     const auto inkAround = [&](const QPoint& at) {
       int ink = 0;
@@ -262,7 +264,7 @@ class TestWindowClouds : public QObject {
   void theWholeMapIsFetchedOnlyWhenOneIsSure() {
     Desk desk;
     desk.open();
-    desk.window->clouds()->dock()->show();
+    part<CloudsController>(*desk.window)->dock()->show();
     desk.dock().wholeButton()->click();
     QVERIFY(desk.dispatch().asked.empty());
     desk.dock().wholeSureButton()->click();
@@ -336,7 +338,7 @@ class TestWindowClouds : public QObject {
     desk.dock().lowBox()->setValue(0.25);
     QVERIFY(std::abs(desk.held().heightRange()->low_m - 0.25) < 1e-9);
     desk.dock().highBox()->setValue(0.1);
-    QCOMPARE(*desk.held().heightRange(), (scene::CloudRange{0.1, 0.1}));
+    QCOMPARE(*desk.held().heightRange(), (clouds::HeightRange{0.1, 0.1}));
     QTest::mouseDClick(slider, Qt::LeftButton, {}, QPoint(60, 30));
     QVERIFY(!desk.held().heightRange());
     QTRY_COMPARE(desk.held().sums().shown, std::uint64_t(12'100));
@@ -402,9 +404,9 @@ class TestWindowClouds : public QObject {
     const QString path = desk.folder.filePath(QStringLiteral("a.pcd"));
     desk.clouds().saveTo(path);
     QTRY_VERIFY(QFile::exists(path));
-    QTRY_VERIFY(!desk.window->overlay()->toasts()->texts().isEmpty());
+    QTRY_VERIFY(!part<MapOverlay>(*desk.window)->toasts()->texts().isEmpty());
     desk.clouds().saveTo(desk.folder.filePath(QStringLiteral("a.las")));
-    QVERIFY(desk.window->overlay()->toasts()->texts().last().contains(QStringLiteral(".ply")));
+    QVERIFY(part<MapOverlay>(*desk.window)->toasts()->texts().last().contains(QStringLiteral(".ply")));
     desk.dock().clearButton()->click();
     QVERIFY(!desk.dock().saveButton()->isEnabled());
     QVERIFY(desk.dock().counts().contains(QStringLiteral("Nothing")));

@@ -11,12 +11,15 @@
 #include "test_program.h"
 #include "ui/kit/folders.h"
 #include "ui/maps/export_dialog.h"
+#include "ui/maps/files_controller.h"
 #include "ui/maps/map_files.h"
+#include "ui/maps/maps_controller.h"
 #include "ui/maps/picture_dialog.h"
 #include "ui/robot/recent_robots.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_files {
 
@@ -70,10 +73,10 @@ class TestWindowFiles : public QObject {
     drop(window, {QUrl(QStringLiteral("https://example.com/map.yaml")),
                   QUrl::fromLocalFile(touched(bench.folder, "notes.txt"))});
     QVERIFY(!window.session());
-    window.openPath(bench.folder.filePath(QStringLiteral("gone.yaml")));
-    QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("does not exist")));
-    window.openPath(touched(bench.folder, "notes.txt"));
-    QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("neither a map")));
+    part<FilesController>(window)->open(bench.folder.filePath(QStringLiteral("gone.yaml")));
+    QVERIFY(part<MapOverlay>(window)->toasts()->texts().last().contains(QLatin1String("does not exist")));
+    part<FilesController>(window)->open(touched(bench.folder, "notes.txt"));
+    QVERIFY(part<MapOverlay>(window)->toasts()->texts().last().contains(QLatin1String("neither a map")));
     QVERIFY(!window.session());
   }
 
@@ -87,8 +90,8 @@ class TestWindowFiles : public QObject {
         recording);
     QVERIFY(mapFileFilter().contains(QLatin1String("*.mcap")));
     MainWindow& window = bench.open();
-    window.openPath(recording);
-    QVERIFY(window.overlay()->toasts()->texts().isEmpty());
+    part<FilesController>(window)->open(recording);
+    QVERIFY(part<MapOverlay>(window)->toasts()->texts().isEmpty());
     QCOMPARE(window.session()->robot().address(), QStringLiteral("file:") + recording);
   }
 
@@ -98,7 +101,7 @@ class TestWindowFiles : public QObject {
     const QString path = touched(bench.folder, "floor <b>1.png");
     drop(window, {QUrl::fromLocalFile(path)});
     QVERIFY(!window.session());
-    PictureDialog* dialog = window.pictureDialog();
+    PictureDialog* dialog = part<PictureDialog>(window);
     QVERIFY(dialog && dialog->isVisible());
     field(*dialog, "resolution")->setText(QStringLiteral("0.1"));
     field(*dialog, "originX")->setText(QStringLiteral("-12.5"));
@@ -120,7 +123,7 @@ class TestWindowFiles : public QObject {
     drop(window, {QUrl::fromLocalFile(touched(bench.folder, "office.pgm"))});
     QTRY_VERIFY(window.session());
     QCOMPARE(window.session()->robot().address(), QStringLiteral("file:") + yaml);
-    QVERIFY(!window.pictureDialog());
+    QVERIFY(!part<PictureDialog>(window));
   }
 
   void asksWhereAPictureOfSeveralYamlsLies() {
@@ -129,9 +132,9 @@ class TestWindowFiles : public QObject {
       return QStringList{QStringLiteral("/m/a.yaml"), QStringLiteral("/m/<b>.yaml")};
     };
     MainWindow& window = bench.open();
-    window.openPath(touched(bench.folder, "office.png"));
-    QTRY_VERIFY(window.pictureDialog());
-    QVERIFY(window.pictureDialog()->introText().contains(QLatin1String("a.yaml, <b>.yaml")));
+    part<FilesController>(window)->open(touched(bench.folder, "office.png"));
+    QTRY_VERIFY(part<PictureDialog>(window));
+    QVERIFY(part<PictureDialog>(window)->introText().contains(QLatin1String("a.yaml, <b>.yaml")));
     QVERIFY(!window.session());
   }
 
@@ -139,9 +142,9 @@ class TestWindowFiles : public QObject {
     Bench bench;
     bench.yamls_naming = [](const QString&) { return QStringList(); };
     MainWindow& window = bench.open();
-    window.openPath(touched(bench.folder, "office.png"));
-    QTRY_VERIFY(window.pictureDialog());
-    QVERIFY(window.pictureDialog()->introText().contains(QLatin1String("without a map.yaml")));
+    part<FilesController>(window)->open(touched(bench.folder, "office.png"));
+    QTRY_VERIFY(part<PictureDialog>(window));
+    QVERIFY(part<PictureDialog>(window)->introText().contains(QLatin1String("without a map.yaml")));
   }
 
   void goesOnWithTheLastPictureOnly() {
@@ -152,8 +155,8 @@ class TestWindowFiles : public QObject {
       return QStringList{picture + QStringLiteral(".yaml")};
     };
     MainWindow& window = bench.open();
-    window.openPath(touched(bench.folder, "slow.png"));
-    window.openPath(touched(bench.folder, "fast.png"));
+    part<FilesController>(window)->open(touched(bench.folder, "slow.png"));
+    part<FilesController>(window)->open(touched(bench.folder, "fast.png"));
     QTRY_VERIFY(window.session());
     slow.release();
     QTRY_COMPARE(bench.workers->running(), 0);
@@ -180,15 +183,15 @@ class TestWindowFiles : public QObject {
     QVERIFY(!window.connectTo(kAddress));
     const auto proposed = [&] {
       bench.action("export")->trigger();
-      const QString folder = QFileInfo(window.exportDialog()->pathEdit()->text()).absolutePath();
+      const QString folder = QFileInfo(part<ExportDialog>(window)->pathEdit()->text()).absolutePath();
       return folder;
     };
     QVERIFY(QFileInfo(proposed()).isDir());
     const QString folder = bench.folder.filePath(QStringLiteral("exports"));
     QVERIFY(QDir().mkpath(folder));
-    window.exportDialog()->pathEdit()->setText(folder + QStringLiteral("/view.png"));
-    window.exportDialog()->start();
-    QTRY_VERIFY(!window.exportDialog() || !window.exportDialog()->isVisible());
+    part<ExportDialog>(window)->pathEdit()->setText(folder + QStringLiteral("/view.png"));
+    part<ExportDialog>(window)->start();
+    QTRY_VERIFY(!part<ExportDialog>(window) || !part<ExportDialog>(window)->isVisible());
     QCOMPARE(proposed(), folder);
     QVERIFY(QDir(folder).removeRecursively());
     QVERIFY(QFileInfo(proposed()).isDir());
@@ -225,7 +228,7 @@ class TestWindowFiles : public QObject {
     Bench bench;
     MainWindow& window = bench.open();
     const QString yaml = touched(bench.folder, "map.yaml");
-    window.openPath(yaml);
+    part<FilesController>(window)->open(yaml);
     const RecentRobots recents(bench.settings, test::knownAddresses());
     QCOMPARE(recents.list().front().address, QStringLiteral("file:") + yaml);
   }
@@ -234,11 +237,11 @@ class TestWindowFiles : public QObject {
     Bench bench;
     bench.offerMaps();
     MainWindow& window = bench.open();
-    window.openPath(touched(bench.folder, "map.yaml"));
-    window.openMap({map::MapKind::File, {}});
+    part<FilesController>(window)->open(touched(bench.folder, "map.yaml"));
+    part<MapsController>(window)->open({map::MapKind::File, {}});
     QTRY_COMPARE(window.session()->wholeMap().phase(), session::MapSlot::Phase::Ready);
     Q_EMIT bench.robot->mapsChanged();
-    QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("changed on disk")));
+    QVERIFY(part<MapOverlay>(window)->toasts()->texts().last().contains(QLatin1String("changed on disk")));
   }
 
   void exportsTheWholeMap() {
@@ -246,16 +249,16 @@ class TestWindowFiles : public QObject {
     bench.offerMaps();
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    window.openMap({map::MapKind::Stored, "2"});
+    part<MapsController>(window)->open({map::MapKind::Stored, "2"});
     QTRY_COMPARE(window.session()->wholeMap().phase(), session::MapSlot::Phase::Ready);
     bench.action("export")->trigger();
-    ExportDialog* dialog = window.exportDialog();
+    ExportDialog* dialog = part<ExportDialog>(window);
     QVERIFY(dialog);
     const QString path = bench.folder.filePath(QStringLiteral("out.png"));
     dialog->pathEdit()->setText(path);
     dialog->worldFileBox()->setChecked(true);
     dialog->start();
-    QTRY_VERIFY(!window.exportDialog() || !window.exportDialog()->isVisible());
+    QTRY_VERIFY(!part<ExportDialog>(window) || !part<ExportDialog>(window)->isVisible());
     QImage picture(path);
     QCOMPARE(picture.size(), QSize(80, 60));
     QCOMPARE(qGray(picture.pixel(0, 0)), 0);
@@ -263,7 +266,7 @@ class TestWindowFiles : public QObject {
     QFile world(worldFilePath(path));
     QVERIFY(world.open(QIODevice::ReadOnly));
     QCOMPARE(world.readAll().split('\n').first().trimmed().toDouble(), 0.05);
-    QVERIFY(window.overlay()->toasts()->texts().last().startsWith(QLatin1String("Exported to")));
+    QVERIFY(part<MapOverlay>(window)->toasts()->texts().last().startsWith(QLatin1String("Exported to")));
   }
 
   void exportsForMapServer() {
@@ -271,10 +274,10 @@ class TestWindowFiles : public QObject {
     bench.offerMaps();
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    window.openMap({map::MapKind::Stored, "2"});
+    part<MapsController>(window)->open({map::MapKind::Stored, "2"});
     QTRY_COMPARE(window.session()->wholeMap().phase(), session::MapSlot::Phase::Ready);
     bench.action("export")->trigger();
-    ExportDialog* dialog = window.exportDialog();
+    ExportDialog* dialog = part<ExportDialog>(window);
     dialog->pathEdit()->setText(bench.folder.filePath(QStringLiteral("out.png")));
     dialog->formatButton(ExportFormat::MapServer)->setChecked(true);
     QVERIFY(dialog->pathEdit()->text().endsWith(QLatin1String("out.yaml")));
@@ -290,7 +293,7 @@ class TestWindowFiles : public QObject {
     QVERIFY(!window.connectTo(kAddress));
     bench.load();
     bench.action("export")->trigger();
-    ExportDialog* dialog = window.exportDialog();
+    ExportDialog* dialog = part<ExportDialog>(window);
     const QString path = bench.folder.filePath(QStringLiteral("submaps.png"));
     dialog->pathEdit()->setText(path);
     dialog->start();
@@ -309,7 +312,7 @@ class TestWindowFiles : public QObject {
     QTRY_COMPARE(window.session()->counts().missing, 1);
     const auto width = [&](const char* name, bool with_hidden) {
       bench.action("export")->trigger();
-      ExportDialog* dialog = window.exportDialog();
+      ExportDialog* dialog = part<ExportDialog>(window);
       dialog->hiddenBox()->setChecked(with_hidden);
       const QString path = bench.folder.filePath(QLatin1String(name));
       dialog->pathEdit()->setText(path);
@@ -319,7 +322,7 @@ class TestWindowFiles : public QObject {
     const int all = width("all.png", true);
     window.session()->setVisible({{0, 0}, {1, 0}}, false);
     bench.action("export")->trigger();
-    ExportDialog* dialog = window.exportDialog();
+    ExportDialog* dialog = part<ExportDialog>(window);
     QVERIFY(dialog->hiddenBox()->isVisible());
     QVERIFY(dialog->hiddenBox()->isChecked());
     QVERIFY(dialog->hiddenBox()->text().contains(QLatin1String("2 submaps")));
@@ -334,9 +337,9 @@ class TestWindowFiles : public QObject {
     // With everything hidden there is still a map to export, if that is wanted.
     window.session()->setVisible({{0, 1}}, false);
     bench.action("export")->trigger();
-    QVERIFY(window.exportDialog()->exportButton()->isEnabled());
-    window.exportDialog()->hiddenBox()->setChecked(false);
-    QVERIFY(!window.exportDialog()->exportButton()->isEnabled());
+    QVERIFY(part<ExportDialog>(window)->exportButton()->isEnabled());
+    part<ExportDialog>(window)->hiddenBox()->setChecked(false);
+    QVERIFY(!part<ExportDialog>(window)->exportButton()->isEnabled());
   }
 
   void nothingIsAskedWhereNothingIsHidden() {
@@ -345,8 +348,8 @@ class TestWindowFiles : public QObject {
     QVERIFY(!window.connectTo(kAddress));
     bench.load();
     bench.action("export")->trigger();
-    QVERIFY(!window.exportDialog()->hiddenBox()->isVisible());
-    QCOMPARE(window.exportDialog()->contentText(), QStringLiteral("3 of 3 submaps are included."));
+    QVERIFY(!part<ExportDialog>(window)->hiddenBox()->isVisible());
+    QCOMPARE(part<ExportDialog>(window)->contentText(), QStringLiteral("3 of 3 submaps are included."));
   }
 
   void exportsTheViewAndSaysWhatWentWrong() {
@@ -354,7 +357,7 @@ class TestWindowFiles : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.action("export")->trigger();
-    ExportDialog* dialog = window.exportDialog();
+    ExportDialog* dialog = part<ExportDialog>(window);
     QVERIFY(!dialog->formatButton(ExportFormat::MapServer)->isEnabled());
     QVERIFY(dialog->formatButton(ExportFormat::ViewPicture)->isChecked());
     dialog->pathEdit()->setText(bench.folder.filePath(QStringLiteral("no/such/folder.png")));
@@ -373,7 +376,7 @@ class TestWindowFiles : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.action("export")->trigger();
-    ExportDialog* dialog = window.exportDialog();
+    ExportDialog* dialog = part<ExportDialog>(window);
     const QString path = touched(bench.folder, "old.png");
     dialog->pathEdit()->setText(path);
     dialog->start();

@@ -14,6 +14,7 @@
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_ink {
 
@@ -47,7 +48,7 @@ class TestWindowInk : public QObject {
     QVERIFY(!window.connectTo(kAddress));
     bench.load();
     bench.robot->goAway(QStringLiteral("connection refused"));
-    verifyPainted(window.overlay()->notice()->findChild<PlainLabel*>());
+    verifyPainted(part<MapOverlay>(window)->notice()->findChild<PlainLabel*>());
   }
 
   void theFirstNoticeOfAllKinds_data() {
@@ -66,7 +67,7 @@ class TestWindowInk : public QObject {
     QFETCH(bool, closable);
     Bench bench;
     MainWindow& window = bench.open();
-    MapOverlay& overlay = *window.overlay();
+    MapOverlay& overlay = *part<MapOverlay>(window);
     NoticeBar* const notice = which == 0   ? overlay.notice()
                               : which == 1 ? overlay.safetyNotice()
                                            : overlay.placeNotice();
@@ -80,7 +81,7 @@ class TestWindowInk : public QObject {
     Bench bench;
     MainWindow& window = bench.open();
     window.resize(1000, 700);
-    NoticeBar* const notice = window.overlay()->notice();
+    NoticeBar* const notice = part<MapOverlay>(window)->notice();
     notice->setNotice(Mark::Warning, QStringLiteral("Short."), QStringLiteral("Retry now"));
     QTRY_VERIFY(notice->height() > 0);
     const int one_line = notice->height();
@@ -110,7 +111,7 @@ class TestWindowInk : public QObject {
     window.resize(1366, 768);
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
-    verifyPainted(window.overlay()->notice()->findChild<PlainLabel*>());
+    verifyPainted(part<MapOverlay>(window)->notice()->findChild<PlainLabel*>());
   }
 
   void theLimitsOfARobotAndTheRemarksOfAMap() {
@@ -124,14 +125,14 @@ class TestWindowInk : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     QTRY_VERIFY(window.session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
-    verifyPainted(window.overlay()->notice()->findChild<PlainLabel*>());
+    verifyPainted(part<MapOverlay>(window)->notice()->findChild<PlainLabel*>());
   }
 
   void theCardOfEveryState() {
     Bench bench;
     MainWindow& window = bench.open();
     const auto verify = [&] {
-      for (QLabel* label : window.overlay()->card()->findChildren<QLabel*>()) {
+      for (QLabel* label : part<MapOverlay>(window)->card()->findChildren<QLabel*>()) {
         if (!label->isVisible() || label->text().isEmpty()) continue;
         const QRect area(label->mapTo(&window, QPoint()), label->size());
         QVERIFY2(ink(&window, area) > kSomeInk, qPrintable(label->text()));
@@ -151,7 +152,7 @@ class TestWindowInk : public QObject {
   void aToastShowsAllOfWhatItSays() {
     Bench bench;
     MainWindow& window = bench.open();
-    ToastStack& toasts = *window.overlay()->toasts();
+    ToastStack& toasts = *part<MapOverlay>(window)->toasts();
     const QString wide = QStringLiteral("Exported 12,115 messages to /home/me/2024-06-03_08-50-00.mcap");
     const QString word =
         QStringLiteral("/home/me/") + QString(200, QLatin1Char('w')) + QStringLiteral(".mcap");
@@ -171,7 +172,7 @@ class TestWindowInk : public QObject {
 
   void whatIsSaidAgainIsCounted() {
     Bench bench;
-    ToastStack& toasts = *bench.open().overlay()->toasts();
+    ToastStack& toasts = *part<MapOverlay>(bench.open())->toasts();
     const QString same = QStringLiteral("Not saved yet");
     for (int i = 0; i < 3; ++i) toasts.add(Mark::Warning, same);
     QCOMPARE(toasts.texts(), QStringList{QStringLiteral("Not saved yet (3 times)")});
@@ -192,8 +193,8 @@ class TestWindowInk : public QObject {
   void theFirstToast() {
     Bench bench;
     MainWindow& window = bench.open();
-    window.overlay()->toasts()->add(Mark::Good, QStringLiteral("Copied 1.000, 2.000"));
-    auto* const text = window.overlay()->toasts()->findChild<QLabel*>(QStringLiteral("toastText"));
+    part<MapOverlay>(window)->toasts()->add(Mark::Good, QStringLiteral("Copied 1.000, 2.000"));
+    auto* const text = part<MapOverlay>(window)->toasts()->findChild<QLabel*>(QStringLiteral("toastText"));
     verifyPainted(text);
   }
 
@@ -202,14 +203,14 @@ class TestWindowInk : public QObject {
     bench.prepare = [](test::FakeRobot& robot) { robot.has_live = true; };
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    const QSize before = window.chip()->size();
+    const QSize before = part<ConnectionChip>(window)->size();
     map::WheelState wheels;
     wheels.emergency_stop = true;
     bench.robot->say(wheels);
-    QTRY_VERIFY(window.chip()->width() > before.width() + 80);
-    QVERIFY(ink(window.chip()) > kSomeInk);
-    verifyPainted(window.bar()->safety());
-    verifyPainted(window.overlay()->safetyNotice()->findChild<PlainLabel*>());
+    QTRY_VERIFY(part<ConnectionChip>(window)->width() > before.width() + 80);
+    QVERIFY(ink(part<ConnectionChip>(window)) > kSomeInk);
+    verifyPainted(part<WindowStatusBar>(window)->safety());
+    verifyPainted(part<MapOverlay>(window)->safetyNotice()->findChild<PlainLabel*>());
   }
 };
 

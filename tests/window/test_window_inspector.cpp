@@ -1,6 +1,7 @@
 // The inspector in the window: what is never cut, counts that agree, the frame on the map.
 #include <limits>
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QTreeView>
 #include <QtTest>
@@ -8,12 +9,11 @@
 #include "test_program.h"
 #include "ui/kit/status_text.h"
 #include "ui/shell/window_status_bar.h"
-#include "ui/slam/inspector_controls.h"
 #include "ui/slam/inspector_dock.h"
-#include "ui/slam/submap_columns.h"
 #include "ui/slam/submap_row_delegate.h"
 #include "ui/view/map_view.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_inspector {
 
@@ -103,8 +103,8 @@ class TestWindowInspector : public QObject {
     for (int i = 0; i < 60; ++i)  // enough for a scroll bar
       entries.push_back(test::entry(trajectory, index - i, version, i * 6.0, 0));
     bench.robot->list(entries);
-    if (width > 0) window.resizeDocks({window.inspector()}, {width}, Qt::Horizontal);
-    QTreeView* tree = window.inspector()->tree();
+    if (width > 0) window.resizeDocks({part<InspectorDock>(window)}, {width}, Qt::Horizontal);
+    QTreeView* tree = part<InspectorDock>(window)->tree();
     QTRY_VERIFY(bench.row({trajectory, index}).isValid());
     QTRY_COMPARE(window.session()->counts().shown, 60);
     tree->expandAll();
@@ -128,7 +128,7 @@ class TestWindowInspector : public QObject {
     std::vector<map::SubmapEntry> entries;
     for (int i = 0; i < 10'000; ++i) entries.push_back(test::entry(0, i, 1, i, 0));
     bench.robot->list(entries);
-    QTreeView* tree = window.inspector()->tree();
+    QTreeView* tree = part<InspectorDock>(window)->tree();
     QTRY_VERIFY(bench.row({0, 9'999}).isValid());
     const int room =
         tree->columnWidth(SubmapTreeModel::BadgeColumn) + tree->columnWidth(SubmapTreeModel::StatusColumn);
@@ -143,11 +143,12 @@ class TestWindowInspector : public QObject {
     bench.robot->corrupt = {{0, 2}};
     bench.robot->failing = {{1, 3}};
     session::Session* session = window.session();
-    const QModelIndex all = window.inspector()->model()->index(0, SubmapTreeModel::StatusColumn);
+    const QModelIndex all = part<InspectorDock>(window)->model()->index(0, SubmapTreeModel::StatusColumn);
     int compared = 0;
     QStringList different;
     const auto compare = [&] {
-      const QString tree = all.data().toString(), bar = countIn(window.bar()->loadingShown());
+      const QString tree = all.data().toString(),
+                    bar = countIn(part<WindowStatusBar>(window)->loadingShown());
       ++compared;
       if (tree != bar) different << tree + QStringLiteral(" beside ") + bar;
     };
@@ -161,12 +162,12 @@ class TestWindowInspector : public QObject {
     QTRY_COMPARE(all.data().toString(), QStringLiteral("2 of 6"));
     QTRY_COMPARE(session->counts().corrupt, 2);
     // What is done by hand changes no count before the others count too.
-    window.inspector()->filterModel()->setData(bench.row({0, 0}), Qt::Unchecked, Qt::CheckStateRole);
+    part<InspectorDock>(window)->filterModel()->setData(bench.row({0, 0}), Qt::Unchecked, Qt::CheckStateRole);
     compare();
     // What is hidden is not shown, wherever it is said.
     QTRY_COMPARE(all.data().toString(), QStringLiteral("1 of 6"));
     QCOMPARE(bench.row({0, 0}, SubmapTreeModel::StatusColumn).data().toString(), QStringLiteral("hidden"));
-    QVERIFY(window.bar()->loadingShown().contains(QLatin1String("1 hidden")));
+    QVERIFY(part<WindowStatusBar>(window)->loadingShown().contains(QLatin1String("1 hidden")));
     QVERIFY(submapDetails(*session, {0, 0}).endsWith(QLatin1String("hidden")));
     bench.robot->corrupt.clear();
     for (map::SubmapEntry& entry : entries) entry.version = 2;
@@ -175,12 +176,12 @@ class TestWindowInspector : public QObject {
     // Another slice, which none of them has.
     session->setSlice(1);
     QTRY_COMPARE(all.data().toString(), QStringLiteral("0 of 6"));
-    window.inspector()->hide();
+    part<InspectorDock>(window)->hide();
     session->setSlice(0);
-    window.inspector()->show();
+    part<InspectorDock>(window)->show();
     compare();
     QTRY_COMPARE(all.data().toString(), QStringLiteral("2 of 6"));
-    window.inspector()->filterModel()->setData(bench.row({0, 0}), Qt::Checked, Qt::CheckStateRole);
+    part<InspectorDock>(window)->filterModel()->setData(bench.row({0, 0}), Qt::Checked, Qt::CheckStateRole);
     QTRY_COMPARE(all.data().toString(), QStringLiteral("3 of 6"));
     QVERIFY(compared > 5);
     QVERIFY2(different.isEmpty(), qPrintable(different.join(QStringLiteral(", "))));
@@ -204,8 +205,8 @@ class TestWindowInspector : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.load();
-    QTreeView* tree = window.inspector()->tree();
-    QLineEdit* filter = window.inspector()->controls()->filterEdit();
+    QTreeView* tree = part<InspectorDock>(window)->tree();
+    QLineEdit* filter = part<InspectorDock>(window)->filterEdit();
     tree->expandAll();
     const auto click_row = [&](const QModelIndex& row) {
       tree->scrollTo(row);
@@ -248,8 +249,12 @@ class TestWindowInspector : public QObject {
 
     const Ids wanted = stays ? Ids{{0, 1}} : Ids{};
     QTRY_COMPARE(window.mapScene()->highlighted(), wanted);
-    QCOMPARE(window.inspector()->selected().has_value(), stays);
-    QCOMPARE(window.inspector()->detailsText().startsWith(QLatin1String("0-1 ")), stays);
+    QCOMPARE(part<InspectorDock>(window)->selected().has_value(), stays);
+    QCOMPARE(part<InspectorDock>(window)
+                 ->findChild<QLabel*>(QStringLiteral("details"))
+                 ->text()
+                 .startsWith(QLatin1String("0-1 ")),
+             stays);
   }
 
   void framesAllThatAreSelected() {
@@ -257,13 +262,14 @@ class TestWindowInspector : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.load();
-    QTreeView* tree = window.inspector()->tree();
+    QTreeView* tree = part<InspectorDock>(window)->tree();
     tree->expandAll();
     tree->setCurrentIndex(bench.row({0, 0}));
     tree->selectionModel()->select(bench.row({1, 0}),
                                    QItemSelectionModel::Select | QItemSelectionModel::Rows);
     QCOMPARE(window.mapScene()->highlighted(), (Ids{{0, 0}, {1, 0}}));
-    QCOMPARE(window.inspector()->detailsText(), QStringLiteral("2 submaps are selected."));
+    QCOMPARE(part<InspectorDock>(window)->findChild<QLabel*>(QStringLiteral("details"))->text(),
+             QStringLiteral("2 submaps are selected."));
   }
 
   void escEmptiesASearchFieldFirst() {
@@ -271,15 +277,15 @@ class TestWindowInspector : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.load();
-    window.inspector()->select({0, 1});
-    QLineEdit* filter = window.inspector()->controls()->filterEdit();
+    part<InspectorDock>(window)->select({0, 1});
+    QLineEdit* filter = part<InspectorDock>(window)->filterEdit();
     filter->setFocus();
     QTest::keyClicks(filter, QStringLiteral("1"));
     QTest::keyClick(filter, Qt::Key_Escape);
     QVERIFY(filter->text().isEmpty());
-    QVERIFY(window.inspector()->selected());
+    QVERIFY(part<InspectorDock>(window)->selected());
     QTest::keyClick(filter, Qt::Key_Escape);
-    QVERIFY(!window.inspector()->selected());
+    QVERIFY(!part<InspectorDock>(window)->selected());
   }
 };
 

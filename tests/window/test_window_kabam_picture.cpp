@@ -17,6 +17,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
 #include "window/main_window.h"
+#include "window_parts.h"
 
 namespace test_window_kabam_picture {
 
@@ -84,12 +85,12 @@ struct Hall {
     QVERIFY(control().sendingQuestion());
     control().sendingQuestion()->findChild<QPushButton*>(QStringLiteral("sendPicture"))->click();
   }
-  PictureController& control() { return *window->pictureEditor(); }
+  PictureController& control() { return *part<PictureController>(*window); }
   PictureEditing& editing() { return *control().editing(); }
   int cell(int column, int row) { return int(editing().grid()->at(column, row)); }
   QAction* action(const char* id) { return window->actionList().find(QLatin1String(id)); }
   QString status() { return control().dock()->status(); }
-  QStringList toasts() { return window->overlay()->toasts()->texts(); }
+  QStringList toasts() { return part<MapOverlay>(*window)->toasts()->texts(); }
 
   /// The copies that are kept, oldest first.
   QStringList copies() {

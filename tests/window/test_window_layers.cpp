@@ -9,9 +9,9 @@
 #include "robot/offers_topics.h"
 #include "test_program.h"
 #include "ui/layers/layer_row.h"
-#include "ui/layers/layer_style_editor.h"
 #include "ui/layers/layers_dock.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_layers {
 
@@ -52,24 +52,26 @@ class TestWindowLayers : public QObject {
   void hasARowForEveryLayerTheTopOneOnTop() {
     Bench bench;
     MainWindow& window = bench.open();
-    for (const Layer layer : scene::allLayers()) QVERIFY(window.layers()->row(layer));
-    QVERIFY(window.layers()->row(Layer::Robot)->y() < window.layers()->row(Layer::Submaps)->y());
-    QVERIFY(window.layers()->row(Layer::Submaps)->y() < window.layers()->row(Layer::WholeMap)->y());
+    for (const Layer layer : scene::allLayers()) QVERIFY(part<LayersDock>(window)->row(layer));
+    QVERIFY(part<LayersDock>(window)->row(Layer::Robot)->y() <
+            part<LayersDock>(window)->row(Layer::Submaps)->y());
+    QVERIFY(part<LayersDock>(window)->row(Layer::Submaps)->y() <
+            part<LayersDock>(window)->row(Layer::WholeMap)->y());
   }
 
   void movesARowByDraggingIt() {
     Bench bench;
     MainWindow& window = bench.open();
-    LayerRow* grid = window.layers()->row(Layer::Grid);
-    LayerRow* submaps = window.layers()->row(Layer::Submaps);
+    LayerRow* grid = part<LayersDock>(window)->row(Layer::Grid);
+    LayerRow* submaps = part<LayersDock>(window)->row(Layer::Submaps);
     QVERIFY(placeOf(*window.mapScene(), Layer::Grid) > placeOf(*window.mapScene(), Layer::Submaps));
     const QPoint from(60, 12);
     QTest::mousePress(grid, Qt::LeftButton, {}, from);
     // Step by step: the row itself moves below the cursor.
     for (int step = 0; step < 20; ++step) {
-      const QPoint target = submaps->mapTo(window.layers(), QPoint(60, 20));
-      QMouseEvent move(QEvent::MouseMove, grid->mapFrom(window.layers(), target), QPoint(), Qt::NoButton,
-                       Qt::LeftButton, {});
+      const QPoint target = submaps->mapTo(part<LayersDock>(window), QPoint(60, 20));
+      QMouseEvent move(QEvent::MouseMove, grid->mapFrom(part<LayersDock>(window), target), QPoint(),
+                       Qt::NoButton, Qt::LeftButton, {});
       QApplication::sendEvent(grid, &move);
       QCoreApplication::processEvents();
     }
@@ -82,7 +84,7 @@ class TestWindowLayers : public QObject {
     Bench bench;
     MainWindow& window = bench.open();
     const std::vector<Layer> before = window.mapScene()->layerOrder();
-    LayerRow* grid = window.layers()->row(Layer::Grid);
+    LayerRow* grid = part<LayersDock>(window)->row(Layer::Grid);
     grid->setFocus();
     QTest::keyClick(grid, Qt::Key_Up, Qt::ControlModifier);
     QCOMPARE(placeOf(*window.mapScene(), Layer::Grid),
@@ -96,10 +98,10 @@ class TestWindowLayers : public QObject {
     Bench bench;
     MainWindow& window = bench.open();
     const std::vector<Layer> before = window.mapScene()->layerOrder();
-    LayerRow* bar = window.layers()->row(Layer::ScaleBar);
+    LayerRow* bar = part<LayersDock>(window)->row(Layer::ScaleBar);
     bar->setFocus();
     QTest::keyClick(bar, Qt::Key_Down, Qt::ControlModifier);
-    LayerRow* robot = window.layers()->row(Layer::Robot);
+    LayerRow* robot = part<LayersDock>(window)->row(Layer::Robot);
     QTest::keyClick(robot, Qt::Key_Up, Qt::ControlModifier);
     QCOMPARE(window.mapScene()->layerOrder(), before);
   }
@@ -107,8 +109,8 @@ class TestWindowLayers : public QObject {
   void foldsOutWhatALayerHasToOffer() {
     Bench bench;
     MainWindow& window = bench.open();
-    QVERIFY(!window.layers()->row(Layer::Grid)->settings());
-    LayerRow* cloud = window.layers()->row(Layer::Cloud);
+    QVERIFY(!part<LayersDock>(window)->row(Layer::Grid)->settings());
+    LayerRow* cloud = part<LayersDock>(window)->row(Layer::Cloud);
     QTest::mouseClick(cloud->settings(), Qt::LeftButton);
     LayerStyleEditor* editor = cloud->editor();
     QVERIFY(editor && editor->isVisible());
@@ -130,11 +132,11 @@ class TestWindowLayers : public QObject {
     const scene::LayerStyle style{QColor(10, 200, 30), 4.5, 1};
     {
       MainWindow& window = bench.open();
-      LayerRow* path = window.layers()->row(Layer::Path);
+      LayerRow* path = part<LayersDock>(window)->row(Layer::Path);
       QTest::keyClick(path, Qt::Key_Up, Qt::ControlModifier);
       order = window.mapScene()->layerOrder();
-      window.layers()->opacity(Layer::Path)->setValue(40);
-      window.layers()->eye(Layer::CostmapLow)->click();
+      part<LayersDock>(window)->opacity(Layer::Path)->setValue(40);
+      part<LayersDock>(window)->eye(Layer::CostmapLow)->click();
       window.mapScene()->setLayerStyle(Layer::Cloud, style);
       window.close();
     }
@@ -177,9 +179,9 @@ class TestWindowLayers : public QObject {
     MainWindow window(std::move(wanted));
     window.resize(1366, 768);
     window.show();
-    LayerRow* const path = window.layers()->row(Layer::Path);
-    LayerRow* const costmap = window.layers()->row(Layer::CostmapLow);
-    QVERIFY(!window.layers()->row(Layer::Grid)->settings());
+    LayerRow* const path = part<LayersDock>(window)->row(Layer::Path);
+    LayerRow* const costmap = part<LayersDock>(window)->row(Layer::CostmapLow);
+    QVERIFY(!part<LayersDock>(window)->row(Layer::Grid)->settings());
     QVERIFY(costmap->settings()->isHidden());  // without a robot there is nothing to choose
     QVERIFY(!window.connectTo(kAddress));
     QVERIFY(!costmap->settings()->isHidden());
@@ -218,17 +220,18 @@ class TestWindowLayers : public QObject {
       robot.has_catalogue = true;
     };
     MainWindow& window = bench.open();
-    QVERIFY(window.layers()->row(Layer::Submaps)->unavailable().isEmpty());
+    QVERIFY(part<LayersDock>(window)->row(Layer::Submaps)->unavailable().isEmpty());
     QVERIFY(!window.connectTo(kAddress));
     for (const Layer layer : {Layer::Submaps, Layer::Ids, Layer::Cloud, Layer::Robot}) {
-      QVERIFY2(!window.layers()->row(layer)->unavailable().isEmpty(), qPrintable(scene::layerName(layer)));
-      QVERIFY(!window.layers()->eye(layer)->isEnabled());
-      QVERIFY(!window.layers()->row(layer)->toolTip().isEmpty());
+      QVERIFY2(!part<LayersDock>(window)->row(layer)->unavailable().isEmpty(),
+               qPrintable(scene::layerName(layer)));
+      QVERIFY(!part<LayersDock>(window)->eye(layer)->isEnabled());
+      QVERIFY(!part<LayersDock>(window)->row(layer)->toolTip().isEmpty());
     }
-    QVERIFY(window.layers()->row(Layer::WholeMap)->unavailable().isEmpty());
-    QVERIFY(window.layers()->row(Layer::Grid)->unavailable().isEmpty());
+    QVERIFY(part<LayersDock>(window)->row(Layer::WholeMap)->unavailable().isEmpty());
+    QVERIFY(part<LayersDock>(window)->row(Layer::Grid)->unavailable().isEmpty());
     window.leaveRobot();
-    QVERIFY(window.layers()->eye(Layer::Cloud)->isEnabled());
+    QVERIFY(part<LayersDock>(window)->eye(Layer::Cloud)->isEnabled());
   }
 };
 

@@ -22,11 +22,11 @@
 
 #include "test_program.h"
 #include "ui/kit/icons.h"
-#include "ui/kit/opacity_slider.h"
 #include "ui/kit/state_mark.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/layers/layer_row.h"
 
 namespace test_window_look {
 

@@ -11,6 +11,7 @@
 
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
+#include "ui/layers/layers_controller.h"
 #include "ui/layers/layers_dock.h"
 #include "ui/maps/maps_dock.h"
 #include "ui/plots/messages_dock.h"
@@ -25,8 +26,10 @@
 #include "ui/view/map_view.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
+#include "window/appearance_controller.h"
 #include "window/main_window.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_main {
 
@@ -41,10 +44,10 @@ class TestWindowMain : public QObject {
   void saysWhatToDoWithoutARobot() {
     Bench bench;
     MainWindow& window = bench.open();
-    QCOMPARE(*window.overlay()->card()->kind(), EmptyState::Kind::NoRobot);
-    QCOMPARE(window.bar()->connectionShown(), QStringLiteral("no robot"));
+    QCOMPARE(*part<MapOverlay>(window)->card()->kind(), EmptyState::Kind::NoRobot);
+    QCOMPARE(part<WindowStatusBar>(window)->connectionShown(), QStringLiteral("no robot"));
     QVERIFY(!bench.action("retry")->isEnabled());
-    for (QPushButton* button : window.overlay()->card()->findChildren<QPushButton*>()) {
+    for (QPushButton* button : part<MapOverlay>(window)->card()->findChildren<QPushButton*>()) {
       if (button->text() == QLatin1String("Try the demo robot")) QTest::mouseClick(button, Qt::LeftButton);
     }
     QVERIFY(window.session());
@@ -68,39 +71,39 @@ class TestWindowMain : public QObject {
     robot::ConnectionState connecting;
     connecting.phase = robot::ConnectionPhase::Connecting;
     bench.robot->setState(connecting);
-    QCOMPARE(*window.overlay()->card()->kind(), EmptyState::Kind::Connecting);
-    QCOMPARE(window.chip()->word(), QStringLiteral("connecting"));
+    QCOMPARE(*part<MapOverlay>(window)->card()->kind(), EmptyState::Kind::Connecting);
+    QCOMPARE(part<ConnectionChip>(window)->word(), QStringLiteral("connecting"));
     bench.robot->goOnline();
-    QCOMPARE(*window.overlay()->card()->kind(), EmptyState::Kind::WaitingForList);
-    QCOMPARE(window.bar()->connectionShown(), QStringLiteral("connected 12 ms"));
+    QCOMPARE(*part<MapOverlay>(window)->card()->kind(), EmptyState::Kind::WaitingForList);
+    QCOMPARE(part<WindowStatusBar>(window)->connectionShown(), QStringLiteral("connected 12 ms"));
     bench.robot->list({});
-    QTRY_COMPARE(*window.overlay()->card()->kind(), EmptyState::Kind::NoSubmaps);
+    QTRY_COMPARE(*part<MapOverlay>(window)->card()->kind(), EmptyState::Kind::NoSubmaps);
     bench.load();
-    QTRY_VERIFY(!window.overlay()->card()->kind());
-    QTRY_COMPARE(window.bar()->loadingShown(), QStringLiteral("3 of 3 submaps"));
+    QTRY_VERIFY(!part<MapOverlay>(window)->card()->kind());
+    QTRY_COMPARE(part<WindowStatusBar>(window)->loadingShown(), QStringLiteral("3 of 3 submaps"));
     bench.robot->goAway(QStringLiteral("connection refused"));
-    QVERIFY(!window.overlay()->card()->kind());  // nothing disappears
-    QVERIFY(window.overlay()->notice()->isVisible());
-    QVERIFY(window.overlay()->notice()->sentence().startsWith(QLatin1String("No connection since ")));
-    QCOMPARE(window.bar()->connectionShown(),
+    QVERIFY(!part<MapOverlay>(window)->card()->kind());  // nothing disappears
+    QVERIFY(part<MapOverlay>(window)->notice()->isVisible());
+    QVERIFY(part<MapOverlay>(window)->notice()->sentence().startsWith(QLatin1String("No connection since ")));
+    QCOMPARE(part<WindowStatusBar>(window)->connectionShown(),
              QStringLiteral("reconnecting in 3 s (attempt 2): connection refused"));
     robot::ConnectionState refused;
     refused.phase = robot::ConnectionPhase::Refused;
     refused.reason = fault::said("the certificate has changed. " + std::string(200, 'x'));
     bench.robot->setState(refused);
-    QVERIFY(window.overlay()->notice()->sentence().contains(QLatin1String(". The certificate")));
-    for (const PlainLabel* label : window.bar()->findChildren<PlainLabel*>()) {
-      if (label->text() == window.bar()->loadingShown())
+    QVERIFY(part<MapOverlay>(window)->notice()->sentence().contains(QLatin1String(". The certificate")));
+    for (const PlainLabel* label : part<WindowStatusBar>(window)->findChildren<PlainLabel*>()) {
+      if (label->text() == part<WindowStatusBar>(window)->loadingShown())
         QTRY_VERIFY(label->width() >= label->sizeHint().width());
     }
     bench.robot->goAway(QStringLiteral("connection refused"));
     const int before = bench.robot->connects;
-    QTest::mouseClick(window.overlay()->notice()->findChild<QPushButton*>(), Qt::LeftButton);
+    QTest::mouseClick(part<MapOverlay>(window)->notice()->findChild<QPushButton*>(), Qt::LeftButton);
     QCOMPARE(bench.robot->connects, before + 1);
     bench.robot->goOnline();
-    QVERIFY(!window.overlay()->notice()->isVisible());
+    QVERIFY(!part<MapOverlay>(window)->notice()->isVisible());
     window.leaveRobot();
-    QCOMPARE(*window.overlay()->card()->kind(), EmptyState::Kind::NoRobot);
+    QCOMPARE(*part<MapOverlay>(window)->card()->kind(), EmptyState::Kind::NoRobot);
   }
 
   void refusesABadAddressAndStaysWhereItIs() {
@@ -139,7 +142,7 @@ class TestWindowMain : public QObject {
     bench.robot->setState(refused);
     QVERIFY(offer());
     QTest::mouseClick(offer(), Qt::LeftButton);
-    ConnectDialog* dialog = window.secretDialog();
+    ConnectDialog* dialog = part<ConnectDialog>(window);
     QVERIFY(dialog);
     QVERIFY(QTest::qWaitForWindowActive(dialog));
     auto* secret = dialog->findChild<QLineEdit*>(QStringLiteral("secret"));
@@ -159,8 +162,8 @@ class TestWindowMain : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.robot->identify({QStringLiteral("<b>model</b>"), {}, QStringLiteral("<img src=x>&amp; Co"), {}});
-    QCOMPARE(window.chip()->name(), QStringLiteral("<img src=x>&amp; Co"));
-    QVERIFY(!window.chip()->toolTip().contains(QLatin1String("<b>")));
+    QCOMPARE(part<ConnectionChip>(window)->name(), QStringLiteral("<img src=x>&amp; Co"));
+    QVERIFY(!part<ConnectionChip>(window)->toolTip().contains(QLatin1String("<b>")));
     int with_markup = 0;
     for (const QLabel* label : window.findChildren<QLabel*>()) {
       if (!label->text().contains(QLatin1Char('<'))) continue;
@@ -170,8 +173,8 @@ class TestWindowMain : public QObject {
     QVERIFY(with_markup > 0);
     bench.robot->failing = {{0, 0}};
     bench.robot->list({test::entry(0, 0, 1, 0, 0)});
-    QTRY_COMPARE(window.problems()->model()->rowCount(), 1);
-    const QModelIndex sentence = window.problems()->model()->index(0, ProblemsModel::SentenceColumn);
+    QTRY_COMPARE(part<ProblemsDock>(window)->model()->rowCount(), 1);
+    const QModelIndex sentence = part<ProblemsDock>(window)->model()->index(0, ProblemsModel::SentenceColumn);
     QVERIFY(sentence.data().toString().contains(QLatin1String("<b>500</b>")));
     QVERIFY(!sentence.data(Qt::ToolTipRole).toString().contains(QLatin1String("<b>")));
   }
@@ -186,32 +189,32 @@ class TestWindowMain : public QObject {
     QVERIFY(qApp->palette().color(QPalette::Window).lightness() > 128);
     QVERIFY(!window.mapScene()->theme().dark);
     bench.action("themeSystem")->trigger();
-    QCOMPARE(window.theme(), ThemeChoice::System);
+    QCOMPARE(part<AppearanceController>(window)->theme(), ThemeChoice::System);
   }
 
   void remembersTheLayout() {
     Bench bench;
     {
       MainWindow& window = bench.open();
-      window.layers()->close();
+      part<LayersDock>(window)->close();
       bench.action("themeDark")->trigger();
       window.mapScene()->setLayerVisible(scene::Layer::Grid, false);
       window.mapScene()->setLayerOpacity(scene::Layer::Trail, 0.5);
-      window.setColorMode(render::ColorMode::Active);
+      part<LayersController>(window)->setColorMode(render::ColorMode::Active);
       QVERIFY(!window.connectTo(kAddress));
       bench.key(Qt::Key_M);
       window.close();
     }
     MainWindow& again = bench.open();
-    QVERIFY(!again.layers()->isVisible());
-    QVERIFY(again.inspector()->isVisible());
-    QCOMPARE(again.theme(), ThemeChoice::Dark);
+    QVERIFY(!part<LayersDock>(again)->isVisible());
+    QVERIFY(part<InspectorDock>(again)->isVisible());
+    QCOMPARE(part<AppearanceController>(again)->theme(), ThemeChoice::Dark);
     QVERIFY(!again.mapScene()->layerVisible(scene::Layer::Grid));
     QCOMPARE(again.mapScene()->layerOpacity(scene::Layer::Trail), 0.5);
     QCOMPARE(again.mapScene()->colorMode(), render::ColorMode::Active);
     QCOMPARE(again.view()->tool()->name(), QStringLiteral("measure"));
     bench.action("resetLayout")->trigger();
-    QVERIFY(again.layers()->isVisible());
+    QVERIFY(part<LayersDock>(again)->isVisible());
     QVERIFY(again.mapScene()->layerVisible(scene::Layer::Grid));
     QCOMPARE(again.mapScene()->colorMode(), render::ColorMode::Normal);
     bench.action("themeSystem")->trigger();
@@ -228,19 +231,21 @@ class TestWindowMain : public QObject {
     bench.offerMaps();
     const auto in_front = [](const QDockWidget* dock) { return !dock->visibleRegion().isEmpty(); };
     const auto front = [&](MainWindow& window) {
-      return std::vector<bool>{in_front(window.maps()),       in_front(window.layers()),
-                               in_front(window.robotPanel()), in_front(window.inspector()),
-                               in_front(window.messages()),   in_front(window.problems())};
+      return std::vector<bool>{in_front(part<MapsDock>(window)),     in_front(part<LayersDock>(window)),
+                               in_front(part<RobotDock>(window)),    in_front(part<InspectorDock>(window)),
+                               in_front(part<MessagesDock>(window)), in_front(part<ProblemsDock>(window))};
     };
     const std::vector<bool> wanted = others ? std::vector<bool>{true, false, true, false, true, false}
                                             : std::vector<bool>{false, true, false, true, false, true};
     {
       MainWindow& window = bench.open();
-      window.messages()->show();
-      window.problems()->show();
-      QTRY_VERIFY(in_front(window.inspector()) && in_front(window.layers()));
-      QDockWidget* const first[] = {window.maps(), window.robotPanel(), window.messages()};
-      QDockWidget* const second[] = {window.layers(), window.inspector(), window.problems()};
+      part<MessagesDock>(window)->show();
+      part<ProblemsDock>(window)->show();
+      QTRY_VERIFY(in_front(part<InspectorDock>(window)) && in_front(part<LayersDock>(window)));
+      QDockWidget* const first[] = {part<MapsDock>(window), part<RobotDock>(window),
+                                    part<MessagesDock>(window)};
+      QDockWidget* const second[] = {part<LayersDock>(window), part<InspectorDock>(window),
+                                     part<ProblemsDock>(window)};
       for (QDockWidget* dock : others ? first : second) dock->raise();
       QTRY_COMPARE(front(window), wanted);
       window.close();
@@ -259,25 +264,25 @@ class TestWindowMain : public QObject {
     const auto in_front = [](const QDockWidget* dock) { return !dock->visibleRegion().isEmpty(); };
     bench.prepare = [](test::FakeRobot& robot) { robot.has_submaps = false; };
     MainWindow& window = bench.open();
-    QTRY_VERIFY(in_front(window.inspector()));
+    QTRY_VERIFY(in_front(part<InspectorDock>(window)));
     QVERIFY(!window.connectTo(test::kAddress));
-    QTRY_VERIFY(in_front(window.robotPanel()));
+    QTRY_VERIFY(in_front(part<RobotDock>(window)));
     bench.prepare = {};
     QVERIFY(!window.connectTo(test::kAddress));
-    QTRY_VERIFY(in_front(window.inspector()));
+    QTRY_VERIFY(in_front(part<InspectorDock>(window)));
     // Whoever has chosen another panel keeps it.
-    window.robotPanel()->raise();
+    part<RobotDock>(window)->raise();
     QVERIFY(!window.connectTo(test::kAddress));
     QCoreApplication::processEvents();
-    QTRY_VERIFY(in_front(window.robotPanel()));
+    QTRY_VERIFY(in_front(part<RobotDock>(window)));
   }
 
   void bringsAPanelThatIsOpenedToTheFront() {
     Bench bench;
     MainWindow& window = bench.open();
-    for (QDockWidget* dock :
-         {static_cast<QDockWidget*>(window.problems()), static_cast<QDockWidget*>(window.messages()),
-          static_cast<QDockWidget*>(window.problems())}) {
+    for (QDockWidget* dock : {static_cast<QDockWidget*>(part<ProblemsDock>(window)),
+                              static_cast<QDockWidget*>(part<MessagesDock>(window)),
+                              static_cast<QDockWidget*>(part<ProblemsDock>(window))}) {
       if (dock->toggleViewAction()->isChecked()) dock->toggleViewAction()->trigger();
       dock->toggleViewAction()->trigger();
       QTRY_VERIFY(!dock->visibleRegion().isEmpty());
@@ -334,15 +339,15 @@ class TestWindowMain : public QObject {
       MainWindow& window = bench.open();
       QVERIFY(!window.connectTo(kAddress));
       fail();
-      window.problems()->setVisible(open);
+      part<ProblemsDock>(window)->setVisible(open);
       window.close();
     }
     MainWindow& again = bench.open();
-    QCOMPARE(again.problems()->isVisible(), open);
+    QCOMPARE(part<ProblemsDock>(again)->isVisible(), open);
     QVERIFY(!again.connectTo(kAddress));
     fail();
-    QTRY_VERIFY(again.bar()->problemsButton()->isVisible());
-    QCOMPARE(again.problems()->isVisible(), open);
+    QTRY_VERIFY(part<WindowStatusBar>(again)->problemsButton()->isVisible());
+    QCOMPARE(part<ProblemsDock>(again)->isVisible(), open);
   }
 
   void givesTheMaximisedWindowBackFromTheFullScreen() {
@@ -386,26 +391,26 @@ class TestWindowMain : public QObject {
     Bench bench;
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QVERIFY(!window.problems()->isVisible());
-    QVERIFY(!window.bar()->problemsButton()->isVisible());
+    QVERIFY(!part<ProblemsDock>(window)->isVisible());
+    QVERIFY(!part<WindowStatusBar>(window)->problemsButton()->isVisible());
     bench.robot->failing = {{0, 0}};
     bench.robot->list({test::entry(0, 0, 1, 0, 0), test::entry(0, 1, 1, 5, 0)});
-    QTRY_COMPARE(window.overlay()->toasts()->texts().size(), qsizetype(1));
-    QVERIFY(window.overlay()->toasts()->texts()[0].startsWith(QLatin1String("Submap 0-0: ")));
-    QVERIFY(!window.problems()->isVisible());
-    for (QPushButton* button : window.overlay()->toasts()->findChildren<QPushButton*>()) {
+    QTRY_COMPARE(part<MapOverlay>(window)->toasts()->texts().size(), qsizetype(1));
+    QVERIFY(part<MapOverlay>(window)->toasts()->texts()[0].startsWith(QLatin1String("Submap 0-0: ")));
+    QVERIFY(!part<ProblemsDock>(window)->isVisible());
+    for (QPushButton* button : part<MapOverlay>(window)->toasts()->findChildren<QPushButton*>()) {
       if (button->text() == QLatin1String("Show problems")) QTest::mouseClick(button, Qt::LeftButton);
     }
-    QVERIFY(window.problems()->isVisible());
-    QCOMPARE(window.bar()->problemsButton()->text(), QStringLiteral("1 problem"));
-    window.problems()->table()->selectAll();
-    for (QPushButton* button : window.problems()->findChildren<QPushButton*>()) {
+    QVERIFY(part<ProblemsDock>(window)->isVisible());
+    QCOMPARE(part<WindowStatusBar>(window)->problemsButton()->text(), QStringLiteral("1 problem"));
+    part<ProblemsDock>(window)->table()->selectAll();
+    for (QPushButton* button : part<ProblemsDock>(window)->findChildren<QPushButton*>()) {
       if (button->text() == QLatin1String("Copy selected")) QTest::mouseClick(button, Qt::LeftButton);
     }
     QVERIFY(QApplication::clipboard()->text().contains(QLatin1String("Submap 0-0")));
-    window.problems()->close();
-    QTest::mouseClick(window.bar()->problemsButton(), Qt::LeftButton);
-    QVERIFY(window.problems()->isVisible());
+    part<ProblemsDock>(window)->close();
+    QTest::mouseClick(part<WindowStatusBar>(window)->problemsButton(), Qt::LeftButton);
+    QVERIFY(part<ProblemsDock>(window)->isVisible());
   }
 
   void tellsOfANewSession() {
@@ -413,10 +418,10 @@ class TestWindowMain : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.robot->list({test::entry(0, 0, 1, 0, 0)}, "session-a");
-    QVERIFY(window.overlay()->toasts()->texts().isEmpty());
+    QVERIFY(part<MapOverlay>(window)->toasts()->texts().isEmpty());
     bench.robot->list({test::entry(0, 0, 1, 0, 0)}, "session-b");
-    QCOMPARE(window.overlay()->toasts()->texts().size(), qsizetype(1));
-    QVERIFY(window.overlay()->toasts()->texts()[0].contains(QLatin1String("new SLAM session")));
+    QCOMPARE(part<MapOverlay>(window)->toasts()->texts().size(), qsizetype(1));
+    QVERIFY(part<MapOverlay>(window)->toasts()->texts()[0].contains(QLatin1String("new SLAM session")));
   }
 
   void everyActionCanBeFoundInAMenu() {

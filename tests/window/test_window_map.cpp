@@ -1,8 +1,10 @@
 // The whole window on a fake robot: what is done with the map.
 #include <QAbstractSpinBox>
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSlider>
 #include <QToolButton>
@@ -11,18 +13,18 @@
 
 #include "test_program.h"
 #include "ui/layers/layers_dock.h"
+#include "ui/maps/export_controller.h"
 #include "ui/maps/maps_dock.h"
 #include "ui/robot/problems_dock.h"
 #include "ui/shell/window_status_bar.h"
-#include "ui/slam/inspector_controls.h"
 #include "ui/slam/inspector_dock.h"
-#include "ui/view/map_furniture.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
 #include "window/main_window.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_map {
 
@@ -39,13 +41,16 @@ class TestWindowMap : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.load();
-    QTreeView* tree = window.inspector()->tree();
+    QTreeView* tree = part<InspectorDock>(window)->tree();
     tree->expandAll();
     const QModelIndex row = bench.row({1, 0});
     tree->scrollTo(row);
     QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualRect(row).center());
     QCOMPARE(window.mapScene()->highlighted(), (std::set<map::SubmapId>{{1, 0}}));
-    QVERIFY(window.inspector()->detailsText().startsWith(QLatin1String("1-0 v3")));
+    QVERIFY(part<InspectorDock>(window)
+                ->findChild<QLabel*>(QStringLiteral("details"))
+                ->text()
+                .startsWith(QLatin1String("1-0 v3")));
     const QModelIndex locate = bench.row({1, 0}, SubmapTreeModel::LocateColumn);
     QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualRect(locate).center());
     // 100 cells of 5 cm run to -x and -y from its pose.
@@ -65,7 +70,9 @@ class TestWindowMap : public QObject {
     near.is_nearby = true;
     bench.robot->list({test::entry(0, 0, 1, 0, 0), near});
     QTRY_COMPARE(window.session()->counts().listed, 2);
-    Q_EMIT window.inspector()->controls()->nearbyWanted(false);
+    auto* const group = part<InspectorDock>(window)->findChild<QCheckBox*>(QStringLiteral("nearby"));
+    group->setCheckState(Qt::Unchecked);
+    Q_EMIT group->clicked(false);
     QVERIFY(!window.session()->book().find({0, 1})->visible);
     QVERIFY(window.session()->book().find({0, 0})->visible);
     auto newcomer = test::entry(0, 2, 1, 9, 0);
@@ -94,15 +101,15 @@ class TestWindowMap : public QObject {
     QCOMPARE(window.mapScene()->view().scale_m_per_px, 0.0625);
     bench.key(Qt::Key_M);
     QCOMPARE(window.view()->tool()->name(), QStringLiteral("measure"));
-    QVERIFY(!window.overlay()->hint().isEmpty());
+    QVERIFY(!part<MapOverlay>(window)->hint().isEmpty());
     bench.key(Qt::Key_Escape);
     QCOMPARE(window.view()->tool()->name(), QStringLiteral("pan"));
     bench.key(Qt::Key_H);
-    QVERIFY(!window.overlay()->furniture()->isVisible());
+    QVERIFY(!part<MapOverlay>(window)->furniture()->isVisible());
     bench.key(Qt::Key_H);
-    QVERIFY(window.overlay()->furniture()->isVisible());
+    QVERIFY(part<MapOverlay>(window)->furniture()->isVisible());
 
-    QLineEdit* filter = window.inspector()->controls()->filterEdit();
+    QLineEdit* filter = part<InspectorDock>(window)->filterEdit();
     filter->setFocus();
     const auto camera = window.mapScene()->view();
     QTest::keyClicks(filter, QStringLiteral("fgnrm0-"));
@@ -206,11 +213,11 @@ class TestWindowMap : public QObject {
     QVERIFY(!window.connectTo(kAddress));
     bench.load();
     QTRY_VERIFY(window.session()->counts().pending == 0);
-    NoticeBar* const strip = window.overlay()->safetyNotice();
+    NoticeBar* const strip = part<MapOverlay>(window)->safetyNotice();
     const auto tall = [&](int px) {
       strip->setMinimumHeight(px);
       strip->setNotice(Mark::Bad, QStringLiteral("Emergency stop"), {}, false);
-      window.overlay()->place();
+      part<MapOverlay>(window)->place();
     };
     // A map that is taller than wide, so that its top would reach under the strip.
     bench.robot->list({test::entry(0, 0, 1, 0, 0), test::entry(0, 1, 1, 0, 60)});
@@ -243,13 +250,13 @@ class TestWindowMap : public QObject {
       const auto all = window.session()->contentBounds();
       return window.mapScene()->view().pixelFromWorld({all.center().x(), all.max_y}).y();
     };
-    NoticeBar* const strip = window.overlay()->safetyNotice();
+    NoticeBar* const strip = part<MapOverlay>(window)->safetyNotice();
     strip->setMinimumHeight(120);
     strip->setNotice(Mark::Bad, QStringLiteral("Emergency stop"), {}, false);
-    window.overlay()->place();
+    part<MapOverlay>(window)->place();
     QTRY_VERIFY(high() > 120);
     strip->setNotice(Mark::None, {}, {});
-    window.overlay()->place();
+    part<MapOverlay>(window)->place();
     QTRY_VERIFY(high() < 120);
     // Never under the cursor.
     const QPoint at(200, 300);
@@ -258,7 +265,7 @@ class TestWindowMap : public QObject {
     QApplication::sendEvent(window.view()->viewport(), &move);
     const auto before = window.mapScene()->view();
     strip->setNotice(Mark::Bad, QStringLiteral("Emergency stop"), {}, false);
-    window.overlay()->place();
+    part<MapOverlay>(window)->place();
     QCOMPARE(window.mapScene()->view(), before);
   }
 
@@ -274,14 +281,14 @@ class TestWindowMap : public QObject {
     };
     const Eigen::Vector2d before = world();
     const QSize size = window.view()->size();
-    window.problems()->show();
+    part<ProblemsDock>(window)->show();
     QTRY_VERIFY(window.view()->size() != size);
     QVERIFY((world() - before).norm() < 1e-6);
-    window.layers()->hide();
-    window.maps()->hide();
+    part<LayersDock>(window)->hide();
+    part<MapsDock>(window)->hide();
     QCoreApplication::processEvents();
     QVERIFY((world() - before).norm() < 1e-6);
-    window.problems()->hide();
+    part<ProblemsDock>(window)->hide();
     QTRY_VERIFY(window.view()->height() >= size.height());
     QVERIFY((world() - before).norm() < 1e-6);
     // With the window it grows around the middle.
@@ -350,24 +357,25 @@ class TestWindowMap : public QObject {
       QApplication::sendEvent(window.view()->viewport(), &move);
     };
     hover(middle);
-    QVERIFY(window.bar()->cursorShown().startsWith(QLatin1String("x -2.5")));
-    QTRY_VERIFY2(window.bar()->occupancyShown().startsWith(QLatin1String("free")),
-                 qPrintable(window.bar()->occupancyShown()));
+    QVERIFY(part<WindowStatusBar>(window)->cursorShown().startsWith(QLatin1String("x -2.5")));
+    QTRY_VERIFY2(part<WindowStatusBar>(window)->occupancyShown().startsWith(QLatin1String("free")),
+                 qPrintable(part<WindowStatusBar>(window)->occupancyShown()));
     hover(middle + QPoint(0, 150));  // 7.5 m further down lies nothing
-    QTRY_COMPARE(window.bar()->occupancyShown(), QStringLiteral("unknown"));
-    QCOMPARE(window.bar()->scaleShown().section(QLatin1String("  "), 1), QStringLiteral("5 cm/px"));
+    QTRY_COMPARE(part<WindowStatusBar>(window)->occupancyShown(), QStringLiteral("unknown"));
+    QCOMPARE(part<WindowStatusBar>(window)->scaleShown().section(QLatin1String("  "), 1),
+             QStringLiteral("5 cm/px"));
   }
 
   void layersFollowTheScene() {
     Bench bench;
     MainWindow& window = bench.open();
-    QTest::mouseClick(window.layers()->eye(scene::Layer::Trail), Qt::LeftButton);
+    QTest::mouseClick(part<LayersDock>(window)->eye(scene::Layer::Trail), Qt::LeftButton);
     QVERIFY(!window.mapScene()->layerVisible(scene::Layer::Trail));
-    window.layers()->opacity(scene::Layer::Submaps)->setValue(40);
+    part<LayersDock>(window)->opacity(scene::Layer::Submaps)->setValue(40);
     QCOMPARE(window.mapScene()->layerOpacity(scene::Layer::Submaps), 0.4);
     window.mapScene()->setLayerVisible(scene::Layer::Ids, true);
     QVERIFY(bench.action("showIds")->isChecked());
-    QVERIFY(window.layers()->eye(scene::Layer::Ids)->isChecked());
+    QVERIFY(part<LayersDock>(window)->eye(scene::Layer::Ids)->isChecked());
   }
 
   void takesPictures() {
@@ -375,13 +383,14 @@ class TestWindowMap : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     const QString path = bench.folder.filePath(QStringLiteral("map.png"));
-    QVERIFY(!window.saveMapPicture(path));
+    QVERIFY(!part<ExportController>(window)->saveMapPicture(path));
     const QImage saved(path);
     QCOMPARE(saved.size(), window.view()->viewport()->size());
-    QVERIFY(window.saveMapPicture(bench.folder.filePath(QStringLiteral("none/map.png"))));
+    QVERIFY(part<ExportController>(window)->saveMapPicture(
+        bench.folder.filePath(QStringLiteral("none/map.png"))));
     bench.action("screenshotCopy")->trigger();
     QVERIFY(!QApplication::clipboard()->image().isNull());
-    QVERIFY(window.overlay()->toasts()->texts().contains(QStringLiteral("Picture copied")));
+    QVERIFY(part<MapOverlay>(window)->toasts()->texts().contains(QStringLiteral("Picture copied")));
   }
 
   void fitsTheFirstMapButNotAgainstTheUser() {

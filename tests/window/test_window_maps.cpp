@@ -9,8 +9,11 @@
 #include <QtTest>
 
 #include "test_program.h"
+#include "ui/layers/layers_controller.h"
 #include "ui/layers/layers_dock.h"
 #include "ui/maps/compare_control.h"
+#include "ui/maps/export_controller.h"
+#include "ui/maps/maps_controller.h"
 #include "ui/maps/maps_dock.h"
 #include "ui/robot/robot_dock.h"
 #include "ui/shell/window_status_bar.h"
@@ -20,6 +23,7 @@
 #include "ui/view/on_screen.h"
 #include "ui/view/swipe_handle.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_maps {
 
@@ -53,7 +57,7 @@ class TestWindowMaps : public QObject {
     bench.offerMaps();
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    const MapsModel& model = *window.maps()->model();
+    const MapsModel& model = *part<MapsDock>(window)->model();
     QTRY_COMPARE(model.maps(), 3);
     QCOMPARE(titles(model), (QStringList{QStringLiteral("Stored maps"), QStringLiteral("Ground floor"),
                                          QStringLiteral("<b>Attic</b>"), QStringLiteral("Mappings"),
@@ -62,7 +66,7 @@ class TestWindowMaps : public QObject {
     QVERIFY(current.data(MapsModel::BadgesRole).toStringList().contains(QStringLiteral("current")));
     QVERIFY(model.indexOf(stored("2")).data(MapsModel::BadgesRole).toStringList().isEmpty());
     QVERIFY(!(model.index(0).flags() & Qt::ItemIsSelectable));
-    QVERIFY(window.maps()->statusShown().startsWith(QLatin1String("3 maps, as of ")));
+    QVERIFY(part<MapsDock>(window)->statusShown().startsWith(QLatin1String("3 maps, as of ")));
     // Markup in a name is text, in the tooltip too.
     QVERIFY(!model.indexOf(stored("2")).data(Qt::ToolTipRole).toString().contains(QLatin1String("<b>")));
   }
@@ -82,8 +86,8 @@ class TestWindowMaps : public QObject {
     };
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    window.maps()->raise();
-    const MapsModel& model = *window.maps()->model();
+    part<MapsDock>(window)->raise();
+    const MapsModel& model = *part<MapsDock>(window)->model();
     QTRY_COMPARE(model.maps(), 5);
     QCOMPARE(model.indexOf(stored("1")).data().toString(), QStringLiteral("(no name)"));
     QVERIFY(model.indexOf(stored("2")).data().toString().size() <= 300);
@@ -94,7 +98,7 @@ class TestWindowMaps : public QObject {
                 .data(MapsModel::DetailRole)
                 .toString()
                 .contains(QLatin1String("1700000000123")));
-    window.maps()->grab();
+    part<MapsDock>(window)->grab();
     QCoreApplication::processEvents();
     QVERIFY(model.indexOf(stored("2")).data(MapsModel::ThumbnailRole).value<QPixmap>().isNull());
   }
@@ -104,15 +108,15 @@ class TestWindowMaps : public QObject {
     bench.offerMaps();
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QTRY_COMPARE(window.maps()->model()->maps(), 3);
-    QTest::keyClicks(window.maps()->search(), QStringLiteral("atti"));
-    QCOMPARE(titles(*window.maps()->model()),
+    QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 3);
+    QTest::keyClicks(part<MapsDock>(window)->search(), QStringLiteral("atti"));
+    QCOMPARE(titles(*part<MapsDock>(window)->model()),
              (QStringList{QStringLiteral("Stored maps"), QStringLiteral("<b>Attic</b>")}));
-    window.maps()->search()->setText(QStringLiteral("cellar"));
-    QCOMPARE(window.maps()->model()->rowCount(), 0);
-    QCOMPARE(window.maps()->emptyShown(), QStringLiteral("No map matches the search."));
-    window.maps()->search()->clear();
-    QCOMPARE(window.maps()->model()->found(), 3);
+    part<MapsDock>(window)->search()->setText(QStringLiteral("cellar"));
+    QCOMPARE(part<MapsDock>(window)->model()->rowCount(), 0);
+    QCOMPARE(part<MapsDock>(window)->emptyShown(), QStringLiteral("No map matches the search."));
+    part<MapsDock>(window)->search()->clear();
+    QCOMPARE(part<MapsDock>(window)->model()->found(), 3);
   }
 
   void opensAMapWithoutTouchingTheRobot() {
@@ -120,15 +124,15 @@ class TestWindowMaps : public QObject {
     bench.offerMaps();
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    const MapsModel& model = *window.maps()->model();
+    const MapsModel& model = *part<MapsDock>(window)->model();
     QTRY_COMPARE(model.maps(), 3);
     QVERIFY(model.indexOf(stored("2"))
                 .data(Qt::ToolTipRole)
                 .toString()
                 .contains(QLatin1String("This loads and changes nothing on the robot")));
     bench.robot->maps.opened.clear();
-    window.maps()->list()->setCurrentIndex(model.indexOf(stored("2")));
-    QTest::keyClick(window.maps()->list(), Qt::Key_Return);
+    part<MapsDock>(window)->list()->setCurrentIndex(model.indexOf(stored("2")));
+    QTest::keyClick(part<MapsDock>(window)->list(), Qt::Key_Return);
     QCOMPARE(*viewMode(*window.mapScene()), ViewMode::Whole);
     QTRY_VERIFY(ready(window));
     QCOMPARE(bench.robot->maps.opened, std::vector<map::MapKey>{stored("2")});
@@ -136,7 +140,7 @@ class TestWindowMaps : public QObject {
                     .data(MapsModel::BadgesRole)
                     .toStringList()
                     .contains(QStringLiteral("open")));
-    QVERIFY(!window.overlay()->card()->kind());
+    QVERIFY(!part<MapOverlay>(window)->card()->kind());
     // The camera went there: 80 x 60 cells of 5 cm.
     QVERIFY(std::abs(window.mapScene()->view().center_m.x() - 2.0) < 0.1);
   }
@@ -151,24 +155,24 @@ class TestWindowMaps : public QObject {
     };
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QTRY_COMPARE(window.maps()->statusShown(), QStringLiteral("The robot answered 500 to /maps/."));
-    QVERIFY(!window.maps()->retryButton()->isHidden());
+    QTRY_COMPARE(part<MapsDock>(window)->statusShown(), QStringLiteral("The robot answered 500 to /maps/."));
+    QVERIFY(!part<MapsDock>(window)->retryButton()->isHidden());
     bench.robot->maps.list_error.clear();
-    QTest::mouseClick(window.maps()->retryButton(), Qt::LeftButton);
-    QTRY_COMPARE(window.maps()->model()->maps(), 3);
-    QVERIFY(window.maps()->retryButton()->isHidden());
+    QTest::mouseClick(part<MapsDock>(window)->retryButton(), Qt::LeftButton);
+    QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 3);
+    QVERIFY(part<MapsDock>(window)->retryButton()->isHidden());
     bench.robot->maps.entries.clear();
-    QTest::mouseClick(window.maps()->refreshButton(), Qt::LeftButton);
-    QTRY_COMPARE(window.maps()->emptyShown(), QStringLiteral("The robot has no stored maps."));
+    QTest::mouseClick(part<MapsDock>(window)->refreshButton(), Qt::LeftButton);
+    QTRY_COMPARE(part<MapsDock>(window)->emptyShown(), QStringLiteral("The robot has no stored maps."));
   }
 
   void saysWhyThereIsNoCatalogue() {
     Bench bench;
     MainWindow& window = bench.open();
-    QVERIFY(window.maps()->emptyShown().contains(QLatin1String("Connect to a robot")));
+    QVERIFY(part<MapsDock>(window)->emptyShown().contains(QLatin1String("Connect to a robot")));
     QVERIFY(!window.connectTo(kAddress));
-    QCOMPARE(window.maps()->emptyShown(), QStringLiteral("This robot does not list its maps."));
-    QVERIFY(!window.maps()->refreshButton()->isEnabled());
+    QCOMPARE(part<MapsDock>(window)->emptyShown(), QStringLiteral("This robot does not list its maps."));
+    QVERIFY(!part<MapsDock>(window)->refreshButton()->isEnabled());
   }
 
   void offersTheLiveMapOfARobotThatSendsOne() {
@@ -181,17 +185,17 @@ class TestWindowMaps : public QObject {
     };
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QTRY_COMPARE(window.maps()->model()->maps(), 3);
-    QCOMPARE(titles(*window.maps()->model()).front(), QStringLiteral("Live map"));
-    window.openMap({map::MapKind::Live, {}});
-    QCOMPARE(*window.overlay()->card()->kind(), EmptyState::Kind::LoadingMap);
+    QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 3);
+    QCOMPARE(titles(*part<MapsDock>(window)->model()).front(), QStringLiteral("Live map"));
+    part<MapsController>(window)->open({map::MapKind::Live, {}});
+    QCOMPARE(*part<MapOverlay>(window)->card()->kind(), EmptyState::Kind::LoadingMap);
     map::GridMessage message;
     message.kind = map::GridKind::WholeMap;
     message.grid.resolution_m = 0.05;
     message.png = test::wholeMap({}, "", 50, 40).bytes;
     bench.robot->say(message);
     QTRY_VERIFY(ready(window));
-    QVERIFY(!window.overlay()->card()->kind());
+    QVERIFY(!part<MapOverlay>(window)->card()->kind());
   }
 
   void switchesWhatIsOnScreen() {
@@ -209,7 +213,7 @@ class TestWindowMaps : public QObject {
     bench.key(Qt::Key_1);
     QVERIFY(!window.mapScene()->layerVisible(Layer::WholeMap));
     // The switch follows the list of layers.
-    window.layers()->eye(Layer::Submaps)->click();
+    part<LayersDock>(window)->eye(Layer::Submaps)->click();
     QVERIFY(!bench.action("modeSubmaps")->isChecked());
   }
 
@@ -222,7 +226,7 @@ class TestWindowMaps : public QObject {
     QVERIFY(whole < submaps && submaps != order.end());
     std::iter_swap(whole, submaps);
     window.mapScene()->setLayerOrder(order);
-    window.setMapMode(ViewMode::Both);
+    part<LayersController>(window)->setMode(ViewMode::Both);
     order = window.mapScene()->layerOrder();
     QVERIFY(std::find(order.begin(), order.end(), Layer::WholeMap) <
             std::find(order.begin(), order.end(), Layer::Submaps));
@@ -256,21 +260,21 @@ class TestWindowMaps : public QObject {
     bench.offerMaps();
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QTRY_COMPARE(window.maps()->model()->maps(), 3);
+    QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 3);
     bench.robot->maps.map_error = "The robot answered 404.";
-    window.openMap(stored("2"));
-    QTRY_VERIFY(window.overlay()->card()->kind() == EmptyState::Kind::MapFailed);
-    QVERIFY(window.bar()->mapShown().contains(QLatin1String("failed")));
+    part<MapsController>(window)->open(stored("2"));
+    QTRY_VERIFY(part<MapOverlay>(window)->card()->kind() == EmptyState::Kind::MapFailed);
+    QVERIFY(part<WindowStatusBar>(window)->mapShown().contains(QLatin1String("failed")));
     bench.robot->maps.map_error.clear();
-    Q_EMIT window.overlay()->card()->retryWanted();
+    Q_EMIT part<MapOverlay>(window)->card()->wanted(CardOffer::Retry);
     QTRY_VERIFY(ready(window));
-    QVERIFY(!window.overlay()->card()->kind());
-    QCOMPARE(window.bar()->mapShown(), QStringLiteral("Map 2, 80 x 60 cells"));
+    QVERIFY(!part<MapOverlay>(window)->card()->kind());
+    QCOMPARE(part<WindowStatusBar>(window)->mapShown(), QStringLiteral("Map 2, 80 x 60 cells"));
     // While the map stays on screen, the next failure is a notice above it.
     bench.robot->maps.map_error = "The robot answered 500.";
-    window.openMap(stored("2"));
-    QTRY_VERIFY(window.overlay()->notice()->sentence().contains(QLatin1String("answered 500")));
-    QVERIFY(window.overlay()->notice()->isVisible());
+    part<MapsController>(window)->open(stored("2"));
+    QTRY_VERIFY(part<MapOverlay>(window)->notice()->sentence().contains(QLatin1String("answered 500")));
+    QVERIFY(part<MapOverlay>(window)->notice()->isVisible());
   }
 
   void comparesWithAnotherMap() {
@@ -278,11 +282,11 @@ class TestWindowMaps : public QObject {
     bench.offerMaps();
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QTRY_COMPARE(window.maps()->model()->maps(), 3);
-    window.openMap(stored("1"));
+    QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 3);
+    part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(ready(window));
-    Q_EMIT window.maps()->compareWanted(stored("2"));
-    CompareControl& comparison = *window.comparison();
+    Q_EMIT part<MapsDock>(window)->compareWanted(stored("2"));
+    CompareControl& comparison = *part<CompareControl>(window);
     QCOMPARE(window.mapScene()->compareMode(), scene::CompareMode::Swipe);
     QVERIFY(comparison.bar()->isVisible());
     QVERIFY(comparison.handle()->isVisible());
@@ -309,8 +313,8 @@ class TestWindowMaps : public QObject {
     bench.offerMaps();
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QTRY_COMPARE(window.maps()->model()->maps(), 3);
-    window.openMap(stored("1"));
+    QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 3);
+    part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(ready(window));
     // Submaps that lie on the free ground of the map, walls everywhere.
     bench.robot->list({test::entry(0, 0, 1, 3, 2), test::entry(0, 1, 1, 3.5, 2.5)});
@@ -325,7 +329,7 @@ class TestWindowMaps : public QObject {
     QCOMPARE(names().left, QStringLiteral("Submaps of Ground floor"));
     QCOMPARE(names().right, QStringLiteral("Map 1"));
     // Two whole maps: no submaps, also while the second one is on its way.
-    window.comparison()->start(SecondMap(stored("2")));
+    part<CompareControl>(window)->start(SecondMap(stored("2")));
     QVERIFY(scene.halves().left == scene::HalfContent::WholeMap);
     QVERIFY(scene.halves().right == scene::HalfContent::ComparedMap);
     QCOMPARE(names().left, QStringLiteral("Map 1"));
@@ -334,16 +338,16 @@ class TestWindowMaps : public QObject {
     QCOMPARE(names().right, QStringLiteral("Map 2"));
     QTRY_VERIFY(scene.picturesSettled());
     scene.setLayerVisible(Layer::Outlines, false);
-    const QImage swiped = window.mapPicture();
+    const QImage swiped = part<ExportController>(window)->mapPicture();
     window.session()->setVisible({{0, 0}, {0, 1}}, false);
     QTRY_VERIFY(scene.picturesSettled());
-    QCOMPARE(window.mapPicture(), swiped);
+    QCOMPARE(part<ExportController>(window)->mapPicture(), swiped);
     // The names are part of the picture.
     scene.setHalfNames({}, {});
-    QVERIFY(window.mapPicture() != swiped);
+    QVERIFY(part<ExportController>(window)->mapPicture() != swiped);
     // Difference is about the same two, whatever the mode.
-    window.comparison()->start(SecondMap(stored("7")));
-    QTest::mouseClick(window.comparison()->bar()->differenceButton(), Qt::LeftButton);
+    part<CompareControl>(window)->start(SecondMap(stored("7")));
+    QTest::mouseClick(part<CompareControl>(window)->bar()->differenceButton(), Qt::LeftButton);
     QVERIFY(window.windowTitle().startsWith(QLatin1String("Map 1 | Fetching")));
     QTRY_VERIFY(window.windowTitle().startsWith(QLatin1String("Map 1 | Map 7")));
     QVERIFY(names().left.isEmpty());
@@ -354,8 +358,8 @@ class TestWindowMaps : public QObject {
     bench.offerMaps();
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QTRY_COMPARE(window.maps()->model()->maps(), 3);
-    window.openMap(stored("1"));
+    QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 3);
+    part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(ready(window));
     scene::MapScene& scene = *window.mapScene();
     const Eigen::Vector2d wall(0.1, 1.5);
@@ -366,7 +370,7 @@ class TestWindowMaps : public QObject {
     QVERIFY(!scene.occupancyAt(wall).has_value());
     scene.setSwipeAt(0);
     QVERIFY(scene.occupancyAt(wall).has_value());
-    window.comparison()->start(SecondMap(stored("2")));
+    part<CompareControl>(window)->start(SecondMap(stored("2")));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
     QVERIFY(scene.occupancyAt(wall).has_value());
   }
@@ -376,19 +380,20 @@ class TestWindowMaps : public QObject {
     bench.offerMaps();
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QTRY_COMPARE(window.maps()->model()->maps(), 3);
-    window.openMap(stored("1"));
+    QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 3);
+    part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(ready(window));
     const auto names = [&] { return halfNames(window.session(), *window.mapScene()); };
-    window.comparison()->start(SecondMap(KeptState{}));
+    part<CompareControl>(window)->start(SecondMap(KeptState{}));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
     QCOMPARE(names().left, QStringLiteral("Map 1 (id 1)"));
     QCOMPARE(names().right, QStringLiteral("Map 1 (as it was saved)"));
-    QCOMPARE(window.comparison()->bar()->firstShown(), QStringLiteral("Map 1 (id 1)"));
-    window.comparison()->startWith(test::wholeMap({map::MapKind::File, {}}, "Map 1", 30, 30));
+    QCOMPARE(part<CompareControl>(window)->bar()->firstShown(), QStringLiteral("Map 1 (id 1)"));
+    part<CompareControl>(window)->startWith(test::wholeMap({map::MapKind::File, {}}, "Map 1", 30, 30));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
     QVERIFY(names().left != names().right);
-    QVERIFY(window.comparison()->bar()->second()->currentText().startsWith(QLatin1String("Map 1 (")));
+    QVERIFY(
+        part<CompareControl>(window)->bar()->second()->currentText().startsWith(QLatin1String("Map 1 (")));
     QVERIFY(window.windowTitle().contains(names().left + QStringLiteral(" | ") + names().right));
   }
 
@@ -397,19 +402,19 @@ class TestWindowMaps : public QObject {
     bench.offerMaps();
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QTRY_COMPARE(window.maps()->model()->maps(), 3);
-    window.openMap(stored("1"));
+    QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 3);
+    part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(ready(window));
     const session::MapSlot& second = window.session()->comparedMap();
-    window.comparison()->startWith(test::wholeMap({map::MapKind::File, {}}, "good", 30, 30));
+    part<CompareControl>(window)->startWith(test::wholeMap({map::MapKind::File, {}}, "good", 30, 30));
     QTRY_COMPARE(second.phase(), session::MapSlot::Phase::Ready);
     map::WholeMap damaged = test::wholeMap({map::MapKind::File, {}}, "damaged", 30, 30);
     damaged.bytes = std::make_shared<const std::string>("P5\n30 30\n");
-    window.comparison()->startWith(damaged);
+    part<CompareControl>(window)->startWith(damaged);
     QTRY_COMPARE(second.phase(), session::MapSlot::Phase::Failed);
     QVERIFY(!second.cells());
     QCOMPARE(halfNames(window.session(), *window.mapScene()).right, QStringLiteral("damaged failed"));
-    QVERIFY(!window.comparison()->bar()->statusShown().isEmpty());
+    QVERIFY(!part<CompareControl>(window)->bar()->statusShown().isEmpty());
     // The robot is not asked for it: whatever it has would be another map.
     bench.robot->maps.opened.clear();
     window.session()->retryNow();
@@ -423,14 +428,15 @@ class TestWindowMaps : public QObject {
     bench.offerMaps();
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QTRY_COMPARE(window.maps()->model()->maps(), 3);
-    window.openMap(stored("1"));
+    QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 3);
+    part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(ready(window));
-    window.comparison()->start(SecondMap(KeptState{}));
+    part<CompareControl>(window)->start(SecondMap(KeptState{}));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
-    QCOMPARE(window.comparison()->bar()->second()->currentText(), QStringLiteral("Keep the current state"));
+    QCOMPARE(part<CompareControl>(window)->bar()->second()->currentText(),
+             QStringLiteral("Keep the current state"));
     bench.key(Qt::Key_Escape);
-    QVERIFY(!window.comparison()->active());
+    QVERIFY(!part<CompareControl>(window)->active());
   }
 
   void setsTheSubmapsAgainstTheWholeMap() {
@@ -439,9 +445,9 @@ class TestWindowMaps : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.action("compare")->trigger();
-    QVERIFY(window.comparison()->active());
-    QCOMPARE(*window.comparison()->second(), SecondMap(SubmapsAside{}));
-    QVERIFY(!window.comparison()->bar()->differenceButton()->isEnabled());
+    QVERIFY(part<CompareControl>(window)->active());
+    QCOMPARE(*part<CompareControl>(window)->second(), SecondMap(SubmapsAside{}));
+    QVERIFY(!part<CompareControl>(window)->bar()->differenceButton()->isEnabled());
   }
 
   void dragsTheDivider() {
@@ -449,7 +455,7 @@ class TestWindowMaps : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.action("compare")->trigger();
-    SwipeHandle& handle = *window.comparison()->handle();
+    SwipeHandle& handle = *part<CompareControl>(window)->handle();
     QCOMPARE(window.mapScene()->swipeAt(), 0.5);
     const QPoint middle = handle.rect().center();
     QTest::mousePress(&handle, Qt::LeftButton, {}, middle);
@@ -467,7 +473,7 @@ class TestWindowMaps : public QObject {
     QTest::keyClick(&handle, Qt::Key_Home);
     QCOMPARE(window.mapScene()->swipeAt(), 0.0);
     QTest::keyClick(&handle, Qt::Key_Escape);
-    QVERIFY(!window.comparison()->active());
+    QVERIFY(!part<CompareControl>(window)->active());
   }
 
   void tellsWhatTheRobotDoesNotAllow() {
@@ -476,15 +482,15 @@ class TestWindowMaps : public QObject {
     const QString limits = QStringLiteral("Read only: <i>Maker</i>'s interface offers no editing.");
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QCOMPARE(window.robotPanel()->limitsShown(), limits);
-    NoticeBar* notice = window.overlay()->notice();
+    QCOMPARE(part<RobotDock>(window)->limitsShown(), limits);
+    NoticeBar* notice = part<MapOverlay>(window)->notice();
     QVERIFY(notice->isVisible());
     QCOMPARE(notice->sentence(), limits);
     QTest::mouseClick(notice->closeButton(), Qt::LeftButton);
     QVERIFY(!notice->isVisible());
     QVERIFY(!window.connectTo(kAddress));
     QVERIFY(!notice->isVisible());  // once is enough
-    QCOMPARE(window.robotPanel()->limitsShown(), limits);
+    QCOMPARE(part<RobotDock>(window)->limitsShown(), limits);
   }
 };
 

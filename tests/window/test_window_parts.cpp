@@ -11,7 +11,7 @@
 #include <QtTest>
 
 #include "test_program.h"
-#include "ui/kit/action_bars.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/controller.h"
 #include "ui/kit/panels.h"
 #include "ui/shell/current_session.h"

@@ -15,6 +15,7 @@
 #include "test_program.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/maps/compare_control.h"
+#include "ui/maps/export_controller.h"
 #include "ui/picture/picture_controller.h"
 #include "ui/picture/picture_dock.h"
 #include "ui/picture/picture_drafts.h"
@@ -24,6 +25,7 @@
 #include "ui/view/toast_stack.h"
 #include "window/main_window.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_picture {
 
@@ -101,7 +103,7 @@ struct Desk {
     camera.scale_m_per_px = 0.005;
     window->view()->moveTo(camera, false);
   }
-  PictureController& control() { return *window->pictureEditor(); }
+  PictureController& control() { return *part<PictureController>(*window); }
   PictureEditing& editing() { return *control().editing(); }
   PictureDock& dock() { return *control().dock(); }
   const grids::GridPyramid& cells() { return *window->mapScene()->wholeMap()->cells; }
@@ -135,7 +137,7 @@ struct Desk {
     action("save")->trigger();
     QTRY_VERIFY(!control().saving());
   }
-  QStringList toasts() { return window->overlay()->toasts()->texts(); }
+  QStringList toasts() { return part<MapOverlay>(*window)->toasts()->texts(); }
 
   bool keeps_drafts = false;
   QTemporaryDir folder;
@@ -151,7 +153,7 @@ class TestWindowPicture : public QObject {
   void aStrokeIsOnTheMapAtOnceAndOneThingToUndo() {
     Desk desk;
     desk.open();
-    const QImage before = desk.window->mapPicture();
+    const QImage before = part<ExportController>(*desk.window)->mapPicture();
     desk.press(desk.px(100, 100));
     desk.moveTo(desk.px(150, 100));
     QCOMPARE(int(desk.cells().at(140, 100)), 100);  // while the hand is still down
@@ -161,7 +163,7 @@ class TestWindowPicture : public QObject {
     QCOMPARE(int(desk.cells().at(199, 100)), 100);
     QCOMPARE(int(desk.cells().at(199, 110)), 0);
     QTRY_VERIFY(desk.window->mapScene()->settled());
-    QVERIFY(desk.window->mapPicture() != before);
+    QVERIFY(part<ExportController>(*desk.window)->mapPicture() != before);
     QTRY_VERIFY(desk.window->windowTitle().startsWith(QStringLiteral("• ")));
     QVERIFY2(desk.dock().status().contains(QLatin1String("Changed: 3")), qPrintable(desk.dock().status()));
     desk.action("undo")->trigger();
@@ -535,11 +537,11 @@ class TestWindowPicture : public QObject {
     QAction* const tool = bench.action("pictureTool");
     QTRY_VERIFY2(tool->toolTip().contains(QLatin1String("in between (254 of 100)")),
                  qPrintable(tool->toolTip()));
-    QVERIFY(!tool->isEnabled() && !bench.window->pictureEditor()->editing()->isOpen());
+    QVERIFY(!tool->isEnabled() && !part<PictureController>(*bench.window)->editing()->isOpen());
     // One without such cells.
     shades.not_held = 100;
     bench.window->session()->openMap({map::MapKind::Stored, "1"});
-    QTRY_VERIFY(bench.window->pictureEditor()->editing()->isOpen());
+    QTRY_VERIFY(part<PictureController>(*bench.window)->editing()->isOpen());
     QVERIFY(tool->isEnabled());
   }
 

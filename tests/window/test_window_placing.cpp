@@ -10,6 +10,8 @@
 #include "../edit/fake_waypoint_store.h"
 #include "geometry/pose.h"
 #include "test_program.h"
+#include "ui/maps/export_controller.h"
+#include "ui/maps/maps_controller.h"
 #include "ui/view/map_overlay.h"
 #include "ui/waypoints/line_tool.h"
 #include "ui/waypoints/waypoint_forms.h"
@@ -18,6 +20,7 @@
 #include "ui/waypoints/waypoints_controller.h"
 #include "ui/waypoints/waypoints_dock.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_placing {
 
@@ -48,7 +51,7 @@ struct Desk : test::Bench {
   void start() {
     open();
     QVERIFY(!window->connectTo(test::kAddress));
-    window->openMap({map::MapKind::Stored, "1"});
+    part<MapsController>(*window)->open({map::MapKind::Stored, "1"});
     QTRY_VERIFY(editing().document());
     geometry::ViewTransform camera = window->mapScene()->view();
     camera.center_m = {2, 1.5};
@@ -58,7 +61,7 @@ struct Desk : test::Bench {
     settle();
   }
   void settle() { QTRY_VERIFY(!warnings().looking()); }
-  WaypointsController& control() { return *window->waypoints(); }
+  WaypointsController& control() { return *part<WaypointsController>(*window); }
   WaypointEditing& editing() { return *control().editing(); }
   WaypointsDock& dock() { return *control().dock(); }
   WaypointWarnings& warnings() { return *control().placing()->warnings(); }
@@ -181,8 +184,8 @@ class TestWindowPlacing : public QObject {
     QTest::mousePress(desk.window->view()->viewport(), Qt::LeftButton, {}, handle);
     desk.moveTo(handle + QPoint(60, 60));
     QCOMPARE(desk.editing().preview().size(), std::size_t(2));
-    QVERIFY2(desk.window->overlay()->hint().contains(QLatin1String("Turned by -")),
-             qPrintable(desk.window->overlay()->hint()));
+    QVERIFY2(part<MapOverlay>(*desk.window)->hint().contains(QLatin1String("Turned by -")),
+             qPrintable(part<MapOverlay>(*desk.window)->hint()));
     desk.key(Qt::Key_Escape);
     QVERIFY(desk.editing().preview().empty());
     QCOMPARE(desk.undo().count(), 0);
@@ -394,15 +397,15 @@ class TestWindowPlacing : public QObject {
     Desk desk;
     desk.store.points[0].yaw_rad = 0;
     desk.start();
-    const QImage without = desk.window->mapPicture();
+    const QImage without = part<ExportController>(*desk.window)->mapPicture();
     desk.editing().rename("b", QStringLiteral("Dock"));  // twice the same name, and no place has changed
     QTRY_COMPARE(desk.warnings().count(), std::size_t(2));
     desk.undo().undo();
     QTRY_COMPARE(desk.warnings().count(), std::size_t(0));
-    QCOMPARE(desk.window->mapPicture(), without);
+    QCOMPARE(part<ExportController>(*desk.window)->mapPicture(), without);
     desk.warnings().setZeroTurns({"a"});
     QCOMPARE(desk.warnings().count(), std::size_t(1));
-    QVERIFY(desk.window->mapPicture() != without);
+    QVERIFY(part<ExportController>(*desk.window)->mapPicture() != without);
   }
 
   void aWarningComesWhileTheHandMoves() {
@@ -463,15 +466,15 @@ class TestWindowPlacing : public QObject {
     desk.start();
     desk.editing().selectAll();
     desk.take();
-    const QImage before = desk.window->mapPicture();
+    const QImage before = part<ExportController>(*desk.window)->mapPicture();
     QTest::mousePress(desk.window->view()->viewport(), Qt::LeftButton, Qt::AltModifier, desk.px(0.5, 0.5));
     desk.moveTo(desk.px(0.7, 0.5), Qt::AltModifier);
     desk.moveTo(desk.px(1, 0.5), Qt::AltModifier);
-    QVERIFY(desk.window->mapPicture() != before);
+    QVERIFY(part<ExportController>(*desk.window)->mapPicture() != before);
     desk.moveTo(desk.px(1.5, 1), Qt::AltModifier);
-    const QImage there = desk.window->mapPicture();
+    const QImage there = part<ExportController>(*desk.window)->mapPicture();
     desk.key(Qt::Key_Escape);
-    QVERIFY(desk.window->mapPicture() != there);
+    QVERIFY(part<ExportController>(*desk.window)->mapPicture() != there);
     QVERIFY(desk.near("p0", 0.5, 0.5));
     desk.drag(desk.px(0.5, 0.5), desk.px(1.5, 1), Qt::AltModifier);
     QVERIFY(desk.near("p0", 1.5, 1) && desk.near("p999", 3.45, 2.2));

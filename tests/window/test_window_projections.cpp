@@ -18,6 +18,7 @@
 #include "ui/clouds/section_dock.h"
 #include "ui/view/map_view.h"
 #include "window/main_window.h"
+#include "window_parts.h"
 
 namespace test_window_projections {
 
@@ -115,7 +116,7 @@ struct Desk {
     view.height_px = 500;
     window->view()->moveTo(view, false);
   }
-  ProjectionsController& projections() { return *window->projections(); }
+  ProjectionsController& projections() { return *part<ProjectionsController>(*window); }
   ProjectionsDock& dock() { return *projections().dock(); }
   FakeDispatch& dispatch() { return robot->dispatch; }
   const List& wanted() { return projections().draft().wanted(); }
@@ -283,7 +284,7 @@ class TestWindowProjections : public QObject {
     Desk desk;
     desk.open();
     desk.dispatch().answer(List{floorAt(1, 1)});
-    SectionDock* const section = desk.window->clouds()->sectionDock();
+    SectionDock* const section = part<CloudsController>(*desk.window)->sectionDock();
     section->show();
     SectionView* const view = section->view();
     QTRY_VERIFY(view->isVisible());
@@ -385,7 +386,7 @@ class TestWindowProjections : public QObject {
     desk.window->leaveRobot();
     QVERIFY(desk.wanted().empty());
     QVERIFY(!desk.dock().absence().isEmpty());
-    QVERIFY(desk.window->clouds()->sectionDock()->view()->bands().empty());
+    QVERIFY(part<CloudsController>(*desk.window)->sectionDock()->view()->bands().empty());
   }
 };
 

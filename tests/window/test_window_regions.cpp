@@ -17,8 +17,8 @@
 #include "../regions/fake_dispatch.h"
 #include "fake_robot.h"
 #include "known_addresses.h"
-#include "scene/regions_on_map.h"
 #include "test_program.h"
+#include "ui/maps/maps_controller.h"
 #include "ui/maps/maps_dock.h"
 #include "ui/regions/map_errand.h"
 #include "ui/regions/rectangle_tool.h"
@@ -31,6 +31,7 @@
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
 #include "window/main_window.h"
+#include "window_parts.h"
 
 namespace test_window_regions {
 
@@ -86,7 +87,7 @@ class TestWindowRegions : public QObject {
     robot_->goOnline();
     QTRY_VERIFY(controller()->map() || !robot_->has_dispatch);
   }
-  window::RegionsController* controller() const { return window_->regions(); }
+  window::RegionsController* controller() const { return window::part<window::RegionsController>(*window_); }
   QAction* action(const char* id) const { return window_->actionList().find(QLatin1String(id)); }
   void look(double scale) {
     geometry::ViewTransform view = window_->mapScene()->view();
@@ -98,8 +99,8 @@ class TestWindowRegions : public QObject {
     QTRY_VERIFY(!controller()->map()->regions().inView().empty() &&
                 controller()->map()->regions().plan().settled(1));
   }
-  QString notice() const { return window_->overlay()->notice()->sentence(); }
-  QPushButton* offer() const { return window_->overlay()->notice()->offerButton(); }
+  QString notice() const { return window::part<window::MapOverlay>(*window_)->notice()->sentence(); }
+  QPushButton* offer() const { return window::part<window::MapOverlay>(*window_)->notice()->offerButton(); }
   QStringList toasts() const { return window_->findChild<window::ToastStack*>()->texts(); }
   QPushButton* answerCalled(const char* name) const {
     return controller()->question()->findChild<QPushButton*>(QLatin1String(name));
@@ -447,11 +448,11 @@ class TestWindowRegions : public QObject {
     connectRobot();
     look(0.05);
     waitUntilFetched();
-    QListView* const list = window_->maps()->list();
+    QListView* const list = window::part<window::MapsDock>(*window_)->list();
     const auto row = [&] {
       for (int at = 0; at < list->model()->rowCount(); ++at) {
         const QModelIndex index = list->model()->index(at, 0);
-        if (window_->maps()->model()->isFetched(index)) return index;
+        if (window::part<window::MapsDock>(*window_)->model()->isFetched(index)) return index;
       }
       return QModelIndex();
     };
@@ -463,8 +464,8 @@ class TestWindowRegions : public QObject {
     const QString detail = row().data(window::MapsModel::DetailRole).toString();
     const QRegularExpression told(QStringLiteral("^fetched \\d\\d:\\d\\d:\\d\\d, 400 x 200 cells$"));
     QVERIFY2(told.match(detail).hasMatch(), qPrintable(detail));
-    window_->maps()->show();
-    window_->maps()->raise();
+    window::part<window::MapsDock>(*window_)->show();
+    window::part<window::MapsDock>(*window_)->raise();
     QTRY_VERIFY(list->isVisible());
     // It is looked at by mouse and by keyboard, and nobody is asked for it.
     const auto seen = [&] {
@@ -518,7 +519,7 @@ class TestWindowRegions : public QObject {
     QVERIFY(notice().contains(QStringLiteral("Fetching")));
     window_->leaveRobot();
     QVERIFY(!controller()->map());
-    QVERIFY(!scene::RegionsOnMap::of(*window_->mapScene()).map());
+    QVERIFY(!window_->mapScene()->regions());
     QVERIFY(!action("fetchRegion")->isEnabled());
     QVERIFY(!action("fetchWholeMap")->isEnabled());
     QVERIFY(!action("refreshRegions")->isEnabled());
@@ -533,10 +534,10 @@ class TestWindowRegions : public QObject {
     open();
     connectRobot();
     look(0.05);
-    QVERIFY(!scene::RegionsOnMap::of(*window_->mapScene()).map());  // nothing is hatched
+    QVERIFY(!window_->mapScene()->regions());  // nothing is hatched
     QVERIFY2(notice().isEmpty(), qPrintable(notice()));
     QVERIFY2(tip().isEmpty(), qPrintable(tip()));
-    window::EmptyStateCard* const card = window_->overlay()->card();
+    window::EmptyStateCard* const card = window::part<window::MapOverlay>(*window_)->card();
     QTRY_VERIFY(card->isVisible());
     QCOMPARE(card->kind(), std::optional(window::EmptyState::Kind::NoMap));
     QPushButton* clouds = nullptr;
@@ -548,7 +549,7 @@ class TestWindowRegions : public QObject {
     // Its dispatcher may learn to give regions.
     robot_->dispatch.offers_regions = true;
     Q_EMIT robot_->dispatch.offersChanged();
-    QTRY_VERIFY(scene::RegionsOnMap::of(*window_->mapScene()).map());
+    QTRY_VERIFY(window_->mapScene()->regions());
     QTRY_VERIFY(!card->isVisible());
     waitUntilFetched();
   }
@@ -560,7 +561,7 @@ class TestWindowRegions : public QObject {
     robot_->goAway(QStringLiteral("unplugged"));
     QCoreApplication::processEvents();
     QVERIFY(controller()->map()->regions().bytes() > 0);
-    QVERIFY(!window_->overlay()->card()->isVisible());
+    QVERIFY(!window::part<window::MapOverlay>(*window_)->card()->isVisible());
   }
   void whatCameStaysInSightWhenItsDispatcherGoes() {
     open();
@@ -594,7 +595,7 @@ class TestWindowRegions : public QObject {
     answerCalled("fetchWhole")->click();
     QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
     QVERIFY(window_->mapScene()->robotPlace().drawn == scene::ScreenPart::All);
-    window_->openMap({map::MapKind::Live, {}});
+    window::part<window::MapsController>(*window_)->open({map::MapKind::Live, {}});
     QVERIFY(window_->mapScene()->layerVisible(Layer::Regions));
     QVERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Empty);
   }

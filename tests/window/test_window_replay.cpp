@@ -18,7 +18,6 @@
 #include "recording/source.h"
 #include "robot/axbot/axbot_address.h"
 #include "robot/axbot/axbot_robot.h"
-#include "scene/pose_between.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
@@ -37,6 +36,7 @@
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
 #include "window/main_window.h"
+#include "window_parts.h"
 
 namespace test_window_replay {
 
@@ -80,10 +80,10 @@ struct Desk {
   }
   ~Desk() { window.reset(); }
 
-  RecordingsDock& list() { return *window->recordings()->dock(); }
-  TimelineDock& timeline() { return *window->replay()->dock(); }
+  RecordingsDock& list() { return *part<RecordingsController>(*window)->dock(); }
+  TimelineDock& timeline() { return *part<ReplayController>(*window)->dock(); }
   TimelineView& axis() { return *timeline().view(); }
-  ReplayClock& clock() { return window->replay()->clock(); }
+  ReplayClock& clock() { return part<ReplayController>(*window)->clock(); }
   QAction* action(const char* id) { return window->actionList().find(QLatin1String(id)); }
   bool isReplay() {
     return window->session() && qobject_cast<replay::ReplayRobot*>(&window->session()->robot());
@@ -250,8 +250,10 @@ class TestWindowReplay : public QObject {
     desk.replay(kWhole);
     session::Session* const session = desk.window->session();
     const auto says = [&] {
-      return desk.window->overlay()->notice()->sentence().contains(
-          QStringLiteral("contains no map up to this time"));
+      return part<MapOverlay>(*desk.window)
+          ->notice()
+          ->sentence()
+          .contains(QStringLiteral("contains no map up to this time"));
     };
     QVERIFY(!session->world().submaps);
     QTRY_VERIFY(says());
@@ -384,7 +386,7 @@ class TestWindowReplay : public QObject {
     desk.replay(kWhole);
     desk.clock().seek(desk.clock().start() + 30);
     QTRY_VERIFY(desk.isThere());
-    MessagesDock& messages = *desk.window->messages();
+    MessagesDock& messages = *part<MessagesDock>(*desk.window);
     messages.show();
     messages.raise();
     QTRY_VERIFY(messages.watching() && messages.log().topics().size() > 3);
@@ -520,17 +522,17 @@ class TestWindowReplay : public QObject {
     desk.key(Qt::Key_PageUp);
     const auto* const last = nextEvent(desk.axis().shownEvents(), desk.clock().end(), -1);
     if (last) NEAR(desk.clock().at(), last->at_s, 1e-6);
-    desk.window->replay()->remember(desk.settings);
+    part<ReplayController>(*desk.window)->remember(desk.settings);
     desk.timeline().setHiddenGroups({});
     QVERIFY(planner->isChecked());
-    desk.window->replay()->recall(desk.settings);
+    part<ReplayController>(*desk.window)->recall(desk.settings);
     QVERIFY(!planner->isChecked());
   }
 
   void aListOfTheEventsGoesThereAndFollows() {
     Desk desk;
     desk.replay(kWhole);
-    EventsDock& list = *desk.window->replay()->eventsDock();
+    EventsDock& list = *part<ReplayController>(*desk.window)->eventsDock();
     QVERIFY(!list.isVisible());
     QTest::mouseClick(desk.timeline().listButton(), Qt::LeftButton);
     QTRY_VERIFY(list.isVisible() && list.table()->isVisible());
@@ -581,7 +583,7 @@ class TestWindowReplay : public QObject {
   void theListOfEventsIsFilteredByKindAndWords() {
     Desk desk;
     desk.replay(kWhole);
-    EventsDock& list = *desk.window->replay()->eventsDock();
+    EventsDock& list = *part<ReplayController>(*desk.window)->eventsDock();
     QTest::mouseClick(desk.timeline().listButton(), Qt::LeftButton);
     QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
     QTRY_VERIFY(list.summaryShown().contains(QStringLiteral("the whole bag")));
@@ -605,7 +607,7 @@ class TestWindowReplay : public QObject {
     Desk desk;
     desk.action("replayReadAll")->setChecked(false);
     desk.replay({BagKind::Bag, "eight_hours.bag"});
-    EventsDock& list = *desk.window->replay()->eventsDock();
+    EventsDock& list = *part<ReplayController>(*desk.window)->eventsDock();
     QTest::mouseClick(desk.timeline().listButton(), Qt::LeftButton);
     QTRY_VERIFY(list.readButton()->isVisible());
     QVERIFY(list.summaryShown().contains(QStringLiteral("found so far")));
@@ -661,7 +663,7 @@ class TestWindowReplay : public QObject {
     const double from_s = desk.clock().start() + 100, to_s = desk.clock().start() + 130;
     desk.clock().setLoop(replay::Player::Loop{from_s, to_s});
     desk.action("replayExport")->trigger();
-    QPointer<RangeExportDialog> dialog = desk.window->replay()->rangeDialog();
+    QPointer<RangeExportDialog> dialog = part<ReplayController>(*desk.window)->rangeDialog();
     QVERIFY(dialog && dialog->isVisible());
     QVERIFY(dialog->fromEdit()->text().endsWith(clockText(from_s)));
     QVERIFY(dialog->toEdit()->text().endsWith(clockText(to_s)));
@@ -694,7 +696,7 @@ class TestWindowReplay : public QObject {
     }
     // What is there is not replaced without a question.
     desk.action("replayExport")->trigger();
-    dialog = desk.window->replay()->rangeDialog();
+    dialog = part<ReplayController>(*desk.window)->rangeDialog();
     dialog->kindBox()->setCurrentIndex(dialog->kindBox()->findData(kind));
     dialog->pathEdit()->setText(path);
     QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
@@ -709,7 +711,7 @@ class TestWindowReplay : public QObject {
     Desk desk;
     desk.replay({BagKind::Bag, "eight_hours.bag"});
     desk.action("replayExport")->trigger();
-    const QPointer<RangeExportDialog> dialog = desk.window->replay()->rangeDialog();
+    const QPointer<RangeExportDialog> dialog = part<ReplayController>(*desk.window)->rangeDialog();
     QDir().mkpath(desk.folder.filePath(QStringLiteral("out")));
     const QDir out(desk.folder.filePath(QStringLiteral("out")));
     dialog->pathEdit()->setText(out.filePath(QStringLiteral("all.mcap")));
@@ -747,7 +749,7 @@ class TestWindowReplay : public QObject {
     Desk desk;
     desk.replay(kWhole);
     desk.action("replayExport")->trigger();
-    const QPointer<RangeExportDialog> dialog = desk.window->replay()->rangeDialog();
+    const QPointer<RangeExportDialog> dialog = part<ReplayController>(*desk.window)->rangeDialog();
     dialog->pathEdit()->setText(desk.folder.filePath(QStringLiteral("no/such/folder/a.mcap")));
     QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
     QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("does not exist")));
@@ -796,8 +798,9 @@ class TestWindowReplay : public QObject {
     const geometry::Pose2 from = before->pose, to = after->pose;
     desk.clock().seek((before->stamp_s + after->stamp_s) / 2);
     QTRY_VERIFY(desk.isThere());
-    const auto& drawn = scene::PoseBetween::of(*desk.window->mapScene()).pose();
-    QTRY_VERIFY(drawn && std::abs(drawn->x_m - (from.x_m + to.x_m) / 2) < 1e-6);
+    std::optional<geometry::Pose2> drawn;
+    QTRY_VERIFY((drawn = desk.window->mapScene()->robotPose()) &&
+                std::abs(drawn->x_m - (from.x_m + to.x_m) / 2) < 1e-6);
     NEAR(drawn->y_m, (from.y_m + to.y_m) / 2, 1e-6);
     // The world says what was recorded.
     QTRY_VERIFY(std::abs(desk.window->session()->live().robot_pose->x_m - from.x_m) < 1e-9);
@@ -861,7 +864,7 @@ class TestWindowReplay : public QObject {
     const auto& trail = desk.window->session()->live().trail;
     QVERIFY(trail.size() > 10);
     const Eigen::Vector2d place = trail[trail.size() / 2].position_m;
-    desk.window->replay()->clickedOnMap(place);
+    part<ReplayController>(*desk.window)->clickedOnMap(place);
     const auto pose = desk.clock().poseBetween();
     QVERIFY(pose);
     NEAR(std::hypot(pose->x_m - place.x(), pose->y_m - place.y()), 0.0, 0.3);
@@ -873,7 +876,7 @@ class TestWindowReplay : public QObject {
     desk.connect();
     const int before = desk.list().model()->rowCount();
     QTest::mouseClick(desk.list().recordButton(), Qt::LeftButton);
-    RecordDialog* const dialog = desk.window->recordings()->recordDialog();
+    RecordDialog* const dialog = part<RecordingsController>(*desk.window)->recordDialog();
     QVERIFY(dialog);
     QTest::keyClicks(dialog->suffix(), QStringLiteral("te st/1"));
     // What cannot be a name is told, not swallowed.
@@ -901,15 +904,16 @@ class TestWindowReplay : public QObject {
     const int before = desk.list().model()->rowCount();
     desk.list().select(kGap);
     QTest::mouseClick(desk.list().deleteButton(), Qt::LeftButton);
-    QVERIFY(desk.window->recordings()->question());
-    QVERIFY(desk.window->recordings()->question()->text().contains(QStringLiteral("gap.bag")));
-    QTest::keyClick(desk.window->recordings()->question(), Qt::Key_Escape);
-    QTRY_VERIFY(!desk.window->recordings()->question());
+    QVERIFY(part<RecordingsController>(*desk.window)->question());
+    QVERIFY(part<RecordingsController>(*desk.window)->question()->text().contains(QStringLiteral("gap.bag")));
+    QTest::keyClick(part<RecordingsController>(*desk.window)->question(), Qt::Key_Escape);
+    QTRY_VERIFY(!part<RecordingsController>(*desk.window)->question());
     QCOMPARE(desk.list().model()->note(kGap).kind, BagNote::Kind::None);
     desk.list().select(kGap);
     QTest::mouseClick(desk.list().deleteButton(), Qt::LeftButton);
-    auto* const yes =
-        desk.window->recordings()->question()->findChild<QPushButton*>(QStringLiteral("deleteRecording"));
+    auto* const yes = part<RecordingsController>(*desk.window)
+                          ->question()
+                          ->findChild<QPushButton*>(QStringLiteral("deleteRecording"));
     QVERIFY(yes);
     QTest::mouseClick(yes, Qt::LeftButton);
     QTRY_COMPARE(desk.list().model()->rowCount(), before - 1);
@@ -918,7 +922,7 @@ class TestWindowReplay : public QObject {
   void aRecordingTellsThatTheLinkWasLostAndHoldsTheMapsThatWereOpened() {
     Desk desk;
     desk.connect();
-    RecordingController* const recorder = desk.window->recorder();
+    RecordingController* const recorder = part<RecordingController>(*desk.window);
     QTRY_COMPARE(desk.window->session()->connection().phase, robot::ConnectionPhase::Online);
     QTRY_VERIFY(desk.window->session()->catalogue().entries().size() > 1);
     const auto& maps = desk.window->session()->catalogue().entries();
@@ -932,7 +936,7 @@ class TestWindowReplay : public QObject {
     QTRY_COMPARE(desk.window->session()->wholeMap().phase(), session::MapSlot::Phase::Ready);
     QStringList told;
     const auto tell = [&](const char* words) {
-      for (const QString& text : desk.window->overlay()->toasts()->texts()) {
+      for (const QString& text : part<MapOverlay>(*desk.window)->toasts()->texts()) {
         if (!told.contains(text)) told << text;
       }
       return std::any_of(told.begin(), told.end(),
@@ -954,7 +958,7 @@ class TestWindowReplay : public QObject {
     QTRY_VERIFY(tell("but it is incomplete: the connection was lost, times: 1."));
     // And is played from there.
     QSignalSpy play(recorder, &RecordingController::playWanted);
-    const auto buttons = desk.window->overlay()->toasts()->findChildren<QPushButton*>();
+    const auto buttons = part<MapOverlay>(*desk.window)->toasts()->findChildren<QPushButton*>();
     QVERIFY(!buttons.isEmpty());
     buttons.last()->click();
     QCOMPARE(play.size(), 1);
@@ -966,19 +970,21 @@ class TestWindowReplay : public QObject {
     Desk desk;
     desk.connect();
     const QString path = desk.folder.filePath(QStringLiteral("got.bag"));
-    desk.window->recordings()->download(kGap, path);
+    part<RecordingsController>(*desk.window)->download(kGap, path);
     QCOMPARE(desk.list().model()->note(kGap).kind, BagNote::Kind::Downloading);
     QTRY_COMPARE(desk.list().model()->note(kGap).kind, BagNote::Kind::Downloaded);
     QVERIFY(QFileInfo(path).size() > 1000);
     // One that is stopped says that it goes on.
-    desk.window->recordings()->download(kWhole, desk.folder.filePath(QStringLiteral("other.bag")));
+    part<RecordingsController>(*desk.window)
+        ->download(kWhole, desk.folder.filePath(QStringLiteral("other.bag")));
     desk.list().select(kWhole);
     QVERIFY(desk.list().stopButton()->isEnabled());
     QTest::mouseClick(desk.list().stopButton(), Qt::LeftButton);
     QTRY_VERIFY(desk.list().model()->note(kWhole).kind == BagNote::Kind::Stopped ||
                 desk.list().model()->note(kWhole).kind == BagNote::Kind::Downloaded);
     // A folder that is not there is no place.
-    desk.window->recordings()->download(kGap, desk.folder.filePath(QStringLiteral("no/where/got.bag")));
+    part<RecordingsController>(*desk.window)
+        ->download(kGap, desk.folder.filePath(QStringLiteral("no/where/got.bag")));
     QTRY_COMPARE(desk.list().model()->note(kGap).kind, BagNote::Kind::Failed);
   }
 };

@@ -13,6 +13,7 @@
 #include "ui/robot/robot_dock.h"
 #include "ui/robot/robot_status.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_robot {
 
@@ -48,7 +49,7 @@ class TestWindowRobot : public QObject {
   void showsHowTheRobotIs() {
     Bench bench;
     openLive(bench);
-    RobotDock& dock = *bench.window->robotPanel();
+    RobotDock& dock = *part<RobotDock>(*bench.window);
     for (const char* topic : {"/battery_state", "/alerts", "/planning_state", "/wheel_state"})
       QVERIFY2(bench.robot->wanted.contains(QLatin1String(topic)), topic);
     map::BatteryState battery;
@@ -86,7 +87,7 @@ class TestWindowRobot : public QObject {
   void greysWhatIsNoLongerLive() {
     Bench bench;
     openLive(bench);
-    RobotDock& dock = *bench.window->robotPanel();
+    RobotDock& dock = *part<RobotDock>(*bench.window);
     bench.robot->say(map::BatteryState{0.5, {}, {}, {}});
     dock.refresh();
     QVERIFY(!dock.greyed());
@@ -100,7 +101,7 @@ class TestWindowRobot : public QObject {
   void listsAlertsWithTheirTimes() {
     Bench bench;
     openLive(bench);
-    RobotDock& dock = *bench.window->robotPanel();
+    RobotDock& dock = *part<RobotDock>(*bench.window);
     QVERIFY(!dock.shownText().contains(QLatin1String("No alerts")));
     bench.robot->say(map::AlertsMessage{});
     dock.refresh();
@@ -206,7 +207,7 @@ class TestWindowRobot : public QObject {
   void listensOnlyWhileItCanBeSeen() {
     Bench bench;
     openLive(bench);
-    MessagesDock& dock = *bench.window->messages();
+    MessagesDock& dock = *part<MessagesDock>(*bench.window);
     QVERIFY(!bench.robot->watching);
     dock.show();
     QTRY_VERIFY(bench.robot->watching);
@@ -227,7 +228,7 @@ class TestWindowRobot : public QObject {
   void showsTheLastMessageOfTheChosenTopicAsPlainText() {
     Bench bench;
     openLive(bench);
-    MessagesDock& dock = *bench.window->messages();
+    MessagesDock& dock = *part<MessagesDock>(*bench.window);
     dock.show();
     QTRY_VERIFY(bench.robot->watching);
     bench.robot->sayRaw(QStringLiteral("/alerts"), "{\"text\":\"<b>1</b>\"}");
@@ -251,7 +252,7 @@ class TestWindowRobot : public QObject {
   void asksForAnyTopicAndLetsGoOfItWhenClosed() {
     Bench bench;
     openLive(bench);
-    MessagesDock& dock = *bench.window->messages();
+    MessagesDock& dock = *part<MessagesDock>(*bench.window);
     dock.show();
     QTRY_VERIFY(bench.robot->watching);
     QTest::keyClicks(dock.topicEdit(), QStringLiteral("my_topic"));

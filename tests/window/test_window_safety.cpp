@@ -6,15 +6,18 @@
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/safety_badge.h"
+#include "ui/layers/layers_controller.h"
+#include "ui/maps/maps_controller.h"
 #include "ui/maps/maps_dock.h"
 #include "ui/robot/connection_chip.h"
 #include "ui/robot/problems_dock.h"
 #include "ui/robot/robot_dock.h"
 #include "ui/shell/window_status_bar.h"
-#include "ui/slam/inspector_summary.h"
+#include "ui/slam/inspector_dock.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/notice_bar.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_safety {
 
@@ -155,27 +158,27 @@ class TestWindowSafety : public QObject {
   void aPressedEmergencyStopIsSeenAtOnceAndGoneWhenItIsGone() {
     Bench bench;
     MainWindow& window = openLive(bench);
-    window.robotPanel()->close();  // no panel is needed for it
-    QVERIFY(!window.bar()->safety()->isVisible());
-    QVERIFY(!window.overlay()->safetyNotice()->isVisible());
-    const int red_before = red(window.chip());
+    part<RobotDock>(window)->close();  // no panel is needed for it
+    QVERIFY(!part<WindowStatusBar>(window)->safety()->isVisible());
+    QVERIFY(!part<MapOverlay>(window)->safetyNotice()->isVisible());
+    const int red_before = red(part<ConnectionChip>(window));
     bench.robot->say(stop(true));
-    QCOMPARE(window.chip()->safety().badge, QStringLiteral("Emergency stop"));
-    QTRY_VERIFY(red(window.chip()) > red_before + 50);
-    QVERIFY(window.chip()->accessibleName().contains(QLatin1String("Emergency stop")));
-    QVERIFY(window.bar()->safety()->isVisible());
-    QVERIFY(red(window.bar()->safety()) > 50);
-    QVERIFY(window.overlay()->safetyNotice()->isVisible());
-    QVERIFY(window.overlay()->safetyNotice()->sentence().startsWith(
+    QCOMPARE(part<ConnectionChip>(window)->safety().badge, QStringLiteral("Emergency stop"));
+    QTRY_VERIFY(red(part<ConnectionChip>(window)) > red_before + 50);
+    QVERIFY(part<ConnectionChip>(window)->accessibleName().contains(QLatin1String("Emergency stop")));
+    QVERIFY(part<WindowStatusBar>(window)->safety()->isVisible());
+    QVERIFY(red(part<WindowStatusBar>(window)->safety()) > 50);
+    QVERIFY(part<MapOverlay>(window)->safetyNotice()->isVisible());
+    QVERIFY(part<MapOverlay>(window)->safetyNotice()->sentence().startsWith(
         QLatin1String("Emergency stop pressed since ")));
-    QVERIFY(red(window.overlay()->safetyNotice()) > 50);
-    QTest::mouseClick(window.overlay()->safetyNotice()->offerButton(), Qt::LeftButton);
-    QVERIFY(window.robotPanel()->isVisible());
+    QVERIFY(red(part<MapOverlay>(window)->safetyNotice()) > 50);
+    QTest::mouseClick(part<MapOverlay>(window)->safetyNotice()->offerButton(), Qt::LeftButton);
+    QVERIFY(part<RobotDock>(window)->isVisible());
     bench.robot->say(stop(false));
-    QVERIFY(window.chip()->safety().badge.isEmpty());
-    QVERIFY(!window.bar()->safety()->isVisible());
-    QVERIFY(!window.overlay()->safetyNotice()->isVisible());
-    QTRY_COMPARE(red(window.chip()), red_before);
+    QVERIFY(part<ConnectionChip>(window)->safety().badge.isEmpty());
+    QVERIFY(!part<WindowStatusBar>(window)->safety()->isVisible());
+    QVERIFY(!part<MapOverlay>(window)->safetyNotice()->isVisible());
+    QTRY_COMPARE(red(part<ConnectionChip>(window)), red_before);
   }
 
   void itIsKeptInTheListOfProblems() {
@@ -189,8 +192,8 @@ class TestWindowSafety : public QObject {
       return nullptr;
     };
     QVERIFY(row() && !row()->resolved);
-    QTRY_VERIFY(window.bar()->problemsButton()->isVisible());
-    QVERIFY(!window.problems()->isVisible());  // the notice has said it
+    QTRY_VERIFY(part<WindowStatusBar>(window)->problemsButton()->isVisible());
+    QVERIFY(!part<ProblemsDock>(window)->isVisible());  // the notice has said it
     bench.robot->say(stop(false));
     QVERIFY(row() && row()->resolved);
     bench.robot->say(stop(true));
@@ -206,21 +209,21 @@ class TestWindowSafety : public QObject {
     slam.state = "positioning";
     slam.reliable = true;
     bench.robot->say(slam);
-    auto* const state = window.inspector()->findChild<PlainLabel*>(QStringLiteral("state"));
+    auto* const state = part<InspectorDock>(window)->findChild<PlainLabel*>(QStringLiteral("state"));
     QCOMPARE(state->text(), QStringLiteral("positioning, reliable"));  // as soon as the robot says so
     bench.robot->goAway(QStringLiteral("connection refused"));
-    QVERIFY(window.chip()->safety().greyed);
-    QVERIFY(window.bar()->safety()->isVisible());
-    QCOMPARE(red(window.bar()->safety()), 0);
-    QCOMPARE(red(window.overlay()->safetyNotice()), 0);
-    QVERIFY(window.overlay()->safetyNotice()->sentence().startsWith(QLatin1String("As of ")));
-    QVERIFY(window.overlay()->notice()->isVisible());  // and that the link is lost
-    QVERIFY(window.overlay()->notice()->y() >= window.overlay()->safetyNotice()->height());
+    QVERIFY(part<ConnectionChip>(window)->safety().greyed);
+    QVERIFY(part<WindowStatusBar>(window)->safety()->isVisible());
+    QCOMPARE(red(part<WindowStatusBar>(window)->safety()), 0);
+    QCOMPARE(red(part<MapOverlay>(window)->safetyNotice()), 0);
+    QVERIFY(part<MapOverlay>(window)->safetyNotice()->sentence().startsWith(QLatin1String("As of ")));
+    QVERIFY(part<MapOverlay>(window)->notice()->isVisible());  // and that the link is lost
+    QVERIFY(part<MapOverlay>(window)->notice()->y() >= part<MapOverlay>(window)->safetyNotice()->height());
     QVERIFY(state->secondary());
     QVERIFY(state->text().startsWith(QLatin1String("positioning, reliable (as of ")));
     bench.robot->goOnline();
-    QVERIFY(!window.chip()->safety().greyed);
-    QVERIFY(red(window.bar()->safety()) > 50);
+    QVERIFY(!part<ConnectionChip>(window)->safety().greyed);
+    QVERIFY(red(part<WindowStatusBar>(window)->safety()) > 50);
     QVERIFY(!state->secondary());
     QCOMPARE(state->text(), QStringLiteral("positioning, reliable"));
   }
@@ -230,9 +233,9 @@ class TestWindowSafety : public QObject {
     MainWindow& window = openLive(bench);
     bench.robot->say(stop(true));
     window.leaveRobot();
-    QVERIFY(window.chip()->safety().badge.isEmpty());
-    QVERIFY(!window.overlay()->safetyNotice()->isVisible());
-    QVERIFY(!window.bar()->safety()->isVisible());
+    QVERIFY(part<ConnectionChip>(window)->safety().badge.isEmpty());
+    QVERIFY(!part<MapOverlay>(window)->safetyNotice()->isVisible());
+    QVERIFY(!part<WindowStatusBar>(window)->safety()->isVisible());
   }
 
   void itFitsASmallWindowWhateverIsSaid() {
@@ -243,22 +246,23 @@ class TestWindowSafety : public QObject {
     for (int i = 0; i < 500; ++i) many.emplace_back(2'000'000'000 + i, std::string(5000, 'm'));
     bench.robot->say(alerts(many));
     bench.robot->say(stop(true));
-    QCOMPARE(window.bar()->safety()->safety().badge, QStringLiteral("Emergency stop +500"));
+    QCOMPARE(part<WindowStatusBar>(window)->safety()->safety().badge, QStringLiteral("Emergency stop +500"));
     QCoreApplication::processEvents();
     QCOMPARE(window.width(), 1366);
     QVERIFY2(window.minimumSizeHint().width() <= 1366,
              qPrintable(QString::number(window.minimumSizeHint().width())));
-    QVERIFY(window.bar()->safety()->width() >= window.bar()->safety()->sizeHint().width());
-    QCOMPARE(window.overlay()->safetyNotice()->width(), window.view()->width());
+    QVERIFY(part<WindowStatusBar>(window)->safety()->width() >=
+            part<WindowStatusBar>(window)->safety()->sizeHint().width());
+    QCOMPARE(part<MapOverlay>(window)->safetyNotice()->width(), window.view()->width());
   }
 
   void theRobotIsHiddenInAMapThatItIsNotIn() {
     Bench bench;
     MainWindow& window = openLive(bench);
-    QTRY_COMPARE(window.maps()->model()->maps(), 2);
+    QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 2);
     bench.robot->say(map::TrackedPose{{1, 1, 0}});
-    NoticeBar& notice = *window.overlay()->placeNotice();
-    window.openMap(stored("2"));
+    NoticeBar& notice = *part<MapOverlay>(window)->placeNotice();
+    part<MapsController>(window)->open(stored("2"));
     QTRY_VERIFY(window.session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
     QTRY_VERIFY(notice.isVisible());
     QCOMPARE(notice.sentence(),
@@ -273,7 +277,7 @@ class TestWindowSafety : public QObject {
     QCOMPARE(notice.mark(), Mark::Warning);
     QTest::mouseClick(notice.offerButton(), Qt::LeftButton);
     QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::None);
-    window.openMap(stored("1"));
+    part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(!notice.isVisible());
     QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::All);
   }
@@ -281,8 +285,8 @@ class TestWindowSafety : public QObject {
   void thereIsNothingToFollowWhereTheRobotIsHidden() {
     Bench bench;
     MainWindow& window = openLive(bench);
-    QTRY_COMPARE(window.maps()->model()->maps(), 2);
-    window.openMap(stored("2"));
+    QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 2);
+    part<MapsController>(window)->open(stored("2"));
     QTRY_VERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::None);
     const Eigen::Vector2d before = window.mapScene()->view().center_m;
     bench.robot->say(map::TrackedPose{{500, 500, 0}});
@@ -298,8 +302,8 @@ class TestWindowSafety : public QObject {
     window.session()->catalogue().refresh();
     QTRY_VERIFY(!window.session()->catalogue().current());
     bench.robot->say(map::TrackedPose{{1, 1, 0}});
-    window.openMap(stored("2"));
-    NoticeBar& notice = *window.overlay()->placeNotice();
+    part<MapsController>(window)->open(stored("2"));
+    NoticeBar& notice = *part<MapOverlay>(window)->placeNotice();
     QTRY_VERIFY(notice.isVisible());
     QVERIFY(notice.sentence().startsWith(QLatin1String("The robot does not report which map it is in.")));
     QVERIFY(window.mapScene()->robotPlace().drawn == scene::ScreenPart::All);
@@ -317,22 +321,24 @@ class TestWindowSafety : public QObject {
     bench.robot->identify({{}, {}, QStringLiteral("dock-3"), {}});
     QTRY_COMPARE(window.windowTitle(), QStringLiteral("Submaps of Ground floor – dock-3 – mapwright"));
     bench.load();
-    QTRY_COMPARE(window.bar()->loadingShown(), QStringLiteral("3 of 3 submaps"));
-    QCOMPARE(window.bar()->mapShown(), QStringLiteral("Ground floor"));
-    window.openMap(stored("2"));
+    QTRY_COMPARE(part<WindowStatusBar>(window)->loadingShown(), QStringLiteral("3 of 3 submaps"));
+    QCOMPARE(part<WindowStatusBar>(window)->mapShown(), QStringLiteral("Ground floor"));
+    part<MapsController>(window)->open(stored("2"));
     QTRY_COMPARE(window.windowTitle(), QStringLiteral("Map 2 – dock-3 – mapwright"));
     bench.robot->identify({{}, {}, QStringLiteral("Map 2"), {}});
     QTRY_COMPARE(window.windowTitle(), QStringLiteral("Map 2 – mapwright"));
-    QTRY_COMPARE(window.bar()->mapShown(), QStringLiteral("Map 2, 80 x 60 cells"));
-    QVERIFY(window.bar()->loadingShown().isEmpty());  // no submap is on screen
-    window.setMapMode(ViewMode::Both);
-    QVERIFY(window.bar()->loadingShown().isEmpty());  // the robot, and its submaps, are elsewhere
-    window.openMap(stored("1"));
-    QTRY_COMPARE(window.bar()->loadingShown(), QStringLiteral("3 of 3 submaps"));
-    QTRY_COMPARE(window.bar()->mapShown(), QStringLiteral("Map 1, 80 x 60 cells"));
+    QTRY_COMPARE(part<WindowStatusBar>(window)->mapShown(), QStringLiteral("Map 2, 80 x 60 cells"));
+    QVERIFY(part<WindowStatusBar>(window)->loadingShown().isEmpty());  // no submap is on screen
+    part<LayersController>(window)->setMode(ViewMode::Both);
+    QVERIFY(part<WindowStatusBar>(window)
+                ->loadingShown()
+                .isEmpty());  // the robot, and its submaps, are elsewhere
+    part<MapsController>(window)->open(stored("1"));
+    QTRY_COMPARE(part<WindowStatusBar>(window)->loadingShown(), QStringLiteral("3 of 3 submaps"));
+    QTRY_COMPARE(part<WindowStatusBar>(window)->mapShown(), QStringLiteral("Map 1, 80 x 60 cells"));
     window.leaveRobot();
     QCOMPARE(window.windowTitle(), QStringLiteral("mapwright"));
-    QVERIFY(window.bar()->mapShown().isEmpty());
+    QVERIFY(part<WindowStatusBar>(window)->mapShown().isEmpty());
   }
 };
 

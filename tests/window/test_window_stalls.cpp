@@ -14,6 +14,7 @@
 #include "ui/waypoints/waypoints_controller.h"
 #include "ui/waypoints/waypoints_dock.h"
 #include "window/main_window.h"
+#include "window_parts.h"
 
 namespace test_window_stalls {
 
@@ -90,7 +91,7 @@ struct Desk {
     });
   }
   robot::ConnectionPhase phase() { return window->session()->connection().phase; }
-  WaypointsController& control() { return *window->waypoints(); }
+  WaypointsController& control() { return *part<WaypointsController>(*window); }
   WaypointEditing& editing() { return *control().editing(); }
 
   QTemporaryDir folder;

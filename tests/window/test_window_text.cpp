@@ -3,7 +3,6 @@
 
 #include "test_program.h"
 #include "ui/kit/icons.h"
-#include "ui/kit/link_text.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/pretty_json.h"
 #include "ui/kit/status_text.h"
@@ -11,8 +10,8 @@
 #include "ui/maps/maps_model.h"
 #include "ui/robot/problems_model.h"
 #include "ui/slam/submap_filter.h"
-#include "ui/view/camera_motion.h"
 #include "ui/view/empty_state.h"
+#include "ui/view/map_view.h"
 #include "ui/view/measure_tool.h"
 #include "ui/view/notice_bar.h"
 #include "window/command_palette.h"
@@ -204,14 +203,14 @@ class TestWindowText : public QObject {
     const QString address = QStringLiteral("axbot+http://192.0.2.7:8090");
     const auto none = emptyState({}, {}, nullptr);
     QCOMPARE(none->kind, Kind::NoRobot);
-    QVERIFY(none->offers_connect && none->offers_demo);
+    QVERIFY(none->offers.contains(CardOffer::Connect) && none->offers.contains(CardOffer::Demo));
     session::SubmapCounts counts;
     QCOMPARE(emptyState(address, link(robot::ConnectionPhase::Connecting), &counts)->kind, Kind::Connecting);
     auto away = link(robot::ConnectionPhase::Interrupted);
     away.reason = fault::said("connection refused");
     const auto failed = emptyState(address, away, &counts);
     QCOMPARE(failed->kind, Kind::Failed);
-    QVERIFY(failed->offers_retry);
+    QVERIFY(failed->offers.contains(CardOffer::Retry));
     QVERIFY(failed->text.contains(QLatin1String("connection refused")));
     const auto online = link(robot::ConnectionPhase::Online);
     QCOMPARE(emptyState(address, online, &counts)->kind, Kind::WaitingForList);

@@ -9,7 +9,6 @@
 #include "fake_robot.h"
 #include "session/session.h"
 #include "test_program.h"
-#include "ui/slam/submap_filter_model.h"
 #include "ui/slam/submap_tree_model.h"
 
 namespace test_window_tree {

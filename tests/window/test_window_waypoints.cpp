@@ -11,7 +11,9 @@
 
 #include "session/lacks_picture.h"
 #include "test_program.h"
-#include "ui/kit/action_bars.h"
+#include "ui/kit/actions.h"
+#include "ui/maps/export_controller.h"
+#include "ui/maps/maps_controller.h"
 #include "ui/view/empty_state.h"
 #include "ui/view/hit_list.h"
 #include "ui/view/map_overlay.h"
@@ -25,6 +27,7 @@
 #include "ui/waypoints/waypoints_controller.h"
 #include "ui/waypoints/waypoints_dock.h"
 #include "waypoints_desk.h"
+#include "window_parts.h"
 
 namespace test_window_waypoints {
 
@@ -45,9 +48,9 @@ class TestWindowWaypoints : public QObject {
     Desk desk;
     desk.start();
     QCOMPARE(desk.dock().model()->rowCount(), 2);
-    const QImage with = desk.window->mapPicture();
+    const QImage with = part<ExportController>(*desk.window)->mapPicture();
     desk.window->mapScene()->setLayerVisible(scene::Layer::Waypoints, false);
-    QVERIFY(desk.window->mapPicture() != with);
+    QVERIFY(part<ExportController>(*desk.window)->mapPicture() != with);
     QVERIFY2(desk.dock().statusShown().contains(QLatin1String("2 waypoints.")),
              qPrintable(desk.dock().statusShown()));
   }
@@ -122,11 +125,11 @@ class TestWindowWaypoints : public QObject {
     Desk desk;
     desk.start();
     desk.take();
-    const QImage before = desk.window->mapPicture();
+    const QImage before = part<ExportController>(*desk.window)->mapPicture();
     desk.press(desk.px(1, 1));
     desk.moveTo(desk.px(1.5, 2.5), Qt::AltModifier);
     QVERIFY(desk.editing().preview().contains("a"));
-    QVERIFY(desk.window->mapPicture() != before);
+    QVERIFY(part<ExportController>(*desk.window)->mapPicture() != before);
     QVERIFY(desk.near("a", 1, 1));  // not true before the hand lets go
     QTest::keyClick(desk.window->view(), Qt::Key_Escape);
     QVERIFY(desk.editing().preview().empty());
@@ -376,8 +379,11 @@ class TestWindowWaypoints : public QObject {
     QTRY_VERIFY(!desk.control().unsaved());
     QVERIFY(std::abs(desk.store.find("Dock")->position_m.x() - 1.5) < 0.011);
     QCOMPARE(desk.window->windowTitle(), title);
-    QTRY_VERIFY(
-        desk.window->overlay()->toasts()->texts().join(QLatin1Char('|')).contains(QLatin1String("saved")));
+    QTRY_VERIFY(part<MapOverlay>(*desk.window)
+                    ->toasts()
+                    ->texts()
+                    .join(QLatin1Char('|'))
+                    .contains(QLatin1String("saved")));
     QVERIFY(!desk.action("save")->isEnabled());
     QVERIFY(desk.action("undo")->isEnabled());  // what is saved can be undone, and saved again
   }
@@ -423,7 +429,7 @@ class TestWindowWaypoints : public QObject {
     desk.editing().add({2, 2});
     const auto leave = [&] {
       if (way == 0) desk.window->close();
-      if (way == 1) desk.window->openMap({map::MapKind::Stored, "2"});
+      if (way == 1) part<MapsController>(*desk.window)->open({map::MapKind::Stored, "2"});
       if (way == 2) (void)desk.window->connectTo(QStringLiteral("axbot+http://192.0.2.8:8090"));
       if (way == 3) desk.action("disconnect")->trigger();
     };
@@ -563,25 +569,25 @@ class TestWindowWaypoints : public QObject {
     };
     desk.open();
     QVERIFY(!desk.window->connectTo(test::kAddress));
-    desk.window->openMap({map::MapKind::Stored, "2"});
+    part<MapsController>(*desk.window)->open({map::MapKind::Stored, "2"});
     QTRY_VERIFY(session::lacksPicture(desk.window->session()->wholeMap()));
     QTRY_VERIFY(desk.editing().document() && desk.editing().editable());
     QCOMPARE(int(desk.items().size()), 2);
     // They are looked at, drawn, and can be taken; the sentence stands above them.
-    const QImage with = desk.window->mapPicture();
+    const QImage with = part<ExportController>(*desk.window)->mapPicture();
     for (const auto& [key, point] : desk.items()) {
       const QPoint at = desk.px(point.position_m.x(), point.position_m.y());
       QVERIFY(desk.window->view()->viewport()->rect().contains(at));
     }
     desk.window->mapScene()->setLayerVisible(scene::Layer::Waypoints, false);
-    QVERIFY(desk.window->mapPicture() != with);
+    QVERIFY(part<ExportController>(*desk.window)->mapPicture() != with);
     desk.window->mapScene()->setLayerVisible(scene::Layer::Waypoints, true);
     desk.take();
     const map::Waypoint& one = desk.items().begin()->second;
     desk.click(desk.px(one.position_m.x(), one.position_m.y()));
     QCOMPARE(desk.editing().selected(), std::set<edit::Key>{desk.items().begin()->first});
-    QVERIFY(!desk.window->overlay()->card()->isVisible());
-    NoticeBar* const notice = desk.window->overlay()->notice();
+    QVERIFY(!part<MapOverlay>(*desk.window)->card()->isVisible());
+    NoticeBar* const notice = part<MapOverlay>(*desk.window)->notice();
     QTRY_VERIFY(notice->isVisible());
     QVERIFY2(notice->sentence().contains(QLatin1String("only sends its current map")),
              qPrintable(notice->sentence()));

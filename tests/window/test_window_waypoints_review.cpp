@@ -7,9 +7,11 @@
 #include <QtTest>
 
 #include "test_program.h"
+#include "ui/maps/maps_controller.h"
 #include "ui/waypoints/waypoint_conflicts.h"
 #include "ui/waypoints/waypoint_review.h"
 #include "waypoints_desk.h"
+#include "window_parts.h"
 
 namespace test_window_waypoints_review {
 
@@ -315,7 +317,7 @@ class TestWindowWaypointsReview : public QObject {
   void leavingSavesThroughIt() {
     Desk desk;
     desk.change();
-    desk.window->openMap({map::MapKind::Stored, "2"});
+    part<MapsController>(*desk.window)->open({map::MapKind::Stored, "2"});
     desk.answer(QMessageBox::Save);
     QTRY_VERIFY(desk.review().isVisible());
     QVERIFY(desk.window->session()->wholeMap().key().id != "2");
@@ -327,7 +329,7 @@ class TestWindowWaypointsReview : public QObject {
   void whoClosesItStays() {
     Desk desk;
     desk.change();
-    desk.window->openMap({map::MapKind::Stored, "2"});
+    part<MapsController>(*desk.window)->open({map::MapKind::Stored, "2"});
     desk.answer(QMessageBox::Save);
     QTRY_VERIFY(desk.review().isVisible());
     desk.review().close();
@@ -406,7 +408,7 @@ class TestWindowWaypointsReview : public QObject {
     desk.store.kept_fields.name_twice = false;
     desk.change();
     desk.editing().rename("b", QStringLiteral("Gate"));
-    desk.window->openMap({map::MapKind::Stored, "2"});
+    part<MapsController>(*desk.window)->open({map::MapKind::Stored, "2"});
     desk.answer(QMessageBox::Save);
     QTRY_VERIFY(desk.review().isVisible());
     desk.send();

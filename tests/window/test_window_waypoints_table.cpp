@@ -18,11 +18,15 @@
 #include <QtTest>
 
 #include "test_program.h"
+#include "ui/maps/export_controller.h"
+#include "ui/maps/maps_controller.h"
+#include "ui/view/map_overlay.h"
 #include "ui/waypoints/waypoint_conflicts.h"
 #include "ui/waypoints/waypoint_forms.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "ui/waypoints/waypoint_transfer.h"
 #include "waypoints_desk.h"
+#include "window_parts.h"
 
 namespace test_window_waypoints_table {
 
@@ -199,7 +203,7 @@ class TestWindowWaypointsTable : public QObject {
     desk.editing().select({"a", "b"});
     desk.tablePress(QKeySequence::Copy);
     QVERIFY(QGuiApplication::clipboard()->text().startsWith(QLatin1String("id\tname\tx\ty\tyaw_rad\ttags")));
-    desk.window->openMap({map::MapKind::Stored, "2"});
+    part<MapsController>(*desk.window)->open({map::MapKind::Stored, "2"});
     QTRY_VERIFY(desk.control().list() && desk.control().list()->map().id == "2" && desk.editing().document());
     desk.action("pasteWaypoints")->trigger();
     // The fake keeps one list for all maps: those names are taken.
@@ -236,8 +240,11 @@ class TestWindowWaypointsTable : public QObject {
     QCOMPARE(desk.asking(0, 1), QStringLiteral("deleted"));
     desk.asked().close();
     desk.control().transfer()->importFile(desk.folder.filePath(QStringLiteral("nowhere.csv")));
-    QVERIFY(desk.window->overlay()->toasts()->texts().last().contains(
-        QLatin1String("nowhere.csv cannot be read")));
+    QVERIFY(part<MapOverlay>(*desk.window)
+                ->toasts()
+                ->texts()
+                .last()
+                .contains(QLatin1String("nowhere.csv cannot be read")));
   }
 
   void conflictsAreGoneThroughOneByOneAndDrawnSideBySide() {
@@ -245,14 +252,14 @@ class TestWindowWaypointsTable : public QObject {
     desk.open();
     desk.editing().select({"a", "b"});
     desk.editing().moveSelected({0.5, 0});
-    const QImage before = desk.window->mapPicture();
+    const QImage before = part<ExportController>(*desk.window)->mapPicture();
     desk.store.put(waypoint("a", 0.5, 2.5, "Dock"));
     desk.store.put(waypoint("b", 3.5, 1, "Kitchen"));
     Q_EMIT desk.store.changed();
     QTRY_VERIFY2(desk.dock().conflicts()->shown().contains(
                      QLatin1String("Dock was changed here and elsewhere (1 of 2).")),
                  qPrintable(desk.dock().conflicts()->shown()));
-    QVERIFY(desk.window->mapPicture() != before);
+    QVERIFY(part<ExportController>(*desk.window)->mapPicture() != before);
     QTest::mouseClick(desk.dock().conflicts()->nextButton(), Qt::LeftButton);
     QVERIFY(desk.dock().conflicts()->shown().contains(
         QLatin1String("Kitchen was changed here and elsewhere (2 of 2).")));

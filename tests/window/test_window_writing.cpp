@@ -9,10 +9,12 @@
 
 #include "grids/export_grid.h"
 #include "test_program.h"
+#include "ui/maps/export_controller.h"
 #include "ui/maps/export_dialog.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace test_window_writing {
 
@@ -109,7 +111,7 @@ class TestWindowWriting : public QObject {
     put(at("map.png"), "what was there");
     {
       const SmallDisk disk(16);
-      const auto error = window.saveMapPicture(at("map.png"));
+      const auto error = part<ExportController>(window)->saveMapPicture(at("map.png"));
       QVERIFY(error && error->contains(QStringLiteral("cannot be written")));
     }
     QCOMPARE(read(at("map.png")), QByteArray("what was there"));
@@ -177,7 +179,9 @@ class TestWindowWriting : public QObject {
                        {},
                        test::knownAddresses()});
     QVERIFY(!window.connectTo(kAddress));
-    const auto said = [&] { return window.overlay()->toasts()->texts().filter(settings.fileName()).size(); };
+    const auto said = [&] {
+      return part<MapOverlay>(window)->toasts()->texts().filter(settings.fileName()).size();
+    };
     QCOMPARE(said(), qsizetype(1));
     QVERIFY(!window.connectTo(kAddress));
     QCOMPARE(said(), qsizetype(1));

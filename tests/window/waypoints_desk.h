@@ -13,6 +13,7 @@
 #include "ui/waypoints/waypoints_controller.h"
 #include "ui/waypoints/waypoints_dock.h"
 #include "window_bench.h"
+#include "window_parts.h"
 
 namespace mapwright::test {
 
@@ -57,7 +58,7 @@ struct WaypointsDesk : Bench {
     camera.scale_m_per_px = 0.01;
     window->view()->moveTo(camera, false);
   }
-  WaypointsController& control() { return *window->waypoints(); }
+  WaypointsController& control() { return *window::part<window::WaypointsController>(*window); }
   WaypointEditing& editing() { return *control().editing(); }
   WaypointsDock& dock() { return *control().dock(); }
   const edit::Items& items() { return editing().document()->items(); }
@@ -94,7 +95,7 @@ struct WaypointsDesk : Bench {
     QTRY_VERIFY(control().question());
     control().question()->findChild<QPushButton*>(QStringLiteral("keepDraft"))->click();
   }
-  NoticeBar* notice() { return window->overlay()->editNotice(); }
+  NoticeBar* notice() { return window::part<window::MapOverlay>(*window)->editNotice(); }
   bool near(const edit::Key& key, double x, double y) {
     const map::Waypoint* const point = editing().find(key);
     return point && (point->position_m - Eigen::Vector2d(x, y)).norm() < 0.011;

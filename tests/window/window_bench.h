@@ -13,6 +13,7 @@
 #include "ui/slam/inspector_dock.h"
 #include "ui/view/map_view.h"
 #include "window/main_window.h"
+#include "window_parts.h"
 
 namespace mapwright::test {
 
@@ -55,7 +56,7 @@ struct Bench {
     QTest::keyClick(window->view(), key, modifiers);
   }
   QModelIndex row(map::SubmapId id, int column = 0) {
-    window::InspectorDock* dock = window->inspector();
+    window::InspectorDock* dock = window::part<window::InspectorDock>(*window);
     return dock->filterModel()->mapFromSource(dock->model()->indexOf(id)).siblingAtColumn(column);
   }
   /// A robot with stored maps 1 (current), 2 and a mapping 7.

@@ -4,6 +4,7 @@
 
 #include "sentences/plural.h"
 #include "words/figures.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 namespace {
@@ -21,7 +22,7 @@ QString grouped(std::uint64_t number) { return QString::fromStdString(words::gro
 
 }  // namespace
 
-QString cloudSumsText(const scene::CloudSums& sums) {
+QString cloudSumsText(const clouds::CloudSums& sums) {
   if (sums.clouds == 0) return CloudTextText::tr("Nothing has been fetched yet.");
   const auto count = [](std::uint64_t number) { return sentences::formOf(qint64(number)); };
   QStringList lines;
@@ -54,14 +55,16 @@ QString cloudSumsText(const scene::CloudSums& sums) {
                   : CloudTextText::tr("The cell size cannot be told from the positions of the cells."));
   }
   if (sums.frames.size() > 1) {
+    QStringList names;
+    for (const std::string& frame : sums.frames) names << words::plainName(frame);
     lines << CloudTextText::tr("They are in different frames (%1) and may not align.")
-                 .arg(sums.frames.join(QStringLiteral(", ")));
+                 .arg(names.join(QStringLiteral(", ")));
   }
   lines << CloudTextText::tr("%1 of memory").arg(megabytesText(std::int64_t(sums.bytes)));
   return lines.join(QLatin1Char('\n'));
 }
 
-QString sectionText(const scene::CloudSection& section) {
+QString sectionText(const clouds::Section& section) {
   if (section.points == 0) return CloudTextText::tr("There are no points in the strip.");
   QString text =
       sentences::counted(CloudTextText::tr("%1 points", nullptr, sentences::formOf(qint64(section.points))),

@@ -5,14 +5,14 @@
 
 #include <QString>
 
-#include "scene/map_clouds.h"
+#include "clouds/cloud_store.h"
 
 namespace mapwright::window {
 
 /// "5,000,000 points shown of 6,000,000", and what is missing and why, one line each.
-QString cloudSumsText(const scene::CloudSums& sums);
+QString cloudSumsText(const clouds::CloudSums& sums);
 /// "12,480 points, from 0.02 m to 3.11 m".
-QString sectionText(const scene::CloudSection& section);
+QString sectionText(const clouds::Section& section);
 /// "along 3.214 m, height 1.020 m; point at 3.210 m, 1.018 m".
 QString sectionPlaceText(const Eigen::Vector2d& at, const std::optional<Eigen::Vector2d>& nearest);
 /// "12.3 MB".

@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QTimer>
 
+#include "scene/clouds_layer.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
@@ -38,10 +39,10 @@ const QString kHighKey = QStringLiteral("clouds/asked_high_m");
 
 }  // namespace
 
-CloudsController::CloudsController(WindowContext& context, QObject* parent)
+CloudsController::CloudsController(WindowContext& context, clouds::CloudStore& clouds, QObject* parent)
     : Controller(parent),
       context_(context),
-      clouds_(scene::MapClouds::of(context.scene)),
+      clouds_(clouds),
       dock_(new CloudsDock(&context.window)),
       section_dock_(new SectionDock(context.workers, &context.window)),
       section_tool_(new SectionTool(&context.scene, this)),
@@ -66,56 +67,57 @@ CloudsController::CloudsController(WindowContext& context, QObject* parent)
                                            .menu = {MenuGroup::Tools, 70}}));
   connect(region_tool_, &RegionTool::boxDrawn, this, &CloudsController::fetchBox);
   connect(region_tool_, &RegionTool::sphereDrawn, this, [this](const Eigen::Vector2d& centre, double radius) {
-    const scene::CloudRange heights = dock_->askedHeights();
+    const clouds::HeightRange heights = dock_->askedHeights();
     map::CloudRegion region;
     region.centre_m = {centre.x(), centre.y(), (heights.low_m + heights.high_m) / 2};
     region.radius_m = radius;
     fetch(region);
   });
-  connect(dock_, &CloudsDock::kindChosen, this, &CloudsController::refreshOffer);
-  connect(dock_, &CloudsDock::shapeChosen, region_tool_, &RegionTool::setShape);
-  connect(dock_, &CloudsDock::viewWanted, this,
+  connect(dock_->kindBox(), &QComboBox::activated, this, &CloudsController::refreshOffer);
+  connect(dock_->shapeBox(), &QComboBox::activated, this, [this] { region_tool_->setShape(dock_->shape()); });
+  connect(dock_->viewButton(), &QPushButton::clicked, this,
           [this] { fetchBox(context_.view.destination().visibleWorld()); });
-  connect(dock_, &CloudsDock::regionWanted, this, [this] {
+  connect(dock_->regionButton(), &QPushButton::clicked, this, [this] {
     region_tool_->setShape(dock_->shape());
     context_.tools.choose(region_tool_);
   });
   connect(dock_, &CloudsDock::wholeWanted, this, [this] { fetch(std::nullopt); });
-  connect(dock_, &CloudsDock::cancelWanted, this, [this] { call_.cancel(); });
-  connect(dock_, &CloudsDock::clearWanted, this, [this] {
+  connect(dock_->cancelButton(), &QPushButton::clicked, this, [this] { call_.cancel(); });
+  connect(dock_->clearButton(), &QPushButton::clicked, this, [this] {
     clouds_.clear();
     unsaved_ = false;
     dock_->setOutcome({}, false);
   });
-  connect(dock_, &CloudsDock::saveWanted, this, [this] { askAndSave(); });
-  connect(dock_, &CloudsDock::rangeChosen, this, [this](std::optional<scene::CloudRange> range) {
+  connect(dock_->saveButton(), &QPushButton::clicked, this, [this] { askAndSave(); });
+  connect(dock_, &CloudsDock::rangeChosen, this, [this](std::optional<clouds::HeightRange> range) {
     clouds_.setHeightRange(range);
     refreshClouds();
   });
-  connect(dock_, &CloudsDock::voxelChosen, this,
-          [this](std::optional<double> metres) { clouds_.setVoxel(metres); });
+  connect(dock_->voxelBox(), &QDoubleSpinBox::valueChanged, this,
+          [this](double metres) { clouds_.setVoxel(metres > 0 ? std::optional(metres) : std::nullopt); });
   const auto restyle = [this](auto change) {
-    scene::LayerStyle style = context_.scene.layerStyle(scene::Layer::DispatchedCloud);
-    change(style);
-    context_.scene.setLayerStyle(scene::Layer::DispatchedCloud, style);
+    scene::LayerStyle changed = style();
+    change(changed);
+    context_.scene.setLayerStyle(scene::Layer::DispatchedCloud, changed);
   };
-  connect(dock_, &CloudsDock::colorChosen, this,
+  connect(dock_->colorBox(), &QComboBox::activated, this,
           [restyle](int choice) { restyle([choice](scene::LayerStyle& style) { style.choice = choice; }); });
-  connect(dock_, &CloudsDock::sizeChosen, this,
+  connect(dock_->sizeBox(), &QDoubleSpinBox::valueChanged, this,
           [restyle](double px) { restyle([px](scene::LayerStyle& style) { style.size = px; }); });
   connect(&context_.scene, &scene::MapScene::layersChanged, this, [this] {
-    dock_->setStyle(context_.scene.layerStyle(scene::Layer::DispatchedCloud));
-    dock_->setScale(clouds_.scale());
+    dock_->setStyle(style());
+    dock_->setScale(scene::cloudScale(clouds_, style(), context_.scene.theme()));
     showSection();
   });
-  connect(&clouds_, &scene::MapClouds::summed, this, &CloudsController::refreshClouds);
-  connect(&clouds_, &scene::MapClouds::changed, this, &CloudsController::cut);
-  connect(&clouds_, &scene::MapClouds::summed, &context_.current, &CurrentSession::stateChanged);
-  connect(context_.overlay.card(), &EmptyStateCard::cloudsWanted, this,
-          [this] { context_.panels.open(dock_); });
+  connect(&clouds_, &clouds::CloudStore::summed, this, &CloudsController::refreshClouds);
+  connect(&clouds_, &clouds::CloudStore::changed, this, &CloudsController::cut);
+  connect(&clouds_, &clouds::CloudStore::summed, &context_.current, &CurrentSession::stateChanged);
+  connect(context_.overlay.card(), &EmptyStateCard::wanted, this, [this](CardOffer offer) {
+    if (offer == CardOffer::Clouds) context_.panels.open(dock_);
+  });
   connect(section_tool_, &SectionTool::lineDrawn, this,
           [this](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-            cut_ = scene::CloudCut{from, to, section_dock_->widthBox()->value()};
+            cut_ = clouds::Cut{from, to, section_dock_->widthBox()->value()};
             openSection();
             cut();
           });
@@ -132,7 +134,11 @@ CloudsController::CloudsController(WindowContext& context, QObject* parent)
   });
   connect(section_dock_, &SectionDock::looksAt, section_tool_, &SectionTool::setMark);
   connect(&context_.current, &CurrentSession::stateChanged, this, &CloudsController::refreshOffer);
-  dock_->setStyle(context_.scene.layerStyle(scene::Layer::DispatchedCloud));
+  dock_->setStyle(style());
+}
+
+const scene::LayerStyle& CloudsController::style() const {
+  return context_.scene.layerStyle(scene::Layer::DispatchedCloud);
 }
 
 robot::MapDispatch* CloudsController::dispatch() const {
@@ -141,7 +147,8 @@ robot::MapDispatch* CloudsController::dispatch() const {
 }
 
 void CloudsController::setSession(session::Session* session) {
-  // The scene has dropped the clouds; pending requests are void.
+  if (!session) clouds_.clear();
+  // Pending requests are void.
   ++asked_;
   call_ = {};
   unsaved_ = false;
@@ -181,7 +188,7 @@ void CloudsController::refreshOffer() {
 }
 
 void CloudsController::fetchBox(const geometry::WorldRect& box) {
-  const scene::CloudRange heights = dock_->askedHeights();
+  const clouds::HeightRange heights = dock_->askedHeights();
   map::CloudRegion region;
   region.centre_m = {box.center().x(), box.center().y(), (heights.low_m + heights.high_m) / 2};
   region.size_m = {box.width(), box.height(), heights.high_m - heights.low_m};
@@ -248,7 +255,7 @@ void CloudsController::take(robot::CloudKind kind, const std::optional<map::Clou
   if (!first || region) return;
   // The whole map, and nothing was on screen before: show all of it.
   connect(
-      &clouds_, &scene::MapClouds::summed, this,
+      &clouds_, &clouds::CloudStore::summed, this,
       [this] {
         if (!context_.viewpoint.chosen()) context_.viewpoint.fit(clouds_.bounds());
       },
@@ -257,12 +264,12 @@ void CloudsController::take(robot::CloudKind kind, const std::optional<map::Clou
 
 void CloudsController::refreshClouds() {
   dock_->setClouds(clouds_.sums(), clouds_.heights(), clouds_.heightRange());
-  dock_->setScale(clouds_.scale());
+  dock_->setScale(scene::cloudScale(clouds_, style(), context_.scene.theme()));
 }
 
 void CloudsController::cut() {
   if (!cut_) return;
-  clouds_.cut(*cut_, [this](std::shared_ptr<const scene::CloudSection> section) {
+  clouds_.cut(*cut_, [this](std::shared_ptr<const clouds::Section> section) {
     if (!cut_) return;
     section_ = std::move(section);
     showSection();
@@ -284,7 +291,9 @@ void CloudsController::openSection() {
 
 void CloudsController::showSection() {
   if (!section_ && !section_dock_->view()->section()) return;
-  section_dock_->showSection(section_, clouds_.sectionPainter(section_, section_dock_->devicePixelRatioF()));
+  section_dock_->showSection(section_,
+                             scene::sectionPainter(section_, clouds_, style(), context_.scene.theme(),
+                                                   section_dock_->devicePixelRatioF()));
 }
 
 std::vector<Fetched> CloudsController::fetched() {
@@ -313,9 +322,9 @@ void CloudsController::saveTo(const QString& path, std::function<void()> then) {
     return;
   }
   clouds_.write(path, [this, path, asked = asked_,
-                       then = std::move(then)](const tl::expected<std::uint64_t, QString>& outcome) {
+                       then = std::move(then)](const tl::expected<std::uint64_t, Fault>& outcome) {
     if (!outcome) {
-      context_.overlay.toasts()->add(Mark::Bad, outcome.error());
+      context_.overlay.toasts()->add(Mark::Bad, sentences::sentenceOf(outcome.error()));
       return;
     }
     context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)));

@@ -1,10 +1,10 @@
 // Clouds of the robot's map: fetch by region, show, cut, save.
 #pragma once
 
+#include "clouds/cloud_store.h"
 #include "jobs/fetch_cloud.h"
 #include "robot/call.h"
 #include "robot/map_dispatch.h"
-#include "scene/map_clouds.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 
@@ -18,9 +18,11 @@ class SectionTool;
 class CloudsController : public Controller {
   Q_OBJECT
  public:
-  explicit CloudsController(WindowContext& context, QObject* parent = nullptr);
+  /// The clouds of the map that the scene draws; they outlive this.
+  CloudsController(WindowContext& context, clouds::CloudStore& clouds, QObject* parent = nullptr);
 
   CloudsDock* dock() const { return dock_; }
+  clouds::CloudStore& store() const { return clouds_; }
   SectionDock* sectionDock() const { return section_dock_; }
   SectionTool* sectionTool() const { return section_tool_; }
   RegionTool* regionTool() const { return region_tool_; }
@@ -39,6 +41,7 @@ class CloudsController : public Controller {
   void fetchBox(const geometry::WorldRect& box);
   void take(robot::CloudKind kind, const std::optional<map::CloudRegion>& region,
             const robot::Outcome<jobs::FetchedCloud>& outcome);
+  const scene::LayerStyle& style() const;
   robot::MapDispatch* dispatch() const;
   void refreshOffer();
   void refreshClouds();
@@ -48,7 +51,7 @@ class CloudsController : public Controller {
   void askAndSave(std::function<void()> then = {});
 
   WindowContext& context_;
-  scene::MapClouds& clouds_;
+  clouds::CloudStore& clouds_;
   CloudsDock* dock_;
   SectionDock* section_dock_;
   SectionTool* section_tool_;
@@ -56,8 +59,8 @@ class CloudsController : public Controller {
   robot::Call call_;
   bool unsaved_ = false;     // data has arrived since everything was last written
   std::uint64_t asked_ = 0;  // counts the requests: answers to older ones are ignored
-  std::optional<scene::CloudCut> cut_;
-  std::shared_ptr<const scene::CloudSection> section_;
+  std::optional<clouds::Cut> cut_;
+  std::shared_ptr<const clouds::Section> section_;
 };
 
 }  // namespace mapwright::window

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include <QFormLayout>
-#include <QHBoxLayout>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "ui/clouds/cloud_text.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {
@@ -17,26 +16,12 @@ namespace {
 
 constexpr double kFarthestM = 100'000;
 
-QLabel* cloudText(QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
 QLabel* cloudHeading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   QFont font = label->font();
   font.setBold(true);
   label->setFont(font);
   return label;
-}
-
-QPushButton* cloudButton(const QString& text, QWidget* parent) {
-  auto* button = new QPushButton(text, parent);
-  button->setObjectName(QStringLiteral("compact"));
-  return button;
 }
 
 QDoubleSpinBox* metresBox(double low, double high, int decimals, const QString& name, QWidget* parent) {
@@ -53,17 +38,13 @@ QDoubleSpinBox* metresBox(double low, double high, int decimals, const QString& 
 }
 
 QHBoxLayout* fromTo(QDoubleSpinBox* from, QDoubleSpinBox* to, QWidget* parent) {
-  auto* row = new QHBoxLayout;
-  row->addWidget(from, 1);
-  row->addWidget(new QLabel(CloudsDock::tr("to"), parent));
-  row->addWidget(to, 1);
-  return row;
+  return rowOf({{from, 1}, new QLabel(CloudsDock::tr("to"), parent), {to, 1}});
 }
 
 }  // namespace
 
 CloudsDock::CloudsDock(QWidget* parent)
-    : QDockWidget(tr("Clouds"), parent), absence_(cloudText(this)), body_(new QWidget(this)) {
+    : QDockWidget(tr("Clouds"), parent), absence_(textLabel({}, this)), body_(new QWidget(this)) {
   setObjectName(QStringLiteral("clouds"));
   auto* const column = new QVBoxLayout(body_);
   column->setContentsMargins(8, 8, 8, 8);
@@ -74,17 +55,9 @@ CloudsDock::CloudsDock(QWidget* parent)
   column->addStretch();
   absence_->setContentsMargins(8, 4, 8, 4);
   auto* const all = new QWidget(this);
-  auto* const rows = new QVBoxLayout(all);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->addWidget(absence_);
-  rows->addWidget(body_, 1);
+  all->setLayout(columnOf({absence_, {body_, 1}}, -1, QMargins()));
   all->setMinimumWidth(240);
-  auto* const scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(all);
-  setWidget(scroll);
+  setScrolledWidget(*this, all);
   setClouds({}, {}, {});
   setProgress({});
   setAbsence({});
@@ -110,53 +83,36 @@ void CloudsDock::buildAsking(QVBoxLayout* column) {
   shape_->setAccessibleName(tr("Shape of the region"));
   form->addRow(tr("Shape"), shape_);
   rows->addLayout(form);
-  auto* const buttons = new QHBoxLayout;
-  view_ = cloudButton(tr("In view"), asking_);
-  region_ = cloudButton(tr("Draw region"), asking_);
-  whole_ = cloudButton(tr("Everything…"), asking_);
-  for (QPushButton* const button : {view_, region_, whole_}) buttons->addWidget(button);
-  rows->addLayout(buttons);
+  view_ = compactButton(tr("In view"), asking_);
+  region_ = compactButton(tr("Draw region"), asking_);
+  whole_ = compactButton(tr("Everything…"), asking_);
+  rows->addLayout(rowOf({view_, region_, whole_}));
 
   question_ = new QWidget(asking_);
-  auto* const ask = new QVBoxLayout(question_);
-  ask->setContentsMargins(0, 0, 0, 0);
-  auto* const text = cloudText(question_);
-  text->setText(tr(
-      "The robot does not report the size of its whole cloud. Fetching it may need much time and memory."));
-  sure_ = cloudButton(tr("Fetch everything"), question_);
-  auto* const no = cloudButton(tr("Cancel"), question_);
-  auto* const answers = new QHBoxLayout;
-  answers->addWidget(sure_);
-  answers->addWidget(no);
-  answers->addStretch();
-  ask->addWidget(text);
-  ask->addLayout(answers);
+  auto* const text = textLabel(
+      tr("The robot does not report the size of its whole cloud. Fetching it may need much time and memory."),
+      question_);
+  sure_ = compactButton(tr("Fetch everything"), question_);
+  auto* const no = compactButton(tr("Cancel"), question_);
+  question_->setLayout(columnOf({text, rowOf({sure_, no, LayoutItem::rest()})}, -1, QMargins()));
   question_->hide();
   rows->addWidget(question_);
   column->addWidget(asking_);
 
   under_way_ = new QWidget(body_);
-  auto* const line = new QHBoxLayout(under_way_);
-  line->setContentsMargins(0, 0, 0, 0);
   progress_ = new PlainLabel(under_way_);
-  cancel_ = cloudButton(tr("Cancel"), under_way_);
-  line->addWidget(progress_, 1);
-  line->addWidget(cancel_);
+  cancel_ = compactButton(tr("Cancel"), under_way_);
+  under_way_->setLayout(rowOf({{progress_, 1}, cancel_}, -1, QMargins()));
   column->addWidget(under_way_);
-  outcome_ = cloudText(body_);
+  outcome_ = textLabel({}, body_);
   column->addWidget(outcome_);
 
-  connect(kind_, &QComboBox::activated, this, &CloudsDock::kindChosen);
-  connect(shape_, &QComboBox::activated, this, [this] { Q_EMIT shapeChosen(shape()); });
-  connect(view_, &QPushButton::clicked, this, &CloudsDock::viewWanted);
-  connect(region_, &QPushButton::clicked, this, &CloudsDock::regionWanted);
   connect(whole_, &QPushButton::clicked, question_, &QWidget::show);
   connect(no, &QPushButton::clicked, question_, &QWidget::hide);
   connect(sure_, &QPushButton::clicked, this, [this] {
     question_->hide();
     Q_EMIT wholeWanted();
   });
-  connect(cancel_, &QPushButton::clicked, this, &CloudsDock::cancelWanted);
 }
 
 void CloudsDock::buildLook(QVBoxLayout* column) {
@@ -185,12 +141,8 @@ void CloudsDock::buildLook(QVBoxLayout* column) {
   low_ = metresBox(-1e7, 1e7, 2, tr("Lowest height to show"), body_);
   high_ = metresBox(-1e7, 1e7, 2, tr("Highest height to show"), body_);
   column->addLayout(fromTo(low_, high_, body_));
-  auto* const all = cloudButton(tr("All heights"), body_);
+  auto* const all = compactButton(tr("All heights"), body_);
   column->addWidget(all, 0, Qt::AlignLeft);
-  connect(color_, &QComboBox::activated, this, &CloudsDock::colorChosen);
-  connect(size_, &QDoubleSpinBox::valueChanged, this, &CloudsDock::sizeChosen);
-  connect(voxel_, &QDoubleSpinBox::valueChanged, this,
-          [this](double metres) { Q_EMIT voxelChosen(metres > 0 ? std::optional(metres) : std::nullopt); });
   connect(slider_, &HeightSlider::rangeChosen, this, &CloudsDock::rangeChosen);
   connect(low_, &QDoubleSpinBox::valueChanged, this, &CloudsDock::typedRange);
   connect(high_, &QDoubleSpinBox::valueChanged, this, &CloudsDock::typedRange);
@@ -198,20 +150,14 @@ void CloudsDock::buildLook(QVBoxLayout* column) {
 }
 
 void CloudsDock::buildEnd(QVBoxLayout* column) {
-  counts_ = cloudText(body_);
+  counts_ = textLabel({}, body_);
   column->addWidget(counts_);
-  auto* const buttons = new QHBoxLayout;
-  save_ = cloudButton(tr("Save as…"), body_);
-  clear_ = cloudButton(tr("Clear"), body_);
-  buttons->addWidget(save_);
-  buttons->addWidget(clear_);
-  buttons->addStretch();
-  column->addLayout(buttons);
-  connect(save_, &QPushButton::clicked, this, &CloudsDock::saveWanted);
-  connect(clear_, &QPushButton::clicked, this, &CloudsDock::clearWanted);
+  save_ = compactButton(tr("Save as…"), body_);
+  clear_ = compactButton(tr("Clear"), body_);
+  column->addLayout(rowOf({save_, clear_, LayoutItem::rest()}));
 }
 
-scene::CloudRange CloudsDock::askedHeights() const {
+clouds::HeightRange CloudsDock::askedHeights() const {
   return {std::min(ask_low_->value(), ask_high_->value()), std::max(ask_low_->value(), ask_high_->value())};
 }
 
@@ -223,7 +169,7 @@ void CloudsDock::typedRange() {
     const QSignalBlocker quiet(other);
     other->setValue((typed ? typed : low_)->value());
   }
-  Q_EMIT rangeChosen(scene::CloudRange{low_->value(), high_->value()});
+  Q_EMIT rangeChosen(clouds::HeightRange{low_->value(), high_->value()});
 }
 
 void CloudsDock::setAbsence(const QString& sentence) {
@@ -249,9 +195,7 @@ void CloudsDock::setProgress(const QString& words) {
 void CloudsDock::setOutcome(const QString& sentence, bool bad) {
   outcome_->setText(sentence);
   outcome_->setVisible(!sentence.isEmpty());
-  QPalette palette = outcome_->palette();
-  palette.setColor(QPalette::WindowText, bad ? appColors().error_text : appColors().secondary_text);
-  outcome_->setPalette(palette);
+  setTextColor(*outcome_, bad ? appColors().error_text : appColors().secondary_text);
 }
 
 void CloudsDock::refresh() {
@@ -265,8 +209,8 @@ void CloudsDock::refresh() {
   clear_->setEnabled(has_clouds_);
 }
 
-void CloudsDock::setClouds(const scene::CloudSums& sums, const scene::CloudHeights& heights,
-                           const std::optional<scene::CloudRange>& range) {
+void CloudsDock::setClouds(const clouds::CloudSums& sums, const clouds::Heights& heights,
+                           const std::optional<clouds::HeightRange>& range) {
   has_clouds_ = sums.clouds > 0;
   counts_->setText(cloudSumsText(sums));
   slider_->setHeights(heights);

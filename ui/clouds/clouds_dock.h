@@ -10,10 +10,10 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "scene/map_clouds.h"
+#include "clouds/cloud_store.h"
 #include "ui/clouds/color_scale.h"
+#include "ui/clouds/height_slider.h"
 #include "ui/clouds/region_tool.h"
-#include "ui/kit/height_slider.h"
 #include "ui/kit/plain_label.h"
 
 class QVBoxLayout;
@@ -38,8 +38,8 @@ class CloudsDock : public QDockWidget {
   void setProgress(const QString& words);
   /// The result of the last request; empty = none.
   void setOutcome(const QString& sentence, bool bad);
-  void setClouds(const scene::CloudSums& sums, const scene::CloudHeights& heights,
-                 const std::optional<scene::CloudRange>& range);
+  void setClouds(const clouds::CloudSums& sums, const clouds::Heights& heights,
+                 const std::optional<clouds::HeightRange>& range);
   /// New data is being processed and neither shown nor counted: until setClouds().
   void setSorting();
   void setStyle(const scene::LayerStyle& style);
@@ -49,7 +49,7 @@ class CloudsDock : public QDockWidget {
   bool voxels() const { return kind_->currentIndex() == 1; }
   RegionShape shape() const { return RegionShape(shape_->currentIndex()); }
   /// The heights to request, low first.
-  scene::CloudRange askedHeights() const;
+  clouds::HeightRange askedHeights() const;
 
   QComboBox* kindBox() const { return kind_; }
   QComboBox* shapeBox() const { return shape_; }
@@ -74,18 +74,8 @@ class CloudsDock : public QDockWidget {
   QString absence() const { return absence_->text(); }
 
  Q_SIGNALS:
-  void kindChosen();
-  void viewWanted();
-  void regionWanted();
-  void shapeChosen(mapwright::window::RegionShape shape);
   void wholeWanted();
-  void cancelWanted();
-  void clearWanted();
-  void saveWanted();
-  void rangeChosen(std::optional<mapwright::scene::CloudRange> range);
-  void voxelChosen(std::optional<double> metres);
-  void colorChosen(int choice);
-  void sizeChosen(double px);
+  void rangeChosen(std::optional<mapwright::clouds::HeightRange> range);
 
  private:
   void buildAsking(QVBoxLayout* column);

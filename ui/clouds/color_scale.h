@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "scene/map_clouds.h"
+#include "scene/clouds_layer.h"
 
 namespace mapwright::window {
 

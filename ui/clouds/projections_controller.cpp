@@ -9,7 +9,7 @@
 #include "sentences/plural.h"
 #include "ui/clouds/projection_tool.h"
 #include "ui/clouds/projections_dock.h"
-#include "ui/clouds/section_bands.h"
+#include "ui/clouds/section_view.h"
 #include "ui/kit/panels.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_view.h"
@@ -52,7 +52,7 @@ ProjectionsController::ProjectionsController(WindowContext& context, QObject* pa
     dock_->setDrawing(on);
     if (on) context_.panels.open(dock_);
   });
-  connect(dock_, &ProjectionsDock::drawWanted, this, [this](bool draw) {
+  connect(dock_->drawButton(), &QPushButton::clicked, this, [this](bool draw) {
     if (draw) {
       context_.tools.choose(tool_);
     } else {
@@ -60,9 +60,9 @@ ProjectionsController::ProjectionsController(WindowContext& context, QObject* pa
     }
   });
   connect(dock_, &QDockWidget::visibilityChanged, this, &ProjectionsController::askWhenSeen);
-  connect(dock_, &ProjectionsDock::askWanted, this, &ProjectionsController::ask);
+  connect(dock_->askButton(), &QPushButton::clicked, this, &ProjectionsController::ask);
   connect(dock_, &ProjectionsDock::sendWanted, this, &ProjectionsController::send);
-  connect(dock_, &ProjectionsDock::addWanted, this, [this] {
+  connect(dock_->addButton(), &QPushButton::clicked, this, [this] {
     const geometry::WorldRect seen = context_.view.destination().visibleWorld();
     // The middle half of the visible area: its edges can be seen and dragged.
     add(seen.grown(-std::min(seen.width(), seen.height()) / 4));
@@ -71,9 +71,9 @@ ProjectionsController::ProjectionsController(WindowContext& context, QObject* pa
     draft_.removeSelected();
     refresh();
   };
-  connect(dock_, &ProjectionsDock::removeWanted, this, take_out);
+  connect(dock_->removeButton(), &QPushButton::clicked, this, take_out);
   connect(tool_, &ProjectionTool::removeWanted, this, take_out);
-  connect(dock_, &ProjectionsDock::revertWanted, this, [this] {
+  connect(dock_->revertButton(), &QPushButton::clicked, this, [this] {
     draft_.revert();
     dock_->setOutcome({}, false);
     refresh();

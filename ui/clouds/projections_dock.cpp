@@ -1,36 +1,20 @@
 #include "ui/clouds/projections_dock.h"
 
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QKeyEvent>
 #include <QScopedValueRollback>
 #include <QStyledItemDelegate>
-#include <QVBoxLayout>
 
 #include "sentences/plural.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {
 namespace {
 
 constexpr int kLeastColumnPx = 26;
-
-QLabel* plainLines(QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
-QPushButton* smallButton(const QString& text, const QString& tip, QWidget* parent) {
-  auto* button = new QPushButton(text, parent);
-  button->setObjectName(QStringLiteral("compact"));
-  button->setToolTip(tip);
-  return button;
-}
 
 /// Metres are typed into a box with limits; the frame into a line.
 class NumberDelegate : public QStyledItemDelegate {
@@ -56,19 +40,19 @@ ProjectionsDock::ProjectionsDock(const ProjectionDraft* draft, QWidget* parent)
     : QDockWidget(tr("Projections"), parent),
       draft_(draft),
       model_(new ProjectionsModel(draft, this)),
-      absence_(plainLines(this)),
-      state_(plainLines(this)),
-      outcome_(plainLines(this)),
+      absence_(textLabel({}, this)),
+      state_(textLabel({}, this)),
+      outcome_(textLabel({}, this)),
       body_(new QWidget(this)),
       table_(new QTableView(body_)) {
   setObjectName(QStringLiteral("projections"));
-  ask_ = smallButton(tr("Reload"), tr("Ask the robot for its current projections"), body_);
-  add_ = smallButton(tr("Add"), tr("Add a projection of the visible area"), body_);
-  draw_ = smallButton(tr("On the map"), tr("Draw, select and move the rectangles on the map"), body_);
+  ask_ = compactButton(tr("Reload"), body_, tr("Ask the robot for its current projections"));
+  add_ = compactButton(tr("Add"), body_, tr("Add a projection of the visible area"));
+  draw_ = compactButton(tr("On the map"), body_, tr("Draw, select and move the rectangles on the map"));
   draw_->setCheckable(true);
-  remove_ = smallButton(tr("Remove"), tr("Remove the selected projection from the list (Delete)"), body_);
-  revert_ = smallButton(tr("Revert"), tr("Back to the robot's projections"), body_);
-  send_ = smallButton(tr("Set on the robot"), {}, body_);
+  remove_ = compactButton(tr("Remove"), body_, tr("Remove the selected projection from the list (Delete)"));
+  revert_ = compactButton(tr("Revert"), body_, tr("Back to the robot's projections"));
+  send_ = compactButton(tr("Set on the robot"), body_);
 
   table_->setModel(model_);
   table_->setItemDelegate(new NumberDelegate(table_));
@@ -85,38 +69,21 @@ ProjectionsDock::ProjectionsDock(const ProjectionDraft* draft, QWidget* parent)
   table_->verticalHeader()->setDefaultSectionSize(24);
   table_->setMinimumHeight(90);
 
-  auto* const column = new QVBoxLayout(body_);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->setSpacing(6);
-  auto* const unit = plainLines(body_);
-  unit->setText(tr("In metres; X and Y are those of the lower left corner."));
-  column->addWidget(unit);
-  column->addWidget(table_, 1);
-  auto* const edits = new QHBoxLayout;
-  for (QPushButton* const button : {add_, draw_, remove_}) edits->addWidget(button);
-  edits->addStretch();
-  column->addLayout(edits);
-  auto* const ends = new QHBoxLayout;
-  for (QPushButton* const button : {send_, revert_, ask_}) ends->addWidget(button);
-  ends->addStretch();
-  column->addLayout(ends);
-  column->addWidget(state_);
-  column->addWidget(outcome_);
+  auto* const unit = textLabel(tr("In metres; X and Y are those of the lower left corner."), body_);
+  body_->setLayout(columnOf({unit,
+                             {table_, 1},
+                             rowOf({add_, draw_, remove_, LayoutItem::rest()}),
+                             rowOf({send_, revert_, ask_, LayoutItem::rest()}),
+                             state_,
+                             outcome_},
+                            6, QMargins(8, 8, 8, 8)));
   absence_->setContentsMargins(8, 4, 8, 4);
 
   auto* const all = new QWidget(this);
-  auto* const rows = new QVBoxLayout(all);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->addWidget(absence_);
-  rows->addWidget(body_, 1);
+  all->setLayout(columnOf({absence_, {body_, 1}}, -1, QMargins()));
   all->setMinimumWidth(240);
   setWidget(all);
 
-  connect(ask_, &QPushButton::clicked, this, &ProjectionsDock::askWanted);
-  connect(add_, &QPushButton::clicked, this, &ProjectionsDock::addWanted);
-  connect(draw_, &QPushButton::clicked, this, &ProjectionsDock::drawWanted);
-  connect(remove_, &QPushButton::clicked, this, &ProjectionsDock::removeWanted);
-  connect(revert_, &QPushButton::clicked, this, &ProjectionsDock::revertWanted);
   connect(send_, &QPushButton::clicked, this, [this] {
     // It is disabled at once, and the focus would move to another dock.
     table_->setFocus();
@@ -150,9 +117,7 @@ void ProjectionsDock::setBusy(bool busy) {
 void ProjectionsDock::setOutcome(const QString& sentence, bool bad) {
   outcome_->setText(sentence);
   outcome_->setVisible(!sentence.isEmpty());
-  QPalette palette = outcome_->palette();
-  palette.setColor(QPalette::WindowText, bad ? appColors().error_text : appColors().secondary_text);
-  outcome_->setPalette(palette);
+  setTextColor(*outcome_, bad ? appColors().error_text : appColors().secondary_text);
 }
 
 void ProjectionsDock::setDrawing(bool drawing) { draw_->setChecked(drawing); }

@@ -43,11 +43,6 @@ class ProjectionsDock : public QDockWidget {
   QString state() const { return state_->text(); }
 
  Q_SIGNALS:
-  void askWanted();
-  void addWanted();
-  void drawWanted(bool draw);
-  void removeWanted();
-  void revertWanted();
   void sendWanted();
   void chosen(std::optional<int> index);
 

@@ -7,7 +7,8 @@
 namespace mapwright::window {
 namespace {
 
-double numberOf(const map::Projection& one, int column) {
+/// The value of a column with numbers.
+double& numberIn(map::Projection& one, int column) {
   switch (column) {
     case ProjectionsModel::X:
       return one.corner_m.x();
@@ -24,27 +25,23 @@ double numberOf(const map::Projection& one, int column) {
   }
 }
 
-void setNumber(map::Projection& one, int column, double value) {
-  switch (column) {
-    case ProjectionsModel::X:
-      one.corner_m.x() = value;
-      break;
-    case ProjectionsModel::Y:
-      one.corner_m.y() = value;
-      break;
-    case ProjectionsModel::Width:
-      one.size_m.x() = value;
-      break;
-    case ProjectionsModel::Height:
-      one.size_m.y() = value;
-      break;
-    case ProjectionsModel::MinZ:
-      one.min_z_m = value;
-      break;
-    default:
-      one.max_z_m = value;
-  }
-}
+struct ColumnTexts {
+  const char *head, *tip;
+};
+constexpr ColumnTexts kColumnTexts[] = {
+    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "X"),
+     QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Of the lower left corner, metres")},
+    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Y"),
+     QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Of the lower left corner, metres")},
+    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "W"),
+     QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Width, metres")},
+    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "H"),
+     QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Height on the map, metres")},
+    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "z from"),
+     QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Metres")},
+    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "to"),
+     QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Metres")},
+    {QT_TRANSLATE_NOOP("mapwright::window::ProjectionsModel", "Frame"), ""}};
 
 /// To the centimetre, without trailing zeros, so that all columns fit.
 QString shortNumber(double value) {
@@ -86,14 +83,14 @@ int ProjectionsModel::columnCount(const QModelIndex& parent) const { return pare
 QVariant ProjectionsModel::data(const QModelIndex& index, int role) const {
   const auto& all = draft_->wanted();
   if (!index.isValid() || index.row() >= int(all.size())) return {};
-  const map::Projection& one = all[std::size_t(index.row())];
+  map::Projection one = all[std::size_t(index.row())];
   const bool numeric = index.column() != Frame;
   switch (role) {
     case Qt::DisplayRole:
-      if (numeric) return shortNumber(numberOf(one, index.column()));
+      if (numeric) return shortNumber(numberIn(one, index.column()));
       return one.frame.empty() ? tr("of the map") : words::plainName(one.frame);
     case Qt::EditRole:
-      if (numeric) return numberOf(one, index.column());
+      if (numeric) return numberIn(one, index.column());
       return QString::fromStdString(one.frame);
     case Qt::TextAlignmentRole:
       return numeric ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
@@ -117,32 +114,10 @@ QVariant ProjectionsModel::data(const QModelIndex& index, int role) const {
 QVariant ProjectionsModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (role == Qt::DisplayRole && orientation == Qt::Vertical) return QString::number(section);
   if (orientation == Qt::Vertical) return {};
-  if (role == Qt::DisplayRole) {
-    switch (section) {
-      case X:
-        return tr("X");
-      case Y:
-        return tr("Y");
-      case Width:
-        return tr("W");
-      case Height:
-        return tr("H");
-      case MinZ:
-        return tr("z from");
-      case MaxZ:
-        return tr("to");
-      case Frame:
-        return tr("Frame");
-      default:
-        return {};
-    }
-  }
-  if (role == Qt::ToolTipRole && (section == X || section == Y))
-    return tr("Of the lower left corner, metres");
-  if (role == Qt::ToolTipRole && section == Width) return tr("Width, metres");
-  if (role == Qt::ToolTipRole && section == Height) return tr("Height on the map, metres");
-  if (role == Qt::ToolTipRole && section != Frame) return tr("Metres");
-  return {};
+  if (section < 0 || section >= kColumns) return {};
+  const ColumnTexts& texts = kColumnTexts[section];
+  if (role == Qt::DisplayRole) return tr(texts.head);
+  return role == Qt::ToolTipRole && *texts.tip ? QVariant(tr(texts.tip)) : QVariant();
 }
 
 bool ProjectionsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -155,7 +130,7 @@ bool ProjectionsModel::setData(const QModelIndex& index, const QVariant& value, 
     bool ok = false;
     const double number = value.toDouble(&ok);
     if (!ok) return false;
-    setNumber(one, index.column(), number);
+    numberIn(one, index.column()) = number;
   }
   if (one != all[std::size_t(index.row())]) Q_EMIT edited(index.row(), one);
   return true;

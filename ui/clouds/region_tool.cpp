@@ -5,7 +5,7 @@
 
 #include <QPainter>
 
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "ui/view/measure_tool.h"
 
 namespace mapwright::window {

@@ -1,10 +1,9 @@
 #include "ui/clouds/section_dock.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QVBoxLayout>
 
 #include "ui/clouds/cloud_text.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 
 namespace mapwright::window {
@@ -16,10 +15,6 @@ SectionDock::SectionDock(std::shared_ptr<work::Workers> workers, QWidget* parent
       told_(new PlainLabel(this)) {
   setObjectName(QStringLiteral("cloudSectionDock"));
   auto* const body = new QWidget(this);
-  auto* const rows = new QVBoxLayout(body);
-  rows->setContentsMargins(6, 4, 6, 4);
-  rows->setSpacing(4);
-  auto* const bar = new QHBoxLayout;
   auto* const label = new QLabel(tr("&Width of the strip"), body);
   label->setBuddy(width_);
   width_->setRange(0.01, 1000);
@@ -35,12 +30,7 @@ SectionDock::SectionDock(std::shared_ptr<work::Workers> workers, QWidget* parent
   fit->setToolTip(tr("Show the whole section (F)"));
   fit->setAccessibleName(tr("The whole section"));
   told_->setSecondary(true);
-  bar->addWidget(label);
-  bar->addWidget(width_);
-  bar->addWidget(fit);
-  bar->addWidget(told_, 1);
-  rows->addLayout(bar);
-  rows->addWidget(view_, 1);
+  body->setLayout(columnOf({rowOf({label, width_, fit, {told_, 1}}), {view_, 1}}, 4, QMargins(6, 4, 6, 4)));
   setWidget(body);
   connect(width_, &QDoubleSpinBox::valueChanged, this, &SectionDock::widthChosen);
   connect(fit, &QToolButton::clicked, view_, &SectionView::fit);
@@ -52,8 +42,7 @@ SectionDock::SectionDock(std::shared_ptr<work::Workers> workers, QWidget* parent
   tell();
 }
 
-void SectionDock::showSection(std::shared_ptr<const scene::CloudSection> section,
-                              render::TilePainter painter) {
+void SectionDock::showSection(std::shared_ptr<const clouds::Section> section, render::TilePainter painter) {
   view_->showSection(std::move(section), std::move(painter));
   tell();
 }

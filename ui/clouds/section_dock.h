@@ -15,7 +15,7 @@ class SectionDock : public QDockWidget {
  public:
   SectionDock(std::shared_ptr<work::Workers> workers, QWidget* parent = nullptr);
 
-  void showSection(std::shared_ptr<const scene::CloudSection> section, render::TilePainter painter);
+  void showSection(std::shared_ptr<const clouds::Section> section, render::TilePainter painter);
   SectionView* view() const { return view_; }
   QDoubleSpinBox* widthBox() const { return width_; }
   QString told() const { return told_->text(); }

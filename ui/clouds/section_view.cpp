@@ -9,7 +9,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "ui/kit/plot_ticks.h"
 #include "ui/kit/ui_colors.h"
 
@@ -43,8 +43,7 @@ QRect SectionView::field() const {
           std::max(1, height() - kTopPx - kBottomPx)};
 }
 
-void SectionView::showSection(std::shared_ptr<const scene::CloudSection> section,
-                              render::TilePainter painter) {
+void SectionView::showSection(std::shared_ptr<const clouds::Section> section, render::TilePainter painter) {
   const bool other = !section || !section_ || section->cut.from_m != section_->cut.from_m ||
                      section->cut.to_m != section_->cut.to_m;
   section_ = std::move(section);
@@ -226,7 +225,7 @@ void SectionView::read(const QPointF& px) {
   reading_.reset();
   if (section_ && field().contains(px.toPoint())) {
     const Eigen::Vector2d at = placeAt(px);
-    reading_ = Reading{at, section_->nearest(at, kReachPx * view_.scale_m_per_px)};
+    reading_ = Reading{at, clouds::nearestIn(*section_, at, kReachPx * view_.scale_m_per_px)};
   }
   Q_EMIT readingChanged();
   update();
@@ -335,6 +334,39 @@ void SectionView::paintAxes(QPainter& painter) const {
   painter.setPen(colors.secondary_text);
   painter.drawText(QRect(width() - 28, height() - metrics.height() - 3, 24, metrics.height()), Qt::AlignRight,
                    tr("m"));
+}
+
+namespace {
+
+constexpr double kThinnestBandM = 0.05;
+
+}  // namespace
+
+std::optional<BandEdge> edgeNear(const std::vector<SectionBand>& bands, double height_m, double reach_m) {
+  std::optional<BandEdge> best;
+  double nearest = reach_m;
+  bool best_is_chosen = false;
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    if (!bands[i].movable) continue;
+    for (const bool low : {false, true}) {
+      const double away = std::abs(height_m - (low ? bands[i].low_m : bands[i].high_m));
+      if (away > reach_m || (best_is_chosen && !bands[i].chosen)) continue;
+      if (best && best_is_chosen == bands[i].chosen && away >= nearest) continue;
+      best = BandEdge{i, low};
+      nearest = away;
+      best_is_chosen = bands[i].chosen;
+    }
+  }
+  return best;
+}
+
+SectionBand withEdgeAt(SectionBand band, bool low, double height_m) {
+  if (low) {
+    band.low_m = std::min(height_m, band.high_m - kThinnestBandM);
+  } else {
+    band.high_m = std::max(height_m, band.low_m + kThinnestBandM);
+  }
+  return band;
 }
 
 }  // namespace mapwright::window

@@ -3,14 +3,33 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <QWidget>
 
+#include "clouds/cloud_store.h"
 #include "render/painted_tiles.h"
-#include "scene/map_clouds.h"
-#include "ui/clouds/section_bands.h"
 
 namespace mapwright::window {
+
+struct SectionBand {
+  int index = 0;  // the displayed number
+  double low_m = 0, high_m = 0;
+  bool chosen = false;
+  bool movable = false;
+  bool operator==(const SectionBand&) const = default;
+};
+
+struct BandEdge {
+  std::size_t at = 0;  // of the bands
+  bool low = false;
+};
+
+/// The edge nearest to a height, within `reach_m`; of several that of the selected band. Only of movable
+/// bands.
+std::optional<BandEdge> edgeNear(const std::vector<SectionBand>& bands, double height_m, double reach_m);
+/// The band with that edge at a height; its ends stay in order and apart.
+SectionBand withEdgeAt(SectionBand band, bool low, double height_m);
 
 /// Wheel: zoom at the cursor. Drag: pan; at the edge of a band: move it. Double click or F: show all. Keys:
 /// arrows pan, + and - zoom.
@@ -20,8 +39,8 @@ class SectionView : public QWidget {
   SectionView(std::shared_ptr<work::Workers> workers, QWidget* parent = nullptr);
 
   /// null = none. `painter` draws it; a new one for the same section keeps the view.
-  void showSection(std::shared_ptr<const scene::CloudSection> section, render::TilePainter painter);
-  const std::shared_ptr<const scene::CloudSection>& section() const { return section_; }
+  void showSection(std::shared_ptr<const clouds::Section> section, render::TilePainter painter);
+  const std::shared_ptr<const clouds::Section>& section() const { return section_; }
   void fit();
   /// Height ranges shown over it.
   void setBands(std::vector<SectionBand> bands);
@@ -70,7 +89,7 @@ class SectionView : public QWidget {
   void paintBands(QPainter& painter) const;
   std::optional<BandEdge> edgeAt(const QPointF& px) const;
 
-  std::shared_ptr<const scene::CloudSection> section_;
+  std::shared_ptr<const clouds::Section> section_;
   render::PaintedTiles tiles_;
   geometry::ViewTransform view_;
   std::vector<SectionBand> bands_;

@@ -14,6 +14,8 @@
 
 class QMenu;
 class QWidget;
+class QMenuBar;
+class QToolBar;
 
 namespace mapwright::window {
 
@@ -171,5 +173,12 @@ QString submenuTitle(MenuGroup group);
 QString plainActionText(const QAction& action);
 /// "F", "Ctrl+K", "+ or =".
 QString shortcutsText(const QAction& action);
+
+class Actions;
+
+void fillMenuBar(QMenuBar& bar, const Actions& actions);
+void fillToolBar(QToolBar& bar, const Actions& actions);
+/// The context menu of the map at a point, world metres.
+void fillMapMenu(QMenu& menu, const Actions& actions, const Eigen::Vector2d& world_m);
 
 }  // namespace mapwright::window

@@ -4,13 +4,18 @@
 
 #include <QAction>
 #include <QChildEvent>
+#include <QCoreApplication>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMainWindow>
+#include <QPainter>
 #include <QTabBar>
 #include <QTimer>
+#include <QToolButton>
 
 #include "ui/kit/actions.h"
-#include "ui/kit/dock_title.h"
+#include "ui/kit/forms.h"
+#include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {
 
@@ -145,6 +150,38 @@ void Panels::open(QDockWidget* dock) {
 void Panels::suggest(QDockWidget* dock) {
   if (!restored_) dock->raise();
 }
+
+namespace {
+
+class DockTitle : public QWidget {
+ public:
+  explicit DockTitle(QDockWidget* dock) : QWidget(dock) {
+    auto* name = new QLabel(dock->windowTitle(), this);
+    makeHeading(*name);
+    QToolButton* close =
+        iconButton(QStringLiteral("close"), 14,
+                   QCoreApplication::translate("window", "Close. To open it again, use the View menu"), this,
+                   QCoreApplication::translate("window", "Close %1").arg(dock->windowTitle()));
+    close->setFixedSize(22, 22);
+    close->setFocusPolicy(Qt::NoFocus);
+    QObject::connect(close, &QToolButton::clicked, dock, &QDockWidget::close);
+    setLayout(rowOf({{name, 1}, close}, -1, QMargins(8, 3, 4, 3)));
+    setFixedHeight(28);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const UiColors colors = appColors();
+    QPainter painter(this);
+    painter.fillRect(rect(), colors.window);
+    painter.setPen(colors.border);
+    painter.drawLine(0, height() - 1, width(), height() - 1);
+  }
+};
+
+}  // namespace
+
+void giveTitle(QDockWidget* dock) { dock->setTitleBarWidget(new DockTitle(dock)); }
 
 }  // namespace mapwright::window
 

@@ -5,6 +5,7 @@
 
 #include <QByteArray>
 #include <QObject>
+#include <QWidget>
 
 class QDockWidget;
 class QMainWindow;
@@ -66,5 +67,8 @@ class Panels : public QObject {
   std::vector<Panel> panels_;
   bool restored_ = false;
 };
+
+/// Replaces the title bar of `dock`. Dragging and double-clicking still work.
+void giveTitle(QDockWidget* dock);
 
 }  // namespace mapwright::window

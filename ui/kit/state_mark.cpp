@@ -5,39 +5,34 @@
 
 namespace mapwright::window {
 
-QColor markColor(Mark mark, const UiColors& colors) {
+namespace {
+
+struct MarkColors {
+  QColor UiColors::*shape, UiColors::*text;
+};
+
+MarkColors colorsOf(Mark mark) {
   switch (mark) {
     case Mark::Good:
-      return colors.ok;
+      return {&UiColors::ok, &UiColors::ok_text};
     case Mark::Busy:
-      return colors.focus;
+      return {&UiColors::focus, &UiColors::accent_text};
     case Mark::Warning:
-      return colors.warning;
+      return {&UiColors::warning, &UiColors::warning_text};
     case Mark::Bad:
-      return colors.error;
+      return {&UiColors::error, &UiColors::error_text};
     case Mark::Neutral:
     case Mark::None:
       break;
   }
-  return colors.neutral;
+  return {&UiColors::neutral, &UiColors::secondary_text};
 }
 
-QColor markTextColor(Mark mark, const UiColors& colors) {
-  switch (mark) {
-    case Mark::Good:
-      return colors.ok_text;
-    case Mark::Busy:
-      return colors.accent_text;
-    case Mark::Warning:
-      return colors.warning_text;
-    case Mark::Bad:
-      return colors.error_text;
-    case Mark::Neutral:
-    case Mark::None:
-      break;
-  }
-  return colors.secondary_text;
-}
+}  // namespace
+
+QColor markColor(Mark mark, const UiColors& colors) { return colors.*colorsOf(mark).shape; }
+
+QColor markTextColor(Mark mark, const UiColors& colors) { return colors.*colorsOf(mark).text; }
 
 void paintMark(QPainter* painter, const QRectF& rect, Mark mark, const UiColors& colors) {
   if (mark == Mark::None) return;

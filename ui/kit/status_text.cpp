@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include "geometry/pose.h"
+#include "robot/silence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
 #include "words/qt_plain.h"
@@ -24,6 +25,28 @@ QString decimal(double value, int decimals) {
   const double unit = std::pow(10.0, -decimals);
   if (std::abs(value) < unit / 2) value = 0;
   return QString::number(value, 'f', decimals);
+}
+
+struct StatusLook {
+  SubmapStatus status;
+  const char *word, *icon;
+  Mark mark;
+};
+constexpr StatusLook kStatusLooks[] = {
+    {SubmapStatus::OnScreen, QT_TRANSLATE_NOOP("window", "shown"), "check", Mark::Good},
+    {SubmapStatus::Hidden, QT_TRANSLATE_NOOP("window", "hidden"), "eye-off", Mark::Neutral},
+    {SubmapStatus::Updating, QT_TRANSLATE_NOOP("window", "updating"), "updating", Mark::Busy},
+    {SubmapStatus::Queued, QT_TRANSLATE_NOOP("window", "queued"), "queued", Mark::Neutral},
+    {SubmapStatus::Fetching, QT_TRANSLATE_NOOP("window", "fetching"), "fetching", Mark::Busy},
+    {SubmapStatus::NoSlice, QT_TRANSLATE_NOOP("window", "no slice"), "empty", Mark::Neutral},
+    {SubmapStatus::Missing, QT_TRANSLATE_NOOP("window", "missing"), "missing", Mark::Warning},
+    {SubmapStatus::Waiting, QT_TRANSLATE_NOOP("window", "failed"), "waiting", Mark::Warning},
+    {SubmapStatus::Corrupt, QT_TRANSLATE_NOOP("window", "corrupt"), "corrupt", Mark::Bad},
+    {SubmapStatus::Unplaced, QT_TRANSLATE_NOOP("window", "no pose"), "unplaced", Mark::Bad}};
+
+const StatusLook& lookOf(SubmapStatus status) {
+  return *std::find_if(std::begin(kStatusLooks), std::end(kStatusLooks),
+                       [status](const StatusLook& look) { return look.status == status; });
 }
 
 }  // namespace
@@ -252,77 +275,31 @@ QString submapsText(qint64 count) {
       QCoreApplication::translate("window", "%1 submaps", nullptr, sentences::formOf(count)), count);
 }
 
-QString statusWord(SubmapStatus status) {
-  switch (status) {
-    case SubmapStatus::OnScreen:
-      return QCoreApplication::translate("window", "shown");
-    case SubmapStatus::Hidden:
-      return QCoreApplication::translate("window", "hidden");
-    case SubmapStatus::Updating:
-      return QCoreApplication::translate("window", "updating");
-    case SubmapStatus::Queued:
-      return QCoreApplication::translate("window", "queued");
-    case SubmapStatus::Fetching:
-      return QCoreApplication::translate("window", "fetching");
-    case SubmapStatus::NoSlice:
-      return QCoreApplication::translate("window", "no slice");
-    case SubmapStatus::Missing:
-      return QCoreApplication::translate("window", "missing");
-    case SubmapStatus::Waiting:
-      return QCoreApplication::translate("window", "failed");
-    case SubmapStatus::Corrupt:
-      return QCoreApplication::translate("window", "corrupt");
-    case SubmapStatus::Unplaced:
-      return QCoreApplication::translate("window", "no pose");
-  }
-  return {};
+QString statusWord(SubmapStatus status) { return QCoreApplication::translate("window", lookOf(status).word); }
+
+QString statusIcon(SubmapStatus status) { return QLatin1String(lookOf(status).icon); }
+
+Mark statusMark(SubmapStatus status) { return lookOf(status).mark; }
+
+std::optional<QDateTime> silentOnline(const session::Session& session) {
+  if (session.connection().phase != robot::ConnectionPhase::Online) return std::nullopt;
+  return robot::silentSince(session.robot());
 }
 
-QString statusIcon(SubmapStatus status) {
-  switch (status) {
-    case SubmapStatus::OnScreen:
-      return QStringLiteral("check");
-    case SubmapStatus::Hidden:
-      return QStringLiteral("eye-off");
-    case SubmapStatus::Updating:
-      return QStringLiteral("updating");
-    case SubmapStatus::Queued:
-      return QStringLiteral("queued");
-    case SubmapStatus::Fetching:
-      return QStringLiteral("fetching");
-    case SubmapStatus::NoSlice:
-      return QStringLiteral("empty");
-    case SubmapStatus::Missing:
-      return QStringLiteral("missing");
-    case SubmapStatus::Waiting:
-      return QStringLiteral("waiting");
-    case SubmapStatus::Corrupt:
-      return QStringLiteral("corrupt");
-    case SubmapStatus::Unplaced:
-      return QStringLiteral("unplaced");
-  }
-  return {};
+std::optional<QDateTime> valuesAsOf(const session::Session& session) {
+  const auto lost = session.staleSince();
+  return lost ? lost : silentOnline(session);
 }
 
-Mark statusMark(SubmapStatus status) {
-  switch (status) {
-    case SubmapStatus::OnScreen:
-      return Mark::Good;
-    case SubmapStatus::Updating:
-    case SubmapStatus::Fetching:
-      return Mark::Busy;
-    case SubmapStatus::Hidden:
-    case SubmapStatus::Queued:
-    case SubmapStatus::NoSlice:
-      return Mark::Neutral;
-    case SubmapStatus::Missing:
-    case SubmapStatus::Waiting:
-      return Mark::Warning;
-    case SubmapStatus::Corrupt:
-    case SubmapStatus::Unplaced:
-      return Mark::Bad;
-  }
-  return Mark::None;
+StateText linkText(const robot::ConnectionState& state, const std::optional<QDateTime>& silent_since,
+                   qint64 waited_ms, const QDateTime& now) {
+  if (!silent_since) return connectionText(state, waited_ms);
+  const qint64 silent_s = std::max<qint64>(1, silent_since->secsTo(now));
+  return {Mark::Warning, QCoreApplication::translate("window", "nothing for %1 s").arg(silent_s)};
+}
+
+QString linkWord(const robot::ConnectionState& state, const std::optional<QDateTime>& silent_since) {
+  return silent_since ? QCoreApplication::translate("window", "silent") : connectionWord(state.phase);
 }
 
 }  // namespace mapwright::window

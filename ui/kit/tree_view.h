@@ -92,4 +92,19 @@ class TableRowDelegate : public QStyledItemDelegate {
   }
 };
 
+/// The common look and behaviour of tables whose rows are objects: selects whole rows, has no grid, Tab
+/// leaves the table. `name`: for assistive technology.
+inline void showRows(QTableView& table, QAbstractItemModel* model, const QString& name, int row_px = 24) {
+  table.setModel(model);
+  table.setItemDelegate(new TableRowDelegate(&table));
+  table.setSelectionBehavior(QAbstractItemView::SelectRows);
+  table.setShowGrid(false);
+  table.setWordWrap(false);
+  table.setTabKeyNavigation(false);
+  table.verticalHeader()->hide();
+  table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table.verticalHeader()->setDefaultSectionSize(row_px);
+  table.setAccessibleName(name);
+}
+
 }  // namespace mapwright::window

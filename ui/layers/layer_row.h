@@ -2,16 +2,67 @@
 #pragma once
 
 #include <QFrame>
+#include <QPointer>
+#include <QSlider>
 
 #include "scene/map_scene.h"
 
-class QSlider;
+class QColorDialog;
+class QComboBox;
+class QDoubleSpinBox;
 class QToolButton;
 
 namespace mapwright::window {
 
-class LayerStyleEditor;
 class PlainLabel;
+
+/// A slider as high as a row, showing its percentage.
+class OpacitySlider : public QSlider {
+  Q_OBJECT
+ public:
+  explicit OpacitySlider(QWidget* parent = nullptr);
+  QSize sizeHint() const override { return {46, 18}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  void follow(const QPointF& at);
+};
+
+/// The settings of one layer: colour, size and choice, if it has them.
+class LayerStyleEditor : public QWidget {
+  Q_OBJECT
+ public:
+  LayerStyleEditor(scene::MapScene* scene, scene::Layer layer, QWidget* parent = nullptr);
+  void sync();
+  /// Null if the layer has no such setting.
+  QToolButton* colorButton() const { return color_; }
+  QDoubleSpinBox* sizeBox() const { return size_; }
+  QComboBox* choiceBox() const { return choice_; }
+  QComboBox* topicBox() const { return topic_; }
+  /// The topics to choose from; none: no choice. `chosen`, empty: the default one, whose name is `usual`
+  /// (empty: none).
+  void setTopics(const QStringList& choices, const QString& chosen, const QString& usual);
+  void setColor(const QColor& color);  // invalid: the theme's
+
+ Q_SIGNALS:
+  void topicChosen(const QString& topic);  // empty: as usual
+
+ private:
+  void askForColor();
+
+  scene::MapScene* scene_;
+  scene::Layer layer_;
+  QToolButton *color_ = nullptr, *color_reset_ = nullptr;
+  QDoubleSpinBox* size_ = nullptr;
+  QComboBox* choice_ = nullptr;
+  QComboBox* topic_ = nullptr;
+  QPointer<QColorDialog> dialog_;
+};
 
 class LayerRow : public QFrame {
   Q_OBJECT

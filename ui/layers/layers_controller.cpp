@@ -5,7 +5,6 @@
 #include "sentences/absence_sentence.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/plain_label.h"
-#include "ui/layers/layer_memory.h"
 #include "ui/layers/layers_dock.h"
 #include "ui/shell/current_session.h"
 

@@ -5,7 +5,7 @@
 
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
-#include "ui/view/view_mode.h"
+#include "ui/view/on_screen.h"
 
 class QActionGroup;
 

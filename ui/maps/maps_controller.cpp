@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "regions/region_map.h"
-#include "scene/regions_on_map.h"
 #include "sentences/problem_sentence.h"
 #include "session/lacks_picture.h"
 #include "ui/kit/panels.h"
@@ -13,11 +12,9 @@
 #include "ui/shell/notices.h"
 #include "ui/shell/unsaved_changes.h"
 #include "ui/shell/viewpoint.h"
-#include "ui/view/clipboard.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/on_screen.h"
 #include "ui/view/toast_stack.h"
-#include "ui/view/view_mode.h"
 
 namespace mapwright::window {
 
@@ -70,7 +67,7 @@ void MapsController::show(const map::MapKey& key) {
   session::Session* const session = context_.current.session();
   if (!session) return;
   // For a robot that sends its map by region that is its live map.
-  const regions::RegionMap* const by_region = scene::RegionsOnMap::of(context_.scene).map();
+  const regions::RegionMap* const by_region = context_.scene.regions();
   if (key.kind == map::MapKind::Live && by_region && by_region->offered()) return Q_EMIT regionsWanted();
   fit_next_ = true;
   fitted_.reset();

@@ -10,7 +10,7 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
-#include "ui/kit/form.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/undo_stacks.h"
 #include "ui/picture/picture_dock.h"

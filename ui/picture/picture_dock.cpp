@@ -14,7 +14,7 @@
 #include <QVBoxLayout>
 
 #include "sentences/plural.h"
-#include "ui/kit/form.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/ui_colors.h"
 
@@ -56,7 +56,7 @@ PictureDock::PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* pa
     : QDockWidget(tr("Edit map"), parent),
       editing_(editing),
       tool_(tool),
-      empty_(textLabel(this)),
+      empty_(wrappedLabel({}, this)),
       body_(new QWidget(this)) {
   setObjectName(QStringLiteral("picture"));
   auto* column = new QVBoxLayout(body_);
@@ -90,12 +90,12 @@ PictureDock::PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* pa
 
 void PictureDock::buildOffer(QVBoxLayout* column) {
   offer_box_ = new QWidget(body_);
-  offer_ = textLabel(offer_box_);
+  offer_ = wrappedLabel({}, offer_box_);
   auto* const restore = compactButton(tr("Restore"), offer_box_);
   auto* const drop = compactButton(tr("Discard draft"), offer_box_);
   QVBoxLayout* const rows = partOf(offer_box_, column, {0, 0, 0, 6});
   rows->addWidget(offer_);
-  rows->addLayout(rowOf({restore, drop, nullptr}));
+  rows->addLayout(rowOf({restore, drop, LayoutItem::rest()}));
   connect(restore, &QPushButton::clicked, this, &PictureDock::draftWanted);
   connect(drop, &QPushButton::clicked, this, &PictureDock::draftNotWanted);
   offer_box_->hide();
@@ -103,7 +103,7 @@ void PictureDock::buildOffer(QVBoxLayout* column) {
 
 void PictureDock::setOffer(const QString& sentence) {
   offer_->setText(sentence);
-  setTextColor(offer_, appColors().warning_text);
+  setTextColor(*offer_, appColors().warning_text);
   offer_box_->setVisible(!sentence.isEmpty());
 }
 
@@ -177,7 +177,7 @@ void PictureDock::buildKinds(QVBoxLayout* column) {
 void PictureDock::buildTidying(QVBoxLayout* column) {
   column->addSpacing(6);
   column->addWidget(heading(tr("Clean up"), body_));
-  tidy_where_ = textLabel(body_);
+  tidy_where_ = wrappedLabel({}, body_);
   column->addWidget(tidy_where_);
   struct Texts {
     QString name, tip;
@@ -221,7 +221,7 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
   preview_row_ = new QWidget(body_);
   auto* row = new QHBoxLayout(preview_row_);
   row->setContentsMargins(0, 0, 0, 0);
-  found_ = textLabel(preview_row_);
+  found_ = wrappedLabel({}, preview_row_);
   apply_ = compactButton(tr("Apply"), preview_row_);
   auto* const drop = compactButton(tr("Cancel"), preview_row_);
   row->addWidget(found_, 1);
@@ -250,20 +250,20 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
 
 void PictureDock::buildDecision(QVBoxLayout* column) {
   decision_ = new QWidget(body_);
-  conflict_ = textLabel(decision_);
+  conflict_ = wrappedLabel({}, decision_);
   mine_ = compactButton(tr("Keep mine"), decision_);
   theirs_ = compactButton(tr("Take theirs"), decision_);
   auto* show = compactButton(tr("Show"), decision_);
   QVBoxLayout* const rows = partOf(decision_, column, {0, 6, 0, 0});
   rows->addWidget(conflict_);
-  rows->addLayout(rowOf({mine_, theirs_, nullptr, show}));
+  rows->addLayout(rowOf({mine_, theirs_, LayoutItem::rest(), show}));
   connect(mine_, &QPushButton::clicked, this, [this] { editing_->decide(false); });
   connect(theirs_, &QPushButton::clicked, this, [this] { editing_->decide(true); });
   connect(show, &QPushButton::clicked, this, &PictureDock::locateConflictWanted);
 }
 
 void PictureDock::buildEnd(QVBoxLayout* column) {
-  status_ = textLabel(body_);
+  status_ = wrappedLabel({}, body_);
   compare_ =
       compactButton(tr("Before…"), body_,
                     tr("Compare the saved map with the current one, with a divider that can be dragged"));
@@ -272,7 +272,7 @@ void PictureDock::buildEnd(QVBoxLayout* column) {
   save_->setIcon(themedIcon(QStringLiteral("save")));
   stop_ = compactButton(tr("Stop"), body_, tr("Stop sending; the robot keeps its current picture"));
   column->addWidget(status_);
-  column->addLayout(rowOf({compare_, nullptr, discard_, stop_, save_}, 6));
+  column->addLayout(rowOf({compare_, LayoutItem::rest(), discard_, stop_, save_}, 6));
   connect(compare_, &QPushButton::clicked, this, &PictureDock::compareWanted);
   connect(discard_, &QPushButton::clicked, this, &PictureDock::discardWanted);
   connect(save_, &QPushButton::clicked, this, &PictureDock::saveWanted);
@@ -364,7 +364,7 @@ void PictureDock::refresh() {
   tidy_where_->setText(editing_->selection().empty()
                            ? tr("Applies to the whole map. To clean up only a part, select it.")
                            : tr("Applies to the selection."));
-  setTextColor(tidy_where_, appColors().secondary_text);
+  setTextColor(*tidy_where_, appColors().secondary_text);
   const bool reckoning = editing_->reckoning();
   const bool previewing = editing_->preview().has_value() || editing_->looking() || reckoning;
   for (QPushButton* button : tidy_buttons_) button->setEnabled(!saving_);
@@ -383,9 +383,9 @@ void PictureDock::refresh() {
   decision_->setVisible(editing_->conflicts() > 0);
   conflict_->setText(tr("Changed differently here and elsewhere: %1. Which version do you want to keep?")
                          .arg(cellsText(editing_->conflicts())));
-  setTextColor(conflict_, appColors().warning_text);
+  setTextColor(*conflict_, appColors().warning_text);
   status_->setText(statusText());
-  setTextColor(status_, trouble_.isEmpty() ? appColors().secondary_text : appColors().error_text);
+  setTextColor(*status_, trouble_.isEmpty() ? appColors().secondary_text : appColors().error_text);
   const bool unsaved = editing_->unsaved();
   compare_->setEnabled(unsaved);
   discard_->setEnabled(unsaved && !saving_);

@@ -6,7 +6,7 @@
 
 #include <QPainter>
 
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {

@@ -2,7 +2,6 @@
 
 #include "ui/kit/panels.h"
 #include "ui/plots/messages_dock.h"
-#include "ui/view/clipboard.h"
 #include "ui/view/map_overlay.h"
 
 namespace mapwright::window {

@@ -18,7 +18,6 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/pretty_json.h"
-#include "ui/kit/row_table.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/tree_view.h"
 #include "ui/plots/message_view.h"

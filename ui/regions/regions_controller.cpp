@@ -7,7 +7,6 @@
 #include <QActionGroup>
 #include <QMenu>
 
-#include "scene/regions_on_map.h"
 #include "ui/kit/plain_label.h"
 #include "ui/regions/map_errand.h"
 #include "ui/regions/map_saving.h"
@@ -89,7 +88,7 @@ RegionsController::RegionsController(WindowContext& context, QObject* parent)
 }
 
 RegionsController::~RegionsController() {
-  scene::RegionsOnMap::of(context_.scene).show(nullptr);
+  context_.scene.setRegions(nullptr);
   if (status_) delete status_;
 }
 
@@ -181,7 +180,7 @@ void RegionsController::follow() {
   errand_->setDispatch(nullptr, nullptr);
   if (dispatch_) dispatch_->disconnect(this);
   dispatch_ = dispatch;
-  scene::RegionsOnMap::of(context_.scene).show(nullptr);
+  context_.scene.setRegions(nullptr);
   map_.reset();
   if (dispatch_) {
     map_ = std::make_unique<regions::RegionMap>(*dispatch_, mapOptions(context_.budgets));
@@ -233,7 +232,7 @@ void RegionsController::tell() {
   const bool left = map_ && !by_region && online() && map_->regions().bytes() > 0;
   // If the robot never sent a region nothing is missing on the map.
   const bool on_map = map_ && (map_->offered() || map_->regions().bytes() > 0);
-  scene::RegionsOnMap::of(context_.scene).show(on_map ? map_.get() : nullptr);
+  context_.scene.setRegions(on_map ? map_.get() : nullptr);
   const bool whole = dispatch_ && dispatch_->offered(DispatchService::Grid);
   const bool busy = errand_->busy();
   refresh_->setEnabled(by_region);
@@ -247,7 +246,7 @@ void RegionsController::tell() {
     if (by_region || left) status_->setText(regionsStatus(map_->regions()));
   }
   const auto extent = dispatch_ ? dispatch_->extent() : std::nullopt;
-  scene::RegionsOnMap::of(context_.scene).setExtent(extent ? std::optional(extent->grid) : std::nullopt);
+  context_.scene.setRegionsExtent(extent ? std::optional(extent->grid) : std::nullopt);
   if (busy) return context_.notices.set(NoticeRank::Regions, errand_->notice());
   const RegionsNotice notice =
       by_region ? regionsNotice(map_->regions(), whole, extent)
@@ -277,7 +276,7 @@ std::vector<Fetched> RegionsController::fetched() { return errand_->fetched(); }
 void RegionsController::noteExported() { errand_->noteSaved(); }
 
 QString RegionsController::reasonAt(const Eigen::Vector2d& world_m) const {
-  const bool seen = map_ && scene::RegionsOnMap::of(context_.scene).map() == map_.get() &&
+  const bool seen = map_ && context_.scene.regions() == map_.get() &&
                     context_.scene.layerVisible(Layer::Regions) && !comparing(context_.scene);
   return seen ? regionReason(map_->regions(), world_m, map_->offered(), online()) : QString();
 }

@@ -18,6 +18,7 @@
 #include "sentences/plural.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
+#include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/replay/timeline_axis.h"
 #include "ui/replay/timeline_events.h"

@@ -9,7 +9,6 @@
 #include <QVBoxLayout>
 
 #include "ui/kit/plain_label.h"
-#include "ui/kit/row_table.h"
 #include "ui/kit/tree_view.h"
 
 namespace mapwright::window {

@@ -15,7 +15,6 @@
 #include "ui/kit/panels.h"
 #include "ui/replay/record_dialog.h"
 #include "ui/shell/current_session.h"
-#include "ui/view/clipboard.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/replay_state.h"
 #include "ui/view/toast_stack.h"

@@ -14,7 +14,6 @@
 
 #include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "scene/pose_between.h"
 #include "sentences/fault_sentence.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
@@ -29,7 +28,6 @@
 #include "ui/shell/replay_clock.h"
 #include "ui/shell/unsaved_changes.h"
 #include "ui/shell/viewpoint.h"
-#include "ui/view/clipboard.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/on_screen.h"
@@ -250,7 +248,7 @@ void ReplayController::setSession(session::Session* session) {
   // Readers of the bag must not outlive its robot.
   if (range_dialog_) range_dialog_->leaveBag();
   clock_->detach();
-  scene::PoseBetween::of(context_.scene).show(std::nullopt);
+  context_.scene.setPoseBetween(std::nullopt);
   auto* const robot = session ? qobject_cast<replay::ReplayRobot*>(&session->robot()) : nullptr;
   if (robot) {
     dock_was_open_ = dock_was_open_ && dock_->toggleViewAction()->isChecked();
@@ -292,7 +290,7 @@ void ReplayController::takeOpened() {
 }
 
 void ReplayController::showPose() {
-  if (clock_->isOpen()) scene::PoseBetween::of(context_.scene).show(clock_->poseBetween());
+  if (clock_->isOpen()) context_.scene.setPoseBetween(clock_->poseBetween());
 }
 
 void ReplayController::noteLink() {

@@ -13,7 +13,7 @@
 #include "robot/bag_library.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
-#include "ui/view/view_mode.h"
+#include "ui/view/on_screen.h"
 
 class QAction;
 class QMenu;

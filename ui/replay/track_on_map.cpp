@@ -40,7 +40,7 @@ TrackOnMap::TrackOnMap(ReplayClock& clock, scene::MapScene& scene, QObject* pare
   connect(&clock_, &ReplayClock::rangesChanged, this, &TrackOnMap::showSoon);
   connect(&clock_, &ReplayClock::closed, this, [this] {
     soon_.stop();
-    scene::BagTrack::of(scene_).show(nullptr);
+    scene_.setTrack(nullptr);
   });
   connect(&scene_, &scene::MapScene::layersChanged, this, [this] {
     if (due_) showSoon();
@@ -56,7 +56,7 @@ void TrackOnMap::show() {
   if (due_ || !clock_.reading()) return;
   QElapsedTimer took;
   took.start();
-  scene::BagTrack::of(scene_).show(trackOfBag(*clock_.reading()));
+  scene_.setTrack(trackOfBag(*clock_.reading()));
   soon_.setInterval(std::clamp(int(took.elapsed()) * kTimesAsLong, kSoonMs, kAtMostMs));
 }
 

@@ -7,7 +7,7 @@
 #include <QTimer>
 
 #include "replay/reading.h"
-#include "scene/bag_track.h"
+#include "scene/map_scene.h"
 
 namespace mapwright::window {
 

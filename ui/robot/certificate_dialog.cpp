@@ -2,12 +2,11 @@
 
 #include <QFontDatabase>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include "sentences/fault_sentence.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {
@@ -17,10 +16,7 @@ namespace {
 constexpr qsizetype kBytesInALine = 16;
 
 QLabel* plain(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setTextFormat(Qt::PlainText);
-  label->setText(text);
-  label->setWordWrap(true);
+  QLabel* label = wrappedLabel(text, parent);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   label->setFocusPolicy(Qt::NoFocus);
   return label;
@@ -52,10 +48,7 @@ CertificateDialog::CertificateDialog(const robot::UntrustedCertificate& certific
                               : tr("The certificate of %1 is not trusted").arg(certificate_.host),
                       this);
   title->setObjectName(QStringLiteral("title"));
-  QFont heading = title->font();
-  heading.setPointSizeF(heading.pointSizeF() * 1.2);
-  heading.setWeight(QFont::DemiBold);
-  title->setFont(heading);
+  makeHeading(*title, 1.2);
   auto* advice = plain(
       changed ? tr("Someone may be impersonating the robot, or it was given a new certificate. Nothing has "
                    "been sent to it. Trust the new certificate only if its fingerprint matches the one that "
@@ -72,20 +65,9 @@ CertificateDialog::CertificateDialog(const robot::UntrustedCertificate& certific
   trust_->setObjectName(QStringLiteral("secondary"));
   trust_->setAutoDefault(false);
   trust_->setEnabled(certificate_.trustable);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addStretch();
-  buttons->addWidget(trust_);
-  buttons->addWidget(cancel);
-
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 16, 16, 16);
-  column->setSpacing(12);
-  column->addWidget(title);
-  column->addWidget(buildFacts());
-  column->addWidget(advice);
-  column->addStretch();
-  column->addLayout(buttons);
+  setLayout(columnOf(
+      {title, buildFacts(), advice, LayoutItem::rest(), rowOf({LayoutItem::rest(), trust_, cancel}, 8)}, 12,
+      QMargins(16, 16, 16, 16)));
   connect(trust_, &QPushButton::clicked, this, &QDialog::accept);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   cancel->setFocus();
@@ -99,17 +81,13 @@ QWidget* CertificateDialog::buildFacts() {
   form->setVerticalSpacing(6);
   const auto row = [&](const QString& name, QLabel* value) {
     auto* label = new QLabel(name, box);
-    QPalette palette = label->palette();
-    palette.setColor(QPalette::WindowText, appColors().secondary_text);
-    label->setPalette(palette);
+    setTextColor(*label, appColors().secondary_text);
     form->addRow(label, value);
   };
   const bool changed = !certificate_.pinned_sha256.isEmpty();
   auto* why = plain(sentences::wordsOf(certificate_.why), box);
   why->setObjectName(QStringLiteral("why"));
-  QPalette red = why->palette();
-  red.setColor(QPalette::WindowText, appColors().error_text);
-  why->setPalette(red);
+  setTextColor(*why, appColors().error_text);
   row(tr("Why"), why);
   row(tr("Issued for"), plain(certificate_.subject.isEmpty() ? tr("no name") : certificate_.subject, box));
   row(tr("Issued by"), plain(certificate_.issuer.isEmpty() ? tr("no name") : certificate_.issuer, box));

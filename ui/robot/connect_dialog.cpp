@@ -1,16 +1,15 @@
 #include "ui/robot/connect_dialog.h"
 
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QLocale>
 #include <QPushButton>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "robot/address.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
@@ -19,20 +18,6 @@
 namespace mapwright::window {
 
 namespace {
-
-QLabel* plainLabel(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setTextFormat(Qt::PlainText);
-  label->setText(text);
-  label->setWordWrap(true);
-  return label;
-}
-
-void makeSecondary(QLabel* label) {
-  QPalette palette = label->palette();
-  palette.setColor(QPalette::WindowText, appColors().secondary_text);
-  label->setPalette(palette);
-}
 
 /// What may be typed: just a host, or an address of each kind.
 QString examplesText(const QStringList& examples) {
@@ -50,7 +35,7 @@ ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, QWidget* pa
       attempt_(std::move(attempt)),
       address_(new QLineEdit(this)),
       secret_(new QLineEdit(this)),
-      error_(plainLabel({}, this)),
+      error_(wrappedLabel({}, this)),
       list_(new QListWidget(this)),
       connect_(new QPushButton(tr("Connect"), this)) {
   setWindowTitle(tr("Connect to a robot"));
@@ -63,19 +48,9 @@ ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, QWidget* pa
   cancel->setAutoDefault(false);
   connect_->setObjectName(QStringLiteral("primary"));
   connect_->setDefault(true);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addWidget(demo);
-  buttons->addStretch();
-  buttons->addWidget(cancel);
-  buttons->addWidget(connect_);
-
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 16, 16, 16);
-  column->setSpacing(12);
-  column->addWidget(buildForm());
-  column->addWidget(buildRecents(), 1);
-  column->addLayout(buttons);
+  setLayout(
+      columnOf({buildForm(), {buildRecents(), 1}, rowOf({demo, LayoutItem::rest(), cancel, connect_}, 8)}, 12,
+               QMargins(16, 16, 16, 16)));
 
   connect(address_, &QLineEdit::textChanged, this, &ConnectDialog::check);
   connect(secret_, &QLineEdit::textEdited, this, &ConnectDialog::check);
@@ -97,17 +72,16 @@ QWidget* ConnectDialog::buildForm() {
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   address_->setObjectName(QStringLiteral("address"));
   address_->setPlaceholderText(QStringLiteral("192.0.2.7"));
-  auto* examples = plainLabel(examplesText(recents_.addresses().examples()), form_box);
-  makeSecondary(examples);
+  auto* examples = wrappedLabel(examplesText(recents_.addresses().examples()), form_box);
+  setTextColor(*examples, appColors().secondary_text);
   secret_->setObjectName(QStringLiteral("secret"));
   secret_->setEchoMode(QLineEdit::Password);
   secret_->setPlaceholderText(tr("Only if the robot asks for one"));
-  auto* note = plainLabel(tr("Used for this connection only. This version never stores secrets."), form_box);
-  makeSecondary(note);
+  auto* note =
+      wrappedLabel(tr("Used for this connection only. This version never stores secrets."), form_box);
+  setTextColor(*note, appColors().secondary_text);
   error_->setObjectName(QStringLiteral("error"));
-  QPalette red = error_->palette();
-  red.setColor(QPalette::WindowText, appColors().error_text);
-  error_->setPalette(red);
+  setTextColor(*error_, appColors().error_text);
   error_->hide();
   form->addRow(tr("&Address"), address_);
   form->addRow(QString(), error_);
@@ -119,15 +93,11 @@ QWidget* ConnectDialog::buildForm() {
 
 QWidget* ConnectDialog::buildRecents() {
   auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  column->addWidget(plainLabel(tr("Recent robots and files"), box));
   list_->setObjectName(QStringLiteral("recents"));
   list_->setMinimumHeight(120);
   list_->setUniformItemSizes(true);
   list_->setAccessibleName(tr("Recent robots"));
-  column->addWidget(list_, 1);
+  box->setLayout(columnOf({wrappedLabel(tr("Recent robots and files"), box), {list_, 1}}, 4, QMargins()));
   connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
     if (!item || item->data(Qt::UserRole).toString() == address_->text()) return;
     address_->setText(item->data(Qt::UserRole).toString());
@@ -149,27 +119,18 @@ void ConnectDialog::fillRecents() {
     item->setData(Qt::AccessibleTextRole, robot.address);
     item->setSizeHint({0, 28});
     auto* row = new QWidget(list_);
-    auto* line = new QHBoxLayout(row);
-    line->setContentsMargins(8, 0, 4, 0);
-    line->setSpacing(8);
     auto* address = new PlainLabel(robot.address, row);
     auto* name = new PlainLabel(robot.name, row);
     name->setSecondary(true);
     auto* when = new PlainLabel(QLocale::c().toString(robot.last, QStringLiteral("yyyy-MM-dd HH:mm")), row);
     when->setSecondary(true);
     when->setAlignment(Qt::AlignRight);
-    auto* remove = new QToolButton(row);
-    remove->setIcon(themedIcon(QStringLiteral("remove")));
-    remove->setIconSize({14, 14});
-    remove->setToolTip(tr("Forget this robot"));
-    remove->setAccessibleName(tr("Forget %1").arg(robot.address));
+    QToolButton* remove = iconButton(QStringLiteral("remove"), 14, tr("Forget this robot"), row,
+                                     tr("Forget %1").arg(robot.address));
     address->setElideMode(Qt::ElideMiddle);
     name->setMaximumWidth(200);
-    line->addWidget(address, 1);
-    line->addWidget(name);
+    row->setLayout(rowOf({{address, 1}, name, when, remove}, 8, QMargins(8, 0, 4, 0)));
     name->setVisible(!robot.name.isEmpty());
-    line->addWidget(when);
-    line->addWidget(remove);
     list_->setItemWidget(item, row);
     connect(remove, &QToolButton::clicked, this, [this, gone = robot.address] {
       recents_.remove(gone);

@@ -3,7 +3,7 @@
 
 #include <QToolButton>
 
-#include "ui/kit/safety_text.h"
+#include "ui/kit/safety_badge.h"
 #include "ui/kit/status_text.h"
 
 namespace mapwright::window {

@@ -3,16 +3,18 @@
 #include <utility>
 
 #include <QDir>
+#include <QFileInfo>
+#include <QMenu>
 
 #include "robot/second_server.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
-#include "ui/kit/link_text.h"
+#include "ui/kit/plain_label.h"
+#include "ui/kit/status_text.h"
 #include "ui/robot/certificate_dialog.h"
 #include "ui/robot/connect_dialog.h"
 #include "ui/robot/connection_chip.h"
-#include "ui/robot/robot_menus.h"
-#include "ui/robot/trusted_certificates.h"
+#include "ui/robot/recent_robots.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/notices.h"
 #include "ui/shell/unsaved_changes.h"
@@ -33,6 +35,13 @@ namespace {
 
 constexpr int kTickMs = 1000;
 
+/// Without submenus, which belong to the menu bar.
+void addGroup(QMenu& menu, const Actions& actions, MenuGroup group) {
+  for (const auto& [place, action] : actions.inMenus()) {
+    if (place.group == group && !action->menu()) menu.addAction(action);
+  }
+}
+
 }  // namespace
 
 ConnectionController::ConnectionController(WindowContext& context, Connect make_robot, QObject* parent)
@@ -40,10 +49,16 @@ ConnectionController::ConnectionController(WindowContext& context, Connect make_
       context_(context),
       make_robot_(std::move(make_robot)),
       recents_(context.settings, context.addresses) {
-  menus_ = new RobotMenus(context_.window, context_.actions, recents_, context_.current, this);
-  connect(menus_, &RobotMenus::addressWanted, this, &ConnectionController::goTo);
+  auto* const files = new QMenu(tr("Recent &files"), &context_.window);
+  files->setToolTipsVisible(true);
+  connect(files, &QMenu::aboutToShow, this, [this, files] {
+    files->clear();
+    addRecents(*files, true, {});
+    if (files->isEmpty()) files->addAction(tr("None yet"))->setEnabled(false);
+  });
+  context_.actions.place({MenuGroup::Places, 30}, files->menuAction());
   addActions();
-  wireCard();
+  connect(context_.overlay.card(), &EmptyStateCard::wanted, this, &ConnectionController::takeOffer);
   connect(&context_.current, &CurrentSession::stateChanged, this, &ConnectionController::refresh);
   stale_tick_.setInterval(kTickMs);
   connect(&stale_tick_, &QTimer::timeout, this, [this] {
@@ -52,7 +67,10 @@ ConnectionController::ConnectionController(WindowContext& context, Connect make_
   });
   context_.actions.placeOnBar({BarGroup::Robot, 10}, [this](QWidget* parent_widget) {
     chip_ = new ConnectionChip(parent_widget);
-    chip_->setMenu(menus_->makeChipMenu(chip_));
+    auto* const menu = new QMenu(chip_);
+    menu->setToolTipsVisible(true);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillChipMenu(*menu); });
+    chip_->setMenu(menu);
     return chip_;
   });
 }
@@ -86,16 +104,54 @@ void ConnectionController::addActions() {
                                      this, &ConnectionController::leave);
 }
 
-void ConnectionController::wireCard() {
-  EmptyStateCard* const card = context_.overlay.card();
-  const auto on = [this, card](auto signal, auto what) { connect(card, signal, this, what); };
-  on(&EmptyStateCard::connectWanted, &ConnectionController::openDialog);
-  on(&EmptyStateCard::secretWanted, &ConnectionController::enterSecret);
-  on(&EmptyStateCard::demoWanted, [this] { goTo(QStringLiteral("demo:")); });
-  on(&EmptyStateCard::retryWanted, &ConnectionController::retry);
-  on(&EmptyStateCard::certificateWanted, &ConnectionController::openCertificate);
-  on(&EmptyStateCard::cancelWanted, &ConnectionController::leave);
-  on(&EmptyStateCard::fileWanted, &ConnectionController::fileWanted);
+void ConnectionController::fillChipMenu(QMenu& menu) {
+  menu.clear();
+  addGroup(menu, context_.actions, MenuGroup::Places);
+  addRecents(menu, false, tr("Recent robots"));
+  addRecents(menu, true, tr("Recent files"));
+  if (!context_.current.session()) return;
+  menu.addSeparator();
+  addGroup(menu, context_.actions, MenuGroup::Link);
+}
+
+void ConnectionController::addRecents(QMenu& menu, bool files, const QString& title) {
+  bool first = true;
+  for (const RecentRobot& robot : recents_.list()) {
+    const auto parsed = recents_.addresses().parse(robot.address);
+    const QString path = parsed ? parsed->path : QString();
+    if (robot.address == context_.current.address() || path.isEmpty() == files) continue;
+    if (first && !title.isEmpty()) menu.addSection(title);
+    first = false;
+    QString label =
+        files ? QStringLiteral("%1  %2").arg(QFileInfo(path).fileName(), QFileInfo(path).absolutePath())
+        : robot.name.isEmpty() ? robot.address
+                               : QStringLiteral("%1  %2").arg(words::plainName(robot.name), robot.address);
+    label.replace(QLatin1Char('&'), QLatin1String("&&"));  // no mnemonics from robots
+    QAction* const action = menu.addAction(label.left(120));
+    action->setToolTip(plainToolTip(robot.address));
+    connect(action, &QAction::triggered, this, [this, address = robot.address] { goTo(address); });
+  }
+}
+
+void ConnectionController::takeOffer(CardOffer offer) {
+  switch (offer) {
+    case CardOffer::Connect:
+      return openDialog();
+    case CardOffer::Secret:
+      return enterSecret();
+    case CardOffer::Demo:
+      return goTo(QStringLiteral("demo:"));
+    case CardOffer::Retry:
+      return retry();
+    case CardOffer::Certificate:
+      return openCertificate();
+    case CardOffer::Cancel:
+      return leave();
+    case CardOffer::File:
+      return Q_EMIT fileWanted();
+    case CardOffer::Clouds:
+      break;  // not about the connection
+  }
 }
 
 std::optional<QString> ConnectionController::connectTo(const QString& address, const QByteArray& secret) {

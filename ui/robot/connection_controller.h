@@ -12,15 +12,17 @@
 
 #include "robot/robot.h"
 #include "ui/kit/controller.h"
-#include "ui/kit/safety_text.h"
+#include "ui/kit/safety_badge.h"
 #include "ui/robot/recent_robots.h"
 #include "ui/shell/window_context.h"
+
+class QMenu;
 
 namespace mapwright::window {
 
 class ConnectDialog;
 class ConnectionChip;
-class RobotMenus;
+enum class CardOffer;
 
 class ConnectionController : public Controller {
   Q_OBJECT
@@ -54,9 +56,11 @@ class ConnectionController : public Controller {
 
  private:
   void addActions();
+  void fillChipMenu(QMenu& menu);
+  void addRecents(QMenu& menu, bool files, const QString& title);
   void begin(std::unique_ptr<robot::Robot> robot, const QString& address);
   void leave();
-  void wireCard();
+  void takeOffer(CardOffer offer);
   void openDialog();
   void enterSecret();
   void openCertificate();
@@ -72,7 +76,6 @@ class ConnectionController : public Controller {
   WindowContext& context_;
   Connect make_robot_;
   RecentRobots recents_;
-  RobotMenus* menus_;
   ConnectionChip* chip_ = nullptr;
   QAction *retry_ = nullptr, *disconnect_ = nullptr;
   QTimer stale_tick_;  // while the connection is lost

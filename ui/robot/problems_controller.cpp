@@ -8,7 +8,6 @@
 #include "ui/robot/problems_dock.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/window_status_bar.h"
-#include "ui/view/clipboard.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 #include "words/qt_plain.h"

@@ -1,17 +1,15 @@
 #include "ui/robot/problems_dock.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTableView>
-#include <QVBoxLayout>
 
 #include "sentences/plural.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
-#include "ui/kit/row_table.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/tree_view.h"
 
@@ -22,10 +20,10 @@ ProblemsDock::ProblemsDock(QWidget* parent)
       model_(new ProblemsModel(this)),
       table_(new QuietTableView(this)),
       summary_(new PlainLabel(this)),
-      copy_selected_(new QPushButton(tr("Copy selected"), this)),
-      copy_all_(new QPushButton(tr("Copy all"), this)),
-      clear_(new QPushButton(tr("Clear"), this)),
-      retry_(new QPushButton(tr("Retry"), this)) {
+      copy_selected_(compactButton(tr("Copy selected"), this)),
+      copy_all_(compactButton(tr("Copy all"), this)),
+      clear_(compactButton(tr("Clear"), this)),
+      retry_(compactButton(tr("Retry"), this)) {
   setObjectName(QStringLiteral("problems"));
   showRows(*table_, model_, tr("Problems"));
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -41,25 +39,16 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   header->resizeSection(ProblemsModel::SubjectColumn, 150);
 
   auto* body = new QWidget(this);
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(8, 4, 8, 4);
-  row->setSpacing(8);
   summary_->setSample(QStringLiteral("x"));
   summary_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  row->addWidget(summary_, 1);
   retry_->setIcon(themedIcon(QStringLiteral("retry")));
   copy_all_->setIcon(themedIcon(QStringLiteral("copy")));
   clear_->setIcon(themedIcon(QStringLiteral("trash")));
   retry_->setToolTip(tr("Repeat the requests for everything that failed or was missing"));
-  for (QPushButton* button : {retry_, copy_selected_, copy_all_, clear_}) {
-    button->setObjectName(QStringLiteral("compact"));
-    row->addWidget(button);
-  }
-  auto* column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(table_, 1);
-  column->addLayout(row);
+  body->setLayout(
+      columnOf({{table_, 1},
+                rowOf({{summary_, 1}, retry_, copy_selected_, copy_all_, clear_}, 8, QMargins(8, 4, 8, 4))},
+               0, QMargins()));
   setWidget(body);
 
   connect(retry_, &QPushButton::clicked, this, &ProblemsDock::retryWanted);

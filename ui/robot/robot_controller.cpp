@@ -1,9 +1,9 @@
 #include "ui/robot/robot_controller.h"
 
 #include "map/whereabouts.h"
-#include "ui/kit/link_text.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/safety_badge.h"
+#include "ui/kit/status_text.h"
 #include "ui/robot/robot_dock.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/window_status_bar.h"

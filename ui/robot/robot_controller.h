@@ -4,7 +4,7 @@
 #include <QSet>
 
 #include "ui/kit/controller.h"
-#include "ui/kit/safety_text.h"
+#include "ui/kit/safety_badge.h"
 #include "ui/shell/window_context.h"
 
 namespace mapwright::window {

@@ -3,17 +3,16 @@
 #include <algorithm>
 
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "sentences/absence_sentence.h"
 #include "sentences/plural.h"
-#include "ui/kit/link_text.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/state_mark.h"
+#include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/shell/window_status_bar.h"
 #include "words/qt_plain.h"
@@ -33,17 +32,7 @@ map::Streams statusStreams() {
 
 PlainLabel* robotHeading(const QString& text, QWidget* parent) {
   auto* label = new PlainLabel(text, parent);
-  QFont font = label->font();
-  font.setWeight(QFont::DemiBold);
-  label->setFont(font);
-  return label;
-}
-
-QLabel* selectable(QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  makeHeading(*label);
   return label;
 }
 
@@ -64,16 +53,13 @@ RobotDock::RobotDock(QWidget* parent)
     : QDockWidget(tr("Robot"), parent),
       link_(new StateLabel(this)),
       stale_(new PlainLabel(this)),
-      limits_(selectable(this)),
+      limits_(textLabel({}, this)),
       fields_(new QWidget(this)),
       alert_box_(new QWidget(this)),
       grid_(new QGridLayout(fields_)),
       alert_column_(new QVBoxLayout(alert_box_)) {
   setObjectName(QStringLiteral("robot"));
   auto* body = new QWidget;
-  auto* column = new QVBoxLayout(body);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->setSpacing(4);
   link_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   stale_->setSecondary(true);
   limits_->setObjectName(QStringLiteral("limits"));
@@ -83,18 +69,9 @@ RobotDock::RobotDock(QWidget* parent)
   grid_->setColumnStretch(1, 1);
   alert_column_->setContentsMargins(0, 0, 0, 0);
   alert_column_->setSpacing(6);
-  column->addWidget(link_);
-  column->addWidget(stale_);
-  column->addWidget(limits_);
-  column->addWidget(alert_box_);
-  column->addWidget(fields_);
-  column->addStretch(1);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(body);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setWidget(scroll);
+  body->setLayout(
+      columnOf({link_, stale_, limits_, alert_box_, fields_, LayoutItem::rest()}, 4, QMargins(8, 8, 8, 8)));
+  setScrolledWidget(*this, body);
   refresh_timer_.setSingleShot(true);
   refresh_timer_.setInterval(kRobotRefreshMs);
   connect(&refresh_timer_, &QTimer::timeout, this, &RobotDock::refresh);
@@ -145,9 +122,7 @@ void RobotDock::refresh() {
   const QString limits = session_ ? sentences::limitsOf(session_->robot()) : QString();
   limits_->setText(words::plainText(limits));
   limits_->setVisible(!limits.isEmpty());
-  QPalette quiet = limits_->palette();
-  quiet.setColor(QPalette::WindowText, appColors().secondary_text);
-  limits_->setPalette(quiet);
+  setTextColor(*limits_, appColors().secondary_text);
   if (session_) {
     showSections(statusSections(session_->live()));
     const bool live = session_->robot().liveTopics() != nullptr;
@@ -202,19 +177,14 @@ void RobotDock::showSections(std::vector<StatusSection> sections) {
 
 QWidget* RobotDock::alertRow(const AlertLine& line) {
   auto* row = new QWidget(alert_box_);
-  auto* column = new QVBoxLayout(row);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
   auto* head = new StateLabel(row);
   head->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   head->setState({line.mark, QStringLiteral("%1 %2%3").arg(
                                  line.level, line.code,
                                  line.since.isEmpty() ? QString() : tr(", since ") + line.since)});
-  auto* text = selectable(row);
-  text->setText(line.text);
+  QLabel* text = textLabel(line.text, row);
   text->setContentsMargins(20, 0, 0, 0);
-  column->addWidget(head);
-  column->addWidget(text);
+  row->setLayout(columnOf({head, text}, 0, QMargins()));
   text->setVisible(!line.text.isEmpty());
   return row;
 }

@@ -3,12 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include <QImage>
-#include <QPainter>
-#include <QStyleOptionGraphicsItem>
-
-#include "scene/grid_steps.h"
-#include "scene/map_layers.h"
+#include "scene/layer_item.h"
+#include "scene/lengths.h"
 
 namespace mapwright::scene {
 namespace {
@@ -68,6 +64,46 @@ void drawUpright(QPainter& painter, const std::array<LineSet, 3>& sets, const QR
   painter.restore();
 }
 
+/// The adaptive metric grid: minor and major lines, the world's axes.
+class GridLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
+    const geometry::ViewTransform& view = context_.view;
+    const auto [minor, major] = gridSteps(view);
+    std::array<LineSet, 3> sets{LineSet{{}, context_.theme.grid_minor},
+                                LineSet{{}, context_.theme.grid_major}, LineSet{{}, context_.theme.axis}};
+    for (const int axis : {0, 1}) {
+      sets[0].lines += gridLines(view, minor, axis);
+      sets[1].lines += gridLines(view, major, axis);
+    }
+    const geometry::WorldRect world = view.visibleWorld();
+    if (world.min_y <= 0 && world.max_y >= 0) {
+      sets[2].lines << QLineF(toPoint(view.pixelFromWorld({world.min_x, 0})),
+                              toPoint(view.pixelFromWorld({world.max_x, 0})));
+    }
+    if (world.min_x <= 0 && world.max_x >= 0) {
+      sets[2].lines << QLineF(toPoint(view.pixelFromWorld({0, world.min_y})),
+                              toPoint(view.pixelFromWorld({0, world.max_y})));
+    }
+    const QSizeF viewport(view.width_px, view.height_px);
+    if (view.rotation_rad == 0) {
+      drawUpright(*painter, sets, option->exposedRect & QRectF(QPointF(), viewport));
+      return;
+    }
+    for (const LineSet& set : sets) {
+      if (set.lines.isEmpty()) continue;
+      sheet_.paint(*painter, viewport, set.color.alphaF(), [&](QPainter& on_sheet) {
+        on_sheet.setPen(QPen(translucent(set.color, 255), 0));
+        on_sheet.drawLines(set.lines);
+      });
+    }
+  }
+
+ private:
+  LineSheet sheet_;
+};
+
 }  // namespace
 
 GridSteps gridSteps(const geometry::ViewTransform& view) {
@@ -88,38 +124,13 @@ double roundDown125(double value) {
   return power;
 }
 
-void GridLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
-  const geometry::ViewTransform& view = context_.view;
-  const auto [minor, major] = gridSteps(view);
-  std::array<LineSet, 3> sets{LineSet{{}, context_.theme.grid_minor}, LineSet{{}, context_.theme.grid_major},
-                              LineSet{{}, context_.theme.axis}};
-  for (const int axis : {0, 1}) {
-    sets[0].lines += gridLines(view, minor, axis);
-    sets[1].lines += gridLines(view, major, axis);
-  }
-  const geometry::WorldRect world = view.visibleWorld();
-  if (world.min_y <= 0 && world.max_y >= 0) {
-    sets[2].lines << QLineF(toPoint(view.pixelFromWorld({world.min_x, 0})),
-                            toPoint(view.pixelFromWorld({world.max_x, 0})));
-  }
-  if (world.min_x <= 0 && world.max_x >= 0) {
-    sets[2].lines << QLineF(toPoint(view.pixelFromWorld({0, world.min_y})),
-                            toPoint(view.pixelFromWorld({0, world.max_y})));
-  }
-  const QSizeF viewport(view.width_px, view.height_px);
-  if (view.rotation_rad == 0) {
-    drawUpright(*painter, sets, option->exposedRect & QRectF(QPointF(), viewport));
-    return;
-  }
-  for (const LineSet& set : sets) {
-    if (set.lines.isEmpty()) continue;
-    QColor opaque = set.color;
-    opaque.setAlpha(255);
-    sheet_.paint(*painter, viewport, set.color.alphaF(), [&](QPainter& on_sheet) {
-      on_sheet.setPen(QPen(opaque, 0));
-      on_sheet.drawLines(set.lines);
-    });
-  }
+template <>
+LayerSpec layerSpec<Layer::Grid>() {
+  return {.name = "grid",
+          .title = QT_TRANSLATE_NOOP("scene", "Grid"),
+          .follows_robot = false,
+          .why_empty = neverEmpty,
+          .items = oneItem<GridLayer>};
 }
 
 }  // namespace mapwright::scene

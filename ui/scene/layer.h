@@ -1,4 +1,4 @@
-// The layers of the map: their names, what data they need, and how they can be styled.
+// The layers of the map. Everything about one stands in its own file, except its row here.
 #pragma once
 
 #include <optional>
@@ -10,58 +10,51 @@
 
 #include "map/stream.h"
 
+namespace mapwright::robot {
+class Robot;
+}
+
 namespace mapwright::scene {
 
-/// Everything that can be shown, in the default order, bottom first.
-enum class Layer {
-  WholeMap,
-  Regions,  // a map too large to be sent whole, as far as it has been fetched
-  Submaps,
-  Incremental,
-  EnvMatch,
-  EnvSymmetry,
-  CostmapLow,
-  CostmapHigh,
-  DispatchedCloud,  // of the map, in space
-  Grid,
-  Overlays,
-  Waypoints,
-  Landmarks,
-  Doors,
-  Boxes,  // pallets, racks, seen objects
-  Constraints,
-  Outlines,
-  Ids,
-  Trajectory,
-  Path,
-  LocalPath,
-  Target,
-  Cloud,
-  NearbyRobots,
-  Trail,
-  Track,  // of a whole bag
-  ExpandedFootprint,
-  Footprint,
-  Robot,
-  ScaleBar,
-};
+/// Everything that can be shown, in the default order, bottom first. A new layer is a row here, and a file
+/// that defines its layerSpec(): docs/how-to/add-a-layer.md.
+#define MAPWRIGHT_LAYERS(ROW) \
+  ROW(WholeMap)               \
+  ROW(Regions)                \
+  ROW(Submaps)                \
+  ROW(Incremental)            \
+  ROW(EnvMatch)               \
+  ROW(EnvSymmetry)            \
+  ROW(CostmapLow)             \
+  ROW(CostmapHigh)            \
+  ROW(DispatchedCloud)        \
+  ROW(Grid)                   \
+  ROW(Overlays)               \
+  ROW(Waypoints)              \
+  ROW(Landmarks)              \
+  ROW(Doors)                  \
+  ROW(Boxes)                  \
+  ROW(Constraints)            \
+  ROW(Outlines)               \
+  ROW(Ids)                    \
+  ROW(Trajectory)             \
+  ROW(Path)                   \
+  ROW(LocalPath)              \
+  ROW(Target)                 \
+  ROW(Cloud)                  \
+  ROW(NearbyRobots)           \
+  ROW(Trail)                  \
+  ROW(Track)                  \
+  ROW(ExpandedFootprint)      \
+  ROW(Footprint)              \
+  ROW(Robot)                  \
+  ROW(ScaleBar)
 
-/// For the command line and settings: "whole", "submaps", "costmap", "cloud", …
-QString layerName(Layer layer);
-/// For display, short: "Whole map", "Costmap, coarse", …
-QString layerTitle(Layer layer);
-/// The default order, bottom first.
-std::vector<Layer> allLayers();
-bool shownByDefault(Layer layer);
-/// The data that it needs from a robot, besides what is always on.
-map::Streams layerStreams(Layer layer);
-/// True if it shows the robot's state, sensor data or plans: it is meaningless on a map that the robot is not
-/// in. (The open map's own landmarks and trajectories stay.)
-bool followsRobot(Layer layer);
-/// True if its position is fixed (the scale bar is always on top).
-bool orderFixed(Layer layer);
+#define MAPWRIGHT_LAYER(name) name,
+enum class Layer { MAPWRIGHT_LAYERS(MAPWRIGHT_LAYER) };
+#undef MAPWRIGHT_LAYER
 
-/// How a layer is drawn. Settings that styleTraits() does not offer have no effect.
+/// How a layer is drawn. Settings that LayerTraits does not offer have no effect.
 struct LayerStyle {
   QColor color;     // invalid = the theme's own
   double size = 0;  // px; 0 = the default
@@ -72,14 +65,64 @@ struct LayerStyle {
 /// The settings that a layer offers.
 struct LayerTraits {
   bool color = false;
-  std::optional<std::pair<double, double>> size_px;  // least, most
+  std::optional<std::pair<double, double>> size_px = {};  // least, most
   double default_size_px = 0;
-  QString size_title;    // "Point size", "Line width"
-  QString choice_title;  // "Zooming out", "Colour by"
-  QStringList choices;   // empty = none
+  QString size_title = {};    // "Point size", "Line width"
+  QString choice_title = {};  // "Zooming out", "Colour by"
+  QStringList choices = {};   // empty = none
   bool any() const { return color || size_px || !choices.isEmpty(); }
 };
+
+class LayerItem;
+struct LayerContext;
+
+/// Why a robot has no data for a layer, as a sentence; empty if it has.
+using WhyEmpty = QString (*)(robot::Robot& robot);
+QString neverEmpty(robot::Robot& robot);
+QString whyNoLiveData(robot::Robot& robot);
+QString whyNoSubmaps(robot::Robot& robot);
+QString whyNoMapFeatures(robot::Robot& robot);
+
+/// What is known about a layer.
+struct LayerSpec {
+  const char* name;              // for the command line and settings: "whole", "submaps", "costmap", …
+  const char* title;             // for display, short; in the translation context "scene"
+  bool shown = true;             // at first
+  map::Streams streams = {};     // the data that it needs from a robot, besides what is always on
+  std::vector<int> topics = {};  // map::topicIndex() of the messages that change what it shows
+  /// It shows the robot's state, sensor data or plans: it is meaningless on a map that the robot is not in.
+  /// (The open map's own landmarks and trajectories stay.)
+  bool follows_robot = true;
+  bool topic_chosen = false;  // the user may choose from which topic its data comes
+  bool in_all = true;         // part of "--layers all"
+  bool order_fixed = false;   // its position in the order is
+  LayerTraits (*traits)() = [] { return LayerTraits(); };
+  WhyEmpty why_empty = whyNoLiveData;
+  /// The graphics items that draw it, bottom first; null: RasterStack makes them.
+  std::vector<LayerItem*> (*items)(const LayerContext& context) = nullptr;
+};
+
+/// Defined in the file of each layer.
+template <Layer>
+LayerSpec layerSpec();
+#define MAPWRIGHT_LAYER(name) \
+  template <>                 \
+  LayerSpec layerSpec<Layer::name>();
+MAPWRIGHT_LAYERS(MAPWRIGHT_LAYER)
+#undef MAPWRIGHT_LAYER
+
+const LayerSpec& specOf(Layer layer);
+/// The default order, bottom first.
+const std::vector<Layer>& allLayers();
+QString layerName(Layer layer);
+QString layerTitle(Layer layer);
+map::Streams layerStreams(Layer layer);
+bool followsRobot(Layer layer);
+/// The kind of data whose topic can be chosen; nullopt: no choice.
+std::optional<map::Stream> chosenStream(Layer layer);
 LayerTraits layerTraits(Layer layer);
+/// Of a layer that consists of lines.
+LayerTraits lineTraits(double width_px);
 
 /// The choices of the layers that have some.
 enum class WholeMapChoice { OccupiedWins, Average };

@@ -5,48 +5,58 @@
 #include <cmath>
 
 #include <QFontMetricsF>
-#include <QPainter>
 #include <QPainterPath>
-#include <QStyleOptionGraphicsItem>
+
+#include "words/qt_plain.h"
 
 namespace mapwright::scene {
+namespace {
 
-QPointF toPoint(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
+constexpr double kBandPx = 32;
 
-QColor readable(const QColor& color, const MapTheme& theme) {
-  // Relative luminance and contrast as in WCAG 2; above its limits, as the halo covers part of thin letters.
-  constexpr float kLeastContrast = 10;
-  constexpr int kSteps = 10;
-  const auto linear = [](float part) {
-    return part <= 0.04045F ? part / 12.92F : std::pow((part + 0.055F) / 1.055F, 2.4F);
-  };
-  const auto luminance = [&linear](const QColor& of) {
-    return 0.2126F * linear(of.redF()) + 0.7152F * linear(of.greenF()) + 0.0722F * linear(of.blueF());
-  };
-  const float halo = luminance(theme.text_halo);
-  for (int step = 0; step < kSteps; ++step) {
-    const float part = float(step) / kSteps;
-    const auto mixed = [part](float own, float text) { return own + (text - own) * part; };
-    const QColor one =
-        QColor::fromRgbF(mixed(color.redF(), theme.text.redF()), mixed(color.greenF(), theme.text.greenF()),
-                         mixed(color.blueF(), theme.text.blueF()));
-    const float own = luminance(one);
-    if ((std::max(own, halo) + 0.05F) / (std::min(own, halo) + 0.05F) >= kLeastContrast) return one;
+// An invalid position goes into the first band: a robot may send one.
+int bandOf(double y) { return y > -1e6 ? int(std::floor(std::min(y, 1e6) / kBandPx)) : int(-1e6 / kBandPx); }
+
+}  // namespace
+
+bool LabelSpace::free(const QRectF& spot) const {
+  for (int band = bandOf(spot.top()); band <= bandOf(spot.bottom()); ++band) {
+    const auto taken = bands_.find(band);
+    if (taken == bands_.end()) continue;
+    for (const QRectF& other : taken->second) {
+      if (other.intersects(spot)) return false;
+    }
   }
-  return theme.text;
+  return true;
 }
 
-void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
-               const QColor& color, bool struck_through) {
-  QFont font = theme.label_font;
-  font.setStrikeOut(struck_through);
-  QPainterPath path;
-  path.addText(baseline_left, font, text);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(theme.text_halo, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPath(path);
-  painter.fillPath(path, color);
+std::optional<QRectF> LabelSpace::take(std::span<const QRectF> spots) {
+  const auto spot = std::find_if(spots.begin(), spots.end(), [this](const QRectF& s) { return free(s); });
+  if (spot == spots.end()) return std::nullopt;
+  for (int band = bandOf(spot->top()); band <= bandOf(spot->bottom()); ++band) bands_[band].push_back(*spot);
+  return *spot;
+}
+
+void LineSheet::paint(QPainter& painter, const QSizeF& viewport, double opacity,
+                      const std::function<void(QPainter&)>& draw) {
+  const qreal ratio = painter.device()->devicePixelRatioF();
+  const QSize size = (viewport * ratio).toSize();
+  if (sheet_.size() != size) sheet_ = QImage(size, QImage::Format_ARGB32_Premultiplied);
+  if (sheet_.isNull()) return;
+  sheet_.setDevicePixelRatio(ratio);
+  sheet_.fill(Qt::transparent);
+  QPainter on_sheet(&sheet_);
+  draw(on_sheet);
+  on_sheet.end();
+  const qreal before = painter.opacity();
+  painter.setOpacity(before * opacity);
+  painter.drawImage(QPointF(0, 0), sheet_);
+  painter.setOpacity(before);
+}
+
+QString shortName(const std::string& name, qsizetype longest) {
+  const QString text = words::plainName(name);
+  return text.size() > longest ? text.left(longest - 1) + QChar(0x2026) : text;
 }
 
 void drawName(QPainter& painter, const LayerContext& context, const QRectF& mark, const QString& name,
@@ -66,51 +76,36 @@ void drawName(QPainter& painter, const LayerContext& context, const QRectF& mark
                          spot(x - aside, y + over / 2),
                          spot(x, y + over),
                          spot(x, y - over)};
-  if (const auto taken = context.labels->take(spots)) {
+  if (const auto taken = context.labels.take(spots)) {
     drawLabel(painter, {taken->left(), taken->top() + metrics.ascent()}, name, context.theme, color);
   }
 }
 
-std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
-                                    std::span<const Eigen::Vector2d> world, double margin_px) {
-  std::vector<QPolygonF> lines;
-  QPolygonF line;
-  const QRectF seen =
-      QRectF(0, 0, view.width_px, view.height_px).adjusted(-margin_px, -margin_px, margin_px, margin_px);
-  const auto end = [&] {
-    if (line.size() > 1) lines.push_back(line);
-    line.clear();
-  };
-  std::optional<QPointF> before;
-  for (std::size_t i = 0; i < world.size(); ++i) {
-    const QPointF pixel = toPoint(view.pixelFromWorld(world[i]));
-    if (!std::isfinite(pixel.x()) || !std::isfinite(pixel.y())) {
-      end();
-      before.reset();
-      continue;
-    }
-    if (!before) {
-      before = pixel;
-      continue;
-    }
-    const QPointF step = pixel - *before;
-    if (std::abs(step.x()) + std::abs(step.y()) < 2 && i + 1 < world.size()) continue;
-    const QRectF box = QRectF(*before, pixel).normalized();
-    const bool crosses = box.left() <= seen.right() && box.right() >= seen.left() &&
-                         box.top() <= seen.bottom() && box.bottom() >= seen.top();
-    if (crosses) {
-      if (line.isEmpty()) line << *before;
-      line << pixel;
-    } else {
-      end();
-    }
-    before = pixel;
-  }
-  end();
-  return lines;
+void drawHeading(QPainter& painter, const LayerContext& context, const QPointF& at, double yaw_rad,
+                 const QColor& color) {
+  const double heading = yaw_rad + context.view.rotation_rad;
+  const QPointF tip = at + QPointF(std::cos(heading), -std::sin(heading)) * 13;
+  painter.setPen(QPen(context.theme.text_halo, 5, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(at, tip);
+  painter.setPen(QPen(color, 2.5, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(at, tip);
 }
 
-LayerItem::LayerItem(const LayerContext& context) : context_(context) {
+void drawPlace(QPainter& painter, const LayerContext& context, const Eigen::Vector2d& world_m,
+               std::optional<double> yaw_rad, const QColor& color, const QString& name) {
+  const QPointF at = toPoint(context.view.pixelFromWorld(world_m));
+  if (!inView(context.view, QRectF(at, QSizeF(1, 1)).adjusted(-200, 0, 0, 0))) return;
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (yaw_rad) drawHeading(painter, context, at, *yaw_rad, color);
+  painter.setPen(QPen(context.theme.text_halo, 1.5));
+  painter.setBrush(color);
+  painter.drawEllipse(at, 5, 5);
+  if (!name.isEmpty() && context.view.scale_m_per_px <= kNameFromMPerPx) {
+    drawName(painter, context, QRectF(at - QPointF(5, 5), QSizeF(10, 10)), name, context.theme.text);
+  }
+}
+
+LayerItem::LayerItem(const LayerContext& context, std::optional<FeaturesOf> of) : context_(context), of_(of) {
   setFlag(ItemUsesExtendedStyleOption);
   setAcceptedMouseButtons(Qt::NoButton);
 }
@@ -128,7 +123,7 @@ QPainterPath LayerItem::shape() const {
 void LayerItem::setStyle(const LayerStyle& style) {
   if (style == style_) return;
   style_ = style;
-  update();
+  lookChanged();
 }
 
 void LayerItem::setPart(std::optional<QRectF> part) {
@@ -139,7 +134,7 @@ void LayerItem::setPart(std::optional<QRectF> part) {
   update();
 }
 
-void DeviceLayer::sendView() {
+void DeviceLayer::viewMoved() {
   geometry::ViewTransform view = context_.view;
   view.scale_m_per_px /= pixel_ratio_;
   view.width_px = int(std::ceil(view.width_px * pixel_ratio_));
@@ -150,7 +145,7 @@ void DeviceLayer::sendView() {
 void DeviceLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   if (const qreal ratio = painter->device()->devicePixelRatioF(); ratio != pixel_ratio_) {
     pixel_ratio_ = ratio;
-    sendView();
+    viewMoved();
   }
   QRectF exposed = option->exposedRect;
   if (part()) exposed &= *part();
@@ -161,32 +156,6 @@ void DeviceLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* optio
   painter->setRenderHint(QPainter::SmoothPixmapTransform, false);
   paintPixels(*painter, QRectF(exposed.topLeft() * pixel_ratio_, exposed.size() * pixel_ratio_));
   painter->restore();
-}
-
-void drawRaster(QPainter& painter, const QRectF& exposed, const render::RasterTiles::Drawing& drawing) {
-  if (!drawing.stand_ins.empty()) {
-    painter.save();
-    painter.setClipRegion(QRegion(exposed.toAlignedRect()) - drawing.covered, Qt::IntersectClip);
-    drawTiles(painter, exposed, drawing.stand_ins);
-    painter.restore();
-  }
-  drawTiles(painter, exposed, drawing.tiles);
-}
-
-void drawTiles(QPainter& painter, const QRectF& exposed, std::span<const render::DrawnTile> tiles) {
-  const QTransform base = painter.transform();
-  for (const render::DrawnTile& tile : tiles) {
-    if (tile.image.isNull() || !tile.to_viewport.mapRect(QRectF(tile.image.rect())).intersects(exposed))
-      continue;
-    if (tile.to_viewport.type() <= QTransform::TxTranslate) {
-      painter.setTransform(base);
-      painter.drawImage(QPointF(tile.to_viewport.dx(), tile.to_viewport.dy()), tile.image);
-    } else {
-      painter.setTransform(tile.to_viewport * base);
-      painter.drawImage(QPointF(0, 0), tile.image);
-    }
-  }
-  painter.setTransform(base);
 }
 
 }  // namespace mapwright::scene

@@ -1,30 +1,51 @@
-#include "scene/live_layers.h"
-
+// Layers of the robot's sensor data and plans, from its live topics.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
-#include <QPainter>
+#include <QCoreApplication>
+
+#include "map/live_topics.h"
+#include "scene/layer_item.h"
 
 namespace mapwright::scene {
 namespace {
 
-constexpr int kTileEdge = 256;  // of the renderer's tiles
+constexpr double kPathPx = 3, kTrajectoryPx = 2, kLidarPointPx = 2;
 
-}  // namespace
+/// Lidar points of all topics.
+class CloudLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+  /// Points have arrived: repaints their old and new areas.
+  void liveChanged() override;
 
-RasterLayer::RasterLayer(const LayerContext& context, render::GridRenderer& renderer)
-    : DeviceLayer(context), renderer_(renderer) {}
+ private:
+  struct Key {
+    geometry::ViewTransform view;
+    std::map<std::string, std::shared_ptr<const std::vector<map::CloudPoint>>> clouds;
+    LayerStyle style;
+    bool dark = false;
+    qreal ratio = 1;
+    bool operator==(const Key&) const = default;
+  };
+  Key keyNow() const;
+  void splat();
 
-void RasterLayer::paintPixels(QPainter& painter, const QRectF& exposed) {
-  drawRaster(painter, exposed, renderer_.drawing());
-}
+  Key key_;
+  QImage image_;
+  QRect painted_;  // area of image_ with points, in device pixels
+  qreal ratio_ = 1;
+};
 
 CloudLayer::Key CloudLayer::keyNow() const {
   return {context_.view, context_.live->clouds, style(), context_.theme.dark, ratio_};
 }
 
-void CloudLayer::pointsArrived() {
+void CloudLayer::liveChanged() {
+  if (!isVisible()) return;
   const auto toLogical = [this](const QRect& rect) {
     return QRectF(QPointF(rect.topLeft()) / ratio_, QSizeF(rect.size()) / ratio_).adjusted(-1, -1, 1, 1);
   };
@@ -66,7 +87,7 @@ void CloudLayer::splat() {
     colors[std::size_t(i)] =
         choice == CloudChoice::OneColor ? one.rgb() : QColor::fromHsv(240 - i * 240 / 255, 220, 230).rgb();
   }
-  const int edge = std::max(1, int(std::lround(sizeOr(2) * ratio_)));
+  const int edge = std::max(1, int(std::lround(sizeOr(kLidarPointPx) * ratio_)));
   const double c = std::cos(view.rotation_rad), s = std::sin(view.rotation_rad);
   const double per_m = ratio_ / view.scale_m_per_px;
   const double half_w = view.width_px * ratio_ / 2, half_h = view.height_px * ratio_ / 2;
@@ -96,149 +117,245 @@ void CloudLayer::splat() {
   if (right >= left) painted_ = QRect(QPoint(left, top), QPoint(right, bottom));
 }
 
-LinesLayer::LinesLayer(const LayerContext& context, Lines lines, QColor MapTheme::*color, double width_px)
-    : LayerItem(context), lines_(std::move(lines)), color_(color), width_px_(width_px) {}
+/// Lines through the world.
+class LinesLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
 
-void LinesLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  const double width = sizeOr(width_px_);
-  const QColor color = colorOr(context_.theme.*color_);
-  painter->setRenderHint(QPainter::Antialiasing);
-  painter->setBrush(Qt::NoBrush);
-  lines_([&](std::span<const Eigen::Vector2d> world) {
+ protected:
+  void paintLines(QPainter& painter, const QColor& color, double width,
+                  std::span<const Eigen::Vector2d> world) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
     for (const QPolygonF& line : visibleLines(context_.view, world, width + 2)) {
-      painter->setPen(QPen(context_.theme.text_halo, width + 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-      painter->drawPolyline(line);
-      painter->setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-      painter->drawPolyline(line);
+      painter.setPen(QPen(context_.theme.text_halo, width + 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      painter.drawPolyline(line);
+      painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      painter.drawPolyline(line);
     }
-  });
-}
-
-void ConstraintsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  const auto& sets = context_.live->constraints.by_name;
-  const QSizeF viewport(context_.view.width_px, context_.view.height_px);
-  const QRectF seen(QPointF(0, 0), viewport);
-  for (const auto& [name, segments] : sets) {
-    QList<QLineF> lines;
-    for (const auto& [from, to] : segments) {
-      const QLineF line(toPoint(context_.view.pixelFromWorld(from)),
-                        toPoint(context_.view.pixelFromWorld(to)));
-      if (QRectF(line.p1(), line.p2()).normalized().adjusted(-1, -1, 1, 1).intersects(seen)) lines << line;
-    }
-    if (lines.isEmpty()) continue;
-    // Residuals are remaining errors; other constraints are only there.
-    const bool residual = name.find("esidual") != std::string::npos;
-    const QColor color = colorOr(residual ? context_.theme.bad : context_.theme.constraint);
-    sheet_.paint(*painter, viewport, 0.8, [&](QPainter& on_sheet) {
-      on_sheet.setPen(QPen(color, 0));
-      on_sheet.drawLines(lines);
-    });
   }
-}
+};
 
-void LocalPathLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  const map::LocalPathMessage& path = context_.live->local_path;
-  if (path.points.size() < 2) return;
-  QColor color = translucent(colorOr(context_.theme.path), 90);
-  if (path.rgba && !style().color.isValid()) {
-    color = QColor(int(*path.rgba >> 24 & 255), int(*path.rgba >> 16 & 255), int(*path.rgba >> 8 & 255),
-                   std::max(60, int(*path.rgba & 255)));
+class PathLayer : public LinesLayer {
+ public:
+  using LinesLayer::LinesLayer;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    paintLines(*painter, colorOr(context_.theme.path), sizeOr(kPathPx), context_.live->path);
   }
-  const double width = std::clamp(path.width_m / context_.view.scale_m_per_px, 3.0, 4000.0);
-  painter->setRenderHint(QPainter::Antialiasing);
-  painter->setBrush(Qt::NoBrush);
-  painter->setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
-  for (const QPolygonF& line : visibleLines(context_.view, path.points, width)) painter->drawPolyline(line);
-}
+};
 
-void TargetLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  const auto& planning = context_.live->planning;
-  if (!planning) return;
-  constexpr std::size_t kFew = 50;
-  constexpr double kReachPx = 20;
-  const QColor color = colorOr(context_.theme.target);
-  const QRectF near_view(-kReachPx, -kReachPx, context_.view.width_px + 2 * kReachPx,
-                         context_.view.height_px + 2 * kReachPx);
-  for (const geometry::Pose2& target : planning->targets) {
-    const QPointF at = toPoint(context_.view.pixelFromWorld({target.x_m, target.y_m}));
-    if (!near_view.contains(at)) continue;
-    const double heading = target.yaw_rad + context_.view.rotation_rad;
-    if (planning->targets.size() > kFew) {  // a cloud of them
-      painter->setPen(QPen(color, 1.5));
-      painter->drawLine(at, at + QPointF(std::cos(heading), -std::sin(heading)) * 7);
-      continue;
+/// Of the robot, or of an opened map.
+class TrajectoryLayer : public LinesLayer {
+ public:
+  using LinesLayer::LinesLayer;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    const auto paint_one = [&](std::span<const Eigen::Vector2d> line) {
+      paintLines(*painter, colorOr(context_.theme.trajectory), sizeOr(kTrajectoryPx), line);
+    };
+    if (of() == FeaturesOf::Robot) return paint_one(context_.live->trajectory);
+    for (const auto& line : context_.of(*of()).trajectories) paint_one(line);
+  }
+};
+
+/// Many short, thin segments.
+class ConstraintsLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    const auto& sets = context_.live->constraints.by_name;
+    const QSizeF viewport(context_.view.width_px, context_.view.height_px);
+    const QRectF seen(QPointF(0, 0), viewport);
+    for (const auto& [name, segments] : sets) {
+      QList<QLineF> lines;
+      for (const auto& [from, to] : segments) {
+        const QLineF line(toPoint(context_.view.pixelFromWorld(from)),
+                          toPoint(context_.view.pixelFromWorld(to)));
+        if (QRectF(line.p1(), line.p2()).normalized().adjusted(-1, -1, 1, 1).intersects(seen)) lines << line;
+      }
+      if (lines.isEmpty()) continue;
+      // Residuals are remaining errors; other constraints are only there.
+      const bool residual = name.find("esidual") != std::string::npos;
+      const QColor color = colorOr(residual ? context_.theme.bad : context_.theme.constraint);
+      sheet_.paint(*painter, viewport, 0.8, [&](QPainter& on_sheet) {
+        on_sheet.setPen(QPen(color, 0));
+        on_sheet.drawLines(lines);
+      });
     }
+  }
+
+ private:
+  LineSheet sheet_;
+};
+
+/// The local path as a band of the robot's width.
+class LocalPathLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    const map::LocalPathMessage& path = context_.live->local_path;
+    if (path.points.size() < 2) return;
+    QColor color = translucent(colorOr(context_.theme.path), 90);
+    if (path.rgba && !style().color.isValid()) {
+      color = QColor(int(*path.rgba >> 24 & 255), int(*path.rgba >> 16 & 255), int(*path.rgba >> 8 & 255),
+                     std::max(60, int(*path.rgba & 255)));
+    }
+    const double width = std::clamp(path.width_m / context_.view.scale_m_per_px, 3.0, 4000.0);
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setBrush(Qt::NoBrush);
-    for (const auto& [pen_color, width] : {std::pair{context_.theme.text_halo, 5.0}, std::pair{color, 2.0}}) {
-      painter->setPen(QPen(pen_color, width, Qt::SolidLine, Qt::RoundCap));
-      painter->drawEllipse(at, 9, 9);
-      painter->drawLine(at, at + QPointF(std::cos(heading), -std::sin(heading)) * 16);
-    }
-    painter->setBrush(color);
-    painter->drawEllipse(at, 2, 2);
+    painter->setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    for (const QPolygonF& line : visibleLines(context_.view, path.points, width)) painter->drawPolyline(line);
   }
-}
+};
 
-void NearbyRobotsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  const QColor color = colorOr(context_.theme.other_robot);
-  painter->setRenderHint(QPainter::Antialiasing);
-  for (const map::NearbyRobot& other : context_.live->nearby_robots) {
-    painter->setBrush(Qt::NoBrush);
-    painter->setPen(QPen(translucent(color, 150), 2, Qt::DotLine));
-    for (const QPolygonF& line : visibleLines(context_.view, other.trend, 4)) painter->drawPolyline(line);
-    const auto outline = context_.live->nearby_footprints.find(other.footprint_digest);
-    if (outline != context_.live->nearby_footprints.end() && outline->second.size() >= 3) {
-      QPolygonF polygon;
-      for (const Eigen::Vector2d& corner : outline->second) {
-        polygon << toPoint(context_.view.pixelFromWorld(other.pose.apply(corner)));
+/// The robot's goal.
+class TargetLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    const auto& planning = context_.live->planning;
+    if (!planning) return;
+    constexpr std::size_t kFew = 50;
+    constexpr double kReachPx = 20;
+    const QColor color = colorOr(context_.theme.target);
+    const QRectF near_view(-kReachPx, -kReachPx, context_.view.width_px + 2 * kReachPx,
+                           context_.view.height_px + 2 * kReachPx);
+    for (const geometry::Pose2& target : planning->targets) {
+      const QPointF at = toPoint(context_.view.pixelFromWorld({target.x_m, target.y_m}));
+      if (!near_view.contains(at)) continue;
+      const double heading = target.yaw_rad + context_.view.rotation_rad;
+      if (planning->targets.size() > kFew) {  // a cloud of them
+        painter->setPen(QPen(color, 1.5));
+        painter->drawLine(at, at + QPointF(std::cos(heading), -std::sin(heading)) * 7);
+        continue;
       }
-      painter->setBrush(translucent(color, 70));
-      painter->setPen(QPen(color, 1.5));
-      painter->drawPolygon(polygon);
+      painter->setRenderHint(QPainter::Antialiasing);
+      painter->setBrush(Qt::NoBrush);
+      for (const auto& [pen_color, width] :
+           {std::pair{context_.theme.text_halo, 5.0}, std::pair{color, 2.0}}) {
+        painter->setPen(QPen(pen_color, width, Qt::SolidLine, Qt::RoundCap));
+        painter->drawEllipse(at, 9, 9);
+        painter->drawLine(at, at + QPointF(std::cos(heading), -std::sin(heading)) * 16);
+      }
+      painter->setBrush(color);
+      painter->drawEllipse(at, 2, 2);
     }
-    drawPlace(*painter, context_, {other.pose.x_m, other.pose.y_m}, other.pose.yaw_rad, color,
-              QString::fromStdString(other.uid));
   }
+};
+
+/// Other robots, with their footprints and where they are headed.
+class NearbyRobotsLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    const QColor color = colorOr(context_.theme.other_robot);
+    painter->setRenderHint(QPainter::Antialiasing);
+    for (const map::NearbyRobot& other : context_.live->nearby_robots) {
+      painter->setBrush(Qt::NoBrush);
+      painter->setPen(QPen(translucent(color, 150), 2, Qt::DotLine));
+      for (const QPolygonF& line : visibleLines(context_.view, other.trend, 4)) painter->drawPolyline(line);
+      const auto outline = context_.live->nearby_footprints.find(other.footprint_digest);
+      if (outline != context_.live->nearby_footprints.end() && outline->second.size() >= 3) {
+        QPolygonF polygon;
+        for (const Eigen::Vector2d& corner : outline->second) {
+          polygon << toPoint(context_.view.pixelFromWorld(other.pose.apply(corner)));
+        }
+        painter->setBrush(translucent(color, 70));
+        painter->setPen(QPen(color, 1.5));
+        painter->drawPolygon(polygon);
+      }
+      drawPlace(*painter, context_, {other.pose.x_m, other.pose.y_m}, other.pose.yaw_rad, color,
+                QString::fromStdString(other.uid));
+    }
+  }
+};
+
+}  // namespace
+
+template <>
+LayerSpec layerSpec<Layer::Constraints>() {
+  return {.name = "constraints",
+          .title = QT_TRANSLATE_NOOP("scene", "Constraints"),
+          .shown = false,
+          .streams = {map::Stream::Constraints},
+          .topics = {map::topicIndex<map::ConstraintsMessage>()},
+          .traits = [] { return lineTraits(1); },
+          .items = oneItem<ConstraintsLayer>};
 }
 
-void SwipeLayer::setAt(double fraction) {
-  at_ = fraction;
-  update();
+template <>
+LayerSpec layerSpec<Layer::Trajectory>() {
+  return {.name = "trajectory",
+          .title = QT_TRANSLATE_NOOP("scene", "Trajectory"),
+          .shown = false,
+          .streams = {map::Stream::Trajectory},
+          .topics = {map::topicIndex<map::TrajectoryMessage>()},
+          .traits = [] { return lineTraits(kTrajectoryPx); },
+          .why_empty = whyNoMapFeatures,
+          .items = itemForEachMap<TrajectoryLayer>};
 }
 
-void SwipeLayer::setNames(const QString& left, const QString& right) {
-  if (left == left_ && right == right_) return;
-  left_ = left;
-  right_ = right;
-  update();
+template <>
+LayerSpec layerSpec<Layer::Path>() {
+  return {.name = "path",
+          .title = QT_TRANSLATE_NOOP("scene", "Path"),
+          .streams = {map::Stream::Path},
+          .topics = {map::topicIndex<map::PathMessage>()},
+          .topic_chosen = true,
+          .traits = [] { return lineTraits(kPathPx); },
+          .items = oneItem<PathLayer>};
 }
 
-void SwipeLayer::paintName(QPainter& painter, const QString& name, double from_px, double to_px,
-                           bool at_end) const {
-  constexpr double kLineGapPx = 18, kPadPx = 8, kTopPx = 12, kHeightPx = 24, kLeastPx = 32, kMostPx = 420;
-  const QFontMetricsF metrics(context_.theme.label_font);
-  const double room = std::min(kMostPx, to_px - from_px - 2 * kLineGapPx) - 2 * kPadPx;
-  if (name.isEmpty() || room < kLeastPx) return;
-  const QString text = metrics.elidedText(name, Qt::ElideRight, room);
-  const double width = std::ceil(metrics.horizontalAdvance(text)) + 2 * kPadPx;
-  const QRectF box(at_end ? to_px - kLineGapPx - width : from_px + kLineGapPx,
-                   context_.covered_top_px + kTopPx, width, kHeightPx);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(context_.theme.text_halo);
-  painter.drawRoundedRect(box, 4, 4);
-  painter.setPen(context_.theme.text);
-  painter.setFont(context_.theme.label_font);
-  painter.drawText(box, Qt::AlignCenter, text);
+template <>
+LayerSpec layerSpec<Layer::LocalPath>() {
+  return {.name = "local-path",
+          .title = QT_TRANSLATE_NOOP("scene", "Local path"),
+          .streams = {map::Stream::LocalPath},
+          .topics = {map::topicIndex<map::LocalPathMessage>()},
+          .topic_chosen = true,
+          .traits = [] { return LayerTraits{.color = true}; },
+          .items = oneItem<LocalPathLayer>};
 }
 
-void SwipeLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  const double x = std::round(at_ * context_.view.width_px);
-  painter->fillRect(QRectF(x - 2, 0, 4, context_.view.height_px), context_.theme.text_halo);
-  painter->fillRect(QRectF(x - 1, 0, 2, context_.view.height_px), context_.theme.accent);
-  painter->setRenderHint(QPainter::Antialiasing);
-  paintName(*painter, left_, 0, x, true);
-  paintName(*painter, right_, x, context_.view.width_px, false);
+template <>
+LayerSpec layerSpec<Layer::Target>() {
+  return {.name = "target",
+          .title = QT_TRANSLATE_NOOP("scene", "Target"),
+          .streams = {map::Stream::Planning},
+          .topics = {map::topicIndex<map::PlanningState>()},
+          .topic_chosen = true,
+          .traits = [] { return LayerTraits{.color = true}; },
+          .items = oneItem<TargetLayer>};
+}
+
+template <>
+LayerSpec layerSpec<Layer::Cloud>() {
+  return {.name = "cloud",
+          .title = QT_TRANSLATE_NOOP("scene", "Lidar points"),
+          .streams = {map::Stream::Cloud},
+          .topics = {map::topicIndex<map::PointCloudMessage>()},
+          .traits =
+              [] {
+                return LayerTraits{.color = true,
+                                   .size_px = std::pair(1.0, 8.0),
+                                   .default_size_px = kLidarPointPx,
+                                   .size_title = QCoreApplication::translate("scene", "Point size"),
+                                   .choice_title = QCoreApplication::translate("scene", "Colour"),
+                                   .choices = {QCoreApplication::translate("scene", "One colour"),
+                                               QCoreApplication::translate("scene", "By intensity"),
+                                               QCoreApplication::translate("scene", "By height")}};
+              },
+          .items = oneItem<CloudLayer>};
+}
+
+template <>
+LayerSpec layerSpec<Layer::NearbyRobots>() {
+  return {.name = "robots",
+          .title = QT_TRANSLATE_NOOP("scene", "Nearby robots"),
+          .streams = {map::Stream::NearbyRobots, map::Stream::NearbyFootprints},
+          .topics = {map::topicIndex<map::NearbyRobotsMessage>(),
+                     map::topicIndex<map::NearbyFootprintsMessage>()},
+          .traits = [] { return LayerTraits{.color = true}; },
+          .items = oneItem<NearbyRobotsLayer>};
 }
 
 }  // namespace mapwright::scene

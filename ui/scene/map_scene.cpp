@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
-#include "scene/bag_track.h"
-#include "scene/map_clouds.h"
-#include "scene/map_scene_impl.h"
-#include "scene/pose_between.h"
-#include "scene/regions_on_map.h"
+#include "scene/scene_items.h"
 
 namespace mapwright::scene {
 namespace {
@@ -22,57 +17,24 @@ std::uint8_t pixelFlags(const map::SubmapEntry& entry) {
 
 }  // namespace
 
-MapScene::MapScene(render::TileRenderer::Options renderer_options, QObject* parent)
-    : QGraphicsScene(parent),
-      theme_(lightMapTheme()),
-      renderer_(std::make_unique<render::TileRenderer>(renderer_options)) {
+MapScene::MapScene(render::TileRenderer::Options renderer_options, std::shared_ptr<clouds::CloudStore> clouds,
+                   QObject* parent)
+    : QGraphicsScene(parent), renderer_(std::make_unique<render::TileRenderer>(renderer_options)) {
   setItemIndexMethod(NoIndex);
-  impl_ = std::make_unique<Impl>(*this, *renderer_, renderer_options);
-  impl_->context.theme = theme_;
-  impl_->raster.setTheme(theme_);
-  setBackgroundBrush(QColor(theme_.map.unknown));
-  connect(&impl_->raster, &RasterStack::settledChanged, this, &MapScene::noteSettled);
-  connect(&impl_->raster, &RasterStack::contentChanged, this, [this] {
+  if (!clouds) clouds = std::make_shared<clouds::CloudStore>(renderer_options.workers);
+  items_ = std::make_unique<SceneItems>(*this, *renderer_, renderer_options, std::move(clouds), [this] {
+    if (items_) noteSettled();
+  });
+  setBackgroundBrush(QColor(theme().map.unknown));
+  connect(&items_->raster, &RasterStack::contentChanged, this, [this] {
     syncColors();
     Q_EMIT contentChanged();
   });
   connect(renderer_.get(), &render::TileRenderer::tilesChanged, this, &MapScene::paintContentSoon);
-  auto* const between = new PoseBetween(this);
-  connect(between, &PoseBetween::changed, this, [this, between] {
-    impl_->context.between = between->pose();
-    if (session_) takeLive(map::topicIndex<map::TrackedPose>());
-  });
-  auto* const track = new BagTrack(this);
-  connect(track, &BagTrack::changed, this, [this, track] {
-    impl_->track = track->track();
-    impl_->items.at(Layer::Track)->update();
-  });
-  auto* const regions = new RegionsOnMap(this);
-  connect(regions, &RegionsOnMap::shownChanged, this, [this, regions] {
-    impl_->region_ground->setMap(regions->map());
-    impl_->raster.setRegions(regions->map());
-    for (LayerItem* item : impl_->itemsOf(Layer::Regions)) item->update();
-    Q_EMIT contentChanged();
-  });
-  connect(regions, &RegionsOnMap::extentChanged, this, [this, regions] {
-    impl_->region_ground->setExtent(regions->extent());
-    impl_->region_ground->update();
-  });
-  connect(regions, &RegionsOnMap::regionsChanged, this, [this] { impl_->region_ground->update(); });
-  connect(regions, &RegionsOnMap::sheetsChanged, this, [this] { impl_->raster.regionSheetsChanged(); });
-  connect(regions, &RegionsOnMap::cellsChanged, this, [this](const geometry::WorldRect& where) {
-    impl_->raster.regionCellsChanged(where);
-    impl_->region_ground->update();
-  });
-  auto* const clouds = new MapClouds(this, renderer_options.workers);
-  impl_->dispatched->setClouds(clouds);
-  connect(clouds, &MapClouds::changed, this, [this] { impl_->dispatched->refresh(); });
-  connect(clouds, &MapClouds::settledChanged, this, &MapScene::noteSettled);
-  connect(&impl_->dispatched->tiles(), &render::PaintedTiles::settledChanged, this, &MapScene::noteSettled);
-  impl_->clock.start();
-  impl_->repaint_timer.setSingleShot(true);
-  impl_->repaint_timer.setTimerType(Qt::PreciseTimer);
-  connect(&impl_->repaint_timer, &QTimer::timeout, this, &MapScene::paintContent);
+  clock_.start();
+  repaint_timer_.setSingleShot(true);
+  repaint_timer_.setTimerType(Qt::PreciseTimer);
+  connect(&repaint_timer_, &QTimer::timeout, this, &MapScene::paintContent);
   connect(renderer_.get(), &render::TileRenderer::settledChanged, this, [this] { noteSettled(); });
   syncColors();
   geometry::ViewTransform view;
@@ -82,8 +44,8 @@ MapScene::MapScene(render::TileRenderer::Options renderer_options, QObject* pare
 }
 
 void MapScene::drawBackground(QPainter* painter, const QRectF& rect) {
-  impl_->labels.clear();
-  impl_->began_ms = impl_->nowMs();
+  items_->context.labels.clear();
+  began_ms_ = nowMs();
   QGraphicsScene::drawBackground(painter, rect);
 }
 
@@ -91,28 +53,27 @@ void MapScene::drawForeground(QPainter* painter, const QRectF& rect) {
   QGraphicsScene::drawForeground(painter, rect);
   // A moving robot repaints a small part: that does not tell how long the whole takes.
   const bool whole = rect.width() * rect.height() > view_.width_px * view_.height_px / 2.0;
-  if (whole) impl_->pace.painted(impl_->began_ms, impl_->nowMs());
+  if (whole) pace_.painted(began_ms_, nowMs());
 }
 
 void MapScene::paintContentSoon() {
-  if (impl_->repaint_timer.isActive()) return;
-  const double wait_ms = impl_->pace.waitMs(impl_->nowMs());
+  if (repaint_timer_.isActive()) return;
+  const double wait_ms = pace_.waitMs(nowMs());
   if (wait_ms > 0) {
-    impl_->repaint_timer.start(int(std::ceil(wait_ms)));
+    repaint_timer_.start(int(std::ceil(wait_ms)));
   } else {
     paintContent();
   }
 }
 
 void MapScene::paintContent() {
-  impl_->tiles->update();
-  for (const Layer layer : {Layer::Outlines, Layer::Ids}) impl_->items.at(layer)->update();
-  if (!impl_->highlighted.empty()) impl_->highlight->update();
+  for (const Layer layer : {Layer::Submaps, Layer::Outlines, Layer::Ids}) items_->update(layer);
+  if (!items_->context.highlighted.empty()) items_->highlight->update();
 }
 
 MapScene::~MapScene() {
   if (session_) session_->disconnect(this);
-  clear();  // the items paint with data in impl_
+  clear();  // the items paint with data in items_
 }
 
 work::Budgets MapScene::memory() const {
@@ -120,9 +81,8 @@ work::Budgets MapScene::memory() const {
   work::Budgets held;
   held.dense = tiles.dense_bytes;
   held.tiles = tiles.cache_bytes;
-  held.grid_tiles = impl_->raster.cacheBytes() + impl_->dispatched->tiles().cacheBytes();
-  if (const regions::RegionMap* const map = RegionsOnMap::of(*this).map())
-    held.regions = map->regions().bytes();
+  for (const LayerItem* item : items_->all) held.grid_tiles += item->cacheBytes();
+  if (const regions::RegionMap* const map = regions()) held.regions = map->regions().bytes();
   return held;
 }
 
@@ -135,27 +95,26 @@ void MapScene::setSession(session::Session* session) {
       slot->disconnect(this);
   }
   session_ = session;
-  PoseBetween::of(*this).show(std::nullopt);
-  BagTrack::of(*this).show(nullptr);
-  MapClouds::of(*this).clear();
-  impl_->highlighted.clear();
-  impl_->context.live = session_ ? &session_->live() : &impl_->nothing_live;
-  impl_->robot_pose = impl_->context.live->robot_pose;
-  impl_->raster.setSession(session_);
+  setPoseBetween(std::nullopt);
+  setTrack(nullptr);
+  items_->context.highlighted.clear();
+  items_->context.live = session_ ? &session_->live() : &items_->nothing_live;
+  items_->robot_pose = items_->context.live->robot_pose;
+  items_->raster.setSession(session_);
   renderer_->clear();
-  impl_->outlines.clear();
+  items_->context.outlines.clear();
   if (session_) {
     using session::Session;
     connect(session_, &Session::submapsPlaced, this, &MapScene::syncPlaced);
     connect(session_, &Session::submapsRemoved, this, [this](const std::vector<map::SubmapId>& ids) {
       renderer_->remove(ids);
-      for (const map::SubmapId id : ids) impl_->outlines.erase(id);
+      for (const map::SubmapId id : ids) items_->context.outlines.erase(id);
       update();
     });
     connect(session_, &Session::sessionRestarted, this, [this] {
       renderer_->clear();
-      impl_->outlines.clear();
-      impl_->highlighted.clear();
+      items_->context.outlines.clear();
+      items_->context.highlighted.clear();
       update();
     });
     connect(session_, &Session::sliceChanged, this, &MapScene::syncAll);
@@ -184,7 +143,7 @@ void MapScene::syncAll() {
     }
   }
   renderer_->clear();
-  impl_->outlines.clear();
+  items_->context.outlines.clear();
   syncPlaced(ids);
   update();
 }
@@ -197,10 +156,10 @@ void MapScene::syncPlaced(const std::vector<map::SubmapId>& ids) {
     const auto placement = row ? session_->book().placement(id, session_->slice()) : std::nullopt;
     if (!placement) {
       gone.push_back(id);
-      impl_->outlines.erase(id);
+      items_->context.outlines.erase(id);
       continue;
     }
-    Outline& outline = impl_->outlines[id];
+    Outline& outline = items_->context.outlines[id];
     const double along = -placement->texture->height() * placement->texture->resolutionM();
     const double across = -placement->texture->width() * placement->texture->resolutionM();
     const geometry::Pose2& pose = placement->world_from_texture;
@@ -224,26 +183,23 @@ void MapScene::setView(const geometry::ViewTransform& view) {
   if (view == view_) return;
   const bool resized = view.width_px != view_.width_px || view.height_px != view_.height_px;
   view_ = view;
-  impl_->context.view = view;
+  items_->context.view = view;
   if (resized) {
-    for (LayerItem* item : impl_->all) item->viewportResized();
+    for (LayerItem* item : items_->all) item->viewportResized();
     setSceneRect(0, 0, view.width_px, view.height_px);
-    impl_->applyVisibility();
+    items_->applyVisibility();
   }
-  impl_->tiles->sendView();
-  impl_->raster.sendView();
-  impl_->dispatched->sendView();
-  impl_->robot_rect = impl_->robot->robotRect();
+  for (LayerItem* item : items_->all) item->viewMoved();
+  items_->robot_rect = robotRect(items_->context);
   if (session_) session_->setView(view_.visibleWorld(), view_.center_m);
   update();
   Q_EMIT viewChanged();
 }
 
 void MapScene::setTheme(const MapTheme& theme) {
-  theme_ = theme;
-  impl_->context.theme = theme;
-  impl_->raster.setTheme(theme);
-  impl_->dispatched->refresh();
+  items_->context.theme = theme;
+  items_->raster.themeChanged();
+  for (LayerItem* item : items_->all) item->lookChanged();
   setBackgroundBrush(QColor(theme.map.unknown));
   syncColors();
   update();
@@ -257,8 +213,8 @@ void MapScene::setColorMode(render::ColorMode mode) {
 }
 
 void MapScene::syncColors() {
-  render::MapColors colors = theme_.map;
-  colors.clear_unknown = impl_->items.at(Layer::WholeMap)->isVisible() || impl_->raster.overviewShown();
+  render::MapColors colors = theme().map;
+  colors.clear_unknown = items_->raster.whole()->isVisible() || items_->raster.overview()->grid().has_value();
   if (colors == renderer_->colors() && color_mode_ == drawn_color_mode_) return;
   drawn_color_mode_ = color_mode_;
   renderer_->setColors(colors, color_mode_);
@@ -266,60 +222,45 @@ void MapScene::syncColors() {
 
 void MapScene::takeLive(int what) {
   using map::topicIndex;
-  Impl& impl = *impl_;
-  const auto touch = [&](Layer layer) {
-    for (LayerItem* item : impl.itemsOf(layer)) item->update();
-  };
-  if (what == topicIndex<map::TrackedPose>() && impl.context.live->robot_pose == impl.robot_pose) {
+  SceneItems& items = *items_;
+  if (what == topicIndex<map::TrackedPose>() && items.context.live->robot_pose == items.robot_pose) {
     // The robot's pose is repeated all the time.
   } else if (what == topicIndex<map::TrackedPose>() || what == topicIndex<map::RobotModel>()) {
-    const std::array<LayerItem*, 3> moved{impl.robot, impl.items.at(Layer::Footprint),
-                                          impl.items.at(Layer::ExpandedFootprint)};
-    for (LayerItem* item : moved) item->update(impl.robot_rect);
-    impl.robot_rect = impl.robot->robotRect();
-    impl.robot_pose = impl.context.live->robot_pose;
-    for (LayerItem* item : moved) item->update(impl.robot_rect);
-    const std::size_t length = impl.context.live->trail.size();
-    if (length != std::exchange(impl.trail_length, length))
-      impl.items.at(Layer::Trail)->update(impl.robot_rect);
-    if (!impl.context.live->racks.empty()) touch(Layer::Boxes);
-  } else if (what == topicIndex<map::PointCloudMessage>()) {
-    if (impl.cloud->isVisible()) impl.cloud->pointsArrived();
+    const std::array moved{&items.first(Layer::Robot), &items.first(Layer::Footprint),
+                           &items.first(Layer::ExpandedFootprint)};
+    for (LayerItem* item : moved) item->update(items.robot_rect);
+    items.robot_rect = robotRect(items.context);
+    items.robot_pose = items.context.live->robot_pose;
+    for (LayerItem* item : moved) item->update(items.robot_rect);
+    const std::size_t length = items.context.live->trail.size();
+    if (length != std::exchange(items.trail_length, length))
+      items.first(Layer::Trail).update(items.robot_rect);
+    if (!items.context.live->racks.empty()) items.update(Layer::Boxes);
   } else if (what == topicIndex<map::MapInfo>()) {
     syncPlace();
   } else if (what == topicIndex<map::SlamStatus>()) {
-    if (impl.placeRobot(session_)) showPlaced();
+    if (items.placeRobot(session_)) showPlaced();
   } else {
-    static const std::map<int, Layer> kLayerOf{
-        {topicIndex<map::PathMessage>(), Layer::Path},
-        {topicIndex<map::LocalPathMessage>(), Layer::LocalPath},
-        {topicIndex<map::TrajectoryMessage>(), Layer::Trajectory},
-        {topicIndex<map::PlanningState>(), Layer::Target},
-        {topicIndex<map::NearbyRobotsMessage>(), Layer::NearbyRobots},
-        {topicIndex<map::NearbyFootprintsMessage>(), Layer::NearbyRobots},
-        {topicIndex<map::LandmarksMessage>(), Layer::Landmarks},
-        {topicIndex<map::AutoDoorsMessage>(), Layer::Doors},
-        {topicIndex<map::PalletsMessage>(), Layer::Boxes},
-        {topicIndex<map::RackMessage>(), Layer::Boxes},
-        {topicIndex<map::SeenObjectsMessage>(), Layer::Boxes},
-        {topicIndex<map::ConstraintsMessage>(), Layer::Constraints}};
-    if (const auto found = kLayerOf.find(what); found != kLayerOf.end()) touch(found->second);
+    for (const Layer layer : allLayers()) {
+      const std::vector<int>& topics = specOf(layer).topics;
+      if (std::find(topics.begin(), topics.end(), what) == topics.end()) continue;
+      for (LayerItem* item : items.itemsOf(layer)) item->liveChanged();
+    }
   }
 }
 
 void MapScene::takeFrame() {
-  impl_->trail_length = 0;
-  impl_->cloud->pointsArrived();
-  impl_->robot_rect = impl_->robot->robotRect();
-  impl_->robot_pose = impl_->context.live->robot_pose;
+  items_->trail_length = 0;
+  items_->robot_rect = robotRect(items_->context);
+  items_->robot_pose = items_->context.live->robot_pose;
   syncFeatures();
   update();
 }
 
 void MapScene::syncFeatures() {
-  impl_->takeFeatures(session_);
+  items_->takeFeatures(session_);
   for (const Layer layer : {Layer::Overlays, Layer::Waypoints, Layer::Landmarks, Layer::Trajectory}) {
-    for (LayerItem* item : impl_->itemsOf(layer)) item->update();
+    items_->update(layer);
   }
 }
 
@@ -329,7 +270,7 @@ void MapScene::sendWants() {
   for (const Layer layer : allLayers()) {
     if (layerVisible(layer)) streams.merge(layerStreams(layer));
   }
-  if (impl_->compare != CompareMode::Off) streams.merge(layerStreams(Layer::WholeMap));
+  if (items_->compare != CompareMode::Off) streams.merge(layerStreams(Layer::WholeMap));
   session_->want(QStringLiteral("layers"), streams);
 }
 
@@ -339,19 +280,19 @@ void MapScene::noteSettled() {
 
 geometry::WorldRect MapScene::contentBounds() const {
   if (!session_) return {};
+  const RasterStack& raster = items_->raster;
   geometry::WorldRect bounds;
-  if (impl_->items.at(Layer::Submaps)->isVisible()) bounds.extend(session_->contentBounds());
-  if (impl_->items.at(Layer::WholeMap)->isVisible() || bounds.empty())
-    bounds.extend(impl_->raster.wholeBounds());
-  if (impl_->has_compared && impl_->compare != CompareMode::Off) {
-    bounds.extend(impl_->raster.wholeBounds());
-    bounds.extend(impl_->raster.comparedBounds());
+  if (items_->first(Layer::Submaps).isVisible()) bounds.extend(session_->contentBounds());
+  if (raster.whole()->isVisible() || bounds.empty()) bounds.extend(raster.whole()->gridBounds());
+  if (items_->has_compared && items_->compare != CompareMode::Off) {
+    bounds.extend(raster.whole()->gridBounds());
+    bounds.extend(raster.compared()->gridBounds());
   }
-  if (impl_->items.at(Layer::Regions)->isVisible()) bounds.extend(impl_->raster.regionBounds());
-  if (const RegionsOnMap& regions = RegionsOnMap::of(*this);
-      regions.map() && regions.extent() && layerVisible(Layer::Regions))
-    bounds.extend(regions.extent()->bounds());
-  if (layerVisible(Layer::DispatchedCloud)) bounds.extend(MapClouds::of(*this).bounds());
+  if (items_->first(Layer::Regions).isVisible()) bounds.extend(raster.regionBounds());
+  for (const auto& [layer, items] : items_->by_layer) {
+    if (!layerVisible(layer)) continue;
+    for (const LayerItem* item : items) bounds.extend(item->contentBounds());
+  }
   if (bounds.empty()) bounds = session_->contentBounds();
   if (!bounds.empty() || !layerVisible(Layer::Cloud)) return bounds;
   // A robot without a map: its sensor data is all there is.
@@ -372,33 +313,34 @@ std::vector<render::PlacedTexture> MapScene::placedTextures() const {
   return placed;
 }
 
-std::optional<render::PlacedGrid> MapScene::wholeMap() const { return impl_->raster.wholeMap(); }
+std::optional<render::PlacedGrid> MapScene::wholeMap() const { return items_->raster.whole()->grid(); }
 
 void MapScene::setHighlighted(std::set<map::SubmapId> ids) {
-  impl_->highlighted = std::move(ids);
-  impl_->highlight->update();
+  items_->context.highlighted = std::move(ids);
+  items_->highlight->update();
 }
 
-const std::set<map::SubmapId>& MapScene::highlighted() const { return impl_->highlighted; }
+const std::set<map::SubmapId>& MapScene::highlighted() const { return items_->context.highlighted; }
 
 bool MapScene::highlightedAt(const Eigen::Vector2d& world_m) const {
-  return std::any_of(impl_->highlighted.begin(), impl_->highlighted.end(), [&](map::SubmapId id) {
-    const auto it = impl_->outlines.find(id);
-    return it != impl_->outlines.end() && it->second.contains(world_m);
-  });
+  return std::any_of(items_->context.highlighted.begin(), items_->context.highlighted.end(),
+                     [&](map::SubmapId id) {
+                       const auto it = items_->context.outlines.find(id);
+                       return it != items_->context.outlines.end() && it->second.contains(world_m);
+                     });
 }
 
 std::optional<map::SubmapId> MapScene::submapAt(const Eigen::Vector2d& world_m) const {
-  if (impl_->place.drawn == ScreenPart::None) return std::nullopt;
-  for (auto it = impl_->outlines.rbegin(); it != impl_->outlines.rend(); ++it) {
+  if (items_->place.drawn == ScreenPart::None) return std::nullopt;
+  for (auto it = items_->context.outlines.rbegin(); it != items_->context.outlines.rend(); ++it) {
     if (it->second.visible && it->second.contains(world_m)) return it->first;
   }
   return std::nullopt;
 }
 
-void MapScene::setMeasurement(std::optional<Measurement> measurement) {
-  impl_->measured = measurement ? std::move(measurement->points) : std::vector<Eigen::Vector2d>{};
-  impl_->measure->update();
+void MapScene::setMeasurement(std::vector<Eigen::Vector2d> points) {
+  items_->context.measured = std::move(points);
+  items_->measure->update();
 }
 
 std::optional<int> MapScene::occupancyAt(const Eigen::Vector2d& world_m) const {
@@ -406,17 +348,17 @@ std::optional<int> MapScene::occupancyAt(const Eigen::Vector2d& world_m) const {
   const auto shows = [&](const LayerItem& item) {
     return item.isVisible() && (!item.part() || item.part()->contains(pixel.x(), pixel.y()));
   };
-  if (shows(*impl_->items.at(Layer::Submaps))) {
+  if (shows(items_->first(Layer::Submaps))) {
     if (const auto intensity = renderer_->intensityAt(world_m)) {
       return int(std::lround((1.0 - *intensity / 255.0) * 100.0));
     }
   }
-  if (impl_->items.at(Layer::Regions)->isVisible()) {
-    if (const auto occupancy = impl_->raster.regionOccupancyAt(world_m)) return occupancy;
+  if (items_->first(Layer::Regions).isVisible()) {
+    if (const auto occupancy = items_->raster.regionOccupancyAt(world_m)) return occupancy;
   }
-  const auto whole = shows(*impl_->raster.compared())           ? impl_->raster.comparedMap()
-                     : shows(*impl_->items.at(Layer::WholeMap)) ? impl_->raster.wholeMap()
-                                                                : std::nullopt;
+  const auto whole = shows(*items_->raster.compared()) ? items_->raster.compared()->grid()
+                     : shows(*items_->raster.whole())  ? items_->raster.whole()->grid()
+                                                       : std::nullopt;
   if (!whole) return std::nullopt;
   const Eigen::Vector2d cell = whole->reference.cellFromWorld(world_m);
   if (!(cell.x() >= 0 && cell.y() >= 0 && cell.x() < whole->reference.width &&
@@ -429,23 +371,198 @@ std::optional<int> MapScene::occupancyAt(const Eigen::Vector2d& world_m) const {
 }
 
 bool MapScene::picturesSettled() const {
-  return (!impl_->items.at(Layer::Submaps)->isVisible() || renderer_->settled()) && impl_->raster.drawn() &&
-         cloudsSettled();
+  return std::all_of(items_->all.begin(), items_->all.end(),
+                     [](const LayerItem* item) { return !item->isVisible() || item->settled(); });
 }
 
 bool MapScene::settled() const {
-  const bool submaps = impl_->items.at(Layer::Submaps)->isVisible();
-  if (submaps && !renderer_->settled()) return false;
-  if (submaps && session_ && !session_->settled(1)) return false;
-  return cloudsSettled() && impl_->raster.settled();
+  const bool submaps = items_->first(Layer::Submaps).isVisible();
+  return (!submaps || !session_ || session_->settled(1)) && picturesSettled() && items_->raster.read();
 }
 
-bool MapScene::cloudsSettled() const {
-  return !impl_->dispatched->isVisible() ||
-         (MapClouds::of(*this).settled() && impl_->dispatched->tiles().settled());
+void MapScene::setStale(bool stale) { items_->stale->setVisible(stale); }
+
+void MapScene::setWaypoints(std::optional<DrawnWaypoints> waypoints) {
+  if (!waypoints && !items_->edited) return;
+  items_->edited = std::move(waypoints);
+  items_->takeWaypoints(session_);
+  items_->update(Layer::Waypoints);
 }
 
-void MapScene::setStale(bool stale) { impl_->stale->setVisible(stale); }
+void MapScene::setEditedCells(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells) {
+  items_->raster.setEdited(map, std::move(cells));
+}
+
+void MapScene::editedCellsChanged(const geometry::WorldRect& where) {
+  items_->raster.editedChanged(where);
+  Q_EMIT cellsEdited(where);
+}
+
+bool MapScene::layerVisible(Layer layer) const { return items_->shown.at(layer); }
+
+void MapScene::setLayerVisible(Layer layer, bool visible) {
+  items_->shown[layer] = visible;
+  syncPlace();
+  sendWants();
+  Q_EMIT layersChanged();
+}
+
+double MapScene::layerOpacity(Layer layer) const { return items_->first(layer).opacity(); }
+
+void MapScene::setLayerOpacity(Layer layer, double opacity) {
+  for (LayerItem* item : items_->itemsOf(layer)) item->setOpacity(std::clamp(opacity, 0.0, 1.0));
+  items_->applyVisibility();
+  Q_EMIT layersChanged();
+}
+
+const LayerStyle& MapScene::layerStyle(Layer layer) const { return items_->first(layer).style(); }
+
+void MapScene::setLayerStyle(Layer layer, const LayerStyle& style) {
+  for (LayerItem* item : items_->itemsOf(layer)) item->setStyle(style);
+  if (layer == Layer::WholeMap) applyReduction();
+  Q_EMIT layersChanged();
+}
+
+void MapScene::applyReduction() {
+  if (!session_) return;
+  const bool average = WholeMapChoice(layerStyle(Layer::WholeMap).choice) == WholeMapChoice::Average;
+  for (session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()}) {
+    slot->setReduction(average ? grids::Reduction::Average : grids::Reduction::OccupiedWins);
+  }
+}
+
+const std::vector<Layer>& MapScene::layerOrder() const { return items_->order; }
+
+void MapScene::setLayerOrder(const std::vector<Layer>& order) {
+  std::vector<Layer> next, fixed;
+  const auto missing = [&](Layer layer) { return std::find(next.begin(), next.end(), layer) == next.end(); };
+  for (const Layer layer : order) {
+    if (!specOf(layer).order_fixed && missing(layer)) next.push_back(layer);
+  }
+  for (const Layer layer : allLayers()) {
+    if (specOf(layer).order_fixed) {
+      fixed.push_back(layer);
+    } else if (missing(layer)) {
+      next.push_back(layer);  // one that the caller does not know goes on top
+    }
+  }
+  next.insert(next.end(), fixed.begin(), fixed.end());
+  items_->order = std::move(next);
+  items_->stack();
+  update();
+  Q_EMIT layersChanged();
+}
+
+CompareMode MapScene::compareMode() const { return items_->compare; }
+
+void MapScene::setCompareMode(CompareMode mode) {
+  if (mode == items_->compare) return;
+  items_->compare = mode;
+  syncPlace();
+  sendWants();
+  update();
+  Q_EMIT layersChanged();
+}
+
+const RobotPlace& MapScene::robotPlace() const { return items_->place; }
+
+void MapScene::setRobotWanted(std::optional<bool> wanted) {
+  items_->robot_wanted = wanted;
+  syncPlace();
+}
+
+void MapScene::syncPlace() {
+  if (items_->placeRobot(session_)) return showPlaced();
+  items_->applyVisibility();
+  syncColors();
+  syncFeatures();
+}
+
+void MapScene::showPlaced() {
+  items_->applyVisibility();
+  syncColors();
+  syncFeatures();
+  update();
+  Q_EMIT robotPlaceChanged();
+}
+
+double MapScene::swipeAt() const { return items_->context.swipe_at; }
+
+void MapScene::setSwipeAt(double fraction) {
+  items_->context.swipe_at = std::clamp(fraction, 0.0, 1.0);
+  items_->applyVisibility();
+}
+
+Halves MapScene::halves() const {
+  Halves halves = items_->halves();
+  if (halves.left == HalfContent::Submaps && !items_->first(Layer::Submaps).isVisible())
+    halves.left = HalfContent::Nothing;
+  return halves;
+}
+
+void MapScene::setHalfNames(const QString& left, const QString& right) {
+  items_->context.left_name = left;
+  items_->context.right_name = right;
+  items_->swipe->update();
+}
+
+void MapScene::setCoveredTop(double px) {
+  if (px == items_->context.covered_top_px) return;
+  items_->context.covered_top_px = px;
+  items_->swipe->update();
+}
+
+double MapScene::coveredTop() const { return items_->context.covered_top_px; }
+
+const MapTheme& MapScene::theme() const { return items_->context.theme; }
+
+regions::RegionMap* MapScene::regions() const { return items_->context.regions; }
+
+void MapScene::setRegions(regions::RegionMap* regions) {
+  using regions::RegionMap;
+  if (regions == items_->context.regions) return;
+  if (items_->context.regions) items_->context.regions->disconnect(this);
+  items_->context.regions = regions;
+  const auto shown = [this] {
+    items_->raster.regionSheetsChanged();
+    items_->update(Layer::Regions);
+    Q_EMIT contentChanged();
+  };
+  if (regions) {
+    LayerItem* const ground = &items_->first(Layer::Regions);
+    connect(regions, &RegionMap::changed, this, [ground] { ground->update(); });
+    connect(regions, &RegionMap::sheetsChanged, this, [this] { items_->raster.regionSheetsChanged(); });
+    connect(regions, &RegionMap::cellsChanged, this, [this, ground](const geometry::WorldRect& where) {
+      items_->raster.regionCellsChanged(where);
+      ground->update();
+    });
+    connect(regions, &QObject::destroyed, this, shown);
+  }
+  shown();
+}
+
+void MapScene::setRegionsExtent(const std::optional<map::GridReference>& extent) {
+  if (std::exchange(items_->context.regions_of, extent) != extent) items_->first(Layer::Regions).update();
+}
+
+bool MapScene::showsClouds() const {
+  return layerVisible(Layer::DispatchedCloud) && !items_->context.clouds->empty();
+}
+
+void MapScene::setTrack(std::shared_ptr<const Track> track) {
+  if (track == items_->context.track) return;
+  items_->context.track = std::move(track);
+  items_->update(Layer::Track);
+}
+
+void MapScene::setPoseBetween(const std::optional<geometry::Pose2>& pose) {
+  if (pose == items_->context.between) return;
+  items_->context.between = pose;
+  if (session_) takeLive(map::topicIndex<map::TrackedPose>());
+  Q_EMIT poseBetweenChanged();
+}
+
+std::optional<geometry::Pose2> MapScene::robotPose() const { return items_->context.robotPose(); }
 
 }  // namespace mapwright::scene
 

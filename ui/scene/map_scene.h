@@ -3,35 +3,45 @@
 // map.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
 #include <vector>
 
+#include <QElapsedTimer>
 #include <QGraphicsScene>
+#include <QTimer>
 
 #include "geometry/view_transform.h"
+#include "map/grid_reference.h"
 #include "render/sample_grid.h"
 #include "render/tile_renderer.h"
 #include "scene/drawn_waypoint.h"
 #include "scene/layer.h"
 #include "scene/map_theme.h"
+#include "scene/repaint_pace.h"
 #include "scene/robot_place.h"
+#include "scene/track.h"
 #include "session/session.h"
+
+namespace mapwright::clouds {
+class CloudStore;
+}
+namespace mapwright::regions {
+class RegionMap;
+}
 
 namespace mapwright::scene {
 
-/// A measured polyline in world metres.
-struct Measurement {
-  std::vector<Eigen::Vector2d> points;
-};
+class SceneItems;
 
 class MapScene : public QGraphicsScene {
   Q_OBJECT
  public:
   /// `renderer_options.previews` false makes a scene for snapshots: only exact pictures, no animation.
-  explicit MapScene(render::TileRenderer::Options renderer_options, QObject* parent = nullptr);
+  /// `clouds`: those of the map; null = there are none.
+  explicit MapScene(render::TileRenderer::Options renderer_options,
+                    std::shared_ptr<clouds::CloudStore> clouds = nullptr, QObject* parent = nullptr);
   ~MapScene() override;
 
   /// Shows a session (not owned; null = none). The session must outlive this or be removed first.
@@ -42,7 +52,7 @@ class MapScene : public QGraphicsScene {
   void setView(const geometry::ViewTransform& view);
 
   void setTheme(const MapTheme& theme);
-  const MapTheme& theme() const { return theme_; }
+  const MapTheme& theme() const;
   void setColorMode(render::ColorMode mode);
   render::ColorMode colorMode() const { return color_mode_; }
 
@@ -87,7 +97,27 @@ class MapScene : public QGraphicsScene {
   /// Some of them have changed.
   void editedCellsChanged(const geometry::WorldRect& where);
 
-  void setMeasurement(std::optional<Measurement> measurement);
+  /// World metres; empty = none.
+  void setMeasurement(std::vector<Eigen::Vector2d> points);
+
+  /// The map by regions (not owned; it may be destroyed first); null = none.
+  void setRegions(regions::RegionMap* regions);
+  regions::RegionMap* regions() const;
+  /// The extent of the whole map as reported by its robot; nullopt: not reported. Ignored without a map by
+  /// regions.
+  void setRegionsExtent(const std::optional<map::GridReference>& extent);
+
+  /// There are clouds of the map, and they are shown.
+  bool showsClouds() const;
+
+  /// The robot's path through a whole bag; null = none. Dropped with the session.
+  void setTrack(std::shared_ptr<const Track> track);
+
+  /// Where the robot is between two samples of a replay: drawn instead of the session's pose, world metres;
+  /// nullopt: the session's. Without a session's pose nothing is drawn. Dropped with the session.
+  void setPoseBetween(const std::optional<geometry::Pose2>& pose);
+  /// Where the robot is drawn at present, if anywhere.
+  std::optional<geometry::Pose2> robotPose() const;
 
   render::TileRenderer& renderer() { return *renderer_; }
   /// The submaps with a picture, including hidden ones, in painting order.
@@ -118,6 +148,7 @@ class MapScene : public QGraphicsScene {
   void layersChanged();
   void tilesSettled();
   void robotPlaceChanged();
+  void poseBetweenChanged();
   void contentChanged();  // another whole map, or none
   void cellsEdited(const mapwright::geometry::WorldRect& where);
 
@@ -126,7 +157,6 @@ class MapScene : public QGraphicsScene {
   void drawForeground(QPainter* painter, const QRectF& rect) override;
 
  private:
-  class Impl;
   void takeLive(int what);
   void takeFrame();
   void syncColors();
@@ -136,19 +166,22 @@ class MapScene : public QGraphicsScene {
   void sendWants();
   void applyReduction();
   void noteSettled();
-  bool cloudsSettled() const;
   void syncPlaced(const std::vector<map::SubmapId>& ids);
   void paintContentSoon();
   void paintContent();
   void syncAll();
+  double nowMs() const { return double(clock_.nsecsElapsed()) * 1e-6; }
 
   session::Session* session_ = nullptr;
   geometry::ViewTransform view_;
-  MapTheme theme_;
   render::ColorMode color_mode_ = render::ColorMode::Normal;
   std::optional<render::ColorMode> drawn_color_mode_;
   std::unique_ptr<render::TileRenderer> renderer_;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<SceneItems> items_;
+  RepaintPace pace_;
+  QElapsedTimer clock_;
+  QTimer repaint_timer_;  // runs while new tiles wait to be painted
+  double began_ms_ = 0;   // of the painting in progress
 };
 
 }  // namespace mapwright::scene

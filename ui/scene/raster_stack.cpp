@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include <QCoreApplication>
+
 #include "render/grid_palettes.h"
+#include "robot/robot.h"
+#include "sentences/absence_sentence.h"
 
 namespace mapwright::scene {
 namespace {
@@ -43,59 +47,50 @@ render::GridPalette regionsPalette(const render::MapColors& colors) {
   return palette;
 }
 
+LayerSpec costmapSpec(const char* name, const char* title, map::Stream stream) {
+  return {.name = name, .title = title, .shown = false, .streams = {stream}, .topic_chosen = true};
+}
+
+LayerSpec gridSpec(const char* name, const char* title, map::Stream stream) {
+  return {.name = name, .title = title, .shown = false, .streams = {stream}};
+}
+
 }  // namespace
 
-RasterStack::RasterStack(const LayerContext& context, render::RasterTiles::Options options, QObject* parent)
-    : QObject(parent), context_(context), options_(options), theme_(context.theme) {
-  whole_ = makeSheet();
-  overview_ = makeSheet();
-  compared_ = makeSheet();
-  difference_ = makeSheet();
-  for (const auto& [layer, kind] : kGridLayers) grids_[kind] = makeSheet();
-  for (Sheet& sheet : region_sheets_) {
-    sheet = makeSheet();
-    sheet.renderer->setPalette(regionsPalette(theme_.map));
+RasterLayer::RasterLayer(const LayerContext& context) : DeviceLayer(context), renderer_(context.rasters) {
+  QObject::connect(&renderer_, &render::GridRenderer::tilesChanged, &renderer_, [this] { update(); });
+  QObject::connect(&renderer_, &render::GridRenderer::settledChanged, &renderer_, context.settled_changed);
+}
+
+geometry::WorldRect RasterLayer::gridBounds() const {
+  return grid() ? grid()->reference.bounds() : geometry::WorldRect{};
+}
+
+void RasterLayer::paintPixels(QPainter& painter, const QRectF& exposed) {
+  drawRaster(painter, exposed, renderer_.drawing());
+}
+
+RasterStack::RasterStack(const LayerContext& context)
+    : context_(context),
+      whole_(new RasterLayer(context)),
+      overview_(new RasterLayer(context)),
+      compared_(new RasterLayer(context)),
+      difference_(new RasterLayer(context)) {
+  for (const auto& [layer, kind] : kGridLayers) grids_[kind] = new RasterLayer(context);
+  for (RasterLayer*& sheet : region_sheets_) {
+    sheet = new RasterLayer(context);
+    sheet->renderer().setPalette(regionsPalette(context.theme.map));
   }
-  for (RasterLayer* item : {compared_.item, difference_.item}) item->setVisible(false);
+  for (RasterLayer* item : {compared_, difference_}) item->setVisible(false);
 }
 
-RasterStack::~RasterStack() = default;
-
-RasterStack::Sheet RasterStack::makeSheet() {
-  Sheet sheet;
-  sheet.renderer = std::make_unique<render::GridRenderer>(options_);
-  sheet.item = new RasterLayer(context_, *sheet.renderer);
-  connect(sheet.renderer.get(), &render::GridRenderer::tilesChanged, this,
-          [item = sheet.item] { item->update(); });
-  connect(sheet.renderer.get(), &render::GridRenderer::settledChanged, this, &RasterStack::settledChanged);
-  return sheet;
-}
-
-std::vector<const RasterStack::Sheet*> RasterStack::sheets() const {
-  std::vector<const Sheet*> all{&whole_, &overview_, &compared_, &difference_};
-  for (const auto& [kind, sheet] : grids_) all.push_back(&sheet);
-  for (const Sheet& sheet : region_sheets_) all.push_back(&sheet);
-  return all;
-}
-
-std::size_t RasterStack::cacheBytes() const {
-  std::size_t bytes = 0;
-  for (const Sheet* sheet : sheets()) bytes += sheet->renderer->cacheBytes();
-  return bytes;
-}
-
-std::vector<RasterLayer*> RasterStack::items() const {
-  std::vector<RasterLayer*> all;
-  for (const Sheet* sheet : sheets()) all.push_back(sheet->item);
-  return all;
-}
-
-RasterLayer* RasterStack::item(Layer layer) const {
-  if (layer == Layer::WholeMap) return whole_.item;
+std::vector<RasterLayer*> RasterStack::itemsOf(Layer layer) const {
+  if (layer == Layer::WholeMap) return {whole_};
+  if (layer == Layer::Regions) return {region_sheets_.begin(), region_sheets_.end()};
   for (const auto& [raster, kind] : kGridLayers) {
-    if (raster == layer) return grids_.at(kind).item;
+    if (raster == layer) return {grids_.at(kind)};
   }
-  return nullptr;
+  return {};
 }
 
 void RasterStack::setSession(session::Session* session) {
@@ -108,23 +103,26 @@ void RasterStack::setSession(session::Session* session) {
     }
   }
   session_ = session;
-  for (const Sheet* sheet : sheets()) sheet->renderer->setGrid(std::nullopt);
+  for (RasterLayer* raster : {whole_, overview_, compared_, difference_})
+    raster->renderer().setGrid(std::nullopt);
+  for (const auto& [kind, raster] : grids_) raster->renderer().setGrid(std::nullopt);
+  for (RasterLayer* sheet : region_sheets_) sheet->renderer().setGrid(std::nullopt);
   if (!session_) return;
   using session::MapSlot;
-  const auto follow = [this](const MapSlot& slot, Sheet& sheet) {
-    connect(&slot, &MapSlot::changed, this, [this, &slot, &sheet] {
-      syncSlot(slot, sheet);
+  const auto follow = [this](const MapSlot& slot, RasterLayer& raster) {
+    connect(&slot, &MapSlot::changed, this, [this, &slot, &raster] {
+      syncSlot(slot, raster);
       syncDifference();
     });
-    connect(&slot, &MapSlot::rowsArrived, this, [this, &sheet] {
-      sheet.renderer->rowsArrived();
-      difference_.renderer->rowsArrived();
+    connect(&slot, &MapSlot::rowsArrived, this, [this, &raster] {
+      raster.renderer().rowsArrived();
+      difference_->renderer().rowsArrived();
     });
-    syncSlot(slot, sheet);
+    syncSlot(slot, raster);
   };
-  follow(session_->wholeMap(), whole_);
-  follow(session_->overview(), overview_);
-  follow(session_->comparedMap(), compared_);
+  follow(session_->wholeMap(), *whole_);
+  follow(session_->overview(), *overview_);
+  follow(session_->comparedMap(), *compared_);
   connect(&session_->layerGrids(), &session::LayerGrids::changed, this, &RasterStack::syncGrid);
   for (const auto& [layer, kind] : kGridLayers) syncGrid(kind);
   syncDifference();
@@ -143,97 +141,86 @@ void RasterStack::setEdited(const map::MapKey& map, std::shared_ptr<const grids:
   edited_map_ = map;
   edited_ = std::move(cells);
   if (!session_) return;
-  syncSlot(session_->wholeMap(), whole_);
+  syncSlot(session_->wholeMap(), *whole_);
   syncDifference();
 }
 
 void RasterStack::editedChanged(const geometry::WorldRect& where) {
-  whole_.renderer->cellsChanged(where);
-  difference_.renderer->cellsChanged(where);
+  whole_->renderer().cellsChanged(where);
+  difference_->renderer().cellsChanged(where);
 }
 
-void RasterStack::syncSlot(const session::MapSlot& slot, Sheet& sheet) {
+void RasterStack::syncSlot(const session::MapSlot& slot, RasterLayer& raster) {
   const auto placed = placedOf(slot);
-  const bool other = !(sheet.renderer->grid() == placed);
-  if (placed) sheet.renderer->setPalette(render::wholeMapPalette(theme_.map, placed->cells->code()));
-  sheet.renderer->setGrid(placed);
+  const bool other = !(raster.grid() == placed);
+  if (placed)
+    raster.renderer().setPalette(render::wholeMapPalette(context_.theme.map, placed->cells->code()));
+  raster.renderer().setGrid(placed);
   if (other) Q_EMIT contentChanged();
 }
 
 void RasterStack::syncDifference() {
   const auto first = session_ ? placedOf(session_->wholeMap()) : std::nullopt;
   const auto second = session_ ? placedOf(session_->comparedMap()) : std::nullopt;
-  difference_.renderer->setPalette(render::differencePalette(theme_.dark));
+  difference_->renderer().setPalette(render::differencePalette(context_.theme.dark));
   if (first && second) {
-    difference_.renderer->setGrid(first, second);
+    difference_->renderer().setGrid(first, second);
   } else {
-    difference_.renderer->setGrid(std::nullopt);
+    difference_->renderer().setGrid(std::nullopt);
   }
 }
 
 void RasterStack::syncGrid(map::GridKind kind) {
-  const auto sheet = grids_.find(kind);
-  if (sheet == grids_.end()) return;
+  const auto raster = grids_.find(kind);
+  if (raster == grids_.end()) return;
+  render::GridRenderer& renderer = raster->second->renderer();
   const session::LayerGrid* const grid = session_ ? session_->layerGrids().find(kind) : nullptr;
-  if (!grid) {
-    sheet->second.renderer->setGrid(std::nullopt);
-    return;
-  }
-  sheet->second.renderer->setPalette(paletteOf(kind, *grid, theme_));
-  sheet->second.renderer->setGrid(render::PlacedGrid{grid->picture.indices, grid->reference});
-}
-
-std::vector<RasterLayer*> RasterStack::regionItems() const {
-  std::vector<RasterLayer*> items;
-  for (const Sheet& sheet : region_sheets_) items.push_back(sheet.item);
-  return items;
-}
-
-void RasterStack::setRegions(const regions::RegionMap* map) {
-  regions_ = map;
-  regionSheetsChanged();
+  if (!grid) return renderer.setGrid(std::nullopt);
+  renderer.setPalette(paletteOf(kind, *grid, context_.theme));
+  renderer.setGrid(render::PlacedGrid{grid->picture.indices, grid->reference});
 }
 
 void RasterStack::regionSheetsChanged() {
   std::vector<render::PlacedGrid> placed;
-  if (regions_) {
-    for (const auto& sheet : regions_->regions().sheets()) placed.push_back({sheet, sheet->reference()});
+  if (context_.regions) {
+    for (const auto& sheet : context_.regions->regions().sheets())
+      placed.push_back({sheet, sheet->reference()});
   }
   // Sheets do not overlap: those already drawn stay in their place.
-  std::vector<Sheet*> free;
-  for (Sheet& sheet : region_sheets_) {
-    const auto& shown = sheet.renderer->grid();
+  std::vector<RasterLayer*> free;
+  for (RasterLayer* sheet : region_sheets_) {
+    const auto& shown = sheet->grid();
     const auto found = shown ? std::find(placed.begin(), placed.end(), *shown) : placed.end();
     if (found == placed.end()) {
-      free.push_back(&sheet);
+      free.push_back(sheet);
     } else {
       placed.erase(found);
     }
   }
-  for (Sheet* sheet : free) {
+  for (RasterLayer* sheet : free) {
     if (placed.empty()) {
-      sheet->renderer->setGrid(std::nullopt);
+      sheet->renderer().setGrid(std::nullopt);
       continue;
     }
-    sheet->renderer->setGrid(std::move(placed.back()));
+    sheet->renderer().setGrid(std::move(placed.back()));
     placed.pop_back();
   }
 }
 
 void RasterStack::regionCellsChanged(const geometry::WorldRect& where) {
-  for (Sheet& sheet : region_sheets_) {
-    if (sheet.renderer->grid()) sheet.renderer->cellsChanged(where);
+  for (RasterLayer* sheet : region_sheets_) {
+    if (sheet->grid()) sheet->renderer().cellsChanged(where);
   }
 }
 
 geometry::WorldRect RasterStack::regionBounds() const {
-  return regions_ ? regions_->regions().reach() : geometry::WorldRect{};
+  return context_.regions ? context_.regions->regions().reach() : geometry::WorldRect{};
 }
 
 std::optional<int> RasterStack::regionOccupancyAt(const Eigen::Vector2d& world_m) const {
-  if (!regions_) return std::nullopt;
+  if (!context_.regions) return std::nullopt;
   const grids::CellMeaning& meaning = grids::meaningOf(grids::CellCode::Occupancy);
-  for (const auto& sheet : regions_->regions().sheets()) {
+  for (const auto& sheet : context_.regions->regions().sheets()) {
     const Eigen::Vector2d cell = sheet->reference().cellFromWorld(world_m);
     if (!(cell.x() >= 0 && cell.y() >= 0 && cell.x() < sheet->width() && cell.y() < sheet->height()))
       continue;
@@ -243,54 +230,70 @@ std::optional<int> RasterStack::regionOccupancyAt(const Eigen::Vector2d& world_m
   return std::nullopt;
 }
 
-void RasterStack::setTheme(const MapTheme& theme) {
-  theme_ = theme;
-  for (Sheet& sheet : region_sheets_) sheet.renderer->setPalette(regionsPalette(theme.map));
+void RasterStack::themeChanged() {
+  for (RasterLayer* sheet : region_sheets_) sheet->renderer().setPalette(regionsPalette(context_.theme.map));
   if (!session_) return;
-  syncSlot(session_->wholeMap(), whole_);
-  syncSlot(session_->overview(), overview_);
-  syncSlot(session_->comparedMap(), compared_);
+  syncSlot(session_->wholeMap(), *whole_);
+  syncSlot(session_->overview(), *overview_);
+  syncSlot(session_->comparedMap(), *compared_);
   syncDifference();
   for (const auto& [layer, kind] : kGridLayers) syncGrid(kind);
 }
 
-void RasterStack::sendView() {
-  for (const Sheet* sheet : sheets()) sheet->item->sendView();
-}
-
-void RasterStack::syncActive() {
-  for (const Sheet* sheet : sheets()) sheet->renderer->setActive(sheet->item->isVisible());
-}
-
-bool RasterStack::drawn() const {
-  for (const Sheet* sheet : sheets()) {
-    if (sheet->item->isVisible() && !sheet->renderer->settled()) return false;
-  }
-  return true;
-}
-
-bool RasterStack::settled() const {
-  if (!drawn()) return false;
+bool RasterStack::read() const {
   if (!session_) return true;
-  if (whole_.item->isVisible() && !session_->wholeMap().settled()) return false;
-  return !(compared_.item->isVisible() || difference_.item->isVisible()) || session_->comparedMap().settled();
+  if (whole_->isVisible() && !session_->wholeMap().settled()) return false;
+  return !(compared_->isVisible() || difference_->isVisible()) || session_->comparedMap().settled();
 }
 
-geometry::WorldRect RasterStack::wholeBounds() const {
-  const auto& placed = whole_.renderer->grid();
-  return placed ? placed->reference.bounds() : geometry::WorldRect{};
+template <>
+LayerSpec layerSpec<Layer::WholeMap>() {
+  return {.name = "whole",
+          .title = QT_TRANSLATE_NOOP("scene", "Whole map"),
+          .shown = false,
+          .streams = {map::Stream::WholeMap},
+          .follows_robot = false,
+          .topic_chosen = true,
+          .in_all = false,  // --mode decides about it
+          .traits =
+              [] {
+                return LayerTraits{.choice_title = QCoreApplication::translate("scene", "Zoomed out"),
+                                   .choices = {QCoreApplication::translate("scene", "Occupied wins"),
+                                               QCoreApplication::translate("scene", "Average")}};
+              },
+          .why_empty =
+              [](robot::Robot& robot) {
+                return robot.wholeMapSource() || robot.liveTopics()
+                           ? QString()
+                           : sentences::whyAbsent(robot::Capability::WholeMaps,
+                                                  robot.whyNot(robot::Capability::WholeMaps));
+              }};
 }
 
-geometry::WorldRect RasterStack::comparedBounds() const {
-  const auto& placed = compared_.renderer->grid();
-  return placed ? placed->reference.bounds() : geometry::WorldRect{};
+template <>
+LayerSpec layerSpec<Layer::Incremental>() {
+  return gridSpec("incremental", QT_TRANSLATE_NOOP("scene", "Incremental"), map::Stream::Incremental);
 }
 
-bool RasterStack::overviewShown() const { return overview_.renderer->grid().has_value(); }
+template <>
+LayerSpec layerSpec<Layer::EnvMatch>() {
+  return gridSpec("match", QT_TRANSLATE_NOOP("scene", "Match map"), map::Stream::EnvMatch);
+}
 
-std::optional<render::PlacedGrid> RasterStack::wholeMap() const { return whole_.renderer->grid(); }
+template <>
+LayerSpec layerSpec<Layer::EnvSymmetry>() {
+  return gridSpec("symmetry", QT_TRANSLATE_NOOP("scene", "Symmetry map"), map::Stream::EnvSymmetry);
+}
 
-std::optional<render::PlacedGrid> RasterStack::comparedMap() const { return compared_.renderer->grid(); }
+template <>
+LayerSpec layerSpec<Layer::CostmapLow>() {
+  return costmapSpec("costmap", QT_TRANSLATE_NOOP("scene", "Costmap, coarse"), map::Stream::CostmapLow);
+}
+
+template <>
+LayerSpec layerSpec<Layer::CostmapHigh>() {
+  return costmapSpec("costmap-high", QT_TRANSLATE_NOOP("scene", "Costmap, fine"), map::Stream::CostmapHigh);
+}
 
 }  // namespace mapwright::scene
 

@@ -1,10 +1,13 @@
-#include "scene/regions_layer.h"
-
+#include <algorithm>
 #include <cmath>
 
 #include <QCoreApplication>
-#include <QPainter>
 #include <QPainterPath>
+
+#include "robot/map_dispatch.h"
+#include "robot/robot.h"
+#include "scene/layer_item.h"
+#include "sentences/absence_sentence.h"
 
 namespace mapwright::scene {
 namespace {
@@ -15,12 +18,23 @@ constexpr int kHatchPx = 8;            // the pattern repeats after this
 constexpr double kLeastLabelPx = 120;  // a narrower region has no room for text
 constexpr int kHatchAlpha = 70, kQuietAlpha = 90, kExtentAlpha = 190;
 
-QColor withAlpha(QColor color, int alpha) {
-  color.setAlpha(alpha);
-  return color;
-}
+/// Marks the parts of a map by regions that have not been fetched: hatched wherever nothing is known, with a
+/// line around the reported extent, and outlines for regions being fetched and failed ones. Cells are drawn
+/// over it. Draws nothing without a map by regions.
+class RegionGround : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+  geometry::WorldRect contentBounds() const override {
+    return context_.regions && context_.regions_of ? context_.regions_of->bounds() : geometry::WorldRect();
+  }
 
-}  // namespace
+ private:
+  QPolygonF onScreen(const geometry::WorldRect& rect) const;
+  void paintHatch(QPainter& painter) const;
+  void paintOutlines(QPainter& painter) const;
+  void paintExtent(QPainter& painter) const;
+};
 
 QPolygonF RegionGround::onScreen(const geometry::WorldRect& rect) const {
   const geometry::ViewTransform& view = context_.view;
@@ -31,7 +45,7 @@ QPolygonF RegionGround::onScreen(const geometry::WorldRect& rect) const {
 }
 
 void RegionGround::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  if (!map_) return;
+  if (!context_.regions) return;
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing, false);  // no seam may be visible between neighbours
   paintHatch(*painter);
@@ -55,7 +69,7 @@ void RegionGround::paintHatch(QPainter& painter) const {
     answered.closeSubpath();
   };
   regions::RegionKey last;
-  for (const regions::RegionView& region : map_->regions().answeredIn(view.visibleWorld())) {
+  for (const regions::RegionView& region : context_.regions->regions().answeredIn(view.visibleWorld())) {
     if (region.key.x != last.x || region.key.y != last.y + 1) {
       add();
       column = {};
@@ -72,19 +86,19 @@ void RegionGround::paintHatch(QPainter& painter) const {
   const QPointF zero = toPoint(view.pixelFromWorld({0, 0}));
   const auto phase = [](double at) { return std::isfinite(at) ? std::fmod(std::round(at), kHatchPx) : 0.0; };
   painter.setBrushOrigin(QPointF(phase(zero.x()), phase(zero.y())));
-  painter.fillPath(unknown, QBrush(withAlpha(context_.theme.text, kHatchAlpha), Qt::BDiagPattern));
+  painter.fillPath(unknown, QBrush(translucent(context_.theme.text, kHatchAlpha), Qt::BDiagPattern));
 }
 
 void RegionGround::paintExtent(QPainter& painter) const {
-  if (!extent_) return;
+  if (!context_.regions_of) return;
   const geometry::ViewTransform& view = context_.view;
-  const double right = extent_->width, bottom = extent_->height;
+  const double right = context_.regions_of->width, bottom = context_.regions_of->height;
   QPolygonF shape;
   for (const Eigen::Vector2d& cell : {Eigen::Vector2d(0, 0), Eigen::Vector2d(right, 0),
                                       Eigen::Vector2d(right, bottom), Eigen::Vector2d(0, bottom)})
-    shape << toPoint(view.pixelFromWorld(extent_->worldFromCell(cell)));
+    shape << toPoint(view.pixelFromWorld(context_.regions_of->worldFromCell(cell)));
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(withAlpha(context_.theme.text, kExtentAlpha), 1));
+  painter.setPen(QPen(translucent(context_.theme.text, kExtentAlpha), 1));
   painter.drawPolygon(shape);
 }
 
@@ -93,12 +107,12 @@ void RegionGround::paintOutlines(QPainter& painter) const {
   painter.setBrush(Qt::NoBrush);
   // Prominent ones are drawn over the others.
   for (const bool quiet : {true, false}) {
-    for (const regions::RegionView& region : map_->regions().inView()) {
+    for (const regions::RegionView& region : context_.regions->regions().inView()) {
       const bool busy = region.state == RegionState::Fetching || region.refreshing;
       const bool failed = !busy && region.trouble.kind != regions::RegionTrouble::Kind::None;
       const bool open = region.state == RegionState::NotAsked || region.state == RegionState::Nothing;
       if (quiet == (busy || failed) || (quiet && !open)) continue;
-      QPen pen(withAlpha(theme.text, kQuietAlpha), 1, Qt::DotLine);
+      QPen pen(translucent(theme.text, kQuietAlpha), 1, Qt::DotLine);
       if (busy) pen = QPen(theme.accent, 1);
       if (failed) pen = QPen(region.state == RegionState::Failed ? theme.bad : theme.warn, 1, Qt::DashLine);
       painter.setPen(pen);
@@ -117,6 +131,32 @@ void RegionGround::paintOutlines(QPainter& painter) const {
       drawLabel(painter, middle - QPointF(width / 2, 0), words, theme, failed ? theme.bad : theme.text);
     }
   }
+}
+
+}  // namespace
+
+template <>
+LayerSpec layerSpec<Layer::Regions>() {
+  return {
+      .name = "regions",
+      .title = QT_TRANSLATE_NOOP("scene", "Map by regions"),
+      .follows_robot = false,
+      .in_all = false,  // --region says which
+      .why_empty =
+          [](robot::Robot& robot) {
+            const robot::MapDispatch* const dispatch = robot.mapDispatch();
+            if (!dispatch)
+              return sentences::whyAbsent(robot::Capability::Dispatch,
+                                          robot.whyNot(robot::Capability::Dispatch));
+            // If it has disappeared, received data stays.
+            const auto offers = dispatch->offers();
+            const bool gone =
+                std::none_of(offers.begin(), offers.end(), [](const auto& offer) { return offer.offered; });
+            return gone || dispatch->offered(robot::DispatchService::GridRegion)
+                       ? QString()
+                       : QCoreApplication::translate("scene", "This robot only sends its map as a whole.");
+          },
+      .items = oneItem<RegionGround>};
 }
 
 }  // namespace mapwright::scene

@@ -3,12 +3,39 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLocale>
-#include <QPainter>
-#include <QStyleOptionGraphicsItem>
 
-#include "scene/map_layers.h"
+#include "scene/layer_item.h"
+#include "scene/lengths.h"
 
 namespace mapwright::scene {
+namespace {
+
+/// The scale bar, bottom left.
+class ScaleBarLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
+    constexpr double kWidestPx = 140, kLeft = 16, kBottom = 16;
+    const double length_m = roundDown125(kWidestPx * context_.view.scale_m_per_px);
+    const double width = std::round(length_m / context_.view.scale_m_per_px);
+    const double y = context_.view.height_px - kBottom;
+    const QRectF frame(kLeft - 8, y - 24, width + 16, 32);
+    if (!option->exposedRect.intersects(frame.adjusted(-2, -2, 2, 2))) return;
+    const QString text = lengthText(length_m);
+    const QFontMetricsF metrics(context_.theme.label_font);
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(translucent(context_.theme.text_halo, 190));
+    painter->drawRoundedRect(frame, 4, 4);
+    painter->setRenderHint(QPainter::Antialiasing, false);
+    painter->setPen(QPen(context_.theme.text, 2));
+    painter->drawPolyline(QPolygonF{{kLeft, y - 6}, {kLeft, y}, {kLeft + width, y}, {kLeft + width, y - 6}});
+    drawLabel(*painter, {kLeft + (width - metrics.horizontalAdvance(text)) / 2, y - 8}, text, context_.theme,
+              context_.theme.text);
+  }
+};
+
+}  // namespace
 
 QString lengthText(double metres) {
   const QLocale plain = QLocale::c();
@@ -27,26 +54,14 @@ QString lengthText(double metres) {
   return trimmed(metres / 1000, metres < 10'000 ? 2 : 1) + QCoreApplication::translate("scene", " km");
 }
 
-void ScaleBarLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
-  constexpr double kWidestPx = 140, kLeft = 16, kBottom = 16;
-  const double length_m = roundDown125(kWidestPx * context_.view.scale_m_per_px);
-  const double width = std::round(length_m / context_.view.scale_m_per_px);
-  const double y = context_.view.height_px - kBottom;
-  const QRectF frame(kLeft - 8, y - 24, width + 16, 32);
-  if (!option->exposedRect.intersects(frame.adjusted(-2, -2, 2, 2))) return;
-  const QString text = lengthText(length_m);
-  const QFontMetricsF metrics(context_.theme.label_font);
-  painter->setRenderHint(QPainter::Antialiasing);
-  QColor plate = context_.theme.text_halo;
-  plate.setAlpha(190);
-  painter->setPen(Qt::NoPen);
-  painter->setBrush(plate);
-  painter->drawRoundedRect(frame, 4, 4);
-  painter->setRenderHint(QPainter::Antialiasing, false);
-  painter->setPen(QPen(context_.theme.text, 2));
-  painter->drawPolyline(QPolygonF{{kLeft, y - 6}, {kLeft, y}, {kLeft + width, y}, {kLeft + width, y - 6}});
-  drawLabel(*painter, {kLeft + (width - metrics.horizontalAdvance(text)) / 2, y - 8}, text, context_.theme,
-            context_.theme.text);
+template <>
+LayerSpec layerSpec<Layer::ScaleBar>() {
+  return {.name = "scalebar",
+          .title = QT_TRANSLATE_NOOP("scene", "Scale bar"),
+          .follows_robot = false,
+          .order_fixed = true,
+          .why_empty = neverEmpty,
+          .items = oneItem<ScaleBarLayer>};
 }
 
 }  // namespace mapwright::scene

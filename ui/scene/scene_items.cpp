@@ -3,91 +3,138 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QFontMetricsF>
 #include <QGraphicsScene>
 
+#include "scene/lengths.h"
 #include "session/lacks_picture.h"
 
 namespace mapwright::scene {
 namespace {
 
-render::RasterTiles::Options rasterOptions(const render::TileRenderer::Options& options) {
-  render::RasterTiles::Options raster_options;
-  raster_options.previews = options.previews;
-  raster_options.workers = options.workers;
-  raster_options.budget = std::make_shared<render::TileBudget>();
-  raster_options.budget->bytes = options.budgets.grid_tiles;
-  return raster_options;
+/// A veil over everything that is no longer live.
+class StaleItem : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
+    painter->fillRect(option->exposedRect, context_.theme.stale_veil);
+  }
+};
+
+/// The measured polyline with the length of each leg and the total.
+class MeasureItem : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    if (context_.measured.empty()) return;
+    painter->setRenderHint(QPainter::Antialiasing);
+    QPolygonF line;
+    for (const Eigen::Vector2d& point : context_.measured)
+      line << toPoint(context_.view.pixelFromWorld(point));
+    painter->setPen(QPen(context_.theme.text_halo, 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter->drawPolyline(line);
+    painter->setPen(QPen(context_.theme.measure, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter->drawPolyline(line);
+    painter->setBrush(context_.theme.measure);
+    for (const QPointF& point : line) painter->drawEllipse(point, 3.5, 3.5);
+    double total = 0;
+    for (std::size_t i = 1; i < context_.measured.size(); ++i) {
+      const double leg = (context_.measured[i] - context_.measured[i - 1]).norm();
+      total += leg;
+      const QPointF middle = (line[qsizetype(i)] + line[qsizetype(i) - 1]) / 2;
+      if (context_.measured.size() > 2) {
+        drawLabel(*painter, middle + QPointF(6, -6), lengthText(leg), context_.theme, context_.theme.text);
+      }
+    }
+    if (context_.measured.size() > 1) {
+      drawLabel(*painter, line.last() + QPointF(10, 4), lengthText(total), context_.theme,
+                context_.theme.measure);
+    }
+  }
+};
+
+/// The line between the two halves of a swipe, with their names.
+class SwipeItem : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    const double x = std::round(context_.swipe_at * context_.view.width_px);
+    painter->fillRect(QRectF(x - 2, 0, 4, context_.view.height_px), context_.theme.text_halo);
+    painter->fillRect(QRectF(x - 1, 0, 2, context_.view.height_px), context_.theme.accent);
+    painter->setRenderHint(QPainter::Antialiasing);
+    paintName(*painter, context_.left_name, 0, x, true);
+    paintName(*painter, context_.right_name, x, context_.view.width_px, false);
+  }
+
+ private:
+  void paintName(QPainter& painter, const QString& name, double from_px, double to_px, bool at_end) const {
+    constexpr double kLineGapPx = 18, kPadPx = 8, kTopPx = 12, kHeightPx = 24, kLeastPx = 32, kMostPx = 420;
+    const QFontMetricsF metrics(context_.theme.label_font);
+    const double room = std::min(kMostPx, to_px - from_px - 2 * kLineGapPx) - 2 * kPadPx;
+    if (name.isEmpty() || room < kLeastPx) return;
+    const QString text = metrics.elidedText(name, Qt::ElideRight, room);
+    const double width = std::ceil(metrics.horizontalAdvance(text)) + 2 * kPadPx;
+    const QRectF box(at_end ? to_px - kLineGapPx - width : from_px + kLineGapPx,
+                     context_.covered_top_px + kTopPx, width, kHeightPx);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(context_.theme.text_halo);
+    painter.drawRoundedRect(box, 4, 4);
+    painter.setPen(context_.theme.text);
+    painter.setFont(context_.theme.label_font);
+    painter.drawText(box, Qt::AlignCenter, text);
+  }
+};
+
+LayerContext contextOf(render::TileRenderer& renderer, const render::TileRenderer::Options& options,
+                       std::shared_ptr<clouds::CloudStore> clouds, std::function<void()> settled_changed) {
+  LayerContext context;
+  context.theme = lightMapTheme();
+  context.clouds = std::move(clouds);
+  context.submaps = &renderer;
+  context.rasters.previews = options.previews;
+  context.rasters.workers = options.workers;
+  context.rasters.budget = std::make_shared<render::TileBudget>();
+  context.rasters.budget->bytes = options.budgets.grid_tiles;
+  context.settled_changed = std::move(settled_changed);
+  return context;
 }
 
 }  // namespace
 
-template <typename Item>
-Item* SceneItems::add(QGraphicsScene& scene, Item* item) {
-  scene.addItem(item);
-  all.push_back(item);
-  return item;
-}
-template <typename Item>
-Item* SceneItems::add(QGraphicsScene& scene, Layer layer, Item* item) {
-  items.emplace(layer, item);
-  by_layer[layer].push_back(item);
-  return add(scene, item);
-}
-
 SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
-                       const render::TileRenderer::Options& options)
-    : order(allLayers()), raster(context, rasterOptions(options), nullptr) {
+                       const render::TileRenderer::Options& options,
+                       std::shared_ptr<clouds::CloudStore> clouds, std::function<void()> settled_changed)
+    : context(contextOf(renderer, options, std::move(clouds), std::move(settled_changed))),
+      order(allLayers()),
+      raster(context),
+      highlight(new HighlightItem(context)),
+      measure(new MeasureItem(context)),
+      stale(new StaleItem(context)),
+      swipe(new SwipeItem(context)) {
   context.live = &nothing_live;
-  context.labels = &labels;
-  tiles = add(scene, Layer::Submaps, new TileLayer(context, renderer));
   for (const Layer layer : allLayers()) {
-    if (RasterLayer* item = raster.item(layer)) add(scene, layer, item);
-  }
-  region_ground = add(scene, Layer::Regions, new RegionGround(context));
-  for (RasterLayer* item : raster.regionItems()) add(scene, Layer::Regions, item);
-  for (RasterLayer* item : {raster.overview(), raster.compared(), raster.difference()}) add(scene, item);
-  dispatched = add(scene, Layer::DispatchedCloud, new DispatchedCloudLayer(context, raster.options()));
-  add(scene, Layer::Grid, new GridLayer(context));
-  add(scene, Layer::Outlines, new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Outlines));
-  add(scene, Layer::Ids, new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Ids));
-  highlight = add(scene, new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Highlight));
-  for (MapFeatures* features : {&of_whole, &of_compared, &of_robot}) addFeatures(scene, *features);
-  of_robot.items.push_back(add(scene, Layer::Landmarks,
-                               new LandmarksLayer(
-                                   context, [this]() -> const auto& { return context.live->landmarks; })));
-  of_robot.items.push_back(add(
-      scene, Layer::Trajectory,
-      new LinesLayer(
-          context, [this](const auto& each) { each(context.live->trajectory); }, &MapTheme::trajectory, 2)));
-  add(scene, Layer::Doors, new DoorsLayer(context));
-  add(scene, Layer::Boxes, new BoxesLayer(context));
-  add(scene, Layer::Constraints, new ConstraintsLayer(context));
-  add(scene, Layer::Path,
-      new LinesLayer(
-          context, [this](const auto& each) { each(context.live->path); }, &MapTheme::path, 3));
-  add(scene, Layer::LocalPath, new LocalPathLayer(context));
-  add(scene, Layer::Target, new TargetLayer(context));
-  cloud = add(scene, Layer::Cloud, new CloudLayer(context));
-  add(scene, Layer::NearbyRobots, new NearbyRobotsLayer(context));
-  add(scene, Layer::Track, new TrackLayer(context, track));
-  add(scene, Layer::Trail, new TrailLayer(context));
-  add(scene, Layer::ExpandedFootprint, new FootprintLayer(context, true));
-  add(scene, Layer::Footprint, new FootprintLayer(context, false));
-  robot = add(scene, Layer::Robot, new RobotLayer(context));
-  stale = add(scene, new StaleLayer(context));
-  measure = add(scene, new MeasureLayer(context, measured));
-  swipe = add(scene, new SwipeLayer(context));
-  add(scene, Layer::ScaleBar, new ScaleBarLayer(context));
-  for (const Layer layer : allLayers()) {
+    const LayerSpec& spec = specOf(layer);
+    std::vector<LayerItem*>& items = by_layer[layer];
+    if (spec.items) items = spec.items(context);
+    for (RasterLayer* item : raster.itemsOf(layer)) items.push_back(item);
+    all.insert(all.end(), items.begin(), items.end());
+    shown[layer] = spec.shown;
     // Submaps are on their own side of a swipe; landmarks and trajectories may belong to an opened map.
-    const bool apart = layer == Layer::Submaps || layer == Layer::Landmarks || layer == Layer::Trajectory;
-    if (followsRobot(layer) && !apart) robots_own.push_back(items.at(layer));
+    for (LayerItem* item : items) {
+      const bool robots = item->of() ? item->of() == FeaturesOf::Robot : spec.follows_robot;
+      if (robots && layer != Layer::Submaps) robots_own.push_back(item);
+    }
   }
-  robots_own.insert(robots_own.end(), of_robot.items.begin(), of_robot.items.end());
-  for (const Layer layer : allLayers()) shown[layer] = shownByDefault(layer);
+  all.insert(all.end(),
+             {raster.overview(), raster.compared(), raster.difference(), highlight, stale, measure, swipe});
+  for (LayerItem* item : all) scene.addItem(item);
   stale->setVisible(false);
   stack();
   applyVisibility();
+}
+
+void SceneItems::update(Layer layer) const {
+  for (LayerItem* item : itemsOf(layer)) item->update();
 }
 
 void SceneItems::stack() {
@@ -96,42 +143,18 @@ void SceneItems::stack() {
     z += 10;
     for (LayerItem* item : itemsOf(layer)) item->setZValue(z);
   }
-  raster.overview()->setZValue(items.at(Layer::Submaps)->zValue() - 1);
-  raster.compared()->setZValue(
-      std::max(items.at(Layer::Submaps)->zValue(), items.at(Layer::WholeMap)->zValue()) + 1);
+  const qreal submaps = first(Layer::Submaps).zValue();
+  raster.overview()->setZValue(submaps - 1);
+  raster.compared()->setZValue(std::max(submaps, first(Layer::WholeMap).zValue()) + 1);
   raster.difference()->setZValue(raster.compared()->zValue() + 1);
-  highlight->setZValue(items.at(Layer::Ids)->zValue() + 1);
-  for (LayerItem* item :
-       std::initializer_list<LayerItem*>{stale, measure, swipe, items.at(Layer::ScaleBar)}) {
-    item->setZValue(z += 10);
-  }
-}
-
-void SceneItems::addFeatures(QGraphicsScene& scene, MapFeatures& features) {
-  features.items = {add(scene, Layer::Overlays, new OverlaysLayer(context, features.overlays)),
-                    add(scene, Layer::Waypoints, new WaypointsLayer(context, features.waypoints)),
-                    add(scene, Layer::Landmarks,
-                        new LandmarksLayer(
-                            context, [&features]() -> const auto& { return features.landmarks; })),
-                    add(scene, Layer::Trajectory,
-                        new LinesLayer(
-                            context,
-                            [&features](const auto& each) {
-                              for (const auto& line : features.trajectories) each(line);
-                            },
-                            &MapTheme::trajectory, 2))};
+  highlight->setZValue(first(Layer::Ids).zValue() + 1);
+  for (LayerItem* item : {stale, measure, swipe, &first(Layer::ScaleBar)}) item->setZValue(z += 10);
 }
 
 MapsOnScreen SceneItems::onScreen() const {
   return {shown.at(Layer::WholeMap) || compare != CompareMode::Off,
           has_compared && compare != CompareMode::Off, compare,
           compare == CompareMode::Swipe && halves().left == HalfContent::Submaps};
-}
-
-void SceneItems::takeCompared(session::Session* session) {
-  has_submaps = session && session->robot().submapSource();
-  wants_second = session && session->comparedMap().phase() != session::MapSlot::Phase::Empty;
-  has_compared = session && session->comparedMap().cells() != nullptr;
 }
 
 Halves SceneItems::halves() const {
@@ -141,13 +164,14 @@ Halves SceneItems::halves() const {
 }
 
 std::optional<QRectF> SceneItems::rectOf(ScreenPart part) const {
-  const double x = std::round(swipe_at * context.view.width_px);
+  const double x = std::round(context.swipe_at * context.view.width_px);
   if (part == ScreenPart::Left) return QRectF(0, 0, x, context.view.height_px);
   if (part == ScreenPart::Right) return QRectF(x, 0, context.view.width_px - x, context.view.height_px);
   return std::nullopt;
 }
 
 void SceneItems::applyVisibility() {
+  LayerItem &whole = *raster.whole(), &submaps = first(Layer::Submaps);
   const bool second = has_compared;
   const bool swiping = compare == CompareMode::Swipe;
   const bool difference = compare == CompareMode::Difference && second;
@@ -157,22 +181,21 @@ void SceneItems::applyVisibility() {
   const bool submaps_left = halves().left == HalfContent::Submaps;
   if (compare != CompareMode::Off) {
     // Each half is one map, regardless of what was on screen before.
-    items.at(Layer::WholeMap)->setVisible(!difference);
-    items.at(Layer::Submaps)->setVisible(swiping && submaps_left);
-  }
-  // Regions are on neither side of a comparison.
-  if (compare != CompareMode::Off) {
-    for (LayerItem* item : by_layer.at(Layer::Regions)) item->setVisible(false);
+    whole.setVisible(!difference);
+    submaps.setVisible(swiping && submaps_left);
+    // Regions are on neither side of a comparison.
+    for (LayerItem* item : itemsOf(Layer::Regions)) item->setVisible(false);
   }
   raster.compared()->setVisible(swiping && second);
   raster.difference()->setVisible(difference);
   const auto part = [&](ScreenPart which) { return swiping ? rectOf(which) : std::nullopt; };
-  tiles->setPart(part(ScreenPart::Left));
+  submaps.setPart(part(ScreenPart::Left));
   const ScreenPart of_the_whole = submaps_left ? ScreenPart::Right : ScreenPart::Left;
-  items.at(Layer::WholeMap)->setPart(part(of_the_whole));
+  whole.setPart(part(of_the_whole));
   raster.compared()->setPart(part(ScreenPart::Right));
-  for (LayerItem* item : of_whole.items) item->setPart(part(of_the_whole));
-  for (LayerItem* item : of_compared.items) {
+  for (LayerItem* item : all) {
+    if (item->of() == FeaturesOf::WholeMap) item->setPart(part(of_the_whole));
+    if (item->of() != FeaturesOf::ComparedMap) continue;
     item->setPart(part(ScreenPart::Right));
     item->setVisible(item->isVisible() && second && swiping);
   }
@@ -180,20 +203,21 @@ void SceneItems::applyVisibility() {
   for (LayerItem* item : robots_own) item->setPart(rectOf(place.drawn));
   if (place.drawn == ScreenPart::None) {
     for (LayerItem* item : robots_own) item->setVisible(false);
-    items.at(Layer::Submaps)->setVisible(false);
+    submaps.setVisible(false);
   }
-  raster.overview()->setPart(tiles->part());
-  raster.overview()->setVisible(tiles->isVisible());
-  raster.overview()->setOpacity(tiles->opacity());
+  raster.overview()->setPart(submaps.part());
+  raster.overview()->setVisible(submaps.isVisible());
+  raster.overview()->setOpacity(submaps.opacity());
   highlight->setVisible(place.drawn != ScreenPart::None);
   swipe->setVisible(swiping);
-  swipe->setAt(swipe_at);
-  raster.syncActive();
-  dispatched->tiles().setActive(dispatched->isVisible());
+  swipe->update();
+  for (LayerItem* item : all) item->setActive(item->isVisible());
 }
 
 bool SceneItems::placeRobot(session::Session* session) {
-  takeCompared(session);
+  has_submaps = session && session->robot().submapSource();
+  wants_second = session && session->comparedMap().phase() != session::MapSlot::Phase::Empty;
+  has_compared = session && session->comparedMap().cells() != nullptr;
   const RobotPlace before = place;
   place = {};
   if (!session) {
@@ -228,19 +252,15 @@ void SceneItems::takeWaypoints(const session::Session* session) {
       features.waypoints.push_back(std::move(drawn));
     }
   };
-  of_whole.waypoints.clear();
-  of_compared.waypoints.clear();
+  context.of(FeaturesOf::WholeMap).waypoints.clear();
+  context.of(FeaturesOf::ComparedMap).waypoints.clear();
   if (!session) return;
-  take(session->wholeMap(), onScreen().whole, of_whole);
-  take(session->comparedMap(), onScreen().compared, of_compared);
+  take(session->wholeMap(), onScreen().whole, context.of(FeaturesOf::WholeMap));
+  take(session->comparedMap(), onScreen().compared, context.of(FeaturesOf::ComparedMap));
 }
 
 void SceneItems::takeFeatures(const session::Session* session) {
-  for (MapFeatures* features : {&of_whole, &of_compared, &of_robot}) {
-    features->overlays.clear();
-    features->trajectories.clear();
-    features->landmarks.clear();
-  }
+  context.features = {};
   takeWaypoints(session);
   if (!session) return;
   const MapsOnScreen on_screen = onScreen();
@@ -252,12 +272,12 @@ void SceneItems::takeFeatures(const session::Session* session) {
       features.landmarks.push_back({landmark.id, landmark.position_m, std::nullopt});
     return true;
   };
-  const bool opened = on_screen.whole && take(session->wholeMap(), of_whole);
-  if (on_screen.compared) take(session->comparedMap(), of_compared);
+  const bool opened = on_screen.whole && take(session->wholeMap(), context.of(FeaturesOf::WholeMap));
+  if (on_screen.compared) take(session->comparedMap(), context.of(FeaturesOf::ComparedMap));
   // Next to an opened map the robot's own overlays only belong on the half of the submaps.
   const bool beside = on_screen.submaps_left && place.drawn == ScreenPart::Left;
   if (place.overlays_fit && context.live->map_info && (!opened || beside))
-    of_robot.overlays = context.live->map_info->overlays;
+    context.of(FeaturesOf::Robot).overlays = context.live->map_info->overlays;
 }
 
 }  // namespace mapwright::scene

@@ -4,35 +4,22 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <vector>
 
-#include "scene/dispatched_cloud_layer.h"
-#include "scene/live_layers.h"
-#include "scene/map_layers.h"
+#include "scene/layer_item.h"
 #include "scene/raster_stack.h"
-#include "scene/regions_layer.h"
 #include "scene/robot_place.h"
-#include "scene/track_layer.h"
 
 class QGraphicsScene;
 
 namespace mapwright::scene {
 
-/// The features that belong to a map, with their items.
-struct MapFeatures {
-  std::vector<map::OverlayFeature> overlays;
-  std::vector<std::vector<Eigen::Vector2d>> trajectories;
-  std::vector<map::Landmark> landmarks;
-  std::vector<DrawnWaypoint> waypoints;
-  std::vector<LayerItem*> items;
-};
-
 class SceneItems {
  public:
   /// The scene owns the items; this must outlive them.
   SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
-             const render::TileRenderer::Options& options);
+             const render::TileRenderer::Options& options, std::shared_ptr<clouds::CloudStore> clouds,
+             std::function<void()> settled_changed);
 
   /// Gives every item its place in `order`.
   void stack();
@@ -47,15 +34,12 @@ class SceneItems {
   bool placeRobot(session::Session* session);
   /// All items of a layer: some layers show several maps.
   const std::vector<LayerItem*>& itemsOf(Layer layer) const { return by_layer.at(layer); }
+  /// The first of them.
+  LayerItem& first(Layer layer) const { return *by_layer.at(layer).front(); }
+  void update(Layer layer) const;
 
-  LayerContext context;
-  LabelSpace labels;
   map::LiveState nothing_live;
-  Outlines outlines;
-  std::set<map::SubmapId> highlighted;
-  std::vector<Eigen::Vector2d> measured;
-  std::shared_ptr<const Track> track;  // null = none
-  MapFeatures of_whole, of_compared, of_robot;
+  LayerContext context;
   RobotPlace place;
   std::optional<DrawnWaypoints> edited;  // shown instead of the robot's waypoints
   std::optional<bool> robot_wanted;      // the user's choice for the map on screen
@@ -69,29 +53,13 @@ class SceneItems {
   bool has_submaps = false;   // the robot has some
   bool wants_second = false;  // a second map is compared, or loading
   bool has_compared = false;  // it is there
-  double swipe_at = 0.5;
   RasterStack raster;
-  std::map<Layer, LayerItem*> items;  // the first of each layer
   std::map<Layer, std::vector<LayerItem*>> by_layer;
   std::vector<LayerItem*> all;
   std::vector<LayerItem*> robots_own;  // all that only make sense where the robot is; not the submaps
-  TileLayer* tiles = nullptr;
-  RegionGround* region_ground = nullptr;
-  OutlineLayer* highlight = nullptr;
-  CloudLayer* cloud = nullptr;
-  DispatchedCloudLayer* dispatched = nullptr;
-  RobotLayer* robot = nullptr;
-  MeasureLayer* measure = nullptr;
-  StaleLayer* stale = nullptr;
-  SwipeLayer* swipe = nullptr;
+  LayerItem *highlight, *measure, *stale, *swipe;
 
  private:
-  template <typename Item>
-  Item* add(QGraphicsScene& scene, Item* item);
-  template <typename Item>
-  Item* add(QGraphicsScene& scene, Layer layer, Item* item);
-  void addFeatures(QGraphicsScene& scene, MapFeatures& features);
-  void takeCompared(session::Session* session);
   MapsOnScreen onScreen() const;
   std::optional<QRectF> rectOf(ScreenPart part) const;
 };

@@ -1,5 +1,3 @@
-#include "scene/track_layer.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,10 +5,10 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLinearGradient>
-#include <QPainter>
-#include <QStyleOptionGraphicsItem>
 
-#include "scene/map_layers.h"
+#include "scene/layer_item.h"
+#include "scene/lengths.h"
+#include "scene/track.h"
 
 namespace mapwright::scene {
 namespace {
@@ -87,21 +85,40 @@ std::vector<QColor> trackColors(TrackChoice choice, const MapTheme& theme) {
   return colors;
 }
 
-TrackLayer::TrackLayer(const LayerContext& context, const std::shared_ptr<const Track>& track)
-    : LayerItem(context), track_(track) {}
+namespace {
+
+class TrackLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override;
+
+ private:
+  struct Run {
+    int color = 0;
+    QPolygonF line;
+    QRectF bounds;
+  };
+  void layOut();
+  void paintLegend(QPainter& painter, const QRectF& exposed) const;
+
+  std::shared_ptr<const Track> laid_out_;  // what `runs_` were computed for
+  std::optional<geometry::ViewTransform> laid_out_view_;
+  TrackScale scale_;
+  std::vector<Run> runs_;
+};
 
 void TrackLayer::layOut() {
   const auto choice = TrackChoice(std::clamp(style().choice, 0, int(TrackChoice::Quality)));
-  if (laid_out_ == track_ && laid_out_view_ == context_.view && scale_.choice == choice) return;
-  if (laid_out_ != track_ || scale_.choice != choice) scale_ = scaleOf(*track_, choice);
-  laid_out_ = track_;
+  if (laid_out_ == context_.track && laid_out_view_ == context_.view && scale_.choice == choice) return;
+  if (laid_out_ != context_.track || scale_.choice != choice) scale_ = scaleOf(*context_.track, choice);
+  laid_out_ = context_.track;
   laid_out_view_ = context_.view;
   runs_.clear();
   const double margin = 2 * sizeOr(kWidth);
   const QRectF seen = boundingRect().adjusted(-margin, -margin, margin, margin);
   std::optional<QPointF> before;
   bool open = false;  // the last run ends at `before`
-  for (const TrackSample& sample : *track_) {
+  for (const TrackSample& sample : *context_.track) {
     const QPointF pixel = toPoint(context_.view.pixelFromWorld(sample.position_m));
     if (!std::isfinite(pixel.x()) || !std::isfinite(pixel.y())) {
       before.reset();
@@ -130,7 +147,7 @@ void TrackLayer::layOut() {
 }
 
 void TrackLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
-  if (!track_ || track_->empty()) return;
+  if (!context_.track || context_.track->empty()) return;
   layOut();
   const std::vector<QColor> colors = trackColors(scale_.choice, context_.theme);
   painter->setRenderHint(QPainter::Antialiasing);
@@ -193,6 +210,26 @@ void TrackLayer::paintLegend(QPainter& painter, const QRectF& exposed) const {
     gradient.setColorAt(double(i) / double(colors.size() - 1), colors[i]);
   painter.setPen(Qt::NoPen);
   painter.fillRect(bar, gradient);
+}
+
+}  // namespace
+
+template <>
+LayerSpec layerSpec<Layer::Track>() {
+  return {.name = "track",
+          .title = QT_TRANSLATE_NOOP("scene", "Track of the bag"),
+          .in_all = false,  // it needs the whole bag
+          .traits =
+              [] {
+                LayerTraits traits = lineTraits(kWidth);
+                traits.color = false;
+                traits.choice_title = QCoreApplication::translate("scene", "Colour");
+                traits.choices = {QCoreApplication::translate("scene", "By time"),
+                                  QCoreApplication::translate("scene", "By speed"),
+                                  QCoreApplication::translate("scene", "By localization quality")};
+                return traits;
+              },
+          .items = oneItem<TrackLayer>};
 }
 
 }  // namespace mapwright::scene

@@ -3,27 +3,19 @@
 #include <cmath>
 #include <unordered_set>
 
-#include <QPainter>
-
-#include "scene/live_layers.h"
-#include "words/qt_plain.h"
+#include "robot/robot.h"
+#include "scene/layer_item.h"
+#include "sentences/absence_sentence.h"
 
 namespace mapwright::scene {
 namespace {
 
-constexpr double kWaypointNameFromMPerPx = 0.12;  // names appear when a pixel is no larger than this
-constexpr int kLongestWaypointName = 40;
 constexpr double kRadiusPx = 5;
 constexpr std::size_t kCrowd = 500;  // with this many, those that would hide each other are drawn once
 constexpr double kCrowdPx = 4;
 constexpr std::size_t kWaypointMarks = std::size_t(WaypointMark::Theirs) + 1;
 
-QString shortWaypointName(const std::string& name) {
-  const QString text = words::plainName(name);
-  return text.size() > kLongestWaypointName ? text.left(kLongestWaypointName - 1) + QChar(0x2026) : text;
-}
-
-QColor colorOf(const MapTheme& theme, WaypointMark mark) {
+QColor waypointColor(const MapTheme& theme, WaypointMark mark) {
   switch (mark) {
     case WaypointMark::Saved:
       return theme.place;
@@ -76,7 +68,7 @@ class Sprites {
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
     if (selected) paintRing(painter, theme_, middle);
-    paintWaypointMark(painter, middle, kRadiusPx, mark, colorOf(theme_, mark), theme_.text_halo);
+    paintWaypointMark(painter, middle, kRadiusPx, mark, waypointColor(theme_, mark), theme_.text_halo);
     if (warned) paintWarning(painter, theme_, middle);
     return image;
   }
@@ -87,6 +79,65 @@ class Sprites {
 };
 
 bool isSpecial(const DrawnWaypoint& point) { return point.selected || point.mark != WaypointMark::Saved; }
+
+/// Waypoints with their headings.
+class WaypointsLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    const std::vector<DrawnWaypoint>& points = context_.of(*of()).waypoints;
+    const geometry::ViewTransform& view = context_.view;
+    const MapTheme& theme = context_.theme;
+    const QRectF seen = QRectF(0, 0, view.width_px, view.height_px).adjusted(-220, -20, 20, 20);
+    const bool crowd = points.size() > kCrowd && view.scale_m_per_px > kNameFromMPerPx;
+    // If many are dragged, or were just moved, headings and lines to their origins are omitted.
+    std::size_t special_seen = 0;
+    for (const DrawnWaypoint& point : points)
+      special_seen += isSpecial(point) && seen.contains(toPoint(view.pixelFromWorld(point.position_m)));
+    const bool crowd_of_special = special_seen > kCrowd;
+    Sprites sprites(theme, painter->device()->devicePixelRatioF());
+    std::unordered_set<std::uint64_t> taken, taken_by_special;
+    painter->setRenderHint(QPainter::Antialiasing);
+    // Prominent ones are drawn on top; in a crowd those with warnings are preferred.
+    for (const auto& [special, warned] :
+         {std::pair(false, true), std::pair(false, false), std::pair(true, true), std::pair(true, false)}) {
+      const bool as_sprites = special ? crowd_of_special : crowd;
+      if (special && !as_sprites && !warned) continue;  // already drawn, in their order
+      for (const DrawnWaypoint& point : points) {
+        if (isSpecial(point) != special) continue;
+        if ((!special || as_sprites) && point.warned != warned) continue;
+        const QPointF at = toPoint(view.pixelFromWorld(point.position_m));
+        if (!seen.contains(at)) continue;
+        if (as_sprites) {
+          const auto cell = [](double px) {
+            return std::uint64_t(std::uint32_t(std::int32_t(px / kCrowdPx)));
+          };
+          std::unordered_set<std::uint64_t>& cells = special ? taken_by_special : taken;
+          // Conflicts are never omitted.
+          const bool alone = point.mark == WaypointMark::Conflict || point.mark == WaypointMark::Theirs;
+          if (cells.insert(cell(at.x()) << 32 | cell(at.y())).second || alone)
+            sprites.draw(*painter, at, point.mark, point.selected, point.warned);
+          continue;
+        }
+        const QColor color = waypointColor(theme, point.mark);
+        if (point.from_m) {
+          painter->setPen(QPen(color, 1.2, Qt::DashLine));
+          painter->drawLine(toPoint(view.pixelFromWorld(*point.from_m)), at);
+        }
+        if (point.selected) paintRing(*painter, theme, at);
+        if (point.yaw_rad && std::isfinite(*point.yaw_rad))
+          drawHeading(*painter, context_, at, *point.yaw_rad, color);
+        paintWaypointMark(*painter, at, kRadiusPx, point.mark, color, theme.text_halo);
+        if (point.warned) paintWarning(*painter, theme, at);
+        if (view.scale_m_per_px <= kNameFromMPerPx) {
+          const double reach = point.selected ? 11 : kRadiusPx;
+          drawName(*painter, context_, QRectF(at - QPointF(reach, reach), QSizeF(2 * reach, 2 * reach)),
+                   shortName(point.name), theme.text);
+        }
+      }
+    }
+  }
+};
 
 }  // namespace
 
@@ -133,58 +184,19 @@ void paintWaypointMark(QPainter& painter, const QPointF& at, double radius, Wayp
   }
 }
 
-WaypointsLayer::WaypointsLayer(const LayerContext& context, const std::vector<DrawnWaypoint>& points)
-    : LayerItem(context), points_(points) {}
-
-void WaypointsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  const geometry::ViewTransform& view = context_.view;
-  const MapTheme& theme = context_.theme;
-  const QRectF seen = QRectF(0, 0, view.width_px, view.height_px).adjusted(-220, -20, 20, 20);
-  const bool crowd = points_.size() > kCrowd && view.scale_m_per_px > kWaypointNameFromMPerPx;
-  // If many are dragged, or were just moved, headings and lines to their origins are omitted.
-  std::size_t special_seen = 0;
-  for (const DrawnWaypoint& point : points_)
-    special_seen += isSpecial(point) && seen.contains(toPoint(view.pixelFromWorld(point.position_m)));
-  const bool crowd_of_special = special_seen > kCrowd;
-  Sprites sprites(theme, painter->device()->devicePixelRatioF());
-  std::unordered_set<std::uint64_t> taken, taken_by_special;
-  painter->setRenderHint(QPainter::Antialiasing);
-  // Prominent ones are drawn on top; in a crowd those with warnings are preferred.
-  for (const auto& [special, warned] :
-       {std::pair(false, true), std::pair(false, false), std::pair(true, true), std::pair(true, false)}) {
-    const bool as_sprites = special ? crowd_of_special : crowd;
-    if (special && !as_sprites && !warned) continue;  // already drawn, in their order
-    for (const DrawnWaypoint& point : points_) {
-      if (isSpecial(point) != special) continue;
-      if ((!special || as_sprites) && point.warned != warned) continue;
-      const QPointF at = toPoint(view.pixelFromWorld(point.position_m));
-      if (!seen.contains(at)) continue;
-      if (as_sprites) {
-        const auto cell = [](double px) { return std::uint64_t(std::uint32_t(std::int32_t(px / kCrowdPx))); };
-        std::unordered_set<std::uint64_t>& cells = special ? taken_by_special : taken;
-        // Conflicts are never omitted.
-        const bool alone = point.mark == WaypointMark::Conflict || point.mark == WaypointMark::Theirs;
-        if (cells.insert(cell(at.x()) << 32 | cell(at.y())).second || alone)
-          sprites.draw(*painter, at, point.mark, point.selected, point.warned);
-        continue;
-      }
-      const QColor color = colorOf(theme, point.mark);
-      if (point.from_m) {
-        painter->setPen(QPen(color, 1.2, Qt::DashLine));
-        painter->drawLine(toPoint(view.pixelFromWorld(*point.from_m)), at);
-      }
-      if (point.selected) paintRing(*painter, theme, at);
-      if (point.yaw_rad && std::isfinite(*point.yaw_rad))
-        drawHeading(*painter, context_, at, *point.yaw_rad, color);
-      paintWaypointMark(*painter, at, kRadiusPx, point.mark, color, theme.text_halo);
-      if (point.warned) paintWarning(*painter, theme, at);
-      if (view.scale_m_per_px <= kWaypointNameFromMPerPx) {
-        const double reach = point.selected ? 11 : kRadiusPx;
-        drawName(*painter, context_, QRectF(at - QPointF(reach, reach), QSizeF(2 * reach, 2 * reach)),
-                 shortWaypointName(point.name), theme.text);
-      }
-    }
-  }
+template <>
+LayerSpec layerSpec<Layer::Waypoints>() {
+  return {.name = "waypoints",
+          .title = QT_TRANSLATE_NOOP("scene", "Waypoints"),
+          .follows_robot = false,
+          .why_empty =
+              [](robot::Robot& robot) {
+                return robot.waypointSource() || robot.waypointStore()
+                           ? QString()
+                           : sentences::whyAbsent(robot::Capability::Waypoints,
+                                                  robot.whyNot(robot::Capability::Waypoints));
+              },
+          .items = itemForEachMap<WaypointsLayer>};
 }
 
 }  // namespace mapwright::scene

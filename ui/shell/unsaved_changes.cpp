@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include <QWidget>
-
-#include "ui/kit/controller.h"
-#include "ui/kit/fetched_question.h"
+#include <QPushButton>
+#include <QStringList>
 
 namespace mapwright::window {
 
@@ -22,8 +20,7 @@ std::vector<Fetched> fetchedBy(const std::vector<Controller*>& controllers) {
 
 }  // namespace
 
-UnsavedChanges::UnsavedChanges(QWidget* window)
-    : QObject(window), fetched_(new FetchedQuestion(window, this)) {}
+UnsavedChanges::UnsavedChanges(QWidget* window) : QObject(window), window_(window) {}
 
 bool UnsavedChanges::losesFetched() const { return !fetchedBy(controllers_).empty(); }
 
@@ -59,10 +56,50 @@ void UnsavedChanges::whenMayLeave(std::function<void()> then) {
 }
 
 void UnsavedChanges::whenMayLeaveRobot(std::function<void()> then) {
-  then = [this, then = std::move(then)] { fetched_->ask(fetchedBy(controllers_), then); };
+  then = [this, then = std::move(then)] { askAboutFetched(fetchedBy(controllers_), then); };
   for (auto it = controllers_.rbegin(); it != controllers_.rend(); ++it)
     then = [controller = *it, then = std::move(then)] { controller->beforeLeavingRobot(then); };
   then();
+}
+
+void UnsavedChanges::askAboutFetched(std::vector<Fetched> what, std::function<void()> then) {
+  if (what.empty()) return then();
+  what_ = std::move(what);
+  then_ = std::move(then);
+  ++asked_;
+  if (question_) return question_->raise();
+  QStringList names;
+  for (const Fetched& one : what_) names << one.name;
+  question_ =
+      new QMessageBox(QMessageBox::Question, tr("Fetched and not saved"),
+                      tr("The following was fetched from this robot and is not saved. It will be lost: %1.")
+                          .arg(names.join(QStringLiteral("; "))),
+                      QMessageBox::Discard | QMessageBox::Cancel, window_);
+  question_->setTextFormat(Qt::PlainText);
+  question_->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* const save = question_->addButton(tr("Save…"), QMessageBox::AcceptRole);
+  save->setObjectName(QStringLiteral("saveFetched"));
+  question_->setDefaultButton(save);
+  connect(question_, &QMessageBox::finished, this, [this, save] {
+    QMessageBox* const asked = std::exchange(question_, nullptr);
+    QAbstractButton* const clicked = asked->clickedButton();
+    if (clicked == save) return saveFrom(0);
+    const auto next = std::exchange(then_, nullptr);
+    what_.clear();
+    if (clicked && asked->standardButton(clicked) == QMessageBox::Discard && next) next();
+  });
+  question_->open();
+}
+
+void UnsavedChanges::saveFrom(std::size_t at) {
+  if (at < what_.size()) {
+    const auto save = what_[at].save;
+    return save([self = QPointer(this), at, asked = asked_] {
+      if (self && asked == self->asked_) self->saveFrom(at + 1);
+    });
+  }
+  what_.clear();
+  if (const auto next = std::exchange(then_, nullptr)) next();
 }
 
 }  // namespace mapwright::window

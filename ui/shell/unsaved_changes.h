@@ -4,12 +4,13 @@
 #include <functional>
 #include <vector>
 
+#include <QMessageBox>
 #include <QObject>
+#include <QPointer>
+
+#include "ui/kit/controller.h"
 
 namespace mapwright::window {
-
-class Controller;
-class FetchedQuestion;
 
 class UnsavedChanges : public QObject {
   Q_OBJECT
@@ -37,8 +38,18 @@ class UnsavedChanges : public QObject {
   void changed();
 
  private:
+  /// Asks once whether to save fetched data, for all of it. Calls `then` when nothing of it is needed any
+  /// more: at once if there is nothing, otherwise when all of it is saved or discarded; never if the user
+  /// stays.
+  void askAboutFetched(std::vector<Fetched> what, std::function<void()> then);
+  void saveFrom(std::size_t at);
+
+  QWidget* window_;
   std::vector<Controller*> controllers_;
-  FetchedQuestion* fetched_;
+  QPointer<QMessageBox> question_;
+  std::vector<Fetched> what_;
+  std::function<void()> then_;
+  std::uint64_t asked_ = 0;  // counts the questions: saves for an older one are ignored
 };
 
 }  // namespace mapwright::window

@@ -7,10 +7,10 @@
 #include <QToolTip>
 
 #include "ui/kit/icons.h"
-#include "ui/kit/link_text.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/safety_badge.h"
 #include "ui/kit/state_mark.h"
+#include "ui/kit/status_text.h"
 #include "ui/view/replay_state.h"
 
 namespace mapwright::window {

@@ -10,9 +10,7 @@
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/shell/window_status_bar.h"
-#include "ui/slam/inspector_controls.h"
 #include "ui/slam/inspector_dock.h"
-#include "ui/view/clipboard.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 
@@ -88,8 +86,8 @@ void InspectorController::locate(map::SubmapId id) {
 
 void InspectorController::goToFilter() {
   context_.panels.open(dock_);
-  dock_->controls()->filterEdit()->setFocus();
-  dock_->controls()->filterEdit()->selectAll();
+  dock_->filterEdit()->setFocus();
+  dock_->filterEdit()->selectAll();
 }
 
 }  // namespace mapwright::window

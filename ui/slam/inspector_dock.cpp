@@ -3,81 +3,304 @@
 #include <utility>
 
 #include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QMenu>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include "geometry/pose.h"
 #include "sentences/absence_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
+#include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/tree_view.h"
-#include "ui/slam/inspector_controls.h"
-#include "ui/slam/inspector_summary.h"
 #include "ui/slam/submap_row_delegate.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
+
+QString slamStateText(const session::Session& session) {
+  QString text = QString::fromStdString(session.live().slam.state);
+  if (text.isEmpty() && session.book().listReceived()) {
+    switch (session.book().slamState()) {
+      case map::SlamState::Slam:
+        text = QCoreApplication::translate("window", "mapping");
+        break;
+      case map::SlamState::Positioning:
+        text = QCoreApplication::translate("window", "positioning");
+        break;
+      case map::SlamState::Invalid:
+        // Not reported, or in unknown words.
+        text = QCoreApplication::translate("window", "not reported");
+        break;
+    }
+  } else if (text == QLatin1String("slam")) {
+    text = QCoreApplication::translate("window", "mapping");
+  }
+  if (text.isEmpty()) return QStringLiteral("–");
+  if (session.live().slam.reliable) {
+    text += *session.live().slam.reliable ? QCoreApplication::translate("window", ", reliable")
+                                          : QCoreApplication::translate("window", ", not reliable");
+  }
+  return text;
+}
+
+QString submapDetails(const session::Session& session, map::SubmapId id) {
+  const submap::SubmapRow* row = session.book().find(id);
+  if (!row)
+    return QCoreApplication::translate("window", "Submap %1 is no longer listed.")
+        .arg(QString::fromStdString(map::toText(id)));
+  QString name =
+      QStringLiteral("%1 v%2").arg(QString::fromStdString(map::toText(id))).arg(row->entry.version);
+  if (row->visible && row->shown_version >= 0 && row->shown_version != row->entry.version) {
+    name += InspectorDock::tr(" (v%1 on screen)").arg(row->shown_version);
+  }
+  SubmapFacts facts;
+  facts.frozen = row->entry.is_frozen;
+  facts.incremental = row->entry.is_incremental;
+  facts.nearby = row->entry.is_nearby;
+  QStringList lines{QStringLiteral("%1  %2").arg(name, badges(facts).join(QLatin1String(" ")).toLower())};
+  const auto pose = geometry::toIsometry(row->entry.pose);
+  QString where = InspectorDock::tr("no valid pose");
+  if (pose && row->pose_usable) {
+    const geometry::Pose2 flat = geometry::projectToPlane(*pose);
+    where = QStringLiteral("x %1 y %2 m, %3")
+                .arg(flat.x_m, 0, 'f', 2)
+                .arg(flat.y_m, 0, 'f', 2)
+                .arg(rotationText(flat.yaw_rad));
+  }
+  if (const auto slices = int(row->slices.size()); slices > 0) {
+    where += QStringLiteral(", %1, %2")
+                 .arg(sentences::counted(InspectorDock::tr("%1 slices", nullptr, slices), slices),
+                      bytesText(qint64(row->texture_bytes)));
+  }
+  lines << where;
+  const QString reason = sentences::sentenceOf(session.reason(id));
+  lines << (reason.isEmpty() ? statusWord(session.status(id))
+                             : QStringLiteral("%1: %2").arg(statusWord(session.status(id)), reason));
+  return lines.join(QLatin1Char('\n'));
+}
 
 InspectorDock::InspectorDock(scene::MapScene* scene, QAction* show_ids, QAction* show_outlines,
                              QWidget* parent)
     : QDockWidget(tr("SLAM inspector"), parent),
       scene_(scene),
       model_(new SubmapTreeModel(this)),
-      filtered_(new SubmapFilterModel(model_, this)),
-      summary_(new InspectorSummary(this)),
-      controls_(new InspectorControls(show_ids, show_outlines, this)),
-      tree_(new TreeView(this)),
-      details_(new QLabel(this)) {
+      filtered_(new SubmapFilterModel(model_, this)) {
   setObjectName(QStringLiteral("inspector"));
-  buildTree();
-  details_->setObjectName(QStringLiteral("details"));
-  details_->setTextFormat(Qt::PlainText);
-  details_->setWordWrap(true);
-  details_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  details_->setContentsMargins(8, 6, 8, 6);
-  details_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  // A fixed height: moving the selection through the rows must not make the tree jump.
-  details_->setFixedHeight(fontMetrics().lineSpacing() * 4 + 14);
-
   auto* body = new QWidget(this);
   auto* column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(summary_);
-  column->addWidget(controls_);
+  column->addWidget(buildSummary());
+  column->addWidget(buildControls(show_ids, show_outlines));
+  tree_ = new TreeView(this);
+  details_ = textLabel({}, this);
   column->addWidget(tree_, 1);
   column->addWidget(details_);
   body->setMinimumWidth(300);
   setWidget(body);
+  buildTree();
+  details_->setObjectName(QStringLiteral("details"));
+  details_->setContentsMargins(8, 6, 8, 6);
+  details_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  // A fixed height: moving the selection through the rows must not make the
+  // tree jump.
+  details_->setFixedHeight(fontMetrics().lineSpacing() * 4 + 14);
 
-  connect(summary_, &InspectorSummary::copyWanted, this, &InspectorDock::copyWanted);
-  connect(controls_, &InspectorControls::filterChanged, this, [this](const QString& text) {
-    filtered_->setFilter(SubmapFilter(text));
-    if (!text.trimmed().isEmpty()) tree_->expandAll();
-  });
-  connect(controls_, &InspectorControls::nearbyWanted, this,
-          [this](bool visible) { setGroupVisible(&SubmapFacts::nearby, visible); });
-  connect(controls_, &InspectorControls::incrementalWanted, this,
-          [this](bool visible) { setGroupVisible(&SubmapFacts::incremental, visible); });
-  connect(controls_, &InspectorControls::sliceWanted, this, [this](int slice) {
-    if (session_) session_->setSlice(slice);
-  });
-  connect(controls_, &InspectorControls::colorModeWanted, this, &InspectorDock::colorModeWanted);
+  refreshSummary();
+  refreshGroups();
+  refreshSlices();
   refreshDetails();
 }
 
 InspectorDock::~InspectorDock() {
-  // The children are destroyed after this object's own part: they must not report to it any more.
+  // The children are destroyed after this object's own part: they must not
+  // report to it any more.
   tree_->selectionModel()->disconnect(this);
   tree_->disconnect(this);
   tree_->viewport()->removeEventFilter(this);
-  controls_->filterEdit()->removeEventFilter(this);
+  filter_->removeEventFilter(this);
+}
+
+QWidget* InspectorDock::buildSummary() {
+  auto* box = new QWidget(this);
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(8, 8, 8, 4);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(2);
+  grid->setColumnStretch(1, 1);
+  state_ = addRow(grid, tr("State"));
+  uuid_ = addRow(grid, tr("Session"), 1);
+  uuid_->setElideMode(Qt::ElideMiddle);
+  copy_ = iconButton(QStringLiteral("copy"), 14, tr("Copy the session's uuid"), box);
+  copy_->setFixedSize(22, 20);
+  grid->addWidget(copy_, 1, 2);
+  submaps_ = addRow(grid, tr("Submaps"));
+  cache_ = addRow(grid, tr("Memory"));
+  fetches_ = addRow(grid, tr("Fetches"));
+  transferred_ = addRow(grid, tr("Received"));
+  connect(copy_, &QToolButton::clicked, this,
+          [this] { Q_EMIT copyWanted(uuid_->text(), tr("Session uuid copied")); });
+  return box;
+}
+
+PlainLabel* InspectorDock::addRow(QGridLayout* grid, const QString& name, int columns) {
+  const int row = grid->rowCount() - (grid->count() == 0 ? 1 : 0);
+  auto* label = new PlainLabel(name, grid->parentWidget());
+  label->setSecondary(true);
+  auto* value = new PlainLabel(grid->parentWidget());
+  value->setObjectName(name.toLower());
+  value->setSample(QStringLiteral("x"));  // as wide as the dock allows, whatever the text
+  value->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  grid->addWidget(label, row, 0);
+  grid->addWidget(value, row, 1, 1, columns);
+  return value;
+}
+
+void InspectorDock::refreshSummary() {
+  const session::Session* const session = session_;
+  const QString none = QStringLiteral("–");
+  copy_->setEnabled(session && !session->book().uuid().empty());
+  if (!session) {
+    state_->setSecondary(false);
+    for (PlainLabel* label : {state_, uuid_, submaps_, cache_, fetches_, transferred_}) label->setText(none);
+    return;
+  }
+  const session::SubmapCounts counts = session->counts();
+  state_->setText(slamStateText(*session));
+  // Old values are not present ones.
+  const auto stale = valuesAsOf(*session);
+  if (stale) {
+    state_->setText(
+        tr("%1 (as of %2)").arg(state_->text(), QLocale::c().toString(*stale, QStringLiteral("HH:mm:ss"))));
+  }
+  state_->setSecondary(stale.has_value());
+  const QString uuid = QString::fromStdString(session->book().uuid());
+  uuid_->setText(uuid.isEmpty() ? none : uuid);
+  QString submaps = counts.list_received
+                        ? tr("%1 in %2")
+                              .arg(countText(counts.listed),
+                                   sentences::counted(tr("%1 trajectories", nullptr, counts.trajectories),
+                                                      counts.trajectories))
+                        : none;
+  if (counts.hidden > 0) submaps += tr(", %1 hidden").arg(countText(counts.hidden));
+  submaps_->setText(submaps);
+  cache_->setText(tr("%1 of pictures").arg(bytesText(counts.texture_bytes)));
+  fetches_->setText(tr("%1 in flight, %2 queued, %3 failed")
+                        .arg(countText(counts.fetching), countText(counts.queued), countText(counts.failed)));
+  transferred_->setText(
+      tr("%1 in %2, %3 from disk")
+          .arg(bytesText(qint64(counts.bytes_fetched)),
+               sentences::counted(tr("%1 answers", nullptr, sentences::formOf(qint64(counts.fetches))),
+                                  qint64(counts.fetches)),
+               countText(qint64(counts.cache_hits))));
+}
+
+QWidget* InspectorDock::buildControls(QAction* show_ids, QAction* show_outlines) {
+  auto* box = new QWidget(this);
+  filter_ = new QLineEdit(box);
+  nearby_ = addGroup(tr("Nearby"), tr("Show or hide the submaps of nearby maps"), &SubmapFacts::nearby);
+  incremental_ =
+      addGroup(tr("Incremental"), tr("Show or hide the incremental submaps"), &SubmapFacts::incremental);
+  slice_ = new QSpinBox(box);
+  colors_ = new QComboBox(box);
+  filter_->setPlaceholderText(tr("Filter: 12-3, v70, frozen, failed…"));
+  filter_->setClearButtonEnabled(true);
+  filter_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+  filter_->setToolTip(
+      tr("Trajectory and index (12-3), index (592), version "
+         "(v70), frozen, active, incremental, nearby, "
+         "hidden,\nshown, updating, queued, fetching, missing, "
+         "failed, corrupt. Separate several terms with "
+         "spaces: all must match."));
+  filter_->setAccessibleName(tr("Filter submaps"));
+  colors_->addItem(tr("Normal"));
+  colors_->addItem(tr("Incremental"));
+  colors_->addItem(tr("Active"));
+  colors_->setToolTip(
+      tr("Colours: Incremental tints incremental submaps, "
+         "Active dims frozen ones"));
+  colors_->setAccessibleName(tr("Colours"));
+  slice_->setRange(0, 0);
+  slice_->setPrefix(tr("Slice "));
+  slice_->setAccessibleName(tr("Slice"));
+
+  auto* first = new QHBoxLayout;
+  first->setSpacing(4);
+  first->addWidget(filter_, 1);
+  for (QAction* action : {show_ids, show_outlines}) {
+    auto* button = new QToolButton(box);
+    button->setDefaultAction(action);
+    button->setIconSize({16, 16});
+    button->setFixedSize(26, 24);
+    first->addWidget(button);
+  }
+  auto* second = new QHBoxLayout;
+  second->setSpacing(8);
+  second->addWidget(colors_, 1);
+  second->addWidget(slice_, 1);
+  auto* third = new QHBoxLayout;
+  third->setSpacing(12);
+  third->addWidget(incremental_);
+  third->addWidget(nearby_);
+  third->addStretch();
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(8, 4, 8, 8);
+  column->setSpacing(6);
+  column->addLayout(second);
+  column->addLayout(third);
+  column->addLayout(first);
+
+  connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    filtered_->setFilter(SubmapFilter(text));
+    if (!text.trimmed().isEmpty()) tree_->expandAll();
+  });
+  connect(slice_, &QSpinBox::valueChanged, this, [this](int slice) {
+    if (session_) session_->setSlice(slice);
+  });
+  connect(colors_, &QComboBox::currentIndexChanged, this,
+          [this](int index) { Q_EMIT colorModeWanted(render::ColorMode(index)); });
+  return box;
+}
+
+QCheckBox* InspectorDock::addGroup(const QString& name, const QString& tip, bool SubmapFacts::*flag) {
+  auto* box = new QCheckBox(name, this);
+  box->setObjectName(name.toLower());
+  box->setToolTip(tip);
+  // clicked and not toggled: only for user actions, and a partially checked box
+  // becomes checked.
+  connect(box, &QCheckBox::clicked, this,
+          [this, box, flag] { setGroupVisible(flag, box->checkState() != Qt::Unchecked); });
+  return box;
+}
+
+void InspectorDock::refreshSlices() {
+  const int present = session_ ? session_->slice() : 0;
+  const int how_many = session_ ? session_->book().maxSlices() : 1;
+  const QSignalBlocker quiet(slice_);
+  const int last = qMax(qMax(0, how_many - 1), present);
+  slice_->setRange(0, last);
+  slice_->setValue(present);
+  slice_->setEnabled(last > 0);
+  slice_->setToolTip(how_many > 1 ? tr("Slice to draw of every submap: 0 to %1").arg(how_many - 1)
+                                  : tr("Slice to draw of every submap; these have only one"));
 }
 
 void InspectorDock::buildTree() {
@@ -98,7 +321,7 @@ void InspectorDock::buildTree() {
   header->setSectionsMovable(false);
   header->setSectionResizeMode(QHeaderView::Fixed);
   tree_->viewport()->installEventFilter(this);
-  controls_->filterEdit()->installEventFilter(this);
+  filter_->installEventFilter(this);
   tree_->expand(filtered_->index(0, 0));
 
   connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
@@ -121,7 +344,8 @@ void InspectorDock::buildTree() {
     }
   });
   connect(tree_, &QTreeView::customContextMenuRequested, this, &InspectorDock::showMenu);
-  // The selection and not the current row: that one moves by itself to a neighbour of a removed row.
+  // The selection and not the current row: that one moves by itself to a
+  // neighbour of a removed row.
   connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &InspectorDock::takeSelection);
 }
@@ -135,12 +359,13 @@ void InspectorDock::setSession(session::Session* session) {
   model_->setSession(session);
   tree_->expand(filtered_->index(0, 0));
   if (session) {
-    // New rows are processed even while the dock is closed: they may belong to a group that was switched off.
+    // New rows are processed even while the dock is closed: they may belong to
+    // a group that was switched off.
     connect(session, &session::Session::listChanged, this, &InspectorDock::keepHiddenGroups);
     connect(session, &session::Session::rowsTouched, this, &InspectorDock::takeRows);
-    connect(session, &session::Session::connectionChanged, this, [this] { summary_->refresh(session_); });
+    connect(session, &session::Session::connectionChanged, this, [this] { refreshSummary(); });
     connect(session, &session::Session::liveChanged, this, [this](int what) {
-      if (what == map::topicIndex<map::SlamStatus>()) summary_->refresh(session_);
+      if (what == map::topicIndex<map::SlamStatus>()) refreshSummary();
     });
     connect(session, &session::Session::sessionRestarted, this, [this] {
       known_.clear();
@@ -158,7 +383,7 @@ void InspectorDock::showEvent(QShowEvent* event) {
 
 bool InspectorDock::eventFilter(QObject* watched, QEvent* event) {
   if (watched == tree_->viewport() && event->type() == QEvent::Resize) fitColumns();
-  if (watched == controls_->filterEdit() && event->type() == QEvent::KeyPress &&
+  if (watched == filter_ && event->type() == QEvent::KeyPress &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Down) {
     tree_->setFocus();
     return true;
@@ -168,7 +393,8 @@ bool InspectorDock::eventFilter(QObject* watched, QEvent* event) {
 
 void InspectorDock::changeEvent(QEvent* event) {
   QDockWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) fitColumns();
+  const bool resized = event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange;
+  if (resized && tree_) fitColumns();
 }
 
 void InspectorDock::fitColumns() {
@@ -203,17 +429,23 @@ void InspectorDock::takeRows(const session::TouchedRows& rows) {
     // A single trajectory is expanded; several stay collapsed as an overview.
     if (filtered_->rowCount(all) == 1) tree_->expand(filtered_->index(0, 0, all));
   }
-  summary_->refresh(session_);
+  refreshSummary();
   refreshGroups();
-  controls_->setSlices(session_ ? session_->slice() : 0, session_ ? session_->book().maxSlices() : 1);
+  refreshSlices();
   refreshDetails();
 }
 
 void InspectorDock::refreshGroups() {
-  int nearby_count = 0, incremental_count = 0;
-  const Qt::CheckState nearby = model_->visibilityWhere(&SubmapFacts::nearby, &nearby_count);
-  const Qt::CheckState incremental = model_->visibilityWhere(&SubmapFacts::incremental, &incremental_count);
-  controls_->setGroups(nearby, nearby_count, incremental, incremental_count);
+  const auto show = [this](QCheckBox* box, const QString& name, bool SubmapFacts::*flag) {
+    int count = 0;
+    const Qt::CheckState state = model_->visibilityWhere(flag, &count);
+    box->setEnabled(count > 0);
+    box->setText(count > 0 ? QStringLiteral("%1 (%2)").arg(name, countText(count)) : name);
+    box->setTristate(state == Qt::PartiallyChecked);
+    box->setCheckState(count > 0 ? state : Qt::Checked);
+  };
+  show(nearby_, tr("Nearby"), &SubmapFacts::nearby);
+  show(incremental_, tr("Incremental"), &SubmapFacts::incremental);
 }
 
 void InspectorDock::showSubmaps(const std::vector<map::SubmapId>& ids, bool visible) {
@@ -243,14 +475,17 @@ void InspectorDock::setGroupVisible(bool SubmapFacts::*flag, bool visible) {
   showSubmaps(model_->submapsWhere(flag), visible);
 }
 
-void InspectorDock::setColorMode(render::ColorMode mode) { controls_->setColorMode(mode); }
+void InspectorDock::setColorMode(render::ColorMode mode) {
+  const QSignalBlocker quiet(colors_);
+  colors_->setCurrentIndex(int(mode));
+}
 
 void InspectorDock::select(map::SubmapId id) {
   const QModelIndex source = model_->indexOf(id);
   if (!source.isValid()) return;
   QModelIndex index = filtered_->mapFromSource(source);
   if (!index.isValid()) {
-    controls_->filterEdit()->clear();  // the filter hides it
+    filter_->clear();  // the filter hides it
     index = filtered_->mapFromSource(source);
   }
   tree_->setCurrentIndex(index);
@@ -323,8 +558,6 @@ void InspectorDock::showMenu(const QPoint& at) {
   menu.exec(tree_->viewport()->mapToGlobal(at));
 }
 
-QString InspectorDock::detailsText() const { return details_->text(); }
-
 void InspectorDock::refreshDetails() {
   const std::set<map::SubmapId> leaves = selectedLeaves();
   QString text;
@@ -337,7 +570,9 @@ void InspectorDock::refreshDetails() {
     text = sentences::whyAbsent(robot::Capability::Submaps,
                                 session_->robot().whyNot(robot::Capability::Submaps));
   } else {
-    text = tr("Select a submap to see its pose and state. Double-click one to show it on the map.");
+    text =
+        tr("Select a submap to see its pose and state. Double-click one to "
+           "show it on the map.");
   }
   if (const QString plain = words::plainText(text); plain != details_->text()) details_->setText(plain);
 }

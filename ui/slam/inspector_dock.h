@@ -7,30 +7,34 @@
 #include <QPointer>
 
 #include "scene/map_scene.h"
-#include "ui/slam/submap_filter_model.h"
 #include "ui/slam/submap_tree_model.h"
 
 class QAction;
+class QCheckBox;
+class QComboBox;
+class QGridLayout;
 class QLabel;
+class QLineEdit;
+class QSpinBox;
+class QToolButton;
 class QTreeView;
 
 namespace mapwright::window {
 
-class InspectorControls;
-class InspectorSummary;
+class PlainLabel;
 
 class InspectorDock : public QDockWidget {
   Q_OBJECT
  public:
+  /// The two actions switch the ids and the outlines of the submaps.
   InspectorDock(scene::MapScene* scene, QAction* show_ids, QAction* show_outlines, QWidget* parent = nullptr);
-
   ~InspectorDock() override;
 
   /// Not owned; null = none.
   void setSession(session::Session* session);
   void setColorMode(render::ColorMode mode);
-  /// Selects a submap in the tree, as if clicked (without moving the map). Selected ones are framed on the
-  /// map.
+  /// Selects a submap in the tree, as if clicked (without moving the map).
+  /// Selected ones are framed on the map.
   void select(map::SubmapId id);
   void clearSelection();
   std::optional<map::SubmapId> selected() const;  // if exactly one is selected
@@ -38,15 +42,14 @@ class InspectorDock : public QDockWidget {
   QTreeView* tree() const { return tree_; }
   SubmapTreeModel* model() const { return model_; }
   SubmapFilterModel* filterModel() const { return filtered_; }
-  InspectorControls* controls() const { return controls_; }
-  QString detailsText() const;
+  QLineEdit* filterEdit() const { return filter_; }
 
  Q_SIGNALS:
   void locateWanted(mapwright::map::SubmapId id);
   void colorModeWanted(mapwright::render::ColorMode mode);
   void copyWanted(const QString& text, const QString& what);
-  /// The counters were updated outside the session's usual rhythm: other displays of counters should update,
-  /// too.
+  /// The counters were updated outside the session's usual rhythm: other
+  /// displays of counters should update, too.
   void counted();
 
  protected:
@@ -55,8 +58,14 @@ class InspectorDock : public QDockWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  QWidget* buildSummary();
+  QWidget* buildControls(QAction* show_ids, QAction* show_outlines);
+  PlainLabel* addRow(QGridLayout* grid, const QString& name, int columns = 2);
+  QCheckBox* addGroup(const QString& name, const QString& tip, bool SubmapFacts::*flag);
   void buildTree();
   void refresh();
+  void refreshSummary();
+  void refreshSlices();
   void takeRows(const session::TouchedRows& rows);
   void refreshDetails();
   void refreshGroups();
@@ -74,9 +83,13 @@ class InspectorDock : public QDockWidget {
   QPointer<session::Session> session_;
   SubmapTreeModel* model_;
   SubmapFilterModel* filtered_;
-  InspectorSummary* summary_;
-  InspectorControls* controls_;
-  QTreeView* tree_;
+  PlainLabel *state_, *uuid_, *submaps_, *cache_, *fetches_, *transferred_;
+  QToolButton* copy_;
+  QLineEdit* filter_;
+  QCheckBox *nearby_, *incremental_;
+  QSpinBox* slice_;
+  QComboBox* colors_;
+  QTreeView* tree_ = nullptr;  // until it is made
   QLabel* details_;
   // Groups that were switched off as a whole: new members start hidden.
   bool nearby_off_ = false, incremental_off_ = false;
@@ -84,6 +97,8 @@ class InspectorDock : public QDockWidget {
   bool missed_rows_ = true;  // changes while it was invisible
 };
 
+/// "positioning, reliable": the SLAM state reported by the robot, in words.
+QString slamStateText(const session::Session& session);
 /// Details of one submap in two or three lines. Plain text.
 QString submapDetails(const session::Session& session, map::SubmapId id);
 

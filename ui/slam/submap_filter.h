@@ -25,10 +25,11 @@ struct SubmapFacts {
 /// "FROZEN" or "ACTIVE", then "INC", "NEARBY" if they apply.
 QStringList badges(const SubmapFacts& facts);
 
-/// Words, all of which must match: "12-3" (trajectory and the beginning of the index), "12-" (a trajectory),
-/// "592" or "#592" (the beginning of the index), "v70" (version), "frozen", "active", "incremental",
-/// "nearby", "hidden", "visible" or a status word; words may be abbreviated ("fro"). An unknown word matches
-/// nothing.
+/// Words, all of which must match: "12-3" (trajectory and the beginning of the
+/// index), "12-" (a trajectory), "592" or "#592" (the beginning of the index),
+/// "v70" (version), "frozen", "active", "incremental", "nearby", "hidden",
+/// "visible" or a status word; words may be abbreviated ("fro"). An unknown
+/// word matches nothing.
 class SubmapFilter {
  public:
   SubmapFilter() = default;

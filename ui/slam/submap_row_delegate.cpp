@@ -29,7 +29,7 @@ constexpr int kSubmapPad = 2;      // left of what the delegate paints itself
 constexpr int kStatusIconPx = 18;  // the mark of a status with its gap
 constexpr double kBadgeGap = 3;    // between two
 constexpr double kBadgeEdge = 8;   // around its word
-constexpr int kLocatePx = 22;
+constexpr int kLocatePx = 22, kRowPx = 24;
 
 QFont badgeFont(QFont font) {
   font.setPointSizeF(font.pointSizeF() * 0.74);
@@ -61,6 +61,20 @@ int nameWidth(const QTreeView& tree, const QString& text, int depth) {
 }
 
 }  // namespace
+
+ColumnWidths shareColumns(int available, const ColumnNeeds& needs) {
+  const int status_wanted = std::max(needs.status_wanted, needs.status_least);
+  const int badges_wanted = std::max(needs.badges_wanted, needs.badges_least);
+  const int room = std::max(available - needs.name - needs.locate, needs.total);
+  ColumnWidths widths;
+  widths.locate = needs.locate;
+  widths.badges = std::clamp(room - status_wanted, needs.badges_least, badges_wanted);
+  widths.status = std::clamp(room - widths.badges, needs.status_least, status_wanted);
+  // A total may be wider than both: rather empty space than a truncated number.
+  widths.status = std::max(widths.status, needs.total - widths.badges);
+  widths.name = std::max(needs.name, available - widths.badges - widths.status - widths.locate);
+  return widths;
+}
 
 ColumnNeeds columnNeeds(const QTreeView& tree, const SubmapTreeModel& model) {
   const QFontMetrics metrics(tree.font());
@@ -146,7 +160,8 @@ void SubmapRowDelegate::paintBadges(QPainter* painter, const QStyleOptionViewIte
   };
   const double right = option.rect.right() + 1;
   const bool all_fit = x + badgesWidth(option.font, names) - kBadgeGap <= right;
-  // Badges without room become a count; the details below the tree list them all.
+  // Badges without room become a count; the details below the tree list them
+  // all.
   const double room = all_fit ? right : right - badgeWidth(metrics, QStringLiteral("+9")) - kBadgeGap;
   for (qsizetype i = 0; i < names.size(); ++i) {
     if (x + badgeWidth(metrics, names[i]) > room) {
@@ -167,17 +182,20 @@ void SubmapRowDelegate::paintStatus(QPainter* painter, const QStyleOptionViewIte
   paintIcon(painter, QRectF(text.left(), text.center().y() - 6.5, 14, 14), statusIcon(status), mark);
   text.setLeft(text.left() + kStatusIconPx);
   const QString word = index.data().toString();
-  // A truncated word says less than the shape next to it; the tooltip has it in full.
+  // A truncated word says less than the shape next to it; the tooltip has it in
+  // full.
   if (QFontMetrics(option.font).horizontalAdvance(word) > text.width()) return;
   painter->setFont(option.font);
-  // A normal row is unobtrusive; the status is only coloured if it needs attention.
+  // A normal row is unobtrusive; the status is only coloured if it needs
+  // attention.
   painter->setPen(kind == Mark::Warning || kind == Mark::Bad ? mark : colors.secondary_text);
   painter->drawText(text, int(Qt::AlignLeft | Qt::AlignVCenter), word);
 }
 
 void SubmapRowDelegate::paintTotal(QPainter* painter, const QStyleOptionViewItem& option,
                                    const QModelIndex& index) const {
-  // Across the columns before, which are empty on a group's row: painted with the last one, over all of them.
+  // Across the columns before, which are empty on a group's row: painted with
+  // the last one, over all of them.
   const auto* tree = qobject_cast<const QTreeView*>(option.widget);
   if (!tree) return;
   const int left = tree->visualRect(index.siblingAtColumn(SubmapTreeModel::BadgeColumn)).left();

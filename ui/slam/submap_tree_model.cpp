@@ -6,6 +6,7 @@
 
 #include <QRegularExpression>
 
+#include "sentences/fault_sentence.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 
@@ -13,9 +14,10 @@ namespace mapwright::window {
 
 namespace {
 
-// The id of an index tells what it is: 0 = All, 1 = a trajectory, 2 + trajectory = a submap of it.
-// Trajectories are identified by number, not by row, so the ids of leaves stay valid when rows are added or
-// removed above them.
+// The id of an index tells what it is: 0 = All, 1 = a trajectory, 2 +
+// trajectory = a submap of it. Trajectories are identified by number, not by
+// row, so the ids of leaves stay valid when rows are added or removed above
+// them.
 constexpr quintptr kAllId = 0;
 constexpr quintptr kBranchId = 1;
 constexpr quintptr kFirstLeafId = 2;
@@ -75,7 +77,8 @@ void SubmapTreeModel::noteWidth(const SubmapFacts& facts) {
     return QString::number(b).size() > QString::number(a).size() ? b : a;
   };
   std::int32_t index = longest_index_, version = longest_version_;
-  // Compares the number first: creating a text for each of ten thousand rows would be slow.
+  // Compares the number first: creating a text for each of ten thousand rows
+  // would be slow.
   if (facts.id.index > index || facts.id.index < 0) index = longer(index, facts.id.index);
   if (facts.version > version || facts.version < 0) version = longer(version, facts.version);
   if (!widest_leaf_.isEmpty() && index == longest_index_ && version == longest_version_) return;
@@ -215,7 +218,8 @@ void SubmapTreeModel::syncLeaves(int branch_row, const std::vector<SubmapFacts>&
     endRemoveRows();
     last = first - 1;
   }
-  // New: in runs. The rest of `leaves` is a subset of `fresh` in the same order.
+  // New: in runs. The rest of `leaves` is a subset of `fresh` in the same
+  // order.
   for (std::size_t row = 0; row < fresh.size(); ++row) {
     if (row < leaves.size() && leaves[row].id == fresh[row].id) continue;
     std::size_t end = row + 1;
@@ -315,15 +319,6 @@ std::vector<map::SubmapId> SubmapTreeModel::submapsWhere(bool SubmapFacts::*flag
   return ids;
 }
 
-Qt::CheckState SubmapTreeModel::visibility(const std::vector<map::SubmapId>& ids) const {
-  int visible = 0;
-  for (const map::SubmapId id : ids) {
-    const auto leaf = facts(indexOf(id));
-    visible += leaf && leaf->visible;
-  }
-  return checkState(visible, int(ids.size()));
-}
-
 Qt::CheckState SubmapTreeModel::visibilityWhere(bool SubmapFacts::*flag, int* count) const {
   const Group& group = flag == &SubmapFacts::nearby ? nearby_ : incremental_;
   if (count) *count = group.total;
@@ -352,6 +347,138 @@ int SubmapTreeModel::rowCount(const QModelIndex& parent) const {
     return int(branches_[std::size_t(parent.row())].leaves.size());
   }
   return 0;
+}
+
+QString SubmapTreeModel::leafName(map::SubmapId id, std::int32_t version) {
+  return QStringLiteral("#%1 v%2").arg(id.index).arg(version);
+}
+QString SubmapTreeModel::groupName(std::int32_t trajectory) { return tr("Trajectory %1").arg(trajectory); }
+QString SubmapTreeModel::totalText(int shown, int total) {
+  return total > 0 ? tr("%1 of %2").arg(countText(shown), countText(total)) : QString();
+}
+
+QString SubmapTreeModel::widestGroup() const {
+  QString widest = groupName(0);
+  for (const Branch& branch : branches_) {
+    if (const QString name = groupName(branch.trajectory); name.size() > widest.size()) widest = name;
+  }
+  return widest;
+}
+
+QString SubmapTreeModel::widestTotal() const {
+  // A group never shows more than it has, nor has more than all.
+  return totalText(total_, total_);
+}
+
+QVariant SubmapTreeModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  if (const auto leaf = facts(index)) return leafData(*leaf, index.column(), role);
+  if (const auto number = trajectory(index)) {
+    const Branch& branch = branches_[std::size_t(index.row())];
+    return groupData(groupName(*number), branch.visible, branch.shown, int(branch.leaves.size()),
+                     index.column(), role);
+  }
+  return groupData(tr("All"), visible_, shown_, total_, index.column(), role);
+}
+
+QVariant SubmapTreeModel::groupData(const QString& name, int visible, int shown, int total, int column,
+                                    int role) const {
+  switch (role) {
+    case Qt::DisplayRole:
+      if (column == NameColumn) return name;
+      return column == StatusColumn && total > 0 ? QVariant(totalText(shown, total)) : QVariant();
+    case Qt::CheckStateRole:
+      if (column != NameColumn) return {};
+      return int(checkState(visible, total));
+    case Qt::ToolTipRole:
+      return plainToolTip(tr("%1: %2, %3 shown, %4 hidden")
+                              .arg(name, submapsText(total), countText(shown), countText(total - visible)));
+    case TotalRole:
+      return totalText(shown, total);
+    case HiddenRole:
+      return total > 0 && visible == 0;
+    default:
+      return {};
+  }
+}
+
+QVariant SubmapTreeModel::leafData(const SubmapFacts& leaf, int column, int role) const {
+  switch (role) {
+    case Qt::DisplayRole:
+      if (column == NameColumn) return leafName(leaf.id, leaf.version);
+      if (column == StatusColumn) return statusWord(leaf.status);
+      return {};
+    case Qt::CheckStateRole:
+      if (column == NameColumn) return int(leaf.visible ? Qt::Checked : Qt::Unchecked);
+      return {};
+    case Qt::ToolTipRole: {
+      if (column == LocateColumn) return tr("Centre the map on this submap");
+      QStringList lines{
+          tr("Submap %1, version %2").arg(QString::fromStdString(map::toText(leaf.id))).arg(leaf.version)};
+      if (leaf.visible && leaf.shown_version >= 0 && leaf.shown_version != leaf.version) {
+        lines << tr("Version %1 is on screen.").arg(leaf.shown_version);
+      }
+      const QString reason = session_ ? sentences::sentenceOf(session_->reason(leaf.id)) : QString();
+      lines << (reason.isEmpty() ? statusWord(leaf.status)
+                                 : QStringLiteral("%1: %2").arg(statusWord(leaf.status), reason));
+      return plainToolTip(lines.join(QLatin1Char('\n')));
+    }
+    case BadgesRole:
+      return badges(leaf);
+    case StatusRole:
+      return int(leaf.status);
+    case HiddenRole:
+      return !leaf.visible;
+    default:
+      return {};
+  }
+}
+
+QVariant SubmapTreeModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  switch (section) {
+    case NameColumn:
+      return tr("Submap");
+    case BadgeColumn:
+      return tr("Flags");
+    case StatusColumn:
+      return tr("Status");
+    default:
+      return QString();
+  }
+}
+
+Qt::ItemFlags SubmapTreeModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return {};
+  Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+  if (index.column() == NameColumn) flags |= Qt::ItemIsUserCheckable;
+  if (index.internalId() > 1) flags |= Qt::ItemNeverHasChildren;
+  return flags;
+}
+
+bool SubmapTreeModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::CheckStateRole || index.column() != NameColumn || !session_) return false;
+  session_->setVisible(submapsBelow(index), value.toInt() == Qt::Checked);
+  syncVisibility();  // the boxes follow at once, not with the next update
+  return true;
+}
+
+SubmapFilterModel::SubmapFilterModel(SubmapTreeModel* tree, QObject* parent)
+    : QSortFilterProxyModel(parent), tree_(tree) {
+  setRecursiveFilteringEnabled(true);
+  setSourceModel(tree);
+}
+
+void SubmapFilterModel::setFilter(const SubmapFilter& filter) {
+  if (filter == filter_) return;
+  filter_ = filter;
+  invalidateFilter();
+}
+
+bool SubmapFilterModel::filterAcceptsRow(int source_row, const QModelIndex& source_parent) const {
+  if (filter_.empty() || !source_parent.isValid()) return true;  // "All" is always there
+  const auto facts = tree_->facts(tree_->index(source_row, 0, source_parent));
+  return facts && filter_.matches(*facts);  // groups are only kept for their content
 }
 
 }  // namespace mapwright::window

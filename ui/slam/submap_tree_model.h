@@ -1,6 +1,6 @@
-// The submaps as a tree: All -> Trajectory N -> "#592 v70". Follows a session by differences: never resets
-// while the session stays, so selection and expansion are stable and ten thousand rows only cost what
-// changed.
+// The submaps as a tree: All -> Trajectory N -> "#592 v70". Follows a session
+// by differences: never resets while the session stays, so selection and
+// expansion are stable and ten thousand rows only cost what changed.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,7 @@
 
 #include <QAbstractItemModel>
 #include <QPointer>
+#include <QSortFilterProxyModel>
 
 #include "session/session.h"
 #include "ui/slam/submap_filter.h"
@@ -31,10 +32,11 @@ class SubmapTreeModel : public QAbstractItemModel {
   void setSession(session::Session* session);
   /// Updates everything, as differences to the present rows.
   void sync();
-  /// Updates these submaps (ascending), including new and removed ones. The cost depends on their number.
+  /// Updates these submaps (ascending), including new and removed ones. The
+  /// cost depends on their number.
   void syncRows(const std::vector<map::SubmapId>& ids);
-  /// Updates only the visibility: the check boxes follow at once, while the counts stay in step with the
-  /// status bar.
+  /// Updates only the visibility: the check boxes follow at once, while the
+  /// counts stay in step with the status bar.
   void syncVisibility();
 
   std::optional<SubmapFacts> facts(const QModelIndex& index) const;
@@ -43,14 +45,14 @@ class SubmapTreeModel : public QAbstractItemModel {
   /// Every submap at or below the index.
   std::vector<map::SubmapId> submapsBelow(const QModelIndex& index) const;
   std::vector<map::SubmapId> submapsWhere(bool SubmapFacts::*flag) const;
-  /// The longest name of a leaf and of a group, with digits as zeros: width for these fits every row.
+  /// The longest name of a leaf and of a group, with digits as zeros: width for
+  /// these fits every row.
   QString widestLeaf() const { return widest_leaf_; }
   QString widestGroup() const;
   /// The longest count of a group: "10,000 of 10,000".
   QString widestTotal() const;
-  /// Checked, unchecked or partial; of no submaps: unchecked.
-  Qt::CheckState visibility(const std::vector<map::SubmapId>& ids) const;
-  /// Of the nearby or the incremental ones.
+  /// Of the nearby or the incremental ones: checked, unchecked or partial; of
+  /// no submaps: unchecked.
   Qt::CheckState visibilityWhere(bool SubmapFacts::*flag, int* count = nullptr) const;
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -72,7 +74,8 @@ class SubmapTreeModel : public QAbstractItemModel {
     int total = 0, visible = 0;
   };
   int branchRow(std::int32_t trajectory) const;        // -1 = none
-  using Rows = std::vector<std::vector<SubmapFacts>>;  // one list per trajectory, none of them empty
+  using Rows = std::vector<std::vector<SubmapFacts>>;  // one list per trajectory, none of
+                                                       // them empty
   void takeOver(const Rows& fresh);
   void syncBranches(const Rows& fresh);
   void syncLeaves(int branch_row, const std::vector<SubmapFacts>& fresh);
@@ -92,6 +95,22 @@ class SubmapTreeModel : public QAbstractItemModel {
   Group nearby_, incremental_;
   std::int32_t longest_index_ = 0, longest_version_ = 0;
   QString widest_leaf_;
+};
+
+/// The tree, reduced to what matches the filter (with the groups above).
+class SubmapFilterModel : public QSortFilterProxyModel {
+  Q_OBJECT
+ public:
+  explicit SubmapFilterModel(SubmapTreeModel* tree, QObject* parent = nullptr);
+  void setFilter(const SubmapFilter& filter);
+  const SubmapFilter& filter() const { return filter_; }
+
+ protected:
+  bool filterAcceptsRow(int source_row, const QModelIndex& source_parent) const override;
+
+ private:
+  SubmapTreeModel* tree_;
+  SubmapFilter filter_;
 };
 
 }  // namespace mapwright::window

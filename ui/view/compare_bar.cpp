@@ -7,13 +7,12 @@
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "render/grid_palettes.h"
 #include "render/sample_grid.h"
 #include "robot/sends_map.h"
 #include "sentences/problem_sentence.h"
-#include "ui/kit/icons.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
@@ -59,7 +58,7 @@ CompareBar::CompareBar(QWidget* parent)
       second_(new QComboBox(this)),
       swipe_(new QToolButton(this)),
       difference_(new QToolButton(this)),
-      close_(new QToolButton(this)),
+      close_(iconButton(QStringLiteral("close"), 16, tr("Stop comparing (Esc)"), this, tr("Stop comparing"))),
       legend_(new QWidget(this)) {
   setObjectName(QStringLiteral("compareBar"));
   setAutoFillBackground(true);
@@ -80,10 +79,6 @@ CompareBar::CompareBar(QWidget* parent)
   swipe_->setText(tr("Swipe"));
   swipe_->setToolTip(tr("One map to the left of a divider, the other to the right; drag it"));
   difference_->setText(tr("Difference"));
-  close_->setIcon(themedIcon(QStringLiteral("close")));
-  close_->setIconSize({16, 16});
-  close_->setToolTip(tr("Stop comparing (Esc)"));
-  close_->setAccessibleName(tr("Stop comparing"));
   status_->setSecondary(true);
   status_->setSample(tr("Fetching the map"));
   status_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -100,23 +95,9 @@ CompareBar::CompareBar(QWidget* parent)
   entry(render::Difference::OnlySecond, tr("known in the second only"));
   legend_row->addStretch();
 
-  auto* line = new QHBoxLayout;
-  line->setSpacing(8);
-  line->addWidget(first_, 1);
-  line->addWidget(new PlainLabel(tr("with"), this));
-  line->addWidget(second_, 2);
-  line->addWidget(swipe_);
-  line->addWidget(difference_);
-  line->addWidget(close_);
-  auto* below = new QHBoxLayout;
-  below->setSpacing(12);
-  below->addWidget(legend_);
-  below->addWidget(status_, 1);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(12, 4, 8, 4);
-  column->setSpacing(2);
-  column->addLayout(line);
-  column->addLayout(below);
+  auto* line =
+      rowOf({{first_, 1}, new PlainLabel(tr("with"), this), {second_, 2}, swipe_, difference_, close_}, 8);
+  setLayout(columnOf({line, rowOf({legend_, {status_, 1}}, 12)}, 2, QMargins(12, 4, 8, 4)));
   hide();
 
   connect(swipe_, &QToolButton::clicked, this, [this] { Q_EMIT modeWanted(CompareMode::Swipe); });

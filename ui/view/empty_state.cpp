@@ -4,12 +4,10 @@
 
 #include <QCoreApplication>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStyle>
-#include <QVBoxLayout>
 
 #include "robot/map_dispatch.h"
 #include "robot/sends_map.h"
@@ -17,6 +15,7 @@
 #include "sentences/plural.h"
 #include "sentences/problem_sentence.h"
 #include "session/lacks_picture.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
@@ -51,7 +50,7 @@ EmptyState cloudsInstead() {
   state.title = QCoreApplication::translate("window", "No 2D map");
   state.text = QCoreApplication::translate(
       "window", "This robot provides point clouds. If it sends a map, the map appears automatically.");
-  state.offers_clouds = true;
+  state.offers = {CardOffer::Clouds};
   return state;
 }
 
@@ -94,7 +93,7 @@ std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool store
       state.icon = QStringLiteral("error");
       state.title = QCoreApplication::translate("window", "This map cannot be shown");
       state.text = QStringLiteral("%1: %2").arg(name, sentences::sentenceOf(slot.remark()));
-      state.offers_retry = true;
+      state.offers = {CardOffer::Retry};
       return state;
     case Phase::Fetching:
     case Phase::Reading:
@@ -136,7 +135,7 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
     state.text = QCoreApplication::translate("window",
                                              "Connect to a robot by its address, try the simulated one, or "
                                              "open a map file (you can also drop it here).");
-    state.offers_connect = state.offers_demo = state.offers_file = true;
+    state.offers = {CardOffer::Connect, CardOffer::Demo, CardOffer::File};
     return state;
   }
   // Received data stays on the map; the notice above reports a lost connection.
@@ -147,35 +146,36 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
       state.icon = QStringLiteral("disconnect");
       state.title = QCoreApplication::translate("window", "Not connected");
       state.text = address;
-      state.offers_retry = state.offers_connect = true;
+      state.offers = {CardOffer::Retry, CardOffer::Connect};
       return state;
     case ConnectionPhase::Connecting:
       state.kind = EmptyState::Kind::Connecting;
       state.icon = QStringLiteral("connect");
       state.title = QCoreApplication::translate("window", "Connecting…");
       state.text = address;
-      state.busy = state.offers_cancel = true;
+      state.busy = true;
+      state.offers = {CardOffer::Cancel};
       return state;
     case ConnectionPhase::Interrupted:
     case ConnectionPhase::Refused: {
       state.kind = EmptyState::Kind::Failed;
       state.icon = QStringLiteral("error");
-      state.offers_secret = wantsSecret(connection);
       state.title = connection.phase == ConnectionPhase::Refused
                         ? QCoreApplication::translate("window", "The robot refused the connection")
                         : QCoreApplication::translate("window", "Cannot reach the robot");
       state.text = connection.reason.any()
                        ? QStringLiteral("%1\n%2").arg(address, sentences::wordsOf(connection.reason))
                        : address;
-      state.offers_retry = state.offers_connect = true;
+      state.offers = {CardOffer::Retry, CardOffer::Connect};
+      if (wantsSecret(connection)) state.offers.insert(CardOffer::Secret);
       if (connection.certificate) {
         // The fingerprint is in the dialog: it does not fit on a card.
         const bool changed = !connection.certificate->pinned_sha256.isEmpty();
         state.title = changed ? EmptyStateCard::tr("The certificate of the robot has changed")
                               : EmptyStateCard::tr("The certificate of the robot is not trusted");
         state.text = QStringLiteral("%1\n%2").arg(address, sentences::wordsOf(connection.certificate->why));
-        state.offers_certificate = true;
-        state.offers_retry = false;
+        state.offers.insert(CardOffer::Certificate);
+        state.offers.erase(CardOffer::Retry);
       }
       return state;
     }
@@ -213,77 +213,51 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
   state.title = QCoreApplication::translate("window", "None of the submaps can be drawn");
   state.text =
       loadingText(*counts) + QCoreApplication::translate("window", ". See Problems for the reasons.");
-  state.offers_retry = true;
+  state.offers = {CardOffer::Retry};
   return state;
 }
 
 EmptyStateCard::EmptyStateCard(QWidget* parent)
     : QFrame(parent),
       icon_(new QLabel(this)),
-      title_(new QLabel(this)),
-      text_(new QLabel(this)),
-      secret_(new QPushButton(tr("Enter secret…"), this)),
-      progress_(new QProgressBar(this)),
-      connect_(new QPushButton(tr("Connect…"), this)),
-      demo_(new QPushButton(tr("Try the demo robot"), this)),
-      file_(new QPushButton(tr("Open a map file…"), this)),
-      retry_(new QPushButton(tr("Retry"), this)),
-      cancel_(new QPushButton(tr("Cancel"), this)),
-      certificate_(new QPushButton(tr("Certificate…"), this)),
-      clouds_(new QPushButton(tr("Fetch clouds…"), this)) {
+      title_(wrappedLabel({}, this)),
+      text_(textLabel({}, this)),
+      progress_(new QProgressBar(this)) {
   setObjectName(QStringLiteral("card"));
-  for (QLabel* label : {title_, text_}) {
-    label->setTextFormat(Qt::PlainText);
-    label->setAlignment(Qt::AlignCenter);
-    label->setWordWrap(true);
-  }
+  for (QLabel* label : {title_, text_}) label->setAlignment(Qt::AlignCenter);
   title_->setObjectName(QStringLiteral("title"));
   text_->setObjectName(QStringLiteral("text"));
-  QFont heading = title_->font();
-  heading.setPointSizeF(heading.pointSizeF() * 1.3);
-  heading.setWeight(QFont::DemiBold);
-  title_->setFont(heading);
-  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  makeHeading(*title_, 1.3);
   icon_->setAlignment(Qt::AlignCenter);
   progress_->setRange(0, 0);
   progress_->setTextVisible(false);
   progress_->setFixedHeight(4);
-  connect_->setObjectName(QStringLiteral("primary"));
-  demo_->setObjectName(QStringLiteral("secondary"));
-  file_->setObjectName(QStringLiteral("secondary"));
-  retry_->setObjectName(QStringLiteral("primary"));
-  cancel_->setObjectName(QStringLiteral("secondary"));
-  certificate_->setObjectName(QStringLiteral("primary"));
-  clouds_->setObjectName(QStringLiteral("primary"));
+  const auto add = [this](CardOffer offer, const QString& words, bool primary) {
+    auto* button = new QPushButton(words, this);
+    setRole(button, primary);
+    connect(button, &QPushButton::clicked, this, [this, offer] { Q_EMIT wanted(offer); });
+    buttons_[offer] = button;
+  };
+  add(CardOffer::Secret, tr("Enter secret…"), true);
+  add(CardOffer::Connect, tr("Connect…"), true);
+  add(CardOffer::Demo, tr("Try the demo robot"), false);
+  add(CardOffer::File, tr("Open a map file…"), false);
+  add(CardOffer::Retry, tr("Retry"), true);
+  add(CardOffer::Cancel, tr("Cancel"), false);
+  add(CardOffer::Certificate, tr("Certificate…"), true);
+  add(CardOffer::Clouds, tr("Fetch clouds…"), true);
 
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addStretch();
-  for (QPushButton* button : {clouds_, certificate_, retry_, connect_, demo_, file_, cancel_})
-    buttons->addWidget(button);
+  for (const CardOffer offer :
+       {CardOffer::Secret, CardOffer::Clouds, CardOffer::Certificate, CardOffer::Retry, CardOffer::Connect,
+        CardOffer::Demo, CardOffer::File, CardOffer::Cancel})
+    buttons->addWidget(buttons_.at(offer));
   buttons->addStretch();
-  secret_->setObjectName(QStringLiteral("primary"));
-  buttons->insertWidget(1, secret_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(32, 24, 32, 24);
-  column->setSpacing(8);
-  column->addWidget(icon_);
-  column->addWidget(title_);
-  column->addWidget(text_);
-  column->addSpacing(4);
-  column->addWidget(progress_);
-  column->addSpacing(4);
-  column->addLayout(buttons);
+  setLayout(columnOf({icon_, title_, text_, LayoutItem::gap(4), progress_, LayoutItem::gap(4), buttons}, 8,
+                     QMargins(32, 24, 32, 24)));
   setFixedWidth(460);
-
-  connect(connect_, &QPushButton::clicked, this, &EmptyStateCard::connectWanted);
-  connect(secret_, &QPushButton::clicked, this, &EmptyStateCard::secretWanted);
-  connect(demo_, &QPushButton::clicked, this, &EmptyStateCard::demoWanted);
-  connect(file_, &QPushButton::clicked, this, &EmptyStateCard::fileWanted);
-  connect(retry_, &QPushButton::clicked, this, &EmptyStateCard::retryWanted);
-  connect(cancel_, &QPushButton::clicked, this, &EmptyStateCard::cancelWanted);
-  connect(clouds_, &QPushButton::clicked, this, &EmptyStateCard::cloudsWanted);
-  connect(certificate_, &QPushButton::clicked, this, &EmptyStateCard::certificateWanted);
   hide();
 }
 
@@ -298,19 +272,13 @@ void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
   text_->setText(words::plainText(state->text));
   text_->setVisible(!state->text.isEmpty());
   progress_->setVisible(state->busy);
-  connect_->setVisible(state->offers_connect);
+  for (const auto& [offer, button] : buttons_) button->setVisible(state->offers.contains(offer));
+  // The first button is about this robot.
   const bool second =
-      state->offers_retry || state->offers_certificate;  // the first button is about this robot
-  connect_->setText(second ? tr("Other robot…") : tr("Connect…"));
-  secret_->setVisible(state->offers_secret);
-  setRole(connect_, !second);
-  setRole(retry_, !state->offers_secret);
-  demo_->setVisible(state->offers_demo);
-  file_->setVisible(state->offers_file);
-  retry_->setVisible(state->offers_retry);
-  cancel_->setVisible(state->offers_cancel);
-  certificate_->setVisible(state->offers_certificate);
-  clouds_->setVisible(state->offers_clouds);
+      state->offers.contains(CardOffer::Retry) || state->offers.contains(CardOffer::Certificate);
+  buttons_.at(CardOffer::Connect)->setText(second ? tr("Other robot…") : tr("Connect…"));
+  setRole(buttons_.at(CardOffer::Connect), !second);
+  setRole(buttons_.at(CardOffer::Retry), !state->offers.contains(CardOffer::Secret));
   if (icon_name_ != state->icon) {
     icon_name_ = state->icon;
     paintIcon();

@@ -1,7 +1,9 @@
 // The card in the middle of an empty map: what is happening and what to do.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <set>
 
 #include <QFrame>
 
@@ -13,6 +15,18 @@ class QProgressBar;
 class QPushButton;
 
 namespace mapwright::window {
+
+/// What can be done about it, each with a button.
+enum class CardOffer {
+  Secret,  // the robot refused because the secret is wrong or missing
+  Connect,
+  Demo,
+  File,
+  Retry,
+  Cancel,
+  Certificate,
+  Clouds,
+};
 
 /// The content of the card. `title` and `text` may contain names from a robot: plain text.
 struct EmptyState {
@@ -31,10 +45,7 @@ struct EmptyState {
   Kind kind = Kind::NoRobot;
   QString icon, title, text;
   bool busy = false;
-  bool offers_secret = false;  // the robot refused because the secret is wrong or missing
-  bool offers_connect = false, offers_demo = false, offers_retry = false, offers_cancel = false;
-  bool offers_file = false, offers_certificate = false;
-  bool offers_clouds = false;
+  std::set<CardOffer> offers = {};
   bool operator==(const EmptyState&) const = default;
 };
 
@@ -64,14 +75,7 @@ class EmptyStateCard : public QFrame {
   std::optional<EmptyState::Kind> kind() const { return state_ ? std::optional(state_->kind) : std::nullopt; }
 
  Q_SIGNALS:
-  void connectWanted();
-  void secretWanted();
-  void demoWanted();
-  void fileWanted();
-  void retryWanted();
-  void cancelWanted();
-  void certificateWanted();
-  void cloudsWanted();
+  void wanted(mapwright::window::CardOffer offer);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -79,18 +83,9 @@ class EmptyStateCard : public QFrame {
  private:
   void paintIcon();
   static void setRole(QPushButton* button, bool primary);
-  QLabel* icon_;
-  QLabel* title_;
-  QLabel* text_;
-  QPushButton* secret_;
+  QLabel *icon_, *title_, *text_;
   QProgressBar* progress_;
-  QPushButton* connect_;
-  QPushButton* demo_;
-  QPushButton* file_;
-  QPushButton* retry_;
-  QPushButton* cancel_;
-  QPushButton* certificate_;
-  QPushButton* clouds_;
+  std::map<CardOffer, QPushButton*> buttons_;
   QString icon_name_;
   std::optional<EmptyState> state_;
 };

@@ -1,15 +1,25 @@
 #include "ui/view/map_overlay.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
+#include <QAction>
+#include <QClipboard>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QPainter>
+#include <QPainterPath>
+#include <QToolButton>
+#include <QVBoxLayout>
 
+#include "geometry/pose.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/plain_label.h"
+#include "ui/kit/ui_colors.h"
 #include "ui/view/compare_bar.h"
 #include "ui/view/empty_state.h"
-#include "ui/view/map_furniture.h"
 #include "ui/view/map_view.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
@@ -105,6 +115,76 @@ void MapOverlay::place() {
   const QSize toasts = toasts_->sizeHint();
   toasts_->setGeometry(area.width() - toasts.width() - kMargin, area.height() - toasts.height() - kMargin,
                        toasts.width(), toasts.height());
+}
+
+void copyText(MapOverlay& overlay, const QString& text, const QString& said) {
+  QGuiApplication::clipboard()->setText(words::plainText(text));
+  overlay.toasts()->add(Mark::Good, said);
+}
+
+NorthArrow::NorthArrow(QWidget* parent) : QAbstractButton(parent) {
+  setAttribute(Qt::WA_Hover);
+  setFocusPolicy(Qt::NoFocus);
+  setFixedSize(32, 32);
+  setAccessibleName(tr("North up"));
+}
+
+void NorthArrow::setRotation(double rad) {
+  if (rad == rotation_) return;
+  rotation_ = rad;
+  update();
+}
+
+void NorthArrow::paintEvent(QPaintEvent*) {
+  const UiColors colors = appColors();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (underMouse()) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colors.hover);
+    painter.drawRoundedRect(rect(), 4, 4);
+  }
+  painter.translate(width() / 2.0, height() / 2.0);
+  // Rotating the picture counter-clockwise rotates the painter (y down) by the negative angle.
+  painter.rotate(-geometry::degreesFromRadians(rotation_));
+  QPainterPath north, south;
+  north.moveTo(0, -12);
+  north.lineTo(4.5, 1);
+  north.lineTo(-4.5, 1);
+  north.closeSubpath();
+  south.moveTo(0, 12);
+  south.lineTo(4.5, 1);
+  south.lineTo(-4.5, 1);
+  south.closeSubpath();
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors.error);
+  painter.drawPath(north);
+  painter.setBrush(colors.neutral);
+  painter.drawPath(south);
+}
+
+MapFurniture::MapFurniture(const Actions& actions, QWidget* parent)
+    : QFrame(parent), north_(new NorthArrow(this)) {
+  setObjectName(QStringLiteral("furniture"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(4, 4, 4, 4);
+  column->setSpacing(2);
+  QAction* const fit = actions.find(QStringLiteral("fit"));
+  QAction* const north_up = actions.find(QStringLiteral("northUp"));
+  for (QAction* action :
+       {actions.find(QStringLiteral("zoomIn")), actions.find(QStringLiteral("zoomOut")), fit}) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    button->setIconSize({20, 20});
+    button->setFixedSize(32, 32);
+    button->setFocusPolicy(Qt::NoFocus);
+    button->setAutoRepeat(action != fit);
+    column->addWidget(button);
+  }
+  column->addWidget(north_);
+  north_->setToolTip(north_up->toolTip());
+  connect(north_, &QAbstractButton::clicked, north_up, &QAction::trigger);
+  connect(north_up, &QAction::enabledChanged, north_, &QWidget::setEnabled);
 }
 
 }  // namespace mapwright::window

@@ -1,11 +1,14 @@
 // Places the widgets on top of the map: buttons, card, notices, tool hint, toasts.
 #pragma once
 
+#include <QAbstractButton>
 #include <QFrame>
 #include <QObject>
+#include <QString>
 
 namespace mapwright::window {
 
+class Actions;
 class CompareBar;
 class EmptyStateCard;
 class MapFurniture;
@@ -52,6 +55,41 @@ class MapOverlay : public QObject {
   QFrame* hint_frame_;
   PlainLabel* hint_;
   bool furniture_visible_ = true;
+};
+
+class MapOverlay;
+
+/// `text` may come from a robot: invisible characters are removed. `said`: for the toast.
+void copyText(MapOverlay& overlay, const QString& text, const QString& said);
+
+/// A needle that points to the map's north (world +y) and rotates with the view; a click rotates the view
+/// north up.
+class NorthArrow : public QAbstractButton {
+  Q_OBJECT
+ public:
+  explicit NorthArrow(QWidget* parent = nullptr);
+  /// The view's rotation: counter-clockwise, radians.
+  void setRotation(double rad);
+  double rotation() const { return rotation_; }
+  QSize sizeHint() const override { return {32, 32}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  double rotation_ = 0;
+};
+
+class MapFurniture : public QFrame {
+  Q_OBJECT
+ public:
+  /// With those of addCameraActions().
+  explicit MapFurniture(const Actions& actions, QWidget* parent = nullptr);
+  void setRotation(double rad) { north_->setRotation(rad); }
+  NorthArrow* north() const { return north_; }
+
+ private:
+  NorthArrow* north_;
 };
 
 }  // namespace mapwright::window

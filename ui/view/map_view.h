@@ -3,18 +3,37 @@
 
 #include <optional>
 
+#include <Eigen/Core>
 #include <QElapsedTimer>
 #include <QGraphicsView>
 #include <QTimer>
 
+#include "geometry/view_transform.h"
 #include "scene/map_scene.h"
-#include "ui/view/camera_motion.h"
 #include "ui/view/map_tool.h"
 
 class QGestureEvent;
 class QNativeGestureEvent;
 
 namespace mapwright::window {
+
+class Actions;
+
+inline constexpr double kLadder = 1.25;             // one wheel notch
+inline constexpr double kNativeScaleMPerPx = 0.05;  // 1:1, a usual cell of a robot's map
+
+/// The scale `steps` rungs from `scale` (positive magnifies). Whole steps snap to the ladder 0.05 * 1.25^k,
+/// so that 1:1 is one of them; fractional steps do not snap.
+double ladderScale(double scale_m_per_px, double steps);
+
+/// An animation from one view to another, evaluated by `at(t)`, t in 0..1.
+struct CameraMotion {
+  geometry::ViewTransform from, to;
+  /// The pixel whose world point stays fixed; nullopt = move straight.
+  std::optional<Eigen::Vector2d> anchor;
+
+  geometry::ViewTransform at(double t) const;
+};
 
 class MapView : public QGraphicsView {
   Q_OBJECT
@@ -122,5 +141,8 @@ class MapView : public QGraphicsView {
   bool tool_dragging_ = false;  // and it became a drag
   std::optional<QPointF> cursor_px_;
 };
+
+/// "zoomIn", "zoomOut", "native", "fit", "northUp", "rotateLeft", "rotateRight". The view must outlive them.
+void addCameraActions(Actions& actions, MapView& view);
 
 }  // namespace mapwright::window

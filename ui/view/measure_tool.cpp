@@ -93,13 +93,9 @@ void MeasureTool::end() {
 }
 
 void MeasureTool::show() {
-  if (points_.empty()) {
-    scene_->setMeasurement(std::nullopt);
-  } else {
-    scene::Measurement measurement{points_};
-    if (live_ && !ended_) measurement.points.push_back(*live_);
-    scene_->setMeasurement(measurement);
-  }
+  std::vector<Eigen::Vector2d> points = points_;
+  if (!points.empty() && live_ && !ended_) points.push_back(*live_);
+  scene_->setMeasurement(std::move(points));
   Q_EMIT hintChanged();
 }
 

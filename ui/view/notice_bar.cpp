@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include <QCoreApplication>
-#include <QHBoxLayout>
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
 #include <QToolButton>
 
-#include "ui/kit/icons.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/state_mark.h"
 #include "words/qt_plain.h"
@@ -21,21 +20,11 @@ NoticeBar::NoticeBar(QWidget* parent)
       label_(new PlainLabel(this)),
       button_(new QPushButton(this)),
       second_(new QPushButton(this)),
-      close_(new QToolButton(this)) {
+      close_(iconButton(QStringLiteral("close"), 16, tr("Dismiss"), this, tr("Dismiss this notice"))) {
   setObjectName(QStringLiteral("notice"));
   for (QPushButton* button : {button_, second_}) button->setObjectName(QStringLiteral("secondary"));
   second_->hide();
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(36, 6, 8, 6);
-  row->setSpacing(12);
-  row->addWidget(label_, 1);
-  row->addWidget(button_);
-  row->addWidget(second_);
-  close_->setIcon(themedIcon(QStringLiteral("close")));
-  close_->setIconSize({16, 16});
-  close_->setToolTip(tr("Dismiss"));
-  close_->setAccessibleName(tr("Dismiss this notice"));
-  row->addWidget(close_);
+  setLayout(rowOf({{label_, 1}, button_, second_, close_}, 12, QMargins(36, 6, 8, 6)));
   label_->setSample(QStringLiteral("x"));
   label_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   label_->setMostLines(2);

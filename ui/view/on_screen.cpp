@@ -6,8 +6,6 @@
 
 #include "map/whereabouts.h"
 #include "regions/region_map.h"
-#include "scene/map_clouds.h"
-#include "scene/regions_on_map.h"
 #include "ui/kit/status_text.h"
 #include "ui/view/replay_state.h"
 #include "words/qt_plain.h"
@@ -54,7 +52,7 @@ bool scansInView(const scene::MapScene& scene) {
 }
 
 MapsInView mapsInView(const scene::MapScene& scene) {
-  const regions::RegionMap* const regions = scene::RegionsOnMap::of(scene).map();
+  const regions::RegionMap* const regions = scene.regions();
   const bool by_region = regions && scene.layerVisible(scene::Layer::Regions);
   const bool submaps = comparing(scene) ? scene.compareMode() == scene::CompareMode::Swipe &&
                                               scene.halves().left == scene::HalfContent::Submaps
@@ -63,7 +61,7 @@ MapsInView mapsInView(const scene::MapScene& scene) {
           scene.layerVisible(scene::Layer::WholeMap) || comparing(scene),
           by_region,
           by_region && regions->regions().bytes() > 0,
-          scene.layerVisible(scene::Layer::DispatchedCloud) && !scene::MapClouds::of(scene).empty(),
+          scene.showsClouds(),
           scansInView(scene)};
 }
 
@@ -128,6 +126,29 @@ QString windowTitle(session::Session* session, const scene::MapScene& scene) {
   // A map file is named after its map.
   return map.isEmpty() || map == name ? QStringLiteral("%1 – mapwright").arg(name)
                                       : QStringLiteral("%1 – %2 – mapwright").arg(map, name);
+}
+
+using scene::Layer;
+
+std::optional<ViewMode> viewMode(const scene::MapScene& scene) {
+  const bool submaps = scene.layerVisible(Layer::Submaps), whole = scene.layerVisible(Layer::WholeMap);
+  if (submaps && whole) return ViewMode::Both;
+  if (submaps) return ViewMode::Submaps;
+  return whole ? std::optional(ViewMode::Whole) : std::nullopt;
+}
+
+void setViewMode(scene::MapScene& scene, ViewMode mode) {
+  if (mode == ViewMode::Both) {
+    std::vector<Layer> order = scene.layerOrder();
+    const auto whole = std::find(order.begin(), order.end(), Layer::WholeMap);
+    const auto submaps = std::find(order.begin(), order.end(), Layer::Submaps);
+    if (whole > submaps) {
+      std::rotate(submaps, whole, whole + 1);
+      scene.setLayerOrder(order);
+    }
+  }
+  scene.setLayerVisible(Layer::WholeMap, mode != ViewMode::Submaps);
+  scene.setLayerVisible(Layer::Submaps, mode != ViewMode::Whole);
 }
 
 }  // namespace mapwright::window

@@ -2,6 +2,8 @@
 // plain text.
 #pragma once
 
+#include <optional>
+
 #include <QString>
 
 #include "scene/map_scene.h"
@@ -28,5 +30,12 @@ HalfNames halfNames(session::Session* session, const scene::MapScene& scene);
 HalfNames comparedNames(const session::Session& session);
 /// "Ground floor – dock-3 – mapwright". Null: no robot.
 QString windowTitle(session::Session* session, const scene::MapScene& scene);
+
+enum class ViewMode { Submaps, Whole, Both };
+
+/// nullopt: neither is visible.
+std::optional<ViewMode> viewMode(const scene::MapScene& scene);
+/// Both: the whole map is moved below the submaps.
+void setViewMode(scene::MapScene& scene, ViewMode mode);
 
 }  // namespace mapwright::window

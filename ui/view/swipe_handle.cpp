@@ -95,16 +95,6 @@ void SwipeHandle::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-void SwipeHandle::focusInEvent(QFocusEvent* event) {
-  QWidget::focusInEvent(event);
-  update();
-}
-
-void SwipeHandle::focusOutEvent(QFocusEvent* event) {
-  QWidget::focusOutEvent(event);
-  update();
-}
-
 }  // namespace mapwright::window
 
 #include "moc_swipe_handle.cpp"

@@ -13,8 +13,8 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
-#include "scene/layer_item.h"
-#include "ui/kit/form.h"
+#include "scene/drawing.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/waypoints/waypoint_text.h"
 

@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 #include "placing/arrange.h"
-#include "ui/kit/form.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/waypoints/waypoint_editing.h"
 #include "ui/waypoints/waypoint_text.h"
@@ -83,7 +83,7 @@ void decideConflict(WaypointEditing& editing, const edit::Key& key, ConflictChoi
 
 ConflictBox::ConflictBox(QWidget* parent)
     : QFrame(parent),
-      text_(textLabel(this)),
+      text_(wrappedLabel({}, this)),
       mine_(compactButton(tr("Keep mine"), this,
                           tr("Keep the change made here: the filled triangle on the map"))),
       theirs_(compactButton(tr("Take theirs"), this,
@@ -100,7 +100,7 @@ ConflictBox::ConflictBox(QWidget* parent)
   column->setContentsMargins(8, 6, 8, 6);
   column->setSpacing(4);
   column->addWidget(text_);
-  column->addLayout(rowOf({mine_, theirs_, locate, nullptr, previous_, next_}, 6));
+  column->addLayout(rowOf({mine_, theirs_, locate, LayoutItem::rest(), previous_, next_}, 6));
   connect(mine_, &QPushButton::clicked, this, [this] { Q_EMIT decided(current_, true); });
   connect(theirs_, &QPushButton::clicked, this, [this] { Q_EMIT decided(current_, false); });
   connect(locate, &QPushButton::clicked, this, [this] { Q_EMIT locateWanted(current_); });

@@ -21,7 +21,7 @@
 #include "geometry/pose.h"
 #include "map/waypoint_likeness.h"
 #include "sentences/placing_sentence.h"
-#include "ui/kit/form.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "ui/waypoints/waypoint_warnings.h"
@@ -122,7 +122,7 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
       x_(metres(this, kFarthestFieldM, tr("x of the waypoint"))),
       y_(metres(this, kFarthestFieldM, tr("y of the waypoint"))),
       yaw_(numberField(this, {kNoHeading, 180, 1, 5, QString(QChar(0xb0)), tr("Heading of the waypoint")})),
-      doubtful_(textLabel(this)) {
+      doubtful_(wrappedLabel({}, this)) {
   doubtful_->hide();
   name_->setMaxLength(kLongestName);
   name_->setAccessibleName(tr("Name of the waypoint"));
@@ -193,7 +193,7 @@ QString WaypointForm::warningsShown() const { return doubtful_->isHidden() ? QSt
 void WaypointForm::showWarnings() {
   const QString text =
       warnings_ && !shown_.empty() ? sentences::sentencesOf(warnings_->of(shown_)) : QString();
-  setTextColor(doubtful_, appColors().warning_text);
+  setTextColor(*doubtful_, appColors().warning_text);
   doubtful_->setText(text);
   doubtful_->setVisible(!text.isEmpty());
 }
@@ -272,8 +272,8 @@ GroupSummary summaryOf(const edit::WaypointDocument& document, const std::set<ed
 GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
     : QWidget(parent),
       editing_(editing),
-      place_(textLabel(this)),
-      tags_(textLabel(this)),
+      place_(wrappedLabel({}, this)),
+      tags_(wrappedLabel({}, this)),
       dx_(metres(this, kFarthestShiftM, tr("Shift along x"))),
       dy_(metres(this, kFarthestShiftM, tr("Shift along y"))),
       yaw_(numberField(this, {-360, 360, 1, 5, QString(QChar(0xb0)), tr("Heading of all selected")})),

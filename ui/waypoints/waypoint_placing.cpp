@@ -13,10 +13,10 @@
 
 #include "geometry/pose.h"
 #include "placing/arrange.h"
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "session/lacks_picture.h"
 #include "ui/kit/dialog_look.h"
-#include "ui/kit/form.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
@@ -45,7 +45,7 @@ QHBoxLayout* buttonsOf(QDialog* dialog, const QString& done) {
   giveRoles(*ok, {cancel});
   QObject::connect(ok, &QPushButton::clicked, dialog, &QDialog::accept);
   QObject::connect(cancel, &QPushButton::clicked, dialog, &QDialog::reject);
-  return rowOf({nullptr, cancel, ok}, 8);
+  return rowOf({LayoutItem::rest(), cancel, ok}, 8);
 }
 
 QFormLayout* dialogForm(QVBoxLayout* column) {
@@ -114,11 +114,12 @@ PlacingDialog::PlacingDialog(const PlacingNumbers& present, double reported_radi
   radius_->setSpecialValueText(tr("not checked"));
   radius_->setEnabled(reported_radius_m <= 0);
   auto* const about =
-      textLabel(this, reported_radius_m > 0
-                          ? tr("The robot reports its own footprint, which is used instead.")
-                          : tr("Waypoints closer to a wall than this get a warning. This robot does not "
-                               "report its footprint."));
-  setTextColor(about, appColors().secondary_text);
+      wrappedLabel(reported_radius_m > 0
+                       ? tr("The robot reports its own footprint, which is used instead.")
+                       : tr("Waypoints closer to a wall than this get a warning. This robot does not "
+                            "report its footprint."),
+                   this);
+  setTextColor(*about, appColors().secondary_text);
   column->addWidget(about);
   column->addLayout(buttonsOf(this, tr("OK")));
 }

@@ -19,9 +19,8 @@
 #include "exchange/waypoint_plan.h"
 #include "exchange/waypoint_steps.h"
 #include "sentences/plural.h"
-#include "ui/kit/form.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
-#include "ui/kit/row_table.h"
 #include "ui/kit/state_mark.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
@@ -206,9 +205,9 @@ QVariant ReviewModel::headerData(int section, Qt::Orientation orientation, int r
 WaypointReview::WaypointReview(QWidget* parent)
     : QDialog(parent),
       model_(new ReviewModel(this)),
-      heading_(textLabel(this)),
-      status_(textLabel(this)),
-      compared_(textLabel(this)),
+      heading_(wrappedLabel({}, this)),
+      status_(wrappedLabel({}, this)),
+      compared_(wrappedLabel({}, this)),
       table_(new QuietTableView(this)),
       go_on_(new QCheckBox(tr("Continue if one fails"), this)),
       progress_(new QProgressBar(this)),
@@ -241,7 +240,7 @@ WaypointReview::WaypointReview(QWidget* parent)
   column->addWidget(progress_);
   column->addWidget(status_);
   column->addWidget(compared_);
-  column->addLayout(rowOf({go_on_, nullptr, cancel_, close_, send_}));
+  column->addLayout(rowOf({go_on_, LayoutItem::rest(), cancel_, close_, send_}));
 
   connect(send_, &QPushButton::clicked, this, &WaypointReview::send);
   connect(cancel_, &QPushButton::clicked, this, [this] {

@@ -9,8 +9,8 @@
 #include <QPainter>
 
 #include "geometry/pose.h"
-#include "scene/grid_steps.h"
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
+#include "scene/lengths.h"
 #include "ui/view/map_tool.h"
 
 namespace mapwright::window {

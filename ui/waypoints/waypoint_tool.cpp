@@ -9,7 +9,7 @@
 #include <QPainter>
 
 #include "geometry/pose.h"
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "ui/waypoints/waypoint_text.h"
 
 namespace mapwright::window {

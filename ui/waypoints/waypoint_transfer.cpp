@@ -27,7 +27,7 @@
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
 #include "ui/kit/folders.h"
-#include "ui/kit/form.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
@@ -72,7 +72,7 @@ ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, co
       kept_(std::move(kept)),
       keeps_(keeps),
       table_(new QTableWidget(0, 3, this)),
-      status_(textLabel(this)),
+      status_(wrappedLabel({}, this)),
       header_(new QCheckBox(tr("First row contains the &column names"), this)),
       comma_(new QCheckBox(tr("&Decimal commas"), this)),
       others_(new QCheckBox(tr("Delete waypoints that are &not in it"), this)),
@@ -117,10 +117,10 @@ ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, co
   auto* const cancel = new QPushButton(tr("Cancel"), this);
 
   auto* column = new QVBoxLayout(this);
-  column->addLayout(rowOf({separator_, header_, comma_, turns_, nullptr}));
+  column->addLayout(rowOf({separator_, header_, comma_, turns_, LayoutItem::rest()}));
   column->addWidget(table_, 1);
   column->addWidget(status_);
-  column->addLayout(rowOf({others_, nullptr, cancel, apply_}));
+  column->addLayout(rowOf({others_, LayoutItem::rest(), cancel, apply_}));
 
   for (QCheckBox* box : {header_, comma_, others_})
     connect(box, &QCheckBox::toggled, this, &ImportDialog::look);
@@ -167,7 +167,7 @@ void ImportDialog::look() {
   const auto steps = exchange::stepsOf(edits_);
   fill(steps);
   apply_->setEnabled(!edits_.empty());
-  setTextColor(status_, problem.isEmpty() ? appColors().text : appColors().error_text);
+  setTextColor(*status_, problem.isEmpty() ? appColors().text : appColors().error_text);
   if (!problem.isEmpty()) return status_->setText(problem);
   std::map<exchange::StepKind, int> counts;
   for (const auto& step : steps) ++counts[step.kind];

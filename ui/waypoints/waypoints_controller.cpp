@@ -4,11 +4,11 @@
 
 #include <QMenu>
 
-#include "scene/layer_item.h"
+#include "scene/drawing.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "session/lacks_picture.h"
-#include "ui/kit/form.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/undo_stacks.h"

@@ -18,10 +18,9 @@
 #include "sentences/fault_sentence.h"
 #include "sentences/placing_sentence.h"
 #include "sentences/plural.h"
-#include "ui/kit/form.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
-#include "ui/kit/row_table.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/waypoints/waypoint_conflicts.h"
@@ -45,8 +44,8 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
       filter_(new QLineEdit(this)),
       table_(new QuietTableView(this)),
       pending_(new QComboBox(this)),
-      empty_(textLabel(this)),
-      status_(textLabel(this)),
+      empty_(wrappedLabel({}, this)),
+      status_(wrappedLabel({}, this)),
       conflicts_(new ConflictBox(this)),
       add_(compactButton(tr("Add"), this,
                          tr("Add a waypoint in the centre of the view. On the map: press W, then click"))),
@@ -80,7 +79,7 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   top->setSpacing(4);
   top->addWidget(filter_, 1);
   top->addWidget(pending_);
-  auto* buttons = rowOf({add_, remove_, nullptr, next_warning_, retry_, cancel_, save_}, 6);
+  auto* buttons = rowOf({add_, remove_, LayoutItem::rest(), next_warning_, retry_, cancel_, save_}, 6);
   buttons->setContentsMargins(8, 4, 8, 4);
   auto* column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);
@@ -279,7 +278,7 @@ void WaypointsDock::refresh() {
   status_->setText(statusText());
   status_->setToolTip(plainToolTip(status_->text()));  // if there is no room for all of it
   status_->setVisible(!status_->text().isEmpty());
-  setTextColor(status_, status_bad_ ? appColors().error_text : appColors().secondary_text);
+  setTextColor(*status_, status_bad_ ? appColors().error_text : appColors().secondary_text);
 
   conflicts_->refresh(document, editing_->selected());
 }

@@ -2,13 +2,13 @@
 
 #include <QCoreApplication>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "window/work_settings.h"
@@ -137,24 +137,14 @@ DiagnosticsDialog::DiagnosticsDialog(std::function<Diagnostics()> look, QSetting
   }
   form->setColumnStretch(0, 1);
   column->addLayout(form);
-  for (const QString& sentence : kept.nonsense) {
-    auto* const remark = new QLabel(this);
-    remark->setTextFormat(Qt::PlainText);
-    remark->setWordWrap(true);
-    remark->setText(sentence);
-    column->addWidget(remark);
-  }
+  for (const QString& sentence : kept.nonsense) column->addWidget(wrappedLabel(sentence, this));
   column->addStretch();
 
   auto* const close = new QPushButton(tr("Close"), this);
   close->setObjectName(QStringLiteral("secondary"));
   for (QPushButton* button : {close, copy_}) button->setAutoDefault(false);  // Enter ends typing a number
   copy_->setObjectName(QStringLiteral("secondary"));
-  auto* const buttons = new QHBoxLayout;
-  buttons->addStretch();
-  buttons->addWidget(copy_);
-  buttons->addWidget(close);
-  column->addLayout(buttons);
+  column->addLayout(rowOf({LayoutItem::rest(), copy_, close}));
   connect(close, &QPushButton::clicked, this, &QDialog::accept);
   connect(copy_, &QPushButton::clicked, this, [this] { Q_EMIT copyWanted(text()); });
   auto* const again = new QTimer(this);

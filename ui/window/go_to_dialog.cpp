@@ -2,13 +2,12 @@
 
 #include <cmath>
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QVBoxLayout>
 
+#include "ui/kit/forms.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
 
@@ -31,7 +30,7 @@ std::optional<Eigen::Vector2d> parsePoint(const QString& text) {
 GoToDialog::GoToDialog(const Eigen::Vector2d& present, QWidget* parent)
     : QDialog(parent),
       field_(new QLineEdit(this)),
-      error_(new QLabel(this)),
+      error_(wrappedLabel({}, this)),
       go_(new QPushButton(tr("Go"), this)) {
   setWindowTitle(tr("Go to coordinates"));
   setMinimumWidth(440);
@@ -39,33 +38,18 @@ GoToDialog::GoToDialog(const Eigen::Vector2d& present, QWidget* parent)
   label->setBuddy(field_);
   field_->setText(coordinatesForClipboard(present));
   field_->selectAll();
-  error_->setTextFormat(Qt::PlainText);
-  error_->setWordWrap(true);
   // Room for the sentence from the start: it appears and disappears while typing, and the dialog must not
   // jump.
   error_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   error_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  QPalette red = error_->palette();
-  red.setColor(QPalette::WindowText, appColors().error_text);
-  error_->setPalette(red);
+  setTextColor(*error_, appColors().error_text);
   go_->setObjectName(QStringLiteral("primary"));
   go_->setDefault(true);
   auto* cancel = new QPushButton(tr("Cancel"), this);
   cancel->setObjectName(QStringLiteral("secondary"));
   cancel->setAutoDefault(false);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addStretch();
-  buttons->addWidget(cancel);
-  buttons->addWidget(go_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 16, 16, 16);
-  column->setSpacing(8);
-  column->addWidget(label);
-  column->addWidget(field_);
-  column->addWidget(error_);
-  column->addSpacing(4);
-  column->addLayout(buttons);
+  setLayout(columnOf({label, field_, error_, LayoutItem::gap(4), rowOf({LayoutItem::rest(), cancel, go_}, 8)},
+                     8, QMargins(16, 16, 16, 16)));
   connect(field_, &QLineEdit::textChanged, this, &GoToDialog::check);
   connect(go_, &QPushButton::clicked, this, &QDialog::accept);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);

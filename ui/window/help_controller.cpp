@@ -3,7 +3,7 @@
 #include <QDialog>
 
 #include "ui/shell/current_session.h"
-#include "ui/view/clipboard.h"
+#include "ui/view/map_overlay.h"
 #include "window/command_palette.h"
 #include "window/diagnostics_dialog.h"
 #include "window/shortcut_sheet.h"

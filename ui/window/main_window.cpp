@@ -13,7 +13,7 @@
 #include "ui/clouds/clouds_controller.h"
 #include "ui/clouds/projections_controller.h"
 #include "ui/clouds/section_dock.h"
-#include "ui/kit/action_bars.h"
+#include "ui/kit/actions.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
 #include "ui/layers/layers_controller.h"
@@ -41,8 +41,6 @@
 #include "ui/shell/viewpoint.h"
 #include "ui/shell/window_status_bar.h"
 #include "ui/slam/inspector_controller.h"
-#include "ui/view/camera_actions.h"
-#include "ui/view/map_furniture.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"
@@ -50,7 +48,6 @@
 #include "ui/waypoints/waypoints_controller.h"
 #include "window/appearance_controller.h"
 #include "window/help_controller.h"
-#include "window/tools_controller.h"
 #include "window/view_controller.h"
 
 namespace mapwright::window {
@@ -78,7 +75,9 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
     : QMainWindow(parent),
       settings_(dependencies.settings),
       workers_(work::orOwn(dependencies.workers)),
-      scene_(std::make_unique<scene::MapScene>(with(workers_, dependencies.budgets, dependencies.renderer))) {
+      cloud_store_(std::make_shared<clouds::CloudStore>(workers_)),
+      scene_(std::make_unique<scene::MapScene>(with(workers_, dependencies.budgets, dependencies.renderer),
+                                               cloud_store_)) {
   loadResources();
   setWindowTitle(QStringLiteral("mapwright"));
   setWindowIcon(QIcon(QStringLiteral(":/mapwright.svg")));
@@ -90,9 +89,7 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   bar_ = new WindowStatusBar(this);
   setStatusBar(bar_);
   addCameraActions(actions_, *view_);
-  const auto action = [this](const char* id) { return actions_.find(QLatin1String(id)); };
-  overlay_ = new MapOverlay(
-      view_, new MapFurniture(action("zoomIn"), action("zoomOut"), action("fit"), action("northUp"), view_));
+  overlay_ = new MapOverlay(view_, new MapFurniture(actions_, view_));
   current_ = new CurrentSession(*scene_, with(workers_, dependencies.budgets, dependencies.session), this);
   context_.emplace(WindowContext{.window = *this,
                                  .view = *view_,
@@ -152,8 +149,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   const auto ids = [this](const char* id) { return actions_.find(QLatin1String(id)); };
   placing_ = new PicturePlacing(this, dependencies.yamls_naming, workers_);
   make(appearance_);
-  controllers_.push_back(new ViewController(context, this));
-  make(tools_);
+  make(view_control_);
   make(compare_, *placing_,
        [connect = dependencies.connect](const QString& address) { return connect(address, {}); });
   make(layers_);
@@ -165,7 +161,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(replay_, [this](const QString& address) { return connection_->another(address); });
   make(plots_, replay_->clock());
   make(regions_);
-  make(clouds_);
+  make(clouds_, *cloud_store_);
   make(projections_);
   make(problems_);
   make(maps_);
@@ -183,8 +179,8 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
 }
 
 void MainWindow::connectControllers() {
-  connect(tools_, &ToolsController::clicked, inspector_, &InspectorController::clickedOnMap);
-  connect(tools_, &ToolsController::clicked, replay_, &ReplayController::clickedOnMap);
+  connect(view_control_, &ViewController::clicked, inspector_, &InspectorController::clickedOnMap);
+  connect(view_control_, &ViewController::clicked, replay_, &ReplayController::clickedOnMap);
   connect(recordings_, &RecordingsController::openWanted, replay_, &ReplayController::openBag);
   connect(plots_, &PlotsController::rawWanted, messages_->dock(), &MessagesDock::setWantedElsewhere);
   connect(messages_->dock(), &MessagesDock::plotWanted, plots_, &PlotsController::plot);
@@ -312,29 +308,7 @@ std::optional<QString> MainWindow::connectTo(const QString& address, const QByte
 }
 
 void MainWindow::leaveRobot() { current_->leave(); }
-void MainWindow::openPath(const QString& path) { files_->open(path); }
-void MainWindow::openMap(const map::MapKey& key) { maps_->open(key); }
 session::Session* MainWindow::session() const { return current_->session(); }
-InspectorDock* MainWindow::inspector() const { return inspector_->dock(); }
-LayersDock* MainWindow::layers() const { return layers_->dock(); }
-MapsDock* MainWindow::maps() const { return maps_->dock(); }
-RobotDock* MainWindow::robotPanel() const { return robot_->dock(); }
-MessagesDock* MainWindow::messages() const { return messages_->dock(); }
-ProblemsDock* MainWindow::problems() const { return problems_->dock(); }
-CompareControl* MainWindow::comparison() const { return compare_->control(); }
-PictureDialog* MainWindow::pictureDialog() const { return placing_->dialog(); }
-ExportDialog* MainWindow::exportDialog() const { return export_->dialog(); }
-ConnectDialog* MainWindow::secretDialog() const { return connection_->secretDialog(); }
-ConnectionChip* MainWindow::chip() const { return connection_->chip(); }
-MeasureTool* MainWindow::measureTool() const { return tools_->measureTool(); }
-ThemeChoice MainWindow::theme() const { return appearance_->theme(); }
-void MainWindow::setTheme(ThemeChoice choice) { appearance_->setTheme(choice); }
-void MainWindow::setColorMode(render::ColorMode mode) { layers_->setColorMode(mode); }
-void MainWindow::setMapMode(ViewMode mode) { layers_->setMode(mode); }
-QImage MainWindow::mapPicture() const { return export_->mapPicture(); }
-std::optional<QString> MainWindow::saveMapPicture(const QString& path) {
-  return export_->saveMapPicture(path);
-}
 
 }  // namespace mapwright::window
 

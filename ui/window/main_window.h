@@ -8,22 +8,20 @@
 #include <vector>
 
 #include <QByteArray>
-#include <QImage>
 #include <QMainWindow>
 #include <QSettings>
 #include <QString>
 #include <QUndoGroup>
 #include <tl/expected.hpp>
 
+#include "clouds/cloud_store.h"
 #include "edit/open_waypoints.h"
 #include "robot/robot.h"
 #include "scene/map_scene.h"
 #include "session/session.h"
 #include "ui/kit/actions.h"
-#include "ui/kit/theme.h"
 #include "ui/shell/window_context.h"
 #include "ui/view/hit_list.h"
-#include "ui/view/view_mode.h"
 #include "work/workers.h"
 
 namespace mapwright::window {
@@ -31,40 +29,28 @@ namespace mapwright::window {
 class AdministrationController;
 class AppearanceController;
 class CloudsController;
-class CompareControl;
 class CompareController;
-class ConnectDialog;
-class ConnectionChip;
 class ConnectionController;
 class Controller;
 class ExportController;
-class ExportDialog;
 class FilesController;
 class InspectorController;
-class InspectorDock;
 class LayersController;
-class LayersDock;
 class MapOverlay;
 class MapsController;
-class MapsDock;
 class MapView;
-class MeasureTool;
 class MessagesController;
-class MessagesDock;
 class PictureController;
-class PictureDialog;
 class PicturePlacing;
 class PlotsController;
 class ProblemsController;
-class ProblemsDock;
 class ProjectionsController;
 class RecordingsController;
 class RegionsController;
 class ReplayController;
 class RecordingController;
 class RobotController;
-class RobotDock;
-class ToolsController;
+class ViewController;
 class WaypointsController;
 class WindowStatusBar;
 
@@ -98,49 +84,11 @@ class MainWindow : public QMainWindow {
   /// then nothing has changed.
   std::optional<QString> connectTo(const QString& address, const QByteArray& secret = {});
   void leaveRobot();
-  /// A map.yaml, a picture (asks for its position) or a folder. Errors are shown as a toast.
-  void openPath(const QString& path);
-  /// Shows a map of the catalogue without loading it on the robot.
-  void openMap(const map::MapKey& key);
 
   session::Session* session() const;
   scene::MapScene* mapScene() const { return scene_.get(); }
   MapView* view() const { return view_; }
   const Actions& actionList() const { return actions_; }
-  InspectorDock* inspector() const;
-  LayersDock* layers() const;
-  MapsDock* maps() const;
-  RobotDock* robotPanel() const;
-  MessagesDock* messages() const;
-  CompareControl* comparison() const;
-  PictureDialog* pictureDialog() const;  // null: not open
-  ExportDialog* exportDialog() const;    // null: not open
-  AdministrationController* administration() const { return administration_; }
-  ConnectDialog* secretDialog() const;  // null: not open
-  ProblemsDock* problems() const;
-  WindowStatusBar* bar() const { return bar_; }
-  MapOverlay* overlay() const { return overlay_; }
-  ConnectionChip* chip() const;
-  MeasureTool* measureTool() const;
-  WaypointsController* waypoints() const { return waypoints_; }
-  PictureController* pictureEditor() const { return picture_; }
-  RecordingsController* recordings() const { return recordings_; }
-  ReplayController* replay() const { return replay_; }
-  PlotsController* plots() const { return plots_; }
-  CloudsController* clouds() const { return clouds_; }
-  ProjectionsController* projections() const { return projections_; }
-  RecordingController* recorder() const { return recording_; }
-  RegionsController* regions() const { return regions_; }
-
-  ThemeChoice theme() const;
-  void setTheme(ThemeChoice choice);
-  void setColorMode(render::ColorMode mode);
-  void setMapMode(ViewMode mode);
-
-  /// The map as on screen, without buttons and notices.
-  QImage mapPicture() const;
-  /// The error is a sentence.
-  std::optional<QString> saveMapPicture(const QString& path);
   void resetLayout();
 
   QMenu* createPopupMenu() override;
@@ -164,6 +112,7 @@ class MainWindow : public QMainWindow {
   QSettings& settings_;
   std::shared_ptr<work::Workers> workers_;
   Actions actions_;
+  std::shared_ptr<clouds::CloudStore> cloud_store_;
   std::unique_ptr<scene::MapScene> scene_;
   HitList hits_{*scene_};
   QUndoGroup undo_;
@@ -194,7 +143,7 @@ class MainWindow : public QMainWindow {
   RecordingController* recording_ = nullptr;
   RegionsController* regions_ = nullptr;
   RobotController* robot_ = nullptr;
-  ToolsController* tools_ = nullptr;
+  ViewController* view_control_ = nullptr;
   WaypointsController* waypoints_ = nullptr;
   std::vector<Controller*> controllers_;  // in order of creation
   bool may_close_ = false;                // unsaved changes have been dealt with

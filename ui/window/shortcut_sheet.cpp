@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "ui/kit/actions.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
@@ -73,9 +74,7 @@ QWidget* groupBox(const Group& group, QWidget* parent) {
   grid->setHorizontalSpacing(24);
   grid->setVerticalSpacing(0);
   auto* title = new QLabel(group.title, box);
-  QFont bold = title->font();
-  bold.setWeight(QFont::DemiBold);
-  title->setFont(bold);
+  makeHeading(*title);
   grid->addWidget(title, 0, 0, 1, 2);
   int row = 1;
   for (const Line& line : group.lines) {
@@ -102,10 +101,7 @@ QHBoxLayout* closeRow(QDialog* dialog) {
   close->setObjectName(QStringLiteral("secondary"));
   close->setDefault(true);
   QObject::connect(close, &QPushButton::clicked, dialog, &QDialog::accept);
-  auto* row = new QHBoxLayout;
-  row->addStretch();
-  row->addWidget(close);
-  return row;
+  return rowOf({LayoutItem::rest(), close});
 }
 
 }  // namespace
@@ -149,21 +145,14 @@ QDialog* makeAboutBox(QWidget* parent) {
   picture->setPixmap(
       QIcon(QStringLiteral(":/mapwright.svg")).pixmap(QSize(64, 64), dialog->devicePixelRatioF()));
   auto* name = new QLabel(QStringLiteral("mapwright %1").arg(QLatin1String(MAPWRIGHT_VERSION)), dialog);
-  QFont big = name->font();
-  big.setPointSizeF(big.pointSizeF() * 1.5);
-  big.setWeight(QFont::DemiBold);
-  name->setFont(big);
-  auto* text = new QLabel(dialog);
-  text->setTextFormat(Qt::PlainText);
-  text->setWordWrap(true);
-  text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  text->setText(QCoreApplication::translate("window",
+  makeHeading(*name, 1.5);
+  auto* text =
+      textLabel(QCoreApplication::translate("window",
                                             "Shows what a mobile robot's SLAM sees, submap by submap, live.\n"
-                                            "Licensed under the Apache License 2.0."));
+                                            "Licensed under the Apache License 2.0."),
+                dialog);
   auto* used = new QLabel(QCoreApplication::translate("window", "Built with"), dialog);
-  QFont bold = used->font();
-  bold.setWeight(QFont::DemiBold);
-  used->setFont(bold);
+  makeHeading(*used);
   const QList<Line> libraries{
       {QStringLiteral("Qt %1").arg(QLatin1String(qVersion())), QStringLiteral("LGPL-3.0")},
       {QStringLiteral("Protocol Buffers"), QStringLiteral("BSD-3-Clause")},
@@ -186,20 +175,9 @@ QDialog* makeAboutBox(QWidget* parent) {
     grid->addWidget(licence, row++, 1);
   }
   grid->setColumnStretch(1, 1);
-  auto* words = new QVBoxLayout;
-  words->setSpacing(8);
-  words->addWidget(name);
-  words->addWidget(text);
-  words->addSpacing(4);
-  words->addWidget(used);
-  words->addLayout(grid);
-  words->addSpacing(8);
-  words->addLayout(closeRow(dialog));
-  auto* across = new QHBoxLayout(dialog);
-  across->setContentsMargins(20, 20, 20, 16);
-  across->setSpacing(20);
-  across->addWidget(picture, 0, Qt::AlignTop);
-  across->addLayout(words, 1);
+  auto* words =
+      columnOf({name, text, LayoutItem::gap(4), used, grid, LayoutItem::gap(8), closeRow(dialog)}, 8);
+  dialog->setLayout(rowOf({{picture, 0, Qt::AlignTop}, {words, 1}}, 20, QMargins(20, 20, 20, 16)));
   dialog->setMinimumWidth(440);
   return dialog;
 }

@@ -7,12 +7,12 @@
 #include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/shell/window_status_bar.h"
-#include "ui/view/clipboard.h"
-#include "ui/view/map_furniture.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
+#include "ui/view/measure_tool.h"
 #include "ui/view/on_screen.h"
 #include "ui/view/toast_stack.h"
+#include "ui/view/tool_choice.h"
 #include "window/go_to_dialog.h"
 
 namespace mapwright::window {
@@ -22,17 +22,50 @@ namespace {
 constexpr int kCursorMs = 40;  // the map under a resting cursor changes: updated this often
 constexpr double kRoomAroundPosesM = 8;
 constexpr double kRoomAroundScansM = 2;
+const QString kToolKey = QStringLiteral("view/tool");
 
 }  // namespace
 
 ViewController::ViewController(WindowContext& context, QObject* parent)
-    : Controller(parent), context_(context) {
+    : Controller(parent), context_(context), measure_(new MeasureTool(&context.scene, this)) {
   addRobotActions();
   addOtherActions();
   addToMapMenu();
   wireCursor();
   connect(&context_.current, &CurrentSession::stateChanged, this, &ViewController::refresh);
   connect(&context_.view, &MapView::followingChanged, follow_, &QAction::setChecked);
+  addTools();
+}
+
+void ViewController::addTools() {
+  auto* const pan = static_cast<PanTool*>(context_.view.tool());  // with which a view begins
+  context_.tools.add(pan, context_.actions.add({.id = "pan",
+                                                .text = tr("&Pan"),
+                                                .icon = "pan",
+                                                .keys = {"P"},
+                                                .reach = Reach::OutsideText,
+                                                .tip = tr("Drag the map"),
+                                                .toggle = true,
+                                                .menu = {MenuGroup::Tools, 10},
+                                                .bar = {BarGroup::Tools, 10}}));
+  context_.tools.add(measure_, context_.actions.add({.id = "measure",
+                                                     .text = tr("&Measure"),
+                                                     .icon = "measure",
+                                                     .keys = {"M"},
+                                                     .reach = Reach::OutsideText,
+                                                     .tip = tr("Measure distances between clicked points"),
+                                                     .toggle = true,
+                                                     .needs_session = true,
+                                                     .menu = {MenuGroup::Tools, 20},
+                                                     .bar = {BarGroup::Tools, 20}}));
+  context_.actions.placeOnMapMenu(
+      {MapMenuGroup::Point, 20}, [this](QMenu& menu, const Eigen::Vector2d& world) {
+        menu.addAction(themedIcon(QStringLiteral("measure")), tr("Measure from here"), this, [this, world] {
+          context_.tools.choose(measure_);
+          measure_->clicked({world, {}, {}});
+        });
+      });
+  connect(pan, &PanTool::clickedAt, this, &ViewController::clicked);
 }
 
 void ViewController::addRobotActions() {
@@ -141,13 +174,18 @@ void ViewController::setSession(session::Session* session) {
 
 void ViewController::recall(const QSettings& settings) {
   furniture_->setChecked(settings.value(QStringLiteral("view/furniture"), true).toBool());
+  context_.tools.choose(settings.value(kToolKey).toString());
 }
 
 void ViewController::remember(QSettings& settings) {
   settings.setValue(QStringLiteral("view/furniture"), context_.overlay.furnitureVisible());
+  settings.setValue(kToolKey, context_.tools.chosen()->name());
 }
 
-void ViewController::reset() { furniture_->setChecked(true); }
+void ViewController::reset() {
+  furniture_->setChecked(true);
+  context_.tools.putAway();
+}
 
 void ViewController::follow(bool on) {
   context_.view.setFollowing(on);

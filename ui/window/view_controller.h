@@ -1,4 +1,5 @@
-// The view of the map: following, going to a point, the initial view; and what is under the cursor.
+// The view of the map: its tools (pan and measure), following, going to a point, the initial view; and what
+// is under the cursor.
 #pragma once
 
 #include <QTimer>
@@ -7,6 +8,8 @@
 #include "ui/shell/window_context.h"
 
 namespace mapwright::window {
+
+class MeasureTool;
 
 class ViewController : public Controller {
   Q_OBJECT
@@ -18,7 +21,12 @@ class ViewController : public Controller {
   void remember(QSettings& settings) override;
   void reset() override;
 
+ Q_SIGNALS:
+  /// A click on the map with the pan tool, world metres.
+  void clicked(const Eigen::Vector2d& world_m);
+
  private:
+  void addTools();
   void addRobotActions();
   void addOtherActions();
   void addToMapMenu();
@@ -32,6 +40,7 @@ class ViewController : public Controller {
   void copyCoordinates(const Eigen::Vector2d& world_m);
 
   WindowContext& context_;
+  MeasureTool* measure_;
   QAction* follow_ = nullptr;
   QAction* robot_turn_ = nullptr;
   QAction* furniture_ = nullptr;

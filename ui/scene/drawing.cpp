@@ -1,0 +1,134 @@
+#include "scene/drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <QPainterPath>
+
+namespace mapwright::scene {
+
+QPointF toPoint(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
+
+QColor translucent(QColor color, int alpha) {
+  color.setAlpha(alpha);
+  return color;
+}
+
+QColor colorFrom(std::uint32_t rgba) {
+  return QColor(int(rgba >> 24 & 255), int(rgba >> 16 & 255), int(rgba >> 8 & 255), int(rgba & 255));
+}
+
+QPolygonF toPolygon(const geometry::ViewTransform& view, const std::vector<Eigen::Vector2d>& world) {
+  QPolygonF polygon;
+  for (const Eigen::Vector2d& corner : world) polygon << toPoint(view.pixelFromWorld(corner));
+  return polygon;
+}
+
+bool inView(const geometry::ViewTransform& view, const QRectF& rect, double margin_px) {
+  return rect.adjusted(-margin_px, -margin_px, margin_px, margin_px)
+      .intersects(QRectF(0, 0, view.width_px, view.height_px));
+}
+
+QColor readable(const QColor& color, const MapTheme& theme) {
+  // Relative luminance and contrast as in WCAG 2; above its limits, as the halo covers part of thin letters.
+  constexpr float kLeastContrast = 10;
+  constexpr int kSteps = 10;
+  const auto linear = [](float part) {
+    return part <= 0.04045F ? part / 12.92F : std::pow((part + 0.055F) / 1.055F, 2.4F);
+  };
+  const auto luminance = [&linear](const QColor& of) {
+    return 0.2126F * linear(of.redF()) + 0.7152F * linear(of.greenF()) + 0.0722F * linear(of.blueF());
+  };
+  const float halo = luminance(theme.text_halo);
+  for (int step = 0; step < kSteps; ++step) {
+    const float part = float(step) / kSteps;
+    const auto mixed = [part](float own, float text) { return own + (text - own) * part; };
+    const QColor one =
+        QColor::fromRgbF(mixed(color.redF(), theme.text.redF()), mixed(color.greenF(), theme.text.greenF()),
+                         mixed(color.blueF(), theme.text.blueF()));
+    const float own = luminance(one);
+    if ((std::max(own, halo) + 0.05F) / (std::min(own, halo) + 0.05F) >= kLeastContrast) return one;
+  }
+  return theme.text;
+}
+
+void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
+               const QColor& color, bool struck_through) {
+  QFont font = theme.label_font;
+  font.setStrikeOut(struck_through);
+  QPainterPath path;
+  path.addText(baseline_left, font, text);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(theme.text_halo, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(path);
+  painter.fillPath(path, color);
+}
+
+std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
+                                    std::span<const Eigen::Vector2d> world, double margin_px) {
+  std::vector<QPolygonF> lines;
+  QPolygonF line;
+  const QRectF seen =
+      QRectF(0, 0, view.width_px, view.height_px).adjusted(-margin_px, -margin_px, margin_px, margin_px);
+  const auto end = [&] {
+    if (line.size() > 1) lines.push_back(line);
+    line.clear();
+  };
+  std::optional<QPointF> before;
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const QPointF pixel = toPoint(view.pixelFromWorld(world[i]));
+    if (!std::isfinite(pixel.x()) || !std::isfinite(pixel.y())) {
+      end();
+      before.reset();
+      continue;
+    }
+    if (!before) {
+      before = pixel;
+      continue;
+    }
+    const QPointF step = pixel - *before;
+    if (std::abs(step.x()) + std::abs(step.y()) < 2 && i + 1 < world.size()) continue;
+    const QRectF box = QRectF(*before, pixel).normalized();
+    const bool crosses = box.left() <= seen.right() && box.right() >= seen.left() &&
+                         box.top() <= seen.bottom() && box.bottom() >= seen.top();
+    if (crosses) {
+      if (line.isEmpty()) line << *before;
+      line << pixel;
+    } else {
+      end();
+    }
+    before = pixel;
+  }
+  end();
+  return lines;
+}
+
+void drawRaster(QPainter& painter, const QRectF& exposed, const render::RasterTiles::Drawing& drawing) {
+  if (!drawing.stand_ins.empty()) {
+    painter.save();
+    painter.setClipRegion(QRegion(exposed.toAlignedRect()) - drawing.covered, Qt::IntersectClip);
+    drawTiles(painter, exposed, drawing.stand_ins);
+    painter.restore();
+  }
+  drawTiles(painter, exposed, drawing.tiles);
+}
+
+void drawTiles(QPainter& painter, const QRectF& exposed, std::span<const render::DrawnTile> tiles) {
+  const QTransform base = painter.transform();
+  for (const render::DrawnTile& tile : tiles) {
+    if (tile.image.isNull() || !tile.to_viewport.mapRect(QRectF(tile.image.rect())).intersects(exposed))
+      continue;
+    if (tile.to_viewport.type() <= QTransform::TxTranslate) {
+      painter.setTransform(base);
+      painter.drawImage(QPointF(tile.to_viewport.dx(), tile.to_viewport.dy()), tile.image);
+    } else {
+      painter.setTransform(tile.to_viewport * base);
+      painter.drawImage(QPointF(0, 0), tile.image);
+    }
+  }
+  painter.setTransform(base);
+}
+
+}  // namespace mapwright::scene

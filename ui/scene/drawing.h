@@ -1,0 +1,42 @@
+// Draws on the map, in viewport pixels.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+#include <QColor>
+#include <QPainter>
+#include <QPolygonF>
+
+#include "geometry/view_transform.h"
+#include "render/raster_tiles.h"
+#include "scene/map_theme.h"
+
+namespace mapwright::scene {
+
+QPointF toPoint(const Eigen::Vector2d& v);
+/// `alpha`: 0 … 255.
+QColor translucent(QColor color, int alpha);
+/// 0xRRGGBBAA.
+QColor colorFrom(std::uint32_t rgba);
+
+/// The colour, shifted towards the theme's text colour if letters would not stand out against their halo.
+QColor readable(const QColor& color, const MapTheme& theme);
+/// Text with a halo, readable on any map.
+void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
+               const QColor& color, bool struck_through = false);
+QPolygonF toPolygon(const geometry::ViewTransform& view, const std::vector<Eigen::Vector2d>& world);
+bool inView(const geometry::ViewTransform& view, const QRectF& rect, double margin_px = 20);
+/// The viewport polyline of world points without invisible parts: points within two pixels of the previous
+/// one, and parts outside the viewport grown by `margin_px` (which gives several polylines).
+std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
+                                    std::span<const Eigen::Vector2d> world, double margin_px);
+
+/// Draws the tiles that touch `exposed`, both in device pixels.
+void drawTiles(QPainter& painter, const QRectF& exposed, std::span<const render::DrawnTile> tiles);
+/// The stand-ins where nothing finished covers them, and the tiles.
+void drawRaster(QPainter& painter, const QRectF& exposed, const render::RasterTiles::Drawing& drawing);
+
+}  // namespace mapwright::scene
