@@ -22,11 +22,11 @@ struct WholeMapExport;
 
 namespace mapwright::window {
 
-class MapErrand : public QObject {
+class MapFetch : public QObject {
   Q_OBJECT
  public:
-  explicit MapErrand(WindowContext& context, QObject* parent = nullptr);
-  ~MapErrand() override;
+  explicit MapFetch(WindowContext& context, QObject* parent = nullptr);
+  ~MapFetch() override;
 
   /// The dispatcher, and what is known of its map; both null: none. Cancels the request in progress.
   void setDispatch(robot::MapDispatch* dispatch, const regions::RegionMap* map);

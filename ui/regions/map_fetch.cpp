@@ -1,4 +1,4 @@
-#include "ui/regions/map_errand.h"
+#include "ui/regions/map_fetch.h"
 
 #include <algorithm>
 #include <utility>
@@ -27,25 +27,25 @@ const QString kRegionsFolderKey = QStringLiteral("regions/folder");
 
 }  // namespace
 
-MapErrand::MapErrand(WindowContext& context, QObject* parent)
+MapFetch::MapFetch(WindowContext& context, QObject* parent)
     : QObject(parent), context_(context), share_(context.workers) {
   every_second_.setInterval(1000);
-  connect(&every_second_, &QTimer::timeout, this, &MapErrand::changed);
+  connect(&every_second_, &QTimer::timeout, this, &MapFetch::changed);
 }
 
-MapErrand::~MapErrand() = default;
+MapFetch::~MapFetch() = default;
 
-void MapErrand::setDispatch(robot::MapDispatch* dispatch, const regions::RegionMap* map) {
+void MapFetch::setDispatch(robot::MapDispatch* dispatch, const regions::RegionMap* map) {
   stop();
   dispatch_ = dispatch;
   map_ = map;
 }
 
-void MapErrand::closeQuestion() {
+void MapFetch::closeQuestion() {
   if (question_) question_->close();
 }
 
-Notice MapErrand::notice() {
+Notice MapFetch::notice() {
   if (fetch_) {
     const regions::RegionCounts counts = fetch_->counts();
     return {Mark::Busy,
@@ -61,9 +61,9 @@ Notice MapErrand::notice() {
   return {};
 }
 
-void MapErrand::toast(Mark mark, const QString& text) { context_.overlay.toasts()->add(mark, text); }
+void MapFetch::toast(Mark mark, const QString& text) { context_.overlay.toasts()->add(mark, text); }
 
-void MapErrand::stop() {
+void MapFetch::stop() {
   ++job_;
   whole_.cancel();
   whole_ = {};
@@ -74,7 +74,7 @@ void MapErrand::stop() {
   Q_EMIT changed();
 }
 
-void MapErrand::fetchWhole() {
+void MapFetch::fetchWhole() {
   if (!dispatch_ || question_) return;
   const auto extent = dispatch_->extent();
   if (const QString why = whyNotWhole(extent); !why.isEmpty()) return refuseWhole(why);
@@ -87,11 +87,11 @@ void MapErrand::fetchWhole() {
   question_->setDefaultButton(QMessageBox::Cancel);
   QPushButton* const yes = question_->addButton(tr("Fetch"), QMessageBox::AcceptRole);
   yes->setObjectName(QStringLiteral("fetchWhole"));
-  connect(yes, &QPushButton::clicked, this, &MapErrand::startWhole);
+  connect(yes, &QPushButton::clicked, this, &MapFetch::startWhole);
   question_->open();
 }
 
-void MapErrand::refuseWhole(const QString& why) {
+void MapFetch::refuseWhole(const QString& why) {
   question_ = new QMessageBox(QMessageBox::Information, tr("Fetch the whole map"), why, QMessageBox::Close,
                               &context_.window);
   question_->setTextFormat(Qt::PlainText);
@@ -100,12 +100,12 @@ void MapErrand::refuseWhole(const QString& why) {
     QPushButton* const region = question_->addButton(tr("Fetch a region…"), QMessageBox::AcceptRole);
     region->setObjectName(QStringLiteral("fetchRegionInstead"));
     question_->setDefaultButton(region);
-    connect(region, &QPushButton::clicked, this, &MapErrand::regionWanted);
+    connect(region, &QPushButton::clicked, this, &MapFetch::regionWanted);
   }
   question_->open();
 }
 
-void MapErrand::startWhole() {
+void MapFetch::startWhole() {
   if (!dispatch_) return;
   stop();
   whole_under_way_ = true;
@@ -124,7 +124,7 @@ void MapErrand::startWhole() {
   Q_EMIT changed();
 }
 
-void MapErrand::endWhole(const robot::Outcome<map::GridPart>& outcome) {
+void MapFetch::endWhole(const robot::Outcome<map::GridPart>& outcome) {
   whole_under_way_ = false;
   every_second_.stop();
   whole_ = {};
@@ -140,8 +140,8 @@ void MapErrand::endWhole(const robot::Outcome<map::GridPart>& outcome) {
   Q_EMIT changed();
 }
 
-void MapErrand::show(std::function<std::string()> picture, const map::GridReference& grid,
-                     const QString& name) {
+void MapFetch::show(std::function<std::string()> picture, const map::GridReference& grid,
+                    const QString& name) {
   // Another one is another map, even if equally large.
   const QString id = tr("fetched %1").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")));
   // Writing hundreds of millions of cells takes a while.
@@ -170,7 +170,7 @@ void MapErrand::show(std::function<std::string()> picture, const map::GridRefere
   });
 }
 
-void MapErrand::takeRectangle(const geometry::WorldRect& rect) {
+void MapFetch::takeRectangle(const geometry::WorldRect& rect) {
   if (!map_ || question_) return;
   question_ = new QMessageBox(QMessageBox::Question, tr("Fetch a region"),
                               rectangleText(map_->regions(), rect), QMessageBox::Cancel, &context_.window);
@@ -189,25 +189,25 @@ void MapErrand::takeRectangle(const geometry::WorldRect& rect) {
   question_->open();
 }
 
-void MapErrand::saveRectangle(const geometry::WorldRect& rect, const QString& path) {
+void MapFetch::saveRectangle(const geometry::WorldRect& rect, const QString& path) {
   startRectangle(rect, Then::Save, path);
 }
 
-void MapErrand::keepRectangle(const geometry::WorldRect& rect) { startRectangle(rect, Then::Show, {}); }
+void MapFetch::keepRectangle(const geometry::WorldRect& rect) { startRectangle(rect, Then::Show, {}); }
 
-void MapErrand::startRectangle(const geometry::WorldRect& rect, Then then, const QString& path) {
+void MapFetch::startRectangle(const geometry::WorldRect& rect, Then then, const QString& path) {
   if (!dispatch_) return;
   stop();
   then_ = then;
   path_ = path;
   fetch_ = std::make_unique<regions::RegionFetch>(*dispatch_, rect, regions::RegionFetch::Options{});
-  connect(fetch_.get(), &regions::RegionFetch::progressed, this, &MapErrand::changed);
-  connect(fetch_.get(), &regions::RegionFetch::finished, this, &MapErrand::endRectangle);
+  connect(fetch_.get(), &regions::RegionFetch::progressed, this, &MapFetch::changed);
+  connect(fetch_.get(), &regions::RegionFetch::finished, this, &MapFetch::endRectangle);
   fetch_->start();
   Q_EMIT changed();
 }
 
-void MapErrand::endRectangle() {
+void MapFetch::endRectangle() {
   const std::unique_ptr<regions::RegionFetch, void (*)(regions::RegionFetch*)> fetch(
       fetch_.release(), [](regions::RegionFetch* one) { one->deleteLater(); });
   Q_EMIT changed();
@@ -237,7 +237,7 @@ void MapErrand::endRectangle() {
        tr("Region %1").arg(areaText(fetch->rect())));
 }
 
-void MapErrand::write(const jobs::WholeMapExport& map, const QString& path, std::function<void()> then) {
+void MapFetch::write(const jobs::WholeMapExport& map, const QString& path, std::function<void()> then) {
   export_ = std::make_unique<jobs::ExportJob>(context_.workers);
   connect(export_.get(), &jobs::ExportJob::finished, this,
           [this, then = std::move(then)](const jobs::ExportResult& result) {
@@ -253,7 +253,7 @@ void MapErrand::write(const jobs::WholeMapExport& map, const QString& path, std:
   export_->start({map, jobs::ExportFormat::MapServer, path, false});
 }
 
-std::vector<Fetched> MapErrand::fetched() {
+std::vector<Fetched> MapFetch::fetched() {
   const session::Session* const session = context_.current.session();
   if (!kept_ || !session) return {};
   const session::MapSlot& slot = session->wholeMap();
@@ -262,7 +262,7 @@ std::vector<Fetched> MapErrand::fetched() {
       {mapCalled(slot.name(), slot.key()), [this](const std::function<void()>& saved) { saveKept(saved); }}};
 }
 
-void MapErrand::saveKept(const std::function<void()>& then) {
+void MapFetch::saveKept(const std::function<void()>& then) {
   const session::Session* const session = context_.current.session();
   if (!session || !session->wholeMap().cells()) return;
   const session::MapSlot& slot = session->wholeMap();
@@ -275,7 +275,7 @@ void MapErrand::saveKept(const std::function<void()>& then) {
   }
 }
 
-QString MapErrand::askWhere() {
+QString MapFetch::askWhere() {
   const QDir folder(folderToWriteInto({context_.settings.value(kRegionsFolderKey).toString(),
                                        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)}));
   const QString path = QFileDialog::getSaveFileName(&context_.window, tr("Save the region"),
@@ -287,4 +287,4 @@ QString MapErrand::askWhere() {
 
 }  // namespace mapwright::window
 
-#include "moc_map_errand.cpp"
+#include "moc_map_fetch.cpp"
