@@ -5,7 +5,6 @@
 #include <QCoreApplication>
 
 #include "app/commands.h"
-#include "app/option_words.h"
 #include "app/simulate.h"
 #include "simulator/simulator.h"
 

@@ -10,7 +10,7 @@
 
 #include "test_program.h"
 #include "ui/layers/layers_dock.h"
-#include "ui/maps/compare_control.h"
+#include "ui/maps/compare_controller.h"
 #include "ui/maps/maps_dock.h"
 #include "ui/robot/robot_dock.h"
 #include "ui/shell/window_status_bar.h"
@@ -282,7 +282,7 @@ class TestWindowMaps : public QObject {
     window.openMap(stored("1"));
     QTRY_VERIFY(ready(window));
     Q_EMIT window.maps()->compareWanted(stored("2"));
-    CompareControl& comparison = *window.comparison();
+    CompareController& comparison = *window.comparison();
     QCOMPARE(window.mapScene()->compareMode(), scene::CompareMode::Swipe);
     QVERIFY(comparison.bar()->isVisible());
     QVERIFY(comparison.handle()->isVisible());

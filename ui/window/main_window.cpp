@@ -321,7 +321,6 @@ MapsDock* MainWindow::maps() const { return maps_->dock(); }
 RobotDock* MainWindow::robotPanel() const { return robot_->dock(); }
 MessagesDock* MainWindow::messages() const { return messages_->dock(); }
 ProblemsDock* MainWindow::problems() const { return problems_->dock(); }
-CompareControl* MainWindow::comparison() const { return compare_->control(); }
 PictureDialog* MainWindow::pictureDialog() const { return placing_->dialog(); }
 ExportDialog* MainWindow::exportDialog() const { return export_->dialog(); }
 ConnectDialog* MainWindow::secretDialog() const { return connection_->secretDialog(); }

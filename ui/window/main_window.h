@@ -31,7 +31,6 @@ namespace mapwright::window {
 class AdministrationController;
 class AppearanceController;
 class CloudsController;
-class CompareControl;
 class CompareController;
 class ConnectDialog;
 class ConnectionChip;
@@ -112,7 +111,7 @@ class MainWindow : public QMainWindow {
   MapsDock* maps() const;
   RobotDock* robotPanel() const;
   MessagesDock* messages() const;
-  CompareControl* comparison() const;
+  CompareController* comparison() const { return compare_; }
   PictureDialog* pictureDialog() const;  // null: not open
   ExportDialog* exportDialog() const;    // null: not open
   AdministrationController* administration() const { return administration_; }
