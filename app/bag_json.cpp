@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include <QCoreApplication>
 #include <QDateTime>
 
+#include "app/command_text.h"
 #include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -13,35 +14,24 @@
 namespace mapwright::app {
 namespace {
 
-class BagJsonText {
-  Q_DECLARE_TR_FUNCTIONS(Bags)
-};
-
 using words::text;
 
 /// Stable (docs/command-line.md).
+constexpr std::pair<replay::EventKind, const char*> kEventWords[] = {
+    {replay::EventKind::AlertBegan, "alert_begin"},
+    {replay::EventKind::AlertEnded, "alert_end"},
+    {replay::EventKind::MoveState, "move_state"},
+    {replay::EventKind::PositionJump, "jump"},
+    {replay::EventKind::MapChanged, "map"},
+    {replay::EventKind::SessionChanged, "session"},
+    {replay::EventKind::QualityLow, "low_quality_begin"},
+    {replay::EventKind::QualityGood, "low_quality_end"},
+    {replay::EventKind::EmergencyStopOn, "emergency_stop_begin"},
+    {replay::EventKind::EmergencyStopOff, "emergency_stop_end"}};
+
 QString wordOf(replay::EventKind kind) {
-  switch (kind) {
-    case replay::EventKind::AlertBegan:
-      return QStringLiteral("alert_begin");
-    case replay::EventKind::AlertEnded:
-      return QStringLiteral("alert_end");
-    case replay::EventKind::MoveState:
-      return QStringLiteral("move_state");
-    case replay::EventKind::PositionJump:
-      return QStringLiteral("jump");
-    case replay::EventKind::MapChanged:
-      return QStringLiteral("map");
-    case replay::EventKind::SessionChanged:
-      return QStringLiteral("session");
-    case replay::EventKind::QualityLow:
-      return QStringLiteral("low_quality_begin");
-    case replay::EventKind::QualityGood:
-      return QStringLiteral("low_quality_end");
-    case replay::EventKind::EmergencyStopOn:
-      return QStringLiteral("emergency_stop_begin");
-    case replay::EventKind::EmergencyStopOff:
-      return QStringLiteral("emergency_stop_end");
+  for (const auto& [one, word] : kEventWords) {
+    if (one == kind) return QLatin1String(word);
   }
   return {};
 }
@@ -122,9 +112,8 @@ QJsonObject infoJson(const std::string& name, const robot::BagInfo& info) {
 
 std::vector<QStringList> topicRows(const robot::BagInfo& info) {
   if (info.topics.empty()) return {};
-  std::vector<QStringList> rows{{BagJsonText::tr("MESSAGES"), BagJsonText::tr("HZ"),
-                                 BagJsonText::tr("ENCODING"), BagJsonText::tr("TOPIC"),
-                                 BagJsonText::tr("TYPE")}};
+  std::vector<QStringList> rows{
+      {Text::tr("MESSAGES"), Text::tr("HZ"), Text::tr("ENCODING"), Text::tr("TOPIC"), Text::tr("TYPE")}};
   for (const robot::BagTopic& one : info.topics) {
     rows.push_back({one.messages ? QString::number(*one.messages) : QStringLiteral("-"),
                     one.rate_hz ? QString::number(*one.rate_hz, 'f', 2) : QStringLiteral("-"),
@@ -137,39 +126,35 @@ std::vector<QStringList> topicRows(const robot::BagInfo& info) {
 
 std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo& info) {
   const bool times = hasTimes(info);
-  std::vector<QStringList> rows{
-      {BagJsonText::tr("name"), words::plainName(name)},
-      {BagJsonText::tr("messages"), QString::number(info.messages)},
-      {BagJsonText::tr("start"), times ? timeText(info.start_s) : QStringLiteral("-")},
-      {BagJsonText::tr("end"), times ? timeText(info.end_s) : QStringLiteral("-")}};
+  std::vector<QStringList> rows{{Text::tr("name"), words::plainName(name)},
+                                {Text::tr("messages"), QString::number(info.messages)},
+                                {Text::tr("start"), times ? timeText(info.start_s) : QStringLiteral("-")},
+                                {Text::tr("end"), times ? timeText(info.end_s) : QStringLiteral("-")}};
   if (!info.format.empty()) {
-    rows.push_back(
-        {BagJsonText::tr("length"), BagJsonText::tr("%1 s").arg(info.end_s - info.start_s, 0, 'f', 3)});
-    rows.push_back({BagJsonText::tr("format"), text(info.format)});
+    rows.push_back({Text::tr("length"), Text::tr("%1 s").arg(info.end_s - info.start_s, 0, 'f', 3)});
+    rows.push_back({Text::tr("format"), text(info.format)});
   }
-  if (!info.written_by.empty())
-    rows.push_back({BagJsonText::tr("written by"), words::plainName(info.written_by)});
+  if (!info.written_by.empty()) rows.push_back({Text::tr("written by"), words::plainName(info.written_by)});
   for (const robot::BagPacking& one : info.packing)
-    rows.push_back(
-        {BagJsonText::tr("compression"),
-         BagJsonText::tr("%1, chunks: %2, %3 of %4")
-             .arg(one.compression.empty() ? BagJsonText::tr("none") : words::plainName(one.compression),
-                  QString::number(one.parts), window::bytesText(one.stored_bytes),
-                  window::bytesText(one.unpacked_bytes))});
-  if (info.attachments > 0) rows.push_back({BagJsonText::tr("files"), QString::number(info.attachments)});
+    rows.push_back({Text::tr("compression"),
+                    Text::tr("%1, chunks: %2, %3 of %4")
+                        .arg(one.compression.empty() ? Text::tr("none") : words::plainName(one.compression),
+                             QString::number(one.parts), window::bytesText(one.stored_bytes),
+                             window::bytesText(one.unpacked_bytes))});
+  if (info.attachments > 0) rows.push_back({Text::tr("files"), QString::number(info.attachments)});
   if (info.interrupted)
-    rows.push_back({BagJsonText::tr("interrupted"),
-                    times ? timeText(info.end_s) : BagJsonText::tr("no message was written")});
+    rows.push_back(
+        {Text::tr("interrupted"), times ? timeText(info.end_s) : Text::tr("no message was written")});
   if (info.repair)
-    rows.push_back({BagJsonText::tr("repaired"),
-                    info.repair->broke_off_s
-                        ? BagJsonText::tr("cut off at %1").arg(timeText(*info.repair->broke_off_s))
-                        : BagJsonText::tr("cut off before any message was written")});
+    rows.push_back(
+        {Text::tr("repaired"), info.repair->broke_off_s
+                                   ? Text::tr("cut off at %1").arg(timeText(*info.repair->broke_off_s))
+                                   : Text::tr("cut off before any message was written")});
   for (const robot::BagAway& one : info.away)
     rows.push_back(
-        {BagJsonText::tr("no connection"),
-         BagJsonText::tr("%1 to %2")
-             .arg(timeText(one.from_s), one.until_s ? timeText(*one.until_s) : BagJsonText::tr("the end"))});
+        {Text::tr("no connection"),
+         Text::tr("%1 to %2")
+             .arg(timeText(one.from_s), one.until_s ? timeText(*one.until_s) : Text::tr("the end"))});
   return rows;
 }
 
@@ -219,28 +204,25 @@ QJsonObject stateJson(double at_s, const replay::Moment& moment, const robot::Ba
 
 std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment, const robot::BagInfo& bag) {
   const map::LiveState& live = moment.at.world.live;
-  std::vector<QStringList> rows{{BagJsonText::tr("at"), timeText(at_s)}};
+  std::vector<QStringList> rows{{Text::tr("at"), timeText(at_s)}};
   if (const robot::BagAway* const away = bag.awayAt(at_s))
-    rows.push_back(
-        {BagJsonText::tr("no connection"), BagJsonText::tr("since %1").arg(timeText(away->from_s))});
+    rows.push_back({Text::tr("no connection"), Text::tr("since %1").arg(timeText(away->from_s))});
   if (live.robot_pose) {
-    rows.push_back({BagJsonText::tr("pose"), BagJsonText::tr("%1, %2, %3 rad")
-                                                 .arg(live.robot_pose->x_m, 0, 'f', 3)
-                                                 .arg(live.robot_pose->y_m, 0, 'f', 3)
-                                                 .arg(live.robot_pose->yaw_rad, 0, 'f', 3)});
+    rows.push_back({Text::tr("pose"), Text::tr("%1, %2, %3 rad")
+                                          .arg(live.robot_pose->x_m, 0, 'f', 3)
+                                          .arg(live.robot_pose->y_m, 0, 'f', 3)
+                                          .arg(live.robot_pose->yaw_rad, 0, 'f', 3)});
   }
   if (live.battery && live.battery->level)
-    rows.push_back(
-        {BagJsonText::tr("battery"), QStringLiteral("%1 %").arg(qRound(*live.battery->level * 100))});
+    rows.push_back({Text::tr("battery"), QStringLiteral("%1 %").arg(qRound(*live.battery->level * 100))});
   for (const map::Alert& alert : live.alerts)
-    rows.push_back({BagJsonText::tr("alert"),
-                    QStringLiteral("%1 %2").arg(alert.code).arg(words::plainName(alert.text))});
-  if (knowsSlam(live.slam)) rows.push_back({BagJsonText::tr("SLAM"), words::plainName(live.slam.state)});
-  if (live.planning)
-    rows.push_back({BagJsonText::tr("planner"), words::plainName(live.planning->move_state)});
-  if (live.map_info) rows.push_back({BagJsonText::tr("map"), words::plainName(live.map_info->name)});
+    rows.push_back(
+        {Text::tr("alert"), QStringLiteral("%1 %2").arg(alert.code).arg(words::plainName(alert.text))});
+  if (knowsSlam(live.slam)) rows.push_back({Text::tr("SLAM"), words::plainName(live.slam.state)});
+  if (live.planning) rows.push_back({Text::tr("planner"), words::plainName(live.planning->move_state)});
+  if (live.map_info) rows.push_back({Text::tr("map"), words::plainName(live.map_info->name)});
   if (const auto& submaps = moment.at.world.submaps)
-    rows.push_back({BagJsonText::tr("submaps"), QString::number(submaps->entries.size())});
+    rows.push_back({Text::tr("submaps"), QString::number(submaps->entries.size())});
   for (const auto& [topic, stamp_s] : moment.topics)
     rows.push_back({timeText(stamp_s), words::plainName(topic)});
   return rows;

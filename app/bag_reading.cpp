@@ -4,12 +4,12 @@
 #include <cmath>
 #include <tuple>
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QEventLoop>
+#include <QRegularExpression>
 #include <QTimer>
 
-#include "app/exit_code.h"
+#include "app/command_text.h"
 #include "map/may_pass.h"
 #include "replay/reading.h"
 #include "sentences/failure_sentence.h"
@@ -20,10 +20,6 @@
 namespace mapwright::app {
 namespace {
 
-class BagReadingText {
-  Q_DECLARE_TR_FUNCTIONS(Bags)
-};
-
 constexpr int kBagTries = 3;
 constexpr int kBagLookEveryMs = 50;
 constexpr double kAgainAfterS = 0.5;
@@ -32,7 +28,7 @@ using words::text;
 
 }  // namespace
 
-CommandFailure BagReading::failure(const map::Failure& failed) const {
+tl::unexpected<CommandFailure> BagReading::failure(const map::Failure& failed) const {
   // An unreadable file is not a robot that answers with an error.
   const int code = robot_->local() ? int(kUsage) : int(exitCodeOf(failed.kind));
   if (failed.subject.kind != map::SubjectKind::Bag || failed.subject.id.empty())
@@ -49,12 +45,10 @@ CommandResult<double> timeFrom(const std::string& word, const QString& option) {
   QDateTime time = QDateTime::fromString(text(word), Qt::ISODateWithMs);
   if (time.isValid() && time.timeSpec() == Qt::LocalTime) time.setTimeSpec(Qt::UTC);
   if (time.isValid()) return double(time.toMSecsSinceEpoch()) / 1000;
-  return tl::make_unexpected(CommandFailure{
-      kUsage,
-      word.empty()
-          ? BagReadingText::tr("%1 is required: seconds since 1970, or 2024-06-03T09:00:00Z.").arg(option)
-          : BagReadingText::tr("%1 %2 is not a time: give seconds since 1970, or 2024-06-03T09:00:00Z.")
-                .arg(option, text(word))});
+  return wrong(word.empty()
+                   ? Text::tr("%1 is required: seconds since 1970, or 2024-06-03T09:00:00Z.").arg(option)
+                   : Text::tr("%1 %2 is not a time: give seconds since 1970, or 2024-06-03T09:00:00Z.")
+                         .arg(option, text(word)));
 }
 
 CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsWords& words) {
@@ -63,24 +57,21 @@ CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsWords& words) {
        {std::tuple(&words.from, "--from", &span.from_s), std::tuple(&words.to, "--to", &span.to_s)}) {
     if (word->empty()) continue;
     const auto time = timeFrom(*word, QString::fromLatin1(option));
-    if (!time) return tl::make_unexpected(time.error());
+    if (!time) return passOn(time);
     *value = *time;
   }
   if (span.from_s && span.to_s && *span.to_s < *span.from_s)
-    return tl::make_unexpected(CommandFailure{kUsage, BagReadingText::tr("--to is earlier than --from.")});
+    return wrong(Text::tr("--to is earlier than --from."));
   return span;
 }
 
-CommandResult<BagReading> BagReading::open(MapsCommand& command, const BagsWords& words) {
-  const QString address = text(words.robot);
-  const auto access = RobotAccess::read(words.access, address);
-  if (!access) return tl::make_unexpected(CommandFailure{kUsage, access.error()});
-  auto opened = command.open(address, access->forAddress(address), MapReading::Purpose::Bags);
-  if (!opened) return tl::make_unexpected(opened.error());
+CommandResult<BagReading> BagReading::open(RobotCommand& command) {
+  auto opened = command.open(RobotReading::Purpose::Bags);
+  if (!opened) return passOn(opened);
   BagReading reading;
   reading.robot_ = *opened;
   reading.library_ = reading.robot_->session().robot().bagLibrary();
-  if (!reading.library_) return tl::make_unexpected(reading.robot_->lacks(robot::Capability::Bags));
+  if (!reading.library_) return reading.robot_->lacks(robot::Capability::Bags);
   return reading;
 }
 
@@ -128,14 +119,14 @@ CommandResult<replay::Reading*> BagReading::open(const std::string& name, replay
     if (!failed || !map::mayPass(*failed) || tries >= kBagTries) break;
     (void)robot_->waitUntil([] { return false; }, kAgainAfterS);
   }
-  if (failed) return tl::make_unexpected(failure(*failed));
+  if (failed) return failure(*failed);
   return reading_.get();
 }
 
-std::optional<CommandFailure> BagReading::waitUntil(const std::function<bool()>& done) {
+CommandResult<void> BagReading::waitUntil(const std::function<bool()>& done) {
   QEventLoop loop;
   QTimer look;
-  std::optional<CommandFailure> failed;
+  std::optional<map::Failure> failed;
   bool is_done = done();
   // Gaps are rare: checking for them and for the time now and then is enough.
   QObject::connect(&look, &QTimer::timeout, &loop, [&] {
@@ -143,10 +134,9 @@ std::optional<CommandFailure> BagReading::waitUntil(const std::function<bool()>&
     const double wanted_s = reading_->chunks().wanted().value_or(-1e300);
     for (const auto& [from, cell] : reading_->chunks().cells()) {
       if (replay::secondsOf(from) > wanted_s) break;
-      if (cell.tries > 0 && replay::isFinal(cell)) failed = failure(cell.failure);
+      if (cell.tries > 0 && replay::isFinal(cell)) failed = cell.failure;
     }
-    if (!failed && robot_->time().over())
-      failed = failure(robot_->tooLate({.subject = subjectOf(reading_->key())}));
+    if (!failed && robot_->time().over()) failed = robot_->tooLate({.subject = subjectOf(reading_->key())});
     if (failed) loop.quit();
   });
   QObject::connect(reading_.get(), &replay::Reading::changed, &loop, [&] {
@@ -155,21 +145,22 @@ std::optional<CommandFailure> BagReading::waitUntil(const std::function<bool()>&
   });
   look.start(kBagLookEveryMs);
   if (!is_done) loop.exec();
-  return is_done ? std::nullopt : failed;
+  if (!is_done && failed) return failure(*failed);
+  return {};
 }
 
-std::optional<CommandFailure> BagReading::readRanges(std::optional<double> from_s, std::optional<double> to_s,
-                                                     const TakeRange& take) {
+CommandResult<void> BagReading::readRanges(std::optional<double> from_s, std::optional<double> to_s,
+                                           const TakeRange& take) {
   replay::RangeWalk walk(*reading_, from_s, to_s);
   while (!walk.over()) {
     replay::ChunkPtr chunk;
-    if (auto failed = waitUntil([&] { return chunk || (chunk = walk.next()); })) return failed;
-    if (auto failed = take(*chunk)) return failed;
+    if (auto came = waitUntil([&] { return chunk || (chunk = walk.next()); }); !came) return came;
+    if (auto taken = take(*chunk); !taken) return taken;
   }
-  return std::nullopt;
+  return {};
 }
 
-std::optional<CommandFailure> BagReading::readWhole() {
+CommandResult<void> BagReading::readWhole() {
   // From the end back to the start, including parts beyond the stated times.
   reading_->want(1e300);
   return waitUntil([&] { return reading_->chunks().wholeRead(); });
@@ -179,12 +170,12 @@ CommandResult<replay::Moment> BagReading::momentAt(double at_s) {
   reading_->want(at_s);
   replay::Moment moment;
   // Computing the world gets more expensive the more is known: wait until all of it is.
-  const auto failed = waitUntil([&] {
+  const auto known = waitUntil([&] {
     if (!reading_->chunks().readUntil(at_s)) return false;
     moment = reading_->moment();
     return moment.knowledge == replay::Knowledge::Exact;
   });
-  if (failed) return tl::make_unexpected(*failed);
+  if (!known) return passOn(known);
   return moment;
 }
 
@@ -194,8 +185,7 @@ void BagReading::noteUnknown(const std::vector<std::string>& topics) {
   for (const std::string& topic : topics) {
     const bool there = std::any_of(known.begin(), known.end(),
                                    [&](const robot::BagTopic& one) { return one.name == topic; });
-    if (!known.empty() && !there)
-      robot_->lack(BagReadingText::tr("It has no topic %1.").arg(words::plainName(topic)));
+    if (!known.empty() && !there) robot_->lack(Text::tr("It has no topic %1.").arg(words::plainName(topic)));
   }
 }
 
@@ -204,9 +194,16 @@ void BagReading::noteUnreadable(double until_s) {
   for (const auto& [from_s, count] : *unreadable_) odd += from_s <= until_s ? count : 0;
   if (odd > 0)
     robot_->lack(
-        BagReadingText::tr("Messages left out because they have no time stamp or cannot be read: %1.")
-            .arg(odd));
+        Text::tr("Messages left out because they have no time stamp or cannot be read: %1.").arg(odd));
   robot_->insistOnReadable();
+}
+
+QString numbered(const QString& pattern, int number) {
+  static const QRegularExpression place(QStringLiteral("%(?:0(\\d{1,2}))?d"));
+  const QRegularExpressionMatch match = place.match(pattern);
+  if (!match.hasMatch() || pattern.indexOf(place, match.capturedEnd()) >= 0) return {};
+  const QString digits = QStringLiteral("%1").arg(number, match.captured(1).toInt(), 10, QLatin1Char('0'));
+  return pattern.left(match.capturedStart()) + digits + pattern.mid(match.capturedEnd());
 }
 
 }  // namespace mapwright::app

@@ -9,26 +9,40 @@
 #include <string>
 #include <vector>
 
-#include "app/bags.h"
-#include "app/maps_command.h"
+#include "app/robot_command.h"
 #include "excerpt/time_span.h"
 #include "replay/reading.h"
 #include "robot/bag_library.h"
 
 namespace mapwright::app {
 
+/// The options as typed; empty = not given. Times are seconds since the epoch, or ISO 8601.
+struct BagsWords : RobotWords {
+  BagsWords() { timeout_s = 300; }
+  std::string name;                        // of a bag or a recording (mapwright bags list)
+  std::string from, to, at;                // times
+  std::vector<std::string> topics;         // frames, export: of these alone
+  std::string kinds;                       // events: of these groups alone
+  std::string output;                      // download: the file; "" = named after the bag. export, track
+  std::string format;                      // export, track; "" = by the extension of the file
+  std::string suffix, duration, category;  // record
+  std::vector<std::string> files;          // merge: the inputs
+  double every_s = 60;                     // split
+  bool yes = false, force = false;
+};
+
 class BagReading {
  public:
-  /// Connects to the robot of `words`; requests only its bags, without needing a live connection.
-  static CommandResult<BagReading> open(MapsCommand& command, const BagsWords& words);
+  /// Connects to the robot of the command; requests only its bags, without needing a live connection.
+  static CommandResult<BagReading> open(RobotCommand& command);
 
-  MapReading& robot() const { return *robot_; }
+  RobotReading& robot() const { return *robot_; }
   robot::BagLibrary& library() const { return *library_; }
   /// The bag of this name, or else the recording. A name that is not listed is requested anyway: the robot
   /// then says what is wrong.
   robot::BagKey keyOf(const std::string& name) const;
   /// Names the bag, where it is about one.
-  CommandFailure failure(const map::Failure& failed) const;
+  tl::unexpected<CommandFailure> failure(const map::Failure& failed) const;
 
   /// Opens it for replaying.
   CommandResult<replay::Reading*> replay(const std::string& name);
@@ -37,14 +51,14 @@ class BagReading {
   CommandResult<replay::Reading*> readThrough(const std::string& name, Texts texts);
   /// Runs until `done`, which is called again after each read. Ends with a failure if the robot cannot
   /// deliver a range, or keeps failing.
-  std::optional<CommandFailure> waitUntil(const std::function<bool()>& done);
+  CommandResult<void> waitUntil(const std::function<bool()>& done);
   /// Passes on the ranges that overlap `from_s` to `to_s`, in order; without limits all of them, whatever
   /// times they state. Reads nothing else. Ends if `take` fails.
-  using TakeRange = std::function<std::optional<CommandFailure>(const replay::Chunk&)>;
-  std::optional<CommandFailure> readRanges(std::optional<double> from_s, std::optional<double> to_s,
-                                           const TakeRange& take);
+  using TakeRange = std::function<CommandResult<void>(const replay::Chunk&)>;
+  CommandResult<void> readRanges(std::optional<double> from_s, std::optional<double> to_s,
+                                 const TakeRange& take);
   /// Reads the whole bag; its index is complete afterwards.
-  std::optional<CommandFailure> readWhole();
+  CommandResult<void> readWhole();
   /// The exact state at `at_s`.
   CommandResult<replay::Moment> momentAt(double at_s);
   /// Notes topics that a file does not contain. Robots only report topics that they have sent.
@@ -55,7 +69,7 @@ class BagReading {
  private:
   BagReading() = default;
   CommandResult<replay::Reading*> open(const std::string& name, replay::Reading::Options options);
-  MapReading* robot_ = nullptr;
+  RobotReading* robot_ = nullptr;
   robot::BagLibrary* library_ = nullptr;
   std::unique_ptr<replay::Reading> reading_;
   /// Messages that could not be read, by the start of their range.
@@ -68,5 +82,15 @@ CommandResult<double> timeFrom(const std::string& word, const QString& option);
 
 /// --from and --to.
 CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsWords& words);
+
+/// "frames/%05d.png" and 7 -> "frames/00007.png"; empty where there is no %d, %0Nd or more than one.
+QString numbered(const QString& pattern, int number);
+
+// Files made of bags.
+CommandResult<int> bagsExport(RobotCommand& command, const BagsWords& words);
+CommandResult<int> bagsTrack(RobotCommand& command, const BagsWords& words);
+CommandResult<int> bagsRepair(RobotCommand& command, const BagsWords& words);
+CommandResult<int> bagsSplit(RobotCommand& command, const BagsWords& words);
+CommandResult<int> bagsMerge(RobotCommand& command, const BagsWords& words);
 
 }  // namespace mapwright::app

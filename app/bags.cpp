@@ -1,22 +1,24 @@
-// Bags as files: list, download, delete, record.
-#include "app/bags.h"
+// `mapwright bags …`: what a robot has recorded, and recordings on this computer (docs/command-line.md).
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
 
-#include <cstdio>
-#include <unistd.h>
-
-#include <QCoreApplication>
+#include <CLI/CLI.hpp>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonObject>
 
 #include "app/bag_json.h"
 #include "app/bag_reading.h"
-#include "app/exit_code.h"
-#include "app/one_line.h"
-#include "app/output_paths.h"
-#include "app/table.h"
-#include "app/waypoint_list.h"
+#include "app/command_text.h"
+#include "app/map_request.h"
+#include "app/output.h"
+#include "app/robot_factory.h"
+#include "app/snapshot.h"
+#include "excerpt/excerpt.h"
 #include "robot/axbot/faults.h"
+#include "robot/sends_map.h"
 #include "ui/kit/status_text.h"
 #include "words/file_name.h"
 #include "words/qt_plain.h"
@@ -25,27 +27,13 @@
 namespace mapwright::app {
 namespace {
 
-class BagsText {
-  Q_DECLARE_TR_FUNCTIONS(Bags)
-};
-
 using words::text;
-
-int runBags(const BagsWords& words, int& argc, char** argv,
-            const std::function<CommandResult<int>(MapsCommand&, BagReading&)>& work) {
-  return MapsCommand(words.timeout_s, text(words.report))
-      .run(argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
-        auto opened = BagReading::open(command, words);
-        if (!opened) return tl::make_unexpected(opened.error());
-        return work(command, *opened);
-      });
-}
 
 QStringList rowOf(const robot::BagEntry& entry) {
   const QString size =
       entry.size_bytes ? window::bytesText(*entry.size_bytes) : words::plainName(entry.size_text);
   const QString end = entry.end_s ? timeText(*entry.end_s).chopped(4) : words::plainName(entry.end_text);
-  return {entry.key.kind == robot::BagKind::Recording ? BagsText::tr("recording") : BagsText::tr("bag"),
+  return {entry.key.kind == robot::BagKind::Recording ? Text::tr("recording") : Text::tr("bag"),
           size.isEmpty() ? QStringLiteral("-") : size, end.isEmpty() ? QStringLiteral("-") : end,
           words::plainName(entry.key.name)};
 }
@@ -57,122 +45,357 @@ QString fileFor(const BagsWords& words) {
   return words::fileName(QFileInfo(text(words.name)).fileName(), {});
 }
 
-void tellProgress(robot::Progress progress) {
-  const QString bytes = window::bytesText(progress.bytes);
-  const QString of = progress.of_bytes ? window::bytesText(*progress.of_bytes) : QStringLiteral("?");
-  std::fprintf(stderr, "\r%-40s", qUtf8Printable(BagsText::tr("%1 of %2").arg(bytes, of)));
+CommandResult<int> bagsList(RobotCommand& command, const BagsWords& words) {
+  auto opened = BagReading::open(command);
+  if (!opened) return passOn(opened);
+  BagReading& bags = *opened;
+  const auto rows = bags.robot().ask<std::vector<robot::BagEntry>>(
+      [&](robot::OutcomeTo<std::vector<robot::BagEntry>> reply) {
+        return bags.library().list(std::move(reply));
+      });
+  if (!rows) return bags.failure(rows.error());
+  bags.robot().insistOnAll();  // one of the two lists is incomplete
+  if (words.json) {
+    QJsonArray all;
+    for (const robot::BagEntry& entry : *rows) all.append(bagJson(entry));
+    printJson(all);
+    return kDone;
+  }
+  if (rows->empty()) {
+    printLine(Text::tr("There are no bags."));
+    return kDone;
+  }
+  std::vector<QStringList> table{
+      {Text::tr("KIND"), Text::tr("SIZE"), Text::tr("END (UTC)"), Text::tr("NAME")}};
+  for (const robot::BagEntry& entry : *rows) table.push_back(rowOf(entry));
+  printTable(table);
+  return kDone;
+}
+
+CommandResult<int> bagsInfo(RobotCommand& command, const BagsWords& words) {
+  auto opened = BagReading::open(command);
+  if (!opened) return passOn(opened);
+  BagReading& bags = *opened;
+  const robot::BagKey key = bags.keyOf(words.name);
+  const auto info = bags.robot().ask<robot::BagInfo>(
+      [&](robot::OutcomeTo<robot::BagInfo> reply) { return bags.library().info(key, std::move(reply)); });
+  if (!info) return bags.failure(info.error());
+  if (words.json) {
+    printJson(infoJson(words.name, *info));
+    return kDone;
+  }
+  printTable(infoRows(words.name, *info));
+  if (const auto topics = topicRows(*info); !topics.empty()) {
+    printOut("\n");
+    printTable(topics);
+  }
+  return kDone;
+}
+
+CommandResult<int> bagsDownload(RobotCommand& command, const BagsWords& words) {
+  auto opened = BagReading::open(command);
+  if (!opened) return passOn(opened);
+  BagReading& bags = *opened;
+  const QString path = fileFor(words);
+  if (path.isEmpty()) return wrong(Text::tr("Where should it be saved? Pass -o FILE."));
+  if (isStandardOutput(path))
+    return wrong(Text::tr("A download can be resumed, so it must go to a regular file (-o FILE)."));
+  if (const auto why = whyNotCreated(path, QFileInfo::exists(path), words.force)) return wrong(*why);
+  const robot::BagKey key = bags.keyOf(words.name);
+  const auto line = std::make_shared<ProgressLine>();  // the robot may report progress after the end
+  const auto done = bags.robot().ask<robot::BagDownload>([&](robot::OutcomeTo<robot::BagDownload> reply) {
+    robot::Call call = bags.library().download(key, path, std::move(reply));
+    call.onProgress([line](robot::Progress progress) {
+      const QString bytes = window::bytesText(progress.bytes);
+      const QString of = progress.of_bytes ? window::bytesText(*progress.of_bytes) : QStringLiteral("?");
+      line->tell(Text::tr("%1 of %2").arg(bytes, of));
+    });
+    return call;
+  });
+  line->clear();
+  if (!done) {
+    const auto failure = bags.failure(done.error());
+    if (done.error().cause.code == robot::axbot::fault::BagFileNotWritten)
+      return wrong(failure.value().sentence);
+    return failure;
+  }
+  if (words.json) {
+    printJson(QJsonObject{{QStringLiteral("name"), text(words.name)},
+                          {QStringLiteral("file"), done->path},
+                          {QStringLiteral("bytes"), qint64(done->bytes)},
+                          {QStringLiteral("resumed"), done->resumed}});
+  } else {
+    printLine(QStringLiteral("%1: %2").arg(oneLine(done->path), window::bytesText(done->bytes)));
+  }
+  return kDone;
+}
+
+CommandResult<int> bagsDelete(RobotCommand& command, const BagsWords& words) {
+  auto opened = BagReading::open(command);
+  if (!opened) return passOn(opened);
+  BagReading& bags = *opened;
+  if (!words.yes)
+    return wrong(Text::tr("Deleting a bag cannot be undone. Pass --yes to delete %1.")
+                     .arg(words::plainName(words.name)));
+  const robot::BagKey key = bags.keyOf(words.name);
+  const auto done = bags.robot().ask<robot::BagKey>(
+      [&](robot::OutcomeTo<robot::BagKey> reply) { return bags.library().remove(key, std::move(reply)); });
+  if (!done) return bags.failure(done.error());
+  if (words.json) printJson(QJsonObject{{QStringLiteral("name"), text(words.name)}});
+  return kDone;
+}
+
+CommandResult<int> bagsRecord(RobotCommand& command, const BagsWords& words) {
+  auto opened = BagReading::open(command);
+  if (!opened) return passOn(opened);
+  BagReading& bags = *opened;
+  const robot::BagOrder order{words.suffix, words.duration, words.category};
+  const auto entry = bags.robot().ask<robot::BagEntry>([&](robot::OutcomeTo<robot::BagEntry> reply) {
+    return bags.library().record(order, std::move(reply));
+  });
+  if (!entry) return bags.failure(entry.error());
+  if (words.json) {
+    printJson(bagJson(*entry));
+  } else if (!entry->key.name.empty()) {
+    printLine(words::plainName(entry->key.name));
+  }
+  return kDone;
+}
+
+/// The messages of a range between two times. False: the output accepts no more.
+bool printFrames(const replay::Chunk& chunk, const excerpt::TimeSpan& span,
+                 const std::vector<std::string>& topics) {
+  for (std::size_t place = 0; place < chunk.order.size(); ++place) {
+    const robot::BagMessage& message = chunk.at(place);
+    if (!span.holds(message.message.received_s)) continue;
+    if (!excerpt::isOneOf(topics, message.message.topic)) continue;
+    if (!printOut(excerpt::jsonLine(chunk.source->textOf(message)) + "\n")) return false;
+  }
+  return true;
+}
+
+/// What a picture would report: that the file has no map, and which one its messages name.
+std::optional<QString> noMapIn(const BagReading& bags, const replay::Moment& moment) {
+  robot::Robot& robot = bags.robot().session().robot();
+  robot::MapCatalogue* const maps = robot.mapCatalogue();
+  if (!robot.isLocal() || robot::sendsItsMap(robot) || !maps) return std::nullopt;
+  const auto kept = bags.robot().ask<std::vector<map::CatalogueEntry>>(
+      [&](robot::OutcomeTo<std::vector<map::CatalogueEntry>> reply) { return maps->list(std::move(reply)); });
+  if (!kept || !kept->empty()) return std::nullopt;
+  return noMapSentence(moment.at.world.live.map_info);
+}
+
+CommandResult<int> bagsFrames(RobotCommand& command, const BagsWords& words) {
+  const auto span = timeSpanFrom(words);
+  if (!span) return passOn(span);
+  auto opened = BagReading::open(command);
+  if (!opened) return passOn(opened);
+  const auto replayed = opened->readThrough(words.name, BagReading::Texts::Whole);
+  if (!replayed) return passOn(replayed);
+  bool taken = true;
+  const auto read =
+      opened->readRanges(span->from_s, span->to_s, [&](const replay::Chunk& chunk) -> CommandResult<void> {
+        taken = printFrames(chunk, *span, words.topics);
+        // Stops reading if nobody takes the output; the reason is reported at the end.
+        if (!taken) return wrong({});
+        return {};
+      });
+  if (!taken) return kUsage;
+  if (!read) return passOn(read);
+  opened->noteUnknown(words.topics);
+  opened->noteUnreadable(HUGE_VAL);
+  return kDone;
+}
+
+CommandResult<int> bagsState(RobotCommand& command, const BagsWords& words) {
+  const auto at_s = timeFrom(words.at, QStringLiteral("--at"));
+  if (!at_s) return passOn(at_s);
+  std::optional<double> from_s;
+  if (!words.from.empty()) {
+    const auto time = timeFrom(words.from, QStringLiteral("--from"));
+    if (!time) return passOn(time);
+    from_s = *time;
+  }
+  auto opened = BagReading::open(command);
+  if (!opened) return passOn(opened);
+  const auto replayed = opened->replay(words.name);
+  if (!replayed) return passOn(replayed);
+  // Plays from there: looks at each range on the way.
+  while (from_s && *from_s < *at_s) {
+    const auto moment = opened->momentAt(*from_s);
+    if (!moment) return passOn(moment);
+    const replay::Cell* cell = (*replayed)->chunks().cellAt(*from_s);
+    if (!cell || replay::secondsOf(cell->until) <= *from_s) break;
+    from_s = replay::secondsOf(cell->until);
+  }
+  const auto moment = opened->momentAt(*at_s);
+  if (!moment) return passOn(moment);
+  const robot::BagInfo bag = (*replayed)->info().value_or(robot::BagInfo());
+  const std::optional<QString> no_map = noMapIn(*opened, *moment);
+  if (words.json) {
+    QJsonObject state = stateJson(*at_s, *moment, bag);
+    if (no_map) state[QStringLiteral("no_map")] = *no_map;
+    printJson(state);
+  } else {
+    std::vector<QStringList> rows = stateRows(*at_s, *moment, bag);
+    if (no_map) rows.insert(rows.begin() + 1, {Text::tr("map"), *no_map});
+    printTable(rows);
+  }
+  opened->noteUnreadable(*at_s);
+  return kDone;
+}
+
+/// Parses --kind; empty = all of them.
+CommandResult<std::set<replay::EventGroup>> groupsFrom(const std::string& kinds) {
+  std::set<replay::EventGroup> groups;
+  if (kinds.empty()) return std::set(std::begin(replay::kEventGroups), std::end(replay::kEventGroups));
+  for (const QString& word : text(kinds).split(QLatin1Char(','))) {
+    const auto* const found =
+        std::find_if(std::begin(replay::kEventGroups), std::end(replay::kEventGroups),
+                     [asked = word.trimmed().toLower().toStdString()](replay::EventGroup group) {
+                       return replay::wordOf(group) == asked;
+                     });
+    if (found == std::end(replay::kEventGroups))
+      return wrong(Text::tr("--kind: \"%1\" is unknown. Choose from: alerts, planner, position, maps, stops.")
+                       .arg(word));
+    groups.insert(*found);
+  }
+  return groups;
+}
+
+CommandResult<int> bagsEvents(RobotCommand& command, const BagsWords& words) {
+  const auto groups = groupsFrom(words.kinds);
+  if (!groups) return passOn(groups);
+  auto opened = BagReading::open(command);
+  if (!opened) return passOn(opened);
+  const auto replayed = opened->replay(words.name);
+  if (!replayed) return passOn(replayed);
+  replay::Reading& reading = **replayed;
+  if (const auto read = opened->readWhole(); !read) return passOn(read);
+  std::vector<replay::Event> events = replay::eventsOf(reading.index().digests());
+  std::erase_if(events,
+                [&](const replay::Event& event) { return !groups->contains(replay::groupOf(event.kind)); });
+  opened->noteUnreadable(HUGE_VAL);
+  if (words.json) {
+    printJson(eventsJson(events));
+    return kDone;
+  }
+  std::vector<QStringList> table;
+  for (const replay::Event& event : events) table.push_back(eventRow(event));
+  if (table.empty()) printLine(Text::tr("Nothing happened."));
+  printTable(table);
+  return kDone;
+}
+
+struct BagCommand {
+  const char* name;
+  QString about;
+  CommandResult<int> (*run)(RobotCommand&, const BagsWords&);
+};
+
+std::vector<BagCommand> bagCommands() {
+  return {
+      {"list", Text::tr("List the bags and recordings of a robot"), bagsList},
+      {"info",
+       Text::tr("Count the messages, with their time span and rates (the mean between the first "
+                "and the last message of a topic)"),
+       bagsInfo},
+      {"frames", Text::tr("Print the messages as recorded, one per line"), bagsFrames},
+      {"state", Text::tr("Show the state at a given time, as replaying from the start would give it"),
+       bagsState},
+      {"events", Text::tr("List alerts, planner states, position jumps, map changes and lost localization"),
+       bagsEvents},
+      {"download", Text::tr("Download one to a file, or resume an interrupted download"), bagsDownload},
+      {"export", Text::tr("Export a part as MCAP or JSON lines"), bagsExport},
+      {"track", Text::tr("Export the robot's path as CSV, GeoJSON or TUM"), bagsTrack},
+      {"repair",
+       Text::tr("Recover what is intact in an interrupted or damaged recording and write it as a "
+                "complete MCAP file"),
+       bagsRepair},
+      {"split", Text::tr("Split a recording into parts of equal length that can each be replayed alone"),
+       bagsSplit},
+      {"merge", Text::tr("Merge several recordings into one"), bagsMerge},
+      {"delete", Text::tr("Delete one from the robot (--yes)"), bagsDelete},
+      {"record", Text::tr("Make the robot record a bag"), bagsRecord}};
+}
+
+void addBagOptions(const std::string& name, CLI::App& command, BagsWords& words) {
+  const auto is = [&](auto... names) { return ((name == names) || ...); };
+  const std::string time = help(Text::tr("Seconds since 1970, or 2024-06-03T09:00:00Z"));
+  if (is("merge"))
+    command.add_option("files", words.files, help(Text::tr("Recordings on this computer")))->required();
+  if (!is("list", "record", "merge"))
+    command
+        .add_option("name", words.name,
+                    help(Text::tr("Name of the bag (see mapwright bags list), or a file")))
+        ->required();
+  if (is("frames", "state", "export", "track", "merge")) command.add_option("--from", words.from, time);
+  if (is("frames", "export", "track", "merge")) command.add_option("--to", words.to, time);
+  if (is("frames", "export", "split", "merge"))
+    command
+        .add_option("--topic", words.topics,
+                    help(Text::tr("Only messages of this topic; separate several with commas")))
+        ->delimiter(',')
+        ->allow_extra_args(false);
+  if (is("export", "track")) {
+    command.add_option("-o,--output", words.output, help(Text::tr("Output file; - is the standard output")))
+        ->required();
+    command.add_option("--format", words.format,
+                       name == "export"
+                           ? help(Text::tr("mcap or jsonl; by default taken from the file name"))
+                           : help(Text::tr("csv, geojson or tum; by default taken from the file name")));
+    command.add_flag("--force", words.force, help(Text::tr("Replace an existing file")));
+  }
+  if (is("repair", "split", "merge")) {
+    command
+        .add_option("-o,--output", words.output,
+                    is("split") ? help(Text::tr("Names of the MCAP files, with a number: part-%03d.mcap"))
+                                : help(Text::tr("The MCAP file to write")))
+        ->required();
+    command.add_flag("--force", words.force, help(Text::tr("Replace an existing file")));
+  }
+  if (is("split"))
+    command.add_option("--every", words.every_s, help(Text::tr("Length of each part in seconds")))
+        ->capture_default_str();
+  if (is("events"))
+    command.add_option(
+        "--kind", words.kinds,
+        help(Text::tr("Only these, separated by commas: alerts, planner, position, maps, stops")));
+  if (is("state")) command.add_option("--at", words.at, time)->required();
+  if (is("download")) {
+    command.add_option("-o,--output", words.output,
+                       help(Text::tr("Output file; by default named after the bag")));
+    command.add_flag("--force", words.force, help(Text::tr("Replace an existing file")));
+  }
+  if (is("delete"))
+    command.add_flag("--yes", words.yes, help(Text::tr("Required: deleting cannot be undone")));
+  if (is("record")) {
+    command.add_option("--suffix", words.suffix, help(Text::tr("Part of the bag's name")));
+    command.add_option("--duration", words.duration, help(Text::tr("For example 90s or 2m")));
+    command.add_option("--category", words.category,
+                       help(Text::tr("What to record, in the robot's own terms, for example pos")));
+  }
+  addJson(command, words.json);
 }
 
 }  // namespace
 
-int bagsList(const BagsWords& words, int& argc, char** argv) {
-  return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
-    const auto rows = bags.robot().ask<std::vector<robot::BagEntry>>(
-        [&](robot::OutcomeTo<std::vector<robot::BagEntry>> reply) {
-          return bags.library().list(std::move(reply));
-        });
-    if (!rows) return tl::make_unexpected(bags.failure(rows.error()));
-    bags.robot().insistOnAll();  // one of the two lists is incomplete
-    if (words.json) {
-      QJsonArray all;
-      for (const robot::BagEntry& entry : *rows) all.append(bagJson(entry));
-      printJson(all);
-      return kDone;
-    }
-    if (rows->empty()) {
-      std::printf("%s\n", qUtf8Printable(BagsText::tr("There are no bags.")));
-      return kDone;
-    }
-    std::vector<QStringList> table{
-        {BagsText::tr("KIND"), BagsText::tr("SIZE"), BagsText::tr("END (UTC)"), BagsText::tr("NAME")}};
-    for (const robot::BagEntry& entry : *rows) table.push_back(rowOf(entry));
-    printTable(table);
-    return kDone;
-  });
-}
-
-int bagsInfo(const BagsWords& words, int& argc, char** argv) {
-  return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
-    const robot::BagKey key = bags.keyOf(words.name);
-    const auto info = bags.robot().ask<robot::BagInfo>(
-        [&](robot::OutcomeTo<robot::BagInfo> reply) { return bags.library().info(key, std::move(reply)); });
-    if (!info) return tl::make_unexpected(bags.failure(info.error()));
-    if (words.json) {
-      printJson(infoJson(words.name, *info));
-      return kDone;
-    }
-    printTable(infoRows(words.name, *info));
-    if (const auto topics = topicRows(*info); !topics.empty()) {
-      std::printf("\n");
-      printTable(topics);
-    }
-    return kDone;
-  });
-}
-
-int bagsDownload(const BagsWords& words, int& argc, char** argv) {
-  return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
-    const QString path = fileFor(words);
-    if (path.isEmpty()) return wrong(BagsText::tr("Where should it be saved? Pass -o FILE."));
-    if (isStandardOutput(path))
-      return wrong(BagsText::tr("A download can be resumed, so it must go to a regular file (-o FILE)."));
-    if (const auto why = whyNotWritable(path)) return wrong(*why);
-    if (QFileInfo::exists(path) && !words.force)
-      return wrong(BagsText::tr("%1 already exists. Pass --force to replace it.").arg(path));
-    const robot::BagKey key = bags.keyOf(words.name);
-    const bool terminal = isatty(STDERR_FILENO) != 0;
-    const auto done = bags.robot().ask<robot::BagDownload>([&](robot::OutcomeTo<robot::BagDownload> reply) {
-      robot::Call call = bags.library().download(key, path, std::move(reply));
-      if (terminal) call.onProgress(tellProgress);
-      return call;
+void addBags(Commands& commands) {
+  const auto words = std::make_shared<BagsWords>();
+  CLI::App* const bags = commands.program().add_subcommand(
+      "bags", help(Text::tr("Bags and recordings of a robot: list, inspect, download, record")));
+  bags->require_subcommand(1);
+  for (const BagCommand& one : bagCommands()) {
+    CLI::App* const command = bags->add_subcommand(one.name, help(one.about));
+    addRobot(*command, *words, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
+    addTimeout(*command, words->timeout_s);
+    addReport(*command, words->report);
+    addBagOptions(one.name, *command, *words);
+    addReading(commands, command, words, one.run, [](BagsWords& typed, const Invocation& before) {
+      takeRecording(typed.robot, typed.name, before.robot);
     });
-    if (terminal) std::fprintf(stderr, "\r%-40s\r", "");
-    if (!done) {
-      CommandFailure failure = bags.failure(done.error());
-      if (done.error().cause.code == robot::axbot::fault::BagFileNotWritten) failure.exit_code = kUsage;
-      return tl::make_unexpected(failure);
-    }
-    if (words.json) {
-      printJson(QJsonObject{{QStringLiteral("name"), text(words.name)},
-                            {QStringLiteral("file"), done->path},
-                            {QStringLiteral("bytes"), qint64(done->bytes)},
-                            {QStringLiteral("resumed"), done->resumed}});
-    } else {
-      std::printf("%s: %s\n", qUtf8Printable(oneLine(done->path)),
-                  qUtf8Printable(window::bytesText(done->bytes)));
-    }
-    return kDone;
-  });
-}
-
-int bagsDelete(const BagsWords& words, int& argc, char** argv) {
-  return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
-    if (!words.yes)
-      return wrong(BagsText::tr("Deleting a bag cannot be undone. Pass --yes to delete %1.")
-                       .arg(words::plainName(words.name)));
-    const robot::BagKey key = bags.keyOf(words.name);
-    const auto done = bags.robot().ask<robot::BagKey>(
-        [&](robot::OutcomeTo<robot::BagKey> reply) { return bags.library().remove(key, std::move(reply)); });
-    if (!done) return tl::make_unexpected(bags.failure(done.error()));
-    if (words.json) printJson(QJsonObject{{QStringLiteral("name"), text(words.name)}});
-    return kDone;
-  });
-}
-
-int bagsRecord(const BagsWords& words, int& argc, char** argv) {
-  return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
-    const robot::BagOrder order{words.suffix, words.duration, words.category};
-    const auto entry = bags.robot().ask<robot::BagEntry>([&](robot::OutcomeTo<robot::BagEntry> reply) {
-      return bags.library().record(order, std::move(reply));
-    });
-    if (!entry) return tl::make_unexpected(bags.failure(entry.error()));
-    if (words.json) {
-      printJson(bagJson(*entry));
-    } else if (!entry->key.name.empty()) {
-      std::printf("%s\n", qUtf8Printable(words::plainName(entry->key.name)));
-    }
-    return kDone;
-  });
+  }
+  addBagPictures(commands, *bags);
 }
 
 }  // namespace mapwright::app

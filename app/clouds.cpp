@@ -1,36 +1,27 @@
 #include "app/clouds.h"
 
-#include <cstdio>
 #include <memory>
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonObject>
 
-#include "app/commands.h"
-#include "app/exit_code.h"
-#include "app/maps_command.h"
-#include "app/option_words.h"
-#include "app/output_paths.h"
+#include "app/command_text.h"
+#include "app/output.h"
+#include "app/robot_command.h"
 #include "clouds/write_cloud.h"
 #include "disk/file_error.h"
 #include "disk/written_file.h"
 #include "jobs/fetch_cloud.h"
 #include "robot/map_dispatch.h"
 #include "sentences/fault_sentence.h"
-#include "sentences/plural.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
 namespace mapwright::app {
 namespace {
-
-class CloudsText {
-  Q_DECLARE_TR_FUNCTIONS(Clouds)
-};
 
 using words::text;
 
@@ -47,14 +38,13 @@ CommandResult<CloudOrder> orderFrom(const CloudsWords& words) {
   order.region = *region;
   order.path = text(words.output);
   const auto format = clouds::formatOf(words.output);
-  if (!format) return wrong(CloudsText::tr("-o must name a file that ends in .pcd, .ply or .csv."));
+  if (!format) return wrong(Text::tr("-o must name a file that ends in .pcd, .ply or .csv."));
   order.format =
       words.ascii && *format == clouds::CloudFormat::PcdBinary ? clouds::CloudFormat::PcdAscii : *format;
   if (words.ascii && *format != clouds::CloudFormat::PcdBinary)
-    return wrong(CloudsText::tr("--ascii applies only to PCD files."));
-  if (const auto why = whyNotWritable(order.path)) return wrong(*why);
-  if (QFileInfo(order.path).isFile() && !words.force)
-    return wrong(CloudsText::tr("%1 already exists. Pass --force to replace it.").arg(order.path));
+    return wrong(Text::tr("--ascii applies only to PCD files."));
+  if (const auto why = whyNotCreated(order.path, QFileInfo(order.path).isFile(), words.force))
+    return wrong(*why);
   return order;
 }
 
@@ -88,52 +78,39 @@ QJsonObject jsonOf(const CloudsWords& words, const jobs::FetchedCloud& came,
   return json;
 }
 
-CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, const CloudOrder& order) {
-  const QString address = text(words.robot);
-  const auto access = RobotAccess::read(words.access, address);
-  if (!access) return wrong(access.error());
-  auto opened = command.open(address, access->forAddress(address), MapReading::Purpose::Maps);
-  if (!opened) return tl::make_unexpected(opened.error());
-  MapReading& reading = **opened;
+CommandResult<int> exportCloud(RobotCommand& command, const CloudsWords& words) {
+  const auto order = orderFrom(words);
+  if (!order) return passOn(order);
+  const auto opened = command.open();
+  if (!opened) return passOn(opened);
+  RobotReading& reading = **opened;
   robot::MapDispatch* const dispatch = reading.session().robot().mapDispatch();
-  if (!dispatch) return tl::make_unexpected(reading.lacks(robot::Capability::Dispatch));
+  if (!dispatch) return reading.lacks(robot::Capability::Dispatch);
   const auto came = reading.ask<jobs::FetchedCloud>([&](robot::OutcomeTo<jobs::FetchedCloud> reply) {
     return jobs::fetchCloud(*dispatch,
                             words.occupancy ? robot::CloudKind::Occupancy : robot::CloudKind::Points,
-                            order.region, reading.workers(), std::move(reply));
+                            order->region, reading.workers(), std::move(reply));
   });
-  if (!came) return tl::make_unexpected(reading.failure(came.error()));
+  if (!came) return reading.failure(came.error());
   if (came->elsewhere()) {
-    return tl::make_unexpected(reading.failure(
-        kIncomplete, CloudsText::tr("The robot answered with another region: none of the points lies in the "
-                                    "requested one. Nothing was written.")));
+    return reading.failure(kIncomplete,
+                           Text::tr("The robot answered with another region: none of the points lies in the "
+                                    "requested one. Nothing was written."));
   }
   for (const QString& note : came->notes()) reading.note(note);
-  disk::WrittenFile file(order.path.toStdString());
-  const auto written = clouds::writeCloud(*came->cloud, order.format, [&](std::string_view bytes) {
+  disk::WrittenFile file(order->path.toStdString());
+  const auto written = clouds::writeCloud(*came->cloud, order->format, [&](std::string_view bytes) {
     file.write(bytes);
     return file.good() && !reading.time().over();
   });
   if (!written && file.good()) {
-    return tl::make_unexpected(
-        reading.failure(kIncomplete, CloudsText::tr("The time ran out before the file was written.")));
+    return reading.failure(kIncomplete, Text::tr("The time ran out before the file was written."));
   }
   if (const auto fault = file.place()) {
     return wrong(sentences::sentenceOf(disk::notWritten(*fault)));
   }
-  if (words.json) {
-    printJson(jsonOf(words, *came, *written));
-  }
+  if (words.json) printJson(jsonOf(words, *came, *written));
   return came->complete() ? kDone : kIncomplete;
-}
-
-int runClouds(const CloudsWords& words, int& argc, char** argv) {
-  MapsCommand command(words.timeout_s, {});
-  return command.run(argc, argv, [&words](MapsCommand& each) -> CommandResult<int> {
-    const auto order = orderFrom(words);
-    if (!order) return tl::make_unexpected(order.error());
-    return exportCloud(each, words, *order);
-  });
 }
 
 }  // namespace
@@ -142,8 +119,8 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
   const int given = int(!words.box.empty()) + int(!words.sphere.empty()) + int(words.all);
   if (given != 1) {
     return tl::make_unexpected(
-        CloudsText::tr("Which part? Pass --box or --sphere, or --all for the whole map (its size is not "
-                       "known in advance)."));
+        Text::tr("Which part? Pass --box or --sphere, or --all for the whole map (its size is not "
+                 "known in advance)."));
   }
   if (words.all) return std::optional<map::CloudRegion>();
   map::CloudRegion region;
@@ -151,7 +128,7 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
     const auto typed = numbersFrom(words.box);
     const std::vector<double> box = typed && typed->size() == 6 ? *typed : std::vector<double>(6);
     if (!(box[3] > 0 && box[4] > 0 && box[5] > 0)) {
-      return tl::make_unexpected(CloudsText::tr(
+      return tl::make_unexpected(Text::tr(
           "--box is X,Y,Z,LX,LY,LZ: its centre and the lengths of its sides (greater than 0), in metres."));
     }
     region.centre_m = {box[0], box[1], box[2]};
@@ -162,7 +139,7 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
   const std::vector<double> sphere = typed && typed->size() == 4 ? *typed : std::vector<double>(4);
   if (!(sphere[3] > 0)) {
     return tl::make_unexpected(
-        CloudsText::tr("--sphere is X,Y,Z,R: its centre and its radius (greater than 0), in metres."));
+        Text::tr("--sphere is X,Y,Z,R: its centre and its radius (greater than 0), in metres."));
   }
   region.centre_m = {sphere[0], sphere[1], sphere[2]};
   region.radius_m = sphere[3];
@@ -173,28 +150,27 @@ void addClouds(Commands& commands) {
   const auto shared = std::make_shared<CloudsWords>();
   CloudsWords& words = *shared;
   CLI::App* const clouds =
-      commands.program().add_subcommand("clouds", help(CloudsText::tr("The robot's 3D map, as points")));
+      commands.program().add_subcommand("clouds", help(Text::tr("The robot's 3D map, as points")));
   clouds->require_subcommand(1);
   CLI::App* const command = clouds->add_subcommand(
-      "export",
-      help(CloudsText::tr("Write the points of a region or of the whole map to a PCD, PLY or CSV file")));
-  addRobot(*command, words.robot, words.access,
-           CloudsText::tr("Robot address, for example rep130+ws://HOST:9090 (or MAPWRIGHT_ROBOT)"));
+      "export", help(Text::tr("Write the points of a region or of the whole map to a PCD, PLY or CSV file")));
+  addRobot(*command, words,
+           Text::tr("Robot address, for example rep130+ws://HOST:9090 (or MAPWRIGHT_ROBOT)"));
   command->add_option(
       "--box", words.box,
-      help(CloudsText::tr("X,Y,Z,LX,LY,LZ: the centre of a box and the lengths of its sides, in metres")));
+      help(Text::tr("X,Y,Z,LX,LY,LZ: the centre of a box and the lengths of its sides, in metres")));
   command->add_option("--sphere", words.sphere,
-                      help(CloudsText::tr("X,Y,Z,R: the centre of a sphere and its radius, in metres")));
-  command->add_flag("--all", words.all, help(CloudsText::tr("The whole map, regardless of its size")));
+                      help(Text::tr("X,Y,Z,R: the centre of a sphere and its radius, in metres")));
+  command->add_flag("--all", words.all, help(Text::tr("The whole map, regardless of its size")));
   command->add_flag("--occupancy", words.occupancy,
-                    help(CloudsText::tr("The centres of occupied cells instead of measured points")));
-  command->add_option("-o,--output", words.output, help(CloudsText::tr("Output file: .pcd, .ply or .csv")))
+                    help(Text::tr("The centres of occupied cells instead of measured points")));
+  command->add_option("-o,--output", words.output, help(Text::tr("Output file: .pcd, .ply or .csv")))
       ->required();
-  command->add_flag("--ascii", words.ascii, help(CloudsText::tr("Write the PCD file as text")));
-  command->add_flag("--force", words.force, help(CloudsText::tr("Replace an existing file")));
-  command->add_flag("--json", words.json, help(CloudsText::tr("Print a summary on standard output")));
+  command->add_flag("--ascii", words.ascii, help(Text::tr("Write the PCD file as text")));
+  command->add_flag("--force", words.force, help(Text::tr("Replace an existing file")));
+  command->add_flag("--json", words.json, help(Text::tr("Print a summary on standard output")));
   addTimeout(*command, words.timeout_s);
-  commands.add(command, shared, runClouds);
+  addReading(commands, command, shared, exportCloud);
 }
 
 }  // namespace mapwright::app

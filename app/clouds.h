@@ -7,20 +7,17 @@
 #include <QString>
 #include <tl/expected.hpp>
 
-#include "app/robot_access.h"
+#include "app/commands.h"
 #include "map/map_part.h"
 
 namespace mapwright::app {
 
 /// The options as typed; empty = not given.
-struct CloudsWords {
-  std::string robot;
-  AccessWords access;
+struct CloudsWords : RobotWords {
   std::string box;     // X,Y,Z,LX,LY,LZ in metres
   std::string sphere;  // X,Y,Z,R
-  bool all = false, occupancy = false, ascii = false, json = false, force = false;
+  bool all = false, occupancy = false, ascii = false, force = false;
   std::string output;
-  double timeout_s = 60;
 };
 
 /// The requested region; nullopt = the whole map. The error is a sentence.

@@ -1,68 +1,167 @@
 #include "app/command_line.h"
 
+#include <cerrno>
 #include <csignal>
-#include <cstdio>
+#include <cstring>
 #include <exception>
+#include <filesystem>
 #include <string>
+#include <system_error>
+#include <unistd.h>
+#include <vector>
 
 #include <CLI/CLI.hpp>
-#include <QCoreApplication>
+#include <QApplication>
+#include <QStandardPaths>
 
-#include "app/bench_program.h"
+#include "app/command_text.h"
 #include "app/commands.h"
-#include "app/exit_code.h"
+#include "app/display.h"
 #include "app/log.h"
-#include "app/option_words.h"
-#include "app/output_paths.h"
-#include "app/recording_operand.h"
-#include "app/window.h"
-#include "app/xdg.h"
+#include "app/output.h"
+#include "app/robot_factory.h"
+#include "app/settings_file.h"
+#include "app/snapshot.h"
+#include "replay/replay_robot.h"
+#include "robot/address.h"
+#include "robot/files/local_maps.h"
+#include "robot/recorded/recorded_robot.h"
+#include "robot/second_server.h"
+#include "ui/robot/recent_robots.h"
+#include "ui/view/replay_state.h"
+#include "window/main_window.h"
+#include "window/work_settings.h"
 #include "words/plain.h"
 #include "words/qt_plain.h"
+#include "work/workers.h"
 
 namespace mapwright::app {
 namespace {
 
-class CommandLineText {
-  Q_DECLARE_TR_FUNCTIONS(CommandLine)
-};
+/// Replaces this process with mapwright-bench from the same folder; returns an exit code only if it is
+/// missing.
+int benchmarks(const std::vector<std::string>& arguments) {
+  std::error_code unknown;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  std::vector<std::string> words{(self.parent_path() / "mapwright-bench").string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  ::execv(argv[0], argv.data());
+  const int error = errno;
+  const QString program = QString::fromStdString(words::plainLine(std::string_view(words[0])));
+  const QString why =
+      error == ENOENT
+          ? Text::tr(
+                "The benchmarks are a separate program that is built on demand, and there is "
+                "no %1. Run \"./run bench\" in mapwright's source tree.")
+                .arg(program)
+          : Text::tr("%1 cannot be started: %2.").arg(program, QString::fromLocal8Bit(std::strerror(error)));
+  return refuse(kUsage, why);
+}
+
+int showWindow(const QString& address, const RobotAccess& known) {
+  const std::unique_ptr<QSettings> settings = openSettings();
+  const robot::Addresses addresses = knownAddresses();
+  const window::KeptWorkSettings kept = window::workSettingsIn(*settings);
+  for (const QString& sentence : kept.nonsense) say(sentence);
+  window::MainWindow::Dependencies wanted{
+      [&](const QString& to, const QByteArray& typed_secret) {
+        Access access = known.forAddress(to);
+        if (!typed_secret.isEmpty()) access.secret = typed_secret;
+        const window::TrustedCertificates trusted(*settings);
+        const auto parsed = addresses.parse(to);
+        if (parsed) access.trust.pinned_sha256 = net::fingerprintFrom(trusted.of(robot::hostOf(*parsed)));
+        auto made = makeRobot(to, access, DemoTime::Running);
+        robot::SecondServer* const second = made ? robot::secondServerOf(**made) : nullptr;
+        const QString beside = second ? trusted.of(second->hostBeside()) : QString();
+        if (!beside.isEmpty()) second->trustBeside(beside);
+        // A recording is viewed by playing it.
+        if (made && parsed && !parsed->path.isEmpty() && robot::recorded::isRecording(parsed->path))
+          *made = std::make_unique<replay::ReplayRobot>(
+              std::move(*made), robot::recorded::bagNameOf(parsed->path), window::followedReading());
+        return made;
+      },
+      *settings, address};
+  wanted.session = sessionOptions();
+  wanted.yamls_naming = robot::files::yamlsNaming;
+  wanted.edit.drafts_folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+                              QStringLiteral("/mapwright/drafts");
+  wanted.addresses = addresses;
+  wanted.workers = std::make_shared<work::Workers>(kept.settings.threads);
+  wanted.budgets = kept.settings.budgets();
+  window::MainWindow main_window(std::move(wanted));
+  main_window.show();
+  const int exit_code = QApplication::exec();
+  settings->sync();
+  if (settings->status() != QSettings::NoError) {
+    say(Text::tr("The window layout cannot be saved: %1 is not writable.").arg(settings->fileName()));
+  }
+  return exit_code;
+}
+
+/// Opens the window; `address` empty = not connected. Returns the exit code.
+int openWindow(const QString& address, const AccessWords& words, int& argc, char** argv) {
+  chooseWindowPlatform();
+  QApplication application(argc, argv);
+  const auto access = RobotAccess::read(words, address);
+  if (!access) return refuse(kUsage, access.error());
+  if (!haveDisplay()) {
+    return refuse(
+        kUsage, Text::tr("There is no display to open the window on. mapwright snapshot works without one."));
+  }
+  return showWindow(address, *access);
+}
+
+/// The window on the embedded simulator; without a display it writes mapwright-demo.png and prints its name.
+int openDemo(const QString& query, int& argc, char** argv) {
+  const QString address = query.isEmpty() ? QStringLiteral("demo:") : QStringLiteral("demo:?") + query;
+  {
+    chooseWindowPlatform();
+    QApplication application(argc, argv);
+    if (haveDisplay()) return showWindow(address, {});
+  }
+  const QString picture = QStringLiteral("mapwright-demo.png");
+  say(Text::tr("There is no display to open the window on. Rendering %1 instead.").arg(picture));
+  SnapshotWords words;
+  words.robot = address.toStdString();
+  words.output = picture.toStdString();
+  return snapshot(words, argc, argv);
+}
 
 int runCommand(int argc, char** argv) {
   std::string robot, demo_query, operand, log_rules;
   AccessWords access;
   CLI::App cli(
-      help(CommandLineText::tr(
+      help(Text::tr(
           "mapwright: look at the maps of mobile robots. Without a subcommand it opens the window.")),
       "mapwright");
   cli.set_version_flag("--version", std::string("mapwright ") + MAPWRIGHT_VERSION);
-  cli.set_help_all_flag("--help-all", help(CommandLineText::tr("Help for all subcommands")));
+  cli.set_help_all_flag("--help-all", help(Text::tr("Help for all subcommands")));
   cli.require_subcommand(0, 1);
-  cli.add_option(
-         "--robot", robot,
-         help(CommandLineText::tr("Connect the window to this robot, for example "
-                                  "axbot+http://192.168.25.25:8090; aimdk+http://HOST?tf=ws://HOST:9090 "
-                                  "names an Agibot robot and the rosbridge that provides its pose")))
+  cli.add_option("--robot", robot,
+                 help(Text::tr("Connect the window to this robot, for example "
+                               "axbot+http://192.168.25.25:8090; aimdk+http://HOST?tf=ws://HOST:9090 "
+                               "names an Agibot robot and the rosbridge that provides its pose")))
       ->envname("MAPWRIGHT_ROBOT");
   addAccess(cli, access);
-  CLI::App* demo =
-      cli.add_subcommand("demo", help(CommandLineText::tr("Open the window with a simulated robot")));
-  demo->add_option("query", demo_query,
-                   help(CommandLineText::tr("For example scene=warehouse&submaps=500&seed=3")));
-  cli.add_option("file", operand,
-                 help(CommandLineText::tr("A map or a recording (MCAP or ROS 1 bag) to open")));
-  CLI::App* play = cli.add_subcommand("play", help(CommandLineText::tr("Open the window with a recording")));
-  play->add_option("file", operand, help(CommandLineText::tr("MCAP or ROS 1 bag")))->required();
+  CLI::App* demo = cli.add_subcommand("demo", help(Text::tr("Open the window with a simulated robot")));
+  demo->add_option("query", demo_query, help(Text::tr("For example scene=warehouse&submaps=500&seed=3")));
+  cli.add_option("file", operand, help(Text::tr("A map or a recording (MCAP or ROS 1 bag) to open")));
+  CLI::App* play = cli.add_subcommand("play", help(Text::tr("Open the window with a recording")));
+  play->add_option("file", operand, help(Text::tr("MCAP or ROS 1 bag")))->required();
   Commands commands(cli);
   for (const auto add : {addSimulate, addSnapshot, addMaps, addProjections, addWaypoints, addBags, addRecord,
                          addClouds, addTopics})
     add(commands);
   addLog(cli, log_rules);
   CLI::App* bench = cli.add_subcommand(
-      "bench", help(CommandLineText::tr(
-                   "Run the benchmarks, which compare mapwright with other ways of doing the same")));
+      "bench",
+      help(Text::tr("Run the benchmarks, which compare mapwright with other ways of doing the same")));
   bench->prefix_command();
-  bench->footer(help(CommandLineText::tr(
-      "Everything after bench goes to Google Benchmark, for example --benchmark_filter=Compose")));
+  bench->footer(help(
+      Text::tr("Everything after bench goes to Google Benchmark, for example --benchmark_filter=Compose")));
   bench->set_help_flag();
 
   refuseOddWords(cli);
@@ -71,27 +170,20 @@ int runCommand(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return cli.exit(error);
     const QString why = QString::fromStdString(words::plainLine(std::string_view(error.what())));
-    std::fprintf(stderr, "%s\n", qUtf8Printable(CommandLineText::tr("%1 (see mapwright --help)").arg(why)));
-    return kUsage;
+    return refuse(kUsage, Text::tr("%1 (see mapwright --help)").arg(why));
   }
-  if (const auto started = startLog(log_rules); !started) {
-    std::fprintf(stderr, "%s\n", qUtf8Printable(words::plainLine(started.error())));
-    return kUsage;
-  }
+  if (const auto started = startLog(log_rules); !started) return refuse(kUsage, started.error());
   if (const auto code = commands.run({robot, access, argc, argv})) return *code;
-  if (bench->parsed()) return app::bench(bench->remaining());
-  if (demo->parsed()) return app::demo(QString::fromStdString(demo_query), argc, argv);
-  if (operand.empty()) return window(QString::fromStdString(robot), access, argc, argv);
+  if (bench->parsed()) return benchmarks(bench->remaining());
+  if (demo->parsed()) return openDemo(QString::fromStdString(demo_query), argc, argv);
+  if (operand.empty()) return openWindow(QString::fromStdString(robot), access, argc, argv);
   const QString file = QString::fromStdString(operand);
   // A mistyped subcommand is not a file.
   if (!isFileName(file) && !play->parsed()) {
-    std::fprintf(stderr, "%s\n",
-                 qUtf8Printable(CommandLineText::tr(
-                                    "%1 is neither a subcommand nor an existing file (see mapwright --help)")
-                                    .arg(words::plainName(file))));
-    return kUsage;
+    return refuse(kUsage, Text::tr("%1 is neither a subcommand nor an existing file (see mapwright --help)")
+                              .arg(words::plainName(file)));
   }
-  return window(file, access, argc, argv);
+  return openWindow(file, access, argc, argv);
 }
 
 }  // namespace
@@ -105,8 +197,7 @@ int commandLine(int argc, char** argv) {
     return concludeStandardOutput(runCommand(argc, argv));
   } catch (const std::exception& error) {
     const QString why = QString::fromStdString(words::plainLine(std::string_view(error.what())));
-    std::fprintf(stderr, "%s\n", qUtf8Printable(CommandLineText::tr("mapwright had to stop: %1").arg(why)));
-    return kRobotError;
+    return refuse(kRobotError, Text::tr("mapwright had to stop: %1").arg(why));
   }
 }
 

@@ -1,22 +1,28 @@
 #include "app/commands.h"
 
-#include <CLI/CLI.hpp>
-#include <QCoreApplication>
+#include <charconv>
+#include <cmath>
 
-#include "app/option_words.h"
+#include <CLI/CLI.hpp>
+
+#include "app/command_text.h"
 
 namespace mapwright::app {
-namespace {
 
-class CommandsText {
-  Q_DECLARE_TR_FUNCTIONS(CommandLine)
-};
-
-}  // namespace
-
-void inherit(std::string& robot, AccessWords& access, const Invocation& before) {
-  if (robot.empty()) robot = before.robot;
-  access = withOuter(access, robot, before.access, before.robot);
+void inherit(RobotWords& words, const Invocation& before) {
+  if (words.robot.empty()) words.robot = before.robot;
+  AccessWords& access = words.access;
+  const AccessWords& outer = before.access;
+  if (!outer.secret_file.empty()) {
+    if (!before.robot.empty() && before.robot != words.robot) {
+      access.secret_files_for.emplace_back(before.robot, outer.secret_file);
+    } else if (access.secret_file.empty()) {
+      access.secret_file = outer.secret_file;
+    }
+  }
+  access.secret_files_for.insert(access.secret_files_for.end(), outer.secret_files_for.begin(),
+                                 outer.secret_files_for.end());
+  if (access.ca_file.empty()) access.ca_file = outer.ca_file;
 }
 
 std::optional<int> Commands::run(const Invocation& before) const {
@@ -28,37 +34,76 @@ std::optional<int> Commands::run(const Invocation& before) const {
 
 // No envname(): the variable would also be read for subcommands that were not given, and override what was
 // typed. It is handled by the option before the subcommand.
-void addRobot(CLI::App& command, std::string& robot, AccessWords& access, const QString& about) {
-  command.add_option("--robot", robot, help(about));
-  addAccess(command, access);
+void addRobot(CLI::App& command, RobotWords& words, const QString& about) {
+  command.add_option("--robot", words.robot, help(about));
+  addAccess(command, words.access);
 }
 
 void addAccess(CLI::App& command, AccessWords& access) {
-  command.add_option(
-      "--secret-file", access.secret_file,
-      help(CommandsText::tr("File with the secret for the robot of --robot (or MAPWRIGHT_SECRET)")));
+  command.add_option("--secret-file", access.secret_file,
+                     help(Text::tr("File with the secret for the robot of --robot (or MAPWRIGHT_SECRET)")));
   command
-      .add_option(
-          "--secret-file-for", access.secret_files_for,
-          help(CommandsText::tr("Address of another robot, and the file with its secret; may be repeated")))
+      .add_option("--secret-file-for", access.secret_files_for,
+                  help(Text::tr("Address of another robot, and the file with its secret; may be repeated")))
       ->type_name("ADDRESS FILE")
       ->allow_extra_args(false);
   command.add_option("--ca-file", access.ca_file,
-                     help(CommandsText::tr("PEM file with certificate authorities (or self-signed "
-                                           "certificates) to trust in addition to the system's")));
+                     help(Text::tr("PEM file with certificate authorities (or self-signed "
+                                   "certificates) to trust in addition to the system's")));
 }
 
 void addTimeout(CLI::App& command, double& timeout_s, const QString& about) {
-  const QString usual = CommandsText::tr("Give up waiting after this many seconds");
+  const QString usual = Text::tr("Give up waiting after this many seconds");
   command.add_option("--timeout", timeout_s, help(about.isEmpty() ? usual : about))->capture_default_str();
 }
 
 void addReport(CLI::App& command, std::string& path) {
-  command.add_option("--report", path, help(CommandsText::tr("Write a summary and all warnings as JSON")));
+  command.add_option("--report", path, help(Text::tr("Write a summary and all warnings as JSON")));
 }
 
 void addJson(CLI::App& command, bool& json) {
-  command.add_flag("--json", json, help(CommandsText::tr("Print JSON")));
+  command.add_flag("--json", json, help(Text::tr("Print JSON")));
+}
+
+std::optional<QString> whyNoTimeout(double timeout_s) {
+  if (timeout_s > 0 && timeout_s <= 86'400) return std::nullopt;
+  return Text::tr("--timeout must be greater than 0 and at most 86400 seconds.");
+}
+
+bool isDecimal(const std::string& word) {
+  const char* first = word.data();
+  const char* const last = first + word.size();
+  if (first != last && (*first == '+' || *first == '-')) ++first;
+  if (first == last || !(*first == '.' || (*first >= '0' && *first <= '9'))) return false;  // "inf", "nan"
+  double number = 0;
+  const auto [end, error] = std::from_chars(first, last, number);
+  return end == last && error != std::errc::invalid_argument;
+}
+
+std::optional<std::vector<double>> numbersFrom(const std::string& typed) {
+  constexpr double kMost = 1e9;
+  std::vector<double> numbers;
+  for (const QString& part : QString::fromStdString(typed).split(QLatin1Char(','))) {
+    const QString word = part.trimmed();
+    const double number = word.toDouble();
+    if (!isDecimal(word.toStdString()) || !(std::abs(number) <= kMost)) return std::nullopt;
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+void refuseOddWords(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;  // a flag
+    const std::string type = option->get_type_name();
+    const bool number = type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT");
+    option->check([number](const std::string& word) {
+      if (word.empty()) return Text::tr("the value is empty").toStdString();
+      if (!number || isDecimal(word)) return std::string();
+      return Text::tr("\"%1\" is not a number").arg(QString::fromStdString(word)).toStdString();
+    });
+  }
+  for (CLI::App* command : app.get_subcommands({})) refuseOddWords(*command);
 }
 
 }  // namespace mapwright::app

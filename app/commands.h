@@ -2,15 +2,15 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <QString>
+#include <tl/expected.hpp>
 
+#include "app/exit_code.h"
 #include "app/robot_access.h"
 
 namespace CLI {
@@ -18,6 +18,32 @@ class App;
 }
 
 namespace mapwright::app {
+
+/// Why a command could not do its job: a sentence and the exit code that it comes with.
+struct CommandFailure {
+  int exit_code = 0;
+  QString sentence;
+};
+template <typename T>
+using CommandResult = tl::expected<T, CommandFailure>;
+/// The options given make no sense together or on their own.
+inline tl::unexpected<CommandFailure> wrong(const QString& sentence) {
+  return tl::make_unexpected(CommandFailure{kUsage, sentence});
+}
+/// The same failure as the result of something else.
+template <typename Result>
+auto passOn(const Result& failed) {
+  return tl::make_unexpected(failed.error());
+}
+
+/// The options of every command that talks to a robot, as typed; empty = not given.
+struct RobotWords {
+  std::string robot;
+  AccessWords access;
+  double timeout_s = 60;
+  std::string report;
+  bool json = false;
+};
 
 /// The options before the subcommand, and the arguments that Qt takes.
 struct Invocation {
@@ -27,9 +53,9 @@ struct Invocation {
   char** argv;
 };
 
-/// Uses the robot given before the subcommand if the subcommand names none; `access` gets the options given
-/// there.
-void inherit(std::string& robot, AccessWords& access, const Invocation& before);
+/// Uses the robot given before the subcommand if the subcommand names none, and the options given there: its
+/// --secret-file belongs to its --robot.
+void inherit(RobotWords& words, const Invocation& before);
 
 class Commands {
  public:
@@ -42,16 +68,6 @@ class Commands {
 
   /// `command` must not have subcommands of its own.
   void add(const CLI::App* command, Run run) { runs_.emplace_back(command, std::move(run)); }
-  /// For a command that talks to a robot: also applies the options given before it.
-  template <typename Words>
-  void add(const CLI::App* command, std::shared_ptr<Words> words,
-           std::type_identity_t<std::function<int(const Words&, int&, char**)>> run) {
-    add(command, [words = std::move(words), run = std::move(run)](const Invocation& before) {
-      inherit(words->robot, words->access, before);
-      return run(*words, before.argc, before.argv);
-    });
-  }
-
   /// Runs the command that was given; nullopt: none was given.
   std::optional<int> run(const Invocation& before) const;
 
@@ -60,9 +76,12 @@ class Commands {
   std::vector<std::pair<const CLI::App*, Run>> runs_;
 };
 
+/// What --help says, as CLI11 takes it.
+inline std::string help(const QString& text) { return text.toStdString(); }
+
 /// Adds --robot, --secret-file, --secret-file-for and --ca-file; `about`: which addresses it accepts. Values
 /// are written into the arguments, here and below, which must outlive `command`.
-void addRobot(CLI::App& command, std::string& robot, AccessWords& access, const QString& about);
+void addRobot(CLI::App& command, RobotWords& words, const QString& about);
 /// --secret-file, --secret-file-for and --ca-file.
 void addAccess(CLI::App& command, AccessWords& access);
 /// Adds --timeout in seconds; `about`: what is given up then, empty = waiting.
@@ -71,6 +90,16 @@ void addTimeout(CLI::App& command, double& timeout_s, const QString& about = {})
 void addReport(CLI::App& command, std::string& path);
 /// --json
 void addJson(CLI::App& command, bool& json);
+
+/// A sentence if --timeout is out of range.
+std::optional<QString> whyNoTimeout(double timeout_s);
+/// "12", "-0.5", "1e-3".
+bool isDecimal(const std::string& word);
+/// "1,-0.5, 2": decimal numbers separated by commas, absolute values up to 1e9; nullopt = anything else.
+std::optional<std::vector<double>> numbersFrom(const std::string& typed);
+/// Makes every option of `app` and its subcommands refuse empty values, and numeric ones anything but decimal
+/// numbers ("nan", "inf", "0x10" and "5 m" are refused).
+void refuseOddWords(CLI::App& app);
 
 // In the order of --help.
 void addSimulate(Commands& commands);

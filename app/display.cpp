@@ -3,22 +3,18 @@
 #include <cstdio>
 
 #include <QByteArray>
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QGuiApplication>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+#include "app/command_text.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 
 namespace mapwright::app {
 namespace {
-
-class DisplayText {
-  Q_DECLARE_TR_FUNCTIONS(Display)
-};
 
 // Parameters after the colon mark our own fallback, so that a user's plain "offscreen" still opens the window
 // there.
@@ -58,10 +54,7 @@ std::unique_ptr<QTemporaryDir> pinFonts() {
     auto folder = std::make_unique<QTemporaryDir>(place + QStringLiteral("/mapwright-XXXXXX"));
     if (folder->isValid() && pinFontsIn(folder->path())) return folder;
   }
-  std::fprintf(
-      stderr, "%s\n",
-      qUtf8Printable(DisplayText::tr(
-          "No folder is writable, so the built-in fonts cannot be used. Labels may look different.")));
+  say(Text::tr("No folder is writable, so the built-in fonts cannot be used. Labels may look different."));
   return nullptr;
 }
 

@@ -6,20 +6,16 @@
 #include <set>
 
 #include <CLI/CLI.hpp>
-#include <QCoreApplication>
 #include <QLoggingCategory>
 #include <QRegularExpression>
 
-#include "app/option_words.h"
+#include "app/command_text.h"
+#include "app/commands.h"
 #include "net/plain_sentences.h"
 #include "words/plain.h"
 
 namespace mapwright::app {
 namespace {
-
-class LogText {
-  Q_DECLARE_TR_FUNCTIONS(Log)
-};
 
 const QStringList kParts = {QStringLiteral("app"),       QStringLiteral("net"),   QStringLiteral("cache"),
                             QStringLiteral("rosbridge"), QStringLiteral("axbot"), QStringLiteral("aimdk"),
@@ -67,11 +63,10 @@ void writeLine(QtMsgType type, const QMessageLogContext& context, const QString&
 Q_LOGGING_CATEGORY(lcApp, "mapwright.app", QtWarningMsg)
 
 void addLog(CLI::App& program, std::string& rules) {
-  program.add_option(
-      "--log", rules,
-      help(LogText::tr("Tell on standard error what goes on: all, parts of the program such as "
-                       "net,session, or rules of Qt such as mapwright.net.debug=true (or "
-                       "MAPWRIGHT_LOG)")));
+  program.add_option("--log", rules,
+                     help(Text::tr("Tell on standard error what goes on: all, parts of the program such as "
+                                   "net,session, or rules of Qt such as mapwright.net.debug=true (or "
+                                   "MAPWRIGHT_LOG)")));
   for (CLI::App* command : program.get_subcommands({})) addLog(*command, rules);
 }
 
@@ -101,8 +96,8 @@ tl::expected<QString, QString> logRules(const QString& typed) {
                          !category.contains(QLatin1Char('*')) && !kParts.contains(category.mid(10));
     if (!parts.hasMatch() || category.isEmpty() || unknown) {
       return tl::make_unexpected(
-          LogText::tr("\"%1\" is no rule for the log. Give all, some of %2, or rules such as "
-                      "mapwright.net.debug=true.")
+          Text::tr("\"%1\" is no rule for the log. Give all, some of %2, or rules such as "
+                   "mapwright.net.debug=true.")
               .arg(rule, kParts.join(QLatin1String(", "))));
     }
     // "net=false" behind "all".

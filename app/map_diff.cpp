@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <QCoreApplication>
-
+#include "app/command_text.h"
 #include "disk/file_error.h"
 #include "disk/written_file.h"
 #include "grids/png_writer.h"
@@ -17,10 +16,6 @@
 
 namespace mapwright::app {
 namespace {
-
-class MapDiffText {
-  Q_DECLARE_TR_FUNCTIONS(MapDiff)
-};
 
 constexpr int kStrip = 256;  // rows
 constexpr double kMostCells = double(std::int64_t(1) << 34);
@@ -35,7 +30,7 @@ class DifferencePicture {
   bool row(const std::vector<std::uint8_t>& rgb) { return good_ = good_ && png_.row(rgb.data(), rgb.size()); }
   /// nullopt = the picture is in place.
   std::optional<QString> end() {
-    if (!good_ && file_.good()) return MapDiffText::tr("The picture of the differences cannot be encoded.");
+    if (!good_ && file_.good()) return Text::tr("The picture of the differences cannot be encoded.");
     const auto fault = file_.place();
     return fault ? std::optional(sentences::wordsOf(disk::notWritten(*fault))) : std::nullopt;
   }
@@ -72,7 +67,7 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
   }
   if (!((right - left) * (bottom - top) <= kMostCells)) {
     return tl::make_unexpected(
-        MapDiffText::tr("The two maps are too far apart or too large to be compared cell by cell."));
+        Text::tr("The two maps are too far apart or too large to be compared cell by cell."));
   }
   MapDiff diff;
   diff.width = int(right - left);

@@ -1,32 +1,30 @@
-#include "app/maps.h"
-
+// `mapwright maps …`: the maps of a robot or a folder, exports, differences and changes
+// (docs/command-line.md).
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <utility>
+#include <vector>
 
-#include <QCoreApplication>
+#include <CLI/CLI.hpp>
+#include <QDateTime>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonObject>
 
-#include "app/exit_code.h"
+#include "app/command_text.h"
 #include "app/map_diff.h"
-#include "app/map_facts.h"
-#include "app/map_region.h"
-#include "app/maps_command.h"
-#include "app/one_line.h"
-#include "app/output_paths.h"
-#include "app/report.h"
-#include "app/robot_access.h"
+#include "app/map_request.h"
+#include "app/output.h"
+#include "app/robot_command.h"
 #include "app/robot_factory.h"
-#include "app/table.h"
-#include "disk/file_error.h"
-#include "disk/written_file.h"
-#include "grids/export_grid.h"
+#include "jobs/change_map.h"
 #include "jobs/export_map.h"
 #include "robot/address.h"
+#include "robot/map_dispatch.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
+#include "sentences/problem_sentence.h"
+#include "sentences/subject_name.h"
 #include "session/lacks_picture.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -34,14 +32,97 @@
 namespace mapwright::app {
 namespace {
 
-class MapsText {
-  Q_DECLARE_TR_FUNCTIONS(Maps)
-};
-
+using robot::MapChange;
 using words::text;
 
+/// The options as typed; empty = not given.
+struct MapsWords : RobotWords {
+  std::string id;             // show, export: a map (12, mapping:48, live, submaps)
+  std::string label;          // rename, save: the new name
+  std::string place;          // load: the name of the waypoint where the robot stands
+  std::string first, second;  // diff: a map of the robot, or a file
+  std::string output, format, diff_picture;
+  std::string resolution, origin;  // of a plain picture file; resolution also for exported submaps
+  std::string region;              // export: X,Y,LX,LY
+  std::string filename;            // save-on-robot
+  bool world_file = false;
+  bool force = false;  // overwrite files even if the map was read from them
+  bool yes = false;    // delete: confirmed
+};
+
+/// "2026-11-22 10:00"; "-" = unknown. `epoch_s`: seconds since 1970.
+QString dateText(std::optional<double> epoch_s) {
+  if (!epoch_s || !(*epoch_s > 0) || *epoch_s > 4e11) return QStringLiteral("-");
+  return QDateTime::fromMSecsSinceEpoch(qint64(*epoch_s * 1000)).toString(QStringLiteral("yyyy-MM-dd hh:mm"));
+}
+
+/// [{"id","name","type","x","y","yaw"}], metres and radians.
+QJsonArray pointsJson(const std::vector<map::Waypoint>& points) {
+  QJsonArray rows;
+  for (const map::Waypoint& point : points) {
+    rows << QJsonObject{{QStringLiteral("id"), text(point.id)},
+                        {QStringLiteral("name"), text(point.name)},
+                        {QStringLiteral("type"), text(point.type)},
+                        {QStringLiteral("x"), point.position_m.x()},
+                        {QStringLiteral("y"), point.position_m.y()},
+                        {QStringLiteral("yaw"), point.yaw_rad ? QJsonValue(*point.yaw_rad) : QJsonValue()}};
+  }
+  return rows;
+}
+
+void addPoints(std::vector<QStringList>& table, const std::vector<map::Waypoint>& points) {
+  for (const map::Waypoint& point : points) {
+    table.push_back({Text::tr("point"),
+                     Text::tr("%1 %2  x %3 m, y %4 m%5")
+                         .arg(words::plainName(point.id), words::plainName(point.name),
+                              QString::number(point.position_m.x()), QString::number(point.position_m.y()),
+                              point.yaw_rad ? Text::tr(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
+  }
+}
+
+void addRow(std::vector<QStringList>& table, const map::CatalogueEntry& row) {
+  table.push_back({Text::tr("date"), dateText(row.modified_s ? row.modified_s : row.created_s)});
+  table.push_back({Text::tr("current"), row.is_current ? Text::tr("yes") : Text::tr("no")});
+}
+
+/// Shows what is known of a map without a picture (session::lacksPicture()): its name, catalogue entry and
+/// waypoints; "grid" is null in JSON. Reports the missing picture, and the result is incomplete.
+CommandResult<int> showWithoutPicture(RobotReading& reading, bool json_wanted) {
+  session::Session& session = reading.session();
+  const session::MapSlot& slot = session.wholeMap();
+  const map::MapKey key = slot.key();
+  const auto no_picture = reading.failure(kIncomplete, sentences::sentenceOf(slot.remark()));
+  std::vector<map::Waypoint> points;
+  if (robot::WaypointSource* const source = session.robot().waypointSource()) {
+    auto told = reading.ask<map::WaypointList>(
+        [&](robot::OutcomeTo<map::WaypointList> reply) { return source->waypoints(key, std::move(reply)); });
+    if (!told) return reading.failure(told.error());
+    points = std::move(told->points);
+    for (const Fault& note : told->notes)
+      reading.note(
+          QStringLiteral("%1: %2").arg(sentences::nameOf(map::placesOf(key)), sentences::sentenceOf(note)));
+  }
+  const map::CatalogueEntry* const row = session.catalogue().find(key);
+  if (json_wanted) {
+    QJsonObject json = row ? entryJson(*row)
+                           : QJsonObject{{QStringLiteral("id"), text(map::toText(key))},
+                                         {QStringLiteral("name"), slot.name()}};
+    json[QStringLiteral("grid")] = QJsonValue();
+    json[QStringLiteral("waypoints")] = pointsJson(points);
+    printJson(json);
+    return no_picture;
+  }
+  std::vector<QStringList> table{{Text::tr("id"), text(map::toText(key))},
+                                 {Text::tr("name"), words::plainName(slot.name().toStdString())},
+                                 {Text::tr("picture"), Text::tr("none")}};
+  if (row) addRow(table, *row);
+  addPoints(table, points);
+  printTable(table);
+  return no_picture;
+}
+
 QStringList rowOf(const map::CatalogueEntry& row) {
-  const QString version = row.is_archived   ? MapsText::tr("archived")
+  const QString version = row.is_archived   ? Text::tr("archived")
                           : row.map_version ? QStringLiteral("v%1").arg(*row.map_version)
                                             : text(row.state);
   return {row.is_current ? QStringLiteral("*") : QStringLiteral(" "), text(map::toText(row.key)),
@@ -89,258 +170,403 @@ std::optional<QString> whyNoPlaceIn(const MapsWords& words) {
   return why;
 }
 
-using Opened = CommandResult<MapReading*>;
-Opened openRobot(MapsCommand& command, const QString& address, const MapsWords& words,
-                 MapReading::Purpose purpose = MapReading::Purpose::Maps) {
-  if (const auto why = whyNoPlaceIn(words)) return tl::make_unexpected(CommandFailure{kUsage, *why});
-  const auto access = RobotAccess::read(words.access, text(words.robot));
-  if (!words.resolution.empty() && !(resolutionOf(words) > 0)) {
-    return tl::make_unexpected(
-        CommandFailure{kUsage, MapsText::tr("--resolution %1: give metres per cell, for example 0.05.")
-                                   .arg(text(words.resolution))});
+CommandResult<RobotReading*> openRobot(RobotCommand& command, const MapsWords& words, const QString& address,
+                                       RobotReading::Purpose purpose = RobotReading::Purpose::Maps) {
+  if (const auto why = whyNoPlaceIn(words)) return wrong(*why);
+  if (!words.resolution.empty() && !(resolutionOf(words) > 0))
+    return wrong(
+        Text::tr("--resolution %1: give metres per cell, for example 0.05.").arg(text(words.resolution)));
+  return command.open(purpose, placedFile(address, words.resolution, words.origin));
+}
+
+/// Its live map comes from a map dispatcher only, which can also send it whole on request.
+bool givesMapWhenAsked(robot::Robot& robot) {
+  robot::MapDispatch* const dispatch = robot.mapDispatch();
+  if (!dispatch || !robot.liveTopics() || !dispatch->offered(robot::DispatchService::Grid)) return false;
+  const auto offers = dispatch->offers();
+  const QStringList by = robot.liveTopics()->topicsOf(map::Stream::WholeMap);
+  return std::all_of(by.begin(), by.end(), [&](const QString& name) {
+    return std::any_of(offers.begin(), offers.end(), [&](const robot::DispatchOffer& offer) {
+      return offer.service == robot::DispatchService::Grid && offer.name == name.toStdString();
+    });
+  });
+}
+
+RobotReading::Purpose purposeOf(const std::string& id) {
+  return id == "submaps" ? RobotReading::Purpose::Submaps : RobotReading::Purpose::Maps;
+}
+
+void print(const map::CatalogueEntry& entry, bool json) {
+  if (json) {
+    printJson(entryJson(entry));
+  } else {
+    printLine(
+        QStringLiteral("%1  %2").arg(words::plainName(map::toText(entry.key)), words::plainName(entry.name)));
   }
-  if (!access) return tl::make_unexpected(CommandFailure{kUsage, access.error()});
-  return command.open(placedFile(address, words.resolution, words.origin), access->forAddress(address),
-                      purpose);
 }
 
-MapReading::Purpose purposeOf(const std::string& id) {
-  return id == "submaps" ? MapReading::Purpose::Submaps : MapReading::Purpose::Maps;
+CommandResult<int> mapsList(RobotCommand& command, const MapsWords& words) {
+  auto robot = openRobot(command, words, text(words.robot));
+  if (!robot) return passOn(robot);
+  const auto rows = (*robot)->catalogue();
+  if (!rows) return passOn(rows);
+  if (words.json) {
+    QJsonArray list;
+    for (const map::CatalogueEntry& row : **rows) list << entryJson(row);
+    printJson(list);
+    return kDone;
+  }
+  if ((*rows)->empty()) {
+    printLine(Text::tr("There are no maps."));
+    return kDone;
+  }
+  std::vector<QStringList> table{
+      {QStringLiteral(" "), Text::tr("ID"), Text::tr("VERSION"), Text::tr("DATE"), Text::tr("NAME")}};
+  for (const map::CatalogueEntry& row : **rows) table.push_back(rowOf(row));
+  printTable(table);
+  return kDone;
 }
 
-/// A command's frame.
-template <typename Command>
-int run(const MapsWords& words, int& argc, char** argv, Command command) {
-  return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, command);
+CommandResult<int> mapsCurrent(RobotCommand& command, const MapsWords& words) {
+  auto robot = openRobot(command, words, text(words.robot));
+  if (!robot) return passOn(robot);
+  const auto rows = (*robot)->catalogue();
+  if (!rows) return passOn(rows);
+  const map::CatalogueEntry* const current = (*robot)->session().catalogue().current();
+  if (!current) {
+    return tl::make_unexpected(CommandFailure{
+        kRobotError, Text::tr("%1: none of its maps is the current one.").arg(text(words.robot))});
+  }
+  print(*current, words.json);
+  return kDone;
+}
+
+CommandResult<int> mapsShow(RobotCommand& command, const MapsWords& words) {
+  auto robot = openRobot(command, words, text(words.robot), purposeOf(words.id));
+  if (!robot) return passOn(robot);
+  const bool stored = !words.id.empty() && words.id != "live" && words.id != "submaps";
+  if (stored) {  // the catalogue has its dates and versions
+    if (const auto rows = (*robot)->catalogue(); !rows) return passOn(rows);
+  }
+  const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
+  if (!placed && session::lacksPicture((*robot)->session().wholeMap()))
+    return showWithoutPicture(**robot, words.json);
+  if (!placed) return passOn(placed);
+  session::Session& session = (*robot)->session();
+  const map::WholeMap& shown = session.wholeMap().shown();
+  const map::CatalogueEntry* const row = session.catalogue().find(shown.key);
+  const QString id = words.id == "submaps" ? text(words.id) : text(map::toText(shown.key));
+  QJsonObject json =
+      row ? entryJson(*row)
+          : QJsonObject{{QStringLiteral("id"), id}, {QStringLiteral("name"), (*robot)->nameOfMap()}};
+  json[QStringLiteral("grid")] = gridJson(placed->reference);
+  json[QStringLiteral("overlays")] = int(shown.overlays.size());
+  json[QStringLiteral("trajectories")] = int(shown.trajectories.size());
+  json[QStringLiteral("landmarks")] = int(shown.landmarks.size());
+  json[QStringLiteral("waypoints")] = pointsJson(session.wholeMap().waypoints().points);
+  if (shown.display_rotation_rad) json[QStringLiteral("display_rotation")] = *shown.display_rotation_rad;
+  if (words.json) {
+    printJson(json);
+    return kDone;
+  }
+  const map::GridReference& grid = placed->reference;
+  std::vector<QStringList> table{
+      {Text::tr("id"), id},
+      {Text::tr("name"), words::plainName((*robot)->nameOfMap())},
+      {Text::tr("cells"), QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)},
+      {Text::tr("resolution"), Text::tr("%1 m").arg(grid.resolution_m)},
+      {Text::tr("origin"), Text::tr("x %1 m, y %2 m, yaw %3 rad (lower left corner)")
+                               .arg(grid.origin.x_m)
+                               .arg(grid.origin.y_m)
+                               .arg(grid.origin.yaw_rad)},
+      {Text::tr("extent"), Text::tr("%1 m x %2 m")
+                               .arg(grid.width * grid.resolution_m, 0, 'f', 2)
+                               .arg(grid.height * grid.resolution_m, 0, 'f', 2)}};
+  if (row) addRow(table, *row);
+  table.push_back({Text::tr("overlays"), QString::number(shown.overlays.size())});
+  addPoints(table, session.wholeMap().waypoints().points);
+  printTable(table);
+  return kDone;
+}
+
+CommandResult<int> mapsExport(RobotCommand& command, const MapsWords& words) {
+  const QString output = text(words.output);
+  const QString suffix = QFileInfo(output).suffix().toLower();
+  const bool printed = isStandardOutput(output);
+  QString format = !words.format.empty() ? text(words.format) : printed ? QStringLiteral("png") : suffix;
+  if (format == QLatin1String("yaml") || format == QLatin1String("yml")) format = QStringLiteral("pgm");
+  if (format != QLatin1String("png") && format != QLatin1String("pgm")) {
+    return wrong(Text::tr("--output %1: the name must end in .png, or in .pgm or .yaml to get both of "
+                          "these; or pass --format png or pgm.")
+                     .arg(output));
+  }
+  const bool names_png = suffix == QLatin1String("png");
+  const bool names_pgm = suffix == QLatin1String("pgm") || suffix.startsWith(QLatin1Char('y'));
+  if (!words.format.empty() && (format == QLatin1String("png") ? names_pgm : names_png)) {
+    return wrong(Text::tr("--output %1 contradicts --format %2.").arg(output, text(words.format)));
+  }
+  if (printed && (format != QLatin1String("png") || words.world_file)) {
+    return wrong(
+        Text::tr("Only a single PNG can be written to the standard output (--output %1).").arg(output));
+  }
+  if (const auto why = whyNotWritable(output)) return wrong(*why);
+  if (const auto why = whyNotTogether({output, text(words.report)})) return wrong(*why);
+  std::optional<map::GridRegion> region;
+  const bool live = words.id.empty() || words.id == "live";
+  if (!words.region.empty()) {
+    const auto typed = gridRegionFrom(words.region);
+    if (!typed) return wrong(typed.error());
+    if (!live)
+      return wrong(Text::tr("--region only works with the live map, not with %1.").arg(text(words.id)));
+    region = *typed;
+  }
+  auto robot = openRobot(command, words, text(words.robot), purposeOf(words.id));
+  if (!robot) return passOn(robot);
+  // An export always means the whole map, whatever its size.
+  const bool by_part = region || (live && givesMapWhenAsked((*robot)->session().robot()));
+  const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(words.id), resolutionOf(words));
+  if (!placed) return passOn(placed);
+  const bool png = format == QLatin1String("png");
+  const jobs::ExportRequest request{jobs::WholeMapExport{placed->cells, placed->reference},
+                                    png ? jobs::ExportFormat::MapPicture : jobs::ExportFormat::MapServer,
+                                    output, words.world_file};
+  const QStringList outputs = jobs::exportedFiles(output, request.format, words.world_file);
+  const auto why = overOwnSource(outputs, (*robot)->sourceFiles());
+  if (why && !words.force) return wrong(*why);
+  const jobs::ExportResult written = jobs::exportMap(request, nullptr);
+  if (!written.error.isEmpty()) return wrong(written.error);
+  if (!printed && !isStandardOutput(text(words.report))) {
+    const map::GridReference& grid = placed->reference;
+    printLine(Text::tr("%1: %2 x %3 cells of %4 m")
+                  .arg(oneLine(output), QString::number(grid.width), QString::number(grid.height),
+                       QString::number(grid.resolution_m)));
+  }
+  return kDone;
+}
+
+CommandResult<int> mapsDiff(RobotCommand& command, const MapsWords& words) {
+  const QString printed = words.json ? QStringLiteral("-") : QString();
+  auto why_not = words.diff_picture.empty() ? std::nullopt : whyNotWritable(text(words.diff_picture));
+  if (!why_not) why_not = whyNotTogether({text(words.diff_picture), text(words.report), printed});
+  if (why_not) return wrong(*why_not);
+  // Before the first one is read, which may take long.
+  for (const QString& operand : {text(words.first), text(words.second)}) {
+    const auto parsed = knownAddresses().parse(operand);
+    if (!parsed && standsAlone(operand, text(words.robot))) return wrong(parsed.error());
+  }
+  std::vector<std::string> sources;
+  std::vector<render::PlacedGrid> maps;
+  for (const std::string& word : {words.first, words.second}) {
+    const QString operand = text(word);
+    const bool alone = standsAlone(operand, text(words.robot));
+    auto robot = openRobot(command, words, alone ? operand : text(words.robot),
+                           alone ? RobotReading::Purpose::Maps : purposeOf(word));
+    if (!robot) return passOn(robot);
+    const auto placed = (*robot)->map(alone ? QString() : operand, resolutionOf(words));
+    if (!placed) return passOn(placed);
+    maps.push_back(*placed);
+    for (std::string& file : (*robot)->sourceFiles()) sources.push_back(std::move(file));
+  }
+  const QString picture = text(words.diff_picture);
+  if (const auto why = overOwnSource({picture}, sources); why && !words.force) {
+    return wrong(*why);
+  }
+  const auto diff = diffMaps(maps[0], maps[1], picture);
+  if (!diff) return wrong(diff.error());
+  if (isStandardOutput(picture) || isStandardOutput(text(words.report)))
+    return diff->same() ? kDone : kIncomplete;
+  using render::Difference;
+  const auto cells = [&](Difference what) { return qint64(diff->cells[std::size_t(what)]); };
+  const std::vector<std::pair<const char*, Difference>> kinds{
+      {"appeared", Difference::Appeared},    {"vanished", Difference::Vanished},
+      {"only_first", Difference::OnlyFirst}, {"only_second", Difference::OnlySecond},
+      {"same_free", Difference::SameFree},   {"same_occupied", Difference::SameOccupied}};
+  if (words.json) {
+    QJsonObject json{{QStringLiteral("same"), diff->same()},
+                     {QStringLiteral("complete"), command.complete()},
+                     {QStringLiteral("size"), QJsonArray{diff->width, diff->height}},
+                     {QStringLiteral("cell_area_m2"), diff->cell_area_m2},
+                     {QStringLiteral("levels_differ"), qint64(diff->levels_differ)}};
+    for (const auto& [name, what] : kinds) json[QLatin1String(name)] = cells(what);
+    printJson(json);
+  } else {
+    std::vector<QStringList> table;
+    const auto row = [&](const QString& name, qint64 count) {
+      table.push_back({name, Text::tr("%1 cells", nullptr, sentences::formOf(count)).arg(count),
+                       Text::tr("%1 m²").arg(double(count) * diff->cell_area_m2, 0, 'f', 4)});
+    };
+    row(Text::tr("occupied in the second only"), cells(Difference::Appeared));
+    row(Text::tr("occupied in the first only"), cells(Difference::Vanished));
+    row(Text::tr("known in the first only"), cells(Difference::OnlyFirst));
+    row(Text::tr("known in the second only"), cells(Difference::OnlySecond));
+    row(Text::tr("same state, different gray level"), diff->levels_differ);
+    row(Text::tr("free in both"), cells(Difference::SameFree));
+    row(Text::tr("occupied in both"), cells(Difference::SameOccupied));
+    printTable(table);
+    const QString outcome = !diff->same() ? Text::tr("The maps differ.")
+                            : command.complete()
+                                ? Text::tr("The maps are the same.")
+                                : Text::tr("The parts of the maps that could be read are the same.");
+    printLine(outcome);
+  }
+  return diff->same() ? kDone : kIncomplete;
+}
+
+bool isOfOneMap(MapChange change) {
+  return change != MapChange::StartMapping && change != MapChange::StopMapping && change != MapChange::Save;
+}
+
+bool names(MapChange change) { return change == MapChange::Rename || change == MapChange::Save; }
+
+/// Why it is not even requested; empty if it is.
+QString whyNotAsked(MapChange change, const MapsWords& words) {
+  if (names(change)) {
+    const QString label = text(words.label);
+    if (label.trimmed().isEmpty()) {
+      return change == MapChange::Save ? Text::tr("Name the map: maps save NAME.")
+                                       : Text::tr("Name the map: maps rename ID NAME.");
+    }
+    if (const QString why = jobs::whyNoMapName(label); !why.isEmpty()) return why;
+  }
+  const map::MapKey key = map::mapKeyFromText(words.id);
+  if (isOfOneMap(change) && (key.kind != map::MapKind::Stored || key.id.empty()))
+    return Text::tr("%1: pass the id of a stored map (see mapwright maps list).").arg(text(words.id));
+  if (change == MapChange::Delete && !words.yes)
+    return Text::tr("Deleting a map cannot be undone. Pass --yes to delete %1.").arg(text(words.id));
+  return {};
+}
+
+CommandResult<int> mapsChange(RobotCommand& command, const MapsWords& words, MapChange change) {
+  if (const QString why = whyNotAsked(change, words); !why.isEmpty()) return wrong(why);
+  const auto robot = command.open();
+  if (!robot) return passOn(robot);
+  robot::MapOrder order{.change = change};
+  if (isOfOneMap(change)) order.key = map::mapKeyFromText(words.id);
+  if (names(change)) order.name = words.label;
+  if (change == MapChange::Load) order.place = words.place;
+  const auto entry = (*robot)->change(order);
+  if (!entry) return passOn(entry);
+  if (words.json || !entry->key.id.empty()) print(*entry, words.json);
+  const QString odd = jobs::oddity(order, *entry);
+  if (odd.isEmpty()) return kDone;
+  return tl::make_unexpected(
+      CommandFailure{kIncomplete, QStringLiteral("%1: %2").arg(text(words.robot), odd)});
+}
+
+CommandResult<int> mapsSaveOnRobot(RobotCommand& command, const MapsWords& words) {
+  if (const QString why = jobs::whyNoFilename(text(words.filename)); !why.isEmpty()) return wrong(why);
+  const auto robot = command.open();
+  if (!robot) return passOn(robot);
+  robot::MapDispatch* const dispatch = (*robot)->session().robot().mapDispatch();
+  if (!dispatch) return (*robot)->lacks(robot::Capability::Dispatch);
+  const auto saved = (*robot)->ask<std::string>(
+      [&](robot::OutcomeTo<std::string> reply) { return dispatch->save(words.filename, std::move(reply)); });
+  if (!saved) return (*robot)->failure(saved.error());
+  printLine(Text::tr("The robot wrote %1.").arg(words::plainName(*saved)));
+  return kDone;
+}
+
+/// A `mapwright maps …` that changes something.
+struct MapChangeCommand {
+  MapChange change;
+  const char* name;
+  QString about;
+};
+
+std::vector<MapChangeCommand> mapChangeCommands() {
+  return {{MapChange::Rename, "rename", Text::tr("Rename a stored map")},
+          {MapChange::Load, "load", Text::tr("Make a stored map the current one")},
+          {MapChange::Archive, "archive", Text::tr("Archive a stored map")},
+          {MapChange::Unarchive, "unarchive", Text::tr("Restore a map from the archive")},
+          {MapChange::Delete, "delete", Text::tr("Delete a stored map (--yes)")},
+          {MapChange::StartMapping, "start-mapping", Text::tr("Start mapping")},
+          {MapChange::StopMapping, "stop-mapping", Text::tr("End mapping; save stores the result")},
+          {MapChange::Save, "save", Text::tr("Store the result of mapping under a name")}};
 }
 
 }  // namespace
 
-int mapsList(const MapsWords& words, int& argc, char** argv) {
-  return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
-    auto robot = openRobot(command, text(words.robot), words);
-    if (!robot) return tl::make_unexpected(robot.error());
-    const auto rows = (*robot)->catalogue();
-    if (!rows) return tl::make_unexpected(rows.error());
-    if (words.json) {
-      QJsonArray list;
-      for (const map::CatalogueEntry& row : **rows) list << entryJson(row);
-      printJson(list);
-      return kDone;
-    }
-    if ((*rows)->empty()) {
-      std::printf("%s\n", qUtf8Printable(MapsText::tr("There are no maps.")));
-      return kDone;
-    }
-    std::vector<QStringList> table{{QStringLiteral(" "), MapsText::tr("ID"), MapsText::tr("VERSION"),
-                                    MapsText::tr("DATE"), MapsText::tr("NAME")}};
-    for (const map::CatalogueEntry& row : **rows) table.push_back(rowOf(row));
-    printTable(table);
-    return kDone;
-  });
-}
-
-int mapsCurrent(const MapsWords& words, int& argc, char** argv) {
-  return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
-    auto robot = openRobot(command, text(words.robot), words);
-    if (!robot) return tl::make_unexpected(robot.error());
-    const auto rows = (*robot)->catalogue();
-    if (!rows) return tl::make_unexpected(rows.error());
-    const map::CatalogueEntry* const current = (*robot)->session().catalogue().current();
-    if (!current) {
-      return tl::make_unexpected(CommandFailure{
-          kRobotError, MapsText::tr("%1: none of its maps is the current one.").arg(text(words.robot))});
-    }
-    if (words.json) {
-      printJson(entryJson(*current));
-    } else {
-      std::printf("%s  %s\n", qUtf8Printable(words::plainName(map::toText(current->key))),
-                  qUtf8Printable(words::plainName(current->name)));
-    }
-    return kDone;
-  });
-}
-
-int mapsShow(const MapsWords& words, int& argc, char** argv) {
-  return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
-    auto robot = openRobot(command, text(words.robot), words, purposeOf(words.id));
-    if (!robot) return tl::make_unexpected(robot.error());
-    const bool stored = !words.id.empty() && words.id != "live" && words.id != "submaps";
-    if (stored) {  // the catalogue has its dates and versions
-      if (const auto rows = (*robot)->catalogue(); !rows) return tl::make_unexpected(rows.error());
-    }
-    const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
-    if (!placed && session::lacksPicture((*robot)->session().wholeMap()))
-      return showWithoutPicture(**robot, words.json);
-    if (!placed) return tl::make_unexpected(placed.error());
-    session::Session& session = (*robot)->session();
-    const map::WholeMap& shown = session.wholeMap().shown();
-    const map::CatalogueEntry* const row = session.catalogue().find(shown.key);
-    const QString id = words.id == "submaps" ? text(words.id) : text(map::toText(shown.key));
-    QJsonObject json =
-        row ? entryJson(*row)
-            : QJsonObject{{QStringLiteral("id"), id}, {QStringLiteral("name"), (*robot)->nameOfMap()}};
-    json[QStringLiteral("grid")] = gridJson(placed->reference);
-    json[QStringLiteral("overlays")] = int(shown.overlays.size());
-    json[QStringLiteral("trajectories")] = int(shown.trajectories.size());
-    json[QStringLiteral("landmarks")] = int(shown.landmarks.size());
-    json[QStringLiteral("waypoints")] = pointsJson(session.wholeMap().waypoints().points);
-    if (shown.display_rotation_rad) json[QStringLiteral("display_rotation")] = *shown.display_rotation_rad;
-    if (words.json) {
-      printJson(json);
-      return kDone;
-    }
-    const map::GridReference& grid = placed->reference;
-    std::vector<QStringList> table{
-        {MapsText::tr("id"), id},
-        {MapsText::tr("name"), words::plainName((*robot)->nameOfMap())},
-        {MapsText::tr("cells"), QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)},
-        {MapsText::tr("resolution"), MapsText::tr("%1 m").arg(grid.resolution_m)},
-        {MapsText::tr("origin"), MapsText::tr("x %1 m, y %2 m, yaw %3 rad (lower left corner)")
-                                     .arg(grid.origin.x_m)
-                                     .arg(grid.origin.y_m)
-                                     .arg(grid.origin.yaw_rad)},
-        {MapsText::tr("extent"), MapsText::tr("%1 m x %2 m")
-                                     .arg(grid.width * grid.resolution_m, 0, 'f', 2)
-                                     .arg(grid.height * grid.resolution_m, 0, 'f', 2)}};
-    if (row) addRow(table, *row);
-    table.push_back({MapsText::tr("overlays"), QString::number(shown.overlays.size())});
-    addPoints(table, session.wholeMap().waypoints().points);
-    printTable(table);
-    return kDone;
-  });
-}
-
-int mapsExport(const MapsWords& words, int& argc, char** argv) {
-  return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
-    const auto wrong = [](const QString& sentence) {
-      return tl::make_unexpected(CommandFailure{kUsage, sentence});
-    };
-    const QString output = text(words.output);
-    const QString suffix = QFileInfo(output).suffix().toLower();
-    const bool printed = isStandardOutput(output);
-    QString format = !words.format.empty() ? text(words.format) : printed ? QStringLiteral("png") : suffix;
-    if (format == QLatin1String("yaml") || format == QLatin1String("yml")) format = QStringLiteral("pgm");
-    if (format != QLatin1String("png") && format != QLatin1String("pgm")) {
-      return wrong(MapsText::tr("--output %1: the name must end in .png, or in .pgm or .yaml to get both of "
-                                "these; or pass --format png or pgm.")
-                       .arg(output));
-    }
-    const bool names_png = suffix == QLatin1String("png");
-    const bool names_pgm = suffix == QLatin1String("pgm") || suffix.startsWith(QLatin1Char('y'));
-    if (!words.format.empty() && (format == QLatin1String("png") ? names_pgm : names_png)) {
-      return wrong(MapsText::tr("--output %1 contradicts --format %2.").arg(output, text(words.format)));
-    }
-    if (printed && (format != QLatin1String("png") || words.world_file)) {
-      return wrong(
-          MapsText::tr("Only a single PNG can be written to the standard output (--output %1).").arg(output));
-    }
-    if (const auto why = whyNotWritable(output)) return wrong(*why);
-    if (const auto why = whyNotTogether({output, text(words.report)})) return wrong(*why);
-    std::optional<map::GridRegion> region;
-    const bool live = words.id.empty() || words.id == "live";
-    if (!words.region.empty()) {
-      const auto typed = gridRegionFrom(words.region);
-      if (!typed) return wrong(typed.error());
-      if (!live)
-        return wrong(MapsText::tr("--region only works with the live map, not with %1.").arg(text(words.id)));
-      region = *typed;
-    }
-    auto robot = openRobot(command, text(words.robot), words, purposeOf(words.id));
-    if (!robot) return tl::make_unexpected(robot.error());
-    // An export always means the whole map, whatever its size.
-    const bool by_part = region || (live && givesMapWhenAsked((*robot)->session().robot()));
-    const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(words.id), resolutionOf(words));
-    if (!placed) return tl::make_unexpected(placed.error());
-    const bool png = format == QLatin1String("png");
-    const jobs::ExportRequest request{jobs::WholeMapExport{placed->cells, placed->reference},
-                                      png ? jobs::ExportFormat::MapPicture : jobs::ExportFormat::MapServer,
-                                      output, words.world_file};
-    const QStringList outputs = jobs::exportedFiles(output, request.format, words.world_file);
-    const auto why = overOwnSource(outputs, (*robot)->sourceFiles());
-    if (why && !words.force) return wrong(*why);
-    const jobs::ExportResult written = jobs::exportMap(request, nullptr);
-    if (!written.error.isEmpty()) return wrong(written.error);
-    if (!printed && !isStandardOutput(text(words.report))) {
-      const map::GridReference& grid = placed->reference;
-      std::printf("%s\n",
-                  qUtf8Printable(MapsText::tr("%1: %2 x %3 cells of %4 m")
-                                     .arg(oneLine(output), QString::number(grid.width),
-                                          QString::number(grid.height), QString::number(grid.resolution_m))));
-    }
-    return kDone;
-  });
-}
-
-int mapsDiff(const MapsWords& words, int& argc, char** argv) {
-  return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
-    const QString printed = words.json ? QStringLiteral("-") : QString();
-    auto why_not = words.diff_picture.empty() ? std::nullopt : whyNotWritable(text(words.diff_picture));
-    if (!why_not) why_not = whyNotTogether({text(words.diff_picture), text(words.report), printed});
-    if (why_not) return tl::make_unexpected(CommandFailure{kUsage, *why_not});
-    // Before the first one is read, which may take long.
-    for (const QString& operand : {text(words.first), text(words.second)}) {
-      const auto parsed = knownAddresses().parse(operand);
-      if (!parsed && standsAlone(operand, text(words.robot)))
-        return tl::make_unexpected(CommandFailure{kUsage, parsed.error()});
-    }
-    std::vector<std::string> sources;
-    std::vector<render::PlacedGrid> maps;
-    for (const std::string& word : {words.first, words.second}) {
-      const QString operand = text(word);
-      const bool alone = standsAlone(operand, text(words.robot));
-      auto robot = openRobot(command, alone ? operand : text(words.robot), words,
-                             alone ? MapReading::Purpose::Maps : purposeOf(word));
-      if (!robot) return tl::make_unexpected(robot.error());
-      const auto placed = (*robot)->map(alone ? QString() : operand, resolutionOf(words));
-      if (!placed) return tl::make_unexpected(placed.error());
-      maps.push_back(*placed);
-      for (std::string& file : (*robot)->sourceFiles()) sources.push_back(std::move(file));
-    }
-    const QString picture = text(words.diff_picture);
-    if (const auto why = overOwnSource({picture}, sources); why && !words.force) {
-      return tl::make_unexpected(CommandFailure{kUsage, *why});
-    }
-    const auto diff = diffMaps(maps[0], maps[1], picture);
-    if (!diff) return tl::make_unexpected(CommandFailure{kUsage, diff.error()});
-    if (isStandardOutput(picture) || isStandardOutput(text(words.report)))
-      return diff->same() ? kDone : kIncomplete;
-    using render::Difference;
-    const auto cells = [&](Difference what) { return qint64(diff->cells[std::size_t(what)]); };
-    const std::vector<std::pair<const char*, Difference>> kinds{
-        {"appeared", Difference::Appeared},    {"vanished", Difference::Vanished},
-        {"only_first", Difference::OnlyFirst}, {"only_second", Difference::OnlySecond},
-        {"same_free", Difference::SameFree},   {"same_occupied", Difference::SameOccupied}};
-    if (words.json) {
-      QJsonObject json{{QStringLiteral("same"), diff->same()},
-                       {QStringLiteral("complete"), command.complete()},
-                       {QStringLiteral("size"), QJsonArray{diff->width, diff->height}},
-                       {QStringLiteral("cell_area_m2"), diff->cell_area_m2},
-                       {QStringLiteral("levels_differ"), qint64(diff->levels_differ)}};
-      for (const auto& [name, what] : kinds) json[QLatin1String(name)] = cells(what);
-      printJson(json);
-    } else {
-      std::vector<QStringList> table;
-      const auto row = [&](const QString& name, qint64 count) {
-        table.push_back({name, MapsText::tr("%1 cells", nullptr, sentences::formOf(count)).arg(count),
-                         MapsText::tr("%1 m²").arg(double(count) * diff->cell_area_m2, 0, 'f', 4)});
-      };
-      row(MapsText::tr("occupied in the second only"), cells(Difference::Appeared));
-      row(MapsText::tr("occupied in the first only"), cells(Difference::Vanished));
-      row(MapsText::tr("known in the first only"), cells(Difference::OnlyFirst));
-      row(MapsText::tr("known in the second only"), cells(Difference::OnlySecond));
-      row(MapsText::tr("same state, different gray level"), diff->levels_differ);
-      row(MapsText::tr("free in both"), cells(Difference::SameFree));
-      row(MapsText::tr("occupied in both"), cells(Difference::SameOccupied));
-      printTable(table);
-      const QString outcome = !diff->same() ? MapsText::tr("The maps differ.")
-                              : command.complete()
-                                  ? MapsText::tr("The maps are the same.")
-                                  : MapsText::tr("The parts of the maps that could be read are the same.");
-      std::printf("%s\n", qUtf8Printable(outcome));
-    }
-    return diff->same() ? kDone : kIncomplete;
-  });
+void addMaps(Commands& commands) {
+  const auto shared = std::make_shared<MapsWords>();
+  MapsWords& words = *shared;
+  CLI::App* maps = commands.program().add_subcommand(
+      "maps", help(Text::tr("Maps stored on a robot or in a folder: list, export, compare, change")));
+  maps->require_subcommand(1);
+  using Run = std::function<CommandResult<int>(RobotCommand&, const MapsWords&)>;
+  const auto addOne = [&](const char* name, const std::string& what, Run run) {
+    CLI::App* command = maps->add_subcommand(name, what);
+    addRobot(*command, words, Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"));
+    addTimeout(*command, words.timeout_s);
+    addReport(*command, words.report);
+    addReading(commands, command, shared, std::move(run));
+    return command;
+  };
+  const auto add = [&](const char* name, const std::string& what, Run run) {
+    CLI::App* command = addOne(name, what, std::move(run));
+    command->add_option("--resolution", words.resolution,
+                        help(Text::tr("Metres per cell, for a plain picture file or for submaps "
+                                      "that are exported or compared (default: 0.05)")));
+    command->add_option("--origin", words.origin,
+                        help(Text::tr("Lower left corner of a plain picture file: X,Y or X,Y,YAW")));
+    return command;
+  };
+  const std::string which =
+      help(Text::tr("Id of a stored map, mapping:ID, live, or submaps; by default the live or current one"));
+  addJson(
+      *add("list", help(Text::tr("List all maps and mapping results; * marks the current one")), mapsList),
+      words.json);
+  addJson(*add("current", help(Text::tr("Show the robot's current map")), mapsCurrent), words.json);
+  CLI::App* show = add("show", help(Text::tr("Show size, place, dates and waypoints of a map")), mapsShow);
+  show->add_option("id", words.id, which);
+  addJson(*show, words.json);
+  CLI::App* exported =
+      add("export", help(Text::tr("Write a map as PNG, or as PGM and YAML for map_server")), mapsExport);
+  exported->add_option("id", words.id, which);
+  exported
+      ->add_option("-o,--output", words.output,
+                   help(Text::tr("Output file: NAME.png, or NAME.yaml / NAME.pgm (both); - writes "
+                                 "a PNG to the standard output")))
+      ->required();
+  exported->add_flag("--force", words.force,
+                     help(Text::tr("Overwrite a file even if the map was read from it")));
+  exported->add_option("--format", words.format, help(Text::tr("png or pgm, if the file name does not say")));
+  exported->add_flag("--world-file", words.world_file, help(Text::tr("Also write NAME.pgw (a world file)")));
+  exported->add_option("--region", words.region,
+                       help(Text::tr("Only this region of the live map of a map dispatcher (REP "
+                                     "130): X,Y,LX,LY, its centre and side lengths in metres")));
+  CLI::App* saved = addOne(
+      "save-on-robot", help(Text::tr("Make a map dispatcher (REP 130) write its map to a file on the robot")),
+      mapsSaveOnRobot);
+  saved
+      ->add_option("file", words.filename,
+                   help(Text::tr("File name on the robot. Its extension selects the format: most know .png, "
+                                 ".pgm or .yaml for grids and .pcd, .ply or .vtk for clouds")))
+      ->required();
+  CLI::App* diff =
+      add("diff", help(Text::tr("Compare two maps cell by cell; exit code 1 when they differ")), mapsDiff);
+  diff->add_option("first", words.first,
+                   help(Text::tr("A map of --robot (id, mapping:ID, live, submaps), or a file or address")))
+      ->required();
+  diff->add_option("second", words.second, help(Text::tr("The same for the second map")))->required();
+  diff->add_option("--diff", words.diff_picture,
+                   help(Text::tr("Write the differences as a PNG; - is the standard output")));
+  diff->add_flag("--force", words.force, help(Text::tr("Overwrite a file even if a map was read from it")));
+  addJson(*diff, words.json);
+  for (const MapChangeCommand& one : mapChangeCommands()) {
+    CLI::App* command =
+        addOne(one.name, help(one.about), [change = one.change](RobotCommand& each, const MapsWords& typed) {
+          return mapsChange(each, typed, change);
+        });
+    addJson(*command, words.json);
+    if (isOfOneMap(one.change))
+      command->add_option("id", words.id, help(Text::tr("Id of a stored map")))->required();
+    if (names(one.change)) command->add_option("name", words.label, help(Text::tr("New name")))->required();
+    if (one.change == MapChange::Load)
+      command->add_option("--waypoint", words.place,
+                          help(Text::tr("Name of the waypoint at which the robot stands")));
+    if (one.change == MapChange::Delete)
+      command->add_flag("--yes", words.yes, help(Text::tr("Required: deleting cannot be undone")));
+  }
 }
 
 }  // namespace mapwright::app

@@ -4,12 +4,12 @@
 #include <cstdio>
 #include <unistd.h>
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include "app/command_text.h"
 #include "disk/file_error.h"
 #include "disk/written_file.h"
 #include "sentences/fault_sentence.h"
@@ -19,10 +19,6 @@
 
 namespace mapwright::app {
 namespace {
-
-class ReportText {
-  Q_DECLARE_TR_FUNCTIONS(Report)
-};
 
 QJsonValue jsonOr(const std::optional<int>& number) { return number ? QJsonValue(*number) : QJsonValue(); }
 
@@ -115,7 +111,7 @@ QStringList bagLosses(const session::ProblemLog& log) {
 
 QString firstOf(const QStringList& lines) {
   if (lines.size() < 2) return lines.isEmpty() ? QString() : lines.first();
-  return ReportText::tr("%1 (and %2 more; --report lists them)")
+  return Text::tr("%1 (and %2 more; --report lists them)")
       .arg(lines.first(), QString::number(lines.size() - 1));
 }
 

@@ -1,8 +1,8 @@
 #include "app/robot_access.h"
 
-#include <QCoreApplication>
 #include <QFile>
 
+#include "app/command_text.h"
 #include "app/robot_factory.h"
 #include "sentences/fault_sentence.h"
 #include "words/text.h"
@@ -10,17 +10,13 @@
 namespace mapwright::app {
 namespace {
 
-class RobotAccessText {
-  Q_DECLARE_TR_FUNCTIONS(RobotAccess)
-};
-
 constexpr qint64 kLongest = 4096;
 
 using words::text;
 
 tl::expected<QByteArray, QString> checked(const QByteArray& secret) {
   if (secret.size() > kLongest || secret.contains('\n') || secret.contains('\r') || secret.contains('\0')) {
-    return tl::make_unexpected(RobotAccessText::tr("The secret must be one line of at most 4096 bytes."));
+    return tl::make_unexpected(Text::tr("The secret must be one line of at most 4096 bytes."));
   }
   return secret;
 }
@@ -37,24 +33,9 @@ tl::expected<QByteArray, QString> readSecret(const QString& file) {
   QFile source(file);
   if (!source.open(QIODevice::ReadOnly)) {
     return tl::make_unexpected(
-        RobotAccessText::tr("The secret file %1 cannot be read: %2.").arg(file, source.errorString()));
+        Text::tr("The secret file %1 cannot be read: %2.").arg(file, source.errorString()));
   }
   return checked(source.read(kLongest + 1).trimmed());
-}
-
-AccessWords withOuter(AccessWords words, const std::string& robot, const AccessWords& outer,
-                      const std::string& outer_robot) {
-  if (!outer.secret_file.empty()) {
-    if (!outer_robot.empty() && outer_robot != robot) {
-      words.secret_files_for.emplace_back(outer_robot, outer.secret_file);
-    } else if (words.secret_file.empty()) {
-      words.secret_file = outer.secret_file;
-    }
-  }
-  words.secret_files_for.insert(words.secret_files_for.end(), outer.secret_files_for.begin(),
-                                outer.secret_files_for.end());
-  if (words.ca_file.empty()) words.ca_file = outer.ca_file;
-  return words;
 }
 
 tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, const QString& robot) {
@@ -65,24 +46,24 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
     const QUrl origin = parsed->url;
     if (origin.isEmpty()) {
       return tl::make_unexpected(
-          RobotAccessText::tr("--secret-file-for %1: give the address of a robot, followed by the file.")
+          Text::tr("--secret-file-for %1: give the address of a robot, followed by the file.")
               .arg(text(address)));
     }
     const auto secret = readSecret(text(file));
-    if (!secret) return tl::make_unexpected(secret.error());
+    if (!secret) return passOn(secret);
     access.secrets_.emplace_back(origin, *secret);
   }
   if (!words.secret_file.empty()) {
     const auto secret = readSecret(text(words.secret_file));
-    if (!secret) return tl::make_unexpected(secret.error());
+    if (!secret) return passOn(secret);
     if (robot.isEmpty()) {
-      return tl::make_unexpected(RobotAccessText::tr(
-          "--secret-file needs --robot. For another robot pass --secret-file-for ADDRESS FILE."));
+      return tl::make_unexpected(
+          Text::tr("--secret-file needs --robot. For another robot pass --secret-file-for ADDRESS FILE."));
     }
     access.secrets_.emplace_back(originOf(robot), *secret);
   } else if (const QByteArray given = qgetenv("MAPWRIGHT_SECRET").trimmed(); !given.isEmpty()) {
     const auto secret = checked(given);
-    if (!secret) return tl::make_unexpected(secret.error());
+    if (!secret) return passOn(secret);
     const QString owner = qEnvironmentVariable("MAPWRIGHT_ROBOT");
     access.secrets_.emplace_back(originOf(owner.isEmpty() ? robot : owner), *secret);
   }
@@ -108,7 +89,7 @@ Access RobotAccess::forAddress(const QString& address) const {
 QString whyNotConnected(const robot::ConnectionState& state) {
   const QString reason = sentences::wordsOf(state.reason);
   if (!state.certificate) return reason;
-  return reason + RobotAccessText::tr(". If it is signed by your own authority, pass --ca-file PEM.");
+  return reason + Text::tr(". If it is signed by your own authority, pass --ca-file PEM.");
 }
 
 }  // namespace mapwright::app

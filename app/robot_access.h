@@ -28,11 +28,6 @@ struct AccessWords {
 /// The content of `file` without surrounding blanks. The error is a sentence and never contains the secret.
 tl::expected<QByteArray, QString> readSecret(const QString& file);
 
-/// Adds the options given before the subcommand to those of the subcommand, whose robot is `robot`: the outer
-/// --secret-file belongs to `outer_robot`.
-AccessWords withOuter(AccessWords words, const std::string& robot, const AccessWords& outer,
-                      const std::string& outer_robot);
-
 /// For one robot.
 struct Access {
   QByteArray secret;

@@ -1,11 +1,15 @@
 #include "app/robot_factory.h"
 
-#include <QCoreApplication>
+#include <algorithm>
+
+#include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <QStringList>
 
+#include "app/command_text.h"
 #include "app/log.h"
-#include "app/recording_operand.h"
+#include "jobs/export_map.h"
 #include "robot/address.h"
 #include "robot/aimdk/aimdk_address.h"
 #include "robot/aimdk/aimdk_robot.h"
@@ -20,26 +24,27 @@
 
 namespace mapwright::app {
 
-QString httpCacheFolder() {
-  return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
-         QStringLiteral("/mapwright/http");
-}
-
-QString draftsFolder() {
-  return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
-         QStringLiteral("/mapwright/drafts");
-}
-
-QString gridCacheFolder() {
-  return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
-         QStringLiteral("/mapwright/grids");
-}
-
 namespace {
 
-class RobotFactoryText {
-  Q_DECLARE_TR_FUNCTIONS(RobotFactory)
+QString cacheFolder(const char* name) {
+  return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
+         QStringLiteral("/mapwright/") + QLatin1String(name);
+}
+
+/// Frozen demos show this moment: the live trajectory has grown, and the incremental one exists.
+constexpr double kFrozenAtS = 90;
+
+class DemoRobot : public robot::axbot::AxbotRobot {
+ public:
+  DemoRobot(const QString& address, robot::axbot::LinkOptions options,
+            std::unique_ptr<simulator::Simulator> simulator)
+      : AxbotRobot(address, std::move(options)), simulator_(std::move(simulator)) {}
+
+ private:
+  std::unique_ptr<simulator::Simulator> simulator_;
 };
+
+QString absolute(const QString& path) { return QDir::cleanPath(QFileInfo(path).absoluteFilePath()); }
 
 using Made = tl::expected<std::unique_ptr<robot::Robot>, QString>;
 
@@ -54,7 +59,7 @@ Made makeAxbot(const robot::Address& address, const Access& access, DemoTime) {
   link.base = address.url;
   link.secret = access.secret;
   link.trust = access.trust;
-  link.cache_folder = httpCacheFolder();
+  link.cache_folder = cacheFolder("http");
   return std::make_unique<robot::axbot::AxbotRobot>(address.text, std::move(link));
 }
 
@@ -89,16 +94,13 @@ Made rosRobot(const robot::Address& address, const Access& access, bool kabam_on
   return std::make_unique<robot::ros::RosRobot>(address.text, std::move(link));
 }
 
-Made makeRos(const robot::Address& address, const Access& access, DemoTime) {
-  return rosRobot(address, access, false);
-}
-
-Made makeKabam(const robot::Address& address, const Access& access, DemoTime) {
-  return rosRobot(address, access, true);
-}
-
 Made makeFiles(const robot::Address& address, const Access&, DemoTime) {
-  if (robot::recorded::isRecording(address.path)) return openRecording(address.path).robot;
+  if (robot::recorded::isRecording(address.path)) {
+    robot::recorded::RecordedOptions recording;
+    recording.path = absolute(address.path);
+    return std::make_unique<robot::recorded::RecordedRobot>(QStringLiteral("file:") + recording.path,
+                                                            std::move(recording));
+  }
   robot::files::FileOptions file;
   file.path = address.path;
   file.place = robot::files::placeOf(address);
@@ -107,8 +109,21 @@ Made makeFiles(const robot::Address& address, const Access&, DemoTime) {
 
 Made makeDemo(const robot::Address& address, const Access&, DemoTime time) {
   const auto options = parseDemoQuery(address.options, time);
-  if (!options) return tl::make_unexpected(options.error());
+  if (!options) return passOn(options);
   return makeDemoRobot(address.text, *options);
+}
+
+/// "demo:", "demo:?scene=warehouse". The part after the ? is checked when the robot is made.
+robot::AddressScheme demoAddressScheme() {
+  const auto parse = [](const QString& rest) -> robot::ParsedAddress {
+    const QString query = rest.contains(QLatin1Char('?')) ? rest.section(QLatin1Char('?'), 1) : QString();
+    robot::Address address;
+    address.options = QUrlQuery(query);
+    address.text = query.isEmpty() ? QStringLiteral("demo:") : QStringLiteral("demo:?") + query;
+    return address;
+  };
+  return {QStringLiteral("demo:"), QStringLiteral("demo:"), parse,
+          [](const QString& typed) { return typed == QLatin1String("demo"); }, false};
 }
 
 /// Maps and recordings: a path with a recording's extension is one, even if it does not exist.
@@ -124,16 +139,97 @@ robot::AddressScheme fileScheme() {
 
 /// All kinds of robots; the first one takes addresses that no other claims.
 std::vector<Kind> kinds() {
+  const auto ros = [](const robot::Address& address, const Access& access, DemoTime) {
+    return rosRobot(address, access, false);
+  };
+  const auto kabam = [](const robot::Address& address, const Access& access, DemoTime) {
+    return rosRobot(address, access, true);
+  };
   return {{robot::axbot::addressScheme(), makeAxbot},
           {robot::aimdk::addressScheme(), makeAimdk},
-          {robot::ros::rosAddressScheme(), makeRos},
-          {robot::ros::kabamAddressScheme(), makeKabam},
-          {robot::ros::rep130AddressScheme(), makeRos},
+          {robot::ros::rosAddressScheme(), ros},
+          {robot::ros::kabamAddressScheme(), kabam},
+          {robot::ros::rep130AddressScheme(), ros},
           {demoAddressScheme(), makeDemo},
           {fileScheme(), makeFiles}};
 }
 
 }  // namespace
+
+tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query, DemoTime time) {
+  simulator::Options options;
+  if (time == DemoTime::Frozen) {
+    options.paused = true;
+    options.start_at_s = kFrozenAtS;
+  }
+  for (const auto& [name, value] : query.queryItems(QUrl::FullyDecoded)) {
+    bool ok = true;
+    if (name == QLatin1String("scene")) {
+      options.scene = value.toStdString();
+      const auto scenes = simulator::sceneNames();
+      if (std::none_of(scenes.begin(), scenes.end(),
+                       [&](const auto& s) { return s.first == options.scene; })) {
+        QStringList names;
+        for (const auto& [scene, sentence] : scenes) names << QString::fromStdString(scene);
+        return tl::make_unexpected(Text::tr("There is no scene \"%1\". Choose one of: %2.")
+                                       .arg(value, names.join(QLatin1String(", "))));
+      }
+    } else if (name == QLatin1String("submaps")) {
+      options.submaps = value.toInt(&ok);
+      ok = ok && options.submaps >= 0 && options.submaps <= 100'000;
+    } else if (name == QLatin1String("seed")) {
+      options.seed = value.toUInt(&ok);
+    } else if (name == QLatin1String("at")) {
+      options.start_at_s = value.toDouble(&ok);
+      ok = ok && options.start_at_s >= 0 && options.start_at_s <= 1e6;
+    } else {
+      return tl::make_unexpected(
+          Text::tr("demo: accepts scene, submaps, seed and at, but not \"%1\".").arg(name));
+    }
+    if (!ok) return tl::make_unexpected(Text::tr("demo: %1 cannot be \"%2\".").arg(name, value));
+  }
+  return options;
+}
+
+tl::expected<std::unique_ptr<robot::Robot>, QString> makeDemoRobot(const QString& address,
+                                                                   const simulator::Options& options) {
+  auto simulator = std::make_unique<simulator::Simulator>(options);
+  if (const auto error = simulator->start()) return tl::make_unexpected(QString::fromStdString(*error));
+  robot::axbot::LinkOptions link;
+  link.base = QUrl(QStringLiteral("http://127.0.0.1:%1").arg(simulator->port()));
+  return std::make_unique<DemoRobot>(address, std::move(link), std::move(simulator));
+}
+
+void takeRecording(std::string& robot, std::string& bag, const std::string& otherwise) {
+  if (!robot.empty()) return;
+  const QString typed = QString::fromStdString(bag);
+  const bool is_path =
+      typed.contains(QLatin1Char('/')) || typed.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive);
+  // A missing file is opened anyway, so that the error is reported then.
+  if (is_path || (otherwise.empty() && QFileInfo(typed).isFile())) {
+    robot = (QStringLiteral("file:") + absolute(typed)).toStdString();
+    bag = robot::recorded::bagNameOf(typed);
+  } else {
+    robot = otherwise;
+  }
+}
+
+bool isFileName(const QString& typed) {
+  return typed.contains(QLatin1Char('/')) || QFileInfo::exists(typed) ||
+         typed.startsWith(QLatin1String("file:")) ||
+         typed.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive) ||
+         typed.endsWith(QLatin1String(".bag"), Qt::CaseInsensitive);
+}
+
+session::Session::Options sessionOptions() {
+  session::Session::Options options;
+  // The adapter limits the number of parallel requests (four). With a few more queued it can continue from
+  // disk, or with the next request, without waiting for the main thread, which may be painting. Small enough
+  // to react quickly when the view moves.
+  options.scheduler.max_concurrent = 32;
+  options.sidecar_folder = cacheFolder("grids");
+  return options;
+}
 
 robot::Addresses knownAddresses() {
   std::vector<robot::AddressScheme> schemes;
@@ -148,19 +244,17 @@ std::optional<QString> whyNoPlace(const QString& address, const std::string& res
   if (!parsed) return std::nullopt;  // reported elsewhere
   const QString options = origin.empty()       ? QStringLiteral("--resolution")
                           : resolution.empty() ? QStringLiteral("--origin")
-                                               : RobotFactoryText::tr("--resolution and --origin");
+                                               : Text::tr("--resolution and --origin");
   if (parsed->path.isEmpty()) {
-    return RobotFactoryText::tr(
-               "%1: only for a plain picture file. A robot reports itself where its maps are.")
+    return Text::tr("%1: only for a plain picture file. A robot reports itself where its maps are.")
         .arg(options);
   }
   if (!parsed->options.isEmpty()) {
-    return RobotFactoryText::tr("%1: the address already contains it after the ?. Give it only once.")
-        .arg(options);
+    return Text::tr("%1: the address already contains it after the ?. Give it only once.").arg(options);
   }
   const QString suffix = QFileInfo(parsed->path).suffix().toLower();
   if (suffix == QLatin1String("yaml") || suffix == QLatin1String("yml")) {
-    return RobotFactoryText::tr("%1: only for a plain picture file. %2 states itself where its map is.")
+    return Text::tr("%1: only for a plain picture file. %2 states itself where its map is.")
         .arg(options, QFileInfo(parsed->path).fileName());
   }
   return std::nullopt;
@@ -168,13 +262,7 @@ std::optional<QString> whyNoPlace(const QString& address, const std::string& res
 
 std::vector<std::string> sourceFilesOf(const QString& address, const std::string& id,
                                        const std::string& picture) {
-  const auto parsed = knownAddresses().parse(address);
-  std::vector<std::string> files =
-      parsed ? robot::localFiles(*parsed, id, picture) : std::vector<std::string>();
-  if (files.empty() || picture.empty()) return files;
-  for (const QString& yaml : robot::files::yamlsNaming(QString::fromStdString(picture)))
-    files.push_back(yaml.toStdString());
-  return files;
+  return jobs::sourceFiles(knownAddresses(), address, id, picture, robot::files::yamlsNaming);
 }
 
 QString placedFile(const QString& address, const std::string& resolution, const std::string& origin) {
@@ -191,14 +279,14 @@ QString placedFile(const QString& address, const std::string& resolution, const 
 tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address, const Access& access,
                                                                DemoTime demo_time) {
   const auto parsed = knownAddresses().parse(address);
-  if (!parsed) return tl::make_unexpected(parsed.error());
+  if (!parsed) return passOn(parsed);
   hideInLog(access.secret);
   qCInfo(lcApp, "robot %s, secret: %s", qUtf8Printable(parsed->text),
          access.secret.isEmpty() ? "none" : "given");
   for (const Kind& kind : kinds()) {
     if (kind.scheme.prefix == parsed->scheme) return kind.make(*parsed, access, demo_time);
   }
-  return tl::make_unexpected(RobotFactoryText::tr("No kind of robot supports the address %1.").arg(address));
+  return tl::make_unexpected(Text::tr("No kind of robot supports the address %1.").arg(address));
 }
 
 }  // namespace mapwright::app

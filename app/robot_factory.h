@@ -1,4 +1,4 @@
-// Makes robots from addresses: the only place that knows every back-end.
+// Makes robots from addresses: the only place that knows every back-end. Demos and recordings among them.
 #pragma once
 
 #include <memory>
@@ -6,14 +6,19 @@
 #include <string>
 
 #include <QString>
+#include <QUrlQuery>
 #include <tl/expected.hpp>
 
-#include "app/demo_robot.h"
 #include "app/robot_access.h"
 #include "robot/address.h"
 #include "robot/robot.h"
+#include "session/session.h"
+#include "simulator/simulator.h"
 
 namespace mapwright::app {
+
+/// Whether the demo's world runs, or stands still so that all snapshots are the same.
+enum class DemoTime { Running, Frozen };
 
 /// The address schemes of all kinds of robots that this program supports.
 robot::Addresses knownAddresses();
@@ -34,11 +39,26 @@ std::optional<QString> whyNoPlace(const QString& address, const std::string& res
                                   const std::string& origin);
 QString placedFile(const QString& address, const std::string& resolution, const std::string& origin);
 
-/// The folder of cached HTTP answers (XDG_CACHE_HOME/mapwright/http).
-QString httpCacheFolder();
-/// The folder of cached pyramids of large maps (XDG_CACHE_HOME/mapwright/grids).
-QString gridCacheFolder();
-/// The folder of unsaved drafts (XDG_DATA_HOME/mapwright/drafts).
-QString draftsFolder();
+/// What every session is made with: submaps are requested ahead, pyramids of large maps are cached
+/// (XDG_CACHE_HOME/mapwright/grids).
+session::Session::Options sessionOptions();
+
+/// Parses the query of "demo:?scene=warehouse&submaps=500&seed=3" into simulator options; the error is a
+/// sentence.
+tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query, DemoTime time);
+
+/// Starts a simulator on a free loopback port and a client connected to it.
+tl::expected<std::unique_ptr<robot::Robot>, QString> makeDemoRobot(const QString& address,
+                                                                   const simulator::Options& options);
+
+/// `bag` is the bag or file as typed, `robot` the address given with it, `otherwise` the default address
+/// (MAPWRIGHT_ROBOT, or given before the subcommand). If no robot is given and the file exists, it means the
+/// file; with only a default robot, whose bags may have the same name, only if it is written as a path or
+/// ends in .mcap. Then `robot` becomes the address of the file and `bag` its name there; otherwise an empty
+/// `robot` becomes `otherwise`.
+void takeRecording(std::string& robot, std::string& bag, const std::string& otherwise);
+
+/// True if it is an existing file, or written like a path or a recording's name.
+bool isFileName(const QString& typed);
 
 }  // namespace mapwright::app

@@ -1,4 +1,5 @@
-// The window's settings, in a file that survives a full disk.
+// The window's settings, in a file that survives a full disk, and the folders of the XDG Base Directory
+// Specification 0.8.
 #pragma once
 
 #include <memory>
@@ -13,5 +14,10 @@ std::unique_ptr<QSettings> openSettings();
 
 /// The same in `folder`.
 std::unique_ptr<QSettings> openSettingsIn(const QString& folder);
+
+/// "All paths set in these environment variables must be absolute. If an implementation encounters a relative
+/// path it should consider the path invalid and ignore it": removes relative paths from the environment, so
+/// that Qt, fontconfig and we agree. Call it before any thread starts.
+void ignoreRelativeFolders();
 
 }  // namespace mapwright::app

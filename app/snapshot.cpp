@@ -1,33 +1,170 @@
 #include "app/snapshot.h"
 
+#include <algorithm>
+#include <iterator>
+#include <array>
+#include <cmath>
 #include <cstdio>
+#include <memory>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <QApplication>
-#include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QStringList>
 #include <QTemporaryDir>
 
-#include "app/deadline.h"
+#include "app/bag_reading.h"
+#include "app/command_text.h"
 #include "app/display.h"
-#include "app/exit_code.h"
-#include "app/one_line.h"
-#include "app/output_paths.h"
+#include "app/map_request.h"
+#include "app/output.h"
 #include "app/report.h"
-#include "app/robot_access.h"
 #include "app/robot_factory.h"
-#include "app/say.h"
 #include "app/snapshot_run.h"
+#include "geometry/pose.h"
+#include "geometry/view_transform.h"
 #include "replay/replay_robot.h"
+#include "scene/layer.h"
+#include "submap/submap_book.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
 
-class SnapshotText {
-  Q_DECLARE_TR_FUNCTIONS(Snapshot)
-};
+constexpr qint64 kMaxPixels = 200'000'000;
+constexpr int kMaxEdge = 32'000;
+
+using words::text;
+
+std::optional<Eigen::Vector2d> parsePoint(const QString& word) {
+  const auto numbers = numbersFrom(word.toStdString());
+  if (!numbers || numbers->size() != 2) return std::nullopt;
+  const Eigen::Vector2d point((*numbers)[0], (*numbers)[1]);
+  if (point.cwiseAbs().maxCoeff() > submap::kMaxCoordinateM) return std::nullopt;
+  return point;
+}
+
+std::optional<QSize> parseSize(const QString& word) {
+  const QStringList parts = word.toLower().split(QLatin1Char('x'));
+  bool ok_w = false, ok_h = false;
+  if (parts.size() != 2) return std::nullopt;
+  const QSize size(parts[0].toInt(&ok_w), parts[1].toInt(&ok_h));
+  if (!ok_w || !ok_h || size.width() < 1 || size.height() < 1) return std::nullopt;
+  if (std::max(size.width(), size.height()) > kMaxEdge || qint64(size.width()) * size.height() > kMaxPixels) {
+    return std::nullopt;
+  }
+  return size;
+}
+
+/// Options that cannot be combined with --region.
+std::optional<QString> whyNotWithRegion(const SnapshotWords& words, const SnapshotOptions& options) {
+  if (options.mode == SnapshotMode::Submaps)
+    return Text::tr("--region needs a robot that sends its map by region, and --mode grid.");
+  if (!words.map.empty())
+    return Text::tr("--region shows a part of the robot's own map and cannot be combined with --map.");
+  if (!words.bag.empty())
+    return Text::tr("A bag has no map by region: --region and --bag cannot be combined.");
+  if (!words.center.empty() || words.fit || words.rotate_deg != 0)
+    return Text::tr(
+        "--region already sets the view: it cannot be combined with --center, --fit and --rotate.");
+  if (words.size != SnapshotWords().size)
+    return Text::tr(
+        "With --region a pixel is one cell of the map, or as large as --scale says: --size cannot be set.");
+  if (words.average) return Text::tr("--average only applies to whole maps, not to --region.");
+  return std::nullopt;
+}
+
+/// For "path=/my_plan" takes the topic; the name stays.
+tl::expected<void, QString> takeTopic(QString& word, robot::TopicChoices& topics) {
+  const auto split = word.indexOf(QLatin1Char('='));
+  if (split < 0) return {};
+  const QString topic = word.mid(split + 1).trimmed(), name = word.left(split).trimmed();
+  const auto every = scene::allLayers();
+  const auto layer = std::find_if(every.begin(), every.end(),
+                                  [&](scene::Layer one) { return scene::layerName(one) == name; });
+  word = name;
+  if (layer == every.end()) return {};  // reported below
+  const std::optional<map::Stream> stream = scene::chosenStream(*layer);
+  if (!stream) {
+    QStringList choosable;
+    for (const scene::Layer one : every) {
+      if (scene::chosenStream(one)) choosable << scene::layerName(one);
+    }
+    return tl::make_unexpected(Text::tr("--layers: \"%1\" has no choice of topic, only %2.")
+                                   .arg(name, choosable.join(QLatin1String(", "))));
+  }
+  if (topic.isEmpty())
+    return tl::make_unexpected(
+        Text::tr("--layers %1=: the topic is missing, for example %1=/topic.").arg(name));
+  topics.insert_or_assign(*stream, topic.startsWith(QLatin1Char('/')) ? topic : QLatin1Char('/') + topic);
+  return {};
+}
+
+tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, robot::TopicChoices& topics) {
+  using scene::Layer;
+  // The layers that do not change from run to run.
+  if (words.isEmpty())
+    return std::set{Layer::Grid, Layer::Trail, Layer::Footprint, Layer::Robot, Layer::ScaleBar};
+  const auto every = scene::allLayers();
+  std::set<Layer> chosen;
+  if (words == QLatin1String("all")) {
+    std::copy_if(every.begin(), every.end(), std::inserter(chosen, chosen.end()),
+                 [](Layer layer) { return scene::specOf(layer).in_all; });
+    return chosen;
+  }
+  if (words == QLatin1String("none")) return chosen;
+  QStringList known;
+  for (const Layer layer : every) known << scene::layerName(layer);
+  for (QString word : words.split(QLatin1Char(','))) {
+    if (const auto taken = takeTopic(word, topics); !taken) return passOn(taken);
+    const auto position = known.indexOf(word.trimmed());
+    if (position < 0) {
+      return tl::make_unexpected(Text::tr("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
+                                     .arg(word, known.join(QLatin1String(", "))));
+    }
+    chosen.insert(every[std::size_t(position)]);
+  }
+  return chosen;
+}
+
+/// An option without effect is a mistake that the picture would not show.
+std::optional<QString> whyWithoutEffect(const SnapshotWords& words, const SnapshotOptions& options) {
+  if (words.average && options.mode == SnapshotMode::Submaps) {
+    return Text::tr("--average only applies to whole maps: submaps are always averaged when zoomed out.");
+  }
+  const bool whole = options.mode == SnapshotMode::Whole;
+  if (whole && words.slice != 0) {
+    return Text::tr("--slice only applies to submaps: a whole map has no slices.");
+  }
+  if (whole && options.colors != render::ColorMode::Normal) {
+    return Text::tr("--colors %1 only applies to submaps, not to a whole map.").arg(text(words.colors));
+  }
+  if (!words.raw) return std::nullopt;
+  if (options.dark || options.colors != render::ColorMode::Normal) {
+    return Text::tr("--raw has no colours: it cannot be combined with --theme or --colors.");
+  }
+  if (words.layers.empty()) return std::nullopt;
+  for (const scene::Layer layer : options.layers) {
+    if (layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap) {
+      return Text::tr("--raw draws only the map, without the layer \"%1\" of --layers.")
+          .arg(scene::layerName(layer));
+    }
+  }
+  return std::nullopt;
+}
+
+QString layersHelp() {
+  QStringList names;
+  for (const scene::Layer layer : scene::allLayers()) names << scene::layerName(layer);
+  return Text::tr(
+             "Layers, separated by commas: %1; or all (except track, which needs a whole bag, and "
+             "dispatched-cloud, which may be large); or none (only the map). NAME=TOPIC selects the topic "
+             "for a grid, path or target of a ROS robot")
+      .arg(names.join(QLatin1Char(',')));
+}
 
 /// Called at the deadline if the run is not finished: reports it, also in the report.
 int giveUp(const SnapshotOptions& options, const SnapshotStanding& standing) {
@@ -43,29 +180,28 @@ int giveUp(const SnapshotOptions& options, const SnapshotStanding& standing) {
 QString summaryOf(const SnapshotRun& run) {
   const QJsonObject report = run.report();
   if (const QJsonObject region = report[QLatin1String("region")].toObject(); !region.isEmpty()) {
-    return SnapshotText::tr("%1: regions of the map: %2 of %3")
+    return Text::tr("%1: regions of the map: %2 of %3")
         .arg(run.options().output, QString::number(region[QLatin1String("answered")].toInt()),
              QString::number(region[QLatin1String("parts")].toInt()));
   }
   if (report[QLatin1String("mode")].toString() == QLatin1String("whole")) {
     const QJsonObject map = report[QLatin1String("map")].toObject();
-    if (map.isEmpty()) return SnapshotText::tr("%1: no map").arg(run.options().output);
+    if (map.isEmpty()) return Text::tr("%1: no map").arg(run.options().output);
     const QJsonArray size = map[QLatin1String("size")].toArray();
     const QString name = words::plainName(map[QLatin1String("name")].toString());
-    return SnapshotText::tr("%1: map %2%3, %4 x %5 cells")
+    return Text::tr("%1: map %2%3, %4 x %5 cells")
         .arg(run.options().output, map[QLatin1String("id")].toString(),
              name.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(name),
              QString::number(size.at(0).toInt()), QString::number(size.at(1).toInt()));
   }
   const QJsonObject submaps = report[QLatin1String("submaps")].toObject();
-  QString line = SnapshotText::tr("%1: %2 of %3 submaps")
+  QString line = Text::tr("%1: %2 of %3 submaps")
                      .arg(run.options().output, QString::number(submaps[QLatin1String("drawn")].toInt()),
                           QString::number(submaps[QLatin1String("listed")].toInt()));
   for (const auto& [kind, counted] :
-       {std::pair{"missing", SnapshotText::tr(", %1 missing")},
-        std::pair{"failed", SnapshotText::tr(", %1 failed")},
-        std::pair{"corrupt", SnapshotText::tr(", %1 corrupt")},
-        std::pair{"without_slice", SnapshotText::tr(", %1 without this slice")}}) {
+       {std::pair{"missing", Text::tr(", %1 missing")}, std::pair{"failed", Text::tr(", %1 failed")},
+        std::pair{"corrupt", Text::tr(", %1 corrupt")},
+        std::pair{"without_slice", Text::tr(", %1 without this slice")}}) {
     if (const int count = submaps[QLatin1String(kind)].toInt()) line += counted.arg(count);
   }
   return line;
@@ -81,29 +217,231 @@ int sayWhatCame(const SnapshotRun& run, int exit_code) {
   const bool printed = isStandardOutput(report_path) || isStandardOutput(run.options().output);
   if (run.options().json && !isStandardOutput(report_path)) printJson(report);
   if (!run.error().isEmpty()) return refuse(exit_code, run.error());
-  if (!run.options().json && !printed) std::printf("%s\n", qUtf8Printable(oneLine(summaryOf(run))));
+  if (!run.options().json && !printed) printLine(oneLine(summaryOf(run)));
   if (exit_code == kDone) {
-    if (!run.shownInstead().isEmpty())
-      std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(run.shownInstead())));
+    if (!run.shownInstead().isEmpty()) say(run.shownInstead());
     return kDone;
   }
-  return refuse(exit_code, SnapshotText::tr("Incomplete. %1").arg(firstOf(run.warnings())));
+  return refuse(exit_code, Text::tr("Incomplete. %1").arg(firstOf(run.warnings())));
 }
 
 }  // namespace
+
+bool SnapshotOptions::wantsSubmaps() const {
+  return mode == SnapshotMode::Submaps || layers.contains(scene::Layer::Submaps);
+}
+
+bool SnapshotOptions::wantsWhole() const {
+  return !region && (mode == SnapshotMode::Whole || layers.contains(scene::Layer::WholeMap));
+}
+
+void addSnapshotOptions(CLI::App* command, SnapshotWords& words) {
+  addRobot(*command, words,
+           Text::tr("Robot address, for example axbot+http://192.168.25.25:8090 or demo: (or "
+                    "MAPWRIGHT_ROBOT)"));
+  command
+      ->add_option("-o,--output", words.output, help(Text::tr("The PNG to write; - is the standard output")))
+      ->required();
+  command->add_flag("--force", words.force,
+                    help(Text::tr("Overwrite a file even if the map was read from it")));
+  command->add_option(
+      "--mode", words.mode,
+      help(Text::tr("submaps, or whole (or grid, which means the same for robots and files whose whole "
+                    "map is an occupancy grid). Default: submaps, if there are any")));
+  command->add_option("--map", words.map,
+                      help(Text::tr("Id of a stored map, or mapping:ID (see mapwright maps "
+                                    "list); by default the live or current one")));
+  command->add_flag(
+      "--average", words.average,
+      help(Text::tr(
+          "When zoomed out, show the average of the cells of a whole map; by default occupied cells win")));
+  command->add_flag("--robot-anyway", words.robot_anyway,
+                    help(Text::tr("Draw the robot and its sensor data even on a map that it is not in")));
+  command->add_flag("--fit", words.fit, help(Text::tr("Show the whole map (default without --center)")));
+  command->add_option(
+      "--region", words.region,
+      help(Text::tr(
+          "A part of the map of a robot that sends its map by region (rep130+ws://): X,Y,LX,LY in metres, "
+          "its centre and side lengths. A pixel is a cell, or as large as --scale says")));
+  command->add_option("--center", words.center,
+                      help(Text::tr("Position at the centre of the picture: X,Y in metres")));
+  command->add_option("--scale", words.scale, help(Text::tr("Metres per pixel")));
+  command->add_option("--size", words.size, help(Text::tr("Picture size: WIDTHxHEIGHT in pixels")))
+      ->capture_default_str();
+  command->add_option("--rotate", words.rotate_deg,
+                      help(Text::tr("Rotate the picture counter-clockwise by this many degrees")));
+  command->add_option("--layers", words.layers, help(layersHelp()));
+  command->add_option("--resolution", words.resolution,
+                      help(Text::tr("Metres per pixel of a plain picture file")));
+  command->add_option(
+      "--origin", words.origin,
+      help(Text::tr("Lower left corner of a plain picture file: X,Y or X,Y,YAW in metres and radians")));
+  command->add_option("--slice", words.slice, help(Text::tr("Which slice of each submap to draw")))
+      ->capture_default_str();
+  command->add_option("--colors", words.colors, help(Text::tr("normal, incremental or active")))
+      ->capture_default_str();
+  command->add_option("--theme", words.theme, help(Text::tr("light or dark")))->capture_default_str();
+  command->add_flag("--raw", words.raw,
+                    help(Text::tr("Only the map pixels: gray = intensity, alpha 0 = not observed")));
+  command
+      ->add_option("--settle", words.settle,
+                   help(Text::tr("complete, or for how many seconds to collect data")))
+      ->capture_default_str();
+  addTimeout(*command, words.timeout_s);
+  command->add_option("--report", words.report,
+                      help(Text::tr("Write a summary as JSON; - is the standard output")));
+  command->add_flag("--json", words.json, help(Text::tr("Print the report on standard output")));
+}
+
+std::optional<QSize> pixelsOf(const geometry::WorldRect& region, double scale_m_per_px) {
+  constexpr double kRounding = 1e-6;
+  const double wide = std::max(1.0, std::ceil(region.width() / scale_m_per_px - kRounding));
+  const double high = std::max(1.0, std::ceil(region.height() / scale_m_per_px - kRounding));
+  if (!(wide <= kMaxEdge && high <= kMaxEdge && wide * high <= double(kMaxPixels))) return std::nullopt;
+  return QSize(int(wide), int(high));
+}
+
+tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords& words) {
+  const auto wrong = [](const QString& sentence) { return tl::make_unexpected(sentence); };
+  SnapshotOptions options;
+  options.robot = placedFile(text(words.robot), words.resolution, words.origin);
+  options.output = text(words.output);
+  options.report = text(words.report);
+  options.raw = words.raw;
+  options.json = words.json;
+  options.force = words.force;
+  if (options.robot.isEmpty()) {
+    return wrong(Text::tr(
+        "Which robot? Pass --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in simulated robot."));
+  }
+  if (words.bag.empty() != words.at.empty())
+    return wrong(Text::tr("--bag NAME and --at TIME must be used together."));
+  if (!words.bag.empty()) {
+    const auto at_s = timeFrom(words.at, QStringLiteral("--at"));
+    if (!at_s) return wrong(at_s.error().sentence);
+    options.bag = words.bag;
+    options.at_s = *at_s;
+  }
+  if (words.mode == "submaps") {
+    options.mode = SnapshotMode::Submaps;
+  } else if (words.mode == "whole" || words.mode == "grid") {
+    // The occupancy grids of robots and files are their whole maps.
+    options.mode = SnapshotMode::Whole;
+  } else if (!words.mode.empty()) {
+    return wrong(Text::tr("--mode must be submaps, whole or grid, not \"%1\".").arg(text(words.mode)));
+  }
+  if (!words.map.empty()) {
+    if (options.mode == SnapshotMode::Submaps) {
+      return wrong(Text::tr(
+          "--map needs --mode whole: only the submaps of the robot's current SLAM session can be shown."));
+    }
+    options.mode = SnapshotMode::Whole;
+    options.map = map::mapKeyFromText(words.map);
+  }
+  if (!words.region.empty()) {
+    const auto region = gridRegionFrom(words.region);
+    if (!region) return wrong(region.error());
+    const Eigen::Vector2d low = region->centre_m - region->size_m / 2, high = low + region->size_m;
+    options.region = geometry::WorldRect{low.x(), low.y(), high.x(), high.y()};
+    if (const auto why = whyNotWithRegion(words, options)) return wrong(*why);
+    options.mode = SnapshotMode::Whole;
+  }
+  if (const auto why = whyNoPlace(text(words.robot), words.resolution, words.origin)) return wrong(*why);
+  options.average = words.average;
+  options.robot_anyway = words.robot_anyway;
+  const auto size = parseSize(text(words.size));
+  if (!size) {
+    return wrong(
+        Text::tr("--size %1: give WIDTHxHEIGHT, for example 1920x1080, with at most %2 pixels "
+                 "per edge and %3 million in total.")
+            .arg(text(words.size), QString::number(kMaxEdge), QString::number(kMaxPixels / 1'000'000)));
+  }
+  options.size_px = *size;
+  const bool has_center = !words.center.empty(), has_scale = words.scale.has_value();
+  if (words.fit && (has_center || has_scale)) {
+    return wrong(
+        Text::tr("--fit chooses centre and scale itself: it cannot be combined with --center and --scale."));
+  }
+  if (has_center != has_scale && !(options.region && has_scale))
+    return wrong(Text::tr("--center X,Y and --scale METRES_PER_PIXEL must be used together."));
+  if (has_center) {
+    options.center_m = parsePoint(text(words.center));
+    if (!options.center_m) {
+      return wrong(Text::tr("--center %1: give X,Y in metres, for example 12.5,-3.").arg(text(words.center)));
+    }
+  }
+  if (has_scale) {
+    if (!(*words.scale >= geometry::kMinScaleMPerPx && *words.scale <= geometry::kMaxScaleMPerPx)) {
+      return wrong(Text::tr("--scale must be between %1 and %2 metres per pixel.")
+                       .arg(geometry::kMinScaleMPerPx)
+                       .arg(geometry::kMaxScaleMPerPx));
+    }
+    options.scale_m_per_px = *words.scale;
+  }
+  if (!std::isfinite(words.rotate_deg)) return wrong(Text::tr("--rotate must be a number of degrees."));
+  options.rotation_rad = geometry::normalizeAngle(geometry::radiansFromDegrees(words.rotate_deg));
+  const auto layers = parseLayers(text(words.layers), options.topics);
+  if (!layers) return wrong(layers.error());
+  options.layers = *layers;
+  if (!words.layers.empty() && words.layers != "all") options.named = *layers;
+  options.without_submaps = !words.layers.empty() && words.layers != "all" && words.layers != "none" &&
+                            !layers->contains(scene::Layer::Submaps);
+  if (words.slice < 0) return wrong(Text::tr("--slice must be 0 or more."));
+  options.slice = words.slice;
+  if (words.colors == "normal")
+    options.colors = render::ColorMode::Normal;
+  else if (words.colors == "incremental")
+    options.colors = render::ColorMode::Incremental;
+  else if (words.colors == "active")
+    options.colors = render::ColorMode::Active;
+  else
+    return wrong(
+        Text::tr("--colors must be normal, incremental or active, not \"%1\".").arg(text(words.colors)));
+  if (words.theme != "light" && words.theme != "dark") {
+    return wrong(Text::tr("--theme must be light or dark, not \"%1\".").arg(text(words.theme)));
+  }
+  options.dark = words.theme == "dark";
+  if (const auto why = whyNoTimeout(words.timeout_s)) return wrong(*why);
+  options.timeout_s = words.timeout_s;
+  if (words.settle != "complete") {
+    bool ok = false;
+    const double seconds = text(words.settle).toDouble(&ok);
+    if (!ok || !(seconds >= 0 && seconds <= 86'400)) {
+      return wrong(
+          Text::tr("--settle must be complete or a number of seconds, not \"%1\".").arg(text(words.settle)));
+    }
+    if (seconds > words.timeout_s) {
+      return wrong(Text::tr("--settle %1 is longer than --timeout %2.").arg(seconds).arg(words.timeout_s));
+    }
+    options.settle_s = seconds;
+  }
+  if (const auto why = whyWithoutEffect(words, options)) return wrong(*why);
+  // Layers that --raw never draws are neither requested nor waited for.
+  if (options.raw) {
+    std::erase_if(options.layers, [](scene::Layer layer) {
+      return layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap;
+    });
+  }
+  for (const QString& path : {options.output, options.report}) {
+    if (path.isEmpty()) continue;
+    if (const auto why = whyNotWritable(path)) return wrong(*why);
+  }
+  const QString printed = options.json && !isStandardOutput(options.report) ? QStringLiteral("-") : QString();
+  if (const auto why = whyNotTogether({options.output, options.report, printed})) return wrong(*why);
+  return options;
+}
 
 int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   const CommandStart start = commandStart(words.timeout_s, processAge());
   auto options = parseSnapshotOptions(words);
   if (!options) return refuse(kUsage, options.error());
   // Outlives everything that may take time, including destruction.
-  Deadline deadline(app::later(start.begun, options->timeout_s + start.grace.end_s),
-                    [late = SnapshotText::tr("%1: no connection was made in time.")
-                                .arg(oneLine(options->robot))
-                                .toStdString()] {
-                      sayAtTheEnd(late);
-                      return int(kUnreachable);
-                    });
+  Deadline deadline(
+      app::later(start.begun, options->timeout_s + start.grace.end_s),
+      [late = Text::tr("%1: no connection was made in time.").arg(oneLine(options->robot)).toStdString()] {
+        sayAtTheEnd(late);
+        return int(kUnreachable);
+      });
   const auto fonts = chooseOffscreenPlatform();
   QApplication application(argc, argv);
   const auto access = RobotAccess::read(words.access, options->robot);
@@ -112,15 +450,13 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   if (!robot) return refuse(kUsage, robot.error());
 
   if (!options->bag.empty()) *robot = std::make_unique<replay::ReplayRobot>(std::move(*robot), options->bag);
-  const bool terminal = isatty(STDERR_FILENO) != 0;
   SnapshotRun run(std::move(*options), std::move(*robot), start);
   deadline.setLastWords(
       [options = run.options(), standing = run.standing()] { return giveUp(options, standing->take()); });
   int exit_code = kDone;
-  if (terminal) {
-    QObject::connect(&run, &SnapshotRun::progressed,
-                     [](const QString& line) { std::fprintf(stderr, "\r%-70s", qUtf8Printable(line)); });
-  }
+  ProgressLine progress;
+  if (progress.shown())
+    QObject::connect(&run, &SnapshotRun::progressed, [&](const QString& line) { progress.tell(line); });
   QObject::connect(
       &run, &SnapshotRun::finished, &application,
       [&](int code) {
@@ -130,12 +466,30 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
       Qt::QueuedConnection);
   run.start();
   QApplication::exec();
-  if (terminal) std::fprintf(stderr, "\r%-70s\r", "");
+  progress.clear();
   exit_code = sayWhatCame(run, exit_code);
   std::fflush(stdout);
   // Everything has been reported: cleaning up must not take longer than the remaining time.
   deadline.setLastWords([exit_code] { return exit_code; });
   return exit_code;
+}
+
+int snapshotOf(SnapshotWords& words, const Invocation& before) {
+  takeRecording(words.robot, words.bag, before.robot);
+  inherit(words, before);
+  return snapshot(words, before.argc, before.argv);
+}
+
+void addSnapshot(Commands& commands) {
+  const auto words = std::make_shared<SnapshotWords>();
+  CLI::App* const command = commands.program().add_subcommand(
+      "snapshot", help(Text::tr("Draw a robot's map to a PNG, without a window")));
+  addSnapshotOptions(command, *words);
+  command->add_option("--bag", words->bag,
+                      help(Text::tr("Draw recorded data: the name of a bag, or a file (with --at)")));
+  command->add_option("--at", words->at,
+                      help(Text::tr("Time in the bag: seconds since 1970, or 2024-06-03T09:00:00Z")));
+  commands.add(command, [words](const Invocation& before) { return snapshotOf(*words, before); });
 }
 
 }  // namespace mapwright::app

@@ -10,7 +10,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "app/snapshot_options.h"
+#include "app/snapshot.h"
 #include "clouds/cloud_store.h"
 #include "geometry/view_transform.h"
 #include "regions/region_map.h"

@@ -1,33 +1,39 @@
 #include "app/snapshot_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include <QCoreApplication>
+#include <QJsonArray>
 #include <QMetaMethod>
 
-#include "app/exit_code.h"
+#include "app/command_text.h"
+#include "app/output.h"
 #include "app/report.h"
-#include "app/snapshot_content.h"
+#include "app/robot_factory.h"
+#include "geometry/pose.h"
 #include "map/may_pass.h"
 #include "replay/replay_robot.h"
 #include "robot/bag_library.h"
+#include "robot/map_dispatch.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
+#include "ui/replay/track_on_map.h"
 
 namespace mapwright::app {
 namespace {
-
-class SnapshotRunText {
-  Q_DECLARE_TR_FUNCTIONS(SnapshotRun)
-};
 
 constexpr int kSnapshotTries = 3;  // attempts for a submap before it counts as failed
 constexpr int kSnapshotConnectAttempts = 3;
 constexpr double kConnectWithinS = 10;
 constexpr int kSnapshotLookEveryMs = 20;
+constexpr double kTopicsWithinS = 3;   // live layers, after connecting
+constexpr double kOffersWithinS = 12;  // regions, after connecting: a slow robot is asked twice
+constexpr double kPixelsDrawnInASecond = 2e6, kMostOfTimeToDraw = 0.4;
+constexpr double kFitMarginPx = 16;
+constexpr double kTallM = 2000;       // higher and deeper than any building
 constexpr double kBagMapWithinS = 0;  // the map of a bag is there with its state, or not at all
 constexpr double kNoteEveryS = 0.25;
 // If the robot is gone, waiting ends when this much time is left, since drawing takes some, too.
@@ -35,6 +41,27 @@ constexpr double kDrawShare = 0.2, kDrawAtMostS = 5;
 constexpr double kListWithinS = 8, kListAtLeastS = 3;  // if a whole map can be drawn instead
 
 int milliseconds(double seconds) { return int(std::clamp(seconds * 1000, 0.0, 2e9)); }
+
+/// Chooses the mode if the user has not, depending on what `robot` offers.
+SnapshotOptions decided(SnapshotOptions options, robot::Robot& robot) {
+  if (options.mode == SnapshotMode::Automatic)
+    options.mode = robot.submapSource() ? SnapshotMode::Submaps : SnapshotMode::Whole;
+  return options;
+}
+
+/// A session that only requests what is drawn.
+session::Session::Options sessionFor(const SnapshotOptions& options,
+                                     const std::shared_ptr<work::Workers>& workers) {
+  session::Session::Options session = sessionOptions();
+  session.workers = workers;
+  session.overview = session.maps = false;  // a picture shows exact data, or none
+  session.basics = LayerSubscription::basics(options.layers, options.wantsSubmaps());
+  return session;
+}
+
+double toThousandths(double value) { return std::round(value * 1000) / 1000; }
+
+QJsonValue secondsOrNull(double value) { return value < 0 ? QJsonValue() : QJsonValue(toThousandths(value)); }
 
 }  // namespace
 
@@ -45,8 +72,8 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
       map_(session_, options_.map ? QString::fromStdString(map::toText(*options_.map)) : QString(),
            options_.layers.contains(scene::Layer::Waypoints)),
       live_layers_(session_),
-      cloud_(session_),
       start_(start) {
+  if (options_.region) region_.emplace(options_.robot, *options_.region, options_.scale_m_per_px);
   session_.setSlice(options_.slice);
   replayed_ = qobject_cast<replay::ReplayRobot*>(&session_.robot());
   if (replayed_) {
@@ -59,7 +86,7 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
             });
   }
   if (robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot())) of->choose(options_.topics);
-  map_.setPatience(replayed_ ? kBagMapWithinS : options_.timeout_s / 2);
+  map_.setLiveTimeout(replayed_ ? kBagMapWithinS : options_.timeout_s / 2);
   if (!automatic_) map_.agreeToWhole();
   for (QTimer* timer : {&timeout_, &cut_off_, &settle_}) {
     timer->setSingleShot(true);
@@ -68,7 +95,7 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
   connect(&timeout_, &QTimer::timeout, this, &SnapshotRun::timeOut);
   connect(&cut_off_, &QTimer::timeout, this, &SnapshotRun::cutOff);
   connect(&settle_, &QTimer::timeout, this,
-          [this] { paint(!wantsSubmaps(options_) || session_.settled(kSnapshotTries)); });
+          [this] { paint(!options_.wantsSubmaps() || session_.settled(kSnapshotTries)); });
   connect(&poll_, &QTimer::timeout, this, &SnapshotRun::look);
   connect(&session_, &session::Session::connectionChanged, this, &SnapshotRun::look);
   connect(&session_, &session::Session::listChanged, this, [this] {
@@ -79,7 +106,7 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
   if (options_.average) session_.wholeMap().setReduction(grids::Reduction::Average);
   connect(&session_.wholeMap(), &session::MapSlot::changed, this, &SnapshotRun::look, Qt::QueuedConnection);
   connect(&session_.wholeMap(), &session::MapSlot::changed, this, [this] {
-    const auto grid = wantsWhole(options_) ? map_.grid() : std::nullopt;
+    const auto grid = wholeGrid();
     if (first_paint_s_ < 0 && grid && grid->cells->rowsReady() > 0) first_paint_s_ = seconds();
   });
   connect(&session_, &session::Session::submapsPlaced, this, [this] {
@@ -96,24 +123,22 @@ double SnapshotRun::seconds() const {
 void SnapshotRun::start() {
   timeout_.start(milliseconds(options_.timeout_s - seconds()));
   poll_.start(kSnapshotLookEveryMs);
-  view_ = viewOf(options_, session_, map_);
+  view_ = chooseView();
   if (options_.center_m) session_.setView(view_.visibleWorld(), view_.center_m);
   noteStanding();
   session_.open();
 }
 
-bool SnapshotRun::isLocal() const { return session_.robot().isLocal(); }
-
 QString SnapshotRun::whatOfTheLink() const {
   const robot::ConnectionState link = session_.connection();
   if (link.phase == robot::ConnectionPhase::Online) return {};
   return QLatin1Char(' ') +
-         SnapshotRunText::tr("The connection to the robot was lost. %1").arg(sentences::wordsOf(link.reason));
+         Text::tr("The connection to the robot was lost. %1").arg(sentences::wordsOf(link.reason));
 }
 
 QString SnapshotRun::noConnection() const {
   const QString reason = sentences::wordsOf(session_.connection().reason);
-  return SnapshotRunText::tr("%1: no connection within %2 s.%3")
+  return Text::tr("%1: no connection within %2 s.%3")
       .arg(options_.robot, QString::number(options_.timeout_s),
            reason.isEmpty() ? QString() : QLatin1Char(' ') + reason);
 }
@@ -151,13 +176,13 @@ bool SnapshotRun::connected() {
   if (!topicsChoosable()) return false;
   connected_s_ = seconds();
   live_layers_.ask(options_.layers,
-                   wantsWhole(options_) && (!options_.map || options_.map->kind == map::MapKind::Live));
+                   options_.wantsWhole() && (!options_.map || options_.map->kind == map::MapKind::Live));
   // A robot is drawn on the maps that it is in, which the catalogue tells.
-  asks_where_ = !options_.raw && wantsWhole(options_) && options_.map &&
+  asks_where_ = !options_.raw && options_.wantsWhole() && options_.map &&
                 options_.map->kind != map::MapKind::Live && session_.robot().liveTopics() &&
                 std::any_of(options_.layers.begin(), options_.layers.end(), scene::followsRobot);
   if (asks_where_) session_.catalogue().refresh();
-  if (options_.center_m && !options_.region && wantsCloud()) cloud_.ask(view_.visibleWorld());
+  if (options_.center_m && !region_ && wantsCloud()) askForCloud(view_.visibleWorld());
   if (options_.settle_s) settle_.start(milliseconds(*options_.settle_s));
   return true;
 }
@@ -165,8 +190,8 @@ bool SnapshotRun::connected() {
 bool SnapshotRun::topicsChoosable() {
   robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
   if (options_.topics.empty() || (of && of->chosen() == options_.topics)) return true;
-  fail(kUsage, SnapshotRunText::tr("%1: its topics cannot be chosen (--layers NAME=TOPIC): this only works "
-                                   "for ROS robots and their recordings.")
+  fail(kUsage, Text::tr("%1: its topics cannot be chosen (--layers NAME=TOPIC): this only works "
+                        "for ROS robots and their recordings.")
                    .arg(options_.robot));
   return false;
 }
@@ -206,43 +231,42 @@ bool SnapshotRun::wantsWholeInstead() {
                            options_.layers.contains(scene::Layer::Submaps);
   const bool listed = replayed_ ? session_.world().submaps.has_value() : session_.book().listReceived();
   return automatic_ && options_.mode == SnapshotMode::Submaps && !for_submaps && !listed &&
-         seconds() - connected_s_ > listWithin() && robot.wholeMapSource() != nullptr;
+         sinceConnected() > listWithin() && robot.wholeMapSource() != nullptr;
 }
 
 void SnapshotRun::takeWholeInstead() {
   options_.mode = SnapshotMode::Whole;
-  whole_asked_s_ = seconds() - connected_s_;
-  shown_instead_ = SnapshotRunText::tr(
+  whole_asked_s_ = sinceConnected();
+  shown_instead_ = Text::tr(
                        "The robot sent no submap list within %1 s: its whole map is drawn instead. Pass "
                        "--mode submaps to wait longer.")
                        .arg(listWithin());
   if (replayed_)
     shown_instead_ =
-        SnapshotRunText::tr("The bag contains no submap list up to this time: a whole map is drawn instead.");
+        Text::tr("The bag contains no submap list up to this time: a whole map is drawn instead.");
   notes_ << shown_instead_;
   live_layers_.ask(options_.layers, true);
 }
 
 void SnapshotRun::look() {
   if (done_ || chosen_ || !connected()) return;
-  if (options_.region) return lookAtRegion();
+  if (region_) return lookAtRegion();
   if (wantsWholeInstead()) takeWholeInstead();
   // Do not wait for pictures that a bag names but the robot no longer has.
   const bool coming = replayed_ && replayed_->picturesUnderWay() > 0;
-  const double waited_s = coming ? 0 : seconds() - connected_s_ - whole_asked_s_;
-  if (wantsWhole(options_) && !scans_alone_ && map_.look(waited_s) == MapWish::State::Failed) {
+  const double waited_s = coming ? 0 : sinceConnected() - whole_asked_s_;
+  if (options_.wantsWhole() && !scans_alone_ && map_.look(waited_s) == MapRequest::State::Failed) {
     if (!drawsScansAlone()) {
       fail(map_.failure().exit_code, QStringLiteral("%1: %2").arg(options_.robot, map_.failure().sentence));
       return;
     }
     scans_alone_ = true;
-    notes_ << SnapshotRunText::tr("%1 The robot's sensor data is drawn without a map.")
-                  .arg(map_.failure().sentence);
+    notes_ << Text::tr("%1 The robot's sensor data is drawn without a map.").arg(map_.failure().sentence);
   }
   if (!options_.settle_s && everythingIn() && topicsIn() && cloudIn()) {
     paint(true);
   } else if (goneForGood() && somethingIn()) {
-    notes_ << SnapshotRunText::tr("Not everything had arrived.") + whatOfTheLink();
+    notes_ << Text::tr("Not everything had arrived.") + whatOfTheLink();
     paint(false);
   } else if (seconds() - noted_s_ > std::max(kNoteEveryS, 20 * note_took_s_)) {
     // Counting a hundred thousand submaps takes a moment, so do not do it every time.
@@ -251,17 +275,37 @@ void SnapshotRun::look() {
   }
 }
 
+void SnapshotRun::lookAtRegion() {
+  if (!region_->begun()) {
+    const auto failure = region_->begin(session_.robot(), sinceConnected(),
+                                        std::min(kOffersWithinS, options_.timeout_s / 2), [this] { look(); });
+    if (failure) fail(failure->exit_code, failure->sentence);
+    return;
+  }
+  const auto size = region_->size();
+  if (!size) return fail(size.error().exit_code, size.error().sentence);
+  if (*size && !region_->over() && region_->anyCame()) {
+    // Drawing takes a while, too: what has arrived by then is drawn within the remaining time.
+    const double draw_s = double((*size)->width()) * double((*size)->height()) / kPixelsDrawnInASecond;
+    if (seconds() > options_.timeout_s - std::min(draw_s, options_.timeout_s * kMostOfTimeToDraw)) {
+      notes_ << Text::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s);
+      return paint(false);
+    }
+  }
+  if (region_->over() && topicsIn() && cloudIn()) paint(true);
+}
+
 void SnapshotRun::tellProgress() {
   if (!isSignalConnected(QMetaMethod::fromSignal(&SnapshotRun::progressed))) return;
-  if (wantsWhole(options_)) {
+  if (options_.wantsWhole()) {
     const session::MapSlot& slot = session_.wholeMap();
-    Q_EMIT progressed(SnapshotRunText::tr("Map %1: %2 % read")
-                          .arg(slot.name(), QString::number(int(slot.progress() * 100))));
+    Q_EMIT progressed(
+        Text::tr("Map %1: %2 % read").arg(slot.name(), QString::number(int(slot.progress() * 100))));
   }
-  if (wantsSubmaps(options_)) {
+  if (options_.wantsSubmaps()) {
     const QJsonObject submaps = board_->take().report[QLatin1String("submaps")].toObject();
     const auto count = [&](const char* what) { return submaps[QLatin1String(what)].toInt(); };
-    Q_EMIT progressed(SnapshotRunText::tr("%1 of %2 submaps, %3 missing, %4 corrupt")
+    Q_EMIT progressed(Text::tr("%1 of %2 submaps, %3 missing, %4 corrupt")
                           .arg(count("drawn"))
                           .arg(count("listed"))
                           .arg(count("missing"))
@@ -275,9 +319,9 @@ void SnapshotRun::noteStanding() {
   const bool connected = connected_s_ >= 0;
   standing.exit_code = connected ? kIncomplete : kUnreachable;
   standing.sentence =
-      connected ? SnapshotRunText::tr("Incomplete: no picture could be made within %1 s (--timeout).")
-                      .arg(options_.timeout_s)
-                : noConnection();
+      connected
+          ? Text::tr("Incomplete: no picture could be made within %1 s (--timeout).").arg(options_.timeout_s)
+          : noConnection();
   if (connected) standing.sentence += whatOfTheLink();
   standing.report = report();
   standing.report[QStringLiteral("complete")] = false;
@@ -297,18 +341,17 @@ bool SnapshotRun::topicsIn() const {
   if (replayed_)
     return !session_.layerGrids().busy() && replayed_->picturesUnderWay() == 0 &&
            (!wantsTrack() || replayed_->reading()->chunks().wholeRead());
-  return live_layers_.in() || seconds() - connected_s_ > kTopicsWithinS;
+  return live_layers_.in() || sinceConnected() > kTopicsWithinS;
 }
 
 bool SnapshotRun::lacksSubmaps() const {
-  return replayed_ && recalled_ && wantsSubmaps(options_) && !session_.world().submaps;
+  return replayed_ && recalled_ && options_.wantsSubmaps() && !session_.world().submaps;
 }
 
 bool SnapshotRun::everythingIn() const {
-  if (wantsSubmaps(options_) && !lacksSubmaps() && !session_.settled(kSnapshotTries)) return false;
-  if (asks_where_ && session_.catalogue().loading() && seconds() - connected_s_ < kTopicsWithinS)
-    return false;
-  if (!wantsWhole(options_) || scans_alone_) return true;
+  if (options_.wantsSubmaps() && !lacksSubmaps() && !session_.settled(kSnapshotTries)) return false;
+  if (asks_where_ && session_.catalogue().loading() && sinceConnected() < kTopicsWithinS) return false;
+  if (!options_.wantsWhole() || scans_alone_) return true;
   const bool points_in =
       !options_.layers.contains(scene::Layer::Waypoints) || !session_.wholeMap().waypointsAwaited();
   return map_.grid() && session_.wholeMap().settled() && points_in;
@@ -318,10 +361,35 @@ bool SnapshotRun::wantsCloud() const {
   return !replayed_ && !options_.raw && options_.layers.contains(scene::Layer::DispatchedCloud);
 }
 
+void SnapshotRun::askForCloud(const geometry::WorldRect& seen) {
+  if (cloud_) return;
+  cloud_ = std::make_shared<Cloud>();
+  robot::Robot& robot = session_.robot();
+  if (!robot.mapDispatch()) {
+    cloud_->problem =
+        sentences::whyAbsent(robot::Capability::Dispatch, robot.whyNot(robot::Capability::Dispatch));
+    return;
+  }
+  map::CloudRegion region;
+  region.centre_m = {seen.center().x(), seen.center().y(), 0};
+  region.size_m = {seen.width(), seen.height(), kTallM};
+  robot.mapDispatch()->cloud(
+      robot::CloudKind::Points, region,
+      [cloud = cloud_, region](const robot::Outcome<std::shared_ptr<const map::SpatialCloud>>& outcome) {
+        if (outcome && *outcome) {
+          cloud->came = clouds::CloudPiece{*outcome, false, region};
+        } else if (outcome) {
+          cloud->problem = Text::tr("The robot sent an empty cloud of the map.");
+        } else {
+          cloud->problem = QString::fromStdString(sentences::sentenceOf(outcome.error()));
+        }
+      });
+}
+
 bool SnapshotRun::cloudIn() {
   if (!wantsCloud()) return true;
-  cloud_.ask(options_.region ? *options_.region : viewOf(options_, session_, map_).visibleWorld());
-  return cloud_.in();
+  askForCloud(options_.region ? *options_.region : chooseView().visibleWorld());
+  return cloud_->came.has_value() || !cloud_->problem.isEmpty();
 }
 
 bool SnapshotRun::goneForGood() const {
@@ -330,7 +398,7 @@ bool SnapshotRun::goneForGood() const {
 }
 
 bool SnapshotRun::somethingIn() const {
-  return wantsWhole(options_) ? map_.grid().has_value() : session_.counts().texture_bytes > 0;
+  return options_.wantsWhole() ? map_.grid().has_value() : session_.counts().texture_bytes > 0;
 }
 
 void SnapshotRun::timeOut() {
@@ -342,23 +410,22 @@ void SnapshotRun::timeOut() {
   // Draws what has arrived, if that only takes a moment.
   cut_off_.start(milliseconds(options_.timeout_s + start_.grace.draw_s - seconds()));
   if (chosen_) return;
-  const bool no_list = wantsSubmaps(options_) && !session_.book().listReceived();
-  notes_ << (!no_list ? SnapshotRunText::tr("Not everything had arrived within %1 s (--timeout).")
-                                .arg(options_.timeout_s) +
-                            whatOfTheLink()
-                      : SnapshotRunText::tr("The robot sent no submap list within %1 s (--timeout). Pass "
-                                            "--mode whole to draw its whole map.")
-                                .arg(options_.timeout_s) +
-                            whatOfTheLink());
+  const bool no_list = options_.wantsSubmaps() && !session_.book().listReceived();
+  notes_ << (!no_list
+                 ? Text::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s) +
+                       whatOfTheLink()
+                 : Text::tr("The robot sent no submap list within %1 s (--timeout). Pass "
+                            "--mode whole to draw its whole map.")
+                           .arg(options_.timeout_s) +
+                       whatOfTheLink());
   paint(false);
 }
 
 void SnapshotRun::cutOff() {
   if (done_) return;
   complete_ = false;
-  notes_.prepend(
-      SnapshotRunText::tr("The picture was not finished within %1 s (--timeout): parts of it are empty.")
-          .arg(options_.timeout_s));
+  notes_.prepend(Text::tr("The picture was not finished within %1 s (--timeout): parts of it are empty.")
+                     .arg(options_.timeout_s));
   write();
 }
 
@@ -374,6 +441,232 @@ void SnapshotRun::finish(int exit_code) {
   for (QTimer* timer : {&poll_, &timeout_, &cut_off_, &settle_}) timer->stop();
   complete_s_ = seconds();
   Q_EMIT finished(exit_code);
+}
+
+std::optional<render::PlacedGrid> SnapshotRun::wholeGrid() const {
+  return options_.wantsWhole() ? map_.grid() : std::nullopt;
+}
+
+geometry::ViewTransform SnapshotRun::chooseView() const {
+  geometry::ViewTransform view;
+  view.width_px = options_.size_px.width();
+  view.height_px = options_.size_px.height();
+  view.rotation_rad = options_.rotation_rad;
+  if (options_.region) {
+    view.center_m = options_.region->center();
+    if (options_.scale_m_per_px > 0) view.scale_m_per_px = options_.scale_m_per_px;
+    return view;
+  }
+  if (!options_.center_m) {
+    geometry::WorldRect bounds;
+    if (options_.wantsSubmaps()) bounds.extend(session_.contentBounds());
+    const auto grid = wholeGrid();
+    if (grid) bounds.extend(grid->reference.bounds());
+    if (bounds.empty() && options_.layers.contains(scene::Layer::Cloud)) {
+      for (const auto& [topic, cloud] : session_.live().clouds) {
+        if (!cloud) continue;
+        for (const map::CloudPoint& point : *cloud) bounds.extend(Eigen::Vector2d(point.x_m, point.y_m));
+      }
+    }
+    return view.fitted(bounds, kFitMarginPx);
+  }
+  view.center_m = *options_.center_m;
+  view.scale_m_per_px = options_.scale_m_per_px;
+  return view;
+}
+
+SnapshotContent SnapshotRun::chooseContent() const {
+  SnapshotContent content;
+  content.view = view_;
+  content.submaps = options_.wantsSubmaps();
+  content.whole = options_.raw ? options_.mode == SnapshotMode::Whole : wholeGrid().has_value();
+  if (!options_.raw || region_) return content;
+  if (content.whole) {
+    content.grid = map_.grid();
+    return content;
+  }
+  for (const auto& [id, row] : session_.book().rows()) {
+    if (const auto placement = session_.book().placement(id, options_.slice)) {
+      content.textures.push_back({id, placement->texture, placement->world_from_texture, 0});
+    }
+  }
+  return content;
+}
+
+bool SnapshotRun::waypointsLost() const {
+  if (options_.raw || !options_.wantsWhole() || !options_.layers.contains(scene::Layer::Waypoints))
+    return false;
+  const auto& rows = session_.problems().rows();
+  return std::any_of(rows.begin(), rows.end(), [](const session::LoggedProblem& row) {
+    return !row.resolved && row.problem.subject.kind == map::SubjectKind::Places &&
+           row.problem.code == map::ProblemCode::Unavailable;
+  });
+}
+
+void SnapshotRun::paint(bool settled) {
+  if (done_ || chosen_) return;
+  if (region_) {
+    const auto notes = region_->notes(whatOfTheLink());
+    if (!notes) return fail(notes.error().exit_code, notes.error().sentence);
+    options_.scale_m_per_px = region_->scale();
+    options_.size_px = **region_->size();
+    notes_ += *notes;
+  }
+  if (!region_ && options_.mode == SnapshotMode::Whole && !map_.grid()) {
+    const QString which = options_.map
+                              ? Text::tr("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
+                              : Text::tr("its map");
+    fail(exitCodeOf(map::FailureKind::TimedOut),
+         Text::tr("%1: %2 had not arrived within %3 s (%4). There is nothing to draw.")
+                 .arg(options_.robot, which, QString::number(options_.settle_s.value_or(options_.timeout_s)),
+                      options_.settle_s ? QStringLiteral("--settle") : QStringLiteral("--timeout")) +
+             whatOfTheLink() +
+             (QStringList(QString()) + map_.liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
+    return;
+  }
+  poll_.stop();
+  settle_.stop();
+  // Drawing takes a while. Messages that arrive meanwhile must change neither the picture nor the report.
+  session_.standStill();
+  // Closing drops everything read from a bag.
+  const auto track = wantsTrack() ? window::trackOfBag(*replayed_->reading()) : nullptr;
+  session_.close();
+  chosen_.emplace();
+  chosen_->counts = session_.counts();
+  chosen_->problems = problemLines(session_.problems());
+  chosen_->refused = anyRefused(session_.problems());
+  if (const auto grid = wholeGrid()) {
+    chosen_->map = mapJson(*map_.key(), session_.wholeMap().name(), grid->reference);
+  }
+  complete_ = settled && (!options_.wantsSubmaps() || submapsComplete(chosen_->counts)) &&
+              (!options_.wantsWhole() || scans_alone_ || map_.complete()) && !waypointsLost() &&
+              (!region_ || region_->complete()) && (!wantsCloud() || (cloud_ && cloud_->came)) &&
+              bagLosses(session_.problems()).isEmpty();
+  // Also printed to standard error although nothing is missing.
+  const auto say = [this](const QString& note) {
+    notes_ << note;
+    shown_instead_ += (shown_instead_.isEmpty() ? QString() : QStringLiteral(" ")) + note;
+  };
+  if (wantsCloud() && cloud_ && !cloud_->problem.isEmpty()) notes_ << cloud_->problem;
+  // Nothing may look as if it had been recorded.
+  if (replayed_ && !options_.map && options_.wantsWhole() && map_.key() &&
+      map_.key()->kind != map::MapKind::Live) {
+    say(isLocal() ? Text::tr("The bag contains no map up to this time: the one recorded with it is drawn.")
+                  : Text::tr("The bag contains no map up to this time: the robot's present map is drawn."));
+  }
+  if (lacksSubmaps())
+    notes_ << Text::tr("The bag contains no submap list up to this time: there are no submaps to draw.");
+  noteChosenTopics();
+  for (const QString& topic : live_layers_.silent()) {
+    // Nothing is requested for a bag: data that is not in it is not missing.
+    if (replayed_) break;
+    notes_ << Text::tr("Nothing arrived on topic %1 within %2 s.")
+                  .arg(topic, QString::number(options_.settle_s.value_or(kTopicsWithinS)));
+  }
+  for (const scene::Layer layer : live_layers_.unfillable()) {
+    if (!options_.named.contains(layer)) continue;
+    say((replayed_ ? Text::tr("Layer %1 is empty: the bag has no topic for it.")
+                   : Text::tr("Layer %1 is empty: the robot has no topic for it."))
+            .arg(scene::layerName(layer)));
+  }
+  const session::SubmapCounts& counts = chosen_->counts;
+  if (counts.without_slice > 0 && counts.without_slice == counts.listed) {
+    notes_ << Text::tr("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
+  }
+  view_ = chooseView();
+  noteStanding();
+  Q_EMIT contentChosen();
+  SnapshotContent content = chooseContent();
+  if (region_) {
+    if (const auto missing = region_->putInto(content, options_.raw)) {
+      complete_ = false;
+      notes_ << *missing;
+    }
+  }
+  if (wantsCloud() && cloud_) content.cloud = cloud_->came;
+  content.track = track;
+  picture_ = options_.raw ? makeRawPicture(content, workers_)
+                          : makeScenePicture(options_, session_, content, workers_);
+  connect(picture_.get(), &SnapshotPicture::finished, this, &SnapshotRun::write);
+  picture_->start();
+  notes_ += picture_->notes();
+}
+
+void SnapshotRun::noteChosenTopics() {
+  robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
+  if (!of || !of->offered()) return;
+  for (const auto& [stream, topic] : options_.topics) {
+    if (of->choicesFor(stream).contains(topic)) continue;
+    QString fitting = of->choicesFor(stream).join(QLatin1String(", "));
+    if (fitting.isEmpty()) fitting = Text::tr("none");
+    notes_ << Text::tr("Topic %1 does not exist or its type does not fit the layer. Topics that fit: %2.")
+                  .arg(topic, fitting);
+    complete_ = false;
+  }
+}
+
+void SnapshotRun::write() {
+  if (done_) return;
+  made_ = picture_->made();
+  if (const auto grid = wholeGrid(); grid && grid->cells->trouble().any()) {
+    complete_ = false;
+    notes_.prepend(sentences::wordsOf(grid->cells->trouble()));
+  }
+  if (session_.lostPictures() > 0) {
+    complete_ = false;
+    notes_.prepend(
+        Text::tr("%1 submaps could not be read back from the disk: parts of the picture are empty.", nullptr,
+                 int(session_.lostPictures()))
+            .arg(session_.lostPictures()));
+  }
+  if (const auto why = overItsSource()) {
+    fail(kUsage, *why);
+  } else if (const auto error = picture_->write(options_.output)) {
+    fail(kUsage, *error);
+  } else {
+    finish(complete_ ? kDone : chosen_->refused ? exitCodeOf(map::FailureKind::Refused) : kIncomplete);
+  }
+}
+
+std::optional<QString> SnapshotRun::overItsSource() const {
+  if (options_.force) return std::nullopt;
+  const session::MapSlot& slot = session_.wholeMap();
+  return overOwnSource({options_.output, options_.report},
+                       sourceFilesOf(options_.robot, slot.key().id, slot.shown().path));
+}
+
+QStringList SnapshotRun::warnings() const {
+  QStringList all;
+  if (!error_.isEmpty()) all << error_;
+  all += chosen_ ? chosen_->problems : problemLines(session_.problems());
+  return all + map_.notes() + notes_;
+}
+
+QJsonObject SnapshotRun::report() const {
+  const session::SubmapCounts counts = chosen_ ? chosen_->counts : session_.counts();
+  QJsonObject report{
+      {QStringLiteral("complete"), complete_},
+      {QStringLiteral("mode"),
+       options_.mode == SnapshotMode::Whole ? QStringLiteral("whole") : QStringLiteral("submaps")},
+      {QStringLiteral("uuid"), QString::fromStdString(session_.book().uuid())},
+      {QStringLiteral("submaps"), submapsJson(counts)},
+      {QStringLiteral("painted"), toThousandths(made_)},
+      {QStringLiteral("seconds"), QJsonObject{{QStringLiteral("connect"), secondsOrNull(connected_s_)},
+                                              {QStringLiteral("first_paint"), secondsOrNull(first_paint_s_)},
+                                              {QStringLiteral("complete"), secondsOrNull(complete_s_)}}},
+      {QStringLiteral("view"),
+       QJsonObject{{QStringLiteral("center"), QJsonArray{view_.center_m.x(), view_.center_m.y()}},
+                   {QStringLiteral("scale"), view_.scale_m_per_px},
+                   {QStringLiteral("size"), QJsonArray{view_.width_px, view_.height_px}},
+                   {QStringLiteral("rotation_deg"), geometry::degreesFromRadians(view_.rotation_rad)}}},
+      {QStringLiteral("peak_rss_bytes"), peakMemoryBytes()},
+      {QStringLiteral("warnings"), QJsonArray::fromStringList(warnings())},
+  };
+  const QJsonObject traffic = trafficJson(counts);
+  for (auto it = traffic.begin(); it != traffic.end(); ++it) report[it.key()] = it.value();
+  if (region_) report[QStringLiteral("region")] = region_->json();
+  if (chosen_ && chosen_->map) report[QStringLiteral("map")] = *chosen_->map;
+  return report;
 }
 
 }  // namespace mapwright::app

@@ -2,20 +2,20 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
+#include <optional>
 
 #include <QJsonObject>
 #include <QObject>
 #include <QStringList>
 #include <QTimer>
 
-#include "app/cloud_wish.h"
 #include "app/deadline.h"
-#include "app/layer_wish.h"
-#include "app/map_wish.h"
-#include "app/snapshot_options.h"
+#include "app/layer_subscription.h"
+#include "app/map_request.h"
+#include "app/snapshot.h"
 #include "app/snapshot_picture.h"
-#include "app/snapshot_report.h"
-#include "regions/region_fetch.h"
+#include "app/snapshot_region.h"
 #include "session/session.h"
 #include "work/workers.h"
 
@@ -25,12 +25,27 @@ class ReplayRobot;
 
 namespace mapwright::app {
 
-/// What the picture is made from, and what the report says about it.
-struct SnapshotChoice {
-  session::SubmapCounts counts;
-  QStringList problems;
-  std::optional<QJsonObject> map;
-  bool refused = false;  // the robot refused something because the secret is wrong or missing
+/// A recent state of the snapshot, for another thread that ends the run.
+struct SnapshotStanding {
+  int exit_code = 0;
+  QString sentence;
+  QJsonObject report;
+};
+/// On any thread.
+class SnapshotBoard {
+ public:
+  void put(SnapshotStanding standing) {
+    const std::lock_guard lock(mutex_);
+    standing_ = std::move(standing);
+  }
+  SnapshotStanding take() const {
+    const std::lock_guard lock(mutex_);
+    return standing_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  SnapshotStanding standing_;
 };
 
 class SnapshotRun : public QObject {
@@ -62,9 +77,21 @@ class SnapshotRun : public QObject {
   void finished(int exit_code);
 
  private:
-  static constexpr double kTopicsWithinS = 3;  // live layers, after connecting
+  /// What the picture is made from, and what the report says about it.
+  struct Choice {
+    session::SubmapCounts counts;
+    QStringList problems;
+    std::optional<QJsonObject> map;
+    bool refused = false;  // the robot refused something because the secret is wrong or missing
+  };
+  /// The cloud of what is drawn; may arrive after this object is gone.
+  struct Cloud {
+    std::optional<clouds::CloudPiece> came;
+    QString problem;  // why it cannot be loaded, as a sentence; empty = nothing is known to be wrong
+  };
 
   void look();  // checks whether it is time for the next step; call it whenever something may have changed
+  void lookAtRegion();
   bool connected();
   /// For a bag: the state at its time has been applied.
   bool recalled();
@@ -84,29 +111,29 @@ class SnapshotRun : public QObject {
   QString noConnection() const;
   /// A sentence about a lost connection, after a blank; empty while connected.
   QString whatOfTheLink() const;
+  /// The requested view, or all that has been received so far.
+  geometry::ViewTransform chooseView() const;
+  SnapshotContent chooseContent() const;
+  /// The cells of the whole map, if it is drawn.
+  std::optional<render::PlacedGrid> wholeGrid() const;
   /// Waypoints should be drawn but could not be loaded.
   bool waypointsLost() const;
-  bool isLocal() const;
+  bool isLocal() const { return session_.robot().isLocal(); }
   bool wantsTrack() const;  // of a whole bag
-  /// The same as look(), for a picture of a region.
-  void lookAtRegion();
-  /// Computes the picture size from the cell size; false: impossible, and the run has failed.
-  bool sizeRegion();
-  QString tooManyPixels() const;
-  void takeRegion(SnapshotContent& content);
-  std::optional<QJsonObject> regionJson() const;
+  bool wantsCloud() const;
+  void askForCloud(const geometry::WorldRect& seen);
   bool topicsIn() const;
   bool lacksSubmaps() const;  // a bag that contains no submap list up to its time: none will arrive
   bool everythingIn() const;
   /// Requests the cloud of what is drawn, if that is wanted and the area is known.
   bool cloudIn();
-  bool wantsCloud() const;
   bool somethingIn() const;
   /// The connection is lost, and it is time to draw what has arrived.
   bool goneForGood() const;
   void fail(int exit_code, const QString& sentence);
   void finish(int exit_code);
   double seconds() const;
+  double sinceConnected() const { return seconds() - connected_s_; }
   /// How long to wait for a submap list if a whole map can be drawn instead.
   double listWithin() const;
 
@@ -114,14 +141,14 @@ class SnapshotRun : public QObject {
   SnapshotOptions options_;
   std::shared_ptr<work::Workers> workers_ = std::make_shared<work::Workers>();
   session::Session session_;
-  MapWish map_;
-  LayerWish live_layers_;
+  MapRequest map_;
+  LayerSubscription live_layers_;
   bool scans_alone_ = false;
-  CloudWish cloud_;
+  std::shared_ptr<Cloud> cloud_;             // null = not asked for
   replay::ReplayRobot* replayed_ = nullptr;  // null = a live robot
   bool recalled_ = false;
-  std::unique_ptr<regions::RegionFetch> fetch_;  // of a region
-  std::unique_ptr<SnapshotChoice> chosen_;
+  std::optional<RegionSnapshot> region_;
+  std::optional<Choice> chosen_;
   std::unique_ptr<SnapshotPicture> picture_;
   std::shared_ptr<SnapshotBoard> board_ = std::make_shared<SnapshotBoard>();
   CommandStart start_;

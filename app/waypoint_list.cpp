@@ -1,13 +1,27 @@
 #include "app/waypoint_list.h"
 
-#include <cstdio>
+#include <chrono>
+#include <cmath>
+#include <set>
+#include <string_view>
+#include <utility>
 
-#include <QCoreApplication>
+#include <QFileInfo>
+#include <QJsonObject>
 
-#include "app/exit_code.h"
-#include "app/output_paths.h"
-#include "exchange/waypoint_steps.h"
+#include "app/command_text.h"
+#include "app/output.h"
+#include "app/robot_factory.h"
+#include "disk/file_error.h"
+#include "disk/read_file.h"
+#include "exchange/temporary_names.h"
+#include "exchange/waypoint_table.h"
+#include "exchange/waypoint_json.h"
+#include "placing/warnings.h"
+#include "robot/files/waypoint_file.h"
 #include "sentences/fault_sentence.h"
+#include "sentences/placing_sentence.h"
+#include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -15,36 +29,28 @@
 namespace mapwright::app {
 namespace {
 
-class WaypointListText {
-  Q_DECLARE_TR_FUNCTIONS(Waypoints)
-};
-
 using words::text;
 
-CommandResult<map::MapKey> mapOf(MapReading& robot, const std::string& id) {
+CommandResult<map::MapKey> mapOf(RobotReading& robot, const std::string& id) {
   const map::MapKey named = map::mapKeyFromText(id);
-  const auto fail = [&](int code, const QString& sentence) {
-    return tl::make_unexpected(robot.failure(code, sentence));
-  };
   if (!id.empty() && !robot.local()) {
     if (named.kind == map::MapKind::Stored) return named;
-    return fail(kUsage,
-                WaypointListText::tr("--map %1: pass the id of a stored map (see mapwright maps list).")
-                    .arg(text(id)));
+    return robot.failure(
+        kUsage, Text::tr("--map %1: pass the id of a stored map (see mapwright maps list).").arg(text(id)));
   }
   const auto rows = robot.catalogue();
-  if (!rows) return tl::make_unexpected(rows.error());
+  if (!rows) return passOn(rows);
   const session::Catalogue& catalogue = robot.session().catalogue();
   const map::CatalogueEntry* entry = id.empty() ? catalogue.current() : catalogue.called(id);
   if (!entry && id.empty() && (*rows)->size() == 1) entry = &(*rows)->front();
   if (entry) return entry->key;
   if (!id.empty())
-    return fail(kUsage, WaypointListText::tr("There is no map %1 (see mapwright maps list).").arg(text(id)));
+    return robot.failure(kUsage, Text::tr("There is no map %1 (see mapwright maps list).").arg(text(id)));
   return (*rows)->empty()
-             ? fail(kRobotError, WaypointListText::tr("There are no maps."))
-             : fail(kRobotError,
-                    WaypointListText::tr(
-                        "None of its maps is the current one. Pass --map ID (see mapwright maps list)."));
+             ? robot.failure(kRobotError, Text::tr("There are no maps."))
+             : robot.failure(
+                   kRobotError,
+                   Text::tr("None of its maps is the current one. Pass --map ID (see mapwright maps list)."));
 }
 
 tl::expected<robot::StoredWaypoints, map::Failure> readAll(ListedWaypoints& list,
@@ -74,14 +80,112 @@ QString someIds(const std::vector<const map::Waypoint*>& points) {
 
 QString nameLeft(const exchange::TemporaryName& left) {
   const QString name = words::plainName(left.name), permanent = words::plainName(left.permanent);
-  return left.is_free ? WaypointListText::tr(
+  return left.is_free ? Text::tr(
                             "\"%1\" looks like a temporary name left by an interrupted swap of names. It was "
                             "called \"%2\" before. Apply the plan again, or rename it.")
                             .arg(name, permanent)
-                      : WaypointListText::tr(
+                      : Text::tr(
                             "\"%1\" looks like a temporary name left by an interrupted swap of names. "
                             "Another waypoint is called \"%2\" now. Apply the plan again, or rename it.")
                             .arg(name, permanent);
+}
+
+constexpr const char* kStandardInput = "-";
+
+/// After a UTF-8 byte order mark and blanks.
+bool beginsLikeJson(std::string_view bytes) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  if (bytes.starts_with(kMark)) bytes.remove_prefix(kMark.size());
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && bytes[first] == '{';
+}
+
+std::optional<WaypointFileKind> kindCalled(const QString& word) {
+  if (word == QLatin1String("csv")) return WaypointFileKind::Csv;
+  if (word == QLatin1String("geojson") || word == QLatin1String("json")) return WaypointFileKind::GeoJson;
+  return std::nullopt;
+}
+
+constexpr double kMapWithinS = 20;   // the command waits at most this long for its picture
+constexpr double kModelWithinS = 2;  // for the robot's footprint
+
+struct Ground {
+  placing::PlacedMap map;
+  QString why_not;
+};
+
+Ground groundOf(RobotReading& reading, const map::MapKey& key) {
+  session::Session& session = reading.session();
+  const session::MapSlot& slot = session.wholeMap();
+  session.openMap(key);
+  const bool in_time = reading.waitUntil([&] { return slot.key() == key && slot.settled(); }, kMapWithinS);
+  if (slot.cells() && slot.shown().key == key && slot.cells()->complete())
+    return {{slot.cells(), slot.reference()}, {}};
+  if (slot.remark()) return {{}, sentences::sentenceOf(*slot.remark())};
+  return {{}, in_time ? QString() : Text::tr("It had not arrived in time.")};
+}
+
+double radiusOf(RobotReading& reading) {
+  session::Session& session = reading.session();
+  const auto told = [&] { return placing::radiusOf(session.live().model); };
+  robot::LiveTopics* const live = session.robot().liveTopics();
+  if (live && !live->topicsOf(map::Stream::Model).isEmpty()) {
+    session.want(QStringLiteral("waypoints"), {map::Stream::Model});
+    reading.waitUntil([&] { return told() > 0; }, kModelWithinS);
+  }
+  return told() > 0 ? told() : placing::kUsualRadiusM;
+}
+
+constexpr std::pair<placing::WarningKind, const char*> kWarningWords[] = {
+    {placing::WarningKind::InWall, "in_wall"},       {placing::WarningKind::OutsideMap, "outside_map"},
+    {placing::WarningKind::NearWall, "near_wall"},   {placing::WarningKind::OnUnknown, "on_unknown"},
+    {placing::WarningKind::NameTwice, "name_twice"}, {placing::WarningKind::TemporaryName, "temporary_name"},
+    {placing::WarningKind::ZeroTurn, "zero_turn"}};
+
+QString stableWordOf(placing::WarningKind kind) {
+  for (const auto& [one, word] : kWarningWords) {
+    if (one == kind) return QLatin1String(word);
+  }
+  return {};
+}
+
+QJsonArray doubtsJson(const DoubtsAhead& doubts) {
+  QJsonArray rows;
+  for (const DoubtAhead& one : doubts) {
+    rows << QJsonObject{
+        {QStringLiteral("id"), one.id.empty() ? QJsonValue() : QJsonValue(QString::fromStdString(one.id))},
+        {QStringLiteral("name"), QString::fromStdString(one.name)},
+        {QStringLiteral("warnings"), warningsJson(one.warnings)}};
+  }
+  return rows;
+}
+
+std::set<edit::Key> refusedOf(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits) {
+  return edit::refusedNames(exchange::itemsOf(list.stored.points), edits, list.store->keeps());
+}
+
+QJsonArray refusedJson(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits) {
+  const std::set<edit::Key> refused = refusedOf(list, edits);
+  QJsonArray rows;
+  for (const exchange::WaypointEdit& edit : edits) {
+    if (!refused.contains(edit.key)) continue;
+    rows << QJsonObject{
+        {QStringLiteral("id"), edit.before ? QJsonValue(QString::fromStdString(edit.key)) : QJsonValue()},
+        {QStringLiteral("name"), QString::fromStdString(edit.after->name)}};
+  }
+  return rows;
+}
+
+QJsonObject previewJson(const ListedWaypoints& list, const exchange::MergedEdits& edits,
+                        const std::optional<DoubtsAhead>& doubts) {
+  QJsonObject json{
+      {QStringLiteral("changes"), exchange::stepsJson(exchange::stepsOf(edits.edits), list.mapId())},
+      {QStringLiteral("calls"), callsOf(list, edits.edits)},
+      {QStringLiteral("conflicts"), exchange::conflictsJson(edits.conflicts, list.mapId())}};
+  if (const QJsonArray refused = refusedJson(list, edits.edits); !refused.isEmpty())
+    json[QStringLiteral("refused")] = refused;
+  if (doubts) json[QStringLiteral("warnings")] = doubtsJson(*doubts);
+  return json;
 }
 
 }  // namespace
@@ -93,35 +197,28 @@ std::vector<exchange::WaypointEdit> fitted(const ListedWaypoints& list,
   return std::move(fitted.edits);
 }
 
-CommandFailure ListedWaypoints::failure(const map::Failure& failed) const {
-  CommandFailure failure = robot->failure(failed);
+tl::unexpected<CommandFailure> ListedWaypoints::failure(const map::Failure& failed) const {
+  const auto failure = robot->failure(failed);
   // Files do not answer: they cannot be read or written.
-  if (robot->local() && failed.kind != map::FailureKind::Conflict &&
-      failed.kind != map::FailureKind::TimedOut)
-    failure.exit_code = kUsage;
-  return failure;
+  const bool of_file = robot->local() && failed.kind != map::FailureKind::Conflict &&
+                       failed.kind != map::FailureKind::TimedOut;
+  return of_file ? wrong(failure.value().sentence) : failure;
 }
 
-CommandResult<ListedWaypoints> listWaypoints(MapsCommand& command, const WaypointsWords& words,
-                                             const std::string& map, Use use) {
-  const auto access = RobotAccess::read(words.access, text(words.robot));
-  if (!access) return tl::make_unexpected(CommandFailure{kUsage, access.error()});
-  const QString address = text(words.robot);
-  auto opened = command.open(address, access->forAddress(address), MapReading::Purpose::Maps);
-  if (!opened) return tl::make_unexpected(opened.error());
-  MapReading& reading = **opened;
+CommandResult<ListedWaypoints> listWaypoints(RobotCommand& command, const std::string& map, Use use) {
+  const auto opened = command.open();
+  if (!opened) return passOn(opened);
+  RobotReading& reading = **opened;
   robot::Robot& robot = reading.session().robot();
   ListedWaypoints list{&reading, {}};
   list.store = robot.waypointStore();
-  if (!list.store && use == Use::Changing)
-    return tl::make_unexpected(reading.lacks(robot::Capability::WaypointEditing));
-  if (!list.store && !robot.waypointSource())
-    return tl::make_unexpected(reading.lacks(robot::Capability::Waypoints));
+  if (!list.store && use == Use::Changing) return reading.lacks(robot::Capability::WaypointEditing);
+  if (!list.store && !robot.waypointSource()) return reading.lacks(robot::Capability::Waypoints);
   const auto key = mapOf(reading, map);
-  if (!key) return tl::make_unexpected(key.error());
+  if (!key) return passOn(key);
   list.map = *key;
   auto stored = readAll(list, robot.waypointSource());
-  if (!stored) return tl::make_unexpected(list.failure(stored.error()));
+  if (!stored) return list.failure(stored.error());
   list.stored = std::move(*stored);
   for (const Fault& note : list.stored.notes)
     reading.note(QStringLiteral("%1: %2").arg(sentences::nameOf(map::placesOf(list.map)),
@@ -144,17 +241,163 @@ CommandResult<const map::Waypoint*> chosen(const ListedWaypoints& list, const st
   if (called.empty()) called = std::move(shown_so);
   if (called.size() == 1) return called.front();
   if (called.empty())
-    return tl::make_unexpected(list.robot->failure(
-        kRobotError,
-        WaypointListText::tr("There is no waypoint %1 (see mapwright waypoints list).").arg(shown)));
-  return tl::make_unexpected(
-      list.robot->failure(kUsage, WaypointListText::tr("Several waypoints are called \"%1\". Pass an id: %2.")
-                                      .arg(shown, someIds(called))));
+    return list.robot->failure(
+        kRobotError, Text::tr("There is no waypoint %1 (see mapwright waypoints list).").arg(shown));
+  return list.robot->failure(
+      kUsage, Text::tr("Several waypoints are called \"%1\". Pass an id: %2.").arg(shown, someIds(called)));
 }
 
-int runWaypointsCommand(const WaypointsWords& words, int& argc, char** argv,
-                        const std::function<CommandResult<int>(MapsCommand&)>& work) {
-  return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);
+tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path, const std::string& format) {
+  if (!format.empty()) {
+    if (const auto kind = kindCalled(text(format))) return *kind;
+    return tl::make_unexpected(Text::tr("--format %1: must be csv or geojson.").arg(text(format)));
+  }
+  if (isStandardOutput(text(path))) return WaypointFileKind::GeoJson;
+  if (const auto kind = kindCalled(QFileInfo(text(path)).suffix().toLower())) return *kind;
+  return tl::make_unexpected(
+      Text::tr("%1: the name must end in .geojson or .csv; or pass --format geojson or csv.")
+          .arg(text(path)));
+}
+
+tl::expected<std::string, disk::FileError> bytesOf(const std::string& path, std::size_t most) {
+  return path == kStandardInput ? disk::readStandardInput(most + 1) : disk::readFile(path, most + 1);
+}
+
+QString inputCalled(const std::string& path) {
+  return path == kStandardInput ? Text::tr("The standard input") : text(path);
+}
+
+tl::expected<exchange::WantedList, QString> readWantedFile(const std::string& path,
+                                                           const std::string& format) {
+  const bool by_content = path == kStandardInput && format.empty();
+  auto kind = by_content ? tl::expected<WaypointFileKind, QString>(WaypointFileKind::GeoJson)
+                         : waypointFileKind(path, format);
+  if (!kind) return passOn(kind);
+  const QString called = inputCalled(path);
+  const auto bytes = bytesOf(path, exchange::kMaxWantedBytes);
+  if (!bytes)
+    return tl::make_unexpected(
+        Text::tr("%1 cannot be read: %2.").arg(called, sentences::wordsOf(bytes.error().cause)));
+  if (bytes->size() > exchange::kMaxWantedBytes)
+    return tl::make_unexpected(Text::tr("%1 is larger than 64 MiB.").arg(called));
+  if (by_content && !beginsLikeJson(*bytes)) kind = WaypointFileKind::Csv;
+  exchange::WantedFile wanted =
+      *kind == WaypointFileKind::Csv ? exchange::wantedFromCsv(*bytes) : exchange::wantedFromGeoJson(*bytes);
+  if (!wanted) return tl::make_unexpected(QStringLiteral("%1: %2").arg(called, wanted.error()));
+  return wanted;
+}
+
+std::vector<std::string> waypointSources(const std::string& address, const map::MapKey& key) {
+  std::vector<std::string> sources = sourceFilesOf(text(address), key.id, {});
+  for (std::size_t i = 0, maps = sources.size(); i < maps; ++i)
+    sources.push_back(robot::files::waypointPathOf(sources[i]));
+  return sources;
+}
+
+tl::expected<std::optional<double>, QString> radiusFrom(const std::string& word) {
+  if (word.empty()) return std::nullopt;
+  bool ok = false;
+  const double metres = QString::fromStdString(word).toDouble(&ok);
+  if (ok && std::isfinite(metres) && metres >= 0 && metres <= placing::kMostRadiusM)
+    return std::optional(metres);
+  return tl::make_unexpected(Text::tr("--radius %1: give metres from 0 to %2, for example 0.3.")
+                                 .arg(QString::fromStdString(word))
+                                 .arg(placing::kMostRadiusM));
+}
+
+DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::Waypoint>& points,
+                           std::optional<double> radius_m) {
+  const double radius = radius_m ? *radius_m : radiusOf(*list.robot);
+  const Ground ground = groundOf(*list.robot, list.map);
+  std::vector<Eigen::Vector2d> places;
+  places.reserve(points.size());
+  std::vector<std::string> names;
+  for (const map::Waypoint& point : points) {
+    places.push_back(point.position_m);
+    names.push_back(point.name);
+  }
+  const std::set<std::string> twice = placing::namesTwice(names);
+  const placing::GroundWarnings found = placing::groundWarnings(places, ground.map, radius, nullptr);
+  DoubtfulWaypoints doubtful;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool zero_turn = points[i].yaw_rad == 0.0 && list.stored.zero_turns.contains(points[i].id);
+    doubtful.of.push_back(placing::together(found.of[i], points[i].name, twice.contains(points[i].name), zero_turn));
+  }
+  doubtful.looked = found.state != placing::GroundState::None;
+  if (!doubtful.looked) {
+    doubtful.untold =
+        Text::tr("The map under the waypoints cannot be read, so they are not checked for walls.");
+    if (!ground.why_not.isEmpty()) doubtful.untold += QLatin1Char(' ') + ground.why_not;
+  } else {
+    doubtful.untold = sentences::sentenceOf(found.state);
+  }
+  return doubtful;
+}
+
+QJsonArray warningsJson(const placing::Warnings& warnings) {
+  QJsonArray rows;
+  for (const placing::Warning& warning : warnings) {
+    QJsonObject row{{QStringLiteral("kind"), stableWordOf(warning.kind)},
+                    {QStringLiteral("sentence"), sentences::sentenceOf(warning)}};
+    if (warning.kind == placing::WarningKind::NearWall) {
+      row[QStringLiteral("distance_m")] = warning.distance_m;
+      row[QStringLiteral("radius_m")] = warning.radius_m;
+    }
+    rows << row;
+  }
+  return rows;
+}
+
+QString warningsLine(const placing::Warnings& warnings) {
+  return sentences::sentencesOf(warnings).replace(QLatin1Char('\n'), QLatin1Char(' '));
+}
+
+QJsonArray callsOf(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits) {
+  const std::set<edit::Key> refused = refusedOf(list, edits);
+  std::vector<robot::WaypointChange> changes;
+  for (const exchange::WaypointEdit& edit : edits) {
+    if (!refused.contains(edit.key)) changes.push_back({edit.key, edit.before, edit.after});
+  }
+  return exchange::callsJson(*list.store, list.store->plan(list.stored, changes), list.map);
+}
+
+QJsonObject previewReport(const ListedWaypoints& list, const exchange::MergedEdits& edits,
+                          const std::optional<DoubtsAhead>& doubts) {
+  QJsonObject report = previewJson(list, edits, doubts);
+  report[QStringLiteral("dry_run")] = true;
+  report[QStringLiteral("map")] = QString::fromStdString(list.mapId());
+  return report;
+}
+
+void printPreview(const ListedWaypoints& list, const exchange::MergedEdits& edits, bool json,
+                  const std::optional<DoubtsAhead>& doubts) {
+  const std::vector<exchange::WaypointStep> steps = exchange::stepsOf(edits.edits);
+  if (json) {
+    printJson(previewJson(list, edits, doubts));
+    return;
+  }
+  std::vector<QStringList> table{
+      {Text::tr("CHANGE"), Text::tr("ID"), Text::tr("NAME"), Text::tr("NEW VALUE")}};
+  for (const exchange::WaypointStep& step : steps) {
+    const std::string id = step.id();
+    table.push_back({wordOf(step.kind), id.empty() ? QStringLiteral("-") : words::plainName(id),
+                     words::plainName(step.name()), exchange::detailOf(step)});
+  }
+  for (const QString& line : exchange::conflictLines(edits.conflicts))
+    table.push_back({Text::tr("conflict"), QString(), QString(), line});
+  if (const QString why = exchange::refusedText(refusedOf(list, edits.edits), edits.edits); !why.isEmpty())
+    table.push_back({Text::tr("refused"), QString(), QString(), why});
+  const bool changes = table.size() > 1;
+  for (const DoubtAhead& one : doubts.value_or(DoubtsAhead())) {
+    table.push_back({Text::tr("warning"), one.id.empty() ? QStringLiteral("-") : words::plainName(one.id),
+                     words::plainName(one.name), warningsLine(one.warnings)});
+  }
+  if (table.size() > 1) {
+    if (!changes) printLine(Text::tr("There is nothing to change."));
+    printTable(table);
+  } else {
+    printLine(Text::tr("There is nothing to change."));
+  }
 }
 
 }  // namespace mapwright::app

@@ -4,13 +4,11 @@
 #include <map>
 #include <utility>
 
-#include <QCoreApplication>
 #include <QDeadlineTimer>
 #include <QEventLoop>
 
-#include "app/exit_code.h"
-#include "app/one_line.h"
-#include "app/table.h"
+#include "app/command_text.h"
+#include "app/output.h"
 #include "map/temporary_name.h"
 #include "robot/ros/faults.h"
 #include "sentences/failure_sentence.h"
@@ -18,10 +16,6 @@
 
 namespace mapwright::app {
 namespace {
-
-class WaypointSendingText {
-  Q_DECLARE_TR_FUNCTIONS(WaypointSending)
-};
 
 constexpr int kFarewellMs = 150;         // how long to wait for the result of a request that was given up
 constexpr double kReconnectWithinS = 5;  // to find out the results after a lost connection
@@ -38,7 +32,7 @@ class Sending {
   CommandResult<SentWaypoints> run(const std::vector<exchange::WaypointEdit>& edits) {
     robot_.waitUntil([&] { return open_.phase() != edit::OpenWaypoints::Phase::Reading; });
     if (open_.phase() != edit::OpenWaypoints::Phase::Ready) {
-      return tl::make_unexpected(list_.failure(open_.failure() ? *open_.failure() : robot_.tooLate({})));
+      return list_.failure(open_.failure() ? *open_.failure() : robot_.tooLate({}));
     }
     open_.document().rebase(edits, {});
     for (exchange::WaypointStep& step : exchange::stepsOf(open_.document().allChanges()))
@@ -210,7 +204,7 @@ class Sending {
     return std::nullopt;
   }
 
-  MapReading& robot_;
+  RobotReading& robot_;
   const ListedWaypoints& list_;
   AtFailure at_failure_;
   edit::OpenWaypoints open_;
@@ -218,42 +212,26 @@ class Sending {
 };
 
 QString wordOf(StepState state) {
-  switch (state) {
-    case StepState::Applied:
-      return WaypointSendingText::tr("applied");
-    case StepState::Failed:
-      return WaypointSendingText::tr("failed");
-    case StepState::Unknown:
-      return WaypointSendingText::tr("unknown");
-    case StepState::NotSent:
-      break;
-  }
-  return WaypointSendingText::tr("not sent");
+  return state == StepState::Applied   ? Text::tr("applied")
+         : state == StepState::Failed  ? Text::tr("failed")
+         : state == StepState::Unknown ? Text::tr("unknown")
+                                       : Text::tr("not sent");
 }
 
 /// For scripts, never changes (docs/command-line.md).
 const char* stableWordOf(StepState state) {
-  switch (state) {
-    case StepState::Applied:
-      return "applied";
-    case StepState::Failed:
-      return "failed";
-    case StepState::Unknown:
-      return "unknown";
-    case StepState::NotSent:
-      break;
-  }
-  return "not_sent";
+  return state == StepState::Applied   ? "applied"
+         : state == StepState::Failed  ? "failed"
+         : state == StepState::Unknown ? "unknown"
+                                       : "not_sent";
 }
 
 QString shownName(const exchange::WaypointStep& step) { return words::plainName(step.name()); }
 
 QString sentenceOf(const LeftName& left) {
   const QString sentence =
-      left.certain
-          ? WaypointSendingText::tr("\"%1\" is temporarily called \"%2\", until the name \"%3\" is free.")
-          : WaypointSendingText::tr(
-                "\"%1\" may temporarily be called \"%2\", until the name \"%3\" is free.");
+      left.certain ? Text::tr("\"%1\" is temporarily called \"%2\", until the name \"%3\" is free.")
+                   : Text::tr("\"%1\" may temporarily be called \"%2\", until the name \"%3\" is free.");
   return sentence.arg(words::plainName(left.before), words::plainName(left.name),
                       words::plainName(left.wanted));
 }
@@ -263,7 +241,7 @@ QString sentenceOf(const std::vector<LeftName>& left) {
   QStringList lines;
   for (const LeftName& one : left) lines << sentenceOf(one);
   return QLatin1Char(' ') + lines.join(QLatin1Char(' ')) + QLatin1Char(' ') +
-         WaypointSendingText::tr("Run the command again to finish it.");
+         Text::tr("Run the command again to finish it.");
 }
 
 }  // namespace
@@ -284,15 +262,15 @@ QString SentWaypoints::sentence() const { return whatBecame() + sentenceOf(left_
 QString SentWaypoints::whatBecame() const {
   if (!conflicts.empty()) {
     const QStringList lines = exchange::conflictLines(conflicts);
-    const QString first = lines.size() > 1 ? WaypointSendingText::tr("%1 (and %2 more)")
-                                                 .arg(lines.first(), QString::number(lines.size() - 1))
-                                           : lines.first();
-    return WaypointSendingText::tr(
+    const QString first =
+        lines.size() > 1 ? Text::tr("%1 (and %2 more)").arg(lines.first(), QString::number(lines.size() - 1))
+                         : lines.first();
+    return Text::tr(
                "The waypoints have been changed by someone else in the meantime, in a way that conflicts "
                "with this: %1. %2")
         .arg(first, count(StepState::Applied) + count(StepState::Unknown) == 0
-                        ? WaypointSendingText::tr("Nothing was sent.")
-                        : WaypointSendingText::tr("The rest was not sent."));
+                        ? Text::tr("Nothing was sent.")
+                        : Text::tr("The rest was not sent."));
   }
   QStringList lines;
   for (const StepState state : {StepState::Unknown, StepState::Failed}) {
@@ -304,8 +282,7 @@ QString SentWaypoints::whatBecame() const {
   if (lines.isEmpty() && failure) lines << QString::fromStdString(sentences::sentenceOf(*failure));
   const QString first = lines.isEmpty() ? QString() : lines.first();
   if (steps.size() == 1) return first;
-  return WaypointSendingText::tr(
-             "Of %1 changes %2 are applied, %3 failed, %4 are unknown and %5 were not sent. %6")
+  return Text::tr("Of %1 changes %2 are applied, %3 failed, %4 are unknown and %5 were not sent. %6")
       .arg(QString::number(steps.size()), QString::number(count(StepState::Applied)),
            QString::number(count(StepState::Failed)), QString::number(count(StepState::Unknown)),
            QString::number(count(StepState::NotSent)), first);
@@ -367,8 +344,7 @@ QJsonObject sentReport(const SentWaypoints& sent, const std::string& map) {
 }
 
 void printSent(const SentWaypoints& sent) {
-  std::vector<QStringList> table{{WaypointSendingText::tr("STATE"), WaypointSendingText::tr("CHANGE"),
-                                  WaypointSendingText::tr("ID"), WaypointSendingText::tr("NAME")}};
+  std::vector<QStringList> table{{Text::tr("STATE"), Text::tr("CHANGE"), Text::tr("ID"), Text::tr("NAME")}};
   for (const SentStep& one : sent.steps) {
     const auto kept = sent.kept.find(one.step.key);
     const std::string id = kept != sent.kept.end() ? kept->second.id : one.step.id();
@@ -378,10 +354,10 @@ void printSent(const SentWaypoints& sent) {
                                    : QStringLiteral("%1: %2").arg(shownName(one.step), oneLine(why))});
   }
   for (const QString& line : exchange::conflictLines(sent.conflicts))
-    table.push_back({WaypointSendingText::tr("conflict"), QString(), QString(), line});
+    table.push_back({Text::tr("conflict"), QString(), QString(), line});
   for (const LeftName& left : sent.left_names)
-    table.push_back({WaypointSendingText::tr("temporary name"), QString(), words::plainName(left.id),
-                     oneLine(sentenceOf(left))});
+    table.push_back(
+        {Text::tr("temporary name"), QString(), words::plainName(left.id), oneLine(sentenceOf(left))});
   if (table.size() > 1) printTable(table);
 }
 

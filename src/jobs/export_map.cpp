@@ -2,17 +2,19 @@
 
 #include <utility>
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <QImageWriter>
 #include <QRegularExpression>
 
 #include "disk/file_error.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "grids/export_grid.h"
-#include "jobs/write_picture.h"
+#include "jobs/faults.h"
 #include "render/compose_grid.h"
 #include "sentences/fault_sentence.h"
 #include "words/qt_plain.h"
@@ -43,6 +45,30 @@ Problem writeGrid(const WholeMapExport& map, const ExportRequest& request, const
 }
 
 }  // namespace
+
+std::optional<Fault> writePicture(const QImage& picture, const QString& path) {
+  QBuffer png;
+  png.open(QIODevice::WriteOnly);
+  QImageWriter writer(&png, "png");
+  if (!writer.write(picture)) {
+    return Fault(fault::PictureNotEncoded, {path.toStdString(), writer.errorString().toStdString()});
+  }
+  const auto fault = disk::writeFile(
+      path.toStdString(), std::string_view(png.data().constData(), std::size_t(png.data().size())));
+  return fault ? std::optional(disk::notWritten(*fault)) : std::nullopt;
+}
+
+std::vector<std::string> sourceFiles(const robot::Addresses& addresses, const QString& address,
+                                     const std::string& id, const std::string& picture,
+                                     const YamlsNaming& yamls_naming) {
+  const auto parsed = addresses.parse(address);
+  std::vector<std::string> files;
+  if (parsed) files = robot::localFiles(*parsed, id, picture);
+  if (files.empty() || picture.empty() || !yamls_naming) return files;
+  for (const QString& yaml : yamls_naming(QString::fromStdString(picture)))
+    files.push_back(yaml.toStdString());
+  return files;
+}
 
 QString worldFilePath(const QString& picture_path) {
   const QFileInfo info(picture_path);

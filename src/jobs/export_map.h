@@ -14,9 +14,11 @@
 #include <QString>
 #include <QStringList>
 
+#include "fault/fault.h"
 #include "grids/grid_pyramid.h"
 #include "map/grid_reference.h"
 #include "render/compositor.h"
+#include "robot/address.h"
 #include "work/workers.h"
 
 namespace mapwright::jobs {
@@ -57,10 +59,20 @@ struct ExportResult {
 /// Blocks. `proceed` gets the share done (0..1); false cancels, and no partial file remains.
 ExportResult exportMap(const ExportRequest& request, const std::function<bool(double done)>& proceed,
                        const grids::Means& means = {});
+/// Writes a painted picture to a PNG file: completely or not at all; disk::WrittenFile describes which paths
+/// are possible. nullopt = written, otherwise why not.
+std::optional<Fault> writePicture(const QImage& picture, const QString& path);
 /// "/maps/a.png" -> "/maps/a.pgw".
 QString worldFilePath(const QString& picture_path);
 /// The files that will be written.
 QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file);
+/// The map.yaml files that name a picture as their image; null = none are known.
+using YamlsNaming = std::function<QStringList(const QString& picture)>;
+/// The local files that the map `id` at `address` is read from, including the map.yaml of its `picture`; none
+/// for a robot.
+std::vector<std::string> sourceFiles(const robot::Addresses& addresses, const QString& address,
+                                     const std::string& id, const std::string& picture,
+                                     const YamlsNaming& yamls_naming);
 /// The first of `files` that is one of `sources`, through any links; empty = none. Pipes, devices and the
 /// standard output are ignored, since nothing is replaced there.
 QString firstOwnSource(const QStringList& files, const std::vector<std::string>& sources);

@@ -67,6 +67,13 @@ ParsedAddress Addresses::parse(const QString& typed) const {
   return parsed(schemes_.front(), text);
 }
 
+std::string Addresses::kindOf(const QString& typed) const {
+  const auto parsed = parse(typed);
+  QString scheme = parsed ? parsed->scheme : QString();
+  while (!scheme.isEmpty() && !scheme.back().isLetterOrNumber()) scheme.chop(1);
+  return scheme.toStdString();
+}
+
 QStringList Addresses::examples() const {
   QStringList all;
   for (const AddressScheme& scheme : schemes_) all << scheme.like;

@@ -47,6 +47,8 @@ class Addresses {
   ParsedAddress parse(const QString& typed) const;
   /// Whether it begins like an address, of a known or unknown kind, and so is not the name of a map.
   bool isAddress(const QString& typed) const;
+  /// The kind of robot that it names, "axbot"; empty where it is no address.
+  std::string kindOf(const QString& typed) const;
   /// An example address for each kind, the one that needs no prefix first.
   QStringList examples() const;
 

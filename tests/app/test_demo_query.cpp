@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "app/demo_robot.h"
+#include "app/robot_factory.h"
 #include "test_program.h"
 
 namespace test_demo_query {

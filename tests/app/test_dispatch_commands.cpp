@@ -11,7 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/map_region.h"
+#include "app/map_request.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 

@@ -160,7 +160,7 @@ class NameSwapsTest : public QObject {
   Q_OBJECT
   QTemporaryDir folder_;
   std::shared_ptr<work::Workers> workers_ = std::make_shared<work::Workers>();
-  std::unique_ptr<app::MapReading> reading_;
+  std::unique_ptr<app::RobotReading> reading_;
 
   app::ListedWaypoints listed(ManagerStore& store) {
     return {reading_.get(), kMap, {store.points, {}, {}}, &store};
@@ -220,8 +220,8 @@ class NameSwapsTest : public QObject {
     QVERIFY(picture.open(QIODevice::WriteOnly));
     QCOMPARE(picture.write("P5\n1 1\n255\n\xfe"), 12);
     picture.close();
-    auto opened = app::MapReading::open(picture.fileName(), {}, {app::commandStart(600, 0), 600},
-                                        app::MapReading::Purpose::Maps, workers_);
+    auto opened = app::RobotReading::open(picture.fileName(), {}, {app::commandStart(600, 0), 600},
+                                          app::RobotReading::Purpose::Maps, workers_);
     QVERIFY(opened);
     reading_ = std::move(*opened);
   }

@@ -9,7 +9,6 @@
 #include <QTest>
 
 #include "app/settings_file.h"
-#include "app/xdg.h"
 #include "test_program.h"
 
 namespace test_settings_file {

@@ -2,8 +2,8 @@
 
 #include <QTest>
 
-#include "app/option_words.h"
-#include "app/snapshot_options.h"
+#include "app/commands.h"
+#include "app/snapshot.h"
 #include "test_program.h"
 
 namespace test_snapshot_options {

@@ -9,8 +9,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/demo_robot.h"
 #include "app/exit_code.h"
+#include "app/robot_factory.h"
 #include "app/snapshot_run.h"
 #include "test_program.h"
 

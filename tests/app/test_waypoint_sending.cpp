@@ -35,12 +35,13 @@ class WaypointSendingTest : public QObject {
   std::shared_ptr<work::Workers> workers_ = std::make_shared<work::Workers>();
 
   /// A map of which only the time and the event loop matter here.
-  std::unique_ptr<app::MapReading> reading(double timeout_s = 60) {
+  std::unique_ptr<app::RobotReading> reading(double timeout_s = 60) {
     QFile picture(folder_.filePath(QStringLiteral("map.pgm")));
     if (!picture.open(QIODevice::WriteOnly) || picture.write("P5\n1 1\n255\n\xfe") != 12) return {};
     picture.close();
-    auto opened = app::MapReading::open(picture.fileName(), {}, {app::commandStart(timeout_s, 0), timeout_s},
-                                        app::MapReading::Purpose::Maps, workers_);
+    auto opened =
+        app::RobotReading::open(picture.fileName(), {}, {app::commandStart(timeout_s, 0), timeout_s},
+                                app::RobotReading::Purpose::Maps, workers_);
     return opened ? std::move(*opened) : nullptr;
   }
   static std::vector<exchange::WaypointEdit> threeMoves(const FakeWaypointStore& store) {

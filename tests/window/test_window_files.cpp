@@ -10,11 +10,10 @@
 
 #include "test_program.h"
 #include "ui/kit/folders.h"
-#include "ui/maps/export_dialog.h"
+#include "ui/maps/export_controller.h"
 #include "ui/maps/files_controller.h"
 #include "ui/maps/map_files.h"
 #include "ui/maps/maps_controller.h"
-#include "ui/maps/picture_dialog.h"
 #include "ui/robot/recent_robots.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"

@@ -11,7 +11,7 @@
 #include "test_program.h"
 #include "ui/layers/layers_controller.h"
 #include "ui/layers/layers_dock.h"
-#include "ui/maps/compare_control.h"
+#include "ui/maps/compare_controller.h"
 #include "ui/maps/export_controller.h"
 #include "ui/maps/maps_controller.h"
 #include "ui/maps/maps_dock.h"
@@ -286,7 +286,7 @@ class TestWindowMaps : public QObject {
     part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(ready(window));
     Q_EMIT part<MapsDock>(window)->compareWanted(stored("2"));
-    CompareControl& comparison = *part<CompareControl>(window);
+    CompareController& comparison = *part<CompareController>(window);
     QCOMPARE(window.mapScene()->compareMode(), scene::CompareMode::Swipe);
     QVERIFY(comparison.bar()->isVisible());
     QVERIFY(comparison.handle()->isVisible());
@@ -329,7 +329,7 @@ class TestWindowMaps : public QObject {
     QCOMPARE(names().left, QStringLiteral("Submaps of Ground floor"));
     QCOMPARE(names().right, QStringLiteral("Map 1"));
     // Two whole maps: no submaps, also while the second one is on its way.
-    part<CompareControl>(window)->start(SecondMap(stored("2")));
+    part<CompareController>(window)->start(SecondMap(stored("2")));
     QVERIFY(scene.halves().left == scene::HalfContent::WholeMap);
     QVERIFY(scene.halves().right == scene::HalfContent::ComparedMap);
     QCOMPARE(names().left, QStringLiteral("Map 1"));
@@ -346,8 +346,8 @@ class TestWindowMaps : public QObject {
     scene.setHalfNames({}, {});
     QVERIFY(part<ExportController>(window)->mapPicture() != swiped);
     // Difference is about the same two, whatever the mode.
-    part<CompareControl>(window)->start(SecondMap(stored("7")));
-    QTest::mouseClick(part<CompareControl>(window)->bar()->differenceButton(), Qt::LeftButton);
+    part<CompareController>(window)->start(SecondMap(stored("7")));
+    QTest::mouseClick(part<CompareController>(window)->bar()->differenceButton(), Qt::LeftButton);
     QVERIFY(window.windowTitle().startsWith(QLatin1String("Map 1 | Fetching")));
     QTRY_VERIFY(window.windowTitle().startsWith(QLatin1String("Map 1 | Map 7")));
     QVERIFY(names().left.isEmpty());
@@ -370,7 +370,7 @@ class TestWindowMaps : public QObject {
     QVERIFY(!scene.occupancyAt(wall).has_value());
     scene.setSwipeAt(0);
     QVERIFY(scene.occupancyAt(wall).has_value());
-    part<CompareControl>(window)->start(SecondMap(stored("2")));
+    part<CompareController>(window)->start(SecondMap(stored("2")));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
     QVERIFY(scene.occupancyAt(wall).has_value());
   }
@@ -384,16 +384,16 @@ class TestWindowMaps : public QObject {
     part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(ready(window));
     const auto names = [&] { return halfNames(window.session(), *window.mapScene()); };
-    part<CompareControl>(window)->start(SecondMap(KeptState{}));
+    part<CompareController>(window)->start(SecondMap(KeptState{}));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
     QCOMPARE(names().left, QStringLiteral("Map 1 (id 1)"));
     QCOMPARE(names().right, QStringLiteral("Map 1 (as it was saved)"));
-    QCOMPARE(part<CompareControl>(window)->bar()->firstShown(), QStringLiteral("Map 1 (id 1)"));
-    part<CompareControl>(window)->startWith(test::wholeMap({map::MapKind::File, {}}, "Map 1", 30, 30));
+    QCOMPARE(part<CompareController>(window)->bar()->firstShown(), QStringLiteral("Map 1 (id 1)"));
+    part<CompareController>(window)->startWith(test::wholeMap({map::MapKind::File, {}}, "Map 1", 30, 30));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
     QVERIFY(names().left != names().right);
     QVERIFY(
-        part<CompareControl>(window)->bar()->second()->currentText().startsWith(QLatin1String("Map 1 (")));
+        part<CompareController>(window)->bar()->second()->currentText().startsWith(QLatin1String("Map 1 (")));
     QVERIFY(window.windowTitle().contains(names().left + QStringLiteral(" | ") + names().right));
   }
 
@@ -406,15 +406,15 @@ class TestWindowMaps : public QObject {
     part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(ready(window));
     const session::MapSlot& second = window.session()->comparedMap();
-    part<CompareControl>(window)->startWith(test::wholeMap({map::MapKind::File, {}}, "good", 30, 30));
+    part<CompareController>(window)->startWith(test::wholeMap({map::MapKind::File, {}}, "good", 30, 30));
     QTRY_COMPARE(second.phase(), session::MapSlot::Phase::Ready);
     map::WholeMap damaged = test::wholeMap({map::MapKind::File, {}}, "damaged", 30, 30);
     damaged.bytes = std::make_shared<const std::string>("P5\n30 30\n");
-    part<CompareControl>(window)->startWith(damaged);
+    part<CompareController>(window)->startWith(damaged);
     QTRY_COMPARE(second.phase(), session::MapSlot::Phase::Failed);
     QVERIFY(!second.cells());
     QCOMPARE(halfNames(window.session(), *window.mapScene()).right, QStringLiteral("damaged failed"));
-    QVERIFY(!part<CompareControl>(window)->bar()->statusShown().isEmpty());
+    QVERIFY(!part<CompareController>(window)->bar()->statusShown().isEmpty());
     // The robot is not asked for it: whatever it has would be another map.
     bench.robot->maps.opened.clear();
     window.session()->retryNow();
@@ -431,12 +431,12 @@ class TestWindowMaps : public QObject {
     QTRY_COMPARE(part<MapsDock>(window)->model()->maps(), 3);
     part<MapsController>(window)->open(stored("1"));
     QTRY_VERIFY(ready(window));
-    part<CompareControl>(window)->start(SecondMap(KeptState{}));
+    part<CompareController>(window)->start(SecondMap(KeptState{}));
     QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
-    QCOMPARE(part<CompareControl>(window)->bar()->second()->currentText(),
+    QCOMPARE(part<CompareController>(window)->bar()->second()->currentText(),
              QStringLiteral("Keep the current state"));
     bench.key(Qt::Key_Escape);
-    QVERIFY(!part<CompareControl>(window)->active());
+    QVERIFY(!part<CompareController>(window)->active());
   }
 
   void setsTheSubmapsAgainstTheWholeMap() {
@@ -445,9 +445,9 @@ class TestWindowMaps : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.action("compare")->trigger();
-    QVERIFY(part<CompareControl>(window)->active());
-    QCOMPARE(*part<CompareControl>(window)->second(), SecondMap(SubmapsAside{}));
-    QVERIFY(!part<CompareControl>(window)->bar()->differenceButton()->isEnabled());
+    QVERIFY(part<CompareController>(window)->active());
+    QCOMPARE(*part<CompareController>(window)->second(), SecondMap(SubmapsAside{}));
+    QVERIFY(!part<CompareController>(window)->bar()->differenceButton()->isEnabled());
   }
 
   void dragsTheDivider() {
@@ -455,7 +455,7 @@ class TestWindowMaps : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.action("compare")->trigger();
-    SwipeHandle& handle = *part<CompareControl>(window)->handle();
+    SwipeHandle& handle = *part<CompareController>(window)->handle();
     QCOMPARE(window.mapScene()->swipeAt(), 0.5);
     const QPoint middle = handle.rect().center();
     QTest::mousePress(&handle, Qt::LeftButton, {}, middle);
@@ -473,7 +473,7 @@ class TestWindowMaps : public QObject {
     QTest::keyClick(&handle, Qt::Key_Home);
     QCOMPARE(window.mapScene()->swipeAt(), 0.0);
     QTest::keyClick(&handle, Qt::Key_Escape);
-    QVERIFY(!part<CompareControl>(window)->active());
+    QVERIFY(!part<CompareController>(window)->active());
   }
 
   void tellsWhatTheRobotDoesNotAllow() {

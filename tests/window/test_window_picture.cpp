@@ -14,7 +14,7 @@
 #include "robot/files/file_robot.h"
 #include "test_program.h"
 #include "ui/kit/ui_colors.h"
-#include "ui/maps/compare_control.h"
+#include "ui/maps/compare_controller.h"
 #include "ui/maps/export_controller.h"
 #include "ui/picture/picture_controller.h"
 #include "ui/picture/picture_dock.h"

@@ -20,11 +20,10 @@
 #include "test_program.h"
 #include "ui/maps/maps_controller.h"
 #include "ui/maps/maps_dock.h"
-#include "ui/regions/map_errand.h"
+#include "ui/regions/map_fetch.h"
 #include "ui/regions/rectangle_tool.h"
 #include "ui/regions/regions_controller.h"
 #include "ui/regions/regions_text.h"
-#include "ui/regions/save_map_dialog.h"
 #include "ui/view/empty_state.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
@@ -398,7 +397,7 @@ class TestWindowRegions : public QObject {
     open();
     connectRobot();
     const QString path = folder_->filePath(QStringLiteral("part.yaml"));
-    controller()->errand().saveRectangle({-10, -5, 10, 5}, path);
+    controller()->fetch().saveRectangle({-10, -5, 10, 5}, path);
     QTRY_VERIFY(QFile::exists(path));
     QTRY_VERIFY(!toasts().isEmpty() && toasts().last().startsWith(QStringLiteral("Saved")));
     QFile pgm(folder_->filePath(QStringLiteral("part.pgm"))), yaml(path);
@@ -414,7 +413,7 @@ class TestWindowRegions : public QObject {
     action("disconnect")->trigger();
     QTRY_VERIFY(!window_->session());  // nothing was fetched: nothing is asked
     connectRobot();
-    controller()->errand().keepRectangle({-10, -10, 10, 10});
+    controller()->fetch().keepRectangle({-10, -10, 10, 10});
     QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
     action("disconnect")->trigger();
     QTRY_VERIFY(leaving());
@@ -436,7 +435,7 @@ class TestWindowRegions : public QObject {
   void whatWasKeptMayBeDiscarded() {
     open();
     connectRobot();
-    controller()->errand().keepRectangle({-10, -10, 10, 10});
+    controller()->fetch().keepRectangle({-10, -10, 10, 10});
     QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
     action("disconnect")->trigger();
     QTRY_VERIFY(leaving());
@@ -457,7 +456,7 @@ class TestWindowRegions : public QObject {
       return QModelIndex();
     };
     QVERIFY(!row().isValid());
-    controller()->errand().keepRectangle({-10, -5, 10, 5});
+    controller()->fetch().keepRectangle({-10, -5, 10, 5});
     QTRY_VERIFY(row().isValid());
     QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
     QCOMPARE(row().data().toString(), QStringLiteral("Region 20.0 × 10.0 m"));
@@ -505,8 +504,8 @@ class TestWindowRegions : public QObject {
   void whatIsTooLargeIsRefused() {
     open();
     connectRobot();
-    controller()->errand().saveRectangle({-4000, -4000, 4000, 4000},
-                                         folder_->filePath(QStringLiteral("huge.yaml")));
+    controller()->fetch().saveRectangle({-4000, -4000, 4000, 4000},
+                                        folder_->filePath(QStringLiteral("huge.yaml")));
     QTRY_VERIFY(!toasts().isEmpty() && toasts().last().contains(QStringLiteral("too large")));
     QVERIFY(!QFile::exists(folder_->filePath(QStringLiteral("huge.yaml"))));
   }
@@ -515,7 +514,7 @@ class TestWindowRegions : public QObject {
     open();
     connectRobot();
     look(0.05);
-    controller()->errand().keepRectangle({-10, -10, 10, 10});
+    controller()->fetch().keepRectangle({-10, -10, 10, 10});
     QVERIFY(notice().contains(QStringLiteral("Fetching")));
     window_->leaveRobot();
     QVERIFY(!controller()->map());

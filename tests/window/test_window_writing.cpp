@@ -10,7 +10,6 @@
 #include "grids/export_grid.h"
 #include "test_program.h"
 #include "ui/maps/export_controller.h"
-#include "ui/maps/export_dialog.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
 #include "window_bench.h"

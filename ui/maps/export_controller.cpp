@@ -2,31 +2,308 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDateTime>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFormLayout>
 #include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
 #include <QPainter>
+#include <QProgressBar>
+#include <QPushButton>
 #include <QRadioButton>
 #include <QStandardPaths>
+#include <QVBoxLayout>
 
 #include "jobs/export_map.h"
-#include "jobs/write_picture.h"
 #include "robot/address.h"
 #include "sentences/fault_sentence.h"
+#include "ui/kit/dialog_look.h"
 #include "ui/kit/folders.h"
-#include "ui/maps/export_dialog.h"
+#include "ui/kit/status_text.h"
+#include "ui/kit/ui_colors.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
 
 namespace mapwright::window {
+
+ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Workers>& workers, QWidget* parent)
+    : QDialog(parent),
+      offer_(std::move(offer)),
+      job_(workers),
+      map_picture_(new QRadioButton(tr("&Picture of the map (PNG)"), this)),
+      map_server_(new QRadioButton(tr("&ROS map (PGM and YAML, for map_server)"), this)),
+      view_picture_(new QRadioButton(tr("Picture of the current &view (PNG)"), this)),
+      source_(new QComboBox(this)),
+      resolution_(new QDoubleSpinBox(this)),
+      hidden_(new QCheckBox(this)),
+      world_file_(new QCheckBox(tr("With a &world file (.pgw) that gives its position"), this)),
+      path_(new QLineEdit(this)),
+      browse_(new QPushButton(tr("&Browse…"), this)),
+      export_(new QPushButton(tr("Export"), this)),
+      cancel_(new QPushButton(tr("Cancel"), this)),
+      progress_(new QProgressBar(this)),
+      content_(new QLabel(this)),
+      error_(new QLabel(this)),
+      source_label_(new QLabel(tr("&What"), this)),
+      resolution_label_(new QLabel(tr("Metres per &cell"), this)) {
+  setWindowTitle(tr("Export"));
+  setMinimumWidth(520);
+  source_->setObjectName(QStringLiteral("source"));
+  if (offer_.whole) source_->addItem(tr("The whole map"), false);
+  if (!offer_.submaps.empty()) source_->addItem(tr("The submaps, composed"), true);
+  source_->setCurrentIndex(qMax(0, source_->findData(offer_.prefers_submaps)));
+  const int hidden = int(offer_.hidden.size());
+  hidden_->setText(tr("&Also what is hidden on the map (%1)").arg(submapsText(hidden)));
+  hidden_->setChecked(true);
+  hidden_->setVisible(hidden > 0);
+  source_label_->setBuddy(source_);
+  resolution_label_->setBuddy(resolution_);
+  resolution_->setDecimals(4);
+  resolution_->setRange(0.001, 10);
+  resolution_->setSingleStep(0.01);
+  resolution_->setValue(offer_.submap_resolution_m);
+  path_->setObjectName(QStringLiteral("path"));
+  giveRoles(*export_, {browse_, cancel_});
+  makeLine(*progress_);
+  for (QLabel* label : {content_, error_}) label->setTextFormat(Qt::PlainText);
+  QPalette grey = content_->palette();
+  grey.setColor(QPalette::WindowText, appColors().secondary_text);
+  content_->setPalette(grey);
+  content_->setWordWrap(true);
+  error_->setWordWrap(true);
+  QPalette red = error_->palette();
+  red.setColor(QPalette::WindowText, appColors().error_text);
+  error_->setPalette(red);
+  error_->hide();
+
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(12);
+  form->setVerticalSpacing(6);
+  form->addRow(source_label_, source_);
+  form->addRow(QString(), hidden_);
+  form->addRow(QString(), content_);
+  form->addRow(resolution_label_, resolution_);
+  auto* path_row = new QHBoxLayout;
+  path_row->addWidget(path_, 1);
+  path_row->addWidget(browse_);
+  auto* path_label = new QLabel(tr("&File"), this);
+  path_label->setBuddy(path_);
+  form->addRow(path_label, path_row);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addStretch();
+  buttons->addWidget(cancel_);
+  buttons->addWidget(export_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 16);
+  column->setSpacing(8);
+  for (QRadioButton* button : {map_picture_, map_server_, view_picture_}) column->addWidget(button);
+  column->addSpacing(4);
+  column->addLayout(form);
+  column->addWidget(world_file_);
+  column->addWidget(error_);
+  column->addWidget(progress_);
+  column->addLayout(buttons);
+
+  // In visual order, not in order of creation.
+  QWidget* const order[] = {map_picture_, map_server_, view_picture_, source_, hidden_, resolution_,
+                            path_,        browse_,     world_file_,   cancel_, export_};
+  for (std::size_t i = 1; i < std::size(order); ++i) setTabOrder(order[i - 1], order[i]);
+
+  const bool has_map = source_->count() > 0;
+  for (QRadioButton* button : {map_picture_, map_server_}) {
+    button->setEnabled(has_map);
+    button->setToolTip(has_map ? QString() : offer_.why_not_whole);
+  }
+  (has_map ? map_picture_ : view_picture_)->setChecked(true);
+  path_->setText(QDir(offer_.folder).filePath(jobs::fileNameFrom(offer_.name)));
+  for (QRadioButton* button : {map_picture_, map_server_, view_picture_})
+    connect(button, &QRadioButton::toggled, this, &ExportDialog::sync);
+  connect(source_, &QComboBox::currentIndexChanged, this, &ExportDialog::sync);
+  connect(hidden_, &QCheckBox::toggled, this, &ExportDialog::sync);
+  connect(path_, &QLineEdit::textEdited, this, [this] {
+    confirmed_ = source_confirmed_ = false;
+    letEnterPress(*export_, true);
+    error_->hide();
+    export_->setEnabled(!path_->text().trimmed().isEmpty());
+  });
+  connect(browse_, &QPushButton::clicked, this, &ExportDialog::browse);
+  connect(export_, &QPushButton::clicked, this, &ExportDialog::start);
+  connect(cancel_, &QPushButton::clicked, this, &ExportDialog::reject);
+  connect(&job_, &jobs::ExportJob::progressed, this,
+          [this](double done) { progress_->setValue(int(done * 1000)); });
+  connect(&job_, &jobs::ExportJob::finished, this, &ExportDialog::take);
+  sync();
+}
+
+jobs::ExportFormat ExportDialog::format() const {
+  if (map_server_->isChecked()) return jobs::ExportFormat::MapServer;
+  return view_picture_->isChecked() ? jobs::ExportFormat::ViewPicture : jobs::ExportFormat::MapPicture;
+}
+
+QRadioButton* ExportDialog::formatButton(jobs::ExportFormat format) const {
+  return format == jobs::ExportFormat::MapServer     ? map_server_
+         : format == jobs::ExportFormat::ViewPicture ? view_picture_
+                                                     : map_picture_;
+}
+
+bool ExportDialog::fromSubmaps() const {
+  return format() != jobs::ExportFormat::ViewPicture && source_->currentData().toBool();
+}
+
+bool ExportDialog::withHidden() const { return offer_.hidden.empty() || hidden_->isChecked(); }
+
+std::vector<render::PlacedTexture> ExportDialog::chosenSubmaps() const {
+  if (withHidden()) return offer_.submaps;
+  std::vector<render::PlacedTexture> chosen;
+  std::copy_if(offer_.submaps.begin(), offer_.submaps.end(), std::back_inserter(chosen),
+               [this](const render::PlacedTexture& placed) { return !offer_.hidden.contains(placed.id); });
+  return chosen;
+}
+
+QString ExportDialog::describeContent() const {
+  if (format() == jobs::ExportFormat::ViewPicture) return tr("What is hidden on the map is left out.");
+  if (!fromSubmaps()) return offer_.unsaved ? tr("Unsaved changes are left out.") : QString();
+  const int all = int(offer_.submaps.size()) + offer_.without_picture;
+  const int chosen = int(offer_.submaps.size()) - (withHidden() ? 0 : int(offer_.hidden.size()));
+  const QString kept = tr("%1 of %2 are included.").arg(countText(chosen), submapsText(all));
+  if (offer_.without_picture == 0) return kept;
+  return kept + QLatin1Char(' ') + tr("Missing or damaged: %1.").arg(countText(offer_.without_picture));
+}
+
+void ExportDialog::sync() {
+  const bool view = format() == jobs::ExportFormat::ViewPicture;
+  source_->setEnabled(!view && source_->count() > 1);
+  resolution_->setEnabled(!view && fromSubmaps());
+  resolution_label_->setEnabled(resolution_->isEnabled());
+  source_label_->setEnabled(!view);
+  hidden_->setEnabled(fromSubmaps());
+  content_->setText(describeContent());
+  content_->setVisible(!content_->text().isEmpty());
+  export_->setEnabled(!fromSubmaps() || !chosenSubmaps().empty());
+  world_file_->setEnabled(format() != jobs::ExportFormat::MapServer);
+  // The name stays, the extension follows the format.
+  QString path = path_->text();
+  for (const char* suffix : {".png", ".yaml", ".pgm"}) {
+    if (path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive)) {
+      path.chop(qstrlen(suffix));
+      break;
+    }
+  }
+  path_->setText(path + QLatin1Char('.') + jobs::exportSuffix(format()));
+  confirmed_ = source_confirmed_ = false;
+  letEnterPress(*export_, true);
+  error_->hide();
+}
+
+void ExportDialog::browse() {
+  const QString filter =
+      format() == jobs::ExportFormat::MapServer ? tr("ROS maps (*.yaml)") : tr("PNG pictures (*.png)");
+  const QString path = QFileDialog::getSaveFileName(this, tr("Export to"), path_->text(), filter);
+  if (path.isEmpty()) return;
+  path_->setText(path);
+  sync();
+  confirmed_ = true;  // the file dialog has asked
+}
+
+void ExportDialog::start() {
+  if (job_.running()) return;
+  const QString path = QFileInfo(path_->text().trimmed()).absoluteFilePath();
+  const bool with_world_file = world_file_->isChecked() && world_file_->isEnabled();
+  const QStringList files = jobs::exportedFiles(path, format(), with_world_file);
+  const auto askAgain = [this](const QString& sentence) {
+    letEnterPress(*export_, false);
+    error_->setText(sentence);
+    error_->show();
+  };
+  if (const QString own = jobs::firstOwnSource(files, offer_.sources); !own.isEmpty() && !source_confirmed_) {
+    confirmed_ = source_confirmed_ = true;
+    askAgain(tr("The map was read from %1. Press Export again to replace the file, or choose another name.")
+                 .arg(QDir::toNativeSeparators(own)));
+    return;
+  }
+  const auto present =
+      std::find_if(files.begin(), files.end(), [](const QString& file) { return QFileInfo::exists(file); });
+  if (present != files.end() && !confirmed_) {
+    confirmed_ = true;
+    askAgain(
+        tr("%1 already exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(*present)));
+    return;
+  }
+  jobs::ExportRequest request;
+  request.path = path;
+  request.format = format();
+  request.world_file = with_world_file;
+  if (request.format == jobs::ExportFormat::ViewPicture) {
+    request.source = offer_.view();
+  } else if (fromSubmaps()) {
+    request.source = jobs::SubmapsExport{chosenSubmaps(), resolution_->value()};
+  } else if (offer_.whole) {
+    request.source = *offer_.whole;
+  } else {
+    return;
+  }
+  error_->hide();
+  setRunning(true);
+  job_.start(std::move(request));
+}
+
+void ExportDialog::setRunning(bool running) {
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{map_picture_, map_server_, view_picture_, source_, hidden_,
+                                       resolution_, world_file_, path_, browse_, export_})
+    widget->setEnabled(!running);
+  progress_->setValue(0);
+  progress_->setVisible(running);
+  if (running) return;
+  const bool has_map = source_->count() > 0;
+  map_picture_->setEnabled(has_map);
+  map_server_->setEnabled(has_map);
+  cancel_->setEnabled(true);
+  const QString path = path_->text();
+  sync();
+  path_->setText(path);
+}
+
+void ExportDialog::take(const jobs::ExportResult& result) {
+  setRunning(false);
+  if (result.cancelled) {
+    error_->setText(tr("Cancelled. Nothing was written."));
+    error_->show();
+  } else if (!result.error.isEmpty()) {
+    error_->setText(result.error);
+    error_->show();
+  } else {
+    Q_EMIT exported(result.path);
+    accept();
+  }
+}
+
+void ExportDialog::reject() {
+  if (job_.running()) {
+    job_.cancel();
+    cancel_->setEnabled(false);
+    return;
+  }
+  QDialog::reject();
+}
+
+QString ExportDialog::contentText() const { return content_->isHidden() ? QString() : content_->text(); }
+
+QString ExportDialog::errorText() const { return error_->isHidden() ? QString() : error_->text(); }
 
 namespace {
 
@@ -46,9 +323,7 @@ map::GridReference referenceOf(const geometry::ViewTransform& view, const QSize&
 
 }  // namespace
 
-ExportController::ExportController(WindowContext& context,
-                                   std::function<QStringList(const QString& picture)> yamls_naming,
-                                   QObject* parent)
+ExportController::ExportController(WindowContext& context, jobs::YamlsNaming yamls_naming, QObject* parent)
     : Controller(parent), context_(context), yamls_naming_(std::move(yamls_naming)) {
   context_.actions.add({.id = "export",
                         .text = tr("E&xport…"),
@@ -79,8 +354,6 @@ ExportController::ExportController(WindowContext& context,
                         .map_menu = {MapMenuGroup::Copies, 20}},
                        this, &ExportController::askAndSavePicture);
 }
-
-ExportDialog* ExportController::dialog() const { return dialog_; }
 
 QImage ExportController::mapPicture() const {
   const double ratio = context_.view.devicePixelRatioF();
@@ -130,13 +403,8 @@ std::vector<std::string> ExportController::sourceFiles() const {
   const session::Session* const session = context_.current.session();
   if (!session) return {};
   const session::MapSlot& slot = session->wholeMap();
-  const auto address = context_.addresses.parse(session->robot().address());
-  std::vector<std::string> files;
-  if (address) files = robot::localFiles(*address, slot.key().id, slot.shown().path);
-  if (files.empty() || slot.shown().path.empty() || !yamls_naming_) return files;
-  for (const QString& yaml : yamls_naming_(QString::fromStdString(slot.shown().path)))
-    files.push_back(yaml.toStdString());
-  return files;
+  return jobs::sourceFiles(context_.addresses, session->robot().address(), slot.key().id, slot.shown().path,
+                           yamls_naming_);
 }
 
 void ExportController::exportMap() {

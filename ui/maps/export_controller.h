@@ -1,30 +1,103 @@
-// Exports what is on screen to files, or copies it as a picture.
+// Exports what is on screen to files, or copies it as a picture; asks what, and where.
 #pragma once
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include <QDialog>
 #include <QImage>
 #include <QPointer>
 
+#include "jobs/export_map.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QRadioButton;
+
 namespace mapwright::window {
 
-class ExportDialog;
+/// What can be exported at present.
+struct ExportOffer {
+  QString name;                                // of the map, for the proposed file name
+  std::optional<jobs::WholeMapExport> whole;   // nullopt: none is complete
+  QString why_not_whole;                       // the sentence then
+  std::vector<render::PlacedTexture> submaps;  // hidden ones too
+  std::set<map::SubmapId> hidden;              // of these, the ones hidden by the user
+  int without_picture = 0;                     // listed, but without a picture
+  bool unsaved = false;                        // `whole` has unsaved changes on screen
+  double submap_resolution_m = 0.05;           // of the finest one
+  bool prefers_submaps = false;                // submaps are on screen
+  std::function<jobs::ViewExport()> view;
+  std::vector<std::string> sources;  // the files from which the map on screen was read
+  QString folder;
+};
+
+class ExportDialog : public QDialog {
+  Q_OBJECT
+ public:
+  ExportDialog(ExportOffer offer, const std::shared_ptr<work::Workers>& workers, QWidget* parent = nullptr);
+
+  QRadioButton* formatButton(jobs::ExportFormat format) const;
+  QComboBox* sourceBox() const { return source_; }
+  /// Visible if submaps are hidden.
+  QCheckBox* hiddenBox() const { return hidden_; }
+  QCheckBox* worldFileBox() const { return world_file_; }
+  QLineEdit* pathEdit() const { return path_; }
+  QPushButton* exportButton() const { return export_; }
+  /// What will be in the file, and what not.
+  QString contentText() const;
+  QString errorText() const;
+  void start();
+
+ Q_SIGNALS:
+  void exported(const QString& path);
+
+ protected:
+  void reject() override;
+
+ private:
+  jobs::ExportFormat format() const;
+  bool fromSubmaps() const;
+  bool withHidden() const;
+  std::vector<render::PlacedTexture> chosenSubmaps() const;
+  QString describeContent() const;
+  void sync();
+  void browse();
+  void take(const jobs::ExportResult& result);
+  void setRunning(bool running);
+
+  ExportOffer offer_;
+  jobs::ExportJob job_;
+  QRadioButton *map_picture_, *map_server_, *view_picture_;
+  QComboBox* source_;
+  QDoubleSpinBox* resolution_;
+  QCheckBox *hidden_, *world_file_;
+  QLineEdit* path_;
+  QPushButton *browse_, *export_, *cancel_;
+  QProgressBar* progress_;
+  QLabel *content_, *error_, *source_label_, *resolution_label_;
+  bool confirmed_ = false;         // overwriting
+  bool source_confirmed_ = false;  // confirmed overwriting a source file
+};
 
 class ExportController : public Controller {
   Q_OBJECT
  public:
   /// `yamls_naming`: see PicturePlacing; null = none.
-  ExportController(WindowContext& context, std::function<QStringList(const QString& picture)> yamls_naming,
-                   QObject* parent = nullptr);
+  ExportController(WindowContext& context, jobs::YamlsNaming yamls_naming, QObject* parent = nullptr);
 
   void exportMap();
-  ExportDialog* dialog() const;  // null: not open
+  ExportDialog* dialog() const { return dialog_; }  // null: not open
 
   /// The map as on screen, without buttons and notices.
   QImage mapPicture() const;
@@ -42,7 +115,7 @@ class ExportController : public Controller {
   std::vector<std::string> sourceFiles() const;
 
   WindowContext& context_;
-  std::function<QStringList(const QString& picture)> yamls_naming_;
+  jobs::YamlsNaming yamls_naming_;
   QPointer<ExportDialog> dialog_;
 };
 

@@ -7,7 +7,6 @@
 #include <QMimeData>
 
 #include "ui/kit/folders.h"
-#include "ui/maps/map_files.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/kit/controller.h"
-#include "ui/maps/picture_placing.h"
+#include "ui/maps/map_files.h"
 #include "ui/shell/window_context.h"
 
 namespace mapwright::window {

@@ -5,13 +5,22 @@
 #include <utility>
 
 #include <QActionGroup>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHelpEvent>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
+#include <QToolTip>
+#include <QVBoxLayout>
 
+#include "jobs/change_map.h"
+#include "sentences/failure_sentence.h"
+#include "ui/kit/dialog_look.h"
 #include "ui/kit/plain_label.h"
-#include "ui/regions/map_errand.h"
-#include "ui/regions/map_saving.h"
+#include "ui/regions/map_fetch.h"
 #include "ui/regions/rectangle_tool.h"
-#include "ui/regions/region_tip.h"
 #include "ui/regions/regions_text.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/notices.h"
@@ -22,8 +31,103 @@
 #include "ui/view/on_screen.h"
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
+
+namespace {
+
+constexpr int kLongestFilename = 200, kWidthPx = 420;
+
+}  // namespace
+
+SaveMapDialog::SaveMapDialog(robot::MapDispatch* dispatch, std::function<void(Mark, const QString&)> toast,
+                             QWidget* parent)
+    : QDialog(parent),
+      dispatch_(dispatch),
+      toast_(std::move(toast)),
+      name_(new QLineEdit(this)),
+      state_(new QLabel(this)) {
+  setWindowTitle(tr("Save the map on the robot"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setMinimumWidth(kWidthPx);
+  name_->setObjectName(QStringLiteral("saveMapName"));
+  name_->setMaxLength(kLongestFilename);
+  name_->setText(QStringLiteral("map.png"));
+  name_->setSelection(0, 3);
+  auto* const about = new QLabel(tr("The robot writes its map to a file on its own disk. The extension of "
+                                    "the name selects the format: most know .png, .pgm or .yaml for grids "
+                                    "and .pcd, .ply or .vtk for clouds. An existing file may be replaced."),
+                                 this);
+  about->setTextFormat(Qt::PlainText);
+  about->setWordWrap(true);
+  state_->setTextFormat(Qt::PlainText);
+  state_->setObjectName(QStringLiteral("saveMapState"));
+  state_->setWordWrap(true);
+  state_->hide();
+  auto* const form = new QFormLayout;
+  form->addRow(tr("&Name on the robot"), name_);
+  save_ = new QPushButton(tr("Save"), this);
+  auto* const cancel = new QPushButton(tr("Cancel"), this);
+  giveRoles(*save_, {cancel});
+  auto* const buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addStretch();
+  buttons->addWidget(cancel);
+  buttons->addWidget(save_);
+  auto* const column = new QVBoxLayout(this);
+  column->setSpacing(12);
+  column->addLayout(form);
+  column->addWidget(about);
+  column->addWidget(state_);
+  column->addStretch();
+  column->addLayout(buttons);
+  // Wrapped text needs less height than requested before the width is known.
+  resize(kWidthPx, column->totalHeightForWidth(kWidthPx));
+  connect(name_, &QLineEdit::textChanged, this, &SaveMapDialog::look);
+  connect(save_, &QPushButton::clicked, this, &SaveMapDialog::ask);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  look();
+}
+
+QString SaveMapDialog::filename() const { return name_->text().trimmed(); }
+
+void SaveMapDialog::look() { save_->setEnabled(!waits_ && !filename().isEmpty()); }
+
+void SaveMapDialog::ask() {
+  if (!dispatch_) return refuse(tr("The robot is no longer connected."));
+  if (const QString why = jobs::whyNoFilename(filename()); !why.isEmpty()) return refuse(why);
+  wait();
+  saving_ = dispatch_->save(
+      filename().toStdString(), [self = QPointer(this)](const robot::Outcome<std::string>& outcome) {
+        if (!self || !self->isVisible()) return;  // it was closed meanwhile
+        if (!outcome) return self->refuse(QString::fromStdString(sentences::sentenceOf(outcome.error())));
+        self->toast_(Mark::Good, tr("The robot saved its map as %1.").arg(words::plainName(*outcome)));
+        self->accept();
+      });
+}
+
+void SaveMapDialog::done(int result) {
+  saving_.cancel();
+  QDialog::done(result);
+}
+
+void SaveMapDialog::wait() {
+  waits_ = true;
+  name_->setEnabled(false);
+  state_->setText(tr("Waiting for the robot…"));
+  state_->show();
+  look();
+}
+
+void SaveMapDialog::refuse(const QString& why) {
+  waits_ = false;
+  name_->setEnabled(true);
+  state_->setText(why);
+  state_->show();
+  look();
+}
+
 namespace {
 
 using robot::DispatchService;
@@ -46,6 +150,36 @@ regions::RegionMap::Options mapOptions(const work::Budgets& budgets) {
   return options;
 }
 
+/// A tooltip saying why a place on the map is blank or old.
+class RegionTip : public QObject {
+ public:
+  /// `words`: plain text about a position in the world; empty = no tooltip.
+  RegionTip(MapView& view, std::function<QString(const Eigen::Vector2d& world_m)> words, QObject* parent)
+      : QObject(parent), view_(view), words_(std::move(words)) {
+    view_.viewport()->installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() != QEvent::ToolTip) return QObject::eventFilter(watched, event);
+    const auto* const help = static_cast<QHelpEvent*>(event);
+    const QString words = words_(view_.worldAt(help->pos()));
+    if (words.isEmpty()) {
+      QToolTip::hideText();
+      return QObject::eventFilter(watched, event);
+    }
+    // It depends on the position: nearby the reason may differ.
+    constexpr int kAroundPx = 24;
+    const QRect around(help->pos() - QPoint(kAroundPx, kAroundPx), QSize(2 * kAroundPx, 2 * kAroundPx));
+    QToolTip::showText(help->globalPos(), plainToolTip(words), view_.viewport(), around);
+    return true;
+  }
+
+ private:
+  MapView& view_;
+  std::function<QString(const Eigen::Vector2d&)> words_;
+};
+
 }  // namespace
 
 RegionsController::RegionsController(WindowContext& context, QObject* parent)
@@ -58,10 +192,7 @@ RegionsController::RegionsController(WindowContext& context, QObject* parent)
                               this)),
       every_(new QActionGroup(this)),
       status_(new PlainLabel(&context.bar)),
-      errand_(std::make_unique<MapErrand>(context)),
-      saving_(std::make_unique<MapSaving>(context.window, [this](Mark mark, const QString& text) {
-        context_.overlay.toasts()->add(mark, text);
-      })) {
+      map_fetch_(std::make_unique<MapFetch>(context)) {
   addActions();
   status_->setObjectName(QStringLiteral("regionsStatus"));
   status_->setSample(QStringLiteral("0,000 of 0,000 regions, 000.0 MB"));
@@ -80,16 +211,16 @@ RegionsController::RegionsController(WindowContext& context, QObject* parent)
   connect(&context_.scene, &scene::MapScene::layersChanged, this, &RegionsController::look);
   new RegionTip(
       context_.view, [this](const Eigen::Vector2d& world_m) { return reasonAt(world_m); }, this);
-  connect(tool_, &RectangleTool::drawn, errand_.get(), &MapErrand::takeRectangle);
-  connect(errand_.get(), &MapErrand::changed, this, &RegionsController::tell);
-  connect(errand_.get(), &MapErrand::regionWanted, this, &RegionsController::drawRectangle);
-  connect(saving_.get(), &MapSaving::changed, this, &RegionsController::tell);
+  connect(tool_, &RectangleTool::drawn, map_fetch_.get(), &MapFetch::takeRectangle);
+  connect(map_fetch_.get(), &MapFetch::changed, this, &RegionsController::tell);
+  connect(map_fetch_.get(), &MapFetch::regionWanted, this, &RegionsController::drawRectangle);
   tell();
 }
 
 RegionsController::~RegionsController() {
   context_.scene.setRegions(nullptr);
   if (status_) delete status_;
+  delete save_dialog_;
 }
 
 void RegionsController::addActions() {
@@ -118,13 +249,13 @@ void RegionsController::addActions() {
                                        .icon = "download",
                                        .tip = tr("Fetch the robot's whole map at once"),
                                        .menu = {MenuGroup::WholeMap, 50}},
-                                      errand_.get(), &MapErrand::fetchWhole);
+                                      map_fetch_.get(), &MapFetch::fetchWhole);
   save_map_ = context_.actions.add({.id = "saveMapOnRobot",
                                     .text = tr("&Save the map on the robot…"),
                                     .icon = "download",
                                     .tip = tr("The robot writes its map to a file on its own disk"),
                                     .menu = {MenuGroup::WholeMap, 60}},
-                                   this, [this] { saving_->ask(dispatch_); });
+                                   this, &RegionsController::saveOnRobot);
   fetch_region_ =
       context_.actions.add({.id = "fetchRegion",
                             .text = tr("Fetch a regi&on…"),
@@ -137,9 +268,9 @@ void RegionsController::addActions() {
 }
 
 void RegionsController::setSession(session::Session* session) {
-  errand_->stop();
-  errand_->closeQuestion();
-  saving_->close();
+  map_fetch_->stop();
+  map_fetch_->closeQuestion();
+  if (save_dialog_) save_dialog_->close();
   if (session) {
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &RegionsController::follow);
     was_online_ = online();
@@ -177,7 +308,7 @@ void RegionsController::follow() {
   session::Session* const session = context_.current.session();
   robot::MapDispatch* const dispatch = session ? session->robot().mapDispatch() : nullptr;
   if (dispatch == dispatch_ && (map_ != nullptr) == (dispatch != nullptr)) return;
-  errand_->setDispatch(nullptr, nullptr);
+  map_fetch_->setDispatch(nullptr, nullptr);
   if (dispatch_) dispatch_->disconnect(this);
   dispatch_ = dispatch;
   context_.scene.setRegions(nullptr);
@@ -191,7 +322,7 @@ void RegionsController::follow() {
     });
     connect(dispatch_, &robot::MapDispatch::extentChanged, this, &RegionsController::tell);
   }
-  errand_->setDispatch(dispatch, map_.get());
+  map_fetch_->setDispatch(dispatch, map_.get());
   look();
   Q_EMIT context_.current.stateChanged();
 }
@@ -204,6 +335,19 @@ void RegionsController::lookAtRobot() {
   geometry::WorldRect around;
   around.extend(session->live().robot_pose->apply({0, 0}));
   context_.viewpoint.fit(around.grown(kFirstViewM / 2));
+}
+
+void RegionsController::saveOnRobot() {
+  if (!dispatch_ || save_dialog_) return;
+  save_dialog_ = new SaveMapDialog(
+      dispatch_, [this](Mark mark, const QString& text) { context_.overlay.toasts()->add(mark, text); },
+      &context_.window);
+  connect(save_dialog_, &QDialog::finished, this, [this] {
+    save_dialog_.clear();  // it goes by itself
+    tell();
+  });
+  save_dialog_->open();
+  tell();
 }
 
 void RegionsController::showRegions() {
@@ -223,7 +367,7 @@ void RegionsController::look() {
   tell();
 }
 
-QMessageBox* RegionsController::question() const { return errand_->question(); }
+QMessageBox* RegionsController::question() const { return map_fetch_->question(); }
 
 QString RegionsController::statusShown() const { return status_ && map_ ? status_->text() : QString(); }
 
@@ -234,11 +378,10 @@ void RegionsController::tell() {
   const bool on_map = map_ && (map_->offered() || map_->regions().bytes() > 0);
   context_.scene.setRegions(on_map ? map_.get() : nullptr);
   const bool whole = dispatch_ && dispatch_->offered(DispatchService::Grid);
-  const bool busy = errand_->busy();
+  const bool busy = map_fetch_->busy();
   refresh_->setEnabled(by_region);
   fetch_whole_->setEnabled(whole && online() && !busy);
-  save_map_->setEnabled(dispatch_ && dispatch_->offered(DispatchService::Save) && online() &&
-                        !saving_->asking());
+  save_map_->setEnabled(dispatch_ && dispatch_->offered(DispatchService::Save) && online() && !save_dialog_);
   fetch_region_->setEnabled(by_region && online() && !busy);
   if (!fetch_region_->isEnabled() && context_.tools.chosen() == tool_) context_.tools.putAway();
   if (status_) {
@@ -247,7 +390,7 @@ void RegionsController::tell() {
   }
   const auto extent = dispatch_ ? dispatch_->extent() : std::nullopt;
   context_.scene.setRegionsExtent(extent ? std::optional(extent->grid) : std::nullopt);
-  if (busy) return context_.notices.set(NoticeRank::Regions, errand_->notice());
+  if (busy) return context_.notices.set(NoticeRank::Regions, map_fetch_->notice());
   const RegionsNotice notice =
       by_region ? regionsNotice(map_->regions(), whole, extent)
       : left    ? RegionsNotice{Mark::Warning, tr("The robot no longer sends its map by region. The regions "
@@ -258,7 +401,7 @@ void RegionsController::tell() {
   Notice said{notice.mark, notice.sentence, {}, {}, too_far};
   if (notice.offer == Offer::Whole) {
     said.offer = tr("Fetch the whole map…");
-    said.take = [this] { errand_->fetchWhole(); };
+    said.take = [this] { map_fetch_->fetchWhole(); };
   } else if (notice.offer == Offer::Region) {
     said.offer = tr("Fetch a region…");
     said.take = [this] { drawRectangle(); };
@@ -271,9 +414,9 @@ void RegionsController::tell() {
   context_.notices.set(NoticeRank::Regions, std::move(said));
 }
 
-std::vector<Fetched> RegionsController::fetched() { return errand_->fetched(); }
+std::vector<Fetched> RegionsController::fetched() { return map_fetch_->fetched(); }
 
-void RegionsController::noteExported() { errand_->noteSaved(); }
+void RegionsController::noteExported() { map_fetch_->noteSaved(); }
 
 QString RegionsController::reasonAt(const Eigen::Vector2d& world_m) const {
   const bool seen = map_ && context_.scene.regions() == map_.get() &&

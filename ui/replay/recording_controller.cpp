@@ -31,14 +31,6 @@ const QString kRecordingFolderKey = QStringLiteral("recording/folder");
 const QString kRecordingOwner = QStringLiteral("recording");
 constexpr int kIconPx = 20;
 
-/// The scheme of an address without its separator: "axbot".
-std::string kindOf(const robot::Addresses& addresses, const QString& address) {
-  const auto parsed = addresses.parse(address);
-  QString scheme = parsed ? parsed->scheme : QString();
-  while (!scheme.isEmpty() && !scheme.back().isLetterOrNumber()) scheme.chop(1);
-  return scheme.toStdString();
-}
-
 /// "1:02:03".
 QString recordedFor(double seconds) { return elapsedText(seconds).chopped(2); }
 
@@ -118,7 +110,7 @@ std::optional<QString> RecordingController::startInto(const QString& path) {
   auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
   if (!target) return sentences::wordsOf(disk::notWritten(target.error()));
   recorder::Recorder::Options options;
-  options.kind = kindOf(context_.addresses, session_->robot().address());
+  options.kind = context_.addresses.kindOf(session_->robot().address());
   options.recorded_by = std::string("mapwright ") + MAPWRIGHT_VERSION;
   auto started = recorder::Recorder::start(session_->robot(), std::move(*target), std::move(options));
   if (!started) return sentences::wordsOf(disk::notWritten(started.error()));

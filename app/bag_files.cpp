@@ -1,0 +1,291 @@
+// Files made of bags: parts of them and the robot's path for other programs; recordings repaired, split and
+// merged.
+#include <algorithm>
+#include <cmath>
+
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonObject>
+
+#include "app/bag_reading.h"
+#include "app/command_text.h"
+#include "app/output.h"
+#include "app/robot_factory.h"
+#include "disk/file_error.h"
+#include "excerpt/excerpt.h"
+#include "excerpt/recording_merge.h"
+#include "excerpt/recording_slice.h"
+#include "recording/source.h"
+#include "robot/recorded/faults.h"
+#include "robot/recorded/recorded_robot.h"
+#include "robot/recorded/recording_reasons.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/subject_name.h"
+#include "words/qt_plain.h"
+#include "words/text.h"
+
+namespace mapwright::app {
+namespace {
+
+using words::text;
+
+tl::unexpected<CommandFailure> fileFailure(const disk::FileError& fault) {
+  return wrong(sentences::wordsOf(disk::notWritten(fault)));
+}
+
+/// What to export, and where.
+struct ExportOrder {
+  excerpt::TimeSpan span;
+  QString path, format;
+};
+
+/// The requested format, otherwise by the extension.
+CommandResult<ExportOrder> orderFrom(const BagsWords& words, const QStringList& formats) {
+  const auto span = timeSpanFrom(words);
+  if (!span) return passOn(span);
+  ExportOrder order{*span, text(words.output), text(words.format).toLower()};
+  const QString known = formats.join(QStringLiteral(", "));
+  if (order.format.isEmpty()) {
+    order.format = QFileInfo(order.path).suffix().toLower();
+    if (!formats.contains(order.format))
+      return wrong(Text::tr("%1: the name must end in one of %2, or pass --format.").arg(order.path, known));
+  } else if (!formats.contains(order.format)) {
+    return wrong(Text::tr("--format %1: must be one of %2.").arg(text(words.format), known));
+  }
+  if (const auto why = whyNotCreated(order.path, QFileInfo(order.path).isFile(), words.force))
+    return wrong(*why);
+  return order;
+}
+
+/// Reports what was written, for scripts and for people.
+void tell(const BagsWords& words, const ExportOrder& order, RobotCommand& command, QJsonObject done,
+          const QString& sentence) {
+  done[QStringLiteral("name")] = text(words.name);
+  done[QStringLiteral("file")] = order.path;
+  command.report(QStringLiteral("bag"), done);
+  if (isStandardOutput(order.path)) return;
+  if (words.json) {
+    printJson(done);
+  } else {
+    printLine(QStringLiteral("%1: %2").arg(oneLine(order.path), sentence));
+  }
+}
+
+/// The file, if it is a recording on this computer.
+std::optional<std::string> recordingOf(const BagsWords& words) {
+  const auto parsed = knownAddresses().parse(text(words.robot));
+  if (!parsed || parsed->path.isEmpty() || !robot::recorded::isRecording(parsed->path)) return std::nullopt;
+  return parsed->path.toStdString();
+}
+
+excerpt::Order excerptOf(const BagsWords& words, const BagReading& bags, const ExportOrder& order) {
+  excerpt::Order wanted;
+  wanted.kind = order.format == QLatin1String("mcap")      ? excerpt::Kind::Mcap
+                : order.format == QLatin1String("jsonl")   ? excerpt::Kind::Lines
+                : order.format == QLatin1String("csv")     ? excerpt::Kind::TrackCsv
+                : order.format == QLatin1String("geojson") ? excerpt::Kind::TrackGeoJson
+                                                           : excerpt::Kind::TrackTum;
+  wanted.path = words.output;
+  wanted.span = order.span;
+  wanted.topics = words.topics;
+  wanted.address = bags.robot().session().robot().address().toStdString();
+  wanted.bag = words.name;
+  return wanted;
+}
+
+/// A part of a recording is copied byte for byte.
+CommandResult<int> exportSlice(const BagsWords& words, RobotCommand& command, BagReading& bags,
+                               const std::string& path, const ExportOrder& order) {
+  if (const auto why = overOwnSource({order.path}, {path})) return wrong(*why);
+  const auto sliced = excerpt::sliceRecording(path, excerptOf(words, bags, order));
+  if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
+  const excerpt::Written& done = **sliced;  // nobody cancels it
+  bags.noteUnknown(words.topics);
+  const map::Subject bag =
+      subjectOf(robot::BagKey{robot::BagKind::File, robot::recorded::bagNameOf(text(path))});
+  for (const Fault& loss : done.losses)
+    bags.robot().lack(QStringLiteral("%1: %2").arg(sentences::nameOf(bag), sentences::wordsOf(loss)));
+  tell(words, order, command,
+       {{QStringLiteral("messages"), qint64(done.messages)},
+        {QStringLiteral("said_before"), qint64(done.said_before)},
+        {QStringLiteral("attachments"), qint64(done.attachments)}},
+       Text::tr("%1 messages, %2 from before the range").arg(done.messages).arg(done.said_before));
+  return kDone;
+}
+
+/// What was written, as figures and as text.
+struct Told {
+  QJsonObject json;
+  QString sentence;
+};
+Told toldOf(const excerpt::Written& done, excerpt::Kind kind) {
+  switch (kind) {
+    case excerpt::Kind::Mcap:
+      return {{{QStringLiteral("messages"), qint64(done.messages)},
+               {QStringLiteral("said_before"), qint64(done.said_before)}},
+              Text::tr("%1 messages, %2 from before the range").arg(done.messages).arg(done.said_before)};
+    case excerpt::Kind::Lines:
+      return {{{QStringLiteral("messages"), qint64(done.messages)}},
+              Text::tr("%1 messages").arg(done.messages)};
+    default:
+      return {{{QStringLiteral("samples"), qint64(done.samples)},
+               {QStringLiteral("pieces"), qint64(done.pieces)}},
+              Text::tr("%1 samples in %2 segments").arg(done.samples).arg(done.pieces)};
+  }
+}
+
+CommandResult<int> exportExcerpt(RobotCommand& command, const BagsWords& words, const QStringList& formats) {
+  const auto order = orderFrom(words, formats);
+  if (!order) return passOn(order);
+  auto opened = BagReading::open(command);
+  if (!opened) return passOn(opened);
+  BagReading& bags = *opened;
+  const bool lines = order->format == QLatin1String("jsonl");
+  const auto replayed =
+      bags.readThrough(words.name, lines ? BagReading::Texts::Whole : BagReading::Texts::Short);
+  if (!replayed) return passOn(replayed);
+  const excerpt::Order wanted = excerptOf(words, bags, *order);
+  const bool mcap = wanted.kind == excerpt::Kind::Mcap;
+  if (mcap && isStandardOutput(order->path))
+    return wrong(Text::tr("An MCAP file must be a regular file (-o FILE)."));
+  if (const auto recording = mcap ? recordingOf(words) : std::nullopt)
+    return exportSlice(words, command, bags, *recording, *order);
+  const auto writing = excerpt::begin(wanted);
+  if (!writing) return fileFailure(writing.error());
+  const auto read = bags.readRanges(excerpt::readsFrom(wanted), order->span.to_s,
+                                    [&](const replay::Chunk& chunk) -> CommandResult<void> {
+                                      if (const auto fault = (*writing)->take(chunk))
+                                        return fileFailure(*fault);
+                                      return {};
+                                    });
+  if (!read) return passOn(read);
+  const auto done = (*writing)->place();
+  if (!done) return fileFailure(done.error());
+  bags.noteUnknown(words.topics);
+  bags.noteUnreadable(HUGE_VAL);
+  const Told told = toldOf(*done, wanted.kind);
+  tell(words, *order, command, told.json, told.sentence);
+  return kDone;
+}
+
+constexpr std::int64_t kMostParts = 10'000;
+
+auto notOpened(const Fault& why) { return wrong(sentences::sentenceOf(why)); }
+
+CommandResult<std::string> recordingFrom(const BagsWords& words) {
+  const auto parsed = knownAddresses().parse(text(words.robot));
+  if (!parsed || parsed->path.isEmpty())
+    return wrong(
+        Text::tr("%1 is not a recording on this computer. Pass a file (.mcap, .bag).").arg(text(words.name)));
+  return parsed->path.toStdString();
+}
+
+std::optional<QString> whyNotInto(const QString& path, const std::vector<std::string>& sources, bool force) {
+  if (isStandardOutput(path)) return Text::tr("An MCAP file must be a regular file (-o FILE).");
+  return whyNotCreated(path, QFileInfo::exists(path), force, sources);
+}
+
+/// Its end is missing, and maybe the data being written at that time.
+bool isOfItsEnd(const Fault& loss) {
+  return loss.code == robot::recorded::fault::RecordingNotFinished ||
+         loss.code == robot::recorded::fault::RecordingNotBegun ||
+         loss.code == robot::recorded::fault::RecordingCutOff;
+}
+
+void tell(const BagsWords& words, const QStringList& files, const excerpt::Written& done) {
+  QJsonArray losses;
+  for (const Fault& loss : done.losses) {
+    const QString sentence = sentences::sentenceOf(loss);
+    losses.append(sentence);
+    say(sentence);
+  }
+  if (words.json) {
+    printJson(QJsonObject{{QStringLiteral("files"), QJsonArray::fromStringList(files)},
+                          {QStringLiteral("messages"), qint64(done.messages)},
+                          {QStringLiteral("attachments"), qint64(done.attachments)},
+                          {QStringLiteral("losses"), losses}});
+    return;
+  }
+  for (const QString& file : files) printLine(oneLine(file));
+  printLine(Text::tr("messages: %1, files: %2").arg(done.messages).arg(done.attachments));
+}
+
+}  // namespace
+
+CommandResult<int> bagsExport(RobotCommand& command, const BagsWords& words) {
+  return exportExcerpt(command, words, {QStringLiteral("mcap"), QStringLiteral("jsonl")});
+}
+
+CommandResult<int> bagsTrack(RobotCommand& command, const BagsWords& words) {
+  return exportExcerpt(command, words,
+                       {QStringLiteral("csv"), QStringLiteral("geojson"), QStringLiteral("tum")});
+}
+
+CommandResult<int> bagsRepair(RobotCommand&, const BagsWords& words) {
+  const auto path = recordingFrom(words);
+  if (!path) return passOn(path);
+  if (const auto why = whyNotInto(text(words.output), {*path}, words.force)) return wrong(*why);
+  excerpt::Order order;
+  order.path = words.output;
+  order.repair = true;
+  const auto made = excerpt::sliceRecording(*path, order);
+  if (!made) return notOpened(made.error());
+  tell(words, {text(words.output)}, **made);
+  const bool all = std::all_of((*made)->losses.begin(), (*made)->losses.end(), isOfItsEnd);
+  return int(all ? kDone : kIncomplete);
+}
+
+CommandResult<int> bagsSplit(RobotCommand&, const BagsWords& words) {
+  const auto path = recordingFrom(words);
+  if (!path) return passOn(path);
+  if (!(words.every_s > 0)) return wrong(Text::tr("--every must be greater than 0 seconds."));
+  const QString pattern = text(words.output);
+  if (numbered(pattern, 0).isEmpty())
+    return wrong(
+        Text::tr("-o %1: the parts need a number in their name, for example part-%03d.mcap.").arg(pattern));
+  const auto opened = recording::openRecording(*path);
+  if (!opened) return notOpened(robot::recorded::reasonOf(opened.error()));
+  const recording::Summary summary = (*opened)->summary();
+  if (!summary.start_ns) return wrong(Text::tr("It contains no messages."));
+  const double every_ns = words.every_s * 1e9;
+  const double parts = std::floor(double(summary.durationNs()) / every_ns) + 1;
+  if (parts > double(kMostParts))
+    return wrong(Text::tr("That would be more than %1 parts. Choose a longer --every.").arg(kMostParts));
+  excerpt::Written all;
+  QStringList files;
+  for (std::int64_t part = 0; part < std::int64_t(parts); ++part) {
+    excerpt::Order order;
+    const QString file = numbered(pattern, int(part));
+    if (const auto why = whyNotInto(file, {*path}, words.force)) return wrong(*why);
+    order.path = file.toStdString();
+    order.topics = words.topics;
+    // The first and the last part include everything up to the ends, in spite of rounding.
+    if (part > 0) order.first_ns = *summary.start_ns + std::llround(double(part) * every_ns);
+    if (part + 1 < std::int64_t(parts))
+      order.last_ns = *summary.start_ns + std::llround(double(part + 1) * every_ns) - 1;
+    const auto made = excerpt::sliceRecording(*path, order);
+    if (!made) return notOpened(made.error());
+    all.messages += (*made)->messages;
+    all.attachments = std::max(all.attachments, (*made)->attachments);
+    all.losses = (*made)->losses;  // they concern the whole
+    files << file;
+  }
+  tell(words, files, all);
+  return int(all.losses.empty() ? kDone : kIncomplete);
+}
+
+CommandResult<int> bagsMerge(RobotCommand&, const BagsWords& words) {
+  if (const auto why = whyNotInto(text(words.output), words.files, words.force)) return wrong(*why);
+  const auto span = timeSpanFrom(words);
+  if (!span) return passOn(span);
+  excerpt::Order order;
+  order.path = words.output;
+  order.span = *span;
+  order.topics = words.topics;
+  const auto made = excerpt::mergeRecordings(words.files, order);
+  if (!made) return notOpened(made.error());
+  tell(words, {text(words.output)}, *made);
+  return int(made->losses.empty() ? kDone : kIncomplete);
+}
+
+}  // namespace mapwright::app

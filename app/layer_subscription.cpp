@@ -1,0 +1,111 @@
+#include "app/layer_subscription.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "robot/offers_topics.h"
+
+namespace mapwright::app {
+namespace {
+
+using scene::Layer;
+
+/// A picture has arrived when it is decoded, not when the message with its address has.
+constexpr std::array<std::pair<Layer, map::GridKind>, 5> kPictures{
+    {{Layer::Incremental, map::GridKind::Incremental},
+     {Layer::EnvMatch, map::GridKind::EnvMatch},
+     {Layer::EnvSymmetry, map::GridKind::EnvSymmetry},
+     {Layer::CostmapLow, map::GridKind::CostmapLow},
+     {Layer::CostmapHigh, map::GridKind::CostmapHigh}}};
+
+}  // namespace
+
+LayerSubscription::LayerSubscription(session::Session& session) : session_(session) {
+  // The session connected to this signal earlier, so its world already contains the message.
+  connect(&session_.robot(), &robot::Robot::topicReceived, this,
+          [this](const map::StampedMessage& message) { heard_.insert(message.topic); });
+}
+
+robot::LiveTopics::Basics LayerSubscription::basics(const std::set<Layer>& layers, bool submaps) {
+  const std::array around_robot{Layer::Robot,     Layer::Trail, Layer::Footprint, Layer::ExpandedFootprint,
+                                Layer::LocalPath, Layer::Boxes};
+  robot::LiveTopics::Basics basics;
+  basics.submaps = submaps;
+  basics.pose = std::any_of(around_robot.begin(), around_robot.end(),
+                            [&](Layer layer) { return layers.contains(layer); });
+  basics.state = false;
+  return basics;
+}
+
+void LayerSubscription::ask(const std::set<Layer>& layers, bool live_map) {
+  robot::LiveTopics* const live = session_.robot().liveTopics();
+  if (!live) return;
+  layers_ = layers;
+  map::Streams all;
+  for (const Layer layer : layers) {
+    if (layer == Layer::WholeMap) continue;
+    map::Streams streams = scene::layerStreams(layer);
+    all.insert(streams.begin(), streams.end());
+    const auto picture = std::find_if(kPictures.begin(), kPictures.end(),
+                                      [&](const auto& entry) { return entry.first == layer; });
+    if (picture != kPictures.end()) {
+      pictures_[picture->second] = *streams.begin();
+    } else {
+      waiting_.merge(streams);
+    }
+  }
+  if (live_map) all.merge(scene::layerStreams(Layer::WholeMap));
+  // Waits also for data that needs no subscription.
+  if (basics(layers, false).pose) waiting_.insert(map::Stream::Pose);
+  if (layers.contains(Layer::Footprint) || layers.contains(Layer::ExpandedFootprint))
+    waiting_.insert(map::Stream::Model);
+  session_.want(QStringLiteral("command"), all);
+}
+
+QStringList LayerSubscription::topicsOf(map::Stream stream) const {
+  robot::LiveTopics* const live = session_.robot().liveTopics();
+  return live ? live->topicsOf(stream) : QStringList();
+}
+
+/// The points of several scanners are shown together: none that the robot lists may be missing.
+QStringList LayerSubscription::silentOf(map::Stream stream) const {
+  const QStringList topics = topicsOf(stream);
+  QStringList silent, missing;
+  std::copy_if(topics.begin(), topics.end(), std::back_inserter(silent),
+               [this](const QString& topic) { return !heard_.contains(topic.toStdString()); });
+  robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
+  const auto offered = of && stream == map::Stream::Cloud ? of->offered() : std::nullopt;
+  if (!offered) return silent.size() < topics.size() ? QStringList() : topics.mid(0, 1);
+  for (const robot::OfferedTopic& topic : *offered) {
+    if (silent.contains(topic.name)) missing << topic.name;
+  }
+  return missing;
+}
+
+std::vector<Layer> LayerSubscription::unfillable() const {
+  std::vector<Layer> empty;
+  std::copy_if(layers_.begin(), layers_.end(), std::back_inserter(empty), [this](Layer layer) {
+    const map::Streams streams = scene::layerStreams(layer);
+    return layer != Layer::WholeMap && !streams.empty() &&
+           std::all_of(streams.begin(), streams.end(),
+                       [this](map::Stream stream) { return topicsOf(stream).isEmpty(); });
+  });
+  return empty;
+}
+
+bool LayerSubscription::in() const { return silent().isEmpty() && !session_.layerGrids().busy(); }
+
+QStringList LayerSubscription::silent() const {
+  QStringList silent;
+  for (const map::Stream stream : waiting_) silent += silentOf(stream);
+  for (const auto& [kind, stream] : pictures_) {
+    if (!session_.live().grids.contains(kind)) silent += topicsOf(stream).mid(0, 1);
+  }
+  silent.sort();
+  return silent;
+}
+
+}  // namespace mapwright::app
+
+#include "moc_layer_subscription.cpp"

@@ -1,0 +1,148 @@
+#include "app/output.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <unistd.h>
+
+#include <QFileInfo>
+#include <QJsonDocument>
+
+#include "app/command_text.h"
+#include "app/exit_code.h"
+#include "disk/read_file.h"
+#include "disk/written_file.h"
+#include "jobs/export_map.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::app {
+namespace {
+
+int why_not_printed = 0;  // the first errno of a failed write to standard output
+
+/// A pipe or a device: data is written to it, nothing is replaced.
+bool takesBytes(const QString& path) {
+  const QFileInfo info(path);
+  return info.exists() && !info.isFile() && !info.isDir();
+}
+
+}  // namespace
+
+QString oneLine(const QString& text, qsizetype most) {
+  QString line = words::plainLine(text);
+  if (line.size() > most) line = line.left(most / 2) + QStringLiteral(" … ") + line.right(most / 2 - 3);
+  return line;
+}
+
+void say(const QString& sentence) { std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence))); }
+
+int refuse(int exit_code, const QString& sentence) {
+  say(sentence);
+  return exit_code;
+}
+
+void ProgressLine::tell(const QString& line) {
+  if (!terminal_) return;
+  std::fprintf(stderr, "\r%-70s", qUtf8Printable(line));
+  told_ = true;
+}
+
+void ProgressLine::clear() {
+  if (told_) std::fprintf(stderr, "\r%-70s\r", "");
+  told_ = false;
+}
+
+bool isStandardOutput(const QString& path) { return disk::isStandardOutput(path.toStdString()); }
+
+std::optional<QString> whyNotWritable(const QString& path) {
+  if (isStandardOutput(path)) {
+    if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
+    return Text::tr("%1: the standard output is a terminal. Redirect it to a file or another program.")
+        .arg(path);
+  }
+  // The target of a link is found when it is written.
+  if (takesBytes(path) || QFileInfo(path).isSymLink()) return std::nullopt;
+  const QFileInfo folder(QFileInfo(path).absolutePath());
+  if (folder.isDir() && folder.isWritable()) return std::nullopt;
+  return Text::tr("%1 cannot be written: the folder %2 does not exist or is not writable.")
+      .arg(path, folder.filePath());
+}
+
+std::optional<QString> whyNotTogether(const QStringList& outputs) {
+  for (qsizetype i = 0; i < outputs.size(); ++i) {
+    for (qsizetype j = i + 1; j < outputs.size(); ++j) {
+      const QString &one = outputs[i], &other = outputs[j];
+      if (one.isEmpty() || other.isEmpty()) continue;
+      if (isStandardOutput(one) && isStandardOutput(other)) {
+        return Text::tr("Only one of the outputs can go to the standard output.");
+      }
+      if (isStandardOutput(one) || isStandardOutput(other) || takesBytes(one)) continue;
+      const bool same = QFileInfo(one).absoluteFilePath() == QFileInfo(other).absoluteFilePath() ||
+                        disk::sameFile(one.toStdString(), other.toStdString());
+      if (same) return Text::tr("%1 and %2 are the same file. Choose two different ones.").arg(one, other);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<QString> overOwnSource(const QStringList& outputs, const std::vector<std::string>& sources) {
+  const QString own = jobs::firstOwnSource(outputs, sources);
+  if (own.isEmpty()) return std::nullopt;
+  return Text::tr("%1 is a file that the map is read from. Pass --force to replace it.").arg(own);
+}
+
+std::optional<QString> whyNotCreated(const QString& path, bool exists, bool force,
+                                     const std::vector<std::string>& sources) {
+  if (auto why = whyNotWritable(path)) return why;
+  if (auto why = overOwnSource({path}, sources)) return why;
+  if (exists && !force) return Text::tr("%1 already exists. Pass --force to replace it.").arg(path);
+  return std::nullopt;
+}
+
+bool printOut(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!written && why_not_printed == 0) why_not_printed = errno;
+  return std::ferror(stdout) == 0;
+}
+
+void printLine(const QString& line) { printOut(line.toStdString() + "\n"); }
+
+void printJson(const QJsonObject& json) {
+  printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
+}
+
+void printJson(const QJsonArray& json) {
+  printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
+}
+
+int concludeStandardOutput(int exit_code) {
+  const bool flushed = std::fflush(stdout) == 0;
+  // The first failure has the reason; errno only describes the last call.
+  if (!flushed && why_not_printed == 0) why_not_printed = errno;
+  if (flushed && std::ferror(stdout) == 0) return exit_code;
+  QString sentence = Text::tr("The standard output cannot be written.");
+  if (why_not_printed != 0)
+    sentence = Text::tr("The standard output cannot be written: %1.")
+                   .arg(QString::fromLocal8Bit(std::strerror(why_not_printed)));
+  say(sentence);
+  return kUsage;
+}
+
+void printTable(const std::vector<QStringList>& rows) {
+  std::vector<qsizetype> widths;
+  for (const QStringList& row : rows) {
+    widths.resize(std::max(widths.size(), std::size_t(row.size())));
+    for (qsizetype i = 0; i < row.size(); ++i)
+      widths[std::size_t(i)] = std::max(widths[std::size_t(i)], row[i].size());
+  }
+  for (const QStringList& row : rows) {
+    QString line;
+    for (qsizetype i = 0; i < row.size(); ++i) {
+      line += i + 1 == row.size() ? row[i] : row[i].leftJustified(widths[std::size_t(i)] + 2);
+    }
+    printOut(words::plainLine(line).toStdString() + "\n");
+  }
+}
+
+}  // namespace mapwright::app

@@ -1,0 +1,63 @@
+// What a command prints, and where it writes: checked before the work begins and before anything is lost.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unistd.h>
+#include <vector>
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QString>
+#include <QStringList>
+
+namespace mapwright::app {
+
+/// One line of at most `most` characters for a terminal: without control characters and line breaks; longer
+/// texts lose their middle.
+QString oneLine(const QString& text, qsizetype most = 1'000);
+/// A sentence on standard error.
+void say(const QString& sentence);
+/// Prints why nothing was done. Returns the exit code.
+int refuse(int exit_code, const QString& sentence);
+
+/// How far it is, on standard error: a line that is written over. Prints nothing where that is no terminal.
+class ProgressLine {
+ public:
+  ~ProgressLine() { clear(); }
+  /// False: nobody sees it.
+  bool shown() const { return terminal_; }
+  void tell(const QString& line);
+  void clear();
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  bool told_ = false;
+};
+
+/// Writes to standard output, for long outputs; false: it accepts no more data. concludeStandardOutput()
+/// reports the reason at the end.
+bool printOut(std::string_view text);
+/// As printOut(), for people to read and programs to parse.
+void printLine(const QString& line);
+void printJson(const QJsonObject& json);
+void printJson(const QJsonArray& json);
+/// Columns are as wide as their widest cell; put names into the last one, as they may have any width.
+void printTable(const std::vector<QStringList>& rows);
+/// Flushes standard output; if that fails, prints a sentence to standard error and returns another exit code.
+int concludeStandardOutput(int exit_code);
+
+/// "-" and equivalent names.
+bool isStandardOutput(const QString& path);
+/// A sentence if it is clear beforehand that nothing can be written there.
+std::optional<QString> whyNotWritable(const QString& path);
+/// A sentence if two of them are the same file. Devices may be used twice; empty paths are ignored.
+std::optional<QString> whyNotTogether(const QStringList& outputs);
+/// A sentence if one of `outputs` is a file that was read, through any path or link.
+std::optional<QString> overOwnSource(const QStringList& outputs, const std::vector<std::string>& sources);
+/// One of the sentences above about a new file, or that there is one already (`exists`) and no `force`.
+std::optional<QString> whyNotCreated(const QString& path, bool exists, bool force,
+                                     const std::vector<std::string>& sources = {});
+
+}  // namespace mapwright::app

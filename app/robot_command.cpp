@@ -1,0 +1,441 @@
+#include "app/robot_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include <QApplication>
+#include <QDeadlineTimer>
+#include <QEventLoop>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include "app/command_text.h"
+#include "app/display.h"
+#include "app/map_request.h"
+#include "app/output.h"
+#include "app/robot_factory.h"
+#include "grids/grid_pyramid.h"
+#include "regions/region_answer.h"
+#include "render/compose_grid.h"
+#include "robot/address.h"
+#include "robot/map_dispatch.h"
+#include "scene/layer.h"
+#include "sentences/absence_sentence.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/obstacle_sentence.h"
+#include "words/text.h"
+#include "work/budgets.h"
+
+namespace mapwright::app {
+namespace {
+
+constexpr int kMapLookEveryMs = 10;
+constexpr int kMapConnectAttempts = 3;
+constexpr int kMapTries = 3;
+constexpr int kMapFarewellMs = 200;  // how long to wait for the result of a change that was given up
+
+double secondsSince(SteadyTime start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Requests only what the command shows.
+session::Session::Options quietOptions(RobotReading::Purpose purpose,
+                                       const std::shared_ptr<work::Workers>& workers) {
+  session::Session::Options options = sessionOptions();
+  options.workers = workers;
+  options.overview = options.maps = false;
+  options.basics = {purpose == RobotReading::Purpose::Submaps, false, false};
+  return options;
+}
+
+constexpr double kRoundingCells = 2;
+
+QString lengths(const geometry::WorldRect& rect) {
+  return Text::tr("%1 × %2").arg(rect.width(), 0, 'f', 2).arg(rect.height(), 0, 'f', 2);
+}
+
+/// The first row of a part is the lowest, that of a pyramid the uppermost. -1 is 255 in both.
+std::shared_ptr<const grids::GridPyramid> pyramidOf(const map::GridPart& part,
+                                                    const std::shared_ptr<work::Workers>& workers) {
+  const auto builder = grids::buildGrid(part.grid.width, part.grid.height, grids::CellCode::Occupancy,
+                                        grids::Reduction::OccupiedWins, {workers, nullptr});
+  const auto width = std::size_t(part.grid.width);
+  for (std::size_t row = std::size_t(part.grid.height); row-- > 0;) {
+    const auto* const cells = reinterpret_cast<const std::uint8_t*>(part.cells->data() + row * width);
+    builder->pushRow({cells, width});
+  }
+  builder->finish();
+  return builder->pyramid();
+}
+
+QJsonObject failed(const QString& sentence) {
+  return {{QStringLiteral("complete"), false}, {QStringLiteral("warnings"), QJsonArray{sentence}}};
+}
+
+}  // namespace
+
+bool CommandTime::over(double grace_s) const { return secondsSince(start.begun) > timeout_s + grace_s; }
+
+RobotReading::RobotReading(std::unique_ptr<robot::Robot> robot, QString address, CommandTime time,
+                           Purpose purpose, std::shared_ptr<work::Workers> workers)
+    : workers_(std::move(workers)),
+      session_(std::move(robot), quietOptions(purpose, workers_)),
+      address_(std::move(address)),
+      time_(time) {}
+
+bool RobotReading::waitUntil(const std::function<bool()>& done, double at_most_s) {
+  const QDeadlineTimer patience(at_most_s < 1e6 ? qint64(at_most_s * 1000) : -1, Qt::PreciseTimer);
+  QEventLoop loop;
+  QTimer look;
+  look.setTimerType(Qt::PreciseTimer);
+  bool is_done = done();
+  QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+    is_done = done();
+    if (is_done || time_.over() || patience.hasExpired()) loop.quit();
+  });
+  look.start(kMapLookEveryMs);
+  if (!is_done) loop.exec();
+  return is_done;
+}
+
+bool RobotReading::local() const { return session_.robot().isLocal(); }
+
+std::vector<std::string> RobotReading::sourceFiles() const {
+  const session::MapSlot& slot = session_.wholeMap();
+  return sourceFilesOf(address_, slot.key().id, slot.shown().path);
+}
+
+QString RobotReading::about(const QString& sentence) const {
+  constexpr qsizetype kLongestAddress = 200;
+  return QStringLiteral("%1: %2").arg(oneLine(address_, kLongestAddress), sentence);
+}
+
+tl::unexpected<CommandFailure> RobotReading::failure(int exit_code, const QString& sentence) const {
+  return tl::make_unexpected(CommandFailure{exit_code, about(sentence)});
+}
+
+tl::unexpected<CommandFailure> RobotReading::failure(const map::Failure& failed) const {
+  return failure(exitCodeOf(failed), QString::fromStdString(sentences::sentenceOf(failed)));
+}
+
+void RobotReading::giveUp(const robot::Call& call, const std::function<bool()>& over) const {
+  call.cancel();
+  QEventLoop loop;
+  const QDeadlineTimer patience(kMapFarewellMs);
+  while (!over() && !patience.hasExpired()) loop.processEvents(QEventLoop::AllEvents, kMapLookEveryMs);
+}
+
+map::Failure RobotReading::tooLate(map::Failure failure) const {
+  failure.kind = map::FailureKind::TimedOut;
+  failure.detail = Text::tr("it did not answer within %1 s").arg(time_.timeout_s).toStdString();
+  return failure;
+}
+
+tl::unexpected<CommandFailure> RobotReading::lacks(robot::Capability capability) const {
+  return failure(local() ? kUsage : kRobotError,
+                 sentences::whyAbsent(capability, session_.robot().whyNot(capability)));
+}
+
+CommandResult<std::unique_ptr<RobotReading>> RobotReading::open(const QString& address, const Access& access,
+                                                                CommandTime time, Purpose purpose,
+                                                                std::shared_ptr<work::Workers> workers) {
+  if (address.isEmpty()) {
+    return wrong(Text::tr("Which robot? Pass --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too."));
+  }
+  Access timed = access;
+  timed.timeout = std::chrono::milliseconds(qint64(time.timeout_s * 1000));
+  auto robot = makeRobot(address, timed, DemoTime::Frozen);
+  if (!robot) return wrong(robot.error());
+  std::unique_ptr<RobotReading> reading(
+      new RobotReading(std::move(*robot), address, time, purpose, std::move(workers)));
+  session::Session& session = reading->session_;
+  if (purpose == Purpose::Bags && session.robot().bagLibrary()) {
+    reading->online_since_ = std::chrono::steady_clock::now();
+    return reading;
+  }
+  session.open();
+  const auto phase = [&] { return session.connection().phase; };
+  reading->waitUntil([&] {
+    return phase() == robot::ConnectionPhase::Online || phase() == robot::ConnectionPhase::Refused ||
+           (phase() == robot::ConnectionPhase::Interrupted &&
+            (session.connection().attempt >= kMapConnectAttempts ||
+             session.connection().failure == map::FailureKind::NotARobot));
+  });
+  if (phase() != robot::ConnectionPhase::Online) {
+    const bool file = reading->local() && phase() == robot::ConnectionPhase::Refused;
+    const QString reason = whyNotConnected(session.connection());
+    return reading->failure(
+        file ? kUsage : exitCodeOf(session.connection().failure, kUnreachable),
+        reason.isEmpty() ? Text::tr("no connection within %1 s.").arg(time.timeout_s) : reason);
+  }
+  reading->online_since_ = std::chrono::steady_clock::now();
+  return reading;
+}
+
+CommandResult<map::CatalogueEntry> RobotReading::change(const robot::MapOrder& order) {
+  robot::MapAdministration* const maps = session_.robot().mapAdministration();
+  if (!maps) return lacks(robot::Capability::Administration);
+  const auto obstacle = maps->obstacle(order.change, nullptr);
+  if (obstacle == robot::Obstacle::NotOffered) {
+    return failure(local() ? kUsage : kRobotError, sentences::whyNotNow(order.change, *obstacle));
+  }
+  auto outcome = ask<map::CatalogueEntry>(
+      [&](robot::OutcomeTo<map::CatalogueEntry> reply) { return maps->carryOut(order, std::move(reply)); });
+  if (outcome) return std::move(*outcome);
+  outcome.error().asked_for = map::AskedFor::Change;
+  return failure(outcome.error());
+}
+
+CommandResult<const std::vector<map::CatalogueEntry>*> RobotReading::catalogue() {
+  session::Catalogue& catalogue = session_.catalogue();
+  if (!catalogue.offered()) {
+    return lacks(robot::Capability::Catalogue);
+  }
+  if (!catalogue.asOf() && !catalogue.loading()) catalogue.refresh();
+  if (!waitUntil([&] { return !catalogue.loading() && (catalogue.asOf() || catalogue.failure()); })) {
+    return failure(exitCodeOf(map::FailureKind::TimedOut),
+                   Text::tr("It did not answer within %1 s.").arg(time_.timeout_s));
+  }
+  if (catalogue.failure()) {
+    return failure(local() ? kUsage : exitCodeOf(catalogue.failure()->kind),
+                   QString::fromStdString(sentences::sentenceOf(*catalogue.failure())));
+  }
+  // An incomplete list is a problem of its own.
+  insistOnAll();
+  return &catalogue.entries();
+}
+
+QStringList RobotReading::problems(map::Severity least) const {
+  QStringList lines;
+  for (const session::LoggedProblem& row : session_.problems().rows()) {
+    // Problems of the robot in general, or a missing submap list, do not concern the requested data.
+    const map::SubjectKind kind = row.problem.subject.kind;
+    const bool asked_for =
+        kind != map::SubjectKind::Robot &&
+        !(kind == map::SubjectKind::SubmapList && row.problem.code == map::ProblemCode::Unavailable);
+    if (!row.resolved && asked_for && row.problem.severity >= least) lines << problemLine(row.problem);
+  }
+  return lines;
+}
+
+void RobotReading::insistOnReadable() {
+  for (const session::LoggedProblem& row : session_.problems().rows()) {
+    const bool unreadable =
+        row.problem.code == map::ProblemCode::Unreadable && row.problem.severity >= map::Severity::Warning;
+    if (!row.resolved && unreadable) complete_ = false;
+  }
+}
+
+QStringList RobotReading::warnings() const {
+  QStringList all = bagLosses(session_.problems()) + notes_ + problems(map::Severity::Warning);
+  all.removeDuplicates();  // problems of waypoints are found again when their map is opened
+  return all;
+}
+
+QJsonObject RobotReading::facts() const {
+  QJsonObject facts = trafficJson(session_.counts());
+  for (auto it = facts_.begin(); it != facts_.end(); ++it) facts[it.key()] = it.value();
+  return facts;
+}
+
+CommandResult<render::PlacedGrid> RobotReading::map(const QString& id, double resolution_m) {
+  if (id == QLatin1String("submaps")) return submaps(resolution_m);
+  if (id.isEmpty() || id == QLatin1String("live")) {
+    session_.want(QStringLiteral("command"), scene::layerStreams(scene::Layer::WholeMap));
+  }
+  MapRequest request(session_, id, true);
+  request.agreeToWhole();
+  const bool in =
+      waitUntil([&] { return request.look(secondsSince(online_since_)) != MapRequest::State::Waiting; });
+  if (!in) {
+    const QString late = Text::tr("The map had not arrived within %1 s.").arg(time_.timeout_s);
+    return failure(exitCodeOf(map::FailureKind::TimedOut),
+                   (QStringList(late) + request.liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
+  }
+  if (request.look(secondsSince(online_since_)) == MapRequest::State::Failed) {
+    return failure(request.failure().exit_code, request.failure().sentence);
+  }
+  session_.standStill();
+  complete_ = complete_ && request.complete() && problems(map::Severity::Error).isEmpty();
+  notes_ += request.notes();
+  name_ = session_.wholeMap().name();
+  const render::PlacedGrid grid = *request.grid();
+  facts_[QStringLiteral("map")] = mapJson(*request.key(), name_, grid.reference);
+  return grid;
+}
+
+CommandResult<render::PlacedGrid> RobotReading::submaps(double resolution_m) {
+  if (!session_.robot().submapSource()) {
+    return lacks(robot::Capability::Submaps);
+  }
+  const bool settled = waitUntil([&] { return session_.settled(kMapTries); });
+  session_.standStill();
+  session_.close();
+  const session::SubmapCounts counts = session_.counts();
+  complete_ = complete_ && settled && submapsComplete(counts);
+  facts_[QStringLiteral("submaps")] = submapsJson(counts);
+  facts_[QStringLiteral("uuid")] = QString::fromStdString(session_.book().uuid());
+  if (!settled) {
+    notes_ << (counts.list_received ? Text::tr("Not everything had arrived within %1 s (--timeout).")
+                                    : Text::tr("The robot sent no submap list within %1 s (--timeout)."))
+                  .arg(time_.timeout_s);
+  }
+  std::vector<render::PlacedTexture> textures;
+  for (const auto& [id, row] : session_.book().rows()) {
+    if (const auto placement = session_.book().placement(id, session_.slice())) {
+      textures.push_back({id, placement->texture, placement->world_from_texture, 0});
+    }
+  }
+  if (textures.empty()) {
+    // A snapshot would be empty, but a grid of no size is impossible.
+    const QStringList why = refused() ? problems(map::Severity::Error) : warnings();
+    return failure(complete_   ? int(kRobotError)
+                   : refused() ? exitCodeOf(map::FailureKind::Refused)
+                               : int(kIncomplete),
+                   counts.listed == 0 && settled
+                       ? Text::tr("It has no submaps yet.")
+                       : Text::tr("None of its submaps could be loaded. %1").arg(firstOf(why)));
+  }
+  render::DenseCache cache(work::budgetsFrom().dense + work::budgetsFrom().tiles);  // no tiles are kept
+  bool in_time = true;
+  auto made = render::composeGrid(textures, resolution_m, cache,
+                                  [&](double) {
+                                    in_time = !time_.over(time_.start.grace.draw_s);
+                                    return in_time;
+                                  },
+                                  {workers_});
+  if (!in_time) {
+    return failure(
+        kIncomplete,
+        Text::tr("%1 of %2 submaps had arrived, but drawing them took longer than %3 s (--timeout).")
+            .arg(counts.shown)
+            .arg(counts.listed)
+            .arg(time_.timeout_s));
+  }
+  if (!made) return failure(kRobotError, sentences::wordsOf(made.error()));
+  return render::PlacedGrid{made->cells, made->reference};
+}
+
+CommandResult<render::PlacedGrid> RobotReading::part(const std::optional<map::GridRegion>& region) {
+  robot::MapDispatch* const dispatch = session_.robot().mapDispatch();
+  if (!dispatch) return lacks(robot::Capability::Dispatch);
+  const auto part = ask<map::GridPart>(
+      [&](robot::OutcomeTo<map::GridPart> reply) { return dispatch->grid(region, std::move(reply)); });
+  if (!part) return failure(part.error());
+  for (const Fault& note : part->notes) notes_ << about(sentences::wordsOf(note));
+  if (part->grid.width == 0) {
+    return failure(kIncomplete,
+                   region ? Text::tr("Its map is empty in this region.") : Text::tr("Its map is empty."));
+  }
+  if (part->grid.width > grids::kMaxGridEdge || part->grid.height > grids::kMaxGridEdge)
+    return failure(kRobotError, Text::tr("Its answer has too many cells in a row."));
+  const geometry::WorldRect bounds = part->grid.bounds();
+  if (region) {
+    const Eigen::Vector2d low = region->centre_m - region->size_m / 2,
+                          high = region->centre_m + region->size_m / 2;
+    const geometry::WorldRect asked{low.x(), low.y(), high.x(), high.y()};
+    const geometry::WorldRect common = regions::commonGround(part->grid, asked);
+    const double rounding = kRoundingCells * part->grid.resolution_m;
+    if (regions::liesElsewhere(part->grid, asked)) {
+      complete_ = false;
+      notes_ << about(Text::tr("It answered with another part of its map, around %1 m, %2 m.")
+                          .arg(bounds.center().x(), 0, 'f', 2)
+                          .arg(bounds.center().y(), 0, 'f', 2));
+    } else if (part->grid.origin.yaw_rad == 0 &&
+               (common.width() < asked.width() - rounding || common.height() < asked.height() - rounding)) {
+      notes_ << about(Text::tr("Its answer covers %1 of the %2 m requested: either its map "
+                               "ends there, or it does not send more at once.")
+                          .arg(lengths(common), lengths(asked)));
+    }
+  }
+  const auto offers = dispatch->offers();
+  const auto service = region ? robot::DispatchService::GridRegion : robot::DispatchService::Grid;
+  for (const robot::DispatchOffer& offer : offers) {
+    if (offer.service == service) name_ = QString::fromStdString(offer.name);
+  }
+  facts_[QStringLiteral("map")] = mapJson({map::MapKind::Live, {}}, name_, part->grid);
+  return render::PlacedGrid{pyramidOf(*part, workers_), part->grid};
+}
+
+RobotCommand::RobotCommand(const RobotWords& words)
+    : words_(words),
+      time_{commandStart(words.timeout_s, processAge()), words.timeout_s},
+      report_path_(words::text(words.report)) {}
+
+CommandResult<RobotReading*> RobotCommand::open(RobotReading::Purpose purpose, const QString& other) {
+  const QString robot = words::text(words_.robot), address = other.isEmpty() ? robot : other;
+  const auto access = RobotAccess::read(words_.access, robot);
+  if (!access) return wrong(access.error());
+  auto reading = RobotReading::open(address, access->forAddress(address), time_, purpose, workers_);
+  if (!reading) return passOn(reading);
+  connected_->store(true);
+  readings_.push_back(std::move(*reading));
+  return readings_.back().get();
+}
+
+bool RobotCommand::complete() const {
+  for (const auto& reading : readings_) {
+    if (!reading->complete()) return false;
+  }
+  return true;
+}
+
+int RobotCommand::run(int& argc, char** argv, const std::function<CommandResult<int>(RobotCommand&)>& work) {
+  if (const auto why = whyNoTimeout(time_.timeout_s)) return refuse(kUsage, *why);
+  Deadline deadline(later(time_.start.begun, time_.timeout_s + time_.start.grace.end_s),
+                    [connected = connected_, path = report_path_, timeout_s = time_.timeout_s] {
+                      const QString sentence =
+                          (*connected
+                               ? Text::tr("Incomplete: the command did not finish within %1 s (--timeout).")
+                               : Text::tr("No connection within %1 s (--timeout)."))
+                              .arg(timeout_s);
+                      if (!path.isEmpty()) writeReportInHaste(path, failed(sentence));
+                      sayAtTheEnd(sentence.toStdString());
+                      return int(*connected ? kIncomplete : kUnreachable);
+                    });
+  const auto fonts = chooseOffscreenPlatform();
+  QApplication application(argc, argv);
+  const int exit_code = end(work(*this));
+  std::fflush(stdout);
+  // Everything has been reported: cleaning up must not take longer than the remaining time.
+  deadline.setLastWords([exit_code] { return exit_code; });
+  readings_.clear();
+  return exit_code;
+}
+
+int RobotCommand::end(const CommandResult<int>& result) const {
+  QStringList warnings;
+  for (const auto& reading : readings_) warnings += reading->warnings();
+  QJsonObject report;
+  if (!result) {
+    report = failed(result.error().sentence);
+  } else {
+    if (readings_.size() == 1) report = readings_.front()->facts();
+    if (readings_.size() == 2) {
+      report[QStringLiteral("first")] = readings_.front()->facts();
+      report[QStringLiteral("second")] = readings_.back()->facts();
+    }
+    report[QStringLiteral("complete")] = complete();
+    report[QStringLiteral("warnings")] = QJsonArray::fromStringList(warnings);
+  }
+  if (!done_.isEmpty()) report[done_name_] = done_;
+  if (!report_path_.isEmpty()) {
+    if (const auto problem = writeReport(report_path_, report)) return refuse(kUsage, *problem);
+  }
+  if (!result) return refuse(result.error().exit_code, result.error().sentence);
+  if (!complete()) {
+    const bool refused = std::any_of(readings_.begin(), readings_.end(),
+                                     [](const auto& reading) { return reading->refused(); });
+    return refuse(refused            ? exitCodeOf(map::FailureKind::Refused)
+                  : *result == kDone ? int(kIncomplete)
+                                     : *result,
+                  Text::tr("Incomplete. %1").arg(firstOf(warnings)));
+  }
+  return warnings.isEmpty() ? *result : refuse(*result, firstOf(warnings));
+}
+
+}  // namespace mapwright::app

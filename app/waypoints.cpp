@@ -1,0 +1,522 @@
+// `mapwright waypoints …`: the waypoints of one map of a robot or a folder (docs/command-line.md, "mapwright
+// waypoints").
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/command_text.h"
+#include "app/output.h"
+#include "app/waypoint_list.h"
+#include "app/waypoint_sending.h"
+#include "disk/file_error.h"
+#include "disk/written_file.h"
+#include "exchange/waypoint_table.h"
+#include "exchange/waypoint_json.h"
+#include "exchange/waypoint_plan.h"
+#include "exchange/waypoint_steps.h"
+#include "geometry/pose.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/plural.h"
+#include "words/qt_plain.h"
+#include "words/text.h"
+
+namespace mapwright::app {
+namespace {
+
+using words::text;
+
+QString metres(double value) { return QString::number(value, 'f', 3); }
+
+QStringList rowOf(const map::Waypoint& point) {
+  return {words::plainName(point.id),
+          metres(point.position_m.x()),
+          metres(point.position_m.y()),
+          point.yaw_rad ? QString::number(geometry::degreesFromRadians(*point.yaw_rad), 'f', 1)
+                        : QStringLiteral("-"),
+          exchange::tagText(point),
+          words::plainName(point.name)};
+}
+
+CommandResult<int> waypointsList(RobotCommand& command, const WaypointsWords& words) {
+  const auto radius_m = radiusFrom(words.radius);
+  if (!radius_m) return wrong(radius_m.error());
+  const auto list = listWaypoints(command, words.map, Use::Reading);
+  if (!list) return passOn(list);
+  std::optional<DoubtfulWaypoints> doubtful;
+  if (words.warnings) doubtful = doubtsOf(*list, list->stored.points, *radius_m);
+  if (doubtful && !doubtful->untold.isEmpty()) list->robot->note(doubtful->untold);
+  // The list is complete; the additional data is not.
+  const int exit_code = doubtful && !doubtful->looked ? int(kIncomplete) : int(kDone);
+  if (words.json) {
+    QJsonArray rows = exchange::waypointsJson(list->stored.points, list->mapId());
+    for (std::size_t i = 0; doubtful && i < doubtful->of.size(); ++i) {
+      QJsonObject row = rows[qsizetype(i)].toObject();
+      row[QStringLiteral("warnings")] = warningsJson(doubtful->of[i]);
+      rows[qsizetype(i)] = row;
+    }
+    printJson(rows);
+    return exit_code;
+  }
+  if (list->stored.points.empty()) {
+    printLine(Text::tr("There are no waypoints."));
+    return exit_code;
+  }
+  std::vector<QStringList> table{{Text::tr("ID"), Text::tr("X (m)"), Text::tr("Y (m)"), Text::tr("YAW (°)"),
+                                  Text::tr("TAGS"), Text::tr("NAME")}};
+  if (doubtful) table.front() << Text::tr("WARNINGS");
+  for (std::size_t i = 0; i < list->stored.points.size(); ++i) {
+    table.push_back(rowOf(list->stored.points[i]));
+    if (doubtful) table.back() << warningsLine(doubtful->of[i]);
+  }
+  printTable(table);
+  return exit_code;
+}
+
+CommandResult<int> waypointsGet(RobotCommand& command, const WaypointsWords& words) {
+  const auto list = listWaypoints(command, words.map, Use::Reading);
+  if (!list) return passOn(list);
+  const auto point = chosen(*list, words.which.front());
+  if (!point) return passOn(point);
+  if (words.json) {
+    printJson(exchange::waypointJson(**point, list->mapId()));
+    return kDone;
+  }
+  std::vector<QStringList> table{{Text::tr("id"), words::plainName((*point)->id)},
+                                 {Text::tr("name"), words::plainName((*point)->name)},
+                                 {Text::tr("place"), exchange::placeText(**point)},
+                                 {Text::tr("tags"), exchange::tagText(**point)}};
+  if (!(*point)->type.empty()) table.push_back({Text::tr("type"), words::plainName((*point)->type)});
+  table.push_back({Text::tr("map"), words::plainName(list->mapId())});
+  printTable(table);
+  return kDone;
+}
+
+CommandResult<int> waypointsExport(RobotCommand& command, const WaypointsWords& words) {
+  const QString output = text(words.output);
+  const auto kind = waypointFileKind(words.output, words.format);
+  if (!kind) return wrong(kind.error());
+  if (const auto why = whyNotWritable(output)) return wrong(*why);
+  if (const auto why = whyNotTogether({output, text(words.report)})) return wrong(*why);
+  const auto list = listWaypoints(command, words.map, Use::Reading);
+  if (!list) return passOn(list);
+  if (const auto why = overOwnSource({output}, waypointSources(words.robot, list->map)); why && !words.force)
+    return wrong(*why);
+  const std::string bytes =
+      *kind == WaypointFileKind::Csv
+          ? exchange::waypointsCsv(list->stored.points, list->mapId())
+          : exchange::waypointsGeoJson(list->stored.points, list->mapId()).toStdString();
+  if (const auto trouble = disk::writeFile(words.output, bytes))
+    return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
+  if (!isStandardOutput(output) && !isStandardOutput(text(words.report))) {
+    const auto count = qint64(list->stored.points.size());
+    printLine(QStringLiteral("%1: %2").arg(
+        oneLine(output),
+        sentences::counted(Text::tr("%1 waypoints", nullptr, sentences::formOf(count)), count)));
+  }
+  return kDone;
+}
+
+struct PlaceAt {
+  Eigen::Vector2d position_m{0, 0};
+  std::optional<double> yaw_rad;
+};
+
+CommandResult<PlaceAt> placeAt(const std::string& words) {
+  const auto numbers = numbersFrom(words);
+  if (!numbers || (numbers->size() != 2 && numbers->size() != 3))
+    return wrong(
+        Text::tr("--at %1: give X,Y in metres, or X,Y,YAW with the yaw in degrees, for example 1.5,-2,90.")
+            .arg(text(words)));
+  PlaceAt place{{(*numbers)[0], (*numbers)[1]}, {}};
+  if (numbers->size() == 3)
+    place.yaw_rad = geometry::normalizeAngle(geometry::radiansFromDegrees((*numbers)[2]));
+  return place;
+}
+
+CommandResult<std::vector<std::string>> tagsIn(const char* option, const std::string& words) {
+  auto tags = exchange::tagsOf(words);
+  if (tags) return std::move(*tags);
+  return wrong(
+      Text::tr("%1 %2: give tags as a,b (%3)").arg(QLatin1String(option), text(words), tags.error()));
+}
+
+using Edits = CommandResult<std::vector<exchange::WaypointEdit>>;
+
+/// The change of the selected waypoint.
+Edits editOf(const ListedWaypoints& list, const WaypointsWords& words,
+             const std::function<void(map::Waypoint&)>& change) {
+  const auto point = chosen(list, words.which.front());
+  if (!point) return passOn(point);
+  map::Waypoint after = **point;
+  change(after);
+  return std::vector<exchange::WaypointEdit>{{after.id, **point, after}};
+}
+
+void printChanged(const SentWaypoints& sent, const std::vector<exchange::WaypointEdit>& edits,
+                  const ListedWaypoints& list, const WaypointsWords& words) {
+  QJsonArray rows;
+  for (const exchange::WaypointEdit& edit : edits) {
+    const auto kept = sent.kept.find(edit.key);
+    const map::Waypoint& point = kept != sent.kept.end() ? kept->second
+                                 : edit.after            ? *edit.after
+                                                         : *edit.before;
+    rows << exchange::waypointJson(point, list.mapId());
+    if (!words.json)
+      printLine(QStringLiteral("%1  %2").arg(words::plainName(point.id), words::plainName(point.name)));
+  }
+  if (!words.json) return;
+  const bool one = rows.size() == 1 && edits.front().after;
+  one ? printJson(rows.first().toObject()) : printJson(rows);
+}
+
+/// The common part of these commands, given the change.
+CommandResult<int> change(RobotCommand& command, const WaypointsWords& words,
+                          const std::function<Edits(const ListedWaypoints&)>& editsOf) {
+  const auto list = listWaypoints(command, words.map, Use::Changing);
+  if (!list) return passOn(list);
+  Edits edits = editsOf(*list);
+  if (!edits) return passOn(edits);
+  edits = fitted(*list, std::move(*edits));
+  for (const exchange::WaypointEdit& edit : *edits) {
+    const QString why = edit.after ? exchange::whyNotKept(edit.before, *edit.after) : QString();
+    if (!why.isEmpty()) return wrong(why);
+  }
+  if (words.dry_run) {
+    const exchange::MergedEdits together = exchange::merged(*edits, exchange::itemsOf(list->stored.points));
+    command.report(QStringLiteral("waypoints"), previewReport(*list, together));
+    if (!isStandardOutput(text(words.report))) printPreview(*list, together, words.json);
+    return kDone;
+  }
+  const auto sent = sendWaypoints(*list, *edits, words.go_on ? AtFailure::GoOn : AtFailure::Stop);
+  if (!sent) return passOn(sent);
+  command.report(QStringLiteral("waypoints"), sentReport(*sent, list->mapId()));
+  const bool taken = isStandardOutput(text(words.report));  // nothing else is printed there
+  if (sent->complete()) {
+    if (!taken) printChanged(*sent, *edits, *list, words);
+    return kDone;
+  }
+  if (edits->size() > 1 && !taken) words.json ? printJson(sentJson(*sent, list->mapId())) : printSent(*sent);
+  const bool of_the_request =
+      edits->size() == 1 && sent->conflicts.empty() && sent->steps.front().outcome.failure;
+  return list->robot->failure(of_the_request
+                                  ? list->failure(*sent->steps.front().outcome.failure).value().exit_code
+                                  : sent->exitCode(),
+                              sent->sentence());
+}
+
+CommandResult<int> waypointsCreate(RobotCommand& command, const WaypointsWords& words) {
+  const auto place = placeAt(words.at);
+  if (!place) return passOn(place);
+  const auto tags = tagsIn("--tags", words.tags);
+  if (!tags) return passOn(tags);
+  return change(command, words, [&](const ListedWaypoints&) -> Edits {
+    map::Waypoint point;
+    point.name = words.name;
+    point.position_m = place->position_m;
+    point.yaw_rad = place->yaw_rad;
+    point.tags = *tags;
+    return std::vector<exchange::WaypointEdit>{{exchange::freshKey(), std::nullopt, point}};
+  });
+}
+
+CommandResult<int> waypointsRename(RobotCommand& command, const WaypointsWords& words) {
+  return change(command, words, [&](const ListedWaypoints& list) {
+    return editOf(list, words, [&](map::Waypoint& point) { point.name = words.name; });
+  });
+}
+
+CommandResult<int> waypointsMove(RobotCommand& command, const WaypointsWords& words) {
+  const auto place = placeAt(words.at);
+  if (!place) return passOn(place);
+  return change(command, words, [&](const ListedWaypoints& list) {
+    return editOf(list, words, [&](map::Waypoint& point) {
+      point.position_m = place->position_m;
+      if (place->yaw_rad) point.yaw_rad = place->yaw_rad;
+    });
+  });
+}
+
+CommandResult<int> waypointsTag(RobotCommand& command, const WaypointsWords& words) {
+  const auto tags = tagsIn("--set", words.tags), added = tagsIn("--add", words.added_tags),
+             removed = tagsIn("--remove", words.removed_tags);
+  for (const auto* read : {&tags, &added, &removed}) {
+    if (!*read) return passOn(*read);
+  }
+  const bool partly = !added->empty() || !removed->empty();
+  if (int(!tags->empty()) + int(words.no_tags) + int(partly) != 1)
+    return wrong(Text::tr("Which tags? Pass --set a,b, or --clear, or --add and --remove."));
+  for (const std::string& tag : *added) {
+    if (std::find(removed->begin(), removed->end(), tag) != removed->end())
+      return wrong(Text::tr("The tag %1 cannot be both added and removed.").arg(text(tag)));
+  }
+  return change(command, words, [&](const ListedWaypoints& list) {
+    return editOf(list, words, [&](map::Waypoint& point) {
+      if (!tags->empty() || words.no_tags) point.tags = *tags;
+      for (const std::string& tag : *removed) std::erase(point.tags, tag);
+      for (const std::string& tag : *added) {
+        if (std::find(point.tags.begin(), point.tags.end(), tag) == point.tags.end())
+          point.tags.push_back(tag);
+      }
+    });
+  });
+}
+
+CommandResult<int> waypointsDelete(RobotCommand& command, const WaypointsWords& words) {
+  if (!words.yes && !words.dry_run)
+    return wrong(Text::tr("Deleting waypoints cannot be undone. Pass --yes to delete them."));
+  return change(command, words, [&](const ListedWaypoints& list) -> Edits {
+    std::vector<exchange::WaypointEdit> edits;
+    for (const std::string& word : words.which) {
+      const auto point = chosen(list, word);
+      if (!point) return passOn(point);
+      const bool is_new = std::none_of(edits.begin(), edits.end(), [&](const exchange::WaypointEdit& edit) {
+        return edit.key == (*point)->id;
+      });
+      if (is_new) edits.push_back({(*point)->id, **point, std::nullopt});
+    }
+    return edits;
+  });
+}
+CommandResult<int> notAll(const ListedWaypoints& list, const SentWaypoints& sent) {
+  return list.robot->failure(sent.exitCode(), sent.sentence());
+}
+
+/// Sends the changes, or only shows them, and reports the result.
+CommandResult<int> carryOut(RobotCommand& command, const ListedWaypoints& list,
+                            const std::vector<exchange::WaypointEdit>& edits, const WaypointsWords& words) {
+  const bool taken = isStandardOutput(text(words.report));  // nothing else is printed there
+  if (words.dry_run) {
+    const exchange::MergedEdits together = exchange::merged(edits, exchange::itemsOf(list.stored.points));
+    command.report(QStringLiteral("waypoints"), previewReport(list, together));
+    if (!taken) printPreview(list, together, words.json);
+    if (together.conflicts.empty()) return kDone;
+    return notAll(list, SentWaypoints{{}, together.conflicts, {}, {}});
+  }
+  const auto sent = sendWaypoints(list, edits, words.go_on ? AtFailure::GoOn : AtFailure::Stop);
+  if (!sent) return passOn(sent);
+  command.report(QStringLiteral("waypoints"), sentReport(*sent, list.mapId()));
+  if (!taken) words.json ? printJson(sentJson(*sent, list.mapId())) : printSent(*sent);
+  if (!taken && !words.json && sent->steps.empty() && sent->conflicts.empty())
+    printLine(Text::tr("There is nothing to change."));
+  if (sent->complete()) return kDone;
+  return notAll(list, *sent);
+}
+
+/// The changes that the file requires to the present waypoints.
+CommandResult<std::vector<exchange::WaypointEdit>> wantedEdits(const ListedWaypoints& list,
+                                                               const exchange::WantedList& wanted,
+                                                               const WaypointsWords& words,
+                                                               exchange::Others others) {
+  for (const QString& note : wanted.notes)
+    list.robot->note(QStringLiteral("%1: %2").arg(oneLine(inputCalled(words.file), 200), note));
+  auto edits = exchange::editsFor(exchange::itemsOf(list.stored.points), wanted.points, others);
+  if (!edits) return wrong(QStringLiteral("%1: %2").arg(inputCalled(words.file), edits.error()));
+  return fitted(list, std::move(*edits));
+}
+
+/// Warnings about the list as the plan makes it; says what cannot be checked.
+DoubtsAhead doubtsAhead(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits,
+                        std::optional<double> radius_m) {
+  exchange::WaypointItems items = exchange::itemsOf(list.stored.points);
+  for (const exchange::WaypointEdit& edit : edits) {
+    edit.after ? void(items.insert_or_assign(edit.key, *edit.after)) : void(items.erase(edit.key));
+  }
+  std::vector<map::Waypoint> points;
+  for (auto& [key, point] : items) points.push_back(std::move(point));
+  const DoubtfulWaypoints doubtful = doubtsOf(list, points, radius_m);
+  if (!doubtful.untold.isEmpty()) list.robot->note(doubtful.untold);
+  DoubtsAhead ahead;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!doubtful.of[i].empty()) ahead.push_back({points[i].id, points[i].name, doubtful.of[i]});
+  }
+  return ahead;
+}
+
+CommandResult<int> waypointsImport(RobotCommand& command, const WaypointsWords& words) {
+  const exchange::WantedFile wanted = readWantedFile(words.file, words.format);
+  if (!wanted) return wrong(wanted.error());
+  const auto list = listWaypoints(command, words.map, Use::Changing);
+  if (!list) return passOn(list);
+  const auto edits = wantedEdits(*list, *wanted, words, exchange::Others::Stay);
+  if (!edits) return passOn(edits);
+  return carryOut(command, *list, *edits, words);
+}
+
+CommandResult<int> waypointsPlan(RobotCommand& command, const WaypointsWords& words) {
+  const QString output = text(words.output);
+  if (!output.isEmpty()) {
+    if (const auto why = whyNotWritable(output)) return wrong(*why);
+  }
+  const auto radius_m = radiusFrom(words.radius);
+  if (!radius_m) return wrong(radius_m.error());
+  const QString printed = words.json ? QStringLiteral("-") : QString();
+  if (const auto why = whyNotTogether({output, text(words.report), printed})) return wrong(*why);
+  const exchange::WantedFile wanted = readWantedFile(words.file, words.format);
+  if (!wanted) return wrong(wanted.error());
+  const auto list = listWaypoints(command, words.map, Use::Changing);
+  if (!list) return passOn(list);
+  const auto edits = wantedEdits(*list, *wanted, words, exchange::Others::Go);
+  if (!edits) return passOn(edits);
+  if (!output.isEmpty()) {
+    std::vector<std::string> sources = waypointSources(words.robot, list->map);
+    if (words.file != "-") sources.push_back(words.file);
+    if (const auto why = overOwnSource({output}, sources); why && !words.force) return wrong(*why);
+    const exchange::WaypointPlan plan{list->robot->session().robot().address(), list->mapId(),
+                                      exchange::itemsOf(list->stored.points), *edits};
+    const QByteArray bytes = exchange::planBytes(plan, callsOf(*list, *edits));
+    if (const auto trouble = disk::writeFile(words.output, bytes.toStdString()))
+      return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
+  }
+  const bool taken = isStandardOutput(output) || isStandardOutput(text(words.report));
+  const DoubtsAhead doubts = doubtsAhead(*list, *edits, *radius_m);
+  command.report(QStringLiteral("waypoints"), previewReport(*list, {*edits, {}}, doubts));
+  if (!taken) printPreview(*list, {*edits, {}}, words.json, doubts);
+  return kDone;
+}
+
+CommandResult<int> waypointsApply(RobotCommand& command, const WaypointsWords& words) {
+  const QString file = inputCalled(words.file);
+  // A plan contains its base and the changes.
+  constexpr std::size_t kMost = 4 * exchange::kMaxWantedBytes;
+  const auto bytes = bytesOf(words.file, kMost);
+  if (!bytes)
+    return wrong(Text::tr("%1 cannot be read: %2.").arg(file, sentences::wordsOf(bytes.error().cause)));
+  if (bytes->size() > kMost) return wrong(Text::tr("%1 is larger than 256 MiB.").arg(file));
+  auto plan = exchange::planFromBytes(*bytes);
+  if (!plan) return wrong(QStringLiteral("%1: %2").arg(file, plan.error()));
+  const auto list = listWaypoints(command, words.map.empty() ? plan->map : words.map, Use::Changing);
+  if (!list) return passOn(list);
+  const QString address = list->robot->session().robot().address();
+  if (!words.force && (address != plan->robot || list->mapId() != plan->map))
+    return wrong(Text::tr("%1 was made for the map %2 of %3. Pass --force to apply it to the map %4 of %5.")
+                     .arg(file, text(plan->map), plan->robot, text(list->mapId()), address));
+  plan->edits = fitted(*list, std::move(plan->edits));
+  return carryOut(command, *list, exchange::withoutCreated(*plan, exchange::itemsOf(list->stored.points)),
+                  words);
+}
+
+struct WaypointCommand {
+  const char* name;
+  QString about;
+  CommandResult<int> (*run)(RobotCommand&, const WaypointsWords&);
+};
+
+std::vector<WaypointCommand> waypointCommands() {
+  return {{"list", Text::tr("List the waypoints of a map"), waypointsList},
+          {"get", Text::tr("Show one waypoint"), waypointsGet},
+          {"create", Text::tr("Add a waypoint"), waypointsCreate},
+          {"rename", Text::tr("Rename a waypoint"), waypointsRename},
+          {"move", Text::tr("Move or turn a waypoint"), waypointsMove},
+          {"tag", Text::tr("Change the tags of a waypoint"), waypointsTag},
+          {"delete", Text::tr("Delete waypoints (--yes)"), waypointsDelete},
+          {"import", Text::tr("Add and update the waypoints listed in a file; others stay"), waypointsImport},
+          {"export", Text::tr("Write all waypoints of a map as GeoJSON or CSV"), waypointsExport},
+          {"plan", Text::tr("Work out the changes that make the waypoints match a file; sends nothing"),
+           waypointsPlan},
+          {"apply", Text::tr("Carry out a plan, merged with changes that others have made since"),
+           waypointsApply}};
+}
+
+/// Adds the options of a command.
+void addWaypointOptions(const std::string& name, CLI::App& command, WaypointsWords& words) {
+  const auto is = [&](auto... names) { return ((name == names) || ...); };
+  const std::string which = help(Text::tr("Its id, or its name if no other waypoint has it"));
+  if (is("get", "rename", "move", "tag"))
+    // A single value: a list would also take the name after it.
+    command
+        .add_option_function<std::string>(
+            "id", [&words](const std::string& id) { words.which = {id}; }, which)
+        ->required();
+  if (is("delete")) command.add_option("ids", words.which, help(Text::tr("Their ids, or names")))->required();
+  if (is("create", "rename")) command.add_option("name", words.name, help(Text::tr("New name")))->required();
+  if (is("create", "move"))
+    command
+        .add_option("--at", words.at,
+                    help(Text::tr("X,Y or X,Y,YAW in metres of the map and degrees, counter-clockwise")))
+        ->required();
+  if (is("create")) command.add_option("--tags", words.tags, help(Text::tr("Tags: a,b")));
+  if (is("tag")) {
+    command.add_option("--set", words.tags, help(Text::tr("Exactly these tags: a,b")));
+    command.add_option("--add", words.added_tags, help(Text::tr("Add these tags: a,b")));
+    command.add_option("--remove", words.removed_tags, help(Text::tr("Remove these tags: a,b")));
+    command.add_flag("--clear", words.no_tags, help(Text::tr("Remove all tags")));
+  }
+  if (is("delete"))
+    command.add_flag("--yes", words.yes, help(Text::tr("Required: deleting cannot be undone")));
+  if (is("import", "plan"))
+    command
+        .add_option(
+            "file", words.file,
+            help(Text::tr("F.geojson or F.csv, with the columns of mapwright waypoints list; - is the "
+                          "standard input")))
+        ->required();
+  if (is("apply"))
+    command
+        .add_option("file", words.file,
+                    help(Text::tr("The output of mapwright waypoints plan -o; - is the standard input")))
+        ->required();
+  if (is("export"))
+    command
+        .add_option("-o,--output", words.output,
+                    help(Text::tr("F.geojson or F.csv; - is the standard output")))
+        ->required();
+  if (is("plan"))
+    command.add_option(
+        "-o,--output", words.output,
+        help(Text::tr("Where to write the plan for mapwright waypoints apply; - is the standard output")));
+  if (is("list"))
+    command.add_flag("--warnings", words.warnings,
+                     help(Text::tr("Also show possible mistakes: in a wall, outside the map, "
+                                   "near a wall, duplicate name, zero quaternion")));
+  if (is("list", "plan"))
+    command.add_option("--radius", words.radius,
+                       help(Text::tr("Warn of walls that are closer than this, in metres; by "
+                                     "default taken from the robot's footprint")));
+  if (is("import", "export", "plan"))
+    command.add_option("--format", words.format,
+                       help(Text::tr("csv or geojson, if the file name does not say")));
+  if (is("export", "plan"))
+    command.add_flag("--force", words.force,
+                     help(Text::tr("Overwrite a file even if the waypoints were read from it")));
+  if (is("apply"))
+    command.add_flag("--force", words.force,
+                     help(Text::tr("Apply it even to a map that the plan was not made for")));
+  if (is("import", "apply", "delete")) {
+    CLI::Option* const stop =
+        command.add_flag("--stop-at-failure", words.stop_at_failure,
+                         help(Text::tr("Stop after the first request that fails (default)")));
+    command
+        .add_flag("--go-on", words.go_on,
+                  help(Text::tr("Send the remaining ones anyway, unless the connection is lost")))
+        ->excludes(stop);
+  }
+  if (!is("list", "get", "export", "plan"))
+    command.add_flag("--dry-run", words.dry_run,
+                     help(Text::tr("Print the changes without sending anything")));
+  if (!is("export")) addJson(command, words.json);
+}
+
+}  // namespace
+
+void addWaypoints(Commands& commands) {
+  const auto words = std::make_shared<WaypointsWords>();
+  CLI::App* const waypoints = commands.program().add_subcommand(
+      "waypoints", help(Text::tr("The waypoints of a map: list, change, import, export, plan, apply")));
+  waypoints->require_subcommand(1);
+  for (const WaypointCommand& one : waypointCommands()) {
+    CLI::App* const command = waypoints->add_subcommand(one.name, help(one.about));
+    addRobot(*command, *words, Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"));
+    command->add_option(
+        "--map", words->map,
+        help(Text::tr("Id of a stored map (see mapwright maps list); by default the current one")));
+    addTimeout(*command, words->timeout_s);
+    addReport(*command, words->report);
+    addWaypointOptions(one.name, *command, *words);
+    addReading(commands, command, words, one.run);
+  }
+}
+
+}  // namespace mapwright::app
