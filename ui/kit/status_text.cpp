@@ -8,7 +8,7 @@
 #include <QStringList>
 
 #include "geometry/pose.h"
-#include "robot/silence.h"
+#include "robot/robot.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
 #include "words/qt_plain.h"

@@ -5,7 +5,6 @@
 #include <QPointer>
 
 #include "robot/aimdk/faults.h"
-#include "robot/silence.h"
 
 namespace mapwright::robot::aimdk {
 namespace {
