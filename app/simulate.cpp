@@ -10,7 +10,6 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/option_words.h"
 #include "app/robot_access.h"
 #include "simulator/simulator.h"
 #include "words/plain.h"

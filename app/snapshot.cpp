@@ -1,10 +1,10 @@
 #include "app/snapshot.h"
 
 #include <algorithm>
-#include <iterator>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <unistd.h>
 

@@ -14,9 +14,8 @@
 #include "app/robot_factory.h"
 #include "disk/file_error.h"
 #include "disk/read_file.h"
-#include "exchange/temporary_names.h"
-#include "exchange/waypoint_table.h"
 #include "exchange/waypoint_json.h"
+#include "exchange/waypoint_table.h"
 #include "placing/warnings.h"
 #include "robot/files/waypoint_file.h"
 #include "sentences/fault_sentence.h"
@@ -321,7 +320,8 @@ DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::W
   DoubtfulWaypoints doubtful;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool zero_turn = points[i].yaw_rad == 0.0 && list.stored.zero_turns.contains(points[i].id);
-    doubtful.of.push_back(placing::together(found.of[i], points[i].name, twice.contains(points[i].name), zero_turn));
+    doubtful.of.push_back(
+        placing::together(found.of[i], points[i].name, twice.contains(points[i].name), zero_turn));
   }
   doubtful.looked = found.state != placing::GroundState::None;
   if (!doubtful.looked) {

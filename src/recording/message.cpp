@@ -9,8 +9,8 @@ namespace mapwright::recording {
 namespace {
 
 constexpr std::size_t kMostNotes = 200;  // names come from the file
-constexpr double kMostS = 9.2e9;  // the maximum for nanoseconds in 63 bits
-constexpr int kDigits = 9;        // of nanoseconds
+constexpr double kMostS = 9.2e9;         // the maximum for nanoseconds in 63 bits
+constexpr int kDigits = 9;               // of nanoseconds
 
 }  // namespace
 

@@ -94,8 +94,7 @@ class TestDocument : public QObject {
         items({point("a", 0, 0, "A"), point("b", 0, 0, "B"), point("c", 0, 0, "C"), point("d", 0, 0, "C")});
     const auto to = [&](const Key& key, const std::string& name) {
       const bool there = kept.contains(key);
-      return Change{key, there ? std::optional(kept.at(key)) : std::nullopt,
-                              point(key, 0, 0, name)};
+      return Change{key, there ? std::optional(kept.at(key)) : std::nullopt, point(key, 0, 0, name)};
     };
     const auto refused = [&](const std::vector<Change>& changes) {
       return refusedNames(kept, changes, one_of_each);
@@ -403,8 +402,7 @@ class TestDocument : public QObject {
     QCOMPARE(merged.item->name, std::string("bravo"));
     QCOMPARE(merged.item->position_m.x(), 3.0);
     // Who does not rename it lets it be, and what others call it is still theirs.
-    QCOMPARE(merge(base, moved(base, 5), renamed(base, "alfa ~1")).item->name,
-             std::string("alfa ~1"));
+    QCOMPARE(merge(base, moved(base, 5), renamed(base, "alfa ~1")).item->name, std::string("alfa ~1"));
     QVERIFY(merge(base, mine, renamed(base, "golf")).conflict);
     QVERIFY(merge(base, mine, renamed(base, "bravo ~1")).conflict);
   }

@@ -113,12 +113,11 @@ PlacingDialog::PlacingDialog(const PlacingNumbers& present, double reported_radi
   form->addRow(tr("&Radius of the robot"), radius_);
   radius_->setSpecialValueText(tr("not checked"));
   radius_->setEnabled(reported_radius_m <= 0);
-  auto* const about =
-      wrappedLabel(reported_radius_m > 0
-                       ? tr("The robot reports its own footprint, which is used instead.")
-                       : tr("Waypoints closer to a wall than this get a warning. This robot does not "
-                            "report its footprint."),
-                   this);
+  auto* const about = wrappedLabel(
+      reported_radius_m > 0 ? tr("The robot reports its own footprint, which is used instead.")
+                            : tr("Waypoints closer to a wall than this get a warning. This robot does not "
+                                 "report its footprint."),
+      this);
   setTextColor(*about, appColors().secondary_text);
   column->addWidget(about);
   column->addLayout(buttonsOf(this, tr("OK")));

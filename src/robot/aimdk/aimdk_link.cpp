@@ -276,15 +276,13 @@ void AimdkLink::list(wire::TaskPtr task, OutcomeTo<std::vector<map::CatalogueEnt
 }
 
 // There is no question for one map alone that does not send its picture.
-void AimdkLink::describe(wire::TaskPtr task, const map::MapKey& key,
-                         OutcomeTo<map::CatalogueEntry> reply) {
+void AimdkLink::describe(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
   list(std::move(task), [key, reply = std::move(reply)](Outcome<std::vector<map::CatalogueEntry>> entries) {
     reply(wire::entryOf(key, std::move(entries)));
   });
 }
 
-void AimdkLink::fetchParsed(const wire::TaskPtr& task, const map::MapKey& key,
-                            OutcomeTo<ParsedMap> reply) {
+void AimdkLink::fetchParsed(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<ParsedMap> reply) {
   if (key.kind != map::MapKind::Stored || key.id.empty()) {
     reply(fail(unasked(map::subjectOf(key), "1764059676131")));
     return;
@@ -336,8 +334,7 @@ void AimdkLink::fetch(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map:
   });
 }
 
-void AimdkLink::waypoints(wire::TaskPtr task, const map::MapKey& key,
-                          OutcomeTo<map::WaypointList> reply) {
+void AimdkLink::waypoints(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::WaypointList> reply) {
   const auto body = topologyRequest(key.id);
   if (!body || key.kind != map::MapKind::Stored) {
     reply(fail(unasked(map::placesOf(key), "1764059676131")));

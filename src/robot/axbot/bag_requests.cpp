@@ -290,7 +290,7 @@ void BagRequests::messages(const Task& task, const BagKey& key, const BagRange& 
   request.cacheable = true;
   request.max_bytes = range.max_bytes;
   const auto finish = [this, key, range, url = request.url,
-                      reply = std::move(reply)](const net::HttpAnswer& answer) {
+                       reply = std::move(reply)](const net::HttpAnswer& answer) {
     if (!answer.ok()) {
       reply(fail(wire::failed(answer, subjectOf(key))));
       return;

@@ -308,8 +308,7 @@ std::vector<map::Projection> DispatchRequests::shown() const {
   return all;
 }
 
-void DispatchRequests::projections(const wire::TaskPtr& task,
-                                   OutcomeTo<std::vector<map::Projection>> reply) {
+void DispatchRequests::projections(const wire::TaskPtr& task, OutcomeTo<std::vector<map::Projection>> reply) {
   const auto there = dispatcher_.serviceOf(DispatchService::ReadProjections);
   if (!there) return reply(fail(notDispatched(DispatchService::ReadProjections, dispatcher_)));
   if (tellsProjections()) return readByService(task, std::move(reply));

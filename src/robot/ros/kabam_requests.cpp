@@ -206,8 +206,7 @@ void KabamRequests::waypoints(const wire::TaskPtr& task, const map::MapKey& key,
     if (auto stored = storedIn(answer, key)) return reply(std::move(*stored));
     reply(fail(wire::unfit(subject, robot::wire::fault::PointsAreNoList)));
   };
-  whenListed(task, subject, map::AskedFor::All,
-             unlessFailed(reply, [this, task, key, subject, reply, take] {
+  whenListed(task, subject, map::AskedFor::All, unlessFailed(reply, [this, task, key, subject, reply, take] {
                if (key.kind != map::MapKind::Stored || !state_.find(key.id))
                  return reply(fail(wire::notThere(subject)));
                if (state_.isCurrent(key.id)) {
@@ -217,12 +216,11 @@ void KabamRequests::waypoints(const wire::TaskPtr& task, const map::MapKey& key,
              }));
 }
 
-void KabamRequests::perform(const wire::TaskPtr& task, const map::MapKey& key,
-                            const WaypointRequest& request, OutcomeTo<WaypointReceipt> reply) {
+void KabamRequests::perform(const wire::TaskPtr& task, const map::MapKey& key, const WaypointRequest& request,
+                            OutcomeTo<WaypointReceipt> reply) {
   const map::Subject subject = map::placesOf(key);
   whenListed(
-      task, subject, map::AskedFor::Change,
-      unlessFailed(reply, [this, task, key, request, subject, reply] {
+      task, subject, map::AskedFor::Change, unlessFailed(reply, [this, task, key, request, subject, reply] {
         std::optional<map::Failure> failure;
         if (!state_.find(key.id)) failure = wire::notThere(subject);
         if (!failure && request.changes.size() != 1) failure = wire::notOffered(subject);

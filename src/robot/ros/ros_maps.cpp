@@ -146,16 +146,15 @@ void RosMaps::describeNow(const wire::TaskPtr& task, const map::MapKey& key,
 }
 
 void RosMaps::fetch(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
-  describe(
-      task, key,
-      withValue<map::CatalogueEntry>(reply, [this, task, key, reply](const map::CatalogueEntry& entry) {
-        if (const auto projected = findProjected(key)) return reply(projectedMap(*projected));
-        if (!entry.is_current)
-          return reply(fail(unsupported(map::subjectOf(key), {fault::OnlyCurrentMapSent})));
-        if (sourcesFor(map::Stream::WholeMap, of_.sources).empty())
-          return reply(fail(unsupported(map::subjectOf(key))));
-        of_.live_map.fetch(task, key, entry.name, reply);
-      }));
+  describe(task, key,
+           withValue<map::CatalogueEntry>(reply, [this, task, key, reply](const map::CatalogueEntry& entry) {
+             if (const auto projected = findProjected(key)) return reply(projectedMap(*projected));
+             if (!entry.is_current)
+               return reply(fail(unsupported(map::subjectOf(key), {fault::OnlyCurrentMapSent})));
+             if (sourcesFor(map::Stream::WholeMap, of_.sources).empty())
+               return reply(fail(unsupported(map::subjectOf(key))));
+             of_.live_map.fetch(task, key, entry.name, reply);
+           }));
 }
 
 }  // namespace mapwright::robot::ros
