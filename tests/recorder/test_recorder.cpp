@@ -147,6 +147,17 @@ class RecorderTest : public QObject {
       frames_.emplace_back(frame.bytes);
     });
   }
+  static auto frameOf(const std::string& bytes) {
+    using net::rosbridge::Frame;
+    const bool text = bytes.starts_with('{');
+    return Frame::read(QByteArray::fromStdString(bytes), text ? Frame::Wire::Text : Frame::Wire::Binary);
+  }
+  bool hasCome(const std::string& topic) {
+    const std::lock_guard lock(mutex_);
+    return std::any_of(frames_.begin(), frames_.end(), [&](const std::string& bytes) {
+      return frameOf(bytes)->root()["topic"].text() == topic;
+    });
+  }
   void connectRobot() {
     robot_->liveTopics()->setWanted(kMany, {});
     robot_->connectToRobot();
@@ -331,16 +342,17 @@ class RecorderTest : public QObject {
     startRecording();
     tapFrames();
     connectRobot();
-    QTRY_VERIFY_WITH_TIMEOUT(messages() > 60, 30'000);
+    // The map is the largest message, and others overtake it.
+    QTRY_VERIFY_WITH_TIMEOUT(messages() > 60 && hasCome("/map"), 30'000);
+    // What a type is made of is told after its first message; until then that is held back.
+    const auto so_far = messages();
+    QTRY_VERIFY_WITH_TIMEOUT(messages() > so_far + 150, 30'000);
     const Film film = end();
     QVERIFY(film.finished);
     const std::lock_guard lock(mutex_);
     std::map<std::string, std::vector<QJsonValue>> sent;
     for (const std::string& bytes : frames_) {
-      const bool text = bytes.starts_with('{');
-      const auto frame = net::rosbridge::Frame::read(
-          QByteArray::fromStdString(bytes),
-          text ? net::rosbridge::Frame::Wire::Text : net::rosbridge::Frame::Wire::Binary);
+      const auto frame = frameOf(bytes);
       sent[frame->root()["topic"].text()].push_back(
           QJsonDocument::fromJson(frame->root()["msg"].toWholeJson()).object());
     }
