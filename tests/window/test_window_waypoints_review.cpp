@@ -254,7 +254,7 @@ class TestWindowWaypointsReview : public QObject {
     QCOMPARE(desk.outcome(1), arrives ? QStringLiteral("done, answer lost")
                                       : QStringLiteral("unknown. The connection was lost."));
     // The link is back: what it did to the others is over.
-    QVERIFY2(desk.review().statusShown().startsWith(QLatin1String("Of 3 calls")),
+    QVERIFY2(desk.review().statusShown().startsWith(QLatin1String("Of 3 requests")),
              qPrintable(desk.review().statusShown()));
     QVERIFY2(!desk.dock().statusShown().contains(QLatin1String("saved:")),
              qPrintable(desk.dock().statusShown()));
