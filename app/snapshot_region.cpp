@@ -107,12 +107,6 @@ bool SnapshotRun::sizeRegion() {
                   nullptr, sentences::formOf(qint64(odd)))
                   .arg(odd);
   }
-  if (fetch_->map().regions().asksForCorners()) {
-    notes_ << SnapshotRegionText::tr(
-                  "%1 treats the position in a request as a corner of the region instead of its centre (REP "
-                  "130): requests were adjusted to that.")
-                  .arg(options_.robot);
-  }
   if (counts.smaller > 0 && counts.answered == counts.in_view) {
     notes_ << SnapshotRegionText::tr(
                   "Some of its answers are smaller than requested (%1 of %2): the missing parts are blank.")

@@ -48,20 +48,15 @@ std::string pgmOf(const grids::GridPyramid& cells) {
   std::string pgm = pgmHead(cells.width(), cells.height());
   const std::size_t head = pgm.size(), width = std::size_t(cells.width());
   pgm.resize(head + width * std::size_t(cells.height()), char(grids::kUnknownOccupancy));
-  for (int y = 0; y * grids::GridPyramid::kTileEdge < cells.height(); ++y) {
-    for (int x = 0; x * grids::GridPyramid::kTileEdge < cells.width(); ++x) {
+  for (int y = 0; y * kTile < cells.height(); ++y) {
+    for (int x = 0; x * kTile < cells.width(); ++x) {
       const auto tile = cells.tile(0, x, y);
       if (!tile) continue;
-      for (int row = 0;
-           row < std::min(grids::GridPyramid::kTileEdge, cells.height() - y * grids::GridPyramid::kTileEdge);
-           ++row) {
-        const std::size_t to = head + std::size_t(y * grids::GridPyramid::kTileEdge + row) * width +
-                               std::size_t(x) * grids::GridPyramid::kTileEdge;
-        for (int column = 0; column < std::min(grids::GridPyramid::kTileEdge,
-                                               cells.width() - x * grids::GridPyramid::kTileEdge);
-             ++column)
-          pgm[to + std::size_t(column)] = pgmByte(
-              tile->cells.get()[std::size_t(row) * grids::GridPyramid::kTileEdge + std::size_t(column)]);
+      for (int row = 0; row < std::min(kTile, cells.height() - y * kTile); ++row) {
+        const std::size_t to = head + std::size_t(y * kTile + row) * width + std::size_t(x) * kTile;
+        for (int column = 0; column < std::min(kTile, cells.width() - x * kTile); ++column)
+          pgm[to + std::size_t(column)] =
+              pgmByte(tile->cells.get()[std::size_t(row) * kTile + std::size_t(column)]);
       }
     }
   }
