@@ -10,7 +10,7 @@
 #include <QTimer>
 
 #include "app/exit_code.h"
-#include "map/may_pass.h"
+#include "map/failure.h"
 #include "replay/range_walk.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/subject_name.h"

@@ -19,7 +19,6 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
-#include "sentences/obstacle_sentence.h"
 #include "work/budgets.h"
 
 namespace mapwright::app {
@@ -254,7 +253,7 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
   const session::SubmapCounts counts = session_.counts();
   complete_ = complete_ && settled && submapsComplete(counts);
   facts_[QStringLiteral("submaps")] = submapsJson(counts);
-  facts_[QStringLiteral("uuid")] = QString::fromStdString(session_.book().uuid());
+  facts_[QStringLiteral("uuid")] = QString::fromStdString(session_.submaps().uuid());
   if (!settled) {
     notes_ << (counts.list_received
                    ? MapReadingText::tr("Not everything had arrived within %1 s (--timeout).")
@@ -262,8 +261,8 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
                   .arg(time_.timeout_s);
   }
   std::vector<render::PlacedTexture> textures;
-  for (const auto& [id, row] : session_.book().rows()) {
-    if (const auto placement = session_.book().placement(id, session_.slice())) {
+  for (const auto& [id, row] : session_.submaps().rows()) {
+    if (const auto placement = session_.submaps().placement(id, session_.slice())) {
       textures.push_back({id, placement->texture, placement->world_from_texture, 0});
     }
   }

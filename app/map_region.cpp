@@ -10,7 +10,7 @@
 #include "app/map_reading.h"
 #include "app/option_words.h"
 #include "grids/grid_pyramid.h"
-#include "regions/region_answer.h"
+#include "regions/map_regions.h"
 #include "robot/map_dispatch.h"
 #include "sentences/fault_sentence.h"
 

@@ -1,7 +1,5 @@
 // `mapwright projections …`: what a robot projects from its 3D map. Source:
 // docs/protocols/rep130-map-dispatcher.md, "Projections".
-#include "map/projections.h"
-
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -19,6 +17,7 @@
 #include "app/output_paths.h"
 #include "app/robot_access.h"
 #include "app/table.h"
+#include "map/map_part.h"
 #include "robot/map_dispatch.h"
 #include "robot/ros/faults.h"
 #include "sentences/failure_sentence.h"

@@ -81,8 +81,8 @@ SnapshotContent contentOf(const SnapshotOptions& options, const session::Session
     content.grid = map.grid();
     return content;
   }
-  for (const auto& [id, row] : session.book().rows()) {
-    if (const auto placement = session.book().placement(id, options.slice)) {
+  for (const auto& [id, row] : session.submaps().rows()) {
+    if (const auto placement = session.submaps().placement(id, options.slice)) {
       content.textures.push_back({id, placement->texture, placement->world_from_texture, 0});
     }
   }

@@ -15,7 +15,7 @@
 #include "geometry/pose.h"
 #include "geometry/view_transform.h"
 #include "scene/layer_topic.h"
-#include "submap/submap_book.h"
+#include "submap/submap_store.h"
 #include "words/text.h"
 
 namespace mapwright::app {

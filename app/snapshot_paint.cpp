@@ -172,7 +172,7 @@ QJsonObject SnapshotRun::report() const {
   SnapshotFacts facts;
   facts.complete = complete_;
   facts.whole = options_.mode == SnapshotMode::Whole;
-  facts.uuid = QString::fromStdString(session_.book().uuid());
+  facts.uuid = QString::fromStdString(session_.submaps().uuid());
   facts.counts = chosen_ ? chosen_->counts : session_.counts();
   facts.made = made_;
   facts.connected_s = connected_s_;

@@ -9,7 +9,7 @@
 #include "app/exit_code.h"
 #include "app/report.h"
 #include "app/snapshot_content.h"
-#include "map/may_pass.h"
+#include "map/failure.h"
 #include "replay/replay_robot.h"
 #include "robot/bag_library.h"
 #include "sentences/absence_sentence.h"
@@ -204,7 +204,7 @@ bool SnapshotRun::wantsWholeInstead() {
   robot::Robot& robot = session_.robot();
   const bool for_submaps = options_.slice != 0 || options_.colors != render::ColorMode::Normal ||
                            options_.layers.contains(scene::Layer::Submaps);
-  const bool listed = replayed_ ? session_.world().submaps.has_value() : session_.book().listReceived();
+  const bool listed = replayed_ ? session_.world().submaps.has_value() : session_.submaps().listReceived();
   return automatic_ && options_.mode == SnapshotMode::Submaps && !for_submaps && !listed &&
          seconds() - connected_s_ > listWithin() && robot.wholeMapSource() != nullptr;
 }
@@ -342,7 +342,7 @@ void SnapshotRun::timeOut() {
   // Draws what has arrived, if that only takes a moment.
   cut_off_.start(milliseconds(options_.timeout_s + start_.grace.draw_s - seconds()));
   if (chosen_) return;
-  const bool no_list = wantsSubmaps(options_) && !session_.book().listReceived();
+  const bool no_list = wantsSubmaps(options_) && !session_.submaps().listReceived();
   notes_ << (!no_list ? SnapshotRunText::tr("Not everything had arrived within %1 s (--timeout).")
                                 .arg(options_.timeout_s) +
                             whatOfTheLink()

@@ -11,7 +11,7 @@
 #include "app/exit_code.h"
 #include "app/one_line.h"
 #include "app/table.h"
-#include "map/temporary_name.h"
+#include "map/waypoint.h"
 #include "robot/ros/faults.h"
 #include "sentences/failure_sentence.h"
 #include "words/qt_plain.h"

@@ -176,7 +176,7 @@ void CloudsPanByPainter(benchmark::State& state) {
 /// One tile of the whole building, one of a hundredth of it.
 void CloudsTile(benchmark::State& state) {
   static const auto tree = clouds::CloudTree::make(*fiveMillion());
-  clouds::CloudBook book;
+  clouds::CloudStore book;
   book.add({.tree = tree, .points = tree->size()});
   const clouds::CloudSet set = book.set();
   clouds::Raster raster;

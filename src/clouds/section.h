@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "clouds/cloud_book.h"
+#include "clouds/cloud_store.h"
 
 namespace mapwright::clouds {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "clouds/cloud_book.h"
+#include "clouds/cloud_store.h"
 #include "clouds/cloud_tree.h"
 
 namespace mapwright::clouds {

@@ -55,7 +55,7 @@ class DraftKeeper : public QObject {
   DraftFile file_;  // used by the writer: never two at a time
   Fault trouble_;
   bool waiting_ = false, writing_ = false, again_ = false;
-  work::Share share_;  // last member: waits for the write in progress
+  work::Tasks share_;  // last member: waits for the write in progress
 };
 
 }  // namespace mapwright::edit

@@ -142,7 +142,7 @@ class OpenWaypoints : public QObject {
   std::vector<LeftDraft> left_;  // the files of `offered_`
   std::unique_ptr<DraftKeeper> keeper_;
   std::vector<LeftDraft> taken_up_;  // removed when the keeper has written
-  work::Share looking_;              // for drafts
+  work::Tasks looking_;              // for drafts
 };
 
 }  // namespace mapwright::edit

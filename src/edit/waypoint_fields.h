@@ -10,9 +10,7 @@
 
 #include "edit/document.h"
 #include "edit/draft.h"
-#include "map/temporary_name.h"
 #include "map/waypoint.h"
-#include "map/waypoint_likeness.h"
 #include "robot/waypoint_store.h"
 
 namespace mapwright::edit {

@@ -3,7 +3,7 @@
 #include <set>
 #include <string_view>
 
-#include "map/temporary_name.h"
+#include "map/waypoint.h"
 
 namespace mapwright::exchange {
 

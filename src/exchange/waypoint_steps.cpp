@@ -7,7 +7,7 @@
 
 #include "exchange/waypoint_json.h"
 #include "geometry/pose.h"
-#include "map/waypoint_likeness.h"
+#include "map/waypoint.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 

@@ -56,7 +56,7 @@ struct ExportResult {
 
 /// Blocks. `proceed` gets the share done (0..1); false cancels, and no partial file remains.
 ExportResult exportMap(const ExportRequest& request, const std::function<bool(double done)>& proceed,
-                       const grids::Means& means = {});
+                       const grids::Resources& means = {});
 /// "/maps/a.png" -> "/maps/a.pgw".
 QString worldFilePath(const QString& picture_path);
 /// The files that will be written.
@@ -86,8 +86,8 @@ class ExportJob : public QObject {
  private:
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
   bool running_ = false;
-  grids::Means means_;
-  work::Share share_;  // last member: waits for running work
+  grids::Resources means_;
+  work::Tasks share_;  // last member: waits for running work
 };
 
 }  // namespace mapwright::jobs

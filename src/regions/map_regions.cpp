@@ -26,12 +26,11 @@ Eigen::Vector2d anchorOf(const map::GridReference& grid) {
   return grid.origin.yaw_rad == 0 ? RegionSheet(grid).zero() : Eigen::Vector2d(0, 0);
 }
 
-/// The overlap; empty for a rotated answer.
+}  // namespace
+
 geometry::WorldRect commonGround(const map::GridReference& answer, const geometry::WorldRect& asked) {
   return answer.origin.yaw_rad == 0 ? common(answer.bounds(), asked) : geometry::WorldRect{};
 }
-
-}  // namespace
 
 bool liesElsewhere(const map::GridReference& answer, const geometry::WorldRect& asked) {
   // In the grid's axes: for a rotated grid, the surroundings of the region are a correct answer, too.
@@ -122,8 +121,8 @@ bool MapRegions::holdsAnyOf(const geometry::WorldRect& rect) const {
 
 void MapRegions::forgetOld(const RegionRequest& request, Change& change) {
   if (request.is_first || !plan_.isOfThisCut(request.id)) return;
-  // The part of a margin that overlaps the next square belongs there.
-  const geometry::WorldRect own = common(plan_.lattice().rectOf(request.key), request.rect);
+  // All of its square, though less was asked for: the map may have become smaller.
+  const geometry::WorldRect own = plan_.squareOf(request.key);
   if (cells_.forget(own)) change.cells.extend(own);
 }
 

@@ -30,6 +30,8 @@ struct RegionCounts {
 /// An answer lies elsewhere if it does not overlap `asked` at all, or has the same size but is displaced.
 /// Clipped, padded or larger answers do not.
 bool liesElsewhere(const map::GridReference& answer, const geometry::WorldRect& asked);
+/// The overlap; empty for a rotated answer.
+geometry::WorldRect commonGround(const map::GridReference& answer, const geometry::WorldRect& asked);
 
 class MapRegions {
  public:

@@ -141,6 +141,8 @@ class RegionPlan {
   int underWay() const { return int(under_way_.size()); }
   /// Why the first region could not be loaded, while nothing is known of the map.
   const RegionTrouble& probeTrouble() const { return probe_.trouble; }
+  /// The wanted part of a region.
+  geometry::WorldRect squareOf(const RegionKey& key) const;
   /// Its answer lacks a part that is known to be on the map.
   bool leftOut(const RegionKey& key) const;
 
@@ -154,8 +156,7 @@ class RegionPlan {
   /// Everything to request now or later, in order.
   std::vector<RegionRequest> wanted() const;
   geometry::WorldRect firstRect() const;
-  /// The wanted part of a region, and what is requested of it.
-  geometry::WorldRect squareOf(const RegionKey& key) const;
+  /// What is requested of a region: the wanted part that is on the map, with a margin.
   geometry::WorldRect questionFor(const RegionKey& key) const;
   /// Halves the regions if that is not more than what was delivered before.
   bool halve(const geometry::WorldRect& asked);

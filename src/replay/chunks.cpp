@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "map/may_pass.h"
+#include "map/failure.h"
 
 namespace mapwright::replay {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "map/fold.h"
+#include "map/world.h"
 
 namespace mapwright::replay {
 namespace {

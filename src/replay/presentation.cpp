@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "map/way.h"
+#include "map/live_state.h"
 #include "replay/recorded_message.h"
 
 namespace mapwright::replay {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "map/may_pass.h"
+#include "map/failure.h"
 
 namespace mapwright::replay {
 namespace {

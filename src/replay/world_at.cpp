@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "map/fold.h"
+#include "map/world.h"
 #include "replay/recorded_message.h"
 
 namespace mapwright::replay {

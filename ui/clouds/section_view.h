@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "render/painted_tiles.h"
+#include "render/raster_tiles.h"
 #include "scene/map_clouds.h"
 #include "ui/clouds/section_bands.h"
 

@@ -4,7 +4,7 @@
 
 #include <QMenu>
 
-#include "sentences/obstacle_sentence.h"
+#include "sentences/absence_sentence.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/shell/current_session.h"

@@ -112,7 +112,7 @@ class PictureController : public Controller {
     std::optional<std::uint8_t> between;  // a cell that cannot be
   };
   Looked looked_;
-  work::Share share_;  // last
+  work::Tasks share_;  // last
 };
 
 }  // namespace mapwright::window

@@ -58,7 +58,7 @@ class PictureDrafts : public QObject {
   std::vector<Left> left_;
   std::vector<edit::LeftDraft> taken_up_;  // until their content is in a new draft on disk
   edit::DraftKeeper keeper_;
-  work::Share share_;  // last
+  work::Tasks share_;  // last
 };
 
 }  // namespace mapwright::window

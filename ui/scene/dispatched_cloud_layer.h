@@ -1,7 +1,7 @@
 // The clouds of a map, from above.
 #pragma once
 
-#include "render/painted_tiles.h"
+#include "render/raster_tiles.h"
 #include "scene/layer_item.h"
 
 namespace mapwright::scene {

@@ -8,11 +8,10 @@
 #include <QFile>
 #include <QMetaObject>
 
+#include "clouds/cloud_tree.h"
 #include "clouds/draw_cloud.h"
 #include "clouds/heights.h"
 #include "clouds/section.h"
-#include "clouds/shades.h"
-#include "clouds/voxel_size.h"
 #include "clouds/write_cloud.h"
 #include "disk/file_error.h"
 #include "disk/written_file.h"
@@ -221,12 +220,12 @@ class MapClouds::Impl {
     CloudPiece piece = std::move(waiting_.front());
     waiting_.pop_front();
     share_.startLong([this, piece = std::move(piece), stop = order_stop_, epoch = epoch_] {
-      clouds::CloudBook::Came came;
+      clouds::CloudStore::Came came;
       came.kind = piece.voxels ? clouds::PointKind::Voxel : clouds::PointKind::Point;
       came.region = piece.region;
       came.points = piece.cloud->points.size();
       came.left_out = piece.cloud->left_out;
-      came.one_of = clouds::CloudBook::oneOf(came.points);
+      came.one_of = clouds::CloudStore::oneOf(came.points);
       came.tree = clouds::CloudTree::make(*piece.cloud, came.one_of, stop.get());
       if (!came.tree) return;
       if (piece.voxels) came.voxel_m = clouds::voxelSize(*came.tree);
@@ -265,7 +264,7 @@ class MapClouds::Impl {
             std::uint64_t shown) {
     set_ = set;
     heights = {found.low_m, found.high_m, found.usual_low_m, found.usual_high_m, found.bins, found.points};
-    const clouds::CloudBook::Totals totals = book_.totals();
+    const clouds::CloudStore::Totals totals = book_.totals();
     sums = {};
     sums.clouds = totals.clouds;
     sums.came = totals.came;
@@ -319,14 +318,14 @@ class MapClouds::Impl {
 
   MapClouds& owner_;
   MapScene& scene_;
-  clouds::CloudBook book_;
+  clouds::CloudStore book_;
   std::shared_ptr<const clouds::CloudSet> set_;  // null: not ready yet
   std::deque<CloudPiece> waiting_;
   bool ordering_ = false, counting_ = false, count_again_ = false, cutting_ = false, was_settled_ = true;
   std::optional<std::pair<CloudCut, SectionReply>> next_cut_;
   std::uint64_t epoch_ = 0;  // results of an older one are ignored
   Flag order_stop_ = newFlag(), cut_stop_ = newFlag(), write_stop_ = newFlag();
-  work::Share share_;  // last member: its jobs use all of the above
+  work::Tasks share_;  // last member: its jobs use all of the above
 };
 
 MapClouds::MapClouds(MapScene* scene, std::shared_ptr<work::Workers> workers)

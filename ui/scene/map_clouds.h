@@ -16,7 +16,7 @@
 
 #include "geometry/rect.h"
 #include "map/map_part.h"
-#include "render/painted_tiles.h"
+#include "render/raster_tiles.h"
 #include "scene/map_scene.h"
 
 namespace mapwright::scene {

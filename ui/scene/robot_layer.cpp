@@ -5,7 +5,7 @@
 #include <QPainterPath>
 #include <QStyleOptionGraphicsItem>
 
-#include "map/way.h"
+#include "map/live_state.h"
 #include "scene/map_layers.h"
 
 namespace mapwright::scene {

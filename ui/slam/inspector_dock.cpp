@@ -205,7 +205,7 @@ void InspectorDock::takeRows(const session::TouchedRows& rows) {
   }
   summary_->refresh(session_);
   refreshGroups();
-  controls_->setSlices(session_ ? session_->slice() : 0, session_ ? session_->book().maxSlices() : 1);
+  controls_->setSlices(session_ ? session_->slice() : 0, session_ ? session_->submaps().maxSlices() : 1);
   refreshDetails();
 }
 
@@ -225,7 +225,7 @@ void InspectorDock::showSubmaps(const std::vector<map::SubmapId>& ids, bool visi
 void InspectorDock::keepHiddenGroups() {
   if (!session_ || (!nearby_off_ && !incremental_off_)) return;
   std::vector<map::SubmapId> newcomers;
-  for (const auto& [id, row] : session_->book().rows()) {
+  for (const auto& [id, row] : session_->submaps().rows()) {
     if (!known_.insert(id).second) continue;
     if (row.visible &&
         ((nearby_off_ && row.entry.is_nearby) || (incremental_off_ && row.entry.is_incremental))) {
@@ -239,7 +239,7 @@ void InspectorDock::setGroupVisible(bool SubmapFacts::*flag, bool visible) {
   (flag == &SubmapFacts::nearby ? nearby_off_ : incremental_off_) = !visible;
   if (!session_) return;
   known_.clear();
-  for (const auto& [id, row] : session_->book().rows()) known_.insert(id);
+  for (const auto& [id, row] : session_->submaps().rows()) known_.insert(id);
   showSubmaps(model_->submapsWhere(flag), visible);
 }
 

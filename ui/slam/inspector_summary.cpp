@@ -15,8 +15,8 @@ namespace mapwright::window {
 
 QString slamStateText(const session::Session& session) {
   QString text = QString::fromStdString(session.live().slam.state);
-  if (text.isEmpty() && session.book().listReceived()) {
-    switch (session.book().slamState()) {
+  if (text.isEmpty() && session.submaps().listReceived()) {
+    switch (session.submaps().slamState()) {
       case map::SlamState::Slam:
         text = QCoreApplication::translate("window", "mapping");
         break;
@@ -79,7 +79,7 @@ PlainLabel* InspectorSummary::addRow(QGridLayout* grid, const QString& name, int
 
 void InspectorSummary::refresh(const session::Session* session) {
   const QString none = QStringLiteral("–");
-  copy_->setEnabled(session && !session->book().uuid().empty());
+  copy_->setEnabled(session && !session->submaps().uuid().empty());
   if (!session) {
     state_->setSecondary(false);
     for (PlainLabel* label : {state_, uuid_, submaps_, cache_, fetches_, transferred_}) label->setText(none);
@@ -94,7 +94,7 @@ void InspectorSummary::refresh(const session::Session* session) {
         tr("%1 (as of %2)").arg(state_->text(), QLocale::c().toString(*stale, QStringLiteral("HH:mm:ss"))));
   }
   state_->setSecondary(stale.has_value());
-  const QString uuid = QString::fromStdString(session->book().uuid());
+  const QString uuid = QString::fromStdString(session->submaps().uuid());
   uuid_->setText(uuid.isEmpty() ? none : uuid);
   QString submaps = counts.list_received
                         ? tr("%1 in %2")

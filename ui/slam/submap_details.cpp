@@ -11,7 +11,7 @@
 namespace mapwright::window {
 
 QString submapDetails(const session::Session& session, map::SubmapId id) {
-  const submap::SubmapRow* row = session.book().find(id);
+  const submap::SubmapRow* row = session.submaps().find(id);
   if (!row)
     return QCoreApplication::translate("window", "Submap %1 is no longer listed.")
         .arg(QString::fromStdString(map::toText(id)));

@@ -12,7 +12,7 @@
 #include <QPushButton>
 
 #include "geometry/pose.h"
-#include "map/waypoint_likeness.h"
+#include "map/waypoint.h"
 #include "ui/waypoints/tag_completer.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "words/qt_plain.h"

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 
 #include "exchange/temporary_names.h"
-#include "map/temporary_name.h"
+#include "map/waypoint.h"
 #include "ui/waypoints/waypoint_text.h"
 
 namespace mapwright::window {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "map/stamped_message.h"
+#include "map/live_topics.h"
 
 namespace mapwright::robot::wire {
 

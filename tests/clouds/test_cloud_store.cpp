@@ -7,7 +7,7 @@
 #include "made_clouds.h"
 #include "test_program.h"
 
-namespace test_cloud_book {
+namespace test_cloud_store {
 
 using namespace mapwright;
 using namespace mapwright::clouds;
@@ -23,84 +23,84 @@ map::SpatialCloud lattice(double width_m, float z, double step_m = 0.5) {
   return cloud;
 }
 
-std::uint64_t shown(const CloudBook& book) { return countShown(book.set(), {}); }
+std::uint64_t shown(const CloudStore& store) { return countShown(store.set(), {}); }
 
 }  // namespace
 
-class TestCloudBook : public QObject {
+class TestCloudStore : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void theNewestIsRightAboutItsRegion() {
-    CloudBook book;
-    book.add(test::came(lattice(10, 0)));
-    QCOMPARE(shown(book), 400U);
+    CloudStore store;
+    store.add(test::came(lattice(10, 0)));
+    QCOMPARE(shown(store), 400U);
     // A quarter of it anew, and half as dense.
-    book.add(test::came(lattice(5, 1, 1.0), test::box({2.5, 2.5, 0}, {5, 5, 10})));
+    store.add(test::came(lattice(5, 1, 1.0), test::box({2.5, 2.5, 0}, {5, 5, 10})));
     // What of the old lies beyond the points that came is not known to have gone.
-    QVERIFY(shown(book) < 400);
-    const CloudSet set = book.set();
+    QVERIFY(shown(store) < 400);
+    const CloudSet set = store.set();
     QCOMPARE(set.clouds.size(), std::size_t(2));
     QCOMPARE(set.clouds[0].hidden.size(), std::size_t(1));
-    QCOMPARE(shown(book), 400U - 64U + 25U);
+    QCOMPARE(shown(store), 400U - 64U + 25U);
   }
 
   void theSameRegionAgainTakesTheOldOnesPlace() {
-    CloudBook book;
+    CloudStore store;
     const auto region = test::box({2.5, 2.5, 0}, {5, 5, 10});
-    for (int i = 0; i < 300; ++i) book.add(test::came(lattice(5, 0), region));
-    QCOMPARE(book.totals().clouds, std::size_t(1));
-    QCOMPARE(shown(book), 100U);
+    for (int i = 0; i < 300; ++i) store.add(test::came(lattice(5, 0), region));
+    QCOMPARE(store.totals().clouds, std::size_t(1));
+    QCOMPARE(shown(store), 100U);
   }
 
   void theWholeMapTakesThePlaceOfAllRegionsOfItsKind() {
-    CloudBook book;
-    book.add(test::came(lattice(5, 0), test::box({2.5, 2.5, 0}, {5, 5, 10})));
-    book.add(test::came(lattice(5, 0), test::box({2.5, 2.5, 0}, {5, 5, 10}), PointKind::Voxel));
-    book.add(test::came(lattice(10, 0)));
-    QCOMPARE(book.totals().clouds, std::size_t(2));
-    QVERIFY(book.totals().voxels);
+    CloudStore store;
+    store.add(test::came(lattice(5, 0), test::box({2.5, 2.5, 0}, {5, 5, 10})));
+    store.add(test::came(lattice(5, 0), test::box({2.5, 2.5, 0}, {5, 5, 10}), PointKind::Voxel));
+    store.add(test::came(lattice(10, 0)));
+    QCOMPARE(store.totals().clouds, std::size_t(2));
+    QVERIFY(store.totals().voxels);
   }
 
   void anAnswerWithoutPointsSaysThatThereIsNothing() {
-    CloudBook book;
-    book.add(test::came(lattice(10, 0)));
-    book.add(test::came({}, test::box({2.5, 2.5, 0}, {5, 5, 10})));
-    QCOMPARE(shown(book), 300U);
+    CloudStore store;
+    store.add(test::came(lattice(10, 0)));
+    store.add(test::came({}, test::box({2.5, 2.5, 0}, {5, 5, 10})));
+    QCOMPARE(shown(store), 300U);
   }
 
   void aSphereHidesWhatLiesInIt() {
-    CloudBook book;
-    book.add(test::came(lattice(10, 0)));
+    CloudStore store;
+    store.add(test::came(lattice(10, 0)));
     map::CloudRegion sphere;
     sphere.centre_m = {5, 5, 0};
     sphere.radius_m = 2;
-    book.add(test::came({}, sphere));
+    store.add(test::came({}, sphere));
     std::uint64_t in = 0;
     for (const auto& point : lattice(10, 0).points)
       in += (point.cast<double>() - sphere.centre_m).norm() <= 2 ? 1 : 0;
     QVERIFY(in > 30);
-    QCOMPARE(shown(book), 400U - in);
+    QCOMPARE(shown(store), 400U - in);
   }
 
   void memoryIsBoundedAndWhatWasThinnedIsCounted() {
-    QCOMPARE(CloudBook::oneOf(5'000'000), std::uint64_t(1));
-    QVERIFY(50'000'000 / CloudBook::oneOf(50'000'000) <= CloudBook::kMostPoints / 2);
-    QCOMPARE(CloudBook::oneOf(0), std::uint64_t(1));
-    CloudBook book;
+    QCOMPARE(CloudStore::oneOf(5'000'000), std::uint64_t(1));
+    QVERIFY(50'000'000 / CloudStore::oneOf(50'000'000) <= CloudStore::kMostPoints / 2);
+    QCOMPARE(CloudStore::oneOf(0), std::uint64_t(1));
+    CloudStore store;
     const map::SpatialCloud cloud = test::scattered(1'000, 5, 2, 1);
-    CloudBook::Came came;
+    CloudStore::Came came;
     came.tree = CloudTree::make(cloud, 4);
     came.points = 1'000;
     came.left_out = 17;
     came.one_of = 4;
-    book.add(came);
-    QCOMPARE(book.totals().thinned, std::uint64_t(750));
-    QCOMPARE(book.totals().left_out, std::uint64_t(17));
+    store.add(came);
+    QCOMPARE(store.totals().thinned, std::uint64_t(750));
+    QCOMPARE(store.totals().left_out, std::uint64_t(17));
     for (int i = 0; i < 200; ++i) {
-      book.add(test::came(lattice(1, 0), test::box({i * 2.0, 0, 0}, {1, 1, 1})));
+      store.add(test::came(lattice(1, 0), test::box({i * 2.0, 0, 0}, {1, 1, 1})));
     }
-    QCOMPARE(book.totals().clouds, CloudBook::kMostClouds);
-    QVERIFY(book.totals().forgotten > 0);
+    QCOMPARE(store.totals().clouds, CloudStore::kMostClouds);
+    QVERIFY(store.totals().forgotten > 0);
   }
 
   void heightsAreCountedWithoutTheOutermost() {
@@ -117,17 +117,17 @@ class TestCloudBook : public QObject {
   }
 
   void framesThatDifferAreNamed() {
-    CloudBook book;
+    CloudStore store;
     map::SpatialCloud cloud = lattice(2, 0);
     cloud.frame = "map";
-    book.add(test::came(cloud, test::box({0, 0, 0}, {9, 9, 9})));
+    store.add(test::came(cloud, test::box({0, 0, 0}, {9, 9, 9})));
     cloud.frame = "odom";
-    book.add(test::came(cloud, test::box({50, 0, 0}, {9, 9, 9})));
-    QCOMPARE(book.totals().frames.size(), std::size_t(2));
+    store.add(test::came(cloud, test::box({50, 0, 0}, {9, 9, 9})));
+    QCOMPARE(store.totals().frames.size(), std::size_t(2));
   }
 };
 
-}  // namespace test_cloud_book
+}  // namespace test_cloud_store
 
-MAPWRIGHT_TEST(test_cloud_book, TestCloudBook, Nothing)
-#include "test_cloud_book.moc"
+MAPWRIGHT_TEST(test_cloud_store, TestCloudStore, Nothing)
+#include "test_cloud_store.moc"
