@@ -10,7 +10,7 @@
 #include <QTimer>
 
 #include "app/command_text.h"
-#include "map/may_pass.h"
+#include "map/failure.h"
 #include "replay/reading.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/subject_name.h"

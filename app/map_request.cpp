@@ -137,8 +137,8 @@ void MapRequest::takeWhole(const robot::Outcome<map::GridPart>& outcome) {
     if (offer.service == DispatchService::Grid) map.name = offer.name;
   }
   map.grid = part.grid;
-  map.reading = regions::kPgmReading;
-  map.bytes = std::make_shared<const std::string>(regions::pgmOf(part));
+  map.reading = {map::CellReading::Mode::Raw};
+  map.cells = part.cells;
   session_.wholeMap().show(map);
 }
 

@@ -1,7 +1,5 @@
 // `mapwright projections …`: what a robot projects from its 3D map. Source:
 // docs/protocols/rep130-map-dispatcher.md, "Projections".
-#include "map/projections.h"
-
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +11,7 @@
 #include "app/command_text.h"
 #include "app/output.h"
 #include "app/robot_command.h"
+#include "map/map_part.h"
 #include "robot/map_dispatch.h"
 #include "robot/ros/faults.h"
 #include "sentences/failure_sentence.h"

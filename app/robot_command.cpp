@@ -18,7 +18,7 @@
 #include "app/output.h"
 #include "app/robot_factory.h"
 #include "grids/grid_pyramid.h"
-#include "regions/region_answer.h"
+#include "regions/map_regions.h"
 #include "render/compose_grid.h"
 #include "robot/address.h"
 #include "robot/map_dispatch.h"
@@ -26,7 +26,6 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
-#include "sentences/obstacle_sentence.h"
 #include "words/text.h"
 #include "work/budgets.h"
 
@@ -278,15 +277,15 @@ CommandResult<render::PlacedGrid> RobotReading::submaps(double resolution_m) {
   const session::SubmapCounts counts = session_.counts();
   complete_ = complete_ && settled && submapsComplete(counts);
   facts_[QStringLiteral("submaps")] = submapsJson(counts);
-  facts_[QStringLiteral("uuid")] = QString::fromStdString(session_.book().uuid());
+  facts_[QStringLiteral("uuid")] = QString::fromStdString(session_.submaps().uuid());
   if (!settled) {
     notes_ << (counts.list_received ? Text::tr("Not everything had arrived within %1 s (--timeout).")
                                     : Text::tr("The robot sent no submap list within %1 s (--timeout)."))
                   .arg(time_.timeout_s);
   }
   std::vector<render::PlacedTexture> textures;
-  for (const auto& [id, row] : session_.book().rows()) {
-    if (const auto placement = session_.book().placement(id, session_.slice())) {
+  for (const auto& [id, row] : session_.submaps().rows()) {
+    if (const auto placement = session_.submaps().placement(id, session_.slice())) {
       textures.push_back({id, placement->texture, placement->world_from_texture, 0});
     }
   }

@@ -27,7 +27,7 @@
 #include "geometry/view_transform.h"
 #include "replay/replay_robot.h"
 #include "scene/layer.h"
-#include "submap/submap_book.h"
+#include "submap/submap_store.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 

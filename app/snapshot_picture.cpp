@@ -242,7 +242,7 @@ class RawPicture : public SnapshotPicture {
   std::size_t row_bytes_;
   std::vector<std::uint8_t> pixels_;  // gray and alpha
   std::vector<std::atomic<bool>> band_made_;
-  work::Share share_;  // last member: drops waiting jobs, and waits for running ones
+  work::Tasks share_;  // last member: drops waiting jobs, and waits for running ones
 };
 
 }  // namespace

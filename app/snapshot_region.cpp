@@ -71,12 +71,6 @@ CommandResult<QStringList> RegionSnapshot::notes(const QString& link) const {
                  nullptr, sentences::formOf(qint64(odd)))
                  .arg(odd);
   }
-  if (regions().asksForCorners()) {
-    notes << Text::tr(
-                 "%1 treats the position in a request as a corner of the region instead of its centre (REP "
-                 "130): requests were adjusted to that.")
-                 .arg(robot_);
-  }
   if (counts.smaller > 0 && counts.answered == counts.in_view) {
     notes << Text::tr(
                  "Some of its answers are smaller than requested (%1 of %2): the missing parts are blank.")

@@ -12,7 +12,7 @@
 #include "app/report.h"
 #include "app/robot_factory.h"
 #include "geometry/pose.h"
-#include "map/may_pass.h"
+#include "map/failure.h"
 #include "replay/replay_robot.h"
 #include "robot/bag_library.h"
 #include "robot/map_dispatch.h"
@@ -229,7 +229,7 @@ bool SnapshotRun::wantsWholeInstead() {
   robot::Robot& robot = session_.robot();
   const bool for_submaps = options_.slice != 0 || options_.colors != render::ColorMode::Normal ||
                            options_.layers.contains(scene::Layer::Submaps);
-  const bool listed = replayed_ ? session_.world().submaps.has_value() : session_.book().listReceived();
+  const bool listed = replayed_ ? session_.world().submaps.has_value() : session_.submaps().listReceived();
   return automatic_ && options_.mode == SnapshotMode::Submaps && !for_submaps && !listed &&
          sinceConnected() > listWithin() && robot.wholeMapSource() != nullptr;
 }
@@ -410,7 +410,7 @@ void SnapshotRun::timeOut() {
   // Draws what has arrived, if that only takes a moment.
   cut_off_.start(milliseconds(options_.timeout_s + start_.grace.draw_s - seconds()));
   if (chosen_) return;
-  const bool no_list = options_.wantsSubmaps() && !session_.book().listReceived();
+  const bool no_list = options_.wantsSubmaps() && !session_.submaps().listReceived();
   notes_ << (!no_list
                  ? Text::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s) +
                        whatOfTheLink()
@@ -485,8 +485,8 @@ SnapshotContent SnapshotRun::chooseContent() const {
     content.grid = map_.grid();
     return content;
   }
-  for (const auto& [id, row] : session_.book().rows()) {
-    if (const auto placement = session_.book().placement(id, options_.slice)) {
+  for (const auto& [id, row] : session_.submaps().rows()) {
+    if (const auto placement = session_.submaps().placement(id, options_.slice)) {
       content.textures.push_back({id, placement->texture, placement->world_from_texture, 0});
     }
   }
@@ -648,7 +648,7 @@ QJsonObject SnapshotRun::report() const {
       {QStringLiteral("complete"), complete_},
       {QStringLiteral("mode"),
        options_.mode == SnapshotMode::Whole ? QStringLiteral("whole") : QStringLiteral("submaps")},
-      {QStringLiteral("uuid"), QString::fromStdString(session_.book().uuid())},
+      {QStringLiteral("uuid"), QString::fromStdString(session_.submaps().uuid())},
       {QStringLiteral("submaps"), submapsJson(counts)},
       {QStringLiteral("painted"), toThousandths(made_)},
       {QStringLiteral("seconds"), QJsonObject{{QStringLiteral("connect"), secondsOrNull(connected_s_)},

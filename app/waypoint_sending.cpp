@@ -9,7 +9,7 @@
 
 #include "app/command_text.h"
 #include "app/output.h"
-#include "map/temporary_name.h"
+#include "map/waypoint.h"
 #include "robot/ros/faults.h"
 #include "sentences/failure_sentence.h"
 #include "words/qt_plain.h"

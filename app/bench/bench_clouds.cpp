@@ -108,7 +108,7 @@ struct CloudView {
     } while (!scene_.picturesSettled());
   }
   void look(const geometry::ViewTransform& to) { scene_.setView(camera_ = to); }
-  std::shared_ptr<clouds::CloudStore> clouds_ = std::make_shared<clouds::CloudStore>();
+  std::shared_ptr<clouds::NewestClouds> clouds_ = std::make_shared<clouds::NewestClouds>();
   scene::MapScene scene_;
   QGraphicsView view_;
   geometry::ViewTransform camera_;
@@ -176,7 +176,7 @@ void CloudsPanByPainter(benchmark::State& state) {
 /// One tile of the whole building, one of a hundredth of it.
 void CloudsTile(benchmark::State& state) {
   static const auto tree = clouds::CloudTree::make(*fiveMillion());
-  clouds::CloudBook book;
+  clouds::NewestClouds book;
   book.add({.tree = tree, .points = tree->size()});
   const clouds::CloudSet set = book.set();
   clouds::Raster raster;

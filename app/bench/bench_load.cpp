@@ -42,7 +42,7 @@ LoadTimes load(const simulator::Simulator& robot, const QString& cache_folder) {
   QEventLoop loop;
   QObject::connect(&session, &session::Session::submapsPlaced, &loop, [&] {
     if (times.first_ms < 0) times.first_ms = since(from);
-    const auto& rows = session.book().rows();
+    const auto& rows = session.submaps().rows();
     if (session.settled(1) && !rows.empty()) loop.quit();
   });
   session.open();

@@ -70,7 +70,7 @@ BENCHMARK(placingWarnings)
 void placingWarningsByCrew(benchmark::State& state) {
   const placing::PlacedMap map = mapOf(int(state.range(0)));
   const auto places = placesOn(map, int(state.range(1)));
-  work::Share share(std::make_shared<work::Workers>());
+  work::Tasks share(std::make_shared<work::Workers>());
   for (auto _ : state) {
     for (const auto& group : placing::groupsOf(places, map.reference, kMostOfGroup)) {
       std::vector<Eigen::Vector2d> part;

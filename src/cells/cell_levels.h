@@ -95,4 +95,11 @@ struct CellTexture::Body {
   void expandDerived(int level, std::uint8_t* first, std::size_t stride_bytes) const;
 };
 
+/// Writes `out_cells` cells, each the average of 2x2 cells of the rows `upper` and `lower` (2 * out_cells
+/// cells each). Unknown cells count as zero, as in an area average of the composed picture. A cell with an
+/// observed child is observed: if the average is zero it becomes (0, 1), which means delta == 0. Folded cells
+/// keep the net of value and alpha; pairs keep both.
+void reduceRows(CellLayout layout, const std::uint8_t* upper, const std::uint8_t* lower, std::uint8_t* out,
+                std::size_t out_cells);
+
 }  // namespace mapwright::cells

@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include "cells/cell_levels.h"
-#include "cells/reduce_cells.h"
 #include "cells/texture_store.h"
 
 namespace mapwright::cells {
@@ -158,14 +157,6 @@ void CellTexture::keepLevels(PaddedLevel padded) {
 std::shared_ptr<const CellTexture::Body> CellTexture::body() const {
   return store_ ? store_->bodyOf(*this) : body_;
 }
-
-int CellTexture::width() const { return width_; }
-int CellTexture::height() const { return height_; }
-double CellTexture::resolutionM() const { return resolution_m_; }
-CellLayout CellTexture::layout() const { return layout_; }
-int CellTexture::levels() const { return levels_; }
-std::size_t CellTexture::observedCells() const { return observed_; }
-std::size_t CellTexture::bytes() const { return bytes_; }
 
 DenseCells CellTexture::expand(int level, std::vector<std::uint8_t> storage) const {
   assert(level >= 0 && level < levels());

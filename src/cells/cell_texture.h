@@ -72,13 +72,13 @@ class CellTexture {
   CellTexture(const CellTexture&) = delete;
   CellTexture& operator=(const CellTexture&) = delete;
 
-  int width() const;           // columns of level 0
-  int height() const;          // rows of level 0
-  double resolutionM() const;  // metres per cell of level 0
-  CellLayout layout() const;
-  int levels() const;  // >= 1; the last level is at most 8 cells wide and high
-  std::size_t observedCells() const;
-  std::size_t bytes() const;  // memory used by the cells while they are loaded
+  int width() const { return width_; }                  // columns of level 0
+  int height() const { return height_; }                // rows of level 0
+  double resolutionM() const { return resolution_m_; }  // metres per cell of level 0
+  CellLayout layout() const { return layout_; }
+  int levels() const { return levels_; }  // >= 1; the last level is at most 8 cells wide and high
+  std::size_t observedCells() const { return observed_; }
+  std::size_t bytes() const { return bytes_; }  // memory used by the cells while they are loaded
 
   /// A dense copy of `level` (0 .. levels()-1). Width of level n is ceil(width / 2^n). If the store has lost
   /// the texture (see TextureStore::Listener) nothing is observed in the copy. `storage`: memory of an

@@ -5,8 +5,8 @@
 
 #include <QMetaObject>
 
+#include "clouds/cloud_tree.h"
 #include "clouds/draw_cloud.h"
-#include "clouds/voxel_size.h"
 #include "clouds/write_cloud.h"
 #include "disk/file_error.h"
 #include "disk/written_file.h"
@@ -42,7 +42,7 @@ void CloudStore::clear() {
   ordering_ = counting_ = count_again_ = false;
   next_cut_.reset();
   cutting_ = false;
-  book_.clear();
+  newest_.clear();
   set_.reset();
   sums_ = {};
   heights_ = {};
@@ -61,7 +61,7 @@ void CloudStore::setHeightRange(std::optional<HeightRange> range) {
 }
 
 void CloudStore::setVoxel(std::optional<double> metres) {
-  book_.setVoxel(metres);
+  newest_.setVoxel(metres);
   if (set_) count();
 }
 
@@ -126,17 +126,17 @@ void CloudStore::proceed() {
   CloudPiece piece = std::move(waiting_.front());
   waiting_.pop_front();
   share_.startLong([this, piece = std::move(piece), stop = order_stop_, epoch = epoch_] {
-    CloudBook::Came came;
+    NewestClouds::Came came;
     came.kind = piece.voxels ? PointKind::Voxel : PointKind::Point;
     came.region = piece.region;
     came.points = piece.cloud->points.size();
     came.left_out = piece.cloud->left_out;
-    came.one_of = CloudBook::oneOf(came.points);
+    came.one_of = NewestClouds::oneOf(came.points);
     came.tree = CloudTree::make(*piece.cloud, came.one_of, stop.get());
     if (!came.tree) return;
     if (piece.voxels) came.voxel_m = voxelSize(*came.tree);
     later(epoch, [this, came] {
-      book_.add(came);
+      newest_.add(came);
       ordering_ = false;
       count();
       proceed();
@@ -152,7 +152,7 @@ void CloudStore::count() {
     return;
   }
   counting_ = true;
-  auto set = std::make_shared<const CloudSet>(book_.set());
+  auto set = std::make_shared<const CloudSet>(newest_.set());
   share_.startLong([this, set, chosen = chosenHeights(), epoch = epoch_] {
     const Heights found = heightsOf(*set);
     const std::uint64_t shown = countShown(*set, chosen);
@@ -169,7 +169,7 @@ void CloudStore::count() {
 void CloudStore::take(const std::shared_ptr<const CloudSet>& set, const Heights& found, std::uint64_t shown) {
   set_ = set;
   heights_ = found;
-  sums_ = {book_.totals(), shown};
+  sums_ = {newest_.totals(), shown};
   Q_EMIT changed();
   Q_EMIT summed();
 }

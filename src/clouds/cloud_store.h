@@ -13,8 +13,8 @@
 #include <QString>
 #include <tl/expected.hpp>
 
-#include "clouds/cloud_book.h"
 #include "clouds/heights.h"
+#include "clouds/newest_clouds.h"
 #include "clouds/section.h"
 #include "fault/fault.h"
 #include "geometry/rect.h"
@@ -31,7 +31,7 @@ struct CloudPiece {
 };
 
 /// What is held, and how much of it is shown: within the heights, and not replaced by newer clouds.
-struct CloudSums : CloudBook::Totals {
+struct CloudSums : NewestClouds::Totals {
   std::uint64_t shown = 0;
 };
 
@@ -85,7 +85,7 @@ class CloudStore : public QObject {
   void noteSettled();
 
   using Flag = std::shared_ptr<std::atomic<bool>>;
-  CloudBook book_;
+  NewestClouds newest_;
   std::shared_ptr<const CloudSet> set_;
   CloudSums sums_;
   Heights heights_;
@@ -95,7 +95,7 @@ class CloudStore : public QObject {
   std::optional<std::pair<Cut, SectionReply>> next_cut_;
   std::uint64_t epoch_ = 0;  // results of an older one are ignored
   Flag order_stop_, cut_stop_, write_stop_;
-  work::Share share_;  // last member: its jobs use all of the above
+  work::Tasks share_;  // last member: its jobs use all of the above
 };
 
 }  // namespace mapwright::clouds

@@ -83,4 +83,8 @@ class CloudTree {
   std::array<float, 2> usual_intensity_{0, 1};
 };
 
+/// The cell edge in metres; 0 = it does not look like cells of one size. With mixed sizes (an octree), the
+/// smallest frequent one.
+double voxelSize(const CloudTree& tree);
+
 }  // namespace mapwright::clouds

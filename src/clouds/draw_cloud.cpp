@@ -1,14 +1,185 @@
 #include "clouds/draw_cloud.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
-#include "clouds/shades.h"
-#include "clouds/sums.h"
 #include "clouds/walk.h"
 
 namespace mapwright::clouds {
 namespace {
+
+/// From the ground to raster pixels, the same way everywhere in this room: monotone in every coordinate, so
+/// that the corners of a box bound everything in it.
+class Projection {
+ public:
+  Projection(const Raster& raster, const Eigen::Vector3d& origin_m);
+  /// The unrounded pixel of a point relative to the origin, in the infinite raster.
+  double column(double x, double y) const {
+    return (cos_ * (base_.x() + x) - sin_ * (base_.y() + y)) * per_m_;
+  }
+  double row(double x, double y) const { return -(sin_ * (base_.x() + x) + cos_ * (base_.y() + y)) * per_m_; }
+  struct Reach {
+    double column0, row0, column1, row1;  // pixels, both ends inclusive
+  };
+  /// The pixels that anything in a box may fall into.
+  Reach reach(double min_x, double min_y, double max_x, double max_y) const;
+  /// The ground position of a pixel's centre in the infinite raster, relative to the origin.
+  Eigen::Vector2d groundBelow(double column, double row) const;
+
+ private:
+  Eigen::Vector2d base_;
+  double cos_, sin_, per_m_, scale_;
+};
+
+/// Sums over a window of the raster with a margin around it.
+class Sums {
+ public:
+  Sums(const Raster& raster, int margin_px, int channels);
+
+  /// The window with its margin, in the infinite raster.
+  double column0, row0;
+  int width, height, margin, channels;
+  std::vector<std::int64_t> count;
+  std::array<std::vector<std::int64_t>, 3> value;  // one per channel
+
+  bool touches(const Projection::Reach& reach) const {
+    return reach.column1 >= column0 && reach.row1 >= row0 && reach.column0 < column0 + width &&
+           reach.row0 < row0 + height;
+  }
+  /// The index of a pixel (whole numbers); npos outside the window.
+  std::size_t at(double column, double row) const {
+    const double x = column - column0, y = row - row0;
+    if (!(x >= 0 && y >= 0 && x < width && y < height)) return npos;
+    return std::size_t(y) * std::size_t(width) + std::size_t(x);
+  }
+  static constexpr std::size_t npos = std::size_t(-1);
+  void add(std::size_t at, std::int64_t points, const std::array<std::int64_t, 3>& values) {
+    count[at] += points;
+    for (int i = 0; i < channels; ++i) value[std::size_t(i)][at] += values[std::size_t(i)];
+  }
+  /// Gives every pixel the sum of all points that cover it as squares of that edge.
+  void widen(int edge_px);
+};
+
+/// The values that are summed for a colour.
+class Channels {
+ public:
+  Channels(const CloudTree& tree, const CloudLook& look);
+  static int countOf(CloudColor color) {
+    return color == CloudColor::OneColor ? 0 : color == CloudColor::Rgb ? 3 : 1;
+  }
+  std::array<std::int64_t, 3> of(const CloudNode& node) const;
+  std::array<std::int64_t, 3> of(std::uint32_t point) const;
+
+ private:
+  const CloudTree& tree_;
+  CloudColor color_;
+  std::int64_t origin_z_, low_intensity_;
+  std::array<std::int64_t, 3> one_;
+};
+
+Projection::Projection(const Raster& raster, const Eigen::Vector3d& origin_m)
+    : base_(origin_m.head<2>() - raster.origin_m),
+      cos_(std::cos(raster.rotation_rad)),
+      sin_(std::sin(raster.rotation_rad)),
+      per_m_(1 / raster.scale_m_per_px),
+      scale_(raster.scale_m_per_px) {}
+
+Projection::Reach Projection::reach(double min_x, double min_y, double max_x, double max_y) const {
+  Reach reach{};
+  bool first = true;
+  for (const double x : {min_x, max_x}) {
+    for (const double y : {min_y, max_y}) {
+      const double c = std::floor(column(x, y)), r = std::floor(row(x, y));
+      reach = first ? Reach{c, r, c, r}
+                    : Reach{std::min(reach.column0, c), std::min(reach.row0, r), std::max(reach.column1, c),
+                            std::max(reach.row1, r)};
+      first = false;
+    }
+  }
+  return reach;
+}
+
+Eigen::Vector2d Projection::groundBelow(double column, double row) const {
+  const double u = column + 0.5, v = row + 0.5;
+  return Eigen::Vector2d((cos_ * u - sin_ * v) * scale_, (-sin_ * u - cos_ * v) * scale_) - base_;
+}
+
+Sums::Sums(const Raster& raster, int margin_px, int channel_count)
+    : column0(double(raster.first_column) - margin_px),
+      row0(double(raster.first_row) - margin_px),
+      width(raster.width_px + 2 * margin_px),
+      height(raster.height_px + 2 * margin_px),
+      margin(margin_px),
+      channels(channel_count) {
+  const std::size_t pixels = std::size_t(width) * std::size_t(height);
+  count.resize(pixels);
+  for (int i = 0; i < channels; ++i) value[std::size_t(i)].resize(pixels);
+}
+
+void Sums::widen(int edge_px) {
+  // A point in pixel q covers q - before .. q + after: a pixel p gets those of p - after .. p + before.
+  const int before = (edge_px - 1) / 2, after = edge_px / 2;
+  std::vector<std::int64_t> sums(std::size_t(std::max(width, height)) + 1);
+  const auto along = [&](std::vector<std::int64_t>& values, std::size_t first, std::size_t step, int length) {
+    for (int i = 0; i < length; ++i) {
+      sums[std::size_t(i) + 1] = sums[std::size_t(i)] + values[first + std::size_t(i) * step];
+    }
+    for (int i = 0; i < length; ++i) {
+      const auto from = std::size_t(std::max(0, i - after)),
+                 to = std::size_t(std::min(length, i + before + 1));
+      values[first + std::size_t(i) * step] = sums[to] - sums[from];
+    }
+  };
+  const auto widenOne = [&](std::vector<std::int64_t>& values) {
+    for (int y = 0; y < height; ++y) along(values, std::size_t(y) * std::size_t(width), 1, width);
+    for (int x = 0; x < width; ++x) along(values, std::size_t(x), std::size_t(width), height);
+  };
+  widenOne(count);
+  for (int i = 0; i < channels; ++i) widenOne(value[std::size_t(i)]);
+}
+
+Channels::Channels(const CloudTree& tree, const CloudLook& look)
+    : tree_(tree),
+      color_(look.color),
+      origin_z_(inParts(tree.origin().z())),
+      low_intensity_(inParts(look.low_intensity)),
+      one_{look.one >> 16 & 255, look.one >> 8 & 255, look.one & 255} {}
+
+std::array<std::int64_t, 3> Channels::of(const CloudNode& node) const {
+  const auto count = std::int64_t(node.count);
+  switch (color_) {
+    case CloudColor::OneColor:
+      return {};
+    case CloudColor::Height:
+      return {node.sum_z + origin_z_ * count, 0, 0};
+    case CloudColor::Intensity:
+      return {tree_.hasIntensity() ? node.sum_intensity : low_intensity_ * count, 0, 0};
+    case CloudColor::Rgb:
+      break;
+  }
+  if (!tree_.hasRgb()) return {one_[0] * count, one_[1] * count, one_[2] * count};
+  return {std::int64_t(node.sum_rgb[0]), std::int64_t(node.sum_rgb[1]), std::int64_t(node.sum_rgb[2])};
+}
+
+std::array<std::int64_t, 3> Channels::of(std::uint32_t point) const {
+  switch (color_) {
+    case CloudColor::OneColor:
+      return {};
+    case CloudColor::Height:
+      return {inParts(double(tree_.points()[point].z())) + origin_z_, 0, 0};
+    case CloudColor::Intensity:
+      return {tree_.hasIntensity() ? inParts(double(tree_.intensity()[point])) : low_intensity_, 0, 0};
+    case CloudColor::Rgb:
+      break;
+  }
+  if (!tree_.hasRgb()) return one_;
+  const std::uint32_t rgb = tree_.rgb()[point];
+  return {rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255};
+}
 
 /// Smaller voxels are drawn as points.
 constexpr double kLeastVoxelPx = 1.5;
@@ -52,6 +223,60 @@ void addPoints(Sums& sums, const Raster& raster, const ShownCloud& cloud, const 
         const std::size_t at = sums.at(std::floor(pixels.column(x, y)), std::floor(pixels.row(x, y)));
         if (at != Sums::npos && meant.has(point)) sums.add(at, 1, channels.of(i));
       });
+}
+
+/// For voxels larger than a pixel. False: cancelled.
+bool addVoxels(Sums& sums, const Raster& raster, const ShownCloud& cloud, const CloudLook& look,
+               const std::atomic<bool>* cancelled) {
+  const CloudTree& tree = *cloud.tree;
+  const auto points = tree.points();
+  if (points.empty()) return true;
+  const Projection pixels(raster, tree.origin());
+  const Meant meant(tree, cloud.hidden, look.heights);
+  const Channels channels(tree, look);
+  // The cells are those of the lattice of the points: neighbours share an edge to the last bit.
+  const double edge = cloud.voxel_m, anchor_x = double(points[0].x()), anchor_y = double(points[0].y());
+  const auto cellX = [&](double x) { return std::round((x - anchor_x) / edge); };
+  const auto cellY = [&](double y) { return std::round((y - anchor_y) / edge); };
+  const auto fill = [&](double i, double j, std::int64_t count, const std::array<std::int64_t, 3>& values) {
+    const double x0 = anchor_x + (i - 0.5) * edge, x1 = anchor_x + (i + 0.5) * edge;
+    const double y0 = anchor_y + (j - 0.5) * edge, y1 = anchor_y + (j + 0.5) * edge;
+    const auto reach = pixels.reach(x0, y0, x1, y1);
+    if (!sums.touches(reach)) return;
+    const double right = std::min(reach.column1, sums.column0 + sums.width - 1);
+    const double bottom = std::min(reach.row1, sums.row0 + sums.height - 1);
+    for (double row = std::max(reach.row0, sums.row0); row <= bottom; ++row) {
+      for (double column = std::max(reach.column0, sums.column0); column <= right; ++column) {
+        const Eigen::Vector2d ground = pixels.groundBelow(column, row);
+        if (ground.x() >= x0 && ground.x() < x1 && ground.y() >= y0 && ground.y() < y1) {
+          sums.add(sums.at(column, row), count, values);
+        }
+      }
+    }
+  };
+  const double margin =
+      edge;  // a cell extends half of it beyond its point, and the lattice may shift it by as much
+  walk(
+      tree,
+      [&](const CloudNode& node) {
+        if (stopped(cancelled)) return Way::Skip;
+        const auto reach = pixels.reach(double(node.min[0]) - margin, double(node.min[1]) - margin,
+                                        double(node.max[0]) + margin, double(node.max[1]) + margin);
+        if (!sums.touches(reach)) return Way::Skip;
+        const Way way = meant.of(node);
+        const bool one_cell = cellX(double(node.min[0])) == cellX(double(node.max[0])) &&
+                              cellY(double(node.min[1])) == cellY(double(node.max[1]));
+        return way == Way::Whole && !one_cell ? Way::Into : way;
+      },
+      [&](const CloudNode& node) {
+        fill(cellX(double(node.min[0])), cellY(double(node.min[1])), node.count, channels.of(node));
+      },
+      [&](std::uint32_t i) {
+        if (stopped(cancelled)) return;
+        const Eigen::Vector3f& point = points[i];
+        if (meant.has(point)) fill(cellX(double(point.x())), cellY(double(point.y())), 1, channels.of(i));
+      });
+  return !stopped(cancelled);
 }
 
 class Painter {
@@ -109,6 +334,23 @@ std::uint32_t over(std::uint32_t rgb, double opacity, std::uint32_t below) {
     color |= std::uint32_t(std::lround(mixed)) << shift;
   }
   return color;
+}
+
+// Viridis with a lighter dark end: low points must not vanish on a dark map.
+constexpr std::array<std::array<double, 3>, 6> kStops{
+    {{76, 60, 160}, {58, 110, 190}, {32, 150, 150}, {70, 185, 90}, {190, 200, 40}, {250, 130, 30}}};
+
+Shades make() {
+  Shades made{};
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    const double at = double(i) / double(made.size() - 1) * double(kStops.size() - 1);
+    const auto below = std::size_t(std::min(at, double(kStops.size() - 2)));
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const double from = kStops[below][channel], to = kStops[below + 1][channel];
+      made[i] = made[i] << 8 | std::uint32_t(std::lround(from + (to - from) * (at - double(below))));
+    }
+  }
+  return made;
 }
 
 }  // namespace
@@ -178,6 +420,11 @@ std::uint64_t countShown(const CloudSet& set, const HeightRange& heights) {
         [&](std::uint32_t i) { count += meant.has(points[i]) ? 1 : 0; });
   }
   return count;
+}
+
+const Shades& shades() {
+  static const Shades made = make();
+  return made;
 }
 
 }  // namespace mapwright::clouds

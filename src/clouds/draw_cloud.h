@@ -12,13 +12,14 @@
 //   are expected is about a third opaque.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "clouds/cloud_book.h"
+#include "clouds/newest_clouds.h"
 
 namespace mapwright::clouds {
 
@@ -63,5 +64,9 @@ std::uint64_t countShown(const CloudSet& set, const HeightRange& heights);
 
 /// The edge of a point on the raster in pixels: `size_px`, or less if points are closer together.
 int pointSize(int size_px, double scale_m_per_px, double spacing_m);
+
+/// 0x00RRGGBB, lowest first.
+using Shades = std::array<std::uint32_t, 256>;
+const Shades& shades();
 
 }  // namespace mapwright::clouds

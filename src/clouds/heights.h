@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "clouds/cloud_book.h"
+#include "clouds/newest_clouds.h"
 
 namespace mapwright::clouds {
 

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "clouds/cloud_book.h"
+#include "clouds/newest_clouds.h"
 
 namespace mapwright::clouds {
 

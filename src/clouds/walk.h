@@ -5,8 +5,8 @@
 #include <limits>
 #include <span>
 
-#include "clouds/cloud_book.h"
 #include "clouds/cloud_tree.h"
+#include "clouds/newest_clouds.h"
 
 namespace mapwright::clouds {
 

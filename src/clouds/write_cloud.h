@@ -11,7 +11,7 @@
 #include <optional>
 #include <string_view>
 
-#include "clouds/cloud_book.h"
+#include "clouds/newest_clouds.h"
 
 namespace mapwright::clouds {
 

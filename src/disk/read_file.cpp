@@ -21,6 +21,30 @@ int openToRead(const std::string& path) {
   return -1;
 }
 
+bool readAt(int fd, std::span<std::uint8_t> bytes, std::uint64_t at) {
+  while (!bytes.empty()) {
+    const ssize_t got = ::pread(fd, bytes.data(), bytes.size(), off_t(at));
+    if (got < 0 && errno == EINTR) continue;
+    if (got == 0) errno = 0;
+    if (got <= 0) return false;
+    bytes = bytes.subspan(std::size_t(got));
+    at += std::uint64_t(got);
+  }
+  return true;
+}
+
+bool writeAt(int fd, std::span<const std::uint8_t> bytes, std::uint64_t at) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(fd, bytes.data(), bytes.size(), off_t(at));
+    if (written < 0 && errno == EINTR) continue;
+    if (written == 0) errno = ENOSPC;
+    if (written <= 0) return false;
+    bytes = bytes.subspan(std::size_t(written));
+    at += std::uint64_t(written);
+  }
+  return true;
+}
+
 tl::expected<std::string, FileError> readFile(const std::string& path, std::size_t most) {
   const int fd = openToRead(path);
   if (fd < 0) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -13,6 +15,10 @@ namespace mapwright::disk {
 /// Opens a regular file for reading: returns a descriptor that the caller closes, or -1 and errno. Anything
 /// else (a pipe, a device, a folder) is refused at once with EISDIR or EINVAL.
 int openToRead(const std::string& path);
+
+/// Reads or writes all of `bytes` at a place in an open file; errno says why not (0: the file ends).
+bool readAt(int fd, std::span<std::uint8_t> bytes, std::uint64_t at);
+bool writeAt(int fd, std::span<const std::uint8_t> bytes, std::uint64_t at);
 
 /// Its first `most` bytes, or why it cannot be read.
 tl::expected<std::string, FileError> readFile(const std::string& path, std::size_t most);

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <unistd.h>
 
+#include "disk/read_file.h"
+
 namespace mapwright::disk {
 namespace {
 
@@ -40,25 +42,11 @@ void ScratchFile::open() {
 std::string ScratchFile::write(std::span<const std::uint8_t> bytes, std::uint64_t at) {
   std::call_once(opened_, [this] { open(); });
   if (file_ < 0) return std::strerror(why_not_);
-  while (!bytes.empty()) {
-    const ssize_t written = ::pwrite(file_, bytes.data(), bytes.size(), off_t(at));
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return std::strerror(written < 0 ? errno : ENOSPC);
-    bytes = bytes.subspan(std::size_t(written));
-    at += std::uint64_t(written);
-  }
-  return {};
+  return writeAt(file_, bytes, at) ? std::string() : std::strerror(errno);
 }
 
 bool ScratchFile::read(std::span<std::uint8_t> bytes, std::uint64_t at) const {
-  while (!bytes.empty()) {
-    const ssize_t count = ::pread(file_, bytes.data(), bytes.size(), off_t(at));
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    bytes = bytes.subspan(std::size_t(count));
-    at += std::uint64_t(count);
-  }
-  return true;
+  return readAt(file_, bytes, at);
 }
 
 }  // namespace mapwright::disk

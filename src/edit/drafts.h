@@ -126,7 +126,7 @@ class DraftKeeper : public QObject {
   Fault trouble_;
   std::vector<LeftDraft> replaced_;
   bool waiting_ = false, writing_ = false, again_ = false;
-  work::Share share_;  // last member: waits for the write in progress
+  work::Tasks share_;  // last member: waits for the write in progress
 };
 
 }  // namespace mapwright::edit

@@ -1,7 +1,6 @@
 #include "edit/merge.h"
 
-#include "map/temporary_name.h"
-#include "map/waypoint_likeness.h"
+#include "map/waypoint.h"
 
 namespace mapwright::edit {
 

@@ -33,7 +33,7 @@ struct Change {
   Item before = {}, after = {};
 };
 
-/// The fields in which they differ by more than rounding (map/waypoint_likeness.h).
+/// The fields in which they differ by more than rounding (map/waypoint.h).
 FieldMask difference(const map::Waypoint& a, const map::Waypoint& b);
 /// Equal in every field, or both absent.
 bool same(const Item& a, const Item& b);

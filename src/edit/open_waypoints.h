@@ -136,7 +136,7 @@ class OpenWaypoints : public QObject {
   std::vector<WaypointDraft> offered_;
   std::vector<LeftDraft> left_;  // the files of `offered_`
   std::unique_ptr<DraftKeeper> keeper_;
-  work::Share looking_;  // for drafts
+  work::Tasks looking_;  // for drafts
 };
 
 }  // namespace mapwright::edit

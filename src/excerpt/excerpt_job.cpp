@@ -5,7 +5,7 @@
 
 #include "disk/file_error.h"
 #include "excerpt/recording_slice.h"
-#include "map/may_pass.h"
+#include "map/failure.h"
 
 namespace mapwright::excerpt {
 namespace {

@@ -62,7 +62,7 @@ class ExcerptJob : public QObject {
   int opened_ = 0;                    // number of attempts
   bool busy_ = false, over_ = false;
   std::atomic<bool> cancelled_ = false;
-  work::Share share_;  // last member: waits for running work
+  work::Tasks share_;  // last member: waits for running work
 };
 
 }  // namespace mapwright::excerpt

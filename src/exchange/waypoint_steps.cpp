@@ -11,8 +11,7 @@
 
 #include "exchange/waypoint_json.h"
 #include "geometry/pose.h"
-#include "map/temporary_name.h"
-#include "map/waypoint_likeness.h"
+#include "map/waypoint.h"
 #include "sentences/failure_sentence.h"
 #include "words/qt_plain.h"
 #include "words/text.h"

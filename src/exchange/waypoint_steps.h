@@ -43,7 +43,7 @@ struct WaypointStep {
 std::vector<WaypointStep> stepsOf(const std::vector<WaypointEdit>& edits);
 
 /// Whether it has been done; `kept` is null if there is no such waypoint. Positions and headings may differ
-/// by rounding (map/waypoint_likeness.h), and one without a heading may be stored with 0.
+/// by rounding (map/waypoint.h), and one without a heading may be stored with 0.
 bool isDone(const WaypointStep& step, const map::Waypoint* kept);
 /// The same for everything but the id.
 bool isAlike(const map::Waypoint& wanted, const map::Waypoint& kept);

@@ -49,7 +49,6 @@ enum class Consequence {
   AskedAgain,
   AskedAgainAtTheNext,  // version
   PictureBeforeStays,
-  PictureBeforeItStays,
   AlertsBeforeStay,
   TheyWereLeftOut,
   ItsPointsWereLeftOut,

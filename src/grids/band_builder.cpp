@@ -14,10 +14,10 @@ constexpr std::size_t kQueuedStrips = GridPyramid::kTileEdge / kStrip;
 }  // namespace
 
 BandBuilder::BandBuilder(int width, int height, CellCode code, Reduction reduction,
-                         const GridReducer& reducer, const Means& means)
-    : pyramid_(std::make_shared<GrowingPyramid>(width, height, code, reduction, reducer, means.unpacked)),
-      share_(work::orOwn(means.workers)) {
-  share_.startLong([this] { work(); });
+                         const GridReducer& reducer, const Resources& resources)
+    : pyramid_(std::make_shared<GrowingPyramid>(width, height, code, reduction, reducer, resources.unpacked)),
+      tasks_(work::orOwn(resources.workers)) {
+  tasks_.startLong([this] { work(); });
 }
 
 BandBuilder::~BandBuilder() {
@@ -73,7 +73,7 @@ void BandBuilder::finish() {
     closed_ = true;
   }
   changed_.notify_all();
-  share_.waitForDone();
+  tasks_.waitForDone();
   finished_ = true;
   band_.reset();
   pyramid_->finish();
@@ -98,8 +98,9 @@ void BandBuilder::work() {
 }
 
 std::unique_ptr<GridBuilder> buildGrid(int width, int height, CellCode code, Reduction reduction,
-                                       const Means& means) {
-  return std::make_unique<BandBuilder>(width, height, code, reduction, GridReducer(code, reduction), means);
+                                       const Resources& resources) {
+  return std::make_unique<BandBuilder>(width, height, code, reduction, GridReducer(code, reduction),
+                                       resources);
 }
 
 }  // namespace mapwright::grids

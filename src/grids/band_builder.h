@@ -19,7 +19,7 @@ namespace mapwright::grids {
 class BandBuilder final : public GridBuilder {
  public:
   BandBuilder(int width, int height, CellCode code, Reduction reduction, const GridReducer& reducer,
-              const Means& means);
+              const Resources& resources);
   ~BandBuilder() override;
 
   std::shared_ptr<const GridPyramid> pyramid() const override { return pyramid_; }
@@ -52,7 +52,7 @@ class BandBuilder final : public GridBuilder {
   std::condition_variable changed_;
   std::deque<Strip> strips_;
   bool busy_ = false, closed_ = false;
-  work::Share share_;  // last member: its thread uses all of the above
+  work::Tasks tasks_;  // last member: its thread uses all of the above
 };
 
 }  // namespace mapwright::grids

@@ -18,15 +18,11 @@ class ByteSource {
   explicit ByteSource(std::shared_ptr<const std::string> bytes);
   /// nullopt if the file cannot be opened; errno says why.
   static std::optional<ByteSource> open(const std::string& path);
-  ~ByteSource();
-  ByteSource(ByteSource&& other) noexcept;
-  ByteSource(const ByteSource&) = delete;
-  ByteSource& operator=(const ByteSource&) = delete;
+  ByteSource(ByteSource&&) = default;
   ByteSource& operator=(ByteSource&&) = delete;
 
-  /// The same bytes for a second reader: of the same file, even if another one has taken its name. nullopt if
-  /// no more files can be opened.
-  std::optional<ByteSource> again() const;
+  /// The same bytes for a second reader: of the same file, even if another one has taken its name.
+  ByteSource again() const;
 
   std::uint64_t size() const { return size_; }
   /// False if not all bytes are there.
@@ -35,9 +31,8 @@ class ByteSource {
   std::span<const std::uint8_t> window(std::uint64_t offset, std::size_t most);
 
  private:
-  explicit ByteSource(int fd, std::uint64_t size);
   std::shared_ptr<const std::string> bytes_;
-  int fd_ = -1;
+  std::shared_ptr<const int> file_;  // its descriptor; null = in memory
   std::uint64_t size_ = 0;
   std::vector<std::uint8_t> buffer_;
   std::uint64_t buffer_at_ = 0;

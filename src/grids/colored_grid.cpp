@@ -183,7 +183,7 @@ Fault brokenOff(const PixelFormat& format, int came, const Fault& problem) {
 
 tl::expected<ColoredGrid, Fault> decodeOccupancy(std::shared_ptr<const std::string> bytes,
                                                  const map::CellReading& reading, std::int64_t max_cells,
-                                                 const Means& means) {
+                                                 const Resources& resources) {
   if (!bytes) bytes = std::make_shared<const std::string>();
   const auto rows = openPicture(ByteSource(bytes));
   if (!rows) return tl::unexpected(rows.error());
@@ -192,7 +192,7 @@ tl::expected<ColoredGrid, Fault> decodeOccupancy(std::shared_ptr<const std::stri
     return tl::unexpected(tooLarge(format, max_cells));
   GridOptions options;
   options.reading = reading;
-  options.means = means;
+  options.resources = resources;
   auto opened = openGrid(std::move(bytes), options);
   if (!opened) return tl::unexpected(std::move(opened.error()));
   const std::atomic<bool> never{false};
@@ -203,7 +203,7 @@ tl::expected<ColoredGrid, Fault> decodeOccupancy(std::shared_ptr<const std::stri
 }
 
 tl::expected<ColoredGrid, Fault> decodeColors(std::shared_ptr<const std::string> bytes,
-                                              std::int64_t max_cells, const Means& means) {
+                                              std::int64_t max_cells, const Resources& resources) {
   auto rows = openPicture(ByteSource(std::move(bytes)));
   if (!rows) return tl::unexpected(std::move(rows.error()));
   const PixelFormat& format = (*rows)->format();
@@ -228,7 +228,8 @@ tl::expected<ColoredGrid, Fault> decodeColors(std::shared_ptr<const std::string>
   if (!gray) grid.palette = quantiser.palette();
   const GridReducer reducer =
       gray ? GridReducer(CellCode::Gray, Reduction::OccupiedWins) : GridReducer(rankOf(grid.palette));
-  BandBuilder builder(format.width, format.height, CellCode::Gray, Reduction::OccupiedWins, reducer, means);
+  BandBuilder builder(format.width, format.height, CellCode::Gray, Reduction::OccupiedWins, reducer,
+                      resources);
   const std::size_t width = std::size_t(format.width);
   for (std::size_t row = 0; row < std::size_t(format.height); ++row) {
     builder.pushRow({indices.data() + row * width, width});

@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -21,30 +20,16 @@ namespace {
 using Proceed = std::function<bool(double done)>;
 constexpr std::uint8_t kFreeShade = 254, kOccupiedShade = 0, kUnknownShade = 205;
 
-/// Calls take(row) for every row of level 0; keeps one band of tiles at a time. Returns why it ended early.
+/// Calls take(row) for every row of level 0. Returns why it ended early.
 template <typename Take>
 std::optional<Fault> eachRow(const GridPyramid& grid, const Proceed& proceed, double from, double to,
                              Take take) {
-  const std::uint8_t unknown = unknownByte(grid.code());
-  const int tiles = (grid.width() + GridPyramid::kTileEdge - 1) / GridPyramid::kTileEdge;
-  std::vector<std::uint8_t> row(std::size_t(tiles) * GridPyramid::kTileEdge);
-  std::vector<std::optional<GridTile>> band(static_cast<std::size_t>(tiles));
+  GridRows rows(grid);
   for (int y = 0; y < grid.height(); ++y) {
-    if (y % GridPyramid::kTileEdge == 0) {
-      if (proceed && !proceed(from + (to - from) * y / grid.height())) return fault::WritingStopped;
-      for (int tx = 0; tx < tiles; ++tx) band[std::size_t(tx)] = grid.tile(0, tx, y / GridPyramid::kTileEdge);
-    }
-    for (std::size_t tx = 0; tx < band.size(); ++tx) {
-      std::uint8_t* out = row.data() + tx * GridPyramid::kTileEdge;
-      if (band[tx]) {
-        std::memcpy(out,
-                    band[tx]->cells.get() + std::size_t(y % GridPyramid::kTileEdge) * GridPyramid::kTileEdge,
-                    GridPyramid::kTileEdge);
-      } else {
-        std::memset(out, unknown, GridPyramid::kTileEdge);
-      }
-    }
-    if (!take(row.data())) return std::nullopt;
+    const bool begins_band = y % GridPyramid::kTileEdge == 0;
+    if (begins_band && proceed && !proceed(from + (to - from) * y / grid.height()))
+      return fault::WritingStopped;
+    if (!take(rows.row(y))) return std::nullopt;
   }
   if (auto trouble = grid.trouble(); trouble.any())
     return std::move(trouble).followedBy(Consequence::NothingWritten);

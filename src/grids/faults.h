@@ -117,8 +117,8 @@ inline constexpr FaultCode InterlacedWithoutRoom{
     "grids",
     QT_TRANSLATE_NOOP(
         "grids",
-        "It is an interlaced picture of %1 pixels, and there is not enough disk space to unpack it. Free "
-        "some space in the folder for temporary files, or save the picture without interlacing.")};
+        "It is an interlaced picture of %1 pixels, and there is not enough memory to unpack it. Save the "
+        "picture without interlacing.")};
 inline constexpr FaultCode CacheCopyLost{
     "grids", QT_TRANSLATE_NOOP("grids",
                                "The cached copy is damaged and the picture can no longer be read: parts of "

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "map/catalogue.h"
 
@@ -58,7 +59,7 @@ struct CellMeaning {
 };
 const CellMeaning& meaningOf(CellCode code);
 
-/// The code of a reading: Picture -> a gray one (gray_shades.h decides which), the others -> Occupancy.
+/// The code of a reading: Picture -> a gray one (GrayShades decides which), the others -> Occupancy.
 CellCode codeOf(const map::CellReading& reading);
 
 /// The cell byte of one pixel. `shade_sum` is the sum of the colour channels (each 0..1), `channels` their
@@ -67,5 +68,19 @@ CellCode codeOf(const map::CellReading& reading);
 /// alpha. Picture: alpha < 0.5 is kTransparentGray, otherwise the gray (luminance of colours).
 std::uint8_t cellFromPixel(const map::CellReading& reading, double shade_sum, int channels, double alpha,
                            bool has_alpha);
+
+/// Which gray level to write for a cell, so that a reader following the map.yaml gets that cell.
+struct PictureShades {
+  std::array<std::uint8_t, 256> cell_of{};                  // of an opaque pixel, by its gray level
+  std::array<std::optional<std::uint8_t>, 256> shade_of{};  // nullopt: no opaque gray gives that cell
+  /// A transparent pixel is this cell.
+  std::uint8_t transparent = 0;
+  bool canBe(std::uint8_t cell, bool with_alpha) const {
+    return shade_of[cell].has_value() || (with_alpha && cell == transparent);
+  }
+};
+/// map_saver's gray levels (254 free, 0 occupied, 205 unknown) if they are read that way, otherwise suitable
+/// ones.
+PictureShades shadesFor(const map::CellReading& reading);
 
 }  // namespace mapwright::grids

@@ -25,7 +25,7 @@ namespace mapwright::grids {
 class TileCache;
 
 /// Shared resources for pyramids. Null: a private one.
-struct Means {
+struct Resources {
   std::shared_ptr<work::Workers> workers = {};  // rows are reduced and compressed here
   std::shared_ptr<TileCache> unpacked = {};     // holds recently used cells
 };
@@ -90,6 +90,20 @@ class GridPyramid {
   }
 };
 
+/// The rows of level 0 from the top; keeps one band of tiles at a time.
+class GridRows {
+ public:
+  explicit GridRows(const GridPyramid& cells);
+  /// At least width() bytes, valid until the next call; unknown where nothing has been read.
+  const std::uint8_t* row(int y);
+
+ private:
+  const GridPyramid& cells_;
+  std::vector<std::optional<GridTile>> band_;
+  int tile_row_ = -1;
+  std::vector<std::uint8_t> row_;
+};
+
 /// Builds a pyramid row by row; other threads may read it meanwhile. One thread pushes.
 class GridBuilder {
  public:
@@ -102,7 +116,7 @@ class GridBuilder {
 };
 /// In memory (compressed). Precondition: 1 <= width, height <= kMaxGridEdge.
 std::unique_ptr<GridBuilder> buildGrid(int width, int height, CellCode code, Reduction reduction,
-                                       const Means& means = {});
+                                       const Resources& resources = {});
 
 inline constexpr int kMaxGridEdge = 400'000;
 inline constexpr std::int64_t kMaxGridCells = std::int64_t(1) << 35;
@@ -116,7 +130,7 @@ struct GridOptions {
   std::optional<CellCode> code;  // the meaning of gray levels, if known; otherwise detected from the picture
   std::function<void(GridDamage)>
       damaged;  // called once, on any thread, if a side-car turns out to be damaged
-  Means means;
+  Resources resources;
 };
 
 /// Reads a picture into a pyramid. open() reads the header (or finds the finished side-car, and is then
@@ -142,6 +156,9 @@ class GridReading {
 /// long as needed.
 tl::expected<std::unique_ptr<GridReading>, Fault> openGrid(std::shared_ptr<const std::string> bytes,
                                                            const GridOptions& options);
+/// The same from cells (any but 0..100 are unknown); there is no side-car.
+tl::expected<std::unique_ptr<GridReading>, Fault> openGrid(const map::OccupancyCells& cells, int width,
+                                                           int height, const GridOptions& options);
 /// The same from a file, read in pieces.
 tl::expected<std::unique_ptr<GridReading>, Fault> openGridFile(const std::string& path,
                                                                const GridOptions& options);
@@ -155,12 +172,12 @@ struct ColoredGrid {
   std::vector<std::uint32_t> palette;
 };
 tl::expected<ColoredGrid, Fault> decodeColors(std::shared_ptr<const std::string> bytes,
-                                              std::int64_t max_cells, const Means& means = {});
+                                              std::int64_t max_cells, const Resources& resources = {});
 
 /// A small picture whose bytes are occupancy values (any mode but Picture): its cells are
 /// CellCode::Occupancy, palette empty. Blocks until all is read.
 tl::expected<ColoredGrid, Fault> decodeOccupancy(std::shared_ptr<const std::string> bytes,
                                                  const map::CellReading& reading, std::int64_t max_cells,
-                                                 const Means& means = {});
+                                                 const Resources& resources = {});
 
 }  // namespace mapwright::grids

@@ -6,6 +6,67 @@
 
 namespace mapwright::grids {
 
+/// Reusable buffers for bands of rows. A buffer returns to the pool when its last owner releases it, even if
+/// the pool is gone. Any thread.
+class GrowingPyramid::BandPool {
+ public:
+  explicit BandPool(std::size_t buffer_bytes);
+  ~BandPool();
+  /// Not initialised.
+  std::shared_ptr<std::uint8_t[]> take();
+  std::size_t bytes() const;  // allocated in total, in use or not
+
+ private:
+  struct Shelf;
+  std::shared_ptr<Shelf> shelf_;
+};
+
+struct GrowingPyramid::BandPool::Shelf {
+  std::size_t buffer_bytes;
+  std::mutex mutex;
+  std::vector<std::unique_ptr<std::uint8_t[]>> idle;
+  std::atomic<std::size_t> buffers{0};
+  bool closed = false;  // buffers are no longer taken back
+};
+
+GrowingPyramid::BandPool::BandPool(std::size_t buffer_bytes) : shelf_(std::make_shared<Shelf>()) {
+  shelf_->buffer_bytes = buffer_bytes;
+}
+
+GrowingPyramid::BandPool::~BandPool() {
+  const std::lock_guard lock(shelf_->mutex);
+  shelf_->closed = true;
+  shelf_->buffers -= shelf_->idle.size();
+  shelf_->idle.clear();
+}
+
+std::shared_ptr<std::uint8_t[]> GrowingPyramid::BandPool::take() {
+  std::unique_ptr<std::uint8_t[]> buffer;
+  {
+    const std::lock_guard lock(shelf_->mutex);
+    if (!shelf_->idle.empty()) {
+      buffer = std::move(shelf_->idle.back());
+      shelf_->idle.pop_back();
+    }
+  }
+  if (buffer == nullptr) {
+    buffer = std::make_unique_for_overwrite<std::uint8_t[]>(shelf_->buffer_bytes);
+    ++shelf_->buffers;
+  }
+  const auto give_back = [shelf = shelf_](std::uint8_t* bytes) {
+    std::unique_ptr<std::uint8_t[]> returned(bytes);
+    const std::lock_guard lock(shelf->mutex);
+    if (shelf->closed) {
+      --shelf->buffers;
+    } else {
+      shelf->idle.push_back(std::move(returned));
+    }
+  };
+  return std::shared_ptr<std::uint8_t[]>(buffer.release(), give_back);
+}
+
+std::size_t GrowingPyramid::BandPool::bytes() const { return shelf_->buffers * shelf_->buffer_bytes; }
+
 GrowingPyramid::GrowingPyramid(int width, int height, CellCode code, Reduction reduction,
                                const GridReducer& reducer, std::shared_ptr<TileCache> unpacked)
     : width_(width),
@@ -20,6 +81,8 @@ GrowingPyramid::GrowingPyramid(int width, int height, CellCode code, Reduction r
     pools_.push_back(std::make_unique<BandPool>(stride(level) * GridPyramid::kTileEdge));
   }
 }
+
+GrowingPyramid::~GrowingPyramid() = default;
 
 std::size_t GrowingPyramid::stride(int level) const {
   return std::size_t(store_.levels()[std::size_t(level)].tiles_x) * GridPyramid::kTileEdge;
@@ -130,6 +193,10 @@ void GrowingPyramid::finish() {
       }
     }
   }
+  markComplete();
+}
+
+void GrowingPyramid::markComplete() {
   pools_.clear();
   band_bytes_.store(0, std::memory_order_relaxed);
   rows_ready_.store(height_, std::memory_order_release);

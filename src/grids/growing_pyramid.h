@@ -1,4 +1,4 @@
-// A pyramid during and after reading. Private to GridBuilder.
+// A pyramid during and after reading, or from a side-car file. Private to this room.
 #pragma once
 
 #include <atomic>
@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "grids/band_pool.h"
 #include "grids/grid_pyramid.h"
 #include "grids/reduce_grid.h"
 #include "grids/tile_store.h"
@@ -23,6 +22,7 @@ class GrowingPyramid final : public GridPyramid {
 
   GrowingPyramid(int width, int height, CellCode code, Reduction reduction, const GridReducer& reducer,
                  std::shared_ptr<TileCache> unpacked);
+  ~GrowingPyramid() override;
 
   int width() const override { return width_; }
   int height() const override { return height_; }
@@ -43,10 +43,13 @@ class GrowingPyramid final : public GridPyramid {
   void addRows(const Band& band, int from, int to);
   /// Missing rows become unknown.
   void finish();
+  /// All tiles are in the store.
+  void markComplete();
   TileStore& store() { return store_; }
   const TileStore& store() const { return store_; }
 
  private:
+  class BandPool;
   struct LiveBand {
     Band cells;  // null: nothing of it yet
     int tile_row = 0;

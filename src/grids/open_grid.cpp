@@ -1,13 +1,16 @@
 // Reads a picture into a pyramid.
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <functional>
+#include <mutex>
+#include <unistd.h>
+#include <utility>
 
 #include "grids/band_builder.h"
 #include "grids/faults.h"
-#include "grids/gray_shades.h"
 #include "grids/grid_pyramid.h"
-#include "grids/kept_pyramid.h"
 #include "grids/picture_rows.h"
 #include "grids/row_cells.h"
 #include "grids/sidecar.h"
@@ -21,31 +24,108 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kProgressEvery = std::chrono::milliseconds(50);
 
 std::unique_ptr<BandBuilder> builderOf(const PixelFormat& format, CellCode code, Reduction reduction,
-                                       const Means& means) {
+                                       const Resources& resources) {
   return std::make_unique<BandBuilder>(format.width, format.height, code, reduction,
-                                       GridReducer(code, reduction), means);
+                                       GridReducer(code, reduction), resources);
+}
+
+/// Files can rot, be truncated or be overwritten. If a tile turns out to be damaged, the thread that asked
+/// for it reads the picture again, into memory; from then on that pyramid is used. What is shown is either
+/// right or missing, and then trouble() says so.
+class KeptPyramid final : public GridPyramid {
+ public:
+  /// The same pyramid from the picture; null: it can no longer be read.
+  using Again = std::function<std::shared_ptr<const GridPyramid>()>;
+  /// `path`: the file, which is deleted if it is damaged. `told` (may be empty) is called once, on the thread
+  /// that found the damage.
+  KeptPyramid(std::shared_ptr<const GridPyramid> kept, std::string path, Again again,
+              std::function<void(GridDamage)> told);
+
+  int width() const override { return kept_->width(); }
+  int height() const override { return kept_->height(); }
+  int levels() const override { return kept_->levels(); }
+  CellCode code() const override { return kept_->code(); }
+  Reduction reduction() const override { return kept_->reduction(); }
+  const std::array<std::uint8_t, 256>& order() const override { return kept_->order(); }
+  int rowsReady() const override { return kept_->rowsReady(); }
+  std::size_t bytes() const override;
+  std::optional<GridTile> tile(int level, int tile_x, int tile_y) const override;
+  Fault trouble() const override;
+
+ protected:
+  std::optional<GridTile> tileAtHand(int level, int tile_x, int tile_y) const override;
+
+ private:
+  void mend() const;
+
+  std::shared_ptr<const GridPyramid> kept_;
+  std::string path_;
+  mutable Again again_;
+  std::function<void(GridDamage)> told_;
+  mutable std::once_flag once_;
+  mutable std::shared_ptr<const GridPyramid> mended_;  // behind state_
+  enum class State { Whole, Mended, Lost };
+  mutable std::atomic<State> state_{State::Whole};
+};
+
+KeptPyramid::KeptPyramid(std::shared_ptr<const GridPyramid> kept, std::string path, Again again,
+                         std::function<void(GridDamage)> told)
+    : kept_(std::move(kept)), path_(std::move(path)), again_(std::move(again)), told_(std::move(told)) {}
+
+std::size_t KeptPyramid::bytes() const {
+  return kept_->bytes() + (state_.load(std::memory_order_acquire) == State::Mended ? mended_->bytes() : 0);
+}
+
+void KeptPyramid::mend() const {
+  ::unlink(path_.c_str());  // the next time the picture is read at once
+  auto again = std::exchange(again_, nullptr)();
+  const bool same = again && again->complete() && again->width() == width() && again->height() == height() &&
+                    again->code() == code() && again->reduction() == reduction();
+  if (same) mended_ = std::move(again);
+  state_.store(same ? State::Mended : State::Lost, std::memory_order_release);
+  if (told_) told_(same ? GridDamage::Mended : GridDamage::Lost);
+}
+
+std::optional<GridTile> KeptPyramid::tile(int level, int tile_x, int tile_y) const {
+  if (state_.load(std::memory_order_acquire) == State::Mended) return mended_->tile(level, tile_x, tile_y);
+  auto found = kept_->tile(level, tile_x, tile_y);
+  if (!found || !found->damaged) return found;
+  std::call_once(once_, [this] { mend(); });
+  return state_.load(std::memory_order_acquire) == State::Mended ? mended_->tile(level, tile_x, tile_y)
+                                                                 : found;
+}
+
+std::optional<GridTile> KeptPyramid::tileAtHand(int level, int tile_x, int tile_y) const {
+  if (state_.load(std::memory_order_acquire) == State::Mended) return mended_->tile(level, tile_x, tile_y);
+  auto found = kept_->tile(level, tile_x, tile_y);
+  if (found && found->damaged) return std::nullopt;
+  return found;
+}
+
+Fault KeptPyramid::trouble() const {
+  if (state_.load(std::memory_order_acquire) != State::Lost) return {};
+  return fault::CacheCopyLost;
 }
 
 /// Reads the whole picture again into memory. Null: its bytes are no longer available.
 KeptPyramid::Again readAgain(const ByteSource& bytes, const GridOptions& options, CellCode code) {
-  auto again = bytes.again();
-  if (!again) return [] { return nullptr; };
-  return [source = std::make_shared<ByteSource>(std::move(*again)), reading = options.reading, code,
-          reduction = options.reduction, means = options.means]() -> std::shared_ptr<const GridPyramid> {
-    auto rows = openPicture(std::move(*source));
-    if (!rows) return nullptr;
-    RowCells cells((*rows)->format(), reading);
-    const auto builder = builderOf((*rows)->format(), code, reduction, means);
-    for (int row = 0; row < (*rows)->format().height; ++row) {
-      const std::uint8_t* const pixels = (*rows)->next();
-      if (pixels == nullptr) return nullptr;
-      cells.convert(pixels, builder->nextRow());
-      builder->rowWritten();
-    }
-    (*rows)->checkEnd();
-    builder->finish();
-    return !(*rows)->problem().any() ? builder->pyramid() : nullptr;
-  };
+  return
+      [source = std::make_shared<ByteSource>(bytes.again()), reading = options.reading, code,
+       reduction = options.reduction, resources = options.resources]() -> std::shared_ptr<const GridPyramid> {
+        auto rows = openPicture(std::move(*source));
+        if (!rows) return nullptr;
+        RowCells cells((*rows)->format(), reading);
+        const auto builder = builderOf((*rows)->format(), code, reduction, resources);
+        for (int row = 0; row < (*rows)->format().height; ++row) {
+          const std::uint8_t* const pixels = (*rows)->next();
+          if (pixels == nullptr) return nullptr;
+          cells.convert(pixels, builder->nextRow());
+          builder->rowWritten();
+        }
+        (*rows)->checkEnd();
+        builder->finish();
+        return !(*rows)->problem().any() ? builder->pyramid() : nullptr;
+      };
 }
 
 class PictureReading final : public GridReading {
@@ -56,7 +136,7 @@ class PictureReading final : public GridReading {
         cells_(rows_->format(), options.reading),
         code_(code),
         rows_to_judge_(isGray(code) && !options.code ? judgedRows(rows_->format()) : 0),
-        builder_(builderOf(rows_->format(), code, options.reduction, options.means)),
+        builder_(builderOf(rows_->format(), code, options.reduction, options.resources)),
         draft_(keyOf(options, rows_->format(), code)),
         pyramid_(builder_->pyramid()) {
     draft_.begin(builder_->store());
@@ -149,6 +229,30 @@ class PictureReading final : public GridReading {
   bool finished_ = false;
 };
 
+/// Cells as the rows of a gray picture.
+class RowsOfCells final : public PictureRows {
+ public:
+  RowsOfCells(map::OccupancyCells cells, int width, int height) : cells_(std::move(cells)), left_(height) {
+    format_.width = width;
+    format_.height = height;
+    format_.indexed = format_.gray = true;
+    for (std::size_t cell = 0; cell < format_.table.size(); ++cell) {
+      const std::uint8_t gray = std::uint8_t(cell);
+      format_.table[cell] = {gray, gray, gray, 255};
+    }
+  }
+  const PixelFormat& format() const override { return format_; }
+  const std::uint8_t* next() override {
+    if (left_ == 0) return nullptr;
+    return reinterpret_cast<const std::uint8_t*>(cells_->data()) + std::size_t(--left_) * format_.rowBytes();
+  }
+
+ private:
+  map::OccupancyCells cells_;
+  PixelFormat format_;
+  int left_;
+};
+
 /// A picture found in the cache.
 class FinishedReading final : public GridReading {
  public:
@@ -165,13 +269,11 @@ class FinishedReading final : public GridReading {
 };
 
 tl::expected<std::unique_ptr<GridReading>, Fault> openSource(ByteSource bytes, const GridOptions& options) {
-  auto reader = bytes.again();
-  if (!reader) return tl::unexpected(Fault(fault::NotRead, {}, {fault::said(std::strerror(errno))}));
-  auto rows = openPicture(std::move(*reader));
+  auto rows = openPicture(bytes.again());
   if (!rows) return tl::unexpected(std::move(rows.error()));
   const PixelFormat& format = (*rows)->format();
   const SidecarKey key(options, format.width, format.height);
-  if (auto finished = openSidecar(key, options.means.unpacked)) {
+  if (auto finished = openSidecar(key, options.resources.unpacked)) {
     const CellCode code = finished->code();
     return std::make_unique<FinishedReading>(std::make_shared<KeptPyramid>(
         std::move(finished), key.path(), readAgain(bytes, options, code), options.damaged));
@@ -180,9 +282,7 @@ tl::expected<std::unique_ptr<GridReading>, Fault> openSource(ByteSource bytes, c
   if (isGray(code) && !options.code) {
     code = glimpsedCode(**rows, options.reading);
     if (!(*rows)->rewind()) {
-      auto from_the_start = bytes.again();
-      if (!from_the_start) return tl::unexpected(Fault(fault::NotRead));
-      rows = openPicture(std::move(*from_the_start));
+      rows = openPicture(bytes.again());
       if (!rows) return tl::unexpected(std::move(rows.error()));
     }
   }
@@ -194,6 +294,19 @@ tl::expected<std::unique_ptr<GridReading>, Fault> openSource(ByteSource bytes, c
 tl::expected<std::unique_ptr<GridReading>, Fault> openGrid(std::shared_ptr<const std::string> bytes,
                                                            const GridOptions& options) {
   return openSource(ByteSource(std::move(bytes)), options);
+}
+
+tl::expected<std::unique_ptr<GridReading>, Fault> openGrid(const map::OccupancyCells& cells, int width,
+                                                           int height, const GridOptions& options) {
+  if (!cells || width < 1 || height < 1 || cells->size() / std::size_t(width) < std::size_t(height))
+    return tl::unexpected(Fault(fault::PictureEmpty));
+  if (auto problem = whyNotThisSize(std::uint64_t(width), std::uint64_t(height)))
+    return tl::unexpected(std::move(*problem));
+  GridOptions of_cells = options;
+  of_cells.reading = {map::CellReading::Mode::Raw};
+  of_cells.fingerprint.clear();
+  return std::make_unique<PictureReading>(std::make_unique<RowsOfCells>(cells, width, height),
+                                          CellCode::Occupancy, ByteSource(nullptr), of_cells);
 }
 
 tl::expected<std::unique_ptr<GridReading>, Fault> openGridFile(const std::string& path,

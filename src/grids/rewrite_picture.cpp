@@ -11,8 +11,8 @@
 #include "disk/written_file.h"
 #include "grids/byte_source.h"
 #include "grids/faults.h"
+#include "grids/grid_cells.h"
 #include "grids/picture_rows.h"
-#include "grids/picture_shades.h"
 #include "grids/png_writer.h"
 
 namespace mapwright::grids {
@@ -38,40 +38,9 @@ Format formatOf(ByteSource& bytes) {
   return first[0] == 0x89 && first[1] == 'P' ? Format::Png : Format::Other;
 }
 
-/// The rows of a grid; keeps one band of tiles at a time.
-class CellRows {
- public:
-  explicit CellRows(const GridPyramid& cells)
-      : cells_(cells),
-        band_(std::size_t((cells.width() + GridPyramid::kTileEdge - 1) / GridPyramid::kTileEdge)),
-        row_(band_.size() * std::size_t(GridPyramid::kTileEdge)) {}
-  const std::uint8_t* row(int y) {
-    if (y % GridPyramid::kTileEdge == 0) {
-      for (std::size_t x = 0; x < band_.size(); ++x)
-        band_[x] = cells_.tile(0, int(x), y / GridPyramid::kTileEdge);
-    }
-    for (std::size_t x = 0; x < band_.size(); ++x) {
-      std::uint8_t* const out = row_.data() + x * GridPyramid::kTileEdge;
-      if (band_[x]) {
-        std::memcpy(out,
-                    band_[x]->cells.get() + std::size_t(y % GridPyramid::kTileEdge) * GridPyramid::kTileEdge,
-                    GridPyramid::kTileEdge);
-      } else {
-        std::memset(out, unknownByte(cells_.code()), GridPyramid::kTileEdge);
-      }
-    }
-    return row_.data();
-  }
-
- private:
-  const GridPyramid& cells_;
-  std::vector<std::optional<GridTile>> band_;
-  std::vector<std::uint8_t> row_;
-};
-
 std::array<bool, 256> bytesIn(const GridPyramid& cells) {
   std::array<bool, 256> seen{};
-  CellRows rows(cells);
+  GridRows rows(cells);
   for (int y = 0; y < cells.height(); ++y) {
     const std::uint8_t* const row = rows.row(y);
     for (int x = 0; x < cells.width(); ++x) seen[row[x]] = true;
@@ -182,7 +151,7 @@ std::optional<Fault> rewritePicture(const GridPyramid& cells, const std::string&
   const bool keeps = !alpha && pixels.indexed && pixels.gray && !pixels.has_alpha;
   const RowPixels rows(shades, alpha, as_is);
   std::vector<std::uint8_t> out(width * (alpha ? 2 : 1));
-  CellRows wanted(cells);
+  GridRows wanted(cells);
   for (int y = 0; y < cells.height() && good && file.good(); ++y) {
     rows.convert(wanted.row(y), keeps ? (*before)->next() : nullptr, pixels.table, width, out.data());
     if (format == Format::Pgm) {

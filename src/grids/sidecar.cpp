@@ -13,8 +13,9 @@
 #include <unistd.h>
 #include <vector>
 
+#include "disk/read_file.h"
 #include "grids/faults.h"
-#include "grids/reduce_grid.h"
+#include "grids/growing_pyramid.h"
 
 namespace mapwright::grids {
 
@@ -48,27 +49,10 @@ std::uint32_t sumOf(const void* bytes, std::size_t size, std::uint32_t before = 
 std::uint32_t headerSum(const Header& header) { return sumOf(&header, offsetof(Header, sum)); }
 
 bool readAll(int fd, void* out, std::size_t size, std::int64_t at) {
-  auto* bytes = static_cast<std::uint8_t*>(out);
-  while (size > 0) {
-    const ssize_t got = ::pread(fd, bytes, size, at);
-    if (got <= 0) return false;
-    bytes += got;
-    at += got;
-    size -= std::size_t(got);
-  }
-  return true;
+  return disk::readAt(fd, {static_cast<std::uint8_t*>(out), size}, std::uint64_t(at));
 }
-
 bool writeAll(int fd, const void* from, std::size_t size, std::int64_t at) {
-  const auto* bytes = static_cast<const std::uint8_t*>(from);
-  while (size > 0) {
-    const ssize_t written = ::pwrite(fd, bytes, size, at);
-    if (written <= 0) return false;
-    bytes += written;
-    at += written;
-    size -= std::size_t(written);
-  }
-  return true;
+  return disk::writeAt(fd, {static_cast<const std::uint8_t*>(from), size}, std::uint64_t(at));
 }
 
 /// 64-bit FNV-1a; the file contains the whole key, so a collision is a miss and never a wrong map.
@@ -82,34 +66,6 @@ Fault notKept(const std::string& folder, Fault why) {
   return {fault::MapsNotKept, {folder}, {std::move(why)}, Consequence::ReadAnewEachTime};
 }
 
-class SidecarPyramid final : public GridPyramid {
- public:
-  SidecarPyramid(const SidecarKey& key, CellCode code, std::shared_ptr<TileCache> unpacked)
-      : code_(code),
-        reduction_(key.reduction),
-        order_(GridReducer(code, key.reduction).order()),
-        store_(key.width, key.height, code, std::move(unpacked)) {}
-
-  int width() const override { return store_.levels()[0].width; }
-  int height() const override { return store_.levels()[0].height; }
-  int levels() const override { return int(store_.levels().size()); }
-  CellCode code() const override { return code_; }
-  Reduction reduction() const override { return reduction_; }
-  const std::array<std::uint8_t, 256>& order() const override { return order_; }
-  int rowsReady() const override { return height(); }
-  std::size_t bytes() const override { return store_.bytes(); }
-  std::optional<GridTile> tile(int level, int tile_x, int tile_y) const override {
-    return store_.get(level, tile_x, tile_y);
-  }
-  TileStore& store() { return store_; }
-
- private:
-  CellCode code_;
-  Reduction reduction_;
-  std::array<std::uint8_t, 256> order_;
-  TileStore store_;
-};
-
 /// Null if anything in the file is invalid. Takes `fd`.
 std::shared_ptr<const GridPyramid> restored(int fd, const SidecarKey& key,
                                             std::shared_ptr<TileCache> unpacked) {
@@ -121,9 +77,12 @@ std::shared_ptr<const GridPyramid> restored(int fd, const SidecarKey& key,
   good = good && header.width == key.width && header.height == key.height && header.code < kCellCodes &&
          isGray(CellCode(header.code)) == isGray(key.code) &&
          header.reduction == std::uint32_t(key.reduction) && header.key_bytes == key.content.size();
-  const auto pyramid = good
-                           ? std::make_shared<SidecarPyramid>(key, CellCode(header.code), std::move(unpacked))
-                           : std::shared_ptr<SidecarPyramid>();
+  std::shared_ptr<GrowingPyramid> pyramid;
+  if (good) {
+    const CellCode code = CellCode(header.code);
+    pyramid = std::make_shared<GrowingPyramid>(key.width, key.height, code, key.reduction,
+                                               GridReducer(code, key.reduction), std::move(unpacked));
+  }
   good = good && header.index_entries == pyramid->store().levels().back().first + 1;
   const std::uint64_t size = good ? std::uint64_t(kDataOffset) + header.data_bytes + header.key_bytes +
                                         header.index_entries * sizeof(std::uint64_t)
@@ -138,7 +97,10 @@ std::shared_ptr<const GridPyramid> restored(int fd, const SidecarKey& key,
            readAll(fd, index.data(), index_bytes, tail + std::int64_t(content.size())) &&
            header.tail_sum == sumOf(index.data(), index_bytes, sumOf(content.data(), content.size()));
   }
-  if (good && pyramid->store().restore(index, fd, kDataOffset, header.data_bytes, key.salt())) return pyramid;
+  if (good && pyramid->store().restore(index, fd, kDataOffset, header.data_bytes, key.salt())) {
+    pyramid->markComplete();
+    return pyramid;
+  }
   ::close(fd);
   return nullptr;
 }

@@ -7,6 +7,8 @@
 #include <lz4.h>
 #include <unistd.h>
 
+#include "disk/read_file.h"
+
 namespace mapwright::grids {
 
 namespace {
@@ -111,25 +113,13 @@ std::uint8_t* TileStore::reserve(std::size_t size, std::uint64_t& offset) {
 void TileStore::retireChunk() {
   if (!spilling_) return;
   const std::size_t number = chunks_.size() - 1;
-  if (!writeChunk(number, chunks_.back().get(), used_)) {
+  if (!disk::writeAt(fd_, {chunks_.back().get(), used_}, std::uint64_t(data_offset_) + number * kChunk)) {
     spilling_ = false;  // the disk is full: from here on everything stays in memory
     return;
   }
   const std::lock_guard lock(chunks_mutex_);
   chunks_[number].reset();
   --resident_;
-}
-
-bool TileStore::writeChunk(std::size_t number, const std::uint8_t* bytes, std::size_t size) {
-  std::int64_t at = data_offset_ + std::int64_t(number * kChunk);
-  while (size > 0) {
-    const ssize_t written = ::pwrite(fd_, bytes, size, at);
-    if (written <= 0) return false;
-    bytes += written;
-    at += written;
-    size -= std::size_t(written);
-  }
-  return true;
 }
 
 void TileStore::spillTo(int fd, std::int64_t data_offset, std::uint32_t salt) {
@@ -210,15 +200,7 @@ bool TileStore::readBlob(std::uint64_t offset, std::size_t size, std::uint8_t* o
     return true;
   }
   // Reading instead of mapping: a truncated file gives an error instead of a signal.
-  std::int64_t at = data_offset_ + std::int64_t(offset);
-  while (size > 0) {
-    const ssize_t got = ::pread(fd_, out, size, at);
-    if (got <= 0) return false;
-    out += got;
-    at += got;
-    size -= std::size_t(got);
-  }
-  return true;
+  return disk::readAt(fd_, {out, size}, std::uint64_t(data_offset_) + offset);
 }
 
 GridTile TileStore::unpack(std::size_t number, std::uint64_t entry) const {

@@ -67,7 +67,6 @@ class TileStore {
   std::optional<std::size_t> place(int level, int tile_x, int tile_y) const;
   std::uint8_t* reserve(std::size_t size, std::uint64_t& offset);
   void retireChunk();
-  bool writeChunk(std::size_t number, const std::uint8_t* bytes, std::size_t size);
   GridTile unpack(std::size_t number, std::uint64_t entry) const;
   std::uint32_t checksum(std::size_t number, const std::uint8_t* bytes, std::size_t size) const;
   bool readBlob(std::uint64_t offset, std::size_t size, std::uint8_t* out) const;

@@ -111,7 +111,7 @@ QString fileNameFrom(const QString& name) {
   return plain.isEmpty() ? QStringLiteral("map") : plain;
 }
 
-ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, const grids::Means& means) {
+ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, const grids::Resources& means) {
   ExportResult result{request.path, {}, false};
   const Proceed watched = [&](double done) {
     if (proceed && !proceed(done)) result.cancelled = true;

@@ -58,7 +58,7 @@ struct ExportResult {
 
 /// Blocks. `proceed` gets the share done (0..1); false cancels, and no partial file remains.
 ExportResult exportMap(const ExportRequest& request, const std::function<bool(double done)>& proceed,
-                       const grids::Means& means = {});
+                       const grids::Resources& means = {});
 /// Writes a painted picture to a PNG file: completely or not at all; disk::WrittenFile describes which paths
 /// are possible. nullopt = written, otherwise why not.
 std::optional<Fault> writePicture(const QImage& picture, const QString& path);
@@ -98,8 +98,8 @@ class ExportJob : public QObject {
  private:
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
   bool running_ = false;
-  grids::Means means_;
-  work::Share share_;  // last member: waits for running work
+  grids::Resources means_;
+  work::Tasks share_;  // last member: waits for running work
 };
 
 }  // namespace mapwright::jobs

@@ -39,7 +39,7 @@ class Cropping : public QObject {
   }
 
  private:
-  work::Share share_;  // last member: waits for running work
+  work::Tasks share_;  // last member: waits for running work
 };
 
 }  // namespace

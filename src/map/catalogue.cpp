@@ -1,5 +1,7 @@
 #include "map/catalogue.h"
 
+#include <algorithm>
+
 namespace mapwright::map {
 namespace {
 
@@ -38,6 +40,18 @@ MapKey mapKeyFromText(const std::string& text) {
   if (text == "file") return {MapKind::File, {}};
   if (text.starts_with("mapping:")) return {MapKind::Mapping, text.substr(8)};
   return {MapKind::Stored, text};
+}
+
+const CatalogueEntry* entryOf(const std::vector<CatalogueEntry>& entries, const MapKey& key) {
+  const auto found =
+      std::find_if(entries.begin(), entries.end(), [&](const auto& row) { return row.key == key; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+const CatalogueEntry* currentOf(const std::vector<CatalogueEntry>& entries) {
+  const auto found =
+      std::find_if(entries.begin(), entries.end(), [](const auto& row) { return row.is_current; });
+  return found == entries.end() ? nullptr : &*found;
 }
 
 }  // namespace mapwright::map

@@ -56,6 +56,10 @@ struct CatalogueEntry {
   bool is_archived = false;  // archived: kept, but must be restored before it can be used
 };
 
+/// The entry with this key, and the one that the robot uses; nullptr if there is none.
+const CatalogueEntry* entryOf(const std::vector<CatalogueEntry>& entries, const MapKey& key);
+const CatalogueEntry* currentOf(const std::vector<CatalogueEntry>& entries);
+
 /// How the bytes of a picture are converted to cells. Source: ROS map_server / nav2 map_io.
 struct CellReading {
   enum class Mode {
@@ -77,11 +81,13 @@ struct WholeMap {
   std::string name;
   GridReference grid;  // width and height as declared; the picture's own size takes precedence
   CellReading reading;
-  std::shared_ptr<const std::string> bytes;  // the picture file (PNG, PGM, BMP); null if `path` is set
-  std::string path;                          // a local picture file
-  std::size_t body_bytes = 0;                // of the answer with the picture; 0 = not from a robot
-  bool from_cache = false;                   // nothing was transferred: disk cache, or 304
-  std::string fingerprint;  // identifies exactly this content, for side-car files; empty = none
+  /// One of these: the picture file (PNG, PGM, BMP), where it is, or the cells themselves.
+  std::shared_ptr<const std::string> bytes;
+  std::string path;
+  OccupancyCells cells;
+  std::size_t body_bytes = 0;  // of the answer with the picture; 0 = not from a robot
+  bool from_cache = false;     // nothing was transferred: disk cache, or 304
+  std::string fingerprint;     // identifies exactly this content, for side-car files; empty = none
   std::optional<double> display_rotation_rad;              // a hint from the robot, never part of coordinates
   std::vector<Problem> notes;                              // what is odd about it
   std::vector<std::vector<Eigen::Vector2d>> trajectories;  // of a mapping, world metres

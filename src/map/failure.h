@@ -70,4 +70,11 @@ inline bool isUnreadable(const Failure& failure) {
   return failure.kind == FailureKind::MalformedAnswer || failure.kind == FailureKind::NotARobot;
 }
 
+/// The server has a problem of its own (HTTP 500 to 599) that is unrelated to the request: a repetition may
+/// succeed.
+inline bool mayPass(const Failure& failure) {
+  return failure.kind == FailureKind::RejectedByRobot && failure.robot_code.size() == 3 &&
+         failure.robot_code.front() == '5';
+}
+
 }  // namespace mapwright::map

@@ -2,7 +2,10 @@
 // the map shows", ROS map_server (origin).
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "fault/fault.h"
 #include "geometry/pose.h"
@@ -25,6 +28,10 @@ struct GridReference {
   /// Axis-aligned bounds of the whole grid; empty without cells.
   geometry::WorldRect bounds() const;
 };
+
+/// Cells as ROS sends them: row 0 = bottom; -1 unknown, 0 free .. 100 occupied. As many as the grid's width
+/// and height say.
+using OccupancyCells = std::shared_ptr<const std::vector<std::int8_t>>;
 
 /// nullopt if the reference is valid; otherwise why not: "Its resolution is 0, which is not a valid cell
 /// size." A width and height of 0 are fine. Invalid: a resolution that is not finite, not positive, below 0.1

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "map/fold.h"
+#include "map/world.h"
 
 namespace mapwright::map {
 namespace {
@@ -45,22 +45,39 @@ bool sameContent(const std::shared_ptr<const T>& a, const std::shared_ptr<const 
   return a == b || (a && b && *a == *b);
 }
 
+/// Where the state holds what a message says, and what it says: of messages that replace it as a whole.
+auto kept(auto& state, const RobotModel& said) { return std::tie(state.model, said); }
+auto kept(auto& state, const SlamStatus& said) { return std::tie(state.slam, said); }
+auto kept(auto& state, const PathMessage& said) { return std::tie(state.path, said.points); }
+auto kept(auto& state, const LocalPathMessage& said) { return std::tie(state.local_path, said); }
+auto kept(auto& state, const TrajectoryMessage& said) { return std::tie(state.trajectory, said.points); }
+auto kept(auto& state, const PlanningState& said) { return std::tie(state.planning, said); }
+auto kept(auto& state, const BatteryState& said) { return std::tie(state.battery, said); }
+auto kept(auto& state, const WheelState& said) { return std::tie(state.wheels, said); }
+auto kept(auto& state, const SensorState& said) { return std::tie(state.sensors, said); }
+auto kept(auto& state, const NearbyRobotsMessage& said) { return std::tie(state.nearby_robots, said.robots); }
+auto kept(auto& state, const LandmarksMessage& said) { return std::tie(state.landmarks, said.landmarks); }
+auto kept(auto& state, const AutoDoorsMessage& said) { return std::tie(state.doors, said.doors); }
+auto kept(auto& state, const PalletsMessage& said) { return std::tie(state.pallets, said.pallets); }
+auto kept(auto& state, const RackMessage& said) { return std::tie(state.racks, said.racks); }
+auto kept(auto& state, const ConstraintsMessage& said) { return std::tie(state.constraints, said); }
+auto kept(auto& state, const GlobalPositioning& said) { return std::tie(state.global_positioning, said); }
+auto kept(auto& state, const BarcodeMessage& said) { return std::tie(state.barcode, said); }
+
 struct Reducer {
   LiveState& state;
   double at_s;
 
+  void operator()(const auto& message) {
+    const auto [place, said] = kept(state, message);
+    place = said;
+  }
   void operator()(const TrackedPose& tracked) {
     state.robot_pose = tracked.pose;
     extendTrail(state.trail, {tracked.pose.x_m, tracked.pose.y_m}, at_s);
   }
-  void operator()(const RobotModel& model) { state.model = model; }
-  void operator()(const SlamStatus& slam) { state.slam = slam; }
   void operator()(const GridMessage& grid) { state.grids[grid.kind] = grid; }
   void operator()(const PointCloudMessage& cloud) { state.clouds[cloud.topic] = cloud.points; }
-  void operator()(const PathMessage& path) { state.path = path.points; }
-  void operator()(const LocalPathMessage& path) { state.local_path = path; }
-  void operator()(const TrajectoryMessage& trajectory) { state.trajectory = trajectory.points; }
-  void operator()(const PlanningState& planning) { state.planning = planning; }
   void operator()(const MapInfo& info) {
     if (state.map_info && otherMap(*state.map_info, info)) state = inNewFrame(std::move(state), false);
     state.map_info = info;
@@ -68,24 +85,13 @@ struct Reducer {
   void operator()(const AlertsMessage& alerts) {
     state.alerts = withTimes(state.alerts, alerts.alerts, at_s);
   }
-  void operator()(const BatteryState& battery) { state.battery = battery; }
-  void operator()(const WheelState& wheels) { state.wheels = wheels; }
-  void operator()(const SensorState& sensors) { state.sensors = sensors; }
-  void operator()(const NearbyRobotsMessage& nearby) { state.nearby_robots = nearby.robots; }
   void operator()(const NearbyFootprintsMessage& nearby) {
     for (const auto& [digest, outline] : nearby.by_digest) state.nearby_footprints[digest] = outline;
   }
-  void operator()(const LandmarksMessage& landmarks) { state.landmarks = landmarks.landmarks; }
-  void operator()(const AutoDoorsMessage& doors) { state.doors = doors.doors; }
-  void operator()(const PalletsMessage& pallets) { state.pallets = pallets.pallets; }
-  void operator()(const RackMessage& racks) { state.racks = racks.racks; }
   void operator()(const SeenObjectsMessage& seen) {
     state.seen_objects = seen.objects;
     state.drawings = seen.drawings;
   }
-  void operator()(const ConstraintsMessage& constraints) { state.constraints = constraints; }
-  void operator()(const GlobalPositioning& positioning) { state.global_positioning = positioning; }
-  void operator()(const BarcodeMessage& barcode) { state.barcode = barcode; }
   void operator()(const SubmapList& list) {
     if (list.uuid.empty() || list.uuid == state.session_uuid) return;
     if (!state.session_uuid.empty()) {
@@ -94,6 +100,51 @@ struct Reducer {
     state.session_uuid = list.uuid;
   }
   void operator()(const UnreadableMessage&) {}
+};
+
+struct Comparer {
+  const LiveState& state;
+
+  template <typename K, typename V>
+  static const V* at(const std::map<K, V>& values, const K& key) {
+    const auto found = values.find(key);
+    return found == values.end() ? nullptr : &found->second;
+  }
+
+  bool operator()(const auto& message) const {
+    const auto [place, said] = kept(state, message);
+    return place == said;
+  }
+  bool operator()(const TrackedPose& tracked) const { return state.robot_pose == tracked.pose; }
+  bool operator()(const GridMessage& grid) const {
+    const GridMessage* const held = at(state.grids, grid.kind);
+    return held && *held == grid;
+  }
+  bool operator()(const PointCloudMessage& cloud) const {
+    const auto* const held = at(state.clouds, cloud.topic);
+    return held && PointCloudMessage{cloud.topic, *held} == cloud;
+  }
+  bool operator()(const MapInfo& info) const { return state.map_info == info; }
+  bool operator()(const AlertsMessage& alerts) const {
+    // Those of the state are sorted by time.
+    return state.alerts.size() == alerts.alerts.size() &&
+           std::is_permutation(state.alerts.begin(), state.alerts.end(), alerts.alerts.begin(),
+                               [](const Alert& a, const Alert& b) {
+                                 return a.code == b.code && a.level == b.level && a.text == b.text;
+                               });
+  }
+  bool operator()(const NearbyFootprintsMessage& nearby) const {
+    return std::all_of(nearby.by_digest.begin(), nearby.by_digest.end(), [&](const auto& entry) {
+      const Polyline* const held = at(state.nearby_footprints, entry.first);
+      return held && *held == entry.second;
+    });
+  }
+  bool operator()(const SeenObjectsMessage& seen) const {
+    return state.seen_objects == seen.objects && state.drawings == seen.drawings;
+  }
+  // The state does not contain them.
+  bool operator()(const SubmapList&) const { return false; }
+  bool operator()(const UnreadableMessage&) const { return false; }
 };
 
 }  // namespace
@@ -160,6 +211,21 @@ void reduceInto(LiveState& state, const TopicMessage& message, double at_s) {
 LiveState reduce(LiveState state, const TopicMessage& message, double at_s) {
   reduceInto(state, message, at_s);
   return state;
+}
+
+bool repeats(const LiveState& state, const TopicMessage& message) {
+  return std::visit(Comparer{state}, message);
+}
+
+bool isJump(const TrailPoint& before, const TrailPoint& after) {
+  const double way_m = (after.position_m - before.position_m).norm();
+  return way_m > kJumpM && way_m > kJumpMPerS * std::max(after.at_s - before.at_s, 0.0);
+}
+
+bool isWayKnown(const TrailPoint& before, const TrailPoint& after) {
+  const bool unheard =
+      after.at_s - before.at_s > kUnheardS && (after.position_m - before.position_m).norm() > kUnheardM;
+  return !unheard && !isJump(before, after);
 }
 
 }  // namespace mapwright::map

@@ -25,7 +25,7 @@ struct TrailPoint {
 };
 
 /// Everything known about the robot's world at present. Value type, cheap to copy since its large parts are
-/// shared and immutable; submap::SubmapBook handles submap lists.
+/// shared and immutable; submap::SubmapStore handles submap lists.
 /// Coordinates are those of a frame, which changes with the SLAM session (the uuid of the submap list) and
 /// with the map (the uid in MapInfo, or its name if there is no uid). Everything with coordinates in the old
 /// frame is then dropped: the pose and the trail, pictures, points, paths, targets, landmarks, doors, boxes,
@@ -75,5 +75,18 @@ LiveState inNewFrame(LiveState state, bool map_stays);
 /// The state after `message`, which arrived at `at_s` (seconds since the epoch; the bag's time in a replay).
 /// Messages that are not part of the state leave it unchanged.
 LiveState reduce(LiveState state, const TopicMessage& message, double at_s);
+
+/// `message` adds nothing to `state`: nobody who looks at the state sees a difference. Times of alerts do not
+/// count.
+bool repeats(const LiveState& state, const TopicMessage& message);
+
+/// A robot that appears to be faster was moved: its position jumped.
+constexpr double kJumpM = 0.5, kJumpMPerS = 5;
+bool isJump(const TrailPoint& before, const TrailPoint& after);
+
+/// After such a pause and distance the robot may have taken any path.
+constexpr double kUnheardM = 1, kUnheardS = 5;
+/// No jump and no long pause.
+bool isWayKnown(const TrailPoint& before, const TrailPoint& after);
 
 }  // namespace mapwright::map

@@ -35,8 +35,7 @@ struct CloudRegion {
 struct GridPart {
   std::string frame;  // without leading slash; empty = not given
   GridReference grid;
-  std::shared_ptr<const std::vector<std::int8_t>>
-      cells;                 // row 0 = bottom; -1 unknown, 0 free .. 100 occupied
+  OccupancyCells cells;
   std::vector<Fault> notes;  // what is odd about it
 };
 
@@ -63,5 +62,13 @@ struct Projection {
   double min_z_m = 0, max_z_m = 0;
   bool operator==(const Projection&) const = default;
 };
+
+/// Why a projection would not be sent to a robot.
+enum class ProjectionFlaw { None, NotFinite, TooFar, WithoutSize, HeightsCrossed };
+ProjectionFlaw flawOf(const Projection& projection);
+
+/// How many of `told` differ from `wanted` by more than rounding to grid cells; missing and extra ones count
+/// as well.
+int differing(const std::vector<Projection>& wanted, const std::vector<Projection>& told);
 
 }  // namespace mapwright::map

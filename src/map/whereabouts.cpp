@@ -5,18 +5,6 @@
 namespace mapwright::map {
 namespace {
 
-const CatalogueEntry* find(const std::vector<CatalogueEntry>& catalogue, const MapKey& key) {
-  const auto found =
-      std::find_if(catalogue.begin(), catalogue.end(), [&](const auto& row) { return row.key == key; });
-  return found == catalogue.end() ? nullptr : &*found;
-}
-
-const CatalogueEntry* currentOf(const std::vector<CatalogueEntry>& catalogue) {
-  const auto found =
-      std::find_if(catalogue.begin(), catalogue.end(), [](const auto& row) { return row.is_current; });
-  return found == catalogue.end() ? nullptr : &*found;
-}
-
 bool maps(const LiveState& live) { return live.slam.state == "slam"; }
 
 Whereabouts hereIf(bool here) { return here ? Whereabouts::Here : Whereabouts::Elsewhere; }
@@ -26,7 +14,7 @@ Whereabouts hereIf(bool here) { return here ? Whereabouts::Here : Whereabouts::E
 Whereabouts whereabouts(const MapKey& key, const std::string& name, const LiveState& live,
                         const std::vector<CatalogueEntry>& catalogue, bool maps_afresh) {
   if (key.kind == MapKind::Live) return Whereabouts::Here;
-  const CatalogueEntry* const shown = find(catalogue, key);
+  const CatalogueEntry* const shown = entryOf(catalogue, key);
   if (key.kind == MapKind::Mapping && maps(live) && shown && shown->state == "running")
     return Whereabouts::Here;
   if (key.kind == MapKind::File)

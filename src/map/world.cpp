@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "map/fold.h"
-
 namespace mapwright::map {
 
 void reduceInto(World& world, const TopicMessage& message, double at_s) {

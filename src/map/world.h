@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "map/live_state.h"
-#include "map/stamped_message.h"
+#include "map/live_topics.h"
 #include "map/submap.h"
 
 namespace mapwright::map {
@@ -24,5 +24,11 @@ struct World {
 /// The world after `message`. Stamps may go backwards (clocks are set back, recordings are merged): parts
 /// that would then be newer than the world itself, such as the end of the trail, are removed.
 World reduce(World world, const StampedMessage& message);
+
+/// The same in place, for many messages. `message` arrived at `at_s` (seconds since the epoch).
+void reduceInto(World& world, const TopicMessage& message, double at_s);
+
+/// The same for messages other than submap lists.
+void reduceInto(LiveState& state, const TopicMessage& message, double at_s);
 
 }  // namespace mapwright::map

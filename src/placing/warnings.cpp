@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "map/live_topics.h"
-#include "map/temporary_name.h"
+#include "map/waypoint.h"
 
 namespace mapwright::placing {
 namespace {

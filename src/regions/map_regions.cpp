@@ -5,15 +5,13 @@
 #include <cmath>
 
 #include "grids/faults.h"
-#include "regions/region_answer.h"
 
 namespace mapwright::regions {
 namespace {
 
-using Kind = RegionRequest::Kind;
-
 constexpr double kMostCovered = 4096;    // regions that one answer may cover
 constexpr std::size_t kMostRows = 8192;  // regions with any information
+constexpr double kRoundingCells = 2;     // the effect of edge cells or a margin on a rectangle
 
 RegionTrouble misplaced(Misfit misfit) { return {RegionTrouble::Kind::Misplaced, {}, misfit}; }
 
@@ -29,6 +27,27 @@ Eigen::Vector2d anchorOf(const map::GridReference& grid) {
 }
 
 }  // namespace
+
+geometry::WorldRect commonGround(const map::GridReference& answer, const geometry::WorldRect& asked) {
+  return answer.origin.yaw_rad == 0 ? common(answer.bounds(), asked) : geometry::WorldRect{};
+}
+
+bool liesElsewhere(const map::GridReference& answer, const geometry::WorldRect& asked) {
+  // In the grid's axes: for a rotated grid, the surroundings of the region are a correct answer, too.
+  const geometry::Pose2 to_grid = answer.origin.inverse();
+  geometry::WorldRect around;
+  for (const double x : {asked.min_x, asked.max_x}) {
+    for (const double y : {asked.min_y, asked.max_y}) around.extend(to_grid.apply({x, y}));
+  }
+  const double wide = answer.width * answer.resolution_m, high = answer.height * answer.resolution_m;
+  const double touch = answer.resolution_m * 0.01;
+  if (common({0, 0, wide, high}, around).grown(-touch / 2).empty()) return true;
+  const double rounding = kRoundingCells * answer.resolution_m;
+  const bool as_large =
+      std::abs(wide - around.width()) <= rounding && std::abs(high - around.height()) <= rounding;
+  const Eigen::Vector2d beside = Eigen::Vector2d(wide / 2, high / 2) - around.center();
+  return as_large && beside.cwiseAbs().maxCoeff() > rounding;
+}
 
 MapRegions::MapRegions(Options options) : options_(options), plan_(options.plan) {}
 
@@ -66,7 +85,7 @@ void MapRegions::place(const RegionRequest& request, const map::GridPart& part, 
   const map::GridReference& grid = part.grid;
   if (grid.width == 0 || grid.height == 0) {
     if (tellsCells(grid)) plan_.setCells(grid.resolution_m, anchorOf(grid));
-    if (request.kind == Kind::Square || request.kind == Kind::Part) forgetOld(request, change);
+    forgetOld(request, change);
     plan_.answered(request.id, true);
     return;
   }
@@ -76,10 +95,9 @@ void MapRegions::place(const RegionRequest& request, const map::GridPart& part, 
   }
   const geometry::WorldRect bounds = grid.bounds();
   const bool elsewhere = liesElsewhere(grid, request.rect);
-  plan_.gave(grid.width, grid.height);
+  plan_.gave(grid);
   plan_.setCells(grid.resolution_m, anchorOf(grid));
-  // If the map has become smaller, nothing of the old one must stay.
-  if (request.isOfSquare() && !elsewhere) forgetOld(request, change);
+  if (!elsewhere) forgetOld(request, change);
   cells_.put(part);
   for (const Fault& note : part.notes) {
     const auto* const count = note.code == grids::fault::RosCellsOutOfRange && !note.arguments.empty()
@@ -88,28 +106,12 @@ void MapRegions::place(const RegionRequest& request, const map::GridPart& part, 
     if (count) odd_cells_ += *count;
   }
   change.cells.extend(bounds);
-  if (elsewhere && request.isOfSquare()) {
+  if (elsewhere && !request.is_first) {
     plan_.failed(request.id, {RegionTrouble::Kind::Elsewhere, {}, Misfit::None}, now);
   } else {
     plan_.answered(request.id, false, commonGround(grid, request.rect));
   }
   noteCovered(request, grid);
-  noteAim(request, grid, elsewhere);
-}
-
-void MapRegions::noteAim(const RegionRequest& request, const map::GridReference& grid, bool elsewhere) {
-  const bool aimed = !request.aim.isZero();
-  if (reading_ == Reading::Suspected && aimed) {
-    // The next answer decides: if that is displaced as well, requests are not adjusted.
-    reading_ = elsewhere ? Reading::Given : Reading::Corner;
-    if (elsewhere) plan_.aim({0, 0});
-  } else if (reading_ == Reading::NotKnown && elsewhere) {
-    const auto aim = aimAgainst(grid, request.rect);
-    if (!aim) return;
-    reading_ = Reading::Suspected;
-    plan_.aim(*aim);
-    plan_.retryNow();
-  }
 }
 
 bool MapRegions::holdsAnyOf(const geometry::WorldRect& rect) const {
@@ -118,15 +120,10 @@ bool MapRegions::holdsAnyOf(const geometry::WorldRect& rect) const {
 }
 
 void MapRegions::forgetOld(const RegionRequest& request, Change& change) {
-  if (!plan_.isOfThisCut(request.id)) return;
-  const RegionRow& row = plan_.row(request.key);
-  const bool some_is_new = row.came_in == request.round && !row.came.empty();
-  // The part of a margin that overlaps the next square belongs there.
-  const geometry::WorldRect own = common(plan_.lattice().rectOf(request.key), request.rect);
-  for (const geometry::WorldRect& rect :
-       some_is_new ? without(own, row.came) : std::vector<geometry::WorldRect>{own}) {
-    if (cells_.forget(rect)) change.cells.extend(rect);
-  }
+  if (request.is_first || !plan_.isOfThisCut(request.id)) return;
+  // All of its square, though less was asked for: the map may have become smaller.
+  const geometry::WorldRect own = plan_.squareOf(request.key);
+  if (cells_.forget(own)) change.cells.extend(own);
 }
 
 void MapRegions::noteCovered(const RegionRequest& request, const map::GridReference& grid) {

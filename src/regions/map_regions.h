@@ -27,6 +27,12 @@ struct RegionCounts {
   bool operator==(const RegionCounts&) const = default;
 };
 
+/// An answer lies elsewhere if it does not overlap `asked` at all, or has the same size but is displaced.
+/// Clipped, padded or larger answers do not.
+bool liesElsewhere(const map::GridReference& answer, const geometry::WorldRect& asked);
+/// The overlap; empty for a rotated answer.
+geometry::WorldRect commonGround(const map::GridReference& answer, const geometry::WorldRect& asked);
+
 class MapRegions {
  public:
   struct Options {
@@ -64,9 +70,6 @@ class MapRegions {
   std::optional<RegionView> at(const Eigen::Vector2d& world_m) const;
   /// How many cells a map of `rect` would have; nullopt while the cell size is unknown.
   std::optional<double> cellsOf(const geometry::WorldRect& rect) const;
-  /// The robot takes the requested position as a corner of the region instead of its centre, and requests are
-  /// adjusted to that.
-  bool asksForCorners() const { return reading_ == Reading::Corner; }
   /// Cells of its answers outside the range -1 to 100, as counted by the adapter.
   std::int64_t oddCells() const { return odd_cells_; }
   /// At least one received cell is in `rect`.
@@ -77,19 +80,14 @@ class MapRegions {
  private:
   RegionView viewOf(const RegionKey& key) const;
   void place(const RegionRequest& request, const map::GridPart& part, Millis now, Change& change);
-  /// Drops the cells of the requested area, except those received since everything was requested again.
+  /// If the map has become smaller, nothing of the old one must stay.
   void forgetOld(const RegionRequest& request, Change& change);
   void noteCovered(const RegionRequest& request, const map::GridReference& grid);
   void keepToBudget(Change& change);
-  /// Learns how the robot interprets positions, if its answers are displaced in a way that can be
-  /// compensated.
-  void noteAim(const RegionRequest& request, const map::GridReference& grid, bool elsewhere);
 
   Options options_;
   RegionPlan plan_;
   RegionCells cells_;
-  enum class Reading { NotKnown, Suspected, Corner, Given };  // Given: not corners, or nothing helps
-  Reading reading_ = Reading::NotKnown;
   std::int64_t odd_cells_ = 0;
 };
 

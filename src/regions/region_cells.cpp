@@ -43,12 +43,6 @@ bool RegionCells::forget(const geometry::WorldRect& rect) {
   return any;
 }
 
-void RegionCells::clear() {
-  sheets_.clear();
-  frame_.clear();
-  reach_ = {};
-}
-
 std::size_t RegionCells::bytes() const {
   std::size_t bytes = 0;
   for (const auto& sheet : sheets_) bytes += sheet->bytes();

@@ -34,7 +34,6 @@ class RegionCells {
   bool put(const map::GridPart& part);
   /// Drops everything in `rect`. True if there was anything.
   bool forget(const geometry::WorldRect& rect);
-  void clear();
 
   /// The one written last is at the end.
   const std::vector<std::shared_ptr<RegionSheet>>& sheets() const { return sheets_; }

@@ -43,11 +43,8 @@ CellBox boxOf(const RegionSheet& sheet, const geometry::WorldRect& rect, CutEdge
 
 std::int64_t tilesIn(const RegionSheet& sheet, const CellBox& box) {
   std::int64_t count = 0;
-  for (int y = box.top / grids::GridPyramid::kTileEdge;
-       !box.empty() && y <= box.bottom / grids::GridPyramid::kTileEdge; ++y) {
-    for (int x = box.left / grids::GridPyramid::kTileEdge; x <= box.right / grids::GridPyramid::kTileEdge;
-         ++x)
-      count += sheet.tile(0, x, y).has_value();
+  for (int y = box.top / kTile; !box.empty() && y <= box.bottom / kTile; ++y) {
+    for (int x = box.left / kTile; x <= box.right / kTile; ++x) count += sheet.tile(0, x, y).has_value();
   }
   return count;
 }
@@ -61,18 +58,14 @@ class CutGrid final : public grids::GridPyramid {
         rect_(rect),
         of_sheet_(sheet.reference()),
         trimmed_(of_sheet_.origin.yaw_rad != 0 && edge == CutEdge::Middles) {
-    for (int y = box.top / grids::GridPyramid::kTileEdge; y <= box.bottom / grids::GridPyramid::kTileEdge;
-         ++y) {
-      for (int x = box.left / grids::GridPyramid::kTileEdge; x <= box.right / grids::GridPyramid::kTileEdge;
-           ++x) {
+    for (int y = box.top / kTile; y <= box.bottom / kTile; ++y) {
+      for (int x = box.left / kTile; x <= box.right / kTile; ++x) {
         const auto tile = sheet.tile(0, x, y);
         from_.push_back(tile ? tile->cells : nullptr);
         held_ += tile.has_value();
       }
     }
-    while (levelWidth(levels_ - 1) > grids::GridPyramid::kTileEdge ||
-           levelHeight(levels_ - 1) > grids::GridPyramid::kTileEdge)
-      ++levels_;
+    while (levelWidth(levels_ - 1) > kTile || levelHeight(levels_ - 1) > kTile) ++levels_;
   }
 
   int width() const override { return box_.width(); }
@@ -87,9 +80,8 @@ class CutGrid final : public grids::GridPyramid {
     return (held_ + made_.size()) * kSheetTileBytes;
   }
   std::optional<grids::GridTile> tile(int level, int tile_x, int tile_y) const override {
-    if (level < 0 || level >= levels_ || tile_x < 0 || tile_y < 0 ||
-        tile_x * grids::GridPyramid::kTileEdge >= levelWidth(level) ||
-        tile_y * grids::GridPyramid::kTileEdge >= levelHeight(level))
+    if (level < 0 || level >= levels_ || tile_x < 0 || tile_y < 0 || tile_x * kTile >= levelWidth(level) ||
+        tile_y * kTile >= levelHeight(level))
       return std::nullopt;
     return grids::GridTile{cellsOf(level, tile_x, tile_y), false, false};
   }
@@ -119,24 +111,16 @@ class CutGrid final : public grids::GridPyramid {
   /// A tile of level 0 overlaps up to four of the sheet.
   Cells taken(int x, int y) const {
     const auto cells = unknown();
-    const int first_x = box_.left / grids::GridPyramid::kTileEdge,
-              first_y = box_.top / grids::GridPyramid::kTileEdge,
-              across = box_.right / grids::GridPyramid::kTileEdge - first_x + 1;
-    const int right = std::min(box_.right, box_.left + (x + 1) * grids::GridPyramid::kTileEdge - 1),
-              bottom = std::min(box_.bottom, box_.top + (y + 1) * grids::GridPyramid::kTileEdge - 1);
-    for (int v = box_.top + y * grids::GridPyramid::kTileEdge; v <= bottom; ++v) {
-      std::uint8_t* out = cells.get() + std::size_t(v - box_.top - y * grids::GridPyramid::kTileEdge) *
-                                            grids::GridPyramid::kTileEdge;
-      for (int u = box_.left + x * grids::GridPyramid::kTileEdge; u <= right;) {
-        const int end = std::min(right,
-                                 (u / grids::GridPyramid::kTileEdge + 1) * grids::GridPyramid::kTileEdge - 1),
-                  count = end - u + 1;
-        const Cells& from = from_[std::size_t((v / grids::GridPyramid::kTileEdge - first_y) * across +
-                                              u / grids::GridPyramid::kTileEdge - first_x)];
-        if (from)
-          take(from.get() + std::size_t(v % grids::GridPyramid::kTileEdge) * grids::GridPyramid::kTileEdge +
-                   u % grids::GridPyramid::kTileEdge,
-               out, count, u, v);
+    const int first_x = box_.left / kTile, first_y = box_.top / kTile,
+              across = box_.right / kTile - first_x + 1;
+    const int right = std::min(box_.right, box_.left + (x + 1) * kTile - 1),
+              bottom = std::min(box_.bottom, box_.top + (y + 1) * kTile - 1);
+    for (int v = box_.top + y * kTile; v <= bottom; ++v) {
+      std::uint8_t* out = cells.get() + std::size_t(v - box_.top - y * kTile) * kTile;
+      for (int u = box_.left + x * kTile; u <= right;) {
+        const int end = std::min(right, (u / kTile + 1) * kTile - 1), count = end - u + 1;
+        const Cells& from = from_[std::size_t((v / kTile - first_y) * across + u / kTile - first_x)];
+        if (from) take(from.get() + std::size_t(v % kTile) * kTile + u % kTile, out, count, u, v);
         out += count;
         u = end + 1;
       }
@@ -155,21 +139,14 @@ class CutGrid final : public grids::GridPyramid {
     for (int down = 0; down < 2; ++down) {
       for (int across = 0; across < 2; ++across) {
         const int finer_x = 2 * x + across, finer_y = 2 * y + down;
-        const int wide = std::min(grids::GridPyramid::kTileEdge,
-                                  levelWidth(level - 1) - finer_x * grids::GridPyramid::kTileEdge),
-                  high = std::min(grids::GridPyramid::kTileEdge,
-                                  levelHeight(level - 1) - finer_y * grids::GridPyramid::kTileEdge);
+        const int wide = std::min(kTile, levelWidth(level - 1) - finer_x * kTile),
+                  high = std::min(kTile, levelHeight(level - 1) - finer_y * kTile);
         if (wide <= 0 || high <= 0) continue;
         const Cells finer = cellsOf(level - 1, finer_x, finer_y);
         for (int row = 0; row < (high + 1) / 2; ++row) {
-          const std::uint8_t* const upper =
-              finer.get() + std::size_t(row) * 2 * grids::GridPyramid::kTileEdge;
-          reducer_.reduceRow(upper, 2 * row + 1 < high ? upper + grids::GridPyramid::kTileEdge : upper,
-                             std::size_t(wide),
-                             cells.get() +
-                                 std::size_t(row + down * grids::GridPyramid::kTileEdge / 2) *
-                                     grids::GridPyramid::kTileEdge +
-                                 across * grids::GridPyramid::kTileEdge / 2);
+          const std::uint8_t* const upper = finer.get() + std::size_t(row) * 2 * kTile;
+          reducer_.reduceRow(upper, 2 * row + 1 < high ? upper + kTile : upper, std::size_t(wide),
+                             cells.get() + std::size_t(row + down * kTile / 2) * kTile + across * kTile / 2);
         }
       }
     }

@@ -1,7 +1,7 @@
 #include "regions/region_fetch.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -18,11 +18,6 @@ RegionMap::Options mapOptions(const RegionFetch::Options& options, const geometr
   return of_map;
 }
 
-std::string pgmHead(int width, int height) {
-  return "P5\n" + std::to_string(width) + ' ' + std::to_string(height) + "\n255\n";
-}
-char pgmByte(std::uint8_t cell) { return char(cell <= 100 ? cell : grids::kUnknownOccupancy); }
-
 }  // namespace
 
 Misfit flawOf(const map::GridPart& part) {
@@ -32,40 +27,15 @@ Misfit flawOf(const map::GridPart& part) {
   return all ? Misfit::None : Misfit::FewerCells;
 }
 
-std::string pgmOf(const map::GridPart& part) {
-  const std::size_t width = std::size_t(part.grid.width), height = std::size_t(part.grid.height);
-  std::string pgm = pgmHead(part.grid.width, part.grid.height);
-  pgm.reserve(pgm.size() + width * height);
-  for (std::size_t row = height; row-- > 0;) {
-    const std::int8_t* const cells = part.cells->data() + row * width;
-    for (std::size_t column = 0; column < width; ++column)
-      pgm.push_back(pgmByte(std::uint8_t(cells[column])));
+map::OccupancyCells cellsOf(const grids::GridPyramid& grid) {
+  auto cells = std::make_shared<std::vector<std::int8_t>>();
+  const std::size_t width = std::size_t(grid.width());
+  cells->resize(width * std::size_t(grid.height()));
+  grids::GridRows rows(grid);
+  for (int y = 0; y < grid.height(); ++y) {
+    std::memcpy(cells->data() + std::size_t(grid.height() - 1 - y) * width, rows.row(y), width);
   }
-  return pgm;
-}
-
-std::string pgmOf(const grids::GridPyramid& cells) {
-  std::string pgm = pgmHead(cells.width(), cells.height());
-  const std::size_t head = pgm.size(), width = std::size_t(cells.width());
-  pgm.resize(head + width * std::size_t(cells.height()), char(grids::kUnknownOccupancy));
-  for (int y = 0; y * grids::GridPyramid::kTileEdge < cells.height(); ++y) {
-    for (int x = 0; x * grids::GridPyramid::kTileEdge < cells.width(); ++x) {
-      const auto tile = cells.tile(0, x, y);
-      if (!tile) continue;
-      for (int row = 0;
-           row < std::min(grids::GridPyramid::kTileEdge, cells.height() - y * grids::GridPyramid::kTileEdge);
-           ++row) {
-        const std::size_t to = head + std::size_t(y * grids::GridPyramid::kTileEdge + row) * width +
-                               std::size_t(x) * grids::GridPyramid::kTileEdge;
-        for (int column = 0; column < std::min(grids::GridPyramid::kTileEdge,
-                                               cells.width() - x * grids::GridPyramid::kTileEdge);
-             ++column)
-          pgm[to + std::size_t(column)] = pgmByte(
-              tile->cells.get()[std::size_t(row) * grids::GridPyramid::kTileEdge + std::size_t(column)]);
-      }
-    }
-  }
-  return pgm;
+  return cells;
 }
 
 RegionFetch::RegionFetch(robot::MapDispatch& dispatch, const geometry::WorldRect& rect, Options options,

@@ -28,11 +28,8 @@ FetchedGrid cutOut(const std::vector<std::shared_ptr<RegionSheet>>& sheets, cons
 /// What is wrong with a whole map received in one answer: Unusable, FewerCells or None.
 Misfit flawOf(const map::GridPart& part);
 
-/// The same cells as a picture (PGM) to be read with kPgmReading: values above 100 are unknown. `part` has as
-/// many cells as it says, at least one.
-std::string pgmOf(const map::GridPart& part);
-std::string pgmOf(const grids::GridPyramid& cells);
-inline constexpr map::CellReading kPgmReading{map::CellReading::Mode::Raw};
+/// The cells of level 0 as a whole map has them.
+map::OccupancyCells cellsOf(const grids::GridPyramid& grid);
 
 /// Fetches a rectangle region by region until it is complete, or has failed several times. Lives on the
 /// dispatcher's thread.

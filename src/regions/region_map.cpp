@@ -79,7 +79,7 @@ void RegionMap::look() {
     for (const RegionRequest& request : regions_.take(monotonic_())) {
       // The robot may answer after this is destroyed.
       calls_[request.id] =
-          dispatch_->grid(questionOf(request),
+          dispatch_->grid(askedFor(request.rect),
                           [self = QPointer(this), id = request.id](robot::Outcome<map::GridPart> outcome) {
                             if (self) self->take(id, std::move(outcome));
                           });

@@ -6,24 +6,16 @@
 namespace mapwright::regions {
 namespace {
 
-using Kind = RegionRequest::Kind;
-
 constexpr double kFiner = 0.75, kCoarser = 1.5;  // relative cell size that causes a new layout
 constexpr int kMostDoublings = 10;
-constexpr int kLookCells = 16;  // edge of a test region; the smaller, the closer to an edge of the map
-constexpr int kLooksAcross = 4;
+constexpr double kInside = 0.02;    // of a cell: a request ends this much before the map, whatever is rounded
+constexpr double kLackCells = 1.5;  // less is rounding
 
 geometry::WorldRect around(const Eigen::Vector2d& centre, double edge_m) {
   return geometry::WorldRect{centre.x(), centre.y(), centre.x(), centre.y()}.grown(edge_m / 2);
 }
 
 }  // namespace
-
-map::GridRegion questionOf(const RegionRequest& request) {
-  map::GridRegion region = askedFor(request.rect);
-  region.centre_m += request.aim.cwiseProduct(region.size_m);
-  return region;
-}
 
 RegionState RegionRow::state() const {
   if (answered) return nothing() ? RegionState::Nothing : RegionState::Held;
@@ -56,7 +48,6 @@ void RegionPlan::setView(std::optional<geometry::WorldRect> rect, const Eigen::V
 void RegionPlan::cut(double edge_m, const Eigen::Vector2d& anchor_m) {
   ++cuts_;
   rows_.clear();
-  ends_.stop();
   squares_.cut({anchor_m, edge_m}, mostInView());
 }
 
@@ -71,32 +62,24 @@ bool RegionPlan::setCells(double resolution_m, const Eigen::Vector2d& anchor_m) 
   return true;
 }
 
-void RegionPlan::gave(int width, int height) {
-  most_given_ = std::max(most_given_, std::int64_t(width) * height);
+void RegionPlan::gave(const map::GridReference& grid) {
+  most_given_ = std::max(most_given_, std::int64_t(grid.width) * grid.height);
+  if (grid.origin.yaw_rad == 0) reach_.extend(grid.bounds());
 }
 
 bool RegionPlan::halve(const geometry::WorldRect& asked) {
   const double cells = asked.width() * asked.height() / (*resolution_m_ * *resolution_m_);
-  // A size that it has delivered before is not too much.
   if (cells <= double(most_given_) || edge_cells_ / 2 < kLeastCells) return false;
   edge_cells_ /= 2;
   const RegionLattice old = lattice();
   const std::map<RegionKey, RegionRow> before = std::move(rows_);
   cut(edge_cells_ * *resolution_m_, old.anchor_m);
-  // The received cells stay, and are known to be on the map.
-  for (const auto& [key, of_old] : before) {
-    const RegionRow& whole = of_old;
+  // The received cells stay.
+  for (const auto& [key, whole] : before) {
     if (!whole.may_hold) continue;
-    lattice().eachIn(old.rectOf(key), [&](const RegionKey& piece) {
-      RegionRow& row = rows_[piece];
-      row.may_hold = true;
-      row.seen = std::max(row.seen, whole.seen);
-      row.came_in = round_;
-      if (whole.came_in != round_) return;
-      for (const geometry::WorldRect& rect : whole.came) {
-        if (const auto there = common(rect, lattice().rectOf(piece)); !there.empty())
-          row.came.push_back(there);
-      }
+    lattice().eachIn(old.rectOf(key), [&, seen = whole.seen](const RegionKey& piece) {
+      rows_[piece].may_hold = true;
+      rows_[piece].seen = std::max(rows_[piece].seen, seen);
     });
   }
   return true;
@@ -105,9 +88,7 @@ bool RegionPlan::halve(const geometry::WorldRect& asked) {
 void RegionPlan::refresh() {
   ++round_;
   cuts_left_ = kMostCuts;
-  looks_left_ = kMostLooks;
-  looked_from_.reset();
-  ends_.forget();
+  reach_ = {};
   retryNow();
 }
 
@@ -129,95 +110,21 @@ geometry::WorldRect RegionPlan::squareOf(const RegionKey& key) const {
 }
 
 geometry::WorldRect RegionPlan::questionFor(const RegionKey& key) const {
-  return lattice().rectOf(key).grown(resolution_m_.value_or(0) / 2);
+  const double cell_m = resolution_m_.value_or(0);
+  const geometry::WorldRect question = squareOf(key).grown(cell_m / 2);
+  if (!extent_) return question;
+  const geometry::WorldRect on_map = common(question, extent_->grown(-kInside * cell_m));
+  return on_map.empty() ? question : on_map;
 }
 
-geometry::WorldRect RegionPlan::partOf(const RegionKey& key) const {
-  geometry::WorldRect part = questionFor(key);
-  if (options_.only) {
-    if (const auto wanted = common(part, *options_.only); !wanted.empty()) part = wanted;
-  }
-  return ends_.within(part, resolution_m_.value_or(0));
-}
-
-bool RegionPlan::isCurrent(const RegionRow& row) const {
-  return row.answered && row.asked_for >= round_ && row.request == 0;
-}
-
-bool RegionPlan::asksInPart(const RegionKey& key) const {
-  const RegionRow& known = row(key);
-  if (!isCurrent(known) || !known.whole_is_nothing) return false;
-  const geometry::WorldRect part = partOf(key);
-  const auto isAsBefore = [&, about = resolution_m_.value_or(0) / 2](Side side) {
-    return std::abs(endOf(part, side) - endOf(known.part, side)) <= about;
-  };
-  return !common(part, squareOf(key)).empty() && part != questionFor(key) &&
-         !std::all_of(kSides.begin(), kSides.end(), isAsBefore);
-}
-
-std::optional<geometry::WorldRect> RegionPlan::groundAt(const RegionKey& key) const {
-  const RegionRow& known = row(key);
-  if (!known.known.empty()) return known.known;
-  if (known.came_in == round_ && !known.came.empty()) {
-    const auto area = [](const geometry::WorldRect& rect) { return rect.width() * rect.height(); };
-    return *std::max_element(known.came.begin(), known.came.end(),
-                             [&](const auto& a, const auto& b) { return area(a) < area(b); });
-  }
-  const geometry::WorldRect square = lattice().rectOf(key);
-  for (const Side side : kSides) {
-    const RegionRow& beside = row(besideOf(key, side));
-    if (isCurrent(beside) && beside.known.intersects(square.grown(*resolution_m_ / 2))) return beside.known;
-  }
-  return std::nullopt;
-}
-
-void RegionPlan::learn() {
-  if (!resolution_m_) return;
-  if (ends_.searching() && !squares_.contains(end_of_)) ends_.stop();
-  for (const RegionKey& key : squares_.keys()) {
-    const RegionRow& known = row(key);
-    if (!isCurrent(known) || asksInPart(key)) continue;
-    const auto ground = groundAt(key);
-    if (!ground) continue;
-    const geometry::WorldRect square = squareOf(key);
-    if (const auto side = ends_.openSide(square, *ground, *resolution_m_)) {
-      if (ends_.searching()) continue;
-      end_of_ = key;
-      ends_.search(*side, *ground, square, *resolution_m_);
-    } else if (known.known.empty() ? ground->intersects(square) && halve(partOf(key))
-                                   : leftOut(key) && halve(questionFor(key))) {
-      return;
-    }
-  }
-}
-
-bool RegionPlan::hasMoved() const {
-  return !looked_from_ || (*looked_from_ - squares_.centre()).cwiseAbs().maxCoeff() > options_.probe_m / 2;
-}
-
-std::optional<RegionRequest> RegionPlan::lookForAnything() const {
-  const bool empty =
-      std::all_of(squares_.keys().begin(), squares_.keys().end(),
-                  [this](const RegionKey& key) { return isCurrent(row(key)) && row(key).nothing(); });
-  if (!empty || !squares_.rect() || squares_.keys().empty()) return std::nullopt;
-  const geometry::WorldRect& view = *squares_.rect();
-  const int number = hasMoved() ? 0 : looks_;
-  // First the centre; if nothing at all is known of the map, more places.
-  const bool anything_known = std::any_of(rows_.begin(), rows_.end(), [this](const auto& each) {
-    return each.second.may_hold && each.second.came_in == round_;
-  });
-  if (number > kLooksAcross * kLooksAcross || (number > 0 && (anything_known || looks_left_ <= 0)))
-    return std::nullopt;
-  const int place = number - 1;
-  const Eigen::Vector2d at =
-      number == 0 ? squares_.centre()
-                  : Eigen::Vector2d(view.min_x + view.width() * (place % kLooksAcross + 0.5) / kLooksAcross,
-                                    view.min_y + view.height() * (place / kLooksAcross + 0.5) / kLooksAcross);
-  const auto key = squares_.at(at);
-  if (!key) return std::nullopt;
-  const double few_cells_m = kLookCells * resolution_m_.value_or(options_.assumed_resolution_m);
-  const double edge_m = number == 0 ? options_.probe_m : std::min(options_.probe_m, few_cells_m);
-  return RegionRequest{.kind = Kind::Look, .key = *key, .rect = common(around(at, edge_m), squareOf(*key))};
+bool RegionPlan::leftOut(const RegionKey& key) const {
+  const RegionRow& of = row(key);
+  if (!resolution_m_ || !of.answered || of.request != 0 || (of.known.empty() && !of.came_empty)) return false;
+  const geometry::WorldRect there = common(squareOf(key), reach_), &known = of.known;
+  const double slack = kLackCells * *resolution_m_;
+  if (of.came_empty) return there.width() > slack && there.height() > slack;
+  return !there.empty() && std::max({known.min_x - there.min_x, there.max_x - known.max_x,
+                                     known.min_y - there.min_y, there.max_y - known.max_y}) > slack;
 }
 
 std::vector<RegionRequest> RegionPlan::wanted() const {
@@ -233,31 +140,24 @@ std::vector<RegionRequest> RegionPlan::wanted() const {
       const RegionRow& known = row(key);
       if (known.answered == missing || known.request != 0 || (known.answered && known.asked_for >= round_))
         continue;
-      wanted.push_back({.kind = Kind::Square, .key = key, .rect = questionFor(key)});
+      wanted.push_back({.is_first = false, .key = key, .rect = questionFor(key)});
     }
-  }
-  if (ends_.searching() && row(end_of_).request == 0)
-    wanted.push_back({.kind = Kind::End, .key = end_of_, .rect = ends_.asking()});
-  for (const RegionKey& key : squares_.keys()) {
-    if (asksInPart(key)) wanted.push_back({.kind = Kind::Part, .key = key, .rect = partOf(key)});
-  }
-  if (wanted.empty()) {
-    if (const auto look = lookForAnything()) wanted.push_back(*look);
   }
   return wanted;
 }
 
 std::vector<RegionRequest> RegionPlan::take(Millis now) {
-  learn();
+  for (const RegionKey& key : squares_.keys()) {
+    if (leftOut(key) && halve(questionFor(key))) break;
+  }
   std::vector<RegionRequest> sent;
   for (RegionRequest& request : wanted()) {
     if (int(under_way_.size()) >= options_.most_under_way) break;
-    RegionRow& row = request.isOfSquare() ? rows_[request.key] : probe_;
+    RegionRow& row = request.is_first ? probe_ : rows_[request.key];
     if (row.retry_at > now || row.request != 0) continue;
-    if (request.isOfSquare()) row.seen = views_;
+    if (!request.is_first) row.seen = views_;
     request.id = ++last_id_;
     request.round = round_;
-    request.aim = aim_;
     row.request = request.id;
     under_way_.emplace(request.id, UnderWay{request, cuts_});
     sent.push_back(request);
@@ -270,7 +170,7 @@ std::vector<std::uint64_t> RegionPlan::unwanted() {
   for (auto& [id, under_way] : under_way_) {
     const RegionRequest& request = under_way.request;
     const bool wanted = under_way.cut == cuts_ && squares_.rect() &&
-                        (request.isOfSquare() ? squares_.contains(request.key) : !squares_.isCut());
+                        (request.is_first ? !squares_.isCut() : squares_.contains(request.key));
     if (wanted || under_way.told) continue;
     under_way.told = true;
     ids.push_back(id);
@@ -282,7 +182,7 @@ std::optional<Millis> RegionPlan::nextDue(Millis now) const {
   if (int(under_way_.size()) >= options_.most_under_way) return std::nullopt;
   std::optional<Millis> due;
   for (const RegionRequest& request : wanted()) {
-    const RegionRow& of = request.isOfSquare() ? row(request.key) : probe_;
+    const RegionRow& of = request.is_first ? probe_ : row(request.key);
     due = std::min(due.value_or(Millis::max()), std::max(now, of.retry_at));
   }
   return due;
@@ -310,7 +210,7 @@ bool RegionPlan::isOfThisCut(std::uint64_t id) const {
 
 /// nullptr: the lattice of the request no longer exists.
 RegionRow* RegionPlan::rowOf(const RegionRequest& request) {
-  if (!request.isOfSquare()) return &probe_;
+  if (request.is_first) return &probe_;
   const auto found = rows_.find(request.key);
   return found == rows_.end() || found->second.request != request.id ? nullptr : &found->second;
 }
@@ -325,36 +225,17 @@ void RegionPlan::answered(std::uint64_t id, bool nothing, const geometry::WorldR
   row->request = 0;
   row->failures = 0;
   row->trouble = {};
-  switch (request.kind) {
-    case Kind::First:
-      // It does not report its cell size, so regions have the usual size.
-      if (!squares_.isCut())
-        cut(options_.region_cells * options_.assumed_resolution_m, Eigen::Vector2d::Zero());
-      return;
-    case Kind::Square:
-      row->answered = true;
-      row->asked_for = request.round;
-      row->whole_is_nothing = nothing;
-      row->known = known;
-      row->part = {};
-      // Cells from other answers of this round stay.
-      row->may_hold = !nothing || (row->came_in == request.round && row->may_hold);
-      return;
-    case Kind::Part:
-      row->part = request.rect;
-      row->known = nothing ? geometry::WorldRect{} : known;
-      return;
-    case Kind::End:
-      if (request.round == round_ && ends_.searching() && request.key == end_of_) ends_.answered(known);
-      return;
-    case Kind::Look:
-      if (hasMoved()) {
-        looked_from_ = squares_.centre();
-        looks_ = 0;
-      }
-      if (looks_++ > 0) --looks_left_;
-      return;
+  if (request.is_first) {
+    // It does not report its cell size, so regions have the usual size.
+    if (!squares_.isCut())
+      cut(options_.region_cells * options_.assumed_resolution_m, Eigen::Vector2d::Zero());
+    return;
   }
+  row->answered = true;
+  row->asked_for = request.round;
+  row->came_empty = nothing;
+  row->known = known;
+  row->may_hold = !nothing;
 }
 
 void RegionPlan::failed(std::uint64_t id, RegionTrouble trouble, Millis now) {
@@ -372,7 +253,7 @@ void RegionPlan::failed(std::uint64_t id, RegionTrouble trouble, Millis now) {
   const int doublings = std::clamp(row->failures - 1, 0, kMostDoublings);
   row->retry_at = now + std::min(options_.cooldown * (1 << doublings), options_.cooldown_limit);
   // A single failure may be chance.
-  if (refused && row->failures > 1 && resolution_m_ && request.kind == Kind::Square) halve(request.rect);
+  if (refused && row->failures > 1 && resolution_m_ && !request.is_first) halve(request.rect);
 }
 
 void RegionPlan::cancelled(std::uint64_t id) {
@@ -384,16 +265,12 @@ void RegionPlan::cancelled(std::uint64_t id) {
 }
 
 void RegionPlan::came(const RegionKey& key, const geometry::WorldRect& where, bool all, std::uint64_t round) {
-  constexpr std::size_t kMostRects = 16;
   RegionRow& row = rows_[key];
   row.seen = std::max(row.seen, squares_.contains(key) ? views_ : std::uint64_t(0));
   row.may_hold = true;
-  if (row.came_in != round) row.came.clear();
-  row.came_in = round;
-  if (!where.empty() && row.came.size() < kMostRects) row.came.push_back(where);
   if (!all || row.request != 0) return;
   row.answered = true;
-  row.whole_is_nothing = false;
+  row.came_empty = false;
   row.known = where;
   row.asked_for = std::max(row.asked_for, round);
   row.failures = 0;
@@ -403,14 +280,6 @@ void RegionPlan::came(const RegionKey& key, const geometry::WorldRect& where, bo
 void RegionPlan::forget(const RegionKey& key) {
   const auto found = rows_.find(key);
   if (found != rows_.end() && found->second.request == 0) rows_.erase(found);
-}
-
-bool RegionPlan::leftOut(const RegionKey& key) const {
-  const RegionRow& known = row(key);
-  if (!resolution_m_ || known.known.empty() || known.request != 0) return false;
-  const geometry::WorldRect square = squareOf(key);
-  return !ends_.openSide(square, known.known, *resolution_m_) &&
-         ends_.goesOnBeyond(known.known, square, *resolution_m_);
 }
 
 }  // namespace mapwright::regions

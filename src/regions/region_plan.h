@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "map/failure.h"
-#include "regions/map_ends.h"
 #include "regions/region_cells.h"
-#include "regions/squares_in_view.h"
+#include "regions/region_lattice.h"
 
 namespace mapwright::regions {
 
@@ -28,7 +27,7 @@ struct PlanOptions {
   Millis cooldown_limit{60'000};
   double probe_m = 5;                  // edge of the first region, before the cell size is known
   double assumed_resolution_m = 0.05;  // for a robot that does not report it
-  /// Only this area is wanted: a dispatcher may answer with nothing if a region extends beyond its map.
+  /// Only this area is wanted.
   std::optional<geometry::WorldRect> only = {};
 };
 
@@ -55,52 +54,36 @@ struct RegionTrouble {
 
 struct RegionRow {
   bool answered = false;
-  bool whole_is_nothing = false;  // requested as a whole, it was answered with nothing
-  std::uint64_t asked_for = 0;    // the round of its answer
-  std::uint64_t request = 0;      // in progress; 0 = none
-  int failures = 0;               // in a row
+  bool came_empty = false;      // requested, it was answered with nothing
+  std::uint64_t asked_for = 0;  // the round of its answer
+  std::uint64_t request = 0;    // in progress; 0 = none
+  int failures = 0;             // in a row
   Millis retry_at{0};
-  RegionTrouble trouble;                  // of the last attempt; none = success
-  std::uint64_t seen = 0;                 // when it was last visible, counted in views
-  bool may_hold = false;                  // cells of it may have arrived
-  std::uint64_t came_in = 0;              // the round of `came`
-  std::vector<geometry::WorldRect> came;  // where cells arrived; not for a rotated map
-  // All of this area arrived in answer to a request. Empty = nothing did, or the map is rotated.
+  RegionTrouble trouble;   // of the last attempt; none = success
+  std::uint64_t seen = 0;  // when it was last visible, counted in views
+  bool may_hold = false;   // cells of it may have arrived
+  /// All of this area arrived in answer to a request. Empty = nothing did, or the map is rotated.
   geometry::WorldRect known = {};
-  geometry::WorldRect part = {};  // the part of it that was requested separately
 
   RegionState state() const;
-  bool nothing() const { return answered && whole_is_nothing && !may_hold; }
+  bool nothing() const { return answered && came_empty && !may_hold; }
   /// It was requested again; the old cells are shown until then.
   bool refreshing() const { return answered && request != 0; }
 };
 
 struct RegionRequest {
-  enum class Kind {
-    First,   // how large are the cells?
-    Square,  // all of a region
-    Part,    // of a region that was answered with nothing as a whole
-    End,     // does the map reach this far?
-    Look,    // nothing arrived for everything visible: is there anything?
-  };
-  Kind kind = Kind::First;
-  std::uint64_t id = 0;       // never 0
-  std::uint64_t round = 0;    // counts refresh()
-  RegionKey key = {};         // not of First
-  Eigen::Vector2d aim{0, 0};  // the request is shifted by this many of its lengths
+  bool is_first = true;     // not of a square: how large are the cells?
+  std::uint64_t id = 0;     // never 0
+  std::uint64_t round = 0;  // counts refresh()
+  RegionKey key = {};       // of a square
   /// The requested area, with a margin so that rounding does not lose cells at the edge.
   geometry::WorldRect rect = {};
-
-  bool isOfSquare() const { return kind != Kind::First; }
 };
-
-/// The request sent to the dispatcher.
-map::GridRegion questionOf(const RegionRequest& request);
 
 /// Requests each region of a lattice once while it is visible, nearest to the centre first, a few at a time;
 /// failed ones wait and are retried; refresh() requests all visible ones again. Requests for regions that are
-/// no longer visible are cancelled. If a region is too much for one answer (the robot refuses it, sends less,
-/// or nothing although it is on the map) regions are halved in edge length.
+/// no longer visible are cancelled. If a region is too much for one answer (the robot refuses it, or leaves
+/// out what is known to be on the map) regions are halved in edge length.
 class RegionPlan {
  public:
   /// The minimum edge of a region in cells.
@@ -110,8 +93,10 @@ class RegionPlan {
 
   /// The visible area: axis-aligned, finite; nullopt = nothing.
   void setView(std::optional<geometry::WorldRect> rect, const Eigen::Vector2d& centre_m);
-  /// The size of the map as reported; nullopt: not reported, or the map is rotated.
-  void setExtent(std::optional<geometry::WorldRect> extent) { ends_.tell(extent); }
+  /// The size of the map as reported: only that is requested of the squares at its edge, since a dispatcher
+  /// may answer with nothing if a region extends beyond its map. nullopt: not reported, or the map is
+  /// rotated.
+  void setExtent(std::optional<geometry::WorldRect> extent) { extent_ = extent; }
   /// The cell size and the origin of the cell lattice. The first call counts; later ones only if very
   /// different, and only a few times: then regions are laid out anew and everything is requested again. True
   /// if so.
@@ -120,8 +105,6 @@ class RegionPlan {
   void refresh();
   /// Failed regions are retried at once.
   void retryNow();
-  /// Shifts all requests by this many of their own lengths from now on.
-  void aim(const Eigen::Vector2d& aim) { aim_ = aim; }
 
   /// The requests to send now; they count as in progress until they end.
   std::vector<RegionRequest> take(Millis now);
@@ -135,8 +118,8 @@ class RegionPlan {
   const RegionRequest* find(std::uint64_t id) const;  // under way
   /// The lattice has not changed since it was requested.
   bool isOfThisCut(std::uint64_t id) const;
-  /// An answer arrived with this many cells. Call before answered().
-  void gave(int width, int height);
+  /// An answer arrived with cells. Call before answered().
+  void gave(const map::GridReference& grid);
   /// A request ended: cells for its region (`known`: where; empty = unknown), or nothing there; or it failed,
   /// or was cancelled.
   void answered(std::uint64_t id, bool nothing, const geometry::WorldRect& known = {});
@@ -158,12 +141,14 @@ class RegionPlan {
   int underWay() const { return int(under_way_.size()); }
   /// Why the first region could not be loaded, while nothing is known of the map.
   const RegionTrouble& probeTrouble() const { return probe_.trouble; }
-  /// Its cells end before its edge although the map continues: the answer was too small.
+  /// The wanted part of a region.
+  geometry::WorldRect squareOf(const RegionKey& key) const;
+  /// Its answer lacks a part that is known to be on the map.
   bool leftOut(const RegionKey& key) const;
 
  private:
   static constexpr int kMostCuts = 4;  // after refresh(); the lattice may change, but not all the time
-  static constexpr int kMostPieces = 64, kMostLooks = 64;
+  static constexpr int kMostPieces = 64;
 
   double mostInView() const;
   void cut(double edge_m, const Eigen::Vector2d& anchor_m);
@@ -171,19 +156,9 @@ class RegionPlan {
   /// Everything to request now or later, in order.
   std::vector<RegionRequest> wanted() const;
   geometry::WorldRect firstRect() const;
-  /// The wanted part of a region with a margin, as far as it is on the map.
-  geometry::WorldRect squareOf(const RegionKey& key) const;
+  /// What is requested of a region: the wanted part that is on the map, with a margin.
   geometry::WorldRect questionFor(const RegionKey& key) const;
-  geometry::WorldRect partOf(const RegionKey& key) const;
-  bool isCurrent(const RegionRow& row) const;
-  /// To be requested in parts, as the whole was answered with nothing.
-  bool asksInPart(const RegionKey& key) const;
-  /// A place in a region, or next to it, that is on the map.
-  std::optional<geometry::WorldRect> groundAt(const RegionKey& key) const;
-  std::optional<RegionRequest> lookForAnything() const;
-  bool hasMoved() const;  // the view, since the last search
-  /// Starts to search for an edge of the map, or halves the regions, if answers suggest it.
-  void learn();
+  /// Halves the regions if that is not more than what was delivered before.
   bool halve(const geometry::WorldRect& asked);
 
   PlanOptions options_;
@@ -194,11 +169,8 @@ class RegionPlan {
   int cuts_left_ = kMostCuts;
   std::map<RegionKey, RegionRow> rows_;
   RegionRow probe_;
-  Eigen::Vector2d aim_{0, 0};
-  MapEnds ends_;
-  RegionKey end_of_ = {};                       // whose edge is searched
-  std::optional<Eigen::Vector2d> looked_from_;  // the centre of the view during the last search
-  int looks_ = 0, looks_left_ = kMostLooks;     // number of places searched since then
+  std::optional<geometry::WorldRect> extent_;
+  geometry::WorldRect reach_;  // of the cells that came since refresh(); not for a rotated map
   struct UnderWay {
     RegionRequest request;
     std::uint64_t cut = 0;  // of which lattice

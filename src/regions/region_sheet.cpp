@@ -8,7 +8,7 @@ namespace mapwright::regions {
 namespace {
 
 constexpr int kHalf = 195 * RegionSheet::kStep;  // 2 * kHalf is the most of a grid, in whole steps
-static_assert(2 * kHalf <= grids::kMaxGridEdge && RegionSheet::kStep % grids::GridPyramid::kTileEdge == 0);
+static_assert(2 * kHalf <= grids::kMaxGridEdge && RegionSheet::kStep % kTile == 0);
 constexpr double kReachM = 4e6;  // of half a sheet
 // On the same lattice: smaller differences, in cells, are rounding. Resolutions come as float or double.
 constexpr double kOffLattice = 0.05;
@@ -42,7 +42,7 @@ RegionSheet::RegionSheet(const map::GridReference& piece)
   zero_ = turned(zero, yaw);
   const Eigen::Vector2d origin = turned(lower_left, yaw);
   reference_ = {2 * half, 2 * half, resolution, {origin.x(), origin.y(), yaw}};
-  while (levelWidth(levels_ - 1) > grids::GridPyramid::kTileEdge) ++levels_;
+  while (levelWidth(levels_ - 1) > kTile) ++levels_;
 }
 
 std::size_t RegionSheet::PlaceHash::operator()(const Place& place) const noexcept {
@@ -87,8 +87,7 @@ geometry::WorldRect RegionSheet::bounds() const {
     if (place.level != 0) continue;
     for (const int x : {place.x, place.x + 1}) {
       for (const int y : {place.y, place.y + 1})
-        rect.extend(reference_.worldFromCell(
-            {double(x) * grids::GridPyramid::kTileEdge, double(y) * grids::GridPyramid::kTileEdge}));
+        rect.extend(reference_.worldFromCell({double(x) * kTile, double(y) * kTile}));
     }
   }
   return rect;
@@ -126,21 +125,15 @@ void RegionSheet::put(const map::GridReference& piece, const std::vector<std::in
   const int bottom = reference_.height - 1 - int(std::lround(corner.y()));  // from the top, of its row 0
   const int top = bottom - piece.height + 1, right = left + piece.width - 1;
   std::vector<std::pair<Place, Cells>> changed;
-  for (int y = top / grids::GridPyramid::kTileEdge; y <= bottom / grids::GridPyramid::kTileEdge; ++y) {
-    for (int x = left / grids::GridPyramid::kTileEdge; x <= right / grids::GridPyramid::kTileEdge; ++x) {
+  for (int y = top / kTile; y <= bottom / kTile; ++y) {
+    for (int x = left / kTile; x <= right / kTile; ++x) {
       const Place place{0, x, y};
       const auto tile = copyOf(place);
-      const int from = std::max(left, x * grids::GridPyramid::kTileEdge),
-                to = std::min(right, x * grids::GridPyramid::kTileEdge + grids::GridPyramid::kTileEdge - 1);
-      for (int row = std::max(top, y * grids::GridPyramid::kTileEdge);
-           row <= std::min(bottom, y * grids::GridPyramid::kTileEdge + grids::GridPyramid::kTileEdge - 1);
-           ++row) {
+      const int from = std::max(left, x * kTile), to = std::min(right, x * kTile + kTile - 1);
+      for (int row = std::max(top, y * kTile); row <= std::min(bottom, y * kTile + kTile - 1); ++row) {
         const std::int8_t* const source =
             cells.data() + std::size_t(bottom - row) * std::size_t(piece.width) + std::size_t(from - left);
-        std::uint8_t* const target =
-            tile.get() +
-            std::size_t(row - y * grids::GridPyramid::kTileEdge) * grids::GridPyramid::kTileEdge +
-            (from - x * grids::GridPyramid::kTileEdge);
+        std::uint8_t* const target = tile.get() + std::size_t(row - y * kTile) * kTile + (from - x * kTile);
         for (int at = 0; at <= to - from; ++at) {
           const auto byte = std::uint8_t(source[at]);
           target[at] = byte == kNotFetched ? grids::kUnknownOccupancy : byte;
@@ -168,16 +161,14 @@ template <typename Inside>
 bool RegionSheet::forgetWhere(const CellBox& box, Inside inside) {
   std::vector<std::pair<Place, Cells>> changed;
   for (const auto& [place, old] : tiles_) {
-    const int left = place.x * grids::GridPyramid::kTileEdge, top = place.y * grids::GridPyramid::kTileEdge;
-    if (place.level != 0 || left > box.right || top > box.bottom ||
-        left + grids::GridPyramid::kTileEdge <= box.left || top + grids::GridPyramid::kTileEdge <= box.top)
+    const int left = place.x * kTile, top = place.y * kTile;
+    if (place.level != 0 || left > box.right || top > box.bottom || left + kTile <= box.left ||
+        top + kTile <= box.top)
       continue;
     std::shared_ptr<std::uint8_t> tile;
-    for (int v = std::max(top, box.top); v <= std::min(top + grids::GridPyramid::kTileEdge - 1, box.bottom);
-         ++v) {
-      for (int u = std::max(left, box.left);
-           u <= std::min(left + grids::GridPyramid::kTileEdge - 1, box.right); ++u) {
-        const std::size_t at = std::size_t(v - top) * grids::GridPyramid::kTileEdge + std::size_t(u - left);
+    for (int v = std::max(top, box.top); v <= std::min(top + kTile - 1, box.bottom); ++v) {
+      for (int u = std::max(left, box.left); u <= std::min(left + kTile - 1, box.right); ++u) {
+        const std::size_t at = std::size_t(v - top) * kTile + std::size_t(u - left);
         if (old.get()[at] == kNotFetched || !inside(reference_.worldFromCell({u + 0.5, v + 0.5}))) continue;
         if (!tile) tile = copyOf(place);
         tile.get()[at] = kNotFetched;
@@ -198,12 +189,10 @@ bool RegionSheet::holdsAnyOf(const geometry::WorldRect& rect) const {
   if (!box) return false;
   for (const auto& [place, cells] : tiles_) {
     if (place.level != 0) continue;
-    const int left = place.x * grids::GridPyramid::kTileEdge, top = place.y * grids::GridPyramid::kTileEdge;
-    for (int v = std::max(top, box->top); v <= std::min(top + grids::GridPyramid::kTileEdge - 1, box->bottom);
-         ++v) {
-      for (int u = std::max(left, box->left);
-           u <= std::min(left + grids::GridPyramid::kTileEdge - 1, box->right); ++u) {
-        const std::size_t at = std::size_t(v - top) * grids::GridPyramid::kTileEdge + std::size_t(u - left);
+    const int left = place.x * kTile, top = place.y * kTile;
+    for (int v = std::max(top, box->top); v <= std::min(top + kTile - 1, box->bottom); ++v) {
+      for (int u = std::max(left, box->left); u <= std::min(left + kTile - 1, box->right); ++u) {
+        const std::size_t at = std::size_t(v - top) * kTile + std::size_t(u - left);
         if (cells.get()[at] != kNotFetched && rect.contains(reference_.worldFromCell({u + 0.5, v + 0.5})))
           return true;
       }
@@ -234,14 +223,10 @@ RegionSheet::Cells RegionSheet::reduced(const Place& place) const {
     for (int x = 0; x < 2; ++x) {
       const Cells from = made({place.level - 1, place.x * 2 + x, place.y * 2 + y});
       if (!from) continue;
-      for (int row = 0; row < grids::GridPyramid::kTileEdge / 2; ++row) {
-        reducer_.reduceRow(
-            from.get() + std::size_t(row) * 2 * grids::GridPyramid::kTileEdge,
-            from.get() + (std::size_t(row) * 2 + 1) * grids::GridPyramid::kTileEdge,
-            grids::GridPyramid::kTileEdge,
-            cells.get() +
-                std::size_t(row + y * grids::GridPyramid::kTileEdge / 2) * grids::GridPyramid::kTileEdge +
-                x * grids::GridPyramid::kTileEdge / 2);
+      for (int row = 0; row < kTile / 2; ++row) {
+        reducer_.reduceRow(from.get() + std::size_t(row) * 2 * kTile,
+                           from.get() + (std::size_t(row) * 2 + 1) * kTile, kTile,
+                           cells.get() + std::size_t(row + y * kTile / 2) * kTile + x * kTile / 2);
       }
     }
   }

@@ -16,8 +16,8 @@ namespace mapwright::regions {
 /// The byte of a cell that has not been fetched. Robots that send it mean "unknown": it is stored as
 /// grids::kUnknownOccupancy.
 inline constexpr std::uint8_t kNotFetched = 0x80;
-inline constexpr std::size_t kSheetTileBytes =
-    std::size_t(grids::GridPyramid::kTileEdge) * grids::GridPyramid::kTileEdge;
+inline constexpr int kTile = grids::GridPyramid::kTileEdge;
+inline constexpr std::size_t kSheetTileBytes = std::size_t(kTile) * kTile;
 
 /// As large as a grid may be, around the first piece: anything farther away needs another sheet. Acts like
 /// any other occupancy pyramid. One thread changes it, any thread reads; tiles handed out never change.

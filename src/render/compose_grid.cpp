@@ -27,7 +27,7 @@ std::array<std::uint8_t, 256> percents() {
 
 tl::expected<ComposedGrid, Fault> composeGrid(std::span<const PlacedTexture> textures, double resolution_m,
                                               DenseCache& cache, const std::function<bool(double)>& proceed,
-                                              const grids::Means& means) {
+                                              const grids::Resources& resources) {
   const auto fail = [](FaultCode code) { return tl::make_unexpected(Fault(code)); };
   if (!(resolution_m > 0) || !std::isfinite(resolution_m)) return fail(fault::ResolutionNotAboveZero);
   std::vector<geometry::WorldRect> rects;
@@ -52,7 +52,7 @@ tl::expected<ComposedGrid, Fault> composeGrid(std::span<const PlacedTexture> tex
   made.reference.resolution_m = resolution_m;
   made.reference.origin = {left * resolution_m, bottom * resolution_m, 0};
   const auto builder =
-      grids::buildGrid(width, height, grids::CellCode::Occupancy, grids::Reduction::OccupiedWins, means);
+      grids::buildGrid(width, height, grids::CellCode::Occupancy, grids::Reduction::OccupiedWins, resources);
   const std::array<std::uint8_t, 256> percent = percents();
 
   PixelGrid window;

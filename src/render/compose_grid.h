@@ -27,6 +27,6 @@ struct ComposedGrid {
 tl::expected<ComposedGrid, Fault> composeGrid(std::span<const PlacedTexture> textures, double resolution_m,
                                               DenseCache& cache,
                                               const std::function<bool(double done)>& proceed = {},
-                                              const grids::Means& means = {});
+                                              const grids::Resources& resources = {});
 
 }  // namespace mapwright::render

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "render/block_painter.h"
-#include "render/placement.h"
 
 namespace mapwright::render {
 namespace {

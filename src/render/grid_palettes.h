@@ -8,7 +8,7 @@
 
 #include "grids/grid_cells.h"
 #include "render/grid_renderer.h"
-#include "render/map_colors.h"
+#include "render/tile_colors.h"
 
 namespace mapwright::render {
 

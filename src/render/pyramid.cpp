@@ -23,8 +23,8 @@ std::size_t Pyramid::KeyHash::operator()(const PyramidKey& key) const noexcept {
   return std::size_t(h ^ (h >> 32));
 }
 
-Pyramid::Pyramid(const TextureIndex& index, TileWorkers& workers, DenseCache& dense)
-    : index_(index), workers_(workers), dense_(dense) {}
+Pyramid::Pyramid(const TextureIndex& index, TileWorkers& workers, std::shared_ptr<DenseCache> dense)
+    : index_(index), workers_(workers), dense_(std::move(dense)) {}
 
 void Pyramid::setBase(double base_m_per_px) {
   if (base_m_per_px == base_m_per_px_) return;
@@ -80,9 +80,9 @@ Pyramid::State Pyramid::compose(const PyramidKey& key, Node& node) {
   if (!workers_.hasRoom()) return State::Pending;
   const PixelGrid grid = gridOf(key, base_m_per_px_);
   node.ticket = workers_.start(work::Urgency::Wanted, [grid, textures = index_.within(grid.bounds()),
-                                                       &dense = dense_](const std::atomic<bool>& cancelled) {
+                                                       dense = dense_](const std::atomic<bool>& cancelled) {
     const Composition pixels =
-        render::compose(grid, textures, Quality::Exact, dense, Kernel::Best, &cancelled);
+        render::compose(grid, textures, Quality::Exact, *dense, Kernel::Best, &cancelled);
     return TileResult{nullptr, {}, pyramidTileOf(pixels)};
   });
   under_way_.emplace(node.ticket, key);

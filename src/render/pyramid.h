@@ -22,7 +22,7 @@ class Pyramid {
  public:
   static constexpr double kDirectCells = 4;
 
-  Pyramid(const TextureIndex& index, TileWorkers& workers, DenseCache& dense);
+  Pyramid(const TextureIndex& index, TileWorkers& workers, std::shared_ptr<DenseCache> dense);
 
   /// The pixel width of level 0. Set once, from the first texture; a change drops everything.
   void setBase(double base_m_per_px);
@@ -70,7 +70,7 @@ class Pyramid {
 
   const TextureIndex& index_;
   TileWorkers& workers_;
-  DenseCache& dense_;
+  std::shared_ptr<DenseCache> dense_;
   double base_m_per_px_ = 0;
   std::unordered_map<PyramidKey, Node, KeyHash> nodes_;
   std::unordered_map<TileWorkers::Ticket, PyramidKey> under_way_;

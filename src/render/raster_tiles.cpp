@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace mapwright::render {
+namespace {
+
+constexpr std::size_t kPaintedStandIns = 32;
+
+}  // namespace
 
 RasterTiles::RasterTiles(Options options, std::size_t stand_ins_out_of_view, QObject* parent)
     : QObject(parent),
@@ -21,10 +26,11 @@ void RasterTiles::setView(const geometry::ViewTransform& view) {
     cancelAll();
     if (options_.previews && hasContent() && active_) {
       tiles_.forEach([this](ViewTile& tile) { refresh(tile); });
-      stand_ins_.push(tiles_.pictures(stand_ins_out_of_view_), tiles_.view(), 0);
+      stand_ins_.push(tiles_.pictures(stand_ins_out_of_view_), tiles_.view(), background());
     }
   }
   tiles_.setView(view);
+  viewChanged();
   dropStandInsWhenCovered();
   changed();
 }
@@ -97,12 +103,15 @@ TileWorkers::Ticket RasterTiles::start(const TilePlace& place, const ViewTile& t
   return ticket;
 }
 
+void RasterTiles::cancel(ViewTile& tile) {
+  for (TileWorkers::Ticket* const ticket : {&tile.exact_work, &tile.preview_work}) {
+    if (*ticket != 0) workers_.cancel(*ticket);
+    *ticket = 0;
+  }
+}
+
 void RasterTiles::cancelAll() {
-  cancelExact();
-  tiles_.forEach([this](ViewTile& tile) {
-    if (tile.preview_work != 0) workers_.cancel(tile.preview_work);
-    tile.preview_work = 0;
-  });
+  tiles_.forEach([this](ViewTile& tile) { cancel(tile); });
 }
 
 void RasterTiles::cancelExact() {
@@ -115,10 +124,10 @@ void RasterTiles::cancelExact() {
 void RasterTiles::proceed() {
   const bool paints = paintable() && active_;
   if (paints) startMissing();
+  dropStandInsWhenCovered();
   keepWithin(paints ? budget_->bytes : 0);
 }
 
-/// What is in view stays all the same.
 void RasterTiles::keepWithin(std::size_t budget) {
   budget_->held -= held_;
   tiles_.trim(budget > budget_->held ? budget - budget_->held : 0);
@@ -129,20 +138,25 @@ void RasterTiles::keepWithin(std::size_t budget) {
 void RasterTiles::receive(std::vector<TileWorkers::Outcome> outcomes) {
   for (TileWorkers::Outcome& outcome : outcomes) {
     const auto found = under_way_.find(outcome.ticket);
-    if (found == under_way_.end()) continue;
+    if (found == under_way_.end()) {
+      takeOther(outcome);
+      continue;
+    }
     const UnderWay work = found->second;
     under_way_.erase(found);
     ViewTile* const tile = work.raster == raster_ ? tiles_.find(work.place) : nullptr;
-    if (!tile || outcome.cancelled) continue;
-    if (tile->exact_work != outcome.ticket && tile->preview_work != outcome.ticket) continue;
+    const bool awaited = tile && !outcome.cancelled &&
+                         (tile->exact_work == outcome.ticket || tile->preview_work == outcome.ticket);
+    ++(awaited ? taken_ : dropped_);
+    if (!awaited) continue;
     (tile->exact_work == outcome.ticket ? tile->exact_work : tile->preview_work) = 0;
+    if (work.exact && work.generation >= tile->touched) cancel(*tile);  // no preview is needed any more
     tiles_.setPicture(*tile, std::move(outcome.result.pixels), std::move(outcome.result.image), work.colors);
     tile->known = true;
     tile->exact = work.exact;
     tile->shown = work.generation;
   }
   proceed();
-  dropStandInsWhenCovered();
   changed();
 }
 
@@ -153,6 +167,34 @@ void RasterTiles::dropStandInsWhenCovered() {
         return tile && tile->known;
       })) {
     stand_ins_.clear();
+  }
+}
+
+PaintedTiles::PaintedTiles(Options options, QObject* parent)
+    : RasterTiles(std::move(options), kPaintedStandIns, parent) {}
+
+void PaintedTiles::setPainter(TilePainter painter) {
+  if (!painter && !painter_) return;
+  painter_ = painter ? std::make_shared<const TilePainter>(std::move(painter)) : nullptr;
+  nextGeneration();
+  if (!painter_) {
+    forgetAll();
+  } else {
+    outdateAll();
+  }
+  changed();
+}
+
+void PaintedTiles::startMissing() {
+  for (const TilePlace& place : tiles().visible()) {
+    if (!workers().hasRoom()) break;
+    ViewTile& tile = tiles().at(place);
+    if (tile.current() || tile.exact_work != 0) continue;
+    const auto work = [grid = tiles().gridOf(place),
+                       painter = painter_](const std::atomic<bool>& cancelled) -> TileResult {
+      return {nullptr, (*painter)(grid, cancelled), nullptr};
+    };
+    tile.exact_work = start(place, tile, work, true);
   }
 }
 

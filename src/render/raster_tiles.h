@@ -2,19 +2,21 @@
 // and what is under way. What they show is a subclass's.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <unordered_map>
 #include <vector>
 
+#include <QImage>
 #include <QObject>
 #include <QRegion>
 
 #include "geometry/view_transform.h"
 #include "render/stand_ins.h"
-#include "render/tile_renderer.h"
 #include "render/tile_workers.h"
 #include "render/view_tiles.h"
+#include "work/budgets.h"
 
 namespace mapwright::render {
 
@@ -24,15 +26,14 @@ struct TileBudget {
   std::size_t held = 0;  // by those that have it
 };
 
-/// GUI-thread object; makes pictures on the crew, like TileRenderer: tiles lie in the grid of the view and
-/// are drawn at integer offsets; a picture of another view or of older content stands in until the new one is
-/// there.
+/// GUI-thread object; makes pictures on the thread pool: tiles lie in the grid of the view and are drawn at
+/// integer offsets; a picture of another view or of older content stands in until the new one is there.
 class RasterTiles : public QObject {
   Q_OBJECT
  public:
   struct Options {
     std::shared_ptr<TileBudget> budget = {};      // null = one of its own
-    std::shared_ptr<work::Workers> workers = {};  // null = a crew of its own
+    std::shared_ptr<work::Workers> workers = {};  // null = a thread pool of its own
     bool previews = true;                         // false: only exact tiles are ever shown (snapshots)
   };
   ~RasterTiles() override;
@@ -70,13 +71,22 @@ class RasterTiles : public QObject {
   virtual bool settled(const ViewTile& tile) const { return tile.current(); }
   /// The tile is about to be drawn, or to stand in.
   virtual void refresh(ViewTile& /*tile*/) {}
+  /// The colour behind the tiles, for stand-ins; 0 = transparent.
+  virtual std::uint32_t background() const { return 0; }
+  /// Other tiles are visible.
+  virtual void viewChanged() {}
+  /// The result of work that start() has not started.
+  virtual void takeOther(const TileWorkers::Outcome& /*outcome*/) {}
+  /// Drops what is out of view; what is in view stays all the same.
+  virtual void keepWithin(std::size_t budget);
 
   bool previews() const { return options_.previews; }
   std::uint64_t generation() const { return generation_; }  // of the content, from 1
   ViewTiles& tiles() { return tiles_; }
   const ViewTiles& tiles() const { return tiles_; }
   StandIns& standIns() { return stand_ins_; }
-  const TileWorkers& workers() const { return workers_; }
+  const StandIns& standIns() const { return stand_ins_; }
+  TileWorkers& workers() { return workers_; }
 
   /// Other content from now on. Work under way goes on: its tile is better than none, and is made once more.
   void nextGeneration() { ++generation_; }
@@ -90,6 +100,9 @@ class RasterTiles : public QObject {
                             std::uint64_t colors = 0);
   void cancelAll();
   void cancelExact();
+  void cancel(ViewTile& tile);
+  std::uint64_t taken() const { return taken_; }  // results
+  std::uint64_t dropped() const { return dropped_; }
 
  private:
   struct UnderWay {
@@ -99,7 +112,6 @@ class RasterTiles : public QObject {
   };
 
   void proceed();
-  void keepWithin(std::size_t budget);
   void receive(std::vector<TileWorkers::Outcome> outcomes);
   void dropStandInsWhenCovered();
 
@@ -110,9 +122,30 @@ class RasterTiles : public QObject {
   ViewTiles tiles_;
   StandIns stand_ins_;
   bool active_ = true, announced_ = false, was_settled_ = true;
-  std::uint64_t raster_ = 0, generation_ = 1;
+  std::uint64_t raster_ = 0, generation_ = 1, taken_ = 0, dropped_ = 0;
   std::unordered_map<TileWorkers::Ticket, UnderWay> under_way_;
   TileWorkers workers_;  // last: it waits for its work when destroyed
+};
+
+/// Paints the window of a raster: ARGB32_Premultiplied or RGB32 of its size, null if it is empty. A pure
+/// function, called on any thread; polls the flag, after which its result is ignored.
+using TilePainter = std::function<QImage(const PixelGrid&, const std::atomic<bool>& cancelled)>;
+
+/// Without previews there are no stand-ins.
+class PaintedTiles : public RasterTiles {
+  Q_OBJECT
+ public:
+  explicit PaintedTiles(Options options, QObject* parent = nullptr);
+
+  /// Paints with this from now on; null = nothing.
+  void setPainter(TilePainter painter);
+
+ protected:
+  bool hasContent() const override { return painter_ != nullptr; }
+  void startMissing() override;
+
+ private:
+  std::shared_ptr<const TilePainter> painter_;
 };
 
 }  // namespace mapwright::render

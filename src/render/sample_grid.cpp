@@ -4,8 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "render/cells_of_pixels.h"
-#include "render/tile_reach.h"
 #include "render/touched_cells.h"
 
 namespace mapwright::render {

@@ -1,14 +1,27 @@
-// Pictures of earlier views, warped, shown until the present one is ready. Private to this room; GUI thread.
+// What is drawn of a layer of tiles; pictures of earlier views, warped, shown until the present one is ready.
+// GUI thread.
 #pragma once
 
 #include <memory>
 #include <vector>
 
+#include <QImage>
+#include <QTransform>
+
 #include "geometry/view_transform.h"
 #include "render/tile_colors.h"
-#include "render/tile_renderer.h"
 
 namespace mapwright::render {
+
+/// One image to draw: `image` (RGB32, opaque; ARGB32_Premultiplied if unknown is transparent, and then null
+/// means that the area is empty and no stand-in may show) is mapped to viewport pixels by `to_viewport`: an
+/// integer translation if the tile belongs to the present scale and rotation, otherwise (stand_in) a warped
+/// picture of an earlier view.
+struct DrawnTile {
+  QImage image;
+  QTransform to_viewport;
+  bool stand_in = false;
+};
 
 /// The pixels of a tile and the image painted from them.
 struct Picture {

@@ -3,112 +3,199 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/tile_work.h"
-
 namespace mapwright::render {
+namespace {
 
-class TileRenderer::Impl {
- public:
-  Impl(TileRenderer& owner, const Options& options) : work(options, [this] { changed(); }), owner_(owner) {}
+// Up to so many native cells a pixel, view tiles are composed directly.
+constexpr double kDirectViewCells = 2;
+constexpr int kFewMissing = 8;  // pyramid tiles; with no more missing it is soon exact and needs no preview
+constexpr double kFinestNativeM = 1e-3;  // a freak texture does not make the whole view slow
+constexpr std::size_t kSubmapStandIns = 64;
 
-  // Continues, and emits the signal once per turn of the event loop.
-  void changed() {
-    if (announced_) return;
-    announced_ = true;
-    QMetaObject::invokeMethod(
-        &owner_, [this] { announce(); }, Qt::QueuedConnection);
-  }
+RasterTiles::Options tileOptions(const TileRenderer::Options& options) {
+  return {std::make_shared<TileBudget>(TileBudget{options.budgets.tiles}), options.workers, options.previews};
+}
 
-  TileWork work;
-
- private:
-  void announce() {
-    announced_ = false;
-    work.proceed();
-    const bool settled = work.settled();
-    const bool flipped = settled != was_settled_;
-    was_settled_ = settled;
-    Q_EMIT owner_.tilesChanged();
-    if (flipped) Q_EMIT owner_.settledChanged();
-  }
-
-  TileRenderer& owner_;
-  bool announced_ = false;
-  bool was_settled_ = true;
-};
+}  // namespace
 
 TileRenderer::TileRenderer(Options options, QObject* parent)
-    : QObject(parent), impl_(std::make_unique<Impl>(*this, options)) {}
-
-TileRenderer::~TileRenderer() = default;
+    : RasterTiles(tileOptions(options), kSubmapStandIns, parent),
+      dense_(std::make_shared<DenseCache>(options.budgets.dense)),
+      color_table_(std::make_shared<const ColorTable>(colors_, ColorMode::Normal)),
+      pyramid_(index_, workers(), dense_) {}
 
 void TileRenderer::upsert(std::vector<PlacedTexture> placed) {
-  std::vector<geometry::WorldRect> changed;
+  std::vector<geometry::WorldRect> rects;
   for (PlacedTexture& texture : placed) {
-    const auto change = impl_->work.index().upsert(std::move(texture));
+    const auto change = index_.upsert(std::move(texture));
     if (!change) continue;
-    if (!change->before.empty()) changed.push_back(change->before);
-    if (!change->after.empty() && !(change->after == change->before)) changed.push_back(change->after);
+    if (!change->before.empty()) rects.push_back(change->before);
+    if (!change->after.empty() && !(change->after == change->before)) rects.push_back(change->after);
   }
-  if (changed.empty()) return;
-  impl_->work.contentChanged(changed);
-  impl_->changed();
+  contentChanged(rects);
 }
 
 void TileRenderer::remove(const std::vector<map::SubmapId>& ids) {
-  std::vector<geometry::WorldRect> changed;
+  std::vector<geometry::WorldRect> rects;
   for (const map::SubmapId id : ids) {
-    if (const auto before = impl_->work.index().remove(id)) changed.push_back(*before);
+    if (const auto before = index_.remove(id)) rects.push_back(*before);
   }
-  if (changed.empty()) return;
-  impl_->work.contentChanged(changed);
-  impl_->changed();
+  contentChanged(rects);
+}
+
+void TileRenderer::contentChanged(const std::vector<geometry::WorldRect>& rects) {
+  if (rects.empty()) return;
+  nextGeneration();
+  if (const auto finest_m = index_.finest(); finest_m && pyramid_.base() == 0) {
+    pyramid_.setBase(std::max(*finest_m, kFinestNativeM));
+  }
+  tiles().touch(rects, generation(), [this](ViewTile& tile) { cancel(tile); });
+  pyramid_.invalidate(rects);
+  viewChanged();
+  changed();
 }
 
 void TileRenderer::clear() {
   if (textureCount() == 0) return;
-  impl_->work.index().clear();
-  impl_->work.contentCleared();
-  impl_->changed();
-}
-
-geometry::WorldRect TileRenderer::contentBounds() const { return impl_->work.index().bounds(); }
-
-std::size_t TileRenderer::textureCount() const { return impl_->work.index().size(); }
-
-void TileRenderer::setView(const geometry::ViewTransform& view) {
-  impl_->work.setView(view);
-  impl_->changed();
+  index_.clear();
+  nextGeneration();
+  forgetAll();
+  pyramid_.clear();
+  pyramid_.setBase(0);
+  dense_->clear();
+  viewChanged();
+  changed();
 }
 
 void TileRenderer::setColors(const MapColors& colors, ColorMode mode) {
-  impl_->work.setColors(colors, mode);
-  impl_->changed();
+  colors_ = colors;
+  color_table_ = std::make_shared<const ColorTable>(colors, mode);
+  ++colors_revision_;
+  standIns().repaint(*color_table_);
+  changed();
 }
 
-const MapColors& TileRenderer::colors() const { return impl_->work.colors(); }
+void TileRenderer::refresh(ViewTile& tile) {
+  if (tile.colors == colors_revision_ || !tile.picture.pixels) return;
+  tiles().setPicture(tile, tile.picture.pixels, color_table_->paint(*tile.picture.pixels), colors_revision_);
+}
+
+bool TileRenderer::usesPyramid() const {
+  const auto finest_m = index_.finest();
+  return previews() && finest_m &&
+         tiles().view().scale_m_per_px > kDirectViewCells * std::max(*finest_m, kFinestNativeM) * (1 + 1e-9);
+}
+
+// The level whose pixels are between a half and a quarter of the view's.
+int TileRenderer::pyramidLevel() const {
+  return int(std::floor(std::log2(tiles().view().scale_m_per_px / pyramid_.base()) + 1e-9)) - 1;
+}
+
+/// Empty ground is known without any work.
+void TileRenderer::viewChanged() {
+  for (const TilePlace& place : tiles().visible()) {
+    ViewTile& tile = tiles().at(place);
+    if (tile.settled() || index_.anyWithin(tiles().gridOf(place).bounds())) continue;
+    cancel(tile);
+    tiles().setPicture(tile, nullptr, {}, colors_revision_);
+    tile.known = tile.exact = true;
+    tile.shown = generation();
+  }
+}
+
+void TileRenderer::startMissing() {
+  pyramid_.beginRound();
+  const bool from_pyramid = usesPyramid();
+  if (from_pyramid) startPreviews();
+  for (const TilePlace& place : tiles().visible()) {
+    if (!workers().hasRoom()) return;
+    ViewTile& tile = tiles().at(place);
+    if (tile.settled() || tile.exact_work != 0) continue;
+    if (!from_pyramid || !startFromPyramid(place, tile)) startComposing(place, tile, Quality::Exact);
+  }
+}
+
+void TileRenderer::startPreviews() {
+  for (const TilePlace& place : tiles().visible()) {
+    if (!workers().hasRoom()) return;
+    ViewTile& tile = tiles().at(place);
+    if (tile.current() || tile.preview_work != 0) continue;
+    // Old content stays until the new is ready, unless that takes long.
+    const bool soon_exact = tile.known && pyramid_.missing(patchFor(tiles().gridOf(place), pyramidLevel(),
+                                                                    pyramid_.base())) <= kFewMissing;
+    if (!soon_exact) startComposing(place, tile, Quality::Preview);
+  }
+}
+
+// False if the pyramid cannot provide such a tile at all.
+bool TileRenderer::startFromPyramid(const TilePlace& place, ViewTile& tile) {
+  const PixelGrid grid = tiles().gridOf(place);
+  PyramidPatch patch = patchFor(grid, pyramidLevel(), pyramid_.base());
+  if (patch.columns == 0) return false;
+  if (!pyramid_.request(patch) || !workers().hasRoom()) return true;
+  tile.exact_work =
+      startWork(place, tile, true, [grid, patch = std::move(patch)](const std::atomic<bool>& cancelled) {
+        return resampled(grid, patch, cancelled);
+      });
+  return true;
+}
+
+void TileRenderer::startComposing(const TilePlace& place, ViewTile& tile, Quality quality) {
+  const PixelGrid grid = tiles().gridOf(place);
+  // Reduced levels extend slightly beyond the cells themselves.
+  const double margin_m = quality == Quality::Preview ? 2 * grid.scale_m_per_px : 0;
+  const bool exact = quality == Quality::Exact;
+  (exact ? tile.exact_work : tile.preview_work) =
+      startWork(place, tile, exact,
+                [grid, quality, textures = index_.within(grid.bounds().grown(margin_m)),
+                 dense = dense_](const std::atomic<bool>& cancelled) {
+                  return compose(grid, textures, quality, *dense, Kernel::Best, &cancelled);
+                });
+}
+
+TileWorkers::Ticket TileRenderer::startWork(const TilePlace& place, const ViewTile& tile, bool exact,
+                                            Compose compose) {
+  return start(
+      place, tile,
+      [compose = std::move(compose),
+       colors = color_table_](const std::atomic<bool>& cancelled) -> TileResult {
+        auto pixels = std::make_shared<const Composition>(compose(cancelled));
+        const bool anything = std::any_of(pixels->flags.begin(), pixels->flags.end(),
+                                          [](std::uint8_t flags) { return flags != 0; });
+        if (!anything) return {};
+        QImage image = colors->paint(*pixels);
+        return {std::move(pixels), std::move(image), nullptr};
+      },
+      exact, colors_revision_);
+}
+
+void TileRenderer::takeOther(const TileWorkers::Outcome& outcome) {
+  if (const auto of_use = pyramid_.take(outcome)) ++(*of_use ? pyramid_taken_ : pyramid_dropped_);
+}
+
+void TileRenderer::keepWithin(std::size_t budget) {
+  const auto rest = [&](std::size_t used) { return budget > used ? budget - used : 0; };
+  tiles().trim(rest(pyramid_.bytes()));
+  pyramid_.trim(rest(tiles().bytes()));
+}
 
 std::vector<DrawnTile> TileRenderer::drawnTiles() {
-  TileWork& work = impl_->work;
   std::vector<DrawnTile> drawn;
-  work.standIns().draw(work.tiles().view(), drawn);
+  standIns().draw(tiles().view(), drawn);
   const bool over_stand_ins = !drawn.empty();
   QImage unknown;
-  for (const TilePlace& place : work.tiles().visible()) {
-    const ViewTile* const tile = work.tiles().find(place);
+  for (const TilePlace& place : tiles().visible()) {
+    ViewTile* const tile = tiles().find(place);
     if (tile == nullptr || !tile->known) continue;
-    const QPointF offset = work.tiles().offsetOf(place);
-    QImage image = work.imageOf(place);
+    const QPointF offset = tiles().offsetOf(place);
+    refresh(*tile);
+    QImage image = tile->picture.image;
     if (image.isNull()) {
       // It is empty, and has to hide its stand-in.
       if (!over_stand_ins) continue;
-      if (work.colors().clear_unknown) {
-        drawn.push_back({{}, QTransform::fromTranslate(offset.x(), offset.y()), false});
-        continue;
-      }
-      if (unknown.isNull()) {
+      if (!colors_.clear_unknown && unknown.isNull()) {
         unknown = QImage(kTileEdge, kTileEdge, QImage::Format_RGB32);
-        unknown.fill(work.colors().unknown);
+        unknown.fill(colors_.unknown);
       }
       image = unknown;
     }
@@ -117,12 +204,25 @@ std::vector<DrawnTile> TileRenderer::drawnTiles() {
   return drawn;
 }
 
-bool TileRenderer::settled() const { return impl_->work.settled(); }
-
-TileCounts TileRenderer::counts() const { return impl_->work.counts(); }
+TileCounts TileRenderer::counts() const {
+  TileCounts counts;
+  counts.visible = int(tiles().visible().size());
+  for (const TilePlace& place : tiles().visible()) {
+    const ViewTile* const tile = tiles().find(place);
+    const bool settled = tile != nullptr && tile->settled();
+    counts.exact += settled;
+    counts.pending += !settled;
+    counts.preview += tile != nullptr && tile->known && !settled;
+  }
+  counts.composed = taken() + pyramid_taken_;
+  counts.dropped_stale = dropped() + pyramid_dropped_;
+  counts.cache_bytes = cacheBytes() + pyramid_.bytes();
+  counts.dense_bytes = dense_->bytes();
+  return counts;
+}
 
 Composition TileRenderer::composition() const {
-  const ViewTiles& tiles = impl_->work.tiles();
+  const ViewTiles& tiles = this->tiles();
   Composition whole;
   if (tiles.visible().empty()) return whole;
   whole.width_px = tiles.view().width_px;
@@ -148,7 +248,7 @@ Composition TileRenderer::composition() const {
 }
 
 std::optional<int> TileRenderer::intensityAt(const Eigen::Vector2d& world_m) const {
-  const ViewTiles& tiles = impl_->work.tiles();
+  const ViewTiles& tiles = this->tiles();
   const auto pixel = tiles.pixelAt(world_m);
   const ViewTile* const tile = pixel ? tiles.find(pixel->place) : nullptr;
   if (tile == nullptr || !tile->picture.pixels) return std::nullopt;

@@ -7,32 +7,13 @@
 #include <optional>
 #include <vector>
 
-#include <QImage>
-#include <QObject>
-#include <QPointF>
-#include <QTransform>
-
-#include "geometry/view_transform.h"
 #include "map/submap.h"
-#include "render/compositor.h"
-#include "render/map_colors.h"
-#include "work/budgets.h"
-
-namespace mapwright::work {
-class Workers;
-}
+#include "render/pyramid.h"
+#include "render/raster_tiles.h"
+#include "render/texture_index.h"
+#include "render/tile_colors.h"
 
 namespace mapwright::render {
-
-/// One image to draw: `image` (RGB32, opaque; ARGB32_Premultiplied if unknown is transparent, and then null
-/// means that the area is empty and no stand-in may show) is mapped to viewport pixels by `to_viewport`: an
-/// integer translation if the tile belongs to the present scale and rotation, otherwise (stand_in) a warped
-/// picture of an earlier view.
-struct DrawnTile {
-  QImage image;
-  QTransform to_viewport;
-  bool stand_in = false;
-};
 
 /// Counters of the tile work, for the debug display, tests and benchmarks.
 struct TileCounts {
@@ -55,7 +36,7 @@ struct TileCounts {
 ///   that is only remade where something changed; until then a preview from reduced textures is shown.
 /// - Results for an outdated view or content are dropped (generations); tiles nearest to the centre are made
 ///   first.
-class TileRenderer : public QObject {
+class TileRenderer : public RasterTiles {
   Q_OBJECT
  public:
   struct Options {
@@ -64,26 +45,22 @@ class TileRenderer : public QObject {
     bool previews = true;                         // false: only exact tiles are shown (snapshots)
   };
   explicit TileRenderer(Options options, QObject* parent = nullptr);
-  ~TileRenderer() override;
 
   /// Adds or replaces (same id) textures; a moved pose is a replacement with the same texture pointer.
   /// Textures without cells, or with a non-finite pose, are removed.
   void upsert(std::vector<PlacedTexture> placed);
   void remove(const std::vector<map::SubmapId>& ids);
   void clear();
-  geometry::WorldRect contentBounds() const;
-  std::size_t textureCount() const;
+  geometry::WorldRect contentBounds() const { return index_.bounds(); }
+  std::size_t textureCount() const { return index_.size(); }
 
-  /// A view without pixels, or with non-finite or absurd numbers (metres beyond 1e15), shows nothing.
-  void setView(const geometry::ViewTransform& view);
   void setColors(const MapColors& colors, ColorMode mode);
-  const MapColors& colors() const;
+  const MapColors& colors() const { return colors_; }
 
   /// What to paint now, back to front, covering as much of the viewport as is known. Cheap: does not compose.
   std::vector<DrawnTile> drawnTiles();
 
-  /// True when every visible tile is exact for the present view and content.
-  bool settled() const;
+  using RasterTiles::settled;
   TileCounts counts() const;
 
   /// The raw raster of the viewport from the present tiles: the whole picture if settled(). For snapshots
@@ -94,13 +71,34 @@ class TileRenderer : public QObject {
   /// Intensity (0..255) at a world point from the tiles on screen, nullopt if unobserved or not known yet.
   std::optional<int> intensityAt(const Eigen::Vector2d& world_m) const;
 
- Q_SIGNALS:
-  void tilesChanged();  // repaint; coalesced, at most once per event loop turn
-  void settledChanged();
+ protected:
+  bool hasContent() const override { return true; }
+  void startMissing() override;
+  bool settled(const ViewTile& tile) const override { return tile.settled(); }
+  void refresh(ViewTile& tile) override;
+  std::uint32_t background() const override { return colors_.clear_unknown ? 0 : colors_.unknown; }
+  void viewChanged() override;
+  void takeOther(const TileWorkers::Outcome& outcome) override;
+  void keepWithin(std::size_t budget) override;
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  using Compose = std::function<Composition(const std::atomic<bool>& cancelled)>;
+  /// The index has changed under the rectangles.
+  void contentChanged(const std::vector<geometry::WorldRect>& rects);
+  bool usesPyramid() const;
+  int pyramidLevel() const;
+  void startPreviews();
+  bool startFromPyramid(const TilePlace& place, ViewTile& tile);
+  void startComposing(const TilePlace& place, ViewTile& tile, Quality quality);
+  TileWorkers::Ticket startWork(const TilePlace& place, const ViewTile& tile, bool exact, Compose compose);
+
+  TextureIndex index_;
+  std::shared_ptr<DenseCache> dense_;  // work under way has it, too
+  MapColors colors_;
+  std::shared_ptr<const ColorTable> color_table_;
+  std::uint64_t colors_revision_ = 1;
+  Pyramid pyramid_;
+  std::uint64_t pyramid_taken_ = 0, pyramid_dropped_ = 0;
 };
 
 }  // namespace mapwright::render

@@ -6,7 +6,7 @@ namespace mapwright::render {
 
 TileWorkers::TileWorkers(std::shared_ptr<work::Workers> workers,
                          std::function<void(std::vector<Outcome>)> receive)
-    : threads_(workers->threads()), receive_(std::move(receive)), share_(std::move(workers)) {}
+    : threads_(workers->threads()), receive_(std::move(receive)), tasks_(std::move(workers)) {}
 
 TileWorkers::~TileWorkers() {
   for (const auto& [ticket, cancelled] : running_) cancelled->store(true, std::memory_order_relaxed);
@@ -18,7 +18,7 @@ TileWorkers::Ticket TileWorkers::start(work::Urgency urgency, Work work) {
   const Ticket ticket = ++last_ticket_;
   auto cancelled = std::make_shared<std::atomic<bool>>(false);
   running_.emplace(ticket, cancelled);
-  share_.start(urgency, [this, ticket, cancelled, work = std::move(work)] {
+  tasks_.start(urgency, [this, ticket, cancelled, work = std::move(work)] {
     Outcome outcome{ticket, false, {}};
     if (!cancelled->load(std::memory_order_relaxed)) outcome.result = work(*cancelled);
     const std::lock_guard lock(mutex_);

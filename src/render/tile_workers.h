@@ -59,7 +59,7 @@ class TileWorkers : public QObject {
   Ticket last_ticket_ = 0;
   std::mutex mutex_;
   std::vector<Outcome> finished_;  // guarded by mutex_
-  work::Share share_;              // last member: its jobs use all of the above
+  work::Tasks tasks_;              // last member: its jobs use all of the above
 };
 
 }  // namespace mapwright::render

@@ -24,12 +24,6 @@ std::size_t bytesOf(const Picture& picture) {
 
 }  // namespace
 
-std::size_t ViewTiles::PlaceHash::operator()(const TilePlace& place) const noexcept {
-  std::uint64_t h = std::uint64_t(place.x) * 0x9e3779b97f4a7c15ULL;
-  h = (h ^ (h >> 29) ^ std::uint64_t(place.y)) * 0xbf58476d1ce4e5b9ULL;
-  return std::size_t(h ^ (h >> 32));
-}
-
 bool ViewTiles::rasterChanges(const geometry::ViewTransform& view) const {
   if (snapshot_) return !(view == view_);
   return view.scale_m_per_px != view_.scale_m_per_px || view.rotation_rad != view_.rotation_rad;

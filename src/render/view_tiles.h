@@ -1,10 +1,10 @@
 // The tiles aligned with the present view. Private to this room; GUI thread.
 #pragma once
 
+#include <compare>
 #include <cstdint>
-#include <list>
+#include <map>
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
 #include "geometry/view_transform.h"
@@ -16,7 +16,7 @@ namespace mapwright::render {
 /// Tile (x, y) covers kTileEdge x kTileEdge pixels of the view's infinite raster.
 struct TilePlace {
   std::int64_t x = 0, y = 0;
-  bool operator==(const TilePlace&) const = default;
+  auto operator<=>(const TilePlace&) const = default;
 };
 
 struct ViewTile {
@@ -78,9 +78,6 @@ class ViewTiles {
   void trim(std::size_t budget_bytes);
 
  private:
-  struct PlaceHash {
-    std::size_t operator()(const TilePlace& place) const noexcept;
-  };
   // Tiles touched by a world rectangle, as a range of (clamped) places.
   struct PlaceRange {
     double x0, y0, x1, y1;
@@ -92,7 +89,7 @@ class ViewTiles {
   geometry::ViewTransform view_{.width_px = 0, .height_px = 0};
   PixelGrid raster_;
   double offset_x_ = 0, offset_y_ = 0;  // viewport pixel of raster pixel (0, 0), integers
-  std::unordered_map<TilePlace, ViewTile, PlaceHash> tiles_;
+  std::map<TilePlace, ViewTile> tiles_;
   std::vector<TilePlace> visible_;
   std::uint64_t views_ = 0;
   std::size_t bytes_ = 0;

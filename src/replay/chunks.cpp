@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "map/may_pass.h"
+#include "map/failure.h"
 
 namespace mapwright::replay {
 namespace {

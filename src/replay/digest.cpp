@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "map/fold.h"
+#include "map/world.h"
 
 namespace mapwright::replay {
 namespace {

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "map/way.h"
+#include "map/live_state.h"
 
 namespace mapwright::replay {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "map/may_pass.h"
+#include "map/failure.h"
 
 namespace mapwright::replay {
 namespace {

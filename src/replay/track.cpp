@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "map/way.h"
+#include "map/live_state.h"
 
 namespace mapwright::replay {
 namespace {

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "map/fold.h"
-#include "map/way.h"
+#include "map/live_state.h"
+#include "map/world.h"
 
 namespace mapwright::replay {
 namespace {

@@ -14,7 +14,7 @@
 
 #include <QString>
 
-#include "map/stamped_message.h"
+#include "map/live_topics.h"
 #include "map/subject.h"
 #include "robot/call.h"
 

@@ -23,8 +23,8 @@
 #include <tl/expected.hpp>
 
 #include "map/catalogue.h"
+#include "map/live_topics.h"
 #include "map/problem.h"
-#include "map/stamped_message.h"
 #include "map/stream.h"
 #include "map/submap.h"
 #include "map/waypoint.h"

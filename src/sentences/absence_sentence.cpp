@@ -11,6 +11,8 @@ namespace {
 
 using robot::Absence;
 using robot::Capability;
+using robot::MapChange;
+using robot::Obstacle;
 
 class AbsenceText {
   Q_DECLARE_TR_FUNCTIONS(Absence)
@@ -20,32 +22,57 @@ QString argument(const Absence& absence) {
   return absence.arguments.empty() ? QString() : QString::fromStdString(absence.arguments.front());
 }
 
+struct Lack {
+  Capability capability;
+  const char* text;
+};
+
+constexpr Lack kLacks[] = {
+    {Capability::Submaps, QT_TRANSLATE_NOOP("Absence", "There are no submaps here, only whole maps.")},
+    {Capability::Catalogue, QT_TRANSLATE_NOOP("Absence", "This robot does not list its maps.")},
+    {Capability::WholeMaps, QT_TRANSLATE_NOOP("Absence", "This robot provides no whole map.")},
+    {Capability::Overview, QT_TRANSLATE_NOOP("Absence", "This robot provides no overview of its map.")},
+    {Capability::Waypoints, QT_TRANSLATE_NOOP("Absence", "This robot provides no waypoints.")},
+    {Capability::WaypointEditing, QT_TRANSLATE_NOOP("Absence", "The waypoints of this robot are read-only.")},
+    {Capability::Live, QT_TRANSLATE_NOOP("Absence", "There is no live data here.")},
+    {Capability::Administration,
+     QT_TRANSLATE_NOOP("Absence", "The maps of this robot cannot be changed from here.")},
+    {Capability::PictureEditing,
+     QT_TRANSLATE_NOOP("Absence", "The pictures of this robot's maps are read-only.")},
+    {Capability::Bags, QT_TRANSLATE_NOOP("Absence", "This robot has no bags that can be replayed.")},
+    {Capability::Dispatch,
+     QT_TRANSLATE_NOOP("Absence",
+                       "This robot does not send parts of its map: no regions, no clouds, no projections.")},
+};
+
 /// What there is none of, whatever the reason.
 QString nothing(Capability capability) {
-  switch (capability) {
-    case Capability::Submaps:
-      return AbsenceText::tr("There are no submaps here, only whole maps.");
-    case Capability::Catalogue:
-      return AbsenceText::tr("This robot does not list its maps.");
-    case Capability::WholeMaps:
-      return AbsenceText::tr("This robot provides no whole map.");
-    case Capability::Overview:
-      return AbsenceText::tr("This robot provides no overview of its map.");
-    case Capability::Waypoints:
-      return AbsenceText::tr("This robot provides no waypoints.");
-    case Capability::WaypointEditing:
-      return AbsenceText::tr("The waypoints of this robot are read-only.");
-    case Capability::Live:
-      return AbsenceText::tr("There is no live data here.");
-    case Capability::Administration:
-      return AbsenceText::tr("The maps of this robot cannot be changed from here.");
-    case Capability::PictureEditing:
-      return AbsenceText::tr("The pictures of this robot's maps are read-only.");
-    case Capability::Bags:
-      return AbsenceText::tr("This robot has no bags that can be replayed.");
-    case Capability::Dispatch:
-      return AbsenceText::tr(
-          "This robot does not send parts of its map: no regions, no clouds, no projections.");
+  for (const Lack& lack : kLacks) {
+    if (lack.capability == capability) return QCoreApplication::translate("Absence", lack.text);
+  }
+  return {};
+}
+
+class ObstacleText {
+  Q_DECLARE_TR_FUNCTIONS(Obstacle)
+};
+
+QString notOffered(MapChange change) {
+  switch (change) {
+    case MapChange::Rename:
+      return ObstacleText::tr("The maps of this robot cannot be renamed from here.");
+    case MapChange::Load:
+      return ObstacleText::tr("The current map of this robot cannot be changed from here.");
+    case MapChange::Archive:
+    case MapChange::Unarchive:
+      return ObstacleText::tr("This robot has no map archive.");
+    case MapChange::Delete:
+      return ObstacleText::tr("The maps of this robot cannot be deleted from here.");
+    case MapChange::StartMapping:
+    case MapChange::StopMapping:
+      return ObstacleText::tr("Mapping cannot be started on this robot from here.");
+    case MapChange::Save:
+      return ObstacleText::tr("The mapping result of this robot cannot be saved from here.");
   }
   return {};
 }
@@ -108,6 +135,28 @@ Fault lackOf(Capability capability, const Absence& absence) {
   std::vector<FaultArgument> arguments{std::int64_t(capability), std::int64_t(absence.reason)};
   arguments.insert(arguments.end(), absence.arguments.begin(), absence.arguments.end());
   return {robot::fault::CapabilityLacking, std::move(arguments)};
+}
+
+QString whyNotNow(MapChange change, Obstacle obstacle) {
+  switch (obstacle) {
+    case Obstacle::NotOffered:
+      break;
+    case Obstacle::NotOfThisMap:
+      return ObstacleText::tr("This only works with a stored map, not with the one being mapped.");
+    case Obstacle::WhileMapping:
+      return ObstacleText::tr("Not while the robot is mapping: stop mapping first.");
+    case Obstacle::NotMapping:
+      return ObstacleText::tr("The robot is not mapping.");
+    case Obstacle::IsArchived:
+      return ObstacleText::tr("It is archived: restore it from the archive first.");
+    case Obstacle::IsNotArchived:
+      return ObstacleText::tr("It is not archived.");
+    case Obstacle::IsLoaded:
+      return ObstacleText::tr("The robot already uses it.");
+    case Obstacle::NotKnownYet:
+      return ObstacleText::tr("The robot has not reported its state yet.");
+  }
+  return notOffered(change);
 }
 
 }  // namespace mapwright::sentences

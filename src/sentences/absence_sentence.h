@@ -1,9 +1,10 @@
-// Texts for missing capabilities of a robot.
+// Texts for what a robot cannot do, ever or at present.
 #pragma once
 
 #include <QString>
 
 #include "fault/fault.h"
+#include "robot/map_administration.h"
 #include "robot/robot.h"
 
 namespace mapwright::sentences {
@@ -14,6 +15,9 @@ QString whyAbsent(robot::Capability capability, const robot::Absence& absence);
 /// A notice to show right after connecting: that the robot is read-only, or has no live data; empty if there
 /// is nothing to say.
 QString limitsOf(robot::Robot& robot);
+
+/// Why a map cannot be changed: "It is archived: restore it from the archive first." Plain text.
+QString whyNotNow(robot::MapChange change, robot::Obstacle obstacle);
 
 /// The missing capability as a fault; wordsOf(it) is whyAbsent().
 Fault lackOf(robot::Capability capability, const robot::Absence& absence);

@@ -12,10 +12,6 @@
 namespace mapwright::sentences {
 namespace {
 
-class FaultSentenceText {
-  Q_DECLARE_TR_FUNCTIONS(Fault)
-};
-
 QString textOf(const FaultArgument& argument) {
   if (const auto* const whole = std::get_if<std::int64_t>(&argument)) return QString::number(*whole);
   if (const auto* const number = std::get_if<double>(&argument)) return QString::number(*number, 'g', 6);
@@ -99,37 +95,29 @@ QString ended(const Fault& fault, const QString& whole) {
 }  // namespace
 
 QString consequenceOf(Consequence consequence) {
-  switch (consequence) {
-    case Consequence::None:
-      break;
-    case Consequence::ShownWithoutIt:
-      return FaultSentenceText::tr("Shown without it.");
-    case Consequence::ShownWithoutItUntilTheNext:
-      return FaultSentenceText::tr("Shown without it. It will be requested again with the next version.");
-    case Consequence::StaysWhereItWas:
-      return FaultSentenceText::tr("It stays where it was.");
-    case Consequence::AskedAgain:
-      return FaultSentenceText::tr("It will be requested again.");
-    case Consequence::AskedAgainAtTheNext:
-      return FaultSentenceText::tr("It will be requested again with the next version.");
-    case Consequence::PictureBeforeStays:
-      return FaultSentenceText::tr("The previous picture stays.");
-    case Consequence::PictureBeforeItStays:
-      return FaultSentenceText::tr("The previous picture stays.");
-    case Consequence::AlertsBeforeStay:
-      return FaultSentenceText::tr("The previous alerts stay.");
-    case Consequence::TheyWereLeftOut:
-      return FaultSentenceText::tr("They were left out.");
-    case Consequence::ItsPointsWereLeftOut:
-      return FaultSentenceText::tr("Its points were left out.");
-    case Consequence::AskedAgainEachTime:
-      return FaultSentenceText::tr("It is requested again each time.");
-    case Consequence::ReadAnewEachTime:
-      return FaultSentenceText::tr("They are read again each time.");
-    case Consequence::LeftAsItIs:
-      return FaultSentenceText::tr("It is left unchanged.");
-    case Consequence::NothingWritten:
-      return FaultSentenceText::tr("Nothing was written.");
+  struct Text {
+    Consequence consequence;
+    const char* text;
+  };
+  static constexpr Text kTexts[] = {
+      {Consequence::ShownWithoutIt, QT_TRANSLATE_NOOP("Fault", "Shown without it.")},
+      {Consequence::ShownWithoutItUntilTheNext,
+       QT_TRANSLATE_NOOP("Fault", "Shown without it. It will be requested again with the next version.")},
+      {Consequence::StaysWhereItWas, QT_TRANSLATE_NOOP("Fault", "It stays where it was.")},
+      {Consequence::AskedAgain, QT_TRANSLATE_NOOP("Fault", "It will be requested again.")},
+      {Consequence::AskedAgainAtTheNext,
+       QT_TRANSLATE_NOOP("Fault", "It will be requested again with the next version.")},
+      {Consequence::PictureBeforeStays, QT_TRANSLATE_NOOP("Fault", "The previous picture stays.")},
+      {Consequence::AlertsBeforeStay, QT_TRANSLATE_NOOP("Fault", "The previous alerts stay.")},
+      {Consequence::TheyWereLeftOut, QT_TRANSLATE_NOOP("Fault", "They were left out.")},
+      {Consequence::ItsPointsWereLeftOut, QT_TRANSLATE_NOOP("Fault", "Its points were left out.")},
+      {Consequence::AskedAgainEachTime, QT_TRANSLATE_NOOP("Fault", "It is requested again each time.")},
+      {Consequence::ReadAnewEachTime, QT_TRANSLATE_NOOP("Fault", "They are read again each time.")},
+      {Consequence::LeftAsItIs, QT_TRANSLATE_NOOP("Fault", "It is left unchanged.")},
+      {Consequence::NothingWritten, QT_TRANSLATE_NOOP("Fault", "Nothing was written.")},
+  };
+  for (const Text& each : kTexts) {
+    if (each.consequence == consequence) return QCoreApplication::translate("Fault", each.text);
   }
   return {};
 }

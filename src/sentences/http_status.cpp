@@ -5,60 +5,41 @@
 namespace mapwright::sentences {
 namespace {
 
-class HttpStatusText {
-  Q_DECLARE_TR_FUNCTIONS(HttpStatus)
+struct StatusName {
+  int status;
+  const char* name;
 };
 
-QString nameOf(int status) {
-  switch (status) {
-    case 304:
-      return HttpStatusText::tr("not modified");
-    case 400:
-      return HttpStatusText::tr("bad request");
-    case 401:
-      return HttpStatusText::tr("not authorised");
-    case 403:
-      return HttpStatusText::tr("forbidden");
-    case 404:
-      return HttpStatusText::tr("not found");
-    case 405:
-      return HttpStatusText::tr("method not allowed");
-    case 408:
-      return HttpStatusText::tr("request timeout");
-    case 409:
-      return HttpStatusText::tr("conflict");
-    case 410:
-      return HttpStatusText::tr("gone");
-    case 413:
-      return HttpStatusText::tr("too large");
-    case 415:
-      return HttpStatusText::tr("unsupported media type");
-    case 422:
-      return HttpStatusText::tr("cannot be processed");
-    case 426:
-      return HttpStatusText::tr("upgrade required");
-    case 429:
-      return HttpStatusText::tr("too many requests");
-    case 500:
-      return HttpStatusText::tr("internal error");
-    case 501:
-      return HttpStatusText::tr("not implemented");
-    case 502:
-      return HttpStatusText::tr("bad gateway");
-    case 503:
-      return HttpStatusText::tr("unavailable");
-    case 504:
-      return HttpStatusText::tr("gateway timeout");
-    default:
-      return {};
-  }
-}
+constexpr StatusName kNames[] = {
+    {304, QT_TRANSLATE_NOOP("HttpStatus", "not modified")},
+    {400, QT_TRANSLATE_NOOP("HttpStatus", "bad request")},
+    {401, QT_TRANSLATE_NOOP("HttpStatus", "not authorised")},
+    {403, QT_TRANSLATE_NOOP("HttpStatus", "forbidden")},
+    {404, QT_TRANSLATE_NOOP("HttpStatus", "not found")},
+    {405, QT_TRANSLATE_NOOP("HttpStatus", "method not allowed")},
+    {408, QT_TRANSLATE_NOOP("HttpStatus", "request timeout")},
+    {409, QT_TRANSLATE_NOOP("HttpStatus", "conflict")},
+    {410, QT_TRANSLATE_NOOP("HttpStatus", "gone")},
+    {413, QT_TRANSLATE_NOOP("HttpStatus", "too large")},
+    {415, QT_TRANSLATE_NOOP("HttpStatus", "unsupported media type")},
+    {422, QT_TRANSLATE_NOOP("HttpStatus", "cannot be processed")},
+    {426, QT_TRANSLATE_NOOP("HttpStatus", "upgrade required")},
+    {429, QT_TRANSLATE_NOOP("HttpStatus", "too many requests")},
+    {500, QT_TRANSLATE_NOOP("HttpStatus", "internal error")},
+    {501, QT_TRANSLATE_NOOP("HttpStatus", "not implemented")},
+    {502, QT_TRANSLATE_NOOP("HttpStatus", "bad gateway")},
+    {503, QT_TRANSLATE_NOOP("HttpStatus", "unavailable")},
+    {504, QT_TRANSLATE_NOOP("HttpStatus", "gateway timeout")},
+};
 
 }  // namespace
 
 QString statusWords(int status) {
-  const QString name = nameOf(status);
-  return name.isEmpty() ? QString::number(status) : QStringLiteral("%1 (%2)").arg(status).arg(name);
+  for (const StatusName& known : kNames) {
+    if (known.status == status)
+      return QStringLiteral("%1 (%2)").arg(status).arg(QCoreApplication::translate("HttpStatus", known.name));
+  }
+  return QString::number(status);
 }
 
 }  // namespace mapwright::sentences

@@ -1,5 +1,8 @@
 #include "sentences/overlay_name.h"
 
+#include <algorithm>
+#include <span>
+
 #include <QCoreApplication>
 
 namespace mapwright::sentences {
@@ -7,117 +10,72 @@ namespace {
 
 using map::OverlayShape;
 
-class OverlayText {
-  Q_DECLARE_TR_FUNCTIONS(Overlay)
+/// What a type of the maker's is called.
+struct TypeName {
+  int type;
+  const char* name;
 };
 
-QString pointName(int type) {
-  switch (type) {
-    case 3:
-      return OverlayText::tr("Other place");
-    case 6:
-      return OverlayText::tr("Elevator");
-    case 9:
-      return OverlayText::tr("Charger");
-    case 10:
-      return OverlayText::tr("Standby point");
-    case 11:
-      return OverlayText::tr("Table");
-    case 19:
-      return OverlayText::tr("Reception");
-    case 25:
-      return OverlayText::tr("Waypoint");
-    case 27:
-      return OverlayText::tr("Exchange point");
-    case 28:
-      return OverlayText::tr("Wait for elevator");
-    case 29:
-      return OverlayText::tr("Dispatch point");
-    case 34:
-      return OverlayText::tr("Rack point");
-    case 36:
-      return OverlayText::tr("Docking point");
-    case 37:
-      return OverlayText::tr("Barcode");
-    case 39:
-      return OverlayText::tr("Landmark");
-    default:
-      return {};
-  }
-}
+constexpr TypeName kPoints[] = {
+    {3, QT_TRANSLATE_NOOP("Overlay", "Other place")},
+    {6, QT_TRANSLATE_NOOP("Overlay", "Elevator")},
+    {9, QT_TRANSLATE_NOOP("Overlay", "Charger")},
+    {10, QT_TRANSLATE_NOOP("Overlay", "Standby point")},
+    {11, QT_TRANSLATE_NOOP("Overlay", "Table")},
+    {19, QT_TRANSLATE_NOOP("Overlay", "Reception")},
+    {25, QT_TRANSLATE_NOOP("Overlay", "Waypoint")},
+    {27, QT_TRANSLATE_NOOP("Overlay", "Exchange point")},
+    {28, QT_TRANSLATE_NOOP("Overlay", "Wait for elevator")},
+    {29, QT_TRANSLATE_NOOP("Overlay", "Dispatch point")},
+    {34, QT_TRANSLATE_NOOP("Overlay", "Rack point")},
+    {36, QT_TRANSLATE_NOOP("Overlay", "Docking point")},
+    {37, QT_TRANSLATE_NOOP("Overlay", "Barcode")},
+    {39, QT_TRANSLATE_NOOP("Overlay", "Landmark")},
+};
 
-QString lineName(int type) {
-  switch (type) {
-    case 1:
-      return OverlayText::tr("Virtual track");
-    case 2:
-      return OverlayText::tr("Virtual wall");
-    case 3:
-      return OverlayText::tr("Guide line");
-    case 4:
-      return OverlayText::tr("Patrol path");
-    default:
-      return {};
-  }
-}
+constexpr TypeName kLines[] = {
+    {1, QT_TRANSLATE_NOOP("Overlay", "Virtual track")},
+    {2, QT_TRANSLATE_NOOP("Overlay", "Virtual wall")},
+    {3, QT_TRANSLATE_NOOP("Overlay", "Guide line")},
+    {4, QT_TRANSLATE_NOOP("Overlay", "Patrol path")},
+};
 
-QString regionName(int type) {
-  switch (type) {
-    case 1:
-      return OverlayText::tr("Forbidden region");
-    case 2:
-      return OverlayText::tr("Slow zone");
-    case 3:
-      return OverlayText::tr("Elevator");
-    case 4:
-      return OverlayText::tr("Automatic gate");
-    case 5:
-      return OverlayText::tr("Automatic door");
-    case 6:
-      return OverlayText::tr("Drop risk");
-    case 7:
-      return OverlayText::tr("Slope");
-    case 8:
-      return OverlayText::tr("LiDAR deceitful area");
-    case 9:
-      return OverlayText::tr("Narrow passage");
-    case 10:
-      return OverlayText::tr("Exclusive region");
-    case 12:
-      return OverlayText::tr("Free space");
-    case 13:
-      return OverlayText::tr("Charging region");
-    case 15:
-      return OverlayText::tr("Depth restricted");
-    case 16:
-      return OverlayText::tr("Along centre line");
-    case 17:
-      return OverlayText::tr("Rack zone");
-    default:
-      return {};
-  }
-}
+constexpr TypeName kRegions[] = {
+    {1, QT_TRANSLATE_NOOP("Overlay", "Forbidden region")},
+    {2, QT_TRANSLATE_NOOP("Overlay", "Slow zone")},
+    {3, QT_TRANSLATE_NOOP("Overlay", "Elevator")},
+    {4, QT_TRANSLATE_NOOP("Overlay", "Automatic gate")},
+    {5, QT_TRANSLATE_NOOP("Overlay", "Automatic door")},
+    {6, QT_TRANSLATE_NOOP("Overlay", "Drop risk")},
+    {7, QT_TRANSLATE_NOOP("Overlay", "Slope")},
+    {8, QT_TRANSLATE_NOOP("Overlay", "LiDAR deceitful area")},
+    {9, QT_TRANSLATE_NOOP("Overlay", "Narrow passage")},
+    {10, QT_TRANSLATE_NOOP("Overlay", "Exclusive region")},
+    {12, QT_TRANSLATE_NOOP("Overlay", "Free space")},
+    {13, QT_TRANSLATE_NOOP("Overlay", "Charging region")},
+    {15, QT_TRANSLATE_NOOP("Overlay", "Depth restricted")},
+    {16, QT_TRANSLATE_NOOP("Overlay", "Along centre line")},
+    {17, QT_TRANSLATE_NOOP("Overlay", "Rack zone")},
+};
 
-QString shapeName(OverlayShape shape) {
-  switch (shape) {
-    case OverlayShape::Point:
-      return OverlayText::tr("Point");
-    case OverlayShape::Line:
-      return OverlayText::tr("Line");
-    case OverlayShape::Polygon:
-      break;
-  }
-  return OverlayText::tr("Region");
-}
+QString translated(const char* name) { return QCoreApplication::translate("Overlay", name); }
 
 }  // namespace
 
 QString nameOf(OverlayShape shape, int type) {
-  const QString known = shape == OverlayShape::Point  ? pointName(type)
-                        : shape == OverlayShape::Line ? lineName(type)
-                                                      : regionName(type);
-  if (!known.isEmpty()) return known;
-  return type == 0 ? shapeName(shape) : QStringLiteral("%1 %2").arg(shapeName(shape)).arg(type);
+  std::span<const TypeName> types = kRegions;
+  const char* any = QT_TRANSLATE_NOOP("Overlay", "Region");
+  if (shape == OverlayShape::Point) {
+    types = kPoints;
+    any = QT_TRANSLATE_NOOP("Overlay", "Point");
+  } else if (shape == OverlayShape::Line) {
+    types = kLines;
+    any = QT_TRANSLATE_NOOP("Overlay", "Line");
+  }
+  const auto known =
+      std::find_if(types.begin(), types.end(), [type](const TypeName& each) { return each.type == type; });
+  if (known != types.end()) return translated(known->name);
+  return type == 0 ? translated(any) : QStringLiteral("%1 %2").arg(translated(any)).arg(type);
 }
 
 }  // namespace mapwright::sentences

@@ -5,13 +5,10 @@
 
 namespace mapwright::sentences {
 
-/// "1 submap", "12,480 submaps" from tr("%1 submaps", nullptr, formOf(count)). English needs no translation
-/// file for that: this room knows the singulars (kSingulars) as soon as there is a QCoreApplication.
+/// "1 submap", "12,480 submaps" from tr("%1 submaps", nullptr, formOf(count)); resources/mapwright_en.ts has
+/// both forms. Not %n: that writes "12480", and %Ln as the system's language has it.
 QString counted(const QString& translated, qint64 count);
 /// The count for the n-form of tr.
 int formOf(qint64 count);
-
-/// The English singular of a plural text; null if it is the same.
-QString singularOf(const char* plural);
 
 }  // namespace mapwright::sentences

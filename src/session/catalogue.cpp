@@ -71,18 +71,6 @@ void Catalogue::take(robot::Outcome<std::vector<map::CatalogueEntry>> answer) {
   if (std::exchange(again_, false)) refresh();
 }
 
-const map::CatalogueEntry* Catalogue::find(const map::MapKey& key) const {
-  const auto found =
-      std::find_if(entries_.begin(), entries_.end(), [&](const auto& row) { return row.key == key; });
-  return found == entries_.end() ? nullptr : &*found;
-}
-
-const map::CatalogueEntry* Catalogue::current() const {
-  const auto found =
-      std::find_if(entries_.begin(), entries_.end(), [](const auto& row) { return row.is_current; });
-  return found == entries_.end() ? nullptr : &*found;
-}
-
 const map::CatalogueEntry* Catalogue::called(const std::string& text) const {
   const auto found = std::find_if(entries_.begin(), entries_.end(),
                                   [&](const auto& row) { return map::toText(row.key) == text; });

@@ -34,8 +34,8 @@ class Catalogue : public QObject {
   std::optional<QDateTime> asOf() const { return as_of_; }
   /// Stored maps first, then archived ones, then mappings; each newest first, or in the robot's own order.
   const std::vector<map::CatalogueEntry>& entries() const { return entries_; }
-  const map::CatalogueEntry* find(const map::MapKey& key) const;
-  const map::CatalogueEntry* current() const;
+  const map::CatalogueEntry* find(const map::MapKey& key) const { return map::entryOf(entries_, key); }
+  const map::CatalogueEntry* current() const { return map::currentOf(entries_); }
   /// The row for `text` (map::toText); nullptr if there is none.
   const map::CatalogueEntry* called(const std::string& text) const;
 

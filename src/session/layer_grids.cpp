@@ -9,22 +9,23 @@
 namespace mapwright::session {
 namespace {
 
-tl::expected<grids::ColoredGrid, Fault> decoded(const map::GridMessage& message, const grids::Means& means) {
+tl::expected<grids::ColoredGrid, Fault> decoded(const map::GridMessage& message,
+                                                const grids::Resources& resources) {
   const bool colours = message.reading.mode == map::CellReading::Mode::Picture;
-  return colours ? grids::decodeColors(message.png, LayerGrids::kMaxCells, means)
-                 : grids::decodeOccupancy(message.png, message.reading, LayerGrids::kMaxCells, means);
+  return colours ? grids::decodeColors(message.png, LayerGrids::kMaxCells, resources)
+                 : grids::decodeOccupancy(message.png, message.reading, LayerGrids::kMaxCells, resources);
 }
 
 }  // namespace
 
-LayerGrids::LayerGrids(grids::Means means, QObject* parent)
+LayerGrids::LayerGrids(grids::Resources resources, QObject* parent)
     : QObject(parent),
-      means_{work::orOwn(std::move(means.workers)), std::move(means.unpacked)},
-      share_(means_.workers) {}
+      resources_{work::orOwn(std::move(resources.workers)), std::move(resources.unpacked)},
+      tasks_(resources_.workers) {}
 
 LayerGrids::~LayerGrids() {
-  share_.drop();
-  share_.waitForDone();
+  tasks_.drop();
+  tasks_.waitForDone();
 }
 
 void LayerGrids::take(const map::GridMessage& message) {
@@ -38,10 +39,10 @@ void LayerGrids::take(const map::GridMessage& message) {
 
 void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
   rows_[kind].busy = true;
-  share_.start(work::Urgency::Wanted, [this, kind, generation = generation_, message = std::move(message)] {
+  tasks_.start(work::Urgency::Wanted, [this, kind, generation = generation_, message = std::move(message)] {
     auto grid = std::make_shared<tl::expected<LayerGrid, Fault>>(LayerGrid{message.grid, {}});
     using Colors = tl::expected<grids::ColoredGrid, Fault>;
-    auto colors = message.png ? decoded(message, means_)
+    auto colors = message.png ? decoded(message, resources_)
                               : Colors(tl::make_unexpected(Fault(fault::CameWithoutPicture)));
     if (const auto why = map::whyUnusable(message.grid)) {
       *grid = tl::make_unexpected(*why);
@@ -72,7 +73,7 @@ void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
             Q_EMIT changed(kind);
           } else {
             Q_EMIT problemFound({map::Severity::Warning, subject,
-                                 std::move(grid->error()).followedBy(Consequence::PictureBeforeItStays),
+                                 std::move(grid->error()).followedBy(Consequence::PictureBeforeStays),
                                  map::ProblemCode::Unreadable});
           }
         },
@@ -101,12 +102,12 @@ bool LayerGrids::busy() const {
 
 void LayerGrids::standStill() {
   ++generation_;
-  share_.drop();
+  tasks_.drop();
 }
 
 void LayerGrids::clear() {
   ++generation_;
-  share_.drop();
+  tasks_.drop();
   const auto rows = std::exchange(rows_, {});
   for (const auto& [kind, row] : rows) Q_EMIT changed(kind);
 }

@@ -25,7 +25,7 @@ class LayerGrids : public QObject {
  public:
   static constexpr std::int64_t kMaxCells = std::int64_t(64) << 20;
 
-  explicit LayerGrids(grids::Means means = {}, QObject* parent = nullptr);
+  explicit LayerGrids(grids::Resources resources = {}, QObject* parent = nullptr);
   ~LayerGrids() override;
 
   void take(const map::GridMessage& message);
@@ -57,8 +57,8 @@ class LayerGrids : public QObject {
 
   std::map<map::GridKind, Row> rows_;
   quint64 generation_ = 0;
-  grids::Means means_;
-  work::Share share_;
+  grids::Resources resources_;
+  work::Tasks tasks_;
 };
 
 }  // namespace mapwright::session

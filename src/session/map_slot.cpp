@@ -25,27 +25,27 @@ struct MapSlot::Opened {
 };
 
 /// Where pyramids say that their file is damaged, from any thread.
-struct MapSlot::Ear {
+struct MapSlot::Listener {
   std::mutex mutex;
   MapSlot* slot = nullptr;  // null: gone
 };
 
-MapSlot::MapSlot(QString sidecar_folder, grids::Means means, QObject* parent)
+MapSlot::MapSlot(QString sidecar_folder, grids::Resources resources, QObject* parent)
     : QObject(parent),
       sidecar_folder_(std::move(sidecar_folder)),
-      ear_(std::make_shared<Ear>()),
-      means_{work::orOwn(std::move(means.workers)), std::move(means.unpacked)},
-      share_(means_.workers) {
-  ear_->slot = this;
+      listener_(std::make_shared<Listener>()),
+      resources_{work::orOwn(std::move(resources.workers)), std::move(resources.unpacked)},
+      tasks_(resources_.workers) {
+  listener_->slot = this;
 }
 
 MapSlot::~MapSlot() {
   {
-    const std::lock_guard lock(ear_->mutex);
-    ear_->slot = nullptr;
+    const std::lock_guard lock(listener_->mutex);
+    listener_->slot = nullptr;
   }
   cancel();
-  share_.waitForDone();
+  tasks_.waitForDone();
 }
 
 map::Subject MapSlot::subject() const { return map::subjectOf(key_, name_.toStdString()); }
@@ -97,8 +97,11 @@ std::shared_ptr<MapSlot::Opened> MapSlot::open(const map::WholeMap& map, const g
   opened->source = map;
   opened->map = map;
   opened->generation = generation;
-  auto reading = map.bytes ? grids::openGrid(map.bytes, options) : grids::openGridFile(map.path, options);
+  auto reading = map.cells   ? grids::openGrid(map.cells, map.grid.width, map.grid.height, options)
+                 : map.bytes ? grids::openGrid(map.bytes, options)
+                             : grids::openGridFile(map.path, options);
   opened->map.bytes.reset();
+  opened->map.cells.reset();
   if (!reading) {
     opened->error = reading.error();
     return opened;
@@ -137,20 +140,20 @@ void MapSlot::start() {
   grids::GridOptions options;
   options.reading = source_->reading;
   options.reduction = reduction_;
-  options.means = means_;
+  options.resources = resources_;
   if (source_->key.kind != map::MapKind::Live) {
     options.sidecar_folder = sidecar_folder_.toStdString();
     options.fingerprint = source_->fingerprint;
     options.sidecar_from_cells = kLargeCells;
-    options.damaged = [ear = ear_, generation = generation_](grids::GridDamage damage) {
-      const std::lock_guard lock(ear->mutex);
-      MapSlot* const slot = ear->slot;
+    options.damaged = [listener = listener_, generation = generation_](grids::GridDamage damage) {
+      const std::lock_guard lock(listener->mutex);
+      MapSlot* const slot = listener->slot;
       if (!slot) return;
       QMetaObject::invokeMethod(
           slot, [slot, generation, damage] { slot->takeDamage(generation, damage); }, Qt::QueuedConnection);
     };
   }
-  share_.startLong([this, generation = generation_, cancelled = cancelled_, map = *source_,
+  tasks_.startLong([this, generation = generation_, cancelled = cancelled_, map = *source_,
                     options]() mutable {
     const auto call = [&](auto what) { QMetaObject::invokeMethod(this, what, Qt::QueuedConnection); };
     for (;;) {
@@ -283,7 +286,7 @@ void MapSlot::clear() {
 void MapSlot::standStill() {
   cancel();
   waypoints_awaited_ = false;
-  share_.waitForDone(kStillWithin);  // a row or two may be on their way into the picture
+  tasks_.waitForDone(kStillWithin);  // a row or two may be on their way into the picture
 }
 
 double MapSlot::progress() const {

@@ -27,7 +27,7 @@ class MapSlot : public QObject {
 
   /// `sidecar_folder`: cache for finished pyramids of large pictures; empty = none. Live maps are not cached:
   /// the next one replaces them, and they would displace useful ones.
-  explicit MapSlot(QString sidecar_folder, grids::Means means = {}, QObject* parent = nullptr);
+  explicit MapSlot(QString sidecar_folder, grids::Resources resources = {}, QObject* parent = nullptr);
   ~MapSlot() override;
 
   /// The map is being fetched; what is shown stays.
@@ -61,7 +61,8 @@ class MapSlot : public QObject {
   std::shared_ptr<const grids::GridPyramid> cells() const { return shown_cells_; }
   /// Width and height are the picture's own. Only valid if cells() is not null.
   const map::GridReference& reference() const { return shown_.grid; }
-  /// The data that came with the picture on screen (trajectories, landmarks, overlays); `bytes` is not kept.
+  /// The data that came with the picture on screen (trajectories, landmarks, overlays); `bytes` and `cells`
+  /// are not kept.
   const map::WholeMap& shown() const { return shown_; }
 
   /// The map on screen as received, to show it elsewhere; nullopt if there is none.
@@ -84,7 +85,7 @@ class MapSlot : public QObject {
 
  private:
   struct Opened;
-  struct Ear;
+  struct Listener;
   void start();
   static std::shared_ptr<Opened> open(const map::WholeMap& map, const grids::GridOptions& options,
                                       quint64 generation);
@@ -113,12 +114,12 @@ class MapSlot : public QObject {
   std::shared_ptr<Opened> reading_;                    // opened, not on screen yet or still growing
   std::shared_ptr<std::atomic<bool>> cancelled_;
   quint64 generation_ = 0;
-  quint64 shown_generation_ = 0;  // of the map on screen
-  std::shared_ptr<Ear> ear_;      // pyramids may outlive the slot
+  quint64 shown_generation_ = 0;        // of the map on screen
+  std::shared_ptr<Listener> listener_;  // pyramids may outlive the slot
   bool broken_ = false, waypoints_awaited_ = false;
   bool cache_told_ = false;  // reported that nothing can be cached on disk
-  grids::Means means_;
-  work::Share share_;
+  grids::Resources resources_;
+  work::Tasks tasks_;
 };
 
 }  // namespace mapwright::session

@@ -1,6 +1,7 @@
 #include "session/problem_log.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QCoreApplication>
 
@@ -47,93 +48,67 @@ qint64 LoggedProblem::lastedMs(const QDateTime& now) const {
   return earlier_ms + std::max(qint64(0), since.msecsTo(resolved.value_or(now)));
 }
 
-ProblemLog::Identity ProblemLog::identityOf(const map::Problem& problem) {
-  return {problem.subject.kind, problem.subject.id};
-}
-
-ProblemLog::Likeness ProblemLog::likenessOf(const map::Problem& problem) {
-  return {problem.subject.kind, problem.subject.id, problem.code, map::patternOf(problem)};
-}
-
-ProblemLog::Rows::iterator ProblemLog::at(quint64 row) {
-  return std::lower_bound(rows_.begin(), rows_.end(), row,
-                          [](const LoggedProblem& logged, quint64 number) { return logged.row < number; });
-}
-
-void ProblemLog::begin(const LoggedProblem& row) {
-  open_[identityOf(row.problem)].push_back(row.row);
-  unresolved_ += row.problem.severity != map::Severity::Info;
-}
-
-void ProblemLog::end(LoggedProblem& row, const QDateTime& now) {
-  row.resolved = now;
-  resolved_.insert(row.row);
-  unresolved_ -= row.problem.severity != map::Severity::Info;
+void ProblemLog::count(const LoggedProblem& row, int by) {
+  if (row.resolved) return;
+  open_ += by;
+  if (row.problem.severity != map::Severity::Info) unresolved_ += by;
 }
 
 void ProblemLog::add(const map::Problem& problem, const QDateTime& now) {
-  const auto [known, fresh] = alike_.try_emplace(likenessOf(problem), last_row_ + 1);
-  if (!fresh) {
-    LoggedProblem& row = *at(known->second);
-    if (row.resolved) {
-      row.earlier_ms = row.lastedMs(now);
-      row.since = now;
-      row.resolved.reset();
-      resolved_.erase(row.row);
-      row.problem = problem;
-      begin(row);
-    } else {
-      unresolved_ +=
-          int(problem.severity != map::Severity::Info) - int(row.problem.severity != map::Severity::Info);
-      row.problem = problem;
-    }
-    ++row.count;
-    row.last = now;
+  std::string pattern = map::patternOf(problem);
+  const auto alike = std::find_if(rows_.begin(), rows_.end(), [&](const LoggedProblem& row) {
+    return row.problem.code == problem.code && row.problem.subject.kind == problem.subject.kind &&
+           row.problem.subject.id == problem.subject.id && row.pattern == pattern;
+  });
+  if (alike == rows_.end()) {
+    if (rows_.size() >= kLimit) makeRoom();
+    rows_.push_back({++last_row_, problem, std::move(pattern), 1, now, now, std::nullopt, now, 0});
+    count(rows_.back(), 1);
     return;
   }
-  if (rows_.size() >= kLimit) makeRoom();
-  rows_.push_back({++last_row_, problem, 1, now, now, std::nullopt, now, 0});
-  begin(rows_.back());
+  if (alike->resolved) {
+    alike->earlier_ms = alike->lastedMs(now);
+    alike->since = now;
+  }
+  count(*alike, -1);
+  alike->resolved.reset();
+  alike->problem = problem;
+  count(*alike, 1);
+  ++alike->count;
+  alike->last = now;
 }
 
 void ProblemLog::makeRoom() {
-  const auto oldest = resolved_.empty() ? rows_.begin() : at(*resolved_.begin());
-  if (!oldest->resolved) {
-    const auto open = open_.find(identityOf(oldest->problem));
-    std::erase(open->second, oldest->row);
-    if (open->second.empty()) open_.erase(open);
-    unresolved_ -= oldest->problem.severity != map::Severity::Info;
-  }
-  resolved_.erase(oldest->row);
-  alike_.erase(likenessOf(oldest->problem));
+  auto oldest = std::find_if(rows_.begin(), rows_.end(),
+                             [](const LoggedProblem& row) { return row.resolved.has_value(); });
+  if (oldest == rows_.end()) oldest = rows_.begin();
+  count(*oldest, -1);
   rows_.erase(oldest);
   ++forgotten_;
 }
 
-bool ProblemLog::resolve(const map::Recovery& recovery, const QDateTime& now) {
-  const auto open = open_.find({recovery.subject.kind, recovery.subject.id});
-  if (open == open_.end()) return false;
-  const std::size_t before = open->second.size();
-  std::erase_if(open->second, [&](quint64 number) {
-    LoggedProblem& row = *at(number);
-    if (recovery.code && row.problem.code != *recovery.code) return false;
-    end(row, now);
-    return true;
-  });
-  const bool any = open->second.size() < before;
-  if (open->second.empty()) open_.erase(open);
+template <typename Recovered>
+bool ProblemLog::resolveIf(const QDateTime& now, const Recovered& recovered) {
+  bool any = false;
+  if (open_ == 0) return any;
+  for (LoggedProblem& row : rows_) {
+    if (row.resolved || !recovered(row.problem)) continue;
+    count(row, -1);
+    row.resolved = now;
+    any = true;
+  }
   return any;
 }
 
+bool ProblemLog::resolve(const map::Recovery& recovery, const QDateTime& now) {
+  return resolveIf(now, [&](const map::Problem& problem) {
+    return problem.subject.kind == recovery.subject.kind && problem.subject.id == recovery.subject.id &&
+           (!recovery.code || problem.code == *recovery.code);
+  });
+}
+
 bool ProblemLog::resolveAll(map::SubjectKind kind, const QDateTime& now) {
-  const auto first = open_.lower_bound({kind, {}});
-  auto last = first;
-  for (; last != open_.end() && last->first.first == kind; ++last) {
-    for (const quint64 number : last->second) end(*at(number), now);
-  }
-  const bool any = first != last;
-  open_.erase(first, last);
-  return any;
+  return resolveIf(now, [kind](const map::Problem& problem) { return problem.subject.kind == kind; });
 }
 
 void ProblemLog::clear() {

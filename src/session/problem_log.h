@@ -3,12 +3,8 @@
 
 #include <cstddef>
 #include <deque>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
-#include <tuple>
-#include <vector>
 
 #include <QDateTime>
 #include <QString>
@@ -21,6 +17,7 @@ namespace mapwright::session {
 struct LoggedProblem {
   quint64 row = 0;       // identifies the row as long as the log lives
   map::Problem problem;  // the last occurrence: its numbers are the newest
+  std::string pattern;   // the same for problems that differ only in numbers
   int count = 1;
   QDateTime first, last;              // met
   std::optional<QDateTime> resolved;  // when the subject recovered; nullopt if it has not
@@ -49,20 +46,14 @@ class ProblemLog {
   QString toText(const QDateTime& now) const;
 
  private:
-  using Identity = std::pair<map::SubjectKind, std::string>;
-  using Likeness = std::tuple<map::SubjectKind, std::string, map::ProblemCode, std::string>;
-  static Identity identityOf(const map::Problem& problem);
-  static Likeness likenessOf(const map::Problem& problem);
-  Rows::iterator at(quint64 row);
-  void begin(const LoggedProblem& row);
-  void end(LoggedProblem& row, const QDateTime& now);
+  template <typename Recovered>
+  bool resolveIf(const QDateTime& now, const Recovered& recovered);
+  void count(const LoggedProblem& row, int by);
   void makeRoom();
 
-  Rows rows_;                                      // ascending by `row`
-  std::map<Likeness, quint64> alike_;              // finds the row of a repeated problem
-  std::map<Identity, std::vector<quint64>> open_;  // unresolved rows: recoveries are frequent, problems rare
-  std::set<quint64> resolved_;                     // they go first
-  int unresolved_ = 0;                             // more severe than information
+  Rows rows_;           // ascending by `row`
+  int open_ = 0;        // unresolved rows: recoveries are frequent, problems rare
+  int unresolved_ = 0;  // those that are more severe than information
   quint64 last_row_ = 0;
   std::size_t forgotten_ = 0;
 };

@@ -6,7 +6,7 @@
 #include <QLoggingCategory>
 
 #include "grids/tile_cache.h"
-#include "map/repeats.h"
+#include "map/live_state.h"
 #include "robot/robot.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
@@ -34,12 +34,12 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
       robot_(std::move(robot)),
       monotonic_(orOwnClock(std::move(monotonic))),
       wall_(std::move(options.wall)),
-      means_{work::orOwn(std::move(options.workers)),
-             std::make_shared<grids::TileCache>(options.budgets.unpacked)},
+      resources_{work::orOwn(std::move(options.workers)),
+                 std::make_shared<grids::TileCache>(options.budgets.unpacked)},
       safety_(live_, [this] { return wallSeconds(); }),
       submaps_([this] { return robot_->submapSource(); },
                {options.scheduler,
-                means_.workers,
+                resources_.workers,
                 {options.budgets.textures, QFile::encodeName(options.sidecar_folder).toStdString()}},
                monotonic_),
       overview_wanted_(options.overview),
@@ -47,10 +47,10 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
       maps_by_itself_(options.maps),
       live_wanted_(options.maps),
       catalogue_(robot_->mapCatalogue()),
-      whole_map_(options.sidecar_folder, means_),
-      compared_map_(options.sidecar_folder, means_),
-      overview_({}, means_),
-      layer_grids_(means_) {
+      whole_map_(options.sidecar_folder, resources_),
+      compared_map_(options.sidecar_folder, resources_),
+      overview_({}, resources_),
+      layer_grids_(resources_) {
   if (robot::LiveTopics* const live = robot_->liveTopics()) live->setBasics(options.basics);
   problems_timer_.setSingleShot(true);
   connect(&problems_timer_, &QTimer::timeout, this, &Session::problemsChanged);
@@ -71,7 +71,7 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
 work::Budgets Session::memory() const {
   work::Budgets held;
   held.textures = submaps_.textureBytes();
-  held.unpacked = means_.unpacked->bytes();
+  held.unpacked = resources_.unpacked->bytes();
   return held;
 }
 

@@ -72,7 +72,7 @@ class Session : public QObject {
   /// Later messages apply to it. Not `whole`: missing parts may still be found, and the previous submaps stay
   /// until then.
   void reset(map::World world, bool whole = true);
-  const submap::SubmapBook& book() const { return submaps_.book(); }
+  const submap::SubmapStore& submaps() const { return submaps_.store(); }
   const ProblemLog& problems() const { return problems_; }
   void clearProblems();
   /// Reports a problem or a recovery at `at` (default: now).
@@ -185,7 +185,7 @@ class Session : public QObject {
   std::unique_ptr<robot::Robot> robot_;
   std::function<submap::Millis()> monotonic_;
   std::function<QDateTime()> wall_;
-  grids::Means means_;
+  grids::Resources resources_;
   map::World world_;
   map::LiveState& live_ = world_.live;
   SafetyWatch safety_;
@@ -201,13 +201,13 @@ class Session : public QObject {
   bool live_wanted_ = true;                      // the whole map on screen is the live one
   bool map_chosen_ = false;                      // by the user
   std::optional<map::WholeMap> compared_aside_;  // not requested from the robot
-  struct Wish {
+  struct Subscription {
     map::Streams streams;
     QStringList topics;
-    bool operator==(const Wish&) const = default;
+    bool operator==(const Subscription&) const = default;
   };
-  std::map<QString, Wish> wants_;
-  Wish wanted_;                   // all of them together
+  std::map<QString, Subscription> wants_;
+  Subscription wanted_;           // all of them together
   QSet<QString> retired_topics_;  // no longer wanted: messages still arriving are ignored
   QStringList wanted_topics_;     // all topics that may carry it
   std::map<const MapSlot*, map::MapKey> live_places_;  // whose waypoints were requested last

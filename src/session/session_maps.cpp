@@ -362,19 +362,19 @@ void Session::forgetUnwanted() {
 }
 
 void Session::want(const QString& owner, const map::Streams& streams, const QStringList& topics) {
-  Wish wish{streams, topics};
-  if (wants_[owner] == wish) return;
-  wants_[owner] = std::move(wish);
+  Subscription subscription{streams, topics};
+  if (wants_[owner] == subscription) return;
+  wants_[owner] = std::move(subscription);
   sendWants();
 }
 
 void Session::sendWants() {
   robot::LiveTopics* const live = robot_->liveTopics();
   if (!live || still_) return;
-  Wish all;
-  for (const auto& [owner, wish] : wants_) {
-    all.streams.insert(wish.streams.begin(), wish.streams.end());
-    all.topics += wish.topics;
+  Subscription all;
+  for (const auto& [owner, subscription] : wants_) {
+    all.streams.insert(subscription.streams.begin(), subscription.streams.end());
+    all.topics += subscription.topics;
   }
   all.topics.removeDuplicates();
   QStringList names = all.topics;

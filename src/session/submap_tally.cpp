@@ -36,29 +36,21 @@ void SubmapTally::add(const SubmapStanding& standing, int by) {
 }
 
 void SubmapTally::set(map::SubmapId id, const SubmapStanding& standing) {
-  const auto [found, added] = entries_.try_emplace(id);
-  Entry& entry = found->second;
+  const auto [found, added] = standings_.try_emplace(id, standing);
   if (added) {
-    entry.place = free_places_.empty() ? entries_.size() - 1 : free_places_.back();
-    if (!free_places_.empty()) free_places_.pop_back();
     counts_.trajectories += ++by_trajectory_[id.trajectory] == 1;
   } else {
-    add(entry.standing, -1);
+    add(found->second, -1);
+    found->second = standing;
   }
   add(standing, 1);
-  entry.standing = standing;
-  drawn_.set(entry.place, standing.visible && standing.drawable ? standing.bounds : geometry::WorldRect{});
-  listed_.set(entry.place, standing.visible ? standing.bounds : geometry::WorldRect{});
 }
 
 void SubmapTally::remove(map::SubmapId id) {
-  const auto found = entries_.find(id);
-  if (found == entries_.end()) return;
-  add(found->second.standing, -1);
-  drawn_.set(found->second.place, {});
-  listed_.set(found->second.place, {});
-  free_places_.push_back(found->second.place);
-  entries_.erase(found);
+  const auto found = standings_.find(id);
+  if (found == standings_.end()) return;
+  add(found->second, -1);
+  standings_.erase(found);
   const auto count = by_trajectory_.find(id.trajectory);
   if (--count->second > 0) return;
   by_trajectory_.erase(count);
@@ -68,7 +60,13 @@ void SubmapTally::remove(map::SubmapId id) {
 void SubmapTally::clear() { *this = {}; }
 
 geometry::WorldRect SubmapTally::contentBounds() const {
-  return drawn_.bounds().empty() ? listed_.bounds() : drawn_.bounds();
+  geometry::WorldRect drawn, listed;
+  for (const auto& [id, standing] : standings_) {
+    if (!standing.visible) continue;
+    listed.extend(standing.bounds);
+    if (standing.drawable) drawn.extend(standing.bounds);
+  }
+  return drawn.empty() ? listed : drawn;
 }
 
 }  // namespace mapwright::session

@@ -33,7 +33,7 @@ Submaps::Submaps(std::function<robot::SubmapSource*()> source, const Options& op
       source_(std::move(source)),
       monotonic_(std::move(monotonic)),
       scheduler_(options.scheduler),
-      share_(work::orOwn(options.workers)) {
+      tasks_(work::orOwn(options.workers)) {
   // Both may be called on any thread.
   cells::TextureStore::Listener listener;
   listener.lost = [this](std::uint64_t owner) {
@@ -58,8 +58,8 @@ Submaps::Submaps(std::function<robot::SubmapSource*()> source, const Options& op
 }
 
 Submaps::~Submaps() {
-  share_.drop();
-  share_.waitForDone();
+  tasks_.drop();
+  tasks_.waitForDone();
   textures_->silence();
 }
 
@@ -68,13 +68,13 @@ void Submaps::forgetList() {
   ++comparison_;  // the comparison in progress is outdated
   comparing_ = false;
   next_list_.reset();
-  if (book_.listReceived()) adopt(book_.clear(), false);
+  if (store_.listReceived()) adopt(store_.clear(), false);
 }
 
 void Submaps::takeList(const map::SubmapList& list) {
   if (still_) return;
   if (!comparing_ && list.entries.size() < kLongList) {
-    takeDifference(submap::compareLists(book_.listedBefore(), list));
+    takeDifference(submap::compareLists(store_.listedBefore(), list));
     return;
   }
   next_list_ = list;  // an unprocessed one is outdated
@@ -86,7 +86,7 @@ void Submaps::compareNext() {
   auto list = std::make_shared<const map::SubmapList>(std::move(*next_list_));
   next_list_.reset();
   // Before what waits to be decoded.
-  share_.start(work::Urgency::InView, [this, list = std::move(list), before = book_.listedBefore(),
+  tasks_.start(work::Urgency::InView, [this, list = std::move(list), before = store_.listedBefore(),
                                        number = comparison_] {
     auto difference = std::make_shared<const submap::ListDifference>(submap::compareLists(before, *list));
     QMetaObject::invokeMethod(
@@ -102,15 +102,15 @@ void Submaps::compareNext() {
 }
 
 void Submaps::takeDifference(const submap::ListDifference& difference) {
-  const bool first = !book_.listReceived();
-  adopt(book_.apply(difference), first);
+  const bool first = !store_.listReceived();
+  adopt(store_.apply(difference), first);
 }
 
-void Submaps::adopt(const submap::BookChange& change, bool first) {
+void Submaps::adopt(const submap::SubmapChange& change, bool first) {
   if (change.new_session) {
     ++generation_;
     if (robot::SubmapSource* const source = source_(); !first && source) source->cancelAll();
-    scheduler_.setUuid(book_.uuid());
+    scheduler_.setUuid(store_.uuid());
     tally_.clear();
     failure_reasons_.clear();
     decoding_.clear();
@@ -127,7 +127,7 @@ void Submaps::adopt(const submap::BookChange& change, bool first) {
   for (const map::SubmapId id : change.restarted) scheduler_.unwant(id);
   for (const auto* ids : {&change.listed, &change.restarted}) {
     for (const map::SubmapId id : *ids) {
-      const submap::SubmapRow* const row = book_.find(id);
+      const submap::SubmapRow* const row = store_.find(id);
       if (row->pose_usable) scheduler_.want(id, row->entry.version);
       note(id);
     }
@@ -145,7 +145,7 @@ void Submaps::adopt(const submap::BookChange& change, bool first) {
   pump();
 }
 
-void Submaps::publish(const submap::BookChange& change) {
+void Submaps::publish(const submap::SubmapChange& change) {
   for (const map::Recovery& recovery : change.recoveries) Q_EMIT recovered(recovery);
   for (const map::Problem& problem : change.problems) Q_EMIT problemFound(problem);
   if (!change.removed.empty()) Q_EMIT removed(change.removed);
@@ -168,7 +168,7 @@ void Submaps::standStill() {
   still_ = true;
   still_bytes_ = qint64(textures_->bytesInMemory());  // memory of textures that are no longer used changes
   ++generation_;                                      // results of decoding in progress are outdated
-  share_.drop();
+  tasks_.drop();
   wake_timer_.stop();
 }
 
@@ -200,7 +200,7 @@ void Submaps::takeAnswer(map::SubmapAnswer answer) {
     qCInfo(lcSubmaps, "submap %d/%d version %d: %s", key.id.trajectory, key.id.index, key.version,
            inEnglish(answer.reason).c_str());
   }
-  if (key.uuid == book_.uuid() && book_.find(key.id)) {
+  if (key.uuid == store_.uuid() && store_.find(key.id)) {
     if (answer.outcome != Outcome::Ok && answer.outcome != Outcome::Cancelled) {
       failure_reasons_[key.id] = answer.reason;
       const bool missing = answer.outcome == Outcome::NotFound;
@@ -227,7 +227,7 @@ void Submaps::takeAnswer(map::SubmapAnswer answer) {
 void Submaps::decode(map::SubmapAnswer answer) {
   ++decoding_[answer.key.id];
   ++decodes_;
-  share_.start(work::Urgency::Wanted, [this, generation = generation_, held = std::move(answer)] {
+  tasks_.start(work::Urgency::Wanted, [this, generation = generation_, held = std::move(answer)] {
     Decoded decoded{generation, held.from_cache, submap::decode(held)};
     for (const submap::Slice& slice : decoded.submap.slices) {
       if (slice.texture) textures_->keep(*slice.texture, ownerOf(held.key.id));
@@ -248,7 +248,7 @@ void Submaps::takeDecoded() {
     batch.swap(decoded_);
   }
   decodes_ -= batch.size();
-  submap::BookChange change;
+  submap::SubmapChange change;
   for (Decoded& decoded : batch) {
     if (decoded.generation == generation_) take(std::move(decoded), change);
   }
@@ -257,14 +257,14 @@ void Submaps::takeDecoded() {
   pump();
 }
 
-void Submaps::take(Decoded decoded, submap::BookChange& change) {
+void Submaps::take(Decoded decoded, submap::SubmapChange& change) {
   const map::SubmapId id = decoded.submap.key.id;
   if (const auto it = decoding_.find(id); it != decoding_.end() && --it->second <= 0) decoding_.erase(it);
   const bool corrupt = std::any_of(decoded.submap.slices.begin(), decoded.submap.slices.end(),
                                    [](const submap::Slice& slice) { return slice.corrupt.any(); });
   if (corrupt) discard(decoded.submap.key, decoded.submap.version, decoded.from_cache);
   lost_.erase(id);
-  const submap::BookChange one = book_.commit(std::move(decoded.submap));
+  const submap::SubmapChange one = store_.commit(std::move(decoded.submap));
   change.placed.insert(change.placed.end(), one.placed.begin(), one.placed.end());
   change.problems.insert(change.problems.end(), one.problems.begin(), one.problems.end());
   change.recoveries.insert(change.recoveries.end(), one.recoveries.begin(), one.recoveries.end());
@@ -288,10 +288,10 @@ void Submaps::lose(map::SubmapId id) {
     lost_.insert(id);
     return;
   }
-  const submap::BookChange change = book_.lose(id);
+  const submap::SubmapChange change = store_.lose(id);
   if (change.placed.empty()) return;
   lost_.insert(id);
-  scheduler_.again({book_.uuid(), id, book_.find(id)->entry.version});
+  scheduler_.again({store_.uuid(), id, store_.find(id)->entry.version});
   note(id);
   publish(change);
   tellSoon();
@@ -299,9 +299,9 @@ void Submaps::lose(map::SubmapId id) {
 }
 
 void Submaps::note(map::SubmapId id) {
-  const submap::SubmapRow* const row = book_.find(id);
+  const submap::SubmapRow* const row = store_.find(id);
   if (!row) return;
-  const geometry::WorldRect bounds = book_.bounds(id, slice_);
+  const geometry::WorldRect bounds = store_.bounds(id, slice_);
   tally_.set(id, {status(id), row->drawable(slice_), row->visible, bounds});
   if (!bounds.empty()) scheduler_.place(id, bounds.center(), !row->visible);
   if (!touched_.all) touched_.ids.push_back(id);
@@ -309,7 +309,7 @@ void Submaps::note(map::SubmapId id) {
 
 void Submaps::noteAll() {
   touched_.all = true;
-  for (const auto& [id, row] : book_.rows()) note(id);
+  for (const auto& [id, row] : store_.rows()) note(id);
 }
 
 void Submaps::tellNow() {
@@ -326,7 +326,7 @@ void Submaps::tellSoon() {
 }
 
 SubmapStatus Submaps::status(map::SubmapId id) const {
-  const submap::SubmapRow* row = book_.find(id);
+  const submap::SubmapRow* row = store_.find(id);
   if (!row) return SubmapStatus::Queued;
   if (!row->pose_usable) return SubmapStatus::Unplaced;
   const submap::FetchState fetch = scheduler_.state(id);
@@ -358,7 +358,7 @@ SubmapStatus Submaps::status(map::SubmapId id) const {
 }
 
 Fault Submaps::reason(map::SubmapId id) const {
-  const submap::SubmapRow* row = book_.find(id);
+  const submap::SubmapRow* row = store_.find(id);
   if (!row) return {};
   if (row->pose_problem != FaultCode()) return {fault::CannotBePlaced, {}, {row->pose_problem}};
   if (const auto it = failure_reasons_.find(id); it != failure_reasons_.end()) return it->second;
@@ -368,7 +368,7 @@ Fault Submaps::reason(map::SubmapId id) const {
 
 SubmapCounts Submaps::counts() const {
   SubmapCounts counts = tally_.counts();
-  counts.list_received = book_.listReceived();
+  counts.list_received = store_.listReceived();
   counts.texture_bytes = still_ ? still_bytes_ : qint64(textureBytes());
   counts.fetching = scheduler_.underWay();
   counts.queued = scheduler_.queued();
@@ -376,7 +376,7 @@ SubmapCounts Submaps::counts() const {
 }
 
 bool Submaps::settled(int tries) const {
-  return book_.listReceived() && !comparing_ && decoding_.empty() && scheduler_.settled(tries);
+  return store_.listReceived() && !comparing_ && decoding_.empty() && scheduler_.settled(tries);
 }
 
 void Submaps::setSlice(int slice) {
@@ -390,9 +390,9 @@ void Submaps::setSlice(int slice) {
 void Submaps::setVisible(const std::vector<map::SubmapId>& ids, bool visible) {
   std::vector<map::SubmapId> changed;
   for (const map::SubmapId id : ids) {
-    const submap::SubmapRow* row = book_.find(id);
+    const submap::SubmapRow* row = store_.find(id);
     if (!row || row->visible == visible) continue;
-    book_.setVisible(id, visible);
+    store_.setVisible(id, visible);
     note(id);
     changed.push_back(id);
   }

@@ -19,10 +19,9 @@
 #include "cells/texture_store.h"
 #include "geometry/rect.h"
 #include "robot/robot.h"
-#include "session/submap_counts.h"
 #include "session/submap_tally.h"
 #include "submap/fetch_scheduler.h"
-#include "submap/submap_book.h"
+#include "submap/submap_store.h"
 #include "work/workers.h"
 
 namespace mapwright::session {
@@ -52,7 +51,7 @@ class Submaps : public QObject {
   /// Freezes everything. Cannot be undone.
   void standStill();
 
-  const submap::SubmapBook& book() const { return book_; }
+  const submap::SubmapStore& store() const { return store_; }
   /// Without network traffic.
   SubmapCounts counts() const;
   /// How many pictures the store has lost that have not been reloaded.
@@ -92,13 +91,13 @@ class Submaps : public QObject {
   void compareNext();
   void takeDifference(const submap::ListDifference& difference);
   /// `first`: from the very first list.
-  void adopt(const submap::BookChange& change, bool first);
-  void publish(const submap::BookChange& change);
+  void adopt(const submap::SubmapChange& change, bool first);
+  void publish(const submap::SubmapChange& change);
   void pump();
   void takeAnswer(map::SubmapAnswer answer);
   void decode(map::SubmapAnswer answer);
   void takeDecoded();
-  void take(Decoded decoded, submap::BookChange& change);
+  void take(Decoded decoded, submap::SubmapChange& change);
   /// It cannot be decoded.
   void discard(const map::SubmapKey& key, std::int32_t answered_version, bool from_cache);
   /// The store lost the picture: fetches it again.
@@ -110,7 +109,7 @@ class Submaps : public QObject {
 
   std::function<robot::SubmapSource*()> source_;
   std::function<submap::Millis()> monotonic_;
-  submap::SubmapBook book_;
+  submap::SubmapStore store_;
   submap::FetchScheduler scheduler_;
   SubmapTally tally_;
   std::unordered_map<map::SubmapId, Fault> failure_reasons_;
@@ -131,7 +130,7 @@ class Submaps : public QObject {
   std::mutex decoded_mutex_;
   std::vector<Decoded> decoded_;  // guarded by decoded_mutex_
   std::shared_ptr<cells::TextureStore> textures_;
-  work::Share share_;  // after everything that its jobs use
+  work::Tasks tasks_;  // after everything that its jobs use
 };
 
 }  // namespace mapwright::session

@@ -2,7 +2,7 @@
 
 #include "cells/decode_cells.h"
 #include "submap/faults.h"
-#include "submap/submap_book.h"
+#include "submap/submap_store.h"
 
 namespace mapwright::submap {
 namespace {

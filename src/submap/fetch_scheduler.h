@@ -78,15 +78,14 @@ class FetchScheduler {
                 Millis now);
 
   FetchState state(map::SubmapId id) const;
-  int failures(map::SubmapId id) const;                   // in a row
-  std::optional<Millis> retryAt(map::SubmapId id) const;  // while Waiting
+  int failures(map::SubmapId id) const;  // in a row
   int underWay() const { return int(under_way_.size()); }
   int queued() const { return queued_; }
   /// Nothing more can be loaded without retrying what failed at least `tries` times.
   bool settled(int tries) const;
 
  private:
-  struct Wish {
+  struct Request {
     std::int32_t wanted = 0;
     std::int32_t satisfied = -1;  // highest version received
     bool any_answer = false;
@@ -102,19 +101,19 @@ class FetchScheduler {
     FetchState filed_as = FetchState::Idle;
     bool in_line = false, resting = false;
   };
-  using Wishes = std::unordered_map<map::SubmapId, Wish>;
-  static bool missing(const Wish& wish);
-  static bool open(const Wish& wish);
-  static FetchState stateOf(const Wish& wish);
+  using Requests = std::unordered_map<map::SubmapId, Request>;
+  static bool missing(const Request& request);
+  static bool open(const Request& request);
+  static FetchState stateOf(const Request& request);
   bool isUnderWay(map::SubmapId id) const;
-  void unfile(map::SubmapId id, Wish& wish);
-  void file(map::SubmapId id, Wish& wish);
+  void unfile(map::SubmapId id, Request& request);
+  void file(map::SubmapId id, Request& request);
   template <typename Change>
-  void change(Wishes::iterator at, Change change);
+  void change(Requests::iterator at, Change change);
 
   SchedulerOptions options_;
   std::string uuid_;
-  Wishes wishes_;
+  Requests requests_;
   std::vector<map::SubmapKey> under_way_;
   NearestFirst line_;                                 // open, and can be requested as far as known
   std::set<std::pair<Millis, map::SubmapId>> rests_;  // open, but not before that time

@@ -2,19 +2,37 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <condition_variable>
 #include <deque>
 #include <list>
 #include <mutex>
+#include <sys/resource.h>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include "work/stand_back.h"
-
 namespace mapwright::work {
 
-/// Counters of one share; guarded by the crew's mutex.
+namespace {
+
+/// Lowers the priority of the calling thread: the window is drawn first. Only for threads that do nothing but
+/// background work, since it cannot be undone.
+void standBack() {
+  constexpr int kBack = 8, kLeast = 19;
+  thread_local bool done = false;
+  if (done) return;
+  done = true;
+  // On Linux the process of id 0 is the calling thread. A refusal leaves the thread as it is, which is no
+  // loss.
+  errno = 0;
+  const int now = getpriority(PRIO_PROCESS, 0);
+  if (errno == 0) setpriority(PRIO_PROCESS, 0, std::min(now + kBack, kLeast));
+}
+
+}  // namespace
+
+/// Counters of one owner; guarded by the pool's mutex.
 struct Account {
   int waiting = 0, running = 0;
 };
@@ -23,18 +41,18 @@ class Workers::Impl {
  public:
   struct Waiting {
     std::shared_ptr<Account> owner;
-    Share::Job job;
+    Tasks::Job job;
   };
 
   std::mutex mutex;
   std::condition_variable work, done;
   std::array<std::deque<Waiting>, 3> queues;  // by urgency
   int running = 0, waiting = 0;
-  int idle = 0;  // threads of the crew without a job
+  int idle = 0;  // threads without a job
   bool closing = false;
   const int most;
-  std::vector<std::thread> crew;
-  std::list<std::thread> long_ones;  // beyond the crew
+  std::vector<std::thread> pool_threads;
+  std::list<std::thread> long_ones;  // beyond the pool
   std::list<std::thread> ended;      // of those: nothing is left but to join them
 
   explicit Impl(int most_threads) : most(most_threads) {}
@@ -94,7 +112,7 @@ Workers::~Workers() {
     impl_->closing = true;
   }
   impl_->work.notify_all();
-  for (std::thread& thread : impl_->crew) thread.join();
+  for (std::thread& thread : impl_->pool_threads) thread.join();
   for (std::thread& thread : impl_->ended) thread.join();
 }
 
@@ -114,29 +132,29 @@ int Workers::waiting() const {
   return impl_->waiting;
 }
 
-Share::Share(std::shared_ptr<Workers> workers)
+Tasks::Tasks(std::shared_ptr<Workers> workers)
     : workers_(std::move(workers)), mine_(std::make_shared<Account>()) {}
 
-Share::~Share() {
+Tasks::~Tasks() {
   drop();
   waitForDone();
 }
 
-void Share::start(Urgency urgency, Job job) {
+void Tasks::start(Urgency urgency, Job job) {
   Workers::Impl& impl = *workers_->impl_;
   {
     const std::lock_guard lock(impl.mutex);
     impl.queues[std::size_t(urgency)].push_back({mine_, std::move(job)});
     ++impl.waiting;
     ++mine_->waiting;
-    if (impl.waiting > impl.idle && int(impl.crew.size()) < impl.most) {
-      impl.crew.emplace_back([&impl] { impl.serve(); });
+    if (impl.waiting > impl.idle && int(impl.pool_threads.size()) < impl.most) {
+      impl.pool_threads.emplace_back([&impl] { impl.serve(); });
     }
   }
   impl.work.notify_one();
 }
 
-void Share::startLong(Job job) {
+void Tasks::startLong(Job job) {
   Workers::Impl& impl = *workers_->impl_;
   std::list<std::thread> ended;
   {
@@ -155,7 +173,7 @@ void Share::startLong(Job job) {
   for (std::thread& thread : ended) thread.join();
 }
 
-int Share::drop() {
+int Tasks::drop() {
   Workers::Impl& impl = *workers_->impl_;
   std::vector<Workers::Impl::Waiting> dropped;  // let go of without the lock: jobs hold what they like
   const std::lock_guard lock(impl.mutex);
@@ -171,7 +189,7 @@ int Share::drop() {
   return int(dropped.size());
 }
 
-bool Share::waitForDone(std::chrono::milliseconds longest) {
+bool Tasks::waitForDone(std::chrono::milliseconds longest) {
   Workers::Impl& impl = *workers_->impl_;
   std::unique_lock lock(impl.mutex);
   const auto idle = [&] { return mine_->running == 0 && mine_->waiting == 0; };
@@ -182,12 +200,12 @@ bool Share::waitForDone(std::chrono::milliseconds longest) {
   return impl.done.wait_for(lock, longest, idle);
 }
 
-int Share::waiting() const {
+int Tasks::waiting() const {
   const std::lock_guard lock(workers_->impl_->mutex);
   return mine_->waiting;
 }
 
-int Share::running() const {
+int Tasks::running() const {
   const std::lock_guard lock(workers_->impl_->mutex);
   return mine_->running;
 }

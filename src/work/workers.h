@@ -18,13 +18,13 @@ enum class Urgency {
 
 struct Account;  // the running and waiting jobs of one owner
 
-/// A pool of low-priority threads. Any thread may use it; its shares keep it alive. Threads are created on
-/// demand.
+/// A pool of low-priority threads. Any thread may use it; the tasks of its owners keep it alive. Threads are
+/// created on demand.
 class Workers {
  public:
   /// 0 = one thread per processor.
   explicit Workers(int threads = 0);
-  /// All shares are gone by now. Not called on a thread of the pool: no job may own the pool itself.
+  /// All tasks are gone by now. Not called on a thread of the pool: no job may own the pool itself.
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
@@ -35,7 +35,7 @@ class Workers {
   int waiting() const;
 
  private:
-  friend class Share;
+  friend class Tasks;
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
@@ -43,17 +43,17 @@ class Workers {
 /// `workers`, or a new pool if it is null.
 std::shared_ptr<Workers> orOwn(std::shared_ptr<Workers> workers);
 
-/// One owner's part of the work: its jobs can be dropped and waited for without touching those of others.
+/// The jobs of one owner: they can be dropped and waited for without touching those of others.
 /// Jobs may not throw, and may not wait for other jobs of the pool. Call all members from one thread.
-class Share {
+class Tasks {
  public:
   using Job = std::function<void()>;
 
-  explicit Share(std::shared_ptr<Workers> workers);
+  explicit Tasks(std::shared_ptr<Workers> workers);
   /// Drops waiting jobs, and waits for running ones.
-  ~Share();
-  Share(const Share&) = delete;
-  Share& operator=(const Share&) = delete;
+  ~Tasks();
+  Tasks(const Tasks&) = delete;
+  Tasks& operator=(const Tasks&) = delete;
 
   void start(Urgency urgency, Job job);
   /// For jobs that take seconds or wait for a disk: a thread of its own outside of the pool, so that tiles
@@ -61,7 +61,7 @@ class Share {
   void startLong(Job job);
   /// Drops waiting jobs and returns their number.
   int drop();
-  /// True when no job of this share runs or waits any more.
+  /// True when no job of this owner runs or waits any more.
   bool waitForDone(std::chrono::milliseconds longest = std::chrono::milliseconds::max());
   int waiting() const;
   int running() const;

@@ -171,22 +171,6 @@ class DispatchCommandsTest : public QObject {
     QVERIFY(!QFile::exists(file("none.png")));
   }
 
-  void aRobotThatTakesPlacesForCornersIsAskedForCorners() {
-    start();
-    const Ran right = picture("20,10,70,60", "right.png");
-    QVERIFY2(right.exit_code == 0, right.error.constData());
-    start([](simulator::Options& options) { options.faults.ros.dispatcher.answer = "corner"; });
-    const Ran ran =
-        ask({text("snapshot"), text("--region"), text("20,10,70,60"), text("--layers"), text("none"),
-             text("-o"), file("corner.png"), text("--report"), file("corner.json")});
-    QVERIFY2(ran.exit_code == 0, ran.error.constData());
-    QFile report(file("corner.json"));
-    QVERIFY(report.open(QIODevice::ReadOnly));
-    const QByteArray told = report.readAll();
-    QVERIFY2(told.contains("as a corner"), told.constData());
-    QCOMPARE(QImage(file("corner.png")), QImage(file("right.png")));
-  }
-
   void pixelsSmallerThanACellAreAllObserved() {
     start();
     const Ran ran = ask({text("snapshot"), text("--raw"), text("--region"), text("0.013,0.017,2.03,1.01"),

@@ -124,10 +124,10 @@ class LiveRobotTest : public QObject {
     const auto session = connectTo();
     QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
     robot_->clearRequestLog();
-    const map::SubmapId id = session->book().rows().begin()->first;
-    const int before = session->book().find(id)->shown_version;
+    const map::SubmapId id = session->submaps().rows().begin()->first;
+    const int before = session->submaps().find(id)->shown_version;
     robot_->bumpVersion(id.trajectory, id.index);
-    QTRY_VERIFY_WITH_TIMEOUT(session->book().find(id)->shown_version > before, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(session->submaps().find(id)->shown_version > before, kPatienceMs);
     QCOMPARE(submapRequests(*robot_).size(), std::size_t(1));
   }
 
@@ -147,9 +147,9 @@ class LiveRobotTest : public QObject {
     startRobot();
     const auto session = connectTo();
     QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
-    const map::SubmapId id = session->book().rows().begin()->first;
+    const map::SubmapId id = session->submaps().rows().begin()->first;
     robot_->removeSubmap(id.trajectory, id.index);
-    QTRY_VERIFY_WITH_TIMEOUT(!session->book().find(id), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!session->submaps().find(id), kPatienceMs);
   }
 
   void a404IsNotRepeated() {
@@ -250,9 +250,9 @@ class LiveRobotTest : public QObject {
     startRobot();
     const auto session = connectTo();
     QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
-    const std::string before = session->book().uuid();
+    const std::string before = session->submaps().uuid();
     robot_->restartSlam();
-    QTRY_VERIFY_WITH_TIMEOUT(session->book().uuid() != before && complete(*session), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(session->submaps().uuid() != before && complete(*session), kPatienceMs);
     QVERIFY(mostAtOnce(submapRequests(*robot_)) <= 4);
   }
 

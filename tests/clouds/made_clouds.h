@@ -7,9 +7,9 @@
 #include <optional>
 #include <random>
 
-#include "clouds/cloud_book.h"
 #include "clouds/cloud_tree.h"
 #include "clouds/draw_cloud.h"
+#include "clouds/newest_clouds.h"
 
 namespace mapwright::test {
 
@@ -34,10 +34,10 @@ inline std::shared_ptr<const clouds::CloudTree> treeOf(const map::SpatialCloud& 
   return clouds::CloudTree::make(cloud);
 }
 
-inline clouds::CloudBook::Came came(const map::SpatialCloud& cloud,
-                                    std::optional<map::CloudRegion> region = {},
-                                    clouds::PointKind kind = clouds::PointKind::Point) {
-  clouds::CloudBook::Came made;
+inline clouds::NewestClouds::Came came(const map::SpatialCloud& cloud,
+                                       std::optional<map::CloudRegion> region = {},
+                                       clouds::PointKind kind = clouds::PointKind::Point) {
+  clouds::NewestClouds::Came made;
   made.kind = kind;
   made.region = region;
   made.tree = treeOf(cloud);
@@ -48,7 +48,7 @@ inline clouds::CloudBook::Came came(const map::SpatialCloud& cloud,
 
 inline clouds::CloudSet setOf(const map::SpatialCloud& cloud,
                               clouds::PointKind kind = clouds::PointKind::Point) {
-  clouds::CloudBook book;
+  clouds::NewestClouds book;
   book.add(came(cloud, {}, kind));
   return book.set();
 }

@@ -1,7 +1,7 @@
 // Clouds put in order.
 #include <QtTest>
 
-#include "clouds/voxel_size.h"
+#include "clouds/cloud_tree.h"
 #include "made_clouds.h"
 #include "test_program.h"
 

@@ -1,7 +1,7 @@
 // Clouds from above, pixel by pixel: against looking at every point.
 #include <QtTest>
 
-#include "clouds/shades.h"
+#include "clouds/draw_cloud.h"
 #include "made_clouds.h"
 #include "test_program.h"
 
@@ -171,13 +171,13 @@ class TestDrawCloud : public QObject {
       for (int y = 0; y < 20; ++y)
         cloud.points.emplace_back((float(x) + 0.5F) * 0.05F, (float(y) + 0.5F) * 0.05F, 1.0F);
     }
-    CloudBook book;
+    NewestClouds store;
     auto came = test::came(cloud, {}, PointKind::Voxel);
     came.voxel_m = 0.05;
-    book.add(came);
+    store.add(came);
     for (const double rotation : {0.0, 0.5}) {
       const Raster in = raster(0.007, rotation, 200, -100, -200);
-      const CloudPixels drawn = drawClouds(in, book.set(), byHeight(0, 2));
+      const CloudPixels drawn = drawClouds(in, store.set(), byHeight(0, 2));
       int inside = 0;
       for (int row = 0; row < 200; ++row) {
         for (int column = 0; column < 200; ++column) {
@@ -199,12 +199,12 @@ class TestDrawCloud : public QObject {
     map::SpatialCloud cell, point;
     cell.points.emplace_back(0.5F, 0.5F, 0.0F);
     point.points.emplace_back(0.55F, 0.55F, 2.0F);
-    CloudBook book;
+    NewestClouds store;
     auto came = test::came(cell, {}, PointKind::Voxel);
     came.voxel_m = 1;
-    book.add(test::came(point));
-    book.add(came);
-    const CloudPixels drawn = drawClouds(raster(0.1, 0, 10, 0, -10), book.set(), byHeight(0, 2));
+    store.add(test::came(point));
+    store.add(came);
+    const CloudPixels drawn = drawClouds(raster(0.1, 0, 10, 0, -10), store.set(), byHeight(0, 2));
     QCOMPARE(drawn.argb[0], 0xff000000 | shades()[0]);
     QCOMPARE(drawn.argb[45], 0xff000000 | shades()[255]);
   }

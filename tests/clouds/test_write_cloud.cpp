@@ -110,7 +110,7 @@ class TestWriteCloud : public QObject {
   }
 
   void ofASetWhatIsShownIsWritten() {
-    CloudBook book;
+    NewestClouds book;
     map::SpatialCloud plain = test::scattered(1'000, 10, 4, 1);
     plain.intensity.clear();
     plain.rgb.clear();

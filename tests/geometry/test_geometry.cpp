@@ -1,13 +1,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include <QTest>
 
 #include "geometry/pose.h"
-#include "geometry/rect_union.h"
 #include "geometry/view_transform.h"
 #include "test_program.h"
 
@@ -114,28 +112,6 @@ class GeometryTest : public QObject {
     }
     const ViewTransform view{{1, 2}, 0.3, 0, 300, 200};
     QCOMPARE(view.fitted(WorldRect{}, 10), view);
-  }
-
-  void aUnionFollowsWhatComesMovesAndGoes() {
-    std::mt19937 random(3);
-    std::vector<WorldRect> rects(700);
-    RectUnion all;
-    QVERIFY(all.bounds().empty());
-    for (int step = 0; step < 4000; ++step) {
-      const std::size_t at = random() % (std::size_t(step) % 700 + 1);
-      WorldRect rect;
-      if (random() % 3 != 0) {
-        const double x = double(random() % 1000), y = double(random() % 1000);
-        rect = {x, y, x + double(random() % 20), y + 5};
-      }
-      rects[at] = rect;
-      all.set(at, rect);
-      WorldRect expected;
-      for (const WorldRect& one : rects) expected.extend(one);
-      QCOMPARE(all.bounds(), expected);
-    }
-    all.clear();
-    QVERIFY(all.bounds().empty());
   }
 };
 

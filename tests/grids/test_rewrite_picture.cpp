@@ -3,7 +3,7 @@
 #include <QtTest>
 
 #include "grids/faults.h"
-#include "grids/picture_shades.h"
+#include "grids/grid_cells.h"
 #include "grids/rewrite_picture.h"
 #include "picture_samples.h"
 #include "test_program.h"

@@ -162,6 +162,7 @@ class TestAnswerLimit : public QObject {
     QFETCH(int, most_asked);
     const FakeGround ground = hall(6000, 4000);
     MapRegions regions = regionsOf(only ? std::optional(view) : std::nullopt);
+    if (habit == Habit::Strict) regions.setExtent(ground.all().grid);
     look(regions, view);
     const Told told =
         settle(regions, [&](const auto& region) { return limited(ground, habit, most, region); });

@@ -136,7 +136,7 @@ class TestMapRegions : public QObject {
     regions.refresh();
     for (int i = 0; i < 20; ++i) {
       for (const RegionRequest& ask : regions.take(kStart)) {
-        if (ask.kind == RegionRequest::Kind::Square)
+        if (!ask.is_first)
           QVERIFY(shown(regions, ask.rect.center()) != kNotFetched);  // the old stays until the new is there
         regions.answered(ask.id, map::GridPart{}, kStart);
       }
@@ -203,11 +203,12 @@ class TestMapRegions : public QObject {
     const auto step = [&](bool may_fail) {
       for (const RegionRequest& ask : regions.take(now)) {
         for (const RegionRequest& other : under_way)
-          QVERIFY(!(other.isOfSquare() && other.key == ask.key && !cancelled.contains(other.id)));
+          QVERIFY(other.is_first || other.key != ask.key || cancelled.contains(other.id));
         // What has an answer of this round is not asked for.
-        if (ask.kind == RegionRequest::Kind::Square) QVERIFY(!regions.plan().row(ask.key).answered);
-        if (ask.isOfSquare()) QVERIFY(regions.plan().inView().contains(ask.key));
         under_way.push_back(ask);
+        if (ask.is_first) continue;
+        QVERIFY(!regions.plan().row(ask.key).answered);
+        QVERIFY(regions.plan().inView().contains(ask.key));
       }
       QVERIFY(int(under_way.size()) <= options.plan.most_under_way);
       for (const std::uint64_t id : regions.unwanted()) cancelled.insert(id);

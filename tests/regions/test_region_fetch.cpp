@@ -206,10 +206,10 @@ class TestRegionFetch : public QObject {
       QVERIFY(!fetched.cells->tile(level, (expected->levelWidth(level) + kTile - 1) / kTile, 0));
     }
     // What comes later is not in it.
-    const std::string before = pgmOf(*fetched.cells);
+    const std::vector<std::int8_t> before = *cellsOf(*fetched.cells);
     ground.cell = [](int, int) { return std::int8_t(55); };
     QVERIFY(cells.put(ground.part({{0, 0}, {20, 20}})));
-    QCOMPARE(pgmOf(*fetched.cells), before);
+    QCOMPARE(*cellsOf(*fetched.cells), before);
   }
   void whatFailsIsTriedAFewTimesAndToldOf() {
     FakeDispatch dispatch;

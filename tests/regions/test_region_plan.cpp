@@ -44,7 +44,7 @@ class TestRegionPlan : public QObject {
     one.setView(geometry::WorldRect{-1e6, -1e6, 1e6, 1e6}, {7, 3});
     const auto asks = one.take(kNow);
     QCOMPARE(asks.size(), std::size_t(1));
-    QVERIFY(asks[0].kind == RegionRequest::Kind::First);
+    QVERIFY(asks[0].is_first);
     QCOMPARE(asks[0].rect, (geometry::WorldRect{4.5, 0.5, 9.5, 5.5}));
     QVERIFY(one.take(kNow).empty());
     one.answered(asks[0].id, true);  // nothing there, and not a word of its cells

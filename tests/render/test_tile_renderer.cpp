@@ -342,7 +342,7 @@ void TestTileRenderer::holesAreFilledBeforeWhatIsThereGetsNewer() {
     if (empty.settled()) settled << QStringLiteral("hole");
   });
   std::promise<void> gate;
-  work::Share other(workers);
+  work::Tasks other(workers);
   other.start(work::Urgency::InView, [opened = gate.get_future().share()] { opened.wait(); });
   filled.upsert({square(0, 0, 0, 12, {80, 0})});
   QTRY_COMPARE(workers->waiting(), 1);

@@ -7,7 +7,7 @@
 #include <QJsonObject>
 #include <QTest>
 
-#include "map/waypoint_likeness.h"
+#include "map/waypoint.h"
 #include "robot/ros/faults.h"
 #include "robot/ros/kabam_messages.h"
 #include "robot/ros/kabam_plan.h"

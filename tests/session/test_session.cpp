@@ -231,7 +231,7 @@ class SessionTest : public QObject {
     QTRY_COMPARE(session_->counts().shown, 1);
     QCOMPARE(session_->status({0, 0}), SubmapStatus::Missing);
     QCOMPARE(session_->status({0, 1}), SubmapStatus::OnScreen);
-    QVERIFY(session_->book().find({0, 0})->slices.empty());
+    QVERIFY(session_->submaps().find({0, 0})->slices.empty());
   }
 
   void whatIsLookedAtComesFirst() {

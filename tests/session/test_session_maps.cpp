@@ -154,19 +154,19 @@ class SessionMapsTest : public QObject {
       QVERIFY(std::any_of(told.begin(), told.end(),
                           [&](const auto& one) { return one.first().toInt() == what; }));
     }
-    QCOMPARE(session_->book().uuid(), std::string("u"));
-    QVERIFY(session_->book().find({3, 4}));
+    QCOMPARE(session_->submaps().uuid(), std::string("u"));
+    QVERIFY(session_->submaps().find({3, 4}));
     QTRY_COMPARE(shownGray(), 200);
     // Of a time before the first list nothing of it stays; as long as one may be found it does.
     map::World before = world;
     before.submaps.reset();
     session_->reset(before, false);
-    QVERIFY(session_->book().find({3, 4}));
+    QVERIFY(session_->submaps().find({3, 4}));
     session_->reset(before);
-    QVERIFY(!session_->book().listReceived() && session_->book().rows().empty());
+    QVERIFY(!session_->submaps().listReceived() && session_->submaps().rows().empty());
     QCOMPARE(session_->counts().listed, 0);
     session_->reset(world);
-    QVERIFY(session_->book().find({3, 4}));
+    QVERIFY(session_->submaps().find({3, 4}));
   }
 
   void aRobotThatSendsNoneShowsItsCurrentMap() {

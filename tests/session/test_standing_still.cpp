@@ -123,8 +123,8 @@ class StandingStillTest : public QObject {
         this, [&] { turned = true; }, Qt::QueuedConnection);
     QTRY_VERIFY(turned);
     QVERIFY(session_->counts() == before);
-    QCOMPARE(session_->book().uuid(), std::string("u"));
-    QCOMPARE(session_->book().find({0, 0})->entry.pose.x, 0.0);
+    QCOMPARE(session_->submaps().uuid(), std::string("u"));
+    QCOMPARE(session_->submaps().find({0, 0})->entry.pose.x, 0.0);
     QCOMPARE(session_->live().robot_pose->x_m, 1.0);
     QCOMPARE(shownGray(), 200);
     QCOMPARE(costmapByte(), 7);

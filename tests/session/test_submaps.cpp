@@ -80,7 +80,7 @@ class SubmapsTest : public QObject {
   static SubmapCounts recount(const Submaps& submaps) {
     SubmapCounts counts;
     std::set<int> trajectories;
-    for (const auto& [id, row] : submaps.book().rows()) {
+    for (const auto& [id, row] : submaps.store().rows()) {
       ++counts.listed;
       trajectories.insert(id.trajectory);
       counts.hidden += !row.visible;
@@ -107,9 +107,9 @@ class SubmapsTest : public QObject {
 
   static geometry::WorldRect boundsByWalk(const Submaps& submaps) {
     geometry::WorldRect drawn, listed;
-    for (const auto& [id, row] : submaps.book().rows()) {
+    for (const auto& [id, row] : submaps.store().rows()) {
       if (!row.visible) continue;
-      const geometry::WorldRect bounds = submaps.book().bounds(id, submaps.slice());
+      const geometry::WorldRect bounds = submaps.store().bounds(id, submaps.slice());
       listed.extend(bounds);
       if (row.drawable(submaps.slice())) drawn.extend(bounds);
     }
@@ -150,7 +150,7 @@ class SubmapsTest : public QObject {
                                          Outcome::Ok, Outcome::WrongUuid, Outcome::Cancelled};
         const auto [key, reply] = source_.asked.front();
         source_.asked.erase(source_.asked.begin());
-        const bool old = key.uuid != submaps_->book().uuid();
+        const bool old = key.uuid != submaps_->store().uuid();
         AskedSource::answer(key, reply, old ? Outcome::Cancelled : kOutcomes[random() % 9],
                             int(random() % 4));
       } else if (what <= 14) {
@@ -170,7 +170,7 @@ class SubmapsTest : public QObject {
       QVERIFY2(counted == recount(*submaps_), qPrintable(QStringLiteral("step %1").arg(step)));
       QVERIFY(submaps_->contentBounds() == boundsByWalk(*submaps_));
     }
-    QTRY_VERIFY(submaps_->book().listReceived());
+    QTRY_VERIFY(submaps_->store().listReceived());
   }
 
   void rowsThatAreToldAreThoseThatChanged() {
@@ -213,7 +213,7 @@ class SubmapsTest : public QObject {
             [&](const std::vector<SubmapId>& ids) { placed.insert(placed.end(), ids.begin(), ids.end()); });
     now_ += submap::Millis(1000);
     test::truncateScratchFiles();
-    submaps_->book().find({0, 0})->slices[0].texture->expand(0);  // as a tile does that needs it
+    submaps_->store().find({0, 0})->slices[0].texture->expand(0);  // as a tile does that needs it
     QTRY_COMPARE(source_.asked.size(), std::size_t(1));
     QCOMPARE(placed, std::vector<SubmapId>({{0, 0}}));
     QCOMPARE(submaps_->counts().shown, 0);
@@ -229,7 +229,7 @@ class SubmapsTest : public QObject {
   void leavesNoWorkBehindWhenItGoes() {
     const auto workers = std::make_shared<work::Workers>(1);
     std::promise<void> gate;
-    work::Share other(workers);
+    work::Tasks other(workers);
     other.start(work::Urgency::InView, [opened = gate.get_future().share()] { opened.wait(); });
     Submaps::Options options;
     options.workers = workers;
@@ -256,9 +256,9 @@ class SubmapsTest : public QObject {
       submaps_->takeList(list);
     }
     QVERIFY2(!submaps_->settled(1), "a list that has come and is not looked at yet is work to do");
-    QTRY_VERIFY(submaps_->book().find({0, 0}) && submaps_->book().find({0, 0})->entry.pose.y == 4);
+    QTRY_VERIFY(submaps_->store().find({0, 0}) && submaps_->store().find({0, 0})->entry.pose.y == 4);
     QCOMPARE(submaps_->counts().listed, 5000);
-    QCOMPARE(submaps_->book().find({0, 4999})->entry.pose.y, 4.0);
+    QCOMPARE(submaps_->store().find({0, 4999})->entry.pose.y, 4.0);
   }
 };
 

@@ -61,7 +61,7 @@ class WindowDiagnosticsTest : public QObject {
     const auto crew = [&] { return shownIn(*dialog).mid(5, 3); };
     QCOMPARE(crew(), QStringList({QStringLiteral("3"), QStringLiteral("0"), QStringLiteral("0")}));
     std::promise<void> gate;
-    work::Share other(bench.workers);
+    work::Tasks other(bench.workers);
     other.startLong([opened = gate.get_future().share()] { opened.wait(); });
     QTRY_COMPARE(crew(), QStringList({QStringLiteral("3"), QStringLiteral("1"), QStringLiteral("0")}));
     gate.set_value();

@@ -243,7 +243,7 @@ class TestWindowInspector : public QObject {
     if (what == QLatin1String("new version")) {
       list[1].version = 2;
       bench.robot->list(list);
-      QTRY_COMPARE(window.session()->book().find({0, 1})->shown_version, 2);
+      QTRY_COMPARE(window.session()->submaps().find({0, 1})->shown_version, 2);
     }
     if (what == QLatin1String("robot left")) window.leaveRobot();
 

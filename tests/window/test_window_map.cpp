@@ -73,13 +73,13 @@ class TestWindowMap : public QObject {
     auto* const group = part<InspectorDock>(window)->findChild<QCheckBox*>(QStringLiteral("nearby"));
     group->setCheckState(Qt::Unchecked);
     Q_EMIT group->clicked(false);
-    QVERIFY(!window.session()->book().find({0, 1})->visible);
-    QVERIFY(window.session()->book().find({0, 0})->visible);
+    QVERIFY(!window.session()->submaps().find({0, 1})->visible);
+    QVERIFY(window.session()->submaps().find({0, 0})->visible);
     auto newcomer = test::entry(0, 2, 1, 9, 0);
     newcomer.is_nearby = true;
     bench.robot->list({test::entry(0, 0, 1, 0, 0), near, newcomer, test::entry(0, 3, 1, 9, 9)});
-    QTRY_VERIFY(!window.session()->book().find({0, 2})->visible);
-    QVERIFY(window.session()->book().find({0, 3})->visible);
+    QTRY_VERIFY(!window.session()->submaps().find({0, 2})->visible);
+    QVERIFY(window.session()->submaps().find({0, 3})->visible);
   }
 
   void keysWorkOnTheMapAndNotWhileTyping() {
@@ -403,7 +403,7 @@ class TestWindowMap : public QObject {
                 1e-6);
     window.view()->lookAt({-100, -100});
     bench.robot->list({test::entry(0, 0, 2, 0, 0), test::entry(0, 1, 1, 5, 0), test::entry(1, 0, 3, 40, 0)});
-    QTRY_COMPARE(window.session()->book().find({0, 0})->shown_version, 2);
+    QTRY_COMPARE(window.session()->submaps().find({0, 0})->shown_version, 2);
     QTRY_COMPARE(window.session()->counts().pending, 0);
     QVERIFY((window.mapScene()->view().center_m - Eigen::Vector2d(-100, -100)).norm() < 1e-9);
     bench.key(Qt::Key_F);

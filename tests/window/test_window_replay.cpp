@@ -271,7 +271,7 @@ class TestWindowReplay : public QObject {
     QVERIFY(desk.window->mapScene()->view().center_m == view.center_m);
     desk.clock().seek(desk.clock().start());
     QTRY_VERIFY(desk.isThere() && !session->world().submaps);
-    QVERIFY(session->book().rows().empty() && !session->book().listReceived());
+    QVERIFY(session->submaps().rows().empty() && !session->submaps().listReceived());
     QTRY_VERIFY(says());
   }
 

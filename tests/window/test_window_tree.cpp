@@ -36,7 +36,7 @@ struct Bench {
   /// Long lists are looked at aside.
   void say(const std::vector<map::SubmapEntry>& entries) {
     robot->list(entries);
-    const submap::SubmapBook& book = session->book();
+    const submap::SubmapStore& book = session->submaps();
     QTRY_VERIFY(book.rows().size() == entries.size() &&
                 std::all_of(entries.begin(), entries.end(), [&](const map::SubmapEntry& entry) {
                   const submap::SubmapRow* row = book.find(entry.id);
@@ -197,7 +197,7 @@ class TestWindowTree : public QObject {
     const QModelIndex leaf = bench.model.index(1, 0, first);
     QCOMPARE(check(bench.all()).toInt(), int(Qt::Checked));
     QVERIFY(bench.model.setData(leaf, Qt::Unchecked, Qt::CheckStateRole));
-    QVERIFY(!bench.session->book().find({0, 1})->visible);
+    QVERIFY(!bench.session->submaps().find({0, 1})->visible);
     QCOMPARE(check(leaf).toInt(), int(Qt::Unchecked));
     QCOMPARE(check(first).toInt(), int(Qt::PartiallyChecked));
     QCOMPARE(check(bench.all()).toInt(), int(Qt::PartiallyChecked));
@@ -206,7 +206,7 @@ class TestWindowTree : public QObject {
     QCOMPARE(check(bench.all()).toInt(), int(Qt::PartiallyChecked));
     QVERIFY(bench.model.setData(bench.all(), Qt::Checked, Qt::CheckStateRole));
     QCOMPARE(check(leaf).toInt(), int(Qt::Checked));
-    QVERIFY(bench.session->book().find({1, 2})->visible);
+    QVERIFY(bench.session->submaps().find({1, 2})->visible);
     QVERIFY(!bench.model.setData(leaf.siblingAtColumn(1), Qt::Unchecked, Qt::CheckStateRole));
   }
 

@@ -19,7 +19,7 @@ namespace {
 /// Keeps a thread busy until it is opened.
 class Gate {
  public:
-  Share::Job job() {
+  Tasks::Job job() {
     return [entered = entered_, open = open_.get_future().share()] {
       entered->set_value();
       open.wait();
@@ -40,7 +40,7 @@ class WorkersTest : public QObject {
     const auto workers = std::make_shared<Workers>(3);
     QCOMPARE(workers->threads(), 3);
     std::vector<std::atomic<int>> runs(500);
-    Share share(workers);
+    Tasks share(workers);
     for (auto& run : runs) share.start(Urgency::Wanted, [&run] { ++run; });
     QVERIFY(share.waitForDone());
     for (const auto& run : runs) QCOMPARE(run.load(), 1);
@@ -50,7 +50,7 @@ class WorkersTest : public QObject {
   void urgentWorkGoesFirstAndEqualsInTheirOrder() {
     const auto workers = std::make_shared<Workers>(1);
     Gate gate;
-    Share one(workers), other(workers);
+    Tasks one(workers), other(workers);
     one.start(Urgency::Background, gate.job());
     gate.waitUntilReached();
     std::vector<int> order;  // one thread runs them
@@ -69,7 +69,7 @@ class WorkersTest : public QObject {
     const auto workers = std::make_shared<Workers>(1);
     Gate gate;
     std::atomic<int> mine{0}, others{0};
-    Share one(workers), other(workers);
+    Tasks one(workers), other(workers);
     one.start(Urgency::InView, gate.job());
     gate.waitUntilReached();
     for (int i = 0; i < 4; ++i) {
@@ -88,7 +88,7 @@ class WorkersTest : public QObject {
 
   void whatAJobHeldIsGoneWhenItIsDone() {
     const auto workers = std::make_shared<Workers>(2);
-    Share share(workers);
+    Tasks share(workers);
     std::weak_ptr<int> watched;
     {
       auto held = std::make_shared<int>(1);
@@ -105,7 +105,7 @@ class WorkersTest : public QObject {
     std::atomic<bool> ended{false}, ran{false};
     std::thread opener;
     {
-      Share share(workers);
+      Tasks share(workers);
       share.start(Urgency::Wanted, [&, wait = gate.job()] {
         wait();
         ended = true;
@@ -122,7 +122,7 @@ class WorkersTest : public QObject {
   void longWorkTakesNoThreadOfTheCrew() {
     const auto workers = std::make_shared<Workers>(1);
     Gate gate;
-    Share map(workers), tiles(workers);
+    Tasks map(workers), tiles(workers);
     map.startLong(gate.job());
     gate.waitUntilReached();
     std::atomic<int> made{0};

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "map/projections.h"
+#include "map/map_part.h"
 
 namespace mapwright::window {
 

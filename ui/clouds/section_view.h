@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "clouds/cloud_store.h"
-#include "render/painted_tiles.h"
+#include "render/raster_tiles.h"
 
 namespace mapwright::window {
 

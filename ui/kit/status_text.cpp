@@ -266,13 +266,13 @@ QString bytesText(qint64 bytes) {
 QString countText(qint64 count) { return QLocale(QLocale::English).toString(count); }
 
 QString problemsText(qint64 count) {
-  return sentences::counted(
-      QCoreApplication::translate("window", "%1 problems", nullptr, sentences::formOf(count)), count);
+  const int form = sentences::formOf(count);
+  return sentences::counted(QCoreApplication::translate("window", "%1 problems", nullptr, form), count);
 }
 
 QString submapsText(qint64 count) {
-  return sentences::counted(
-      QCoreApplication::translate("window", "%1 submaps", nullptr, sentences::formOf(count)), count);
+  const int form = sentences::formOf(count);
+  return sentences::counted(QCoreApplication::translate("window", "%1 submaps", nullptr, form), count);
 }
 
 QString statusWord(SubmapStatus status) { return QCoreApplication::translate("window", lookOf(status).word); }

@@ -17,8 +17,8 @@
 
 #include "jobs/change_map.h"
 #include "map/waypoint.h"
+#include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
-#include "sentences/obstacle_sentence.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"

@@ -413,7 +413,7 @@ void ExportController::exportMap() {
   const session::MapSlot& slot = session->wholeMap();
   ExportOffer offer;
   offer.submaps = context_.scene.placedTextures();
-  const auto& rows = session->book().rows();
+  const auto& rows = session->submaps().rows();
   for (const auto& placed : offer.submaps) {
     if (!rows.at(placed.id).visible) offer.hidden.insert(placed.id);
   }

@@ -83,7 +83,7 @@ class PicturePlacing : public QObject {
   std::function<QStringList(const QString& picture)> yamls_naming_;
   QPointer<PictureDialog> dialog_;
   quint64 asked_ = 0;
-  work::Share share_;  // last member: waits for the look-up
+  work::Tasks share_;  // last member: waits for the look-up
 };
 
 }  // namespace mapwright::window

@@ -113,7 +113,7 @@ class PictureController : public Controller {
     std::optional<std::uint8_t> between;  // a cell that cannot be
   };
   CellCheck cell_check_;
-  work::Share share_;  // last
+  work::Tasks share_;  // last
 };
 
 }  // namespace mapwright::window

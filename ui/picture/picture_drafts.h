@@ -91,7 +91,7 @@ class PictureDrafts : public QObject {
   edit::EditOptions options_;
   std::vector<Left> left_;
   edit::DraftKeeper keeper_;
-  work::Share share_;  // last
+  work::Tasks share_;  // last
 };
 
 }  // namespace mapwright::window

@@ -193,7 +193,7 @@ class PictureEditing : public QObject {
   std::size_t undo_budget_ = std::size_t(256) << 20;
   picture::PatchMemory held_;  // memory of the steps; destroyed after them
   QUndoStack undo_;
-  work::Share share_;  // last
+  work::Tasks share_;  // last
 };
 
 }  // namespace mapwright::window

@@ -94,7 +94,7 @@ class PlotFeed : public QObject {
   std::map<std::string, QByteArray> last_raw_;  // a message of each topic, small ones
   std::shared_ptr<int> reading_number_ = std::make_shared<int>(0);
   QTimer catch_up_, note_, tick_;
-  work::Share share_;
+  work::Tasks share_;
 };
 
 }  // namespace mapwright::window

@@ -135,25 +135,25 @@ void MapFetch::endWhole(const robot::Outcome<map::GridPart>& outcome) {
     const regions::RegionTrouble trouble{regions::RegionTrouble::Kind::Misplaced, {}, flaw};
     toast(Mark::Bad, tr("The whole map was not fetched: %1").arg(sentences::sentenceOf(trouble)));
   } else {
-    show([part = *outcome] { return regions::pgmOf(part); }, outcome->grid, tr("Whole map"));
+    show([cells = outcome->cells] { return cells; }, outcome->grid, tr("Whole map"));
   }
   Q_EMIT changed();
 }
 
-void MapFetch::show(std::function<std::string()> picture, const map::GridReference& grid,
+void MapFetch::show(std::function<map::OccupancyCells()> cells, const map::GridReference& grid,
                     const QString& name) {
   // Another one is another map, even if equally large.
   const QString id = tr("fetched %1").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")));
-  // Writing hundreds of millions of cells takes a while.
-  share_.startLong([this, picture = std::move(picture), grid, name, id, job = job_] {
+  // Copying hundreds of millions of cells takes a while.
+  share_.startLong([this, cells = std::move(cells), grid, name, id, job = job_] {
     map::WholeMap map;
     map.key = {map::MapKind::Stored, id.toStdString()};
     // Its dispatcher's map is the map that the robot is in.
     map.state_of = map::MapKey{map::MapKind::Live, {}};
     map.name = name.toStdString();
     map.grid = grid;
-    map.reading = regions::kPgmReading;
-    map.bytes = std::make_shared<const std::string>(picture());
+    map.reading = {map::CellReading::Mode::Raw};
+    map.cells = cells();
     QMetaObject::invokeMethod(
         this,
         [this, map = std::move(map), job] {
@@ -233,7 +233,7 @@ void MapFetch::endRectangle() {
           tr("Some of the answers have cells of another size or orientation and were left out."));
   }
   if (then_ == Then::Save) return write({fetched.cells, fetched.reference}, path_, {});
-  show([cells = fetched.cells] { return regions::pgmOf(*cells); }, fetched.reference,
+  show([cells = fetched.cells] { return regions::cellsOf(*cells); }, fetched.reference,
        tr("Region %1").arg(areaText(fetch->rect())));
 }
 

@@ -62,7 +62,7 @@ class MapFetch : public QObject {
   void endWhole(const robot::Outcome<map::GridPart>& outcome);
   void startRectangle(const geometry::WorldRect& rect, Then then, const QString& path);
   void endRectangle();
-  void show(std::function<std::string()> picture, const map::GridReference& grid, const QString& name);
+  void show(std::function<map::OccupancyCells()> cells, const map::GridReference& grid, const QString& name);
   void write(const jobs::WholeMapExport& map, const QString& path, std::function<void()> then);
   QString askWhere();  // empty = nowhere
   void saveKept(const std::function<void()>& then);
@@ -83,7 +83,7 @@ class MapFetch : public QObject {
   std::uint64_t job_ = 0;  // results of older ones are ignored
   std::unique_ptr<jobs::ExportJob> export_;
   std::optional<map::MapKey> kept_;  // on screen, and not written
-  work::Share share_;                // last member: waits for running work
+  work::Tasks share_;                // last member: waits for running work
 };
 
 }  // namespace mapwright::window

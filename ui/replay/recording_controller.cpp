@@ -129,8 +129,8 @@ std::optional<QString> RecordingController::startInto(const QString& path) {
   // Everything it can send, not only what is on screen.
   session_->want(kRecordingOwner, recorder::everyStream());
   map::SubmapList listed;
-  listed.uuid = session_->book().uuid();
-  for (const auto& [id, row] : session_->book().rows()) listed.entries.push_back(row.entry);
+  listed.uuid = session_->submaps().uuid();
+  for (const auto& [id, row] : session_->submaps().rows()) listed.entries.push_back(row.entry);
   if (!listed.entries.empty()) recorder_->fetches().takeList(listed);
   wantOpenMaps();
   takeLink();

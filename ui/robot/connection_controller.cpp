@@ -286,7 +286,7 @@ void ConnectionController::noteIdentity() {
 void ConnectionController::noteRestart() {
   const session::Session* const session = context_.current.session();
   if (!session) return;
-  const QString uuid = QString::fromStdString(session->book().uuid());
+  const QString uuid = QString::fromStdString(session->submaps().uuid());
   if (uuid == last_uuid_) return;
   if (!last_uuid_.isEmpty() && !uuid.isEmpty()) {
     context_.overlay.toasts()->add(Mark::Warning,

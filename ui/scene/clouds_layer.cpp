@@ -8,7 +8,6 @@
 #include <QCoreApplication>
 
 #include "clouds/draw_cloud.h"
-#include "clouds/shades.h"
 #include "scene/layer_item.h"
 #include "sentences/absence_sentence.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clouds/cloud_store.h"
-#include "render/painted_tiles.h"
+#include "render/raster_tiles.h"
 #include "scene/layer.h"
 #include "scene/map_theme.h"
 

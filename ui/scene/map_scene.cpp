@@ -138,7 +138,7 @@ void MapScene::setSession(session::Session* session) {
 void MapScene::syncAll() {
   std::vector<map::SubmapId> ids;
   if (session_) {
-    for (const auto& [id, row] : session_->book().rows()) {
+    for (const auto& [id, row] : session_->submaps().rows()) {
       if (row.shown_version >= 0) ids.push_back(id);
     }
   }
@@ -152,8 +152,8 @@ void MapScene::syncPlaced(const std::vector<map::SubmapId>& ids) {
   std::vector<render::PlacedTexture> placed;
   std::vector<map::SubmapId> gone;
   for (const map::SubmapId id : ids) {
-    const submap::SubmapRow* row = session_->book().find(id);
-    const auto placement = row ? session_->book().placement(id, session_->slice()) : std::nullopt;
+    const submap::SubmapRow* row = session_->submaps().find(id);
+    const auto placement = row ? session_->submaps().placement(id, session_->slice()) : std::nullopt;
     if (!placement) {
       gone.push_back(id);
       items_->context.outlines.erase(id);
@@ -306,8 +306,8 @@ geometry::WorldRect MapScene::contentBounds() const {
 std::vector<render::PlacedTexture> MapScene::placedTextures() const {
   std::vector<render::PlacedTexture> placed;
   if (!session_) return placed;
-  for (const auto& [id, row] : session_->book().rows()) {
-    if (const auto placement = session_->book().placement(id, session_->slice()))
+  for (const auto& [id, row] : session_->submaps().rows()) {
+    if (const auto placement = session_->submaps().placement(id, session_->slice()))
       placed.push_back({id, placement->texture, placement->world_from_texture, pixelFlags(row.entry)});
   }
   return placed;

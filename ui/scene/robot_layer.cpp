@@ -4,7 +4,7 @@
 
 #include <QPainterPath>
 
-#include "map/way.h"
+#include "map/live_state.h"
 #include "scene/layer_item.h"
 
 namespace mapwright::scene {

@@ -11,7 +11,7 @@ namespace {
 using map::Whereabouts;
 
 /// Whether the submaps come from a stored map; nullopt while there are none.
-std::optional<bool> ofStoredMap(const submap::SubmapBook& book) {
+std::optional<bool> ofStoredMap(const submap::SubmapStore& book) {
   if (!book.listReceived() || book.rows().empty()) return std::nullopt;
   return book.frozenCount() > 0;
 }
@@ -26,7 +26,7 @@ ScreenPart partOf(bool left, bool right) {
 RobotPlace robotPlace(const session::Session& session, const MapsOnScreen& on_screen,
                       std::optional<bool> choice) {
   const map::LiveState& live = session.live();
-  const bool afresh = map::mapsAfresh(live, ofStoredMap(session.book()));
+  const bool afresh = map::mapsAfresh(live, ofStoredMap(session.submaps()));
   const auto in = [&](const session::MapSlot& slot) {
     if (session::lacksPicture(slot))  // its waypoints are on screen
       return map::whereabouts(slot.key(), slot.name().toStdString(), live, session.catalogue().entries(),

@@ -77,7 +77,7 @@ bool InspectorController::escape() {
 void InspectorController::locate(map::SubmapId id) {
   session::Session* const session = context_.current.session();
   if (!session) return;
-  const geometry::WorldRect bounds = session->book().bounds(id, session->slice());
+  const geometry::WorldRect bounds = session->submaps().bounds(id, session->slice());
   if (!bounds.empty()) return context_.viewpoint.lookAt(bounds);
   context_.overlay.toasts()->add(Mark::Warning,
                                  tr("Submap %1 has no valid pose, so it cannot be placed on the map.")

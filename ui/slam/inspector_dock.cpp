@@ -37,8 +37,8 @@ namespace mapwright::window {
 
 QString slamStateText(const session::Session& session) {
   QString text = QString::fromStdString(session.live().slam.state);
-  if (text.isEmpty() && session.book().listReceived()) {
-    switch (session.book().slamState()) {
+  if (text.isEmpty() && session.submaps().listReceived()) {
+    switch (session.submaps().slamState()) {
       case map::SlamState::Slam:
         text = QCoreApplication::translate("window", "mapping");
         break;
@@ -62,7 +62,7 @@ QString slamStateText(const session::Session& session) {
 }
 
 QString submapDetails(const session::Session& session, map::SubmapId id) {
-  const submap::SubmapRow* row = session.book().find(id);
+  const submap::SubmapRow* row = session.submaps().find(id);
   if (!row)
     return QCoreApplication::translate("window", "Submap %1 is no longer listed.")
         .arg(QString::fromStdString(map::toText(id)));
@@ -177,7 +177,7 @@ PlainLabel* InspectorDock::addRow(QGridLayout* grid, const QString& name, int co
 void InspectorDock::refreshSummary() {
   const session::Session* const session = session_;
   const QString none = QStringLiteral("–");
-  copy_->setEnabled(session && !session->book().uuid().empty());
+  copy_->setEnabled(session && !session->submaps().uuid().empty());
   if (!session) {
     state_->setSecondary(false);
     for (PlainLabel* label : {state_, uuid_, submaps_, cache_, fetches_, transferred_}) label->setText(none);
@@ -192,7 +192,7 @@ void InspectorDock::refreshSummary() {
         tr("%1 (as of %2)").arg(state_->text(), QLocale::c().toString(*stale, QStringLiteral("HH:mm:ss"))));
   }
   state_->setSecondary(stale.has_value());
-  const QString uuid = QString::fromStdString(session->book().uuid());
+  const QString uuid = QString::fromStdString(session->submaps().uuid());
   uuid_->setText(uuid.isEmpty() ? none : uuid);
   QString submaps = counts.list_received
                         ? tr("%1 in %2")
@@ -293,7 +293,7 @@ QCheckBox* InspectorDock::addGroup(const QString& name, const QString& tip, bool
 
 void InspectorDock::refreshSlices() {
   const int present = session_ ? session_->slice() : 0;
-  const int how_many = session_ ? session_->book().maxSlices() : 1;
+  const int how_many = session_ ? session_->submaps().maxSlices() : 1;
   const QSignalBlocker quiet(slice_);
   const int last = qMax(qMax(0, how_many - 1), present);
   slice_->setRange(0, last);
@@ -457,7 +457,7 @@ void InspectorDock::showSubmaps(const std::vector<map::SubmapId>& ids, bool visi
 void InspectorDock::keepHiddenGroups() {
   if (!session_ || (!nearby_off_ && !incremental_off_)) return;
   std::vector<map::SubmapId> newcomers;
-  for (const auto& [id, row] : session_->book().rows()) {
+  for (const auto& [id, row] : session_->submaps().rows()) {
     if (!known_.insert(id).second) continue;
     if (row.visible &&
         ((nearby_off_ && row.entry.is_nearby) || (incremental_off_ && row.entry.is_incremental))) {
@@ -471,7 +471,7 @@ void InspectorDock::setGroupVisible(bool SubmapFacts::*flag, bool visible) {
   (flag == &SubmapFacts::nearby ? nearby_off_ : incremental_off_) = !visible;
   if (!session_) return;
   known_.clear();
-  for (const auto& [id, row] : session_->book().rows()) known_.insert(id);
+  for (const auto& [id, row] : session_->submaps().rows()) known_.insert(id);
   showSubmaps(model_->submapsWhere(flag), visible);
 }
 

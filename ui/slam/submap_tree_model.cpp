@@ -62,7 +62,7 @@ void SubmapTreeModel::sync() {
   longest_index_ = longest_version_ = 0;
   widest_leaf_.clear();
   if (session_) {
-    for (const auto& [id, row] : session_->book().rows()) {
+    for (const auto& [id, row] : session_->submaps().rows()) {
       if (fresh.empty() || fresh.back().front().id.trajectory != id.trajectory) fresh.emplace_back();
       fresh.back().push_back(factsOf(*session_, id, row));
       noteWidth(fresh.back().back());
@@ -91,7 +91,7 @@ void SubmapTreeModel::noteWidth(const SubmapFacts& facts) {
 void SubmapTreeModel::syncRows(const std::vector<map::SubmapId>& ids) {
   constexpr int kManyOthers = 500;  // rows that come or go, one by one
   if (!session_) return;
-  const submap::SubmapBook& book = session_->book();
+  const submap::SubmapStore& book = session_->submaps();
   int others = 0;
   for (const map::SubmapId id : ids) {
     if (branchRow(id.trajectory) < 0) return sync();
@@ -152,7 +152,7 @@ void SubmapTreeModel::syncVisibility() {
   for (const Branch& branch : branches_) {
     fresh.push_back(branch.leaves);
     for (SubmapFacts& facts : fresh.back()) {
-      if (const submap::SubmapRow* row = session_ ? session_->book().find(facts.id) : nullptr)
+      if (const submap::SubmapRow* row = session_ ? session_->submaps().find(facts.id) : nullptr)
         facts.visible = row->visible;
     }
   }

@@ -19,7 +19,7 @@
 #include <QStringListModel>
 
 #include "geometry/pose.h"
-#include "map/waypoint_likeness.h"
+#include "map/waypoint.h"
 #include "sentences/placing_sentence.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"

@@ -5,7 +5,7 @@
 
 #include "exchange/waypoint_steps.h"
 #include "geometry/pose.h"
-#include "map/temporary_name.h"
+#include "map/waypoint.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/plural.h"
 #include "ui/shell/unsaved_question.h"

@@ -84,7 +84,7 @@ class WaypointWarnings : public QObject {
   std::set<std::string> touched_;  // by the groups that are in
   quint64 state_ = 0;  // counts maps, radii and lists: what was looked at in another one is worth nothing
   std::shared_ptr<std::atomic<bool>> cancelled_;
-  work::Share share_;
+  work::Tasks share_;
 };
 
 }  // namespace mapwright::window

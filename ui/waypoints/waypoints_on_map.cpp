@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "map/waypoint_likeness.h"
+#include "map/waypoint.h"
 #include "ui/waypoints/waypoint_warnings.h"
 
 namespace mapwright::window {

@@ -10,7 +10,7 @@
 
 #include <simdjson.h>
 
-#include "map/waypoint_likeness.h"
+#include "map/waypoint.h"
 #include "robot/files/faults.h"
 #include "robot/wire/faults.h"
 

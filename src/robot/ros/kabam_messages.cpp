@@ -12,7 +12,7 @@
 #include <QJsonObject>
 
 #include "geometry/pose.h"
-#include "map/waypoint_likeness.h"
+#include "map/waypoint.h"
 #include "robot/ros/faults.h"
 #include "robot/ros/transforms.h"
 #include "robot/wire/faults.h"

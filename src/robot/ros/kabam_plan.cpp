@@ -8,8 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "map/temporary_name.h"
-#include "map/waypoint_likeness.h"
+#include "map/waypoint.h"
 
 namespace mapwright::robot::ros {
 namespace {

@@ -18,7 +18,7 @@
 #include <QObject>
 #include <QUrl>
 
-#include "map/stamped_message.h"
+#include "map/live_topics.h"
 #include "robot/delivery.h"
 #include "robot/robot.h"
 

@@ -7,7 +7,7 @@
 #include "made_clouds.h"
 #include "test_program.h"
 
-namespace test_cloud_book {
+namespace test_newest_clouds {
 
 using namespace mapwright;
 using namespace mapwright::clouds;
@@ -23,84 +23,84 @@ map::SpatialCloud lattice(double width_m, float z, double step_m = 0.5) {
   return cloud;
 }
 
-std::uint64_t shown(const CloudBook& book) { return countShown(book.set(), {}); }
+std::uint64_t shown(const NewestClouds& clouds) { return countShown(clouds.set(), {}); }
 
 }  // namespace
 
-class TestCloudBook : public QObject {
+class TestNewestClouds : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void theNewestIsRightAboutItsRegion() {
-    CloudBook book;
-    book.add(test::came(lattice(10, 0)));
-    QCOMPARE(shown(book), 400U);
+    NewestClouds clouds;
+    clouds.add(test::came(lattice(10, 0)));
+    QCOMPARE(shown(clouds), 400U);
     // A quarter of it anew, and half as dense.
-    book.add(test::came(lattice(5, 1, 1.0), test::box({2.5, 2.5, 0}, {5, 5, 10})));
+    clouds.add(test::came(lattice(5, 1, 1.0), test::box({2.5, 2.5, 0}, {5, 5, 10})));
     // What of the old lies beyond the points that came is not known to have gone.
-    QVERIFY(shown(book) < 400);
-    const CloudSet set = book.set();
+    QVERIFY(shown(clouds) < 400);
+    const CloudSet set = clouds.set();
     QCOMPARE(set.clouds.size(), std::size_t(2));
     QCOMPARE(set.clouds[0].hidden.size(), std::size_t(1));
-    QCOMPARE(shown(book), 400U - 64U + 25U);
+    QCOMPARE(shown(clouds), 400U - 64U + 25U);
   }
 
   void theSameRegionAgainTakesTheOldOnesPlace() {
-    CloudBook book;
+    NewestClouds clouds;
     const auto region = test::box({2.5, 2.5, 0}, {5, 5, 10});
-    for (int i = 0; i < 300; ++i) book.add(test::came(lattice(5, 0), region));
-    QCOMPARE(book.totals().clouds, std::size_t(1));
-    QCOMPARE(shown(book), 100U);
+    for (int i = 0; i < 300; ++i) clouds.add(test::came(lattice(5, 0), region));
+    QCOMPARE(clouds.totals().clouds, std::size_t(1));
+    QCOMPARE(shown(clouds), 100U);
   }
 
   void theWholeMapTakesThePlaceOfAllRegionsOfItsKind() {
-    CloudBook book;
-    book.add(test::came(lattice(5, 0), test::box({2.5, 2.5, 0}, {5, 5, 10})));
-    book.add(test::came(lattice(5, 0), test::box({2.5, 2.5, 0}, {5, 5, 10}), PointKind::Voxel));
-    book.add(test::came(lattice(10, 0)));
-    QCOMPARE(book.totals().clouds, std::size_t(2));
-    QVERIFY(book.totals().voxels);
+    NewestClouds clouds;
+    clouds.add(test::came(lattice(5, 0), test::box({2.5, 2.5, 0}, {5, 5, 10})));
+    clouds.add(test::came(lattice(5, 0), test::box({2.5, 2.5, 0}, {5, 5, 10}), PointKind::Voxel));
+    clouds.add(test::came(lattice(10, 0)));
+    QCOMPARE(clouds.totals().clouds, std::size_t(2));
+    QVERIFY(clouds.totals().voxels);
   }
 
   void anAnswerWithoutPointsSaysThatThereIsNothing() {
-    CloudBook book;
-    book.add(test::came(lattice(10, 0)));
-    book.add(test::came({}, test::box({2.5, 2.5, 0}, {5, 5, 10})));
-    QCOMPARE(shown(book), 300U);
+    NewestClouds clouds;
+    clouds.add(test::came(lattice(10, 0)));
+    clouds.add(test::came({}, test::box({2.5, 2.5, 0}, {5, 5, 10})));
+    QCOMPARE(shown(clouds), 300U);
   }
 
   void aSphereHidesWhatLiesInIt() {
-    CloudBook book;
-    book.add(test::came(lattice(10, 0)));
+    NewestClouds clouds;
+    clouds.add(test::came(lattice(10, 0)));
     map::CloudRegion sphere;
     sphere.centre_m = {5, 5, 0};
     sphere.radius_m = 2;
-    book.add(test::came({}, sphere));
+    clouds.add(test::came({}, sphere));
     std::uint64_t in = 0;
     for (const auto& point : lattice(10, 0).points)
       in += (point.cast<double>() - sphere.centre_m).norm() <= 2 ? 1 : 0;
     QVERIFY(in > 30);
-    QCOMPARE(shown(book), 400U - in);
+    QCOMPARE(shown(clouds), 400U - in);
   }
 
   void memoryIsBoundedAndWhatWasThinnedIsCounted() {
-    QCOMPARE(CloudBook::oneOf(5'000'000), std::uint64_t(1));
-    QVERIFY(50'000'000 / CloudBook::oneOf(50'000'000) <= CloudBook::kMostPoints / 2);
-    QCOMPARE(CloudBook::oneOf(0), std::uint64_t(1));
-    CloudBook book;
+    QCOMPARE(NewestClouds::oneOf(5'000'000), std::uint64_t(1));
+    QVERIFY(50'000'000 / NewestClouds::oneOf(50'000'000) <= NewestClouds::kMostPoints / 2);
+    QCOMPARE(NewestClouds::oneOf(0), std::uint64_t(1));
+    NewestClouds clouds;
     const map::SpatialCloud cloud = test::scattered(1'000, 5, 2, 1);
-    CloudBook::Came came;
+    NewestClouds::Came came;
     came.tree = CloudTree::make(cloud, 4);
     came.points = 1'000;
     came.left_out = 17;
     came.one_of = 4;
-    book.add(came);
-    QCOMPARE(book.totals().thinned, std::uint64_t(750));
-    QCOMPARE(book.totals().left_out, std::uint64_t(17));
+    clouds.add(came);
+    QCOMPARE(clouds.totals().thinned, std::uint64_t(750));
+    QCOMPARE(clouds.totals().left_out, std::uint64_t(17));
     for (int i = 0; i < 200; ++i) {
-      book.add(test::came(lattice(1, 0), test::box({i * 2.0, 0, 0}, {1, 1, 1})));
+      clouds.add(test::came(lattice(1, 0), test::box({i * 2.0, 0, 0}, {1, 1, 1})));
     }
-    QCOMPARE(book.totals().clouds, CloudBook::kMostClouds);
-    QVERIFY(book.totals().forgotten > 0);
+    QCOMPARE(clouds.totals().clouds, NewestClouds::kMostClouds);
+    QVERIFY(clouds.totals().forgotten > 0);
   }
 
   void heightsAreCountedWithoutTheOutermost() {
@@ -117,17 +117,17 @@ class TestCloudBook : public QObject {
   }
 
   void framesThatDifferAreNamed() {
-    CloudBook book;
+    NewestClouds clouds;
     map::SpatialCloud cloud = lattice(2, 0);
     cloud.frame = "map";
-    book.add(test::came(cloud, test::box({0, 0, 0}, {9, 9, 9})));
+    clouds.add(test::came(cloud, test::box({0, 0, 0}, {9, 9, 9})));
     cloud.frame = "odom";
-    book.add(test::came(cloud, test::box({50, 0, 0}, {9, 9, 9})));
-    QCOMPARE(book.totals().frames.size(), std::size_t(2));
+    clouds.add(test::came(cloud, test::box({50, 0, 0}, {9, 9, 9})));
+    QCOMPARE(clouds.totals().frames.size(), std::size_t(2));
   }
 };
 
-}  // namespace test_cloud_book
+}  // namespace test_newest_clouds
 
-MAPWRIGHT_TEST(test_cloud_book, TestCloudBook, Nothing)
-#include "test_cloud_book.moc"
+MAPWRIGHT_TEST(test_newest_clouds, TestNewestClouds, Nothing)
+#include "test_newest_clouds.moc"

@@ -3,15 +3,15 @@
 #include <QTest>
 
 #include "submap/faults.h"
-#include "submap/submap_book.h"
+#include "submap/submap_store.h"
 #include "test_program.h"
 
-namespace test_submap_book {
+namespace test_submap_store {
 
 using namespace mapwright;
-using submap::BookChange;
 using submap::DecodedSubmap;
-using submap::SubmapBook;
+using submap::SubmapChange;
+using submap::SubmapStore;
 
 namespace {
 
@@ -48,72 +48,72 @@ DecodedSubmap decoded(map::SubmapId id, int version, std::uint8_t value = 7, con
 
 }  // namespace
 
-class SubmapBookTest : public QObject {
+class SubmapStoreTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void aListAddsAndRemovesSubmaps() {
-    SubmapBook book;
-    QVERIFY(book.apply(listOf({entry(0, 0, 1), entry(0, 1, 1)})).new_session);
-    QCOMPARE(book.rows().size(), std::size_t(2));
-    const BookChange change = book.apply(listOf({entry(0, 1, 1)}));
+    SubmapStore store;
+    QVERIFY(store.apply(listOf({entry(0, 0, 1), entry(0, 1, 1)})).new_session);
+    QCOMPARE(store.rows().size(), std::size_t(2));
+    const SubmapChange change = store.apply(listOf({entry(0, 1, 1)}));
     QVERIFY(!change.new_session && change.set_changed);
     QCOMPARE(change.removed, std::vector<map::SubmapId>({{0, 0}}));
   }
 
   void aMovedPoseMovesThePictureWithoutANewVersion() {
-    SubmapBook book;
-    book.apply(listOf({entry(0, 0, 1, 5)}));
-    book.commit(decoded({0, 0}, 1));
-    const auto before = book.placement({0, 0}, 0);
-    const BookChange change = book.apply(listOf({entry(0, 0, 1, 6, 0.5)}));
+    SubmapStore store;
+    store.apply(listOf({entry(0, 0, 1, 5)}));
+    store.commit(decoded({0, 0}, 1));
+    const auto before = store.placement({0, 0}, 0);
+    const SubmapChange change = store.apply(listOf({entry(0, 0, 1, 6, 0.5)}));
     QCOMPARE(change.placed, std::vector<map::SubmapId>({{0, 0}}));
-    const auto after = book.placement({0, 0}, 0);
+    const auto after = store.placement({0, 0}, 0);
     QCOMPARE(after->texture.get(), before->texture.get());
     QCOMPARE(after->world_from_texture.x_m, 6.0);
-    QVERIFY(book.apply(listOf({entry(0, 0, 1, 6, 0.5)})).placed.empty());
+    QVERIFY(store.apply(listOf({entry(0, 0, 1, 6, 0.5)})).placed.empty());
   }
 
   void theOldPictureStaysUntilTheNewOneIsCommitted() {
-    SubmapBook book;
-    book.apply(listOf({entry(0, 0, 1)}));
-    book.commit(decoded({0, 0}, 1, 1));
-    book.apply(listOf({entry(0, 0, 2)}));
-    QCOMPARE(int(book.placement({0, 0}, 0)->texture->at(0, 0).value), 1);
-    book.commit(decoded({0, 0}, 2, 2));
-    QCOMPARE(int(book.placement({0, 0}, 0)->texture->at(0, 0).value), 2);
+    SubmapStore store;
+    store.apply(listOf({entry(0, 0, 1)}));
+    store.commit(decoded({0, 0}, 1, 1));
+    store.apply(listOf({entry(0, 0, 2)}));
+    QCOMPARE(int(store.placement({0, 0}, 0)->texture->at(0, 0).value), 1);
+    store.commit(decoded({0, 0}, 2, 2));
+    QCOMPARE(int(store.placement({0, 0}, 0)->texture->at(0, 0).value), 2);
   }
 
   void aLateOlderAnswerIsDropped() {
-    SubmapBook book;
-    book.apply(listOf({entry(0, 0, 3)}));
-    book.commit(decoded({0, 0}, 3, 3));
-    QVERIFY(book.commit(decoded({0, 0}, 2, 2)).placed.empty());
-    QCOMPARE(int(book.placement({0, 0}, 0)->texture->at(0, 0).value), 3);
+    SubmapStore store;
+    store.apply(listOf({entry(0, 0, 3)}));
+    store.commit(decoded({0, 0}, 3, 3));
+    QVERIFY(store.commit(decoded({0, 0}, 2, 2)).placed.empty());
+    QCOMPARE(int(store.placement({0, 0}, 0)->texture->at(0, 0).value), 3);
   }
 
   void anAnswerOfAnotherSessionIsDropped() {
-    SubmapBook book;
-    book.apply(listOf({entry(0, 0, 1)}));
-    QVERIFY(book.commit(decoded({0, 0}, 1, 1, "other")).placed.empty());
-    QVERIFY(book.commit(decoded({5, 5}, 1)).placed.empty());
+    SubmapStore store;
+    store.apply(listOf({entry(0, 0, 1)}));
+    QVERIFY(store.commit(decoded({0, 0}, 1, 1, "other")).placed.empty());
+    QVERIFY(store.commit(decoded({5, 5}, 1)).placed.empty());
   }
 
   void aNewUuidDropsEverything() {
-    SubmapBook book;
-    book.apply(listOf({entry(0, 0, 1)}));
-    book.commit(decoded({0, 0}, 1));
-    QVERIFY(book.textureBytes() > 0);
-    QVERIFY(book.apply(listOf({entry(0, 0, 1)}, "v")).new_session);
-    QCOMPARE(book.textureBytes(), std::size_t(0));
-    QVERIFY(!book.placement({0, 0}, 0));
+    SubmapStore store;
+    store.apply(listOf({entry(0, 0, 1)}));
+    store.commit(decoded({0, 0}, 1));
+    QVERIFY(store.find({0, 0})->texture_bytes > 0);
+    QVERIFY(store.apply(listOf({entry(0, 0, 1)}, "v")).new_session);
+    QCOMPARE(store.find({0, 0})->texture_bytes, std::size_t(0));
+    QVERIFY(!store.placement({0, 0}, 0));
   }
 
   void aBadPoseCostsOnlyItself() {
-    SubmapBook book;
+    SubmapStore store;
     auto broken = entry(0, 0, 1), zero = entry(0, 1, 1), far = entry(0, 2, 1, 1e9);
     broken.pose.x = std::nan("");
     zero.pose = {0, 0, 0, 0, 0, 0, 0};
-    const BookChange change = book.apply(listOf({broken, zero, far, entry(0, 3, 1)}));
+    const SubmapChange change = store.apply(listOf({broken, zero, far, entry(0, 3, 1)}));
     QCOMPARE(change.problems.size(), std::size_t(3));
     QVERIFY(change.problems[1] == (map::Problem{map::Severity::Error,
                                                 map::subjectOf(map::SubmapId{0, 1}),
@@ -122,42 +122,42 @@ class SubmapBookTest : public QObject {
                                                  {submap::fault::TurnIsZero},
                                                  Consequence::ShownWithoutIt},
                                                 map::ProblemCode::Unplaced}));
-    QVERIFY(!book.find({0, 0})->pose_usable);
-    QVERIFY(book.find({0, 3})->pose_usable);
-    QVERIFY2(book.apply(listOf({broken, zero, far, entry(0, 3, 1)})).problems.empty(),
+    QVERIFY(!store.find({0, 0})->pose_usable);
+    QVERIFY(store.find({0, 3})->pose_usable);
+    QVERIFY2(store.apply(listOf({broken, zero, far, entry(0, 3, 1)})).problems.empty(),
              "said once, not at every list");
   }
 
   void aPoseThatTurnsBadLeavesTheSubmapWhereItWas() {
-    SubmapBook book;
-    book.apply(listOf({entry(0, 0, 1, 4)}));
-    book.commit(decoded({0, 0}, 1));
+    SubmapStore store;
+    store.apply(listOf({entry(0, 0, 1, 4)}));
+    store.commit(decoded({0, 0}, 1));
     auto broken = entry(0, 0, 1);
     broken.pose.qw = std::nan("");
-    QCOMPARE(book.apply(listOf({broken})).problems.size(), std::size_t(1));
-    QCOMPARE(book.placement({0, 0}, 0)->world_from_texture.x_m, 4.0);
+    QCOMPARE(store.apply(listOf({broken})).problems.size(), std::size_t(1));
+    QCOMPARE(store.placement({0, 0}, 0)->world_from_texture.x_m, 4.0);
   }
 
   void aDuplicateCountsOnceAndTheHighestUsableVersionWins() {
-    SubmapBook book;
+    SubmapStore store;
     auto unusable = entry(0, 0, 9);
     unusable.pose.y = std::nan("");
-    const BookChange change = book.apply(listOf({entry(0, 0, 1), entry(0, 0, 2), unusable}));
-    QCOMPARE(book.rows().size(), std::size_t(1));
-    QCOMPARE(book.find({0, 0})->entry.version, 2);
+    const SubmapChange change = store.apply(listOf({entry(0, 0, 1), entry(0, 0, 2), unusable}));
+    QCOMPARE(store.rows().size(), std::size_t(1));
+    QCOMPARE(store.find({0, 0})->entry.version, 2);
     QCOMPARE(change.problems.size(), std::size_t(2));
   }
 
   void aVersionThatGoesBackKeepsTheNewerPictureUnlessTheRobotInsists() {
-    SubmapBook book;
-    book.apply(listOf({entry(0, 0, 5)}));
-    book.commit(decoded({0, 0}, 5, 5));
-    QCOMPARE(book.apply(listOf({entry(0, 0, 3)})).problems.size(), std::size_t(1));
-    QVERIFY(book.commit(decoded({0, 0}, 3, 3)).placed.empty());
-    QVERIFY(book.apply(listOf({entry(0, 0, 3)})).restarted.empty());
-    QCOMPARE(book.apply(listOf({entry(0, 0, 3)})).restarted.size(), std::size_t(1));
-    QCOMPARE(book.commit(decoded({0, 0}, 3, 3)).placed.size(), std::size_t(1));
-    QCOMPARE(int(book.placement({0, 0}, 0)->texture->at(0, 0).value), 3);
+    SubmapStore store;
+    store.apply(listOf({entry(0, 0, 5)}));
+    store.commit(decoded({0, 0}, 5, 5));
+    QCOMPARE(store.apply(listOf({entry(0, 0, 3)})).problems.size(), std::size_t(1));
+    QVERIFY(store.commit(decoded({0, 0}, 3, 3)).placed.empty());
+    QVERIFY(store.apply(listOf({entry(0, 0, 3)})).restarted.empty());
+    QCOMPARE(store.apply(listOf({entry(0, 0, 3)})).restarted.size(), std::size_t(1));
+    QCOMPARE(store.commit(decoded({0, 0}, 3, 3)).placed.size(), std::size_t(1));
+    QCOMPARE(int(store.placement({0, 0}, 0)->texture->at(0, 0).value), 3);
   }
 
   void aCorruptSliceLeavesTheOthers() {
@@ -174,9 +174,9 @@ class SubmapBookTest : public QObject {
     crooked = good;
     crooked.slice_pose = {0, 0, 0, 0, 0, 0, 0};
     answer.slices = {bad, good, absent, crooked};
-    SubmapBook book;
-    book.apply(listOf({entry(0, 0, 4)}));
-    const BookChange change = book.commit(submap::decode(answer));
+    SubmapStore store;
+    store.apply(listOf({entry(0, 0, 4)}));
+    const SubmapChange change = store.commit(submap::decode(answer));
     QCOMPARE(change.problems.size(), std::size_t(1));
     const Fault& reason = change.problems[0].reason;
     QVERIFY(reason.code == submap::fault::VersionBroken);
@@ -184,27 +184,27 @@ class SubmapBookTest : public QObject {
     QCOMPARE(reason.because.size(), std::size_t(2));
     QVERIFY(reason.because[0].arguments == std::vector<FaultArgument>{0});
     QVERIFY(reason.because[1] == Fault(submap::fault::OneSlice, {3}, {submap::fault::SlicePoseUnusable}));
-    QVERIFY(!book.placement({0, 0}, 0));
-    QVERIFY(book.placement({0, 0}, 1));
-    QVERIFY(!book.placement({0, 0}, 2));
-    QVERIFY(!book.placement({0, 0}, 3));
-    QVERIFY(!book.placement({0, 0}, 99));
+    QVERIFY(!store.placement({0, 0}, 0));
+    QVERIFY(store.placement({0, 0}, 1));
+    QVERIFY(!store.placement({0, 0}, 2));
+    QVERIFY(!store.placement({0, 0}, 3));
+    QVERIFY(!store.placement({0, 0}, 99));
   }
 
   void boundsFollowTheTextureAxes() {
     // Columns run along -y and rows along -x of the slice: 20 rows and 10 columns of 0.1 m from (5, 0).
-    SubmapBook book;
-    book.apply(listOf({entry(0, 0, 1, 5)}));
-    const geometry::WorldRect point = book.bounds({0, 0}, 0);
+    SubmapStore store;
+    store.apply(listOf({entry(0, 0, 1, 5)}));
+    const geometry::WorldRect point = store.bounds({0, 0}, 0);
     QCOMPARE(point.width(), 0.0);
-    book.commit(decoded({0, 0}, 1));
-    const geometry::WorldRect rect = book.bounds({0, 0}, 0);
+    store.commit(decoded({0, 0}, 1));
+    const geometry::WorldRect rect = store.bounds({0, 0}, 0);
     QVERIFY(std::abs(rect.min_x - 3) < 1e-9 && std::abs(rect.max_x - 5) < 1e-9);
     QVERIFY(std::abs(rect.min_y + 1) < 1e-9 && std::abs(rect.max_y) < 1e-9);
   }
 };
 
-}  // namespace test_submap_book
+}  // namespace test_submap_store
 
-MAPWRIGHT_TEST(test_submap_book, SubmapBookTest, Core)
-#include "test_submap_book.moc"
+MAPWRIGHT_TEST(test_submap_store, SubmapStoreTest, Core)
+#include "test_submap_store.moc"

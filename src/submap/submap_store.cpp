@@ -1,4 +1,4 @@
-#include "submap/submap_book.h"
+#include "submap/submap_store.h"
 
 #include <algorithm>
 #include <utility>
@@ -31,12 +31,12 @@ std::vector<Fault> SubmapRow::corruptSlices() const {
   return reasons;
 }
 
-BookChange SubmapBook::apply(const map::SubmapList& list) {
+SubmapChange SubmapStore::apply(const map::SubmapList& list) {
   return apply(compareLists(listed_before_, list));
 }
 
-BookChange SubmapBook::apply(const ListDifference& list) {
-  BookChange change;
+SubmapChange SubmapStore::apply(const ListDifference& list) {
+  SubmapChange change;
   const map::Subject list_subject = map::SubjectKind::SubmapList;
   change.problems = list.problems;
   if (rows_rejected_ && !list.rows_rejected) {
@@ -49,9 +49,7 @@ BookChange SubmapBook::apply(const ListDifference& list) {
     change.set_changed = true;
     rows_.clear();
     ahead_.clear();
-    backward_lists_.clear();
     with_slices_.clear();
-    texture_bytes_ = 0;
     frozen_ = 0;
     uuid_ = list.uuid;
   }
@@ -73,9 +71,9 @@ BookChange SubmapBook::apply(const ListDifference& list) {
     forget(it);
   }
   // Every list counts that lists less than what is on screen, though it be the same as the one before.
-  const std::set<map::SubmapId> ahead = ahead_;
+  const std::map<map::SubmapId, int> ahead = ahead_;
   for (const ListedEntry& listed : list.changed) take(listed, change);
-  for (const map::SubmapId id : ahead) {
+  for (const auto& [id, lists] : ahead) {
     const auto changed = std::lower_bound(change.listed.begin(), change.listed.end(), id);  // weighed already
     if (changed != change.listed.end() && *changed == id) continue;
     if (const auto it = rows_.find(id); it != rows_.end()) weighVersion(id, it->second, change);
@@ -83,26 +81,24 @@ BookChange SubmapBook::apply(const ListDifference& list) {
   return change;
 }
 
-BookChange SubmapBook::clear() {
-  BookChange change;
+SubmapChange SubmapStore::clear() {
+  SubmapChange change;
   change.new_session = change.set_changed = true;
   if (rows_rejected_) change.recoveries.push_back({map::SubjectKind::SubmapList, map::ProblemCode::Odd});
   for (const map::SubmapId id : listed_twice_)
     change.recoveries.push_back({map::subjectOf(id), map::ProblemCode::ListedTwice});
-  *this = SubmapBook();
+  *this = SubmapStore();
   return change;
 }
 
-void SubmapBook::forget(Rows::iterator at) {
-  texture_bytes_ -= at->second.texture_bytes;
+void SubmapStore::forget(Rows::iterator at) {
   frozen_ -= at->second.entry.is_frozen;
   countSlices(at->second.slices.size(), 0);
   ahead_.erase(at->first);
-  backward_lists_.erase(at->first);
   rows_.erase(at);
 }
 
-void SubmapBook::countSlices(std::size_t before, std::size_t now) {
+void SubmapStore::countSlices(std::size_t before, std::size_t now) {
   if (before == now) return;
   if (now > 0) ++with_slices_[now];
   if (before == 0) return;
@@ -110,7 +106,7 @@ void SubmapBook::countSlices(std::size_t before, std::size_t now) {
   if (--count->second == 0) with_slices_.erase(count);
 }
 
-void SubmapBook::take(const ListedEntry& listed, BookChange& change) {
+void SubmapStore::take(const ListedEntry& listed, SubmapChange& change) {
   const map::SubmapEntry& entry = listed.entry;
   const FaultCode problem = listed.pose_problem;
   const bool usable = problem == FaultCode();
@@ -144,10 +140,9 @@ void SubmapBook::take(const ListedEntry& listed, BookChange& change) {
   if (looks_different && row.shown_version >= 0) change.placed.push_back(entry.id);
 }
 
-void SubmapBook::weighVersion(map::SubmapId id, SubmapRow& row, BookChange& change) {
+void SubmapStore::weighVersion(map::SubmapId id, SubmapRow& row, SubmapChange& change) {
   if (row.entry.version < row.shown_version) {
-    ahead_.insert(id);
-    const int lists = ++backward_lists_[id];
+    const int lists = ++ahead_[id];
     if (!row.stale_texture) {
       change.problems.push_back(
           {map::Severity::Warning,
@@ -160,33 +155,26 @@ void SubmapBook::weighVersion(map::SubmapId id, SubmapRow& row, BookChange& chan
     return;
   }
   ahead_.erase(id);
-  backward_lists_.erase(id);
   if (std::exchange(row.stale_texture, false))
     change.recoveries.push_back({map::subjectOf(id), map::ProblemCode::VersionWentBack});
 }
 
-BookChange SubmapBook::commit(DecodedSubmap decoded) {
-  BookChange change;
+SubmapChange SubmapStore::commit(DecodedSubmap decoded) {
+  SubmapChange change;
   const auto it = rows_.find(decoded.key.id);
   if (decoded.key.uuid != uuid_ || it == rows_.end()) return change;
   SubmapRow& row = it->second;
-  const auto backward = backward_lists_.find(decoded.key.id);
-  const bool insisted = backward != backward_lists_.end() && backward->second >= kBackwardLists;
+  const auto ahead = ahead_.find(decoded.key.id);
+  const bool insisted = ahead != ahead_.end() && ahead->second >= kBackwardLists;
   if (decoded.version < row.shown_version && !insisted) return change;
   row.shown_version = decoded.version;
   if (std::exchange(row.stale_texture, false))
     change.recoveries.push_back({map::subjectOf(decoded.key.id), map::ProblemCode::VersionWentBack});
-  backward_lists_.erase(decoded.key.id);
-  if (row.entry.version < row.shown_version) {
-    ahead_.insert(decoded.key.id);
-  } else {
-    ahead_.erase(decoded.key.id);
-  }
-  texture_bytes_ -= row.texture_bytes;
+  ahead_.erase(decoded.key.id);
+  if (row.entry.version < row.shown_version) ahead_.emplace(decoded.key.id, 0);
   countSlices(row.slices.size(), decoded.slices.size());
   row.slices = std::move(decoded.slices);
   row.texture_bytes = bytesOf(row.slices);
-  texture_bytes_ += row.texture_bytes;
   if (auto reasons = row.corruptSlices(); !reasons.empty()) {
     change.problems.push_back({map::Severity::Error,
                                map::subjectOf(decoded.key.id),
@@ -202,33 +190,31 @@ BookChange SubmapBook::commit(DecodedSubmap decoded) {
   return change;
 }
 
-BookChange SubmapBook::lose(map::SubmapId id) {
-  BookChange change;
+SubmapChange SubmapStore::lose(map::SubmapId id) {
+  SubmapChange change;
   const auto it = rows_.find(id);
   if (it == rows_.end() || it->second.shown_version < 0) return change;
   SubmapRow& row = it->second;
   countSlices(row.slices.size(), 0);
-  texture_bytes_ -= row.texture_bytes;
   row.slices.clear();
   row.texture_bytes = 0;
   row.shown_version = -1;
   row.stale_texture = false;
   ahead_.erase(id);
-  backward_lists_.erase(id);
   change.placed.push_back(id);
   return change;
 }
 
-void SubmapBook::setVisible(map::SubmapId id, bool visible) {
+void SubmapStore::setVisible(map::SubmapId id, bool visible) {
   if (const auto it = rows_.find(id); it != rows_.end()) it->second.visible = visible;
 }
 
-const SubmapRow* SubmapBook::find(map::SubmapId id) const {
+const SubmapRow* SubmapStore::find(map::SubmapId id) const {
   const auto it = rows_.find(id);
   return it == rows_.end() ? nullptr : &it->second;
 }
 
-std::optional<Placement> SubmapBook::placement(map::SubmapId id, int slice) const {
+std::optional<Placement> SubmapStore::placement(map::SubmapId id, int slice) const {
   const SubmapRow* row = find(id);
   if (!row || !row->pose_usable || slice < 0 || std::size_t(slice) >= row->slices.size()) return std::nullopt;
   const Slice& chosen = row->slices[std::size_t(slice)];
@@ -238,7 +224,7 @@ std::optional<Placement> SubmapBook::placement(map::SubmapId id, int slice) cons
   return Placement{chosen.texture, geometry::projectToPlane(*world_from_submap * *submap_from_slice)};
 }
 
-geometry::WorldRect SubmapBook::bounds(map::SubmapId id, int slice) const {
+geometry::WorldRect SubmapStore::bounds(map::SubmapId id, int slice) const {
   geometry::WorldRect rect;
   const SubmapRow* row = find(id);
   if (!row || !row->pose_usable) return rect;

@@ -41,7 +41,7 @@ struct SubmapRow {
   map::SubmapEntry entry;  // the newest valid list entry
   bool pose_usable = false;
   FaultCode pose_problem;      // why not
-  bool stale_texture = false;  // a lower version was listed, and the texture is kept (see SubmapBook::apply)
+  bool stale_texture = false;  // a lower version was listed, and the texture is kept (see SubmapStore::apply)
   std::int32_t shown_version = -1;  // -1 = nothing loaded
   std::vector<Slice> slices;
   std::size_t texture_bytes = 0;
@@ -55,7 +55,7 @@ struct SubmapRow {
 };
 
 /// What a list or a commit changed.
-struct BookChange {
+struct SubmapChange {
   bool new_session = false;           // everything before was dropped
   bool set_changed = false;           // submaps were added or removed
   std::vector<map::SubmapId> listed;  // new, or changed in the list
@@ -72,28 +72,28 @@ struct Placement {
   geometry::Pose2 world_from_texture;
 };
 
-class SubmapBook {
+class SubmapStore {
  public:
   using Rows = std::map<map::SubmapId, SubmapRow>;
 
   /// Applies the differences to the previous list. An invalid pose keeps the last valid one; a version below
   /// the shown one keeps the newer picture until kBackwardLists lists in a row repeat it. The cost depends on
   /// the changes.
-  BookChange apply(const ListDifference& list);
+  SubmapChange apply(const ListDifference& list);
   /// The same with a whole list.
-  BookChange apply(const map::SubmapList& list);
+  SubmapChange apply(const map::SubmapList& list);
   static constexpr int kBackwardLists = 3;
   /// As before the first list.
-  BookChange clear();
+  SubmapChange clear();
   /// The base for comparing the next list.
   const ListedBefore& listedBefore() const { return listed_before_; }
 
   /// Shows a decoded submap. Ignored (empty change) if it is of another session, no longer listed or older
   /// than what is shown.
-  BookChange commit(DecodedSubmap decoded);
+  SubmapChange commit(DecodedSubmap decoded);
 
   /// The picture is lost; the position stays. Empty if there was none.
-  BookChange lose(map::SubmapId id);
+  SubmapChange lose(map::SubmapId id);
 
   void setVisible(map::SubmapId id, bool visible);
 
@@ -102,7 +102,6 @@ class SubmapBook {
   const std::string& uuid() const { return uuid_; }
   map::SlamState slamState() const { return slam_state_; }
   bool listReceived() const { return list_received_; }
-  std::size_t textureBytes() const { return texture_bytes_; }
   int frozenCount() const { return frozen_; }
 
   /// The pose at which slice `slice` of the submap is drawn; nullopt if it has no such slice, no texture or
@@ -114,9 +113,9 @@ class SubmapBook {
   int maxSlices() const { return with_slices_.empty() ? 0 : int(with_slices_.rbegin()->first); }
 
  private:
-  void take(const ListedEntry& listed, BookChange& change);
+  void take(const ListedEntry& listed, SubmapChange& change);
   /// Compares the listed version with the one on screen.
-  void weighVersion(map::SubmapId id, SubmapRow& row, BookChange& change);
+  void weighVersion(map::SubmapId id, SubmapRow& row, SubmapChange& change);
   void forget(Rows::iterator at);
   void countSlices(std::size_t before, std::size_t now);
 
@@ -125,11 +124,10 @@ class SubmapBook {
   bool list_received_ = false;
   Rows rows_;
   ListedBefore listed_before_;
-  std::set<map::SubmapId> ahead_;  // on screen with a later version than listed
-  std::map<map::SubmapId, int> backward_lists_;
+  /// On screen with a later version than listed: in how many lists in a row.
+  std::map<map::SubmapId, int> ahead_;
   std::set<map::SubmapId> listed_twice_;
   bool rows_rejected_ = false;
-  std::size_t texture_bytes_ = 0;
   int frozen_ = 0;
   std::map<std::size_t, int> with_slices_;  // how many have this many slices
 };

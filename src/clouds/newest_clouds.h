@@ -52,7 +52,7 @@ struct CloudSet {
   Box bounds;
 };
 
-class CloudBook {
+class NewestClouds {
  public:
   /// The maximum number of points kept in total: further clouds are thinned, and the oldest are dropped.
   static constexpr std::uint64_t kMostPoints = 24'000'000;

@@ -1,4 +1,4 @@
-#include "clouds/cloud_book.h"
+#include "clouds/newest_clouds.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace {
 /// The assumed cell size if it cannot be detected: that of most maps.
 constexpr double kUsualVoxelM = 0.05;
 
-Covered coveredBy(const CloudBook::Came& came) {
+Covered coveredBy(const NewestClouds::Came& came) {
   const map::CloudRegion& region = *came.region;
   Covered covered;
   const Eigen::Vector3d half =
@@ -29,12 +29,12 @@ Covered coveredBy(const CloudBook::Came& came) {
 
 }  // namespace
 
-std::uint64_t CloudBook::oneOf(std::uint64_t points) {
+std::uint64_t NewestClouds::oneOf(std::uint64_t points) {
   constexpr std::uint64_t kMostOfOne = kMostPoints / 2;
   return points <= kMostOfOne ? 1 : (points + kMostOfOne - 1) / kMostOfOne;
 }
 
-void CloudBook::add(Came came) {
+void NewestClouds::add(Came came) {
   const bool whole = !came.region;
   const std::optional<Covered> covered = whole ? std::nullopt : std::optional(coveredBy(came));
   std::erase_if(held_, [&](const Held& held) {
@@ -53,16 +53,16 @@ void CloudBook::add(Came came) {
   }
 }
 
-void CloudBook::clear() {
+void NewestClouds::clear() {
   held_.clear();
   forgotten_ = 0;
 }
 
-void CloudBook::setVoxel(std::optional<double> metres) {
+void NewestClouds::setVoxel(std::optional<double> metres) {
   voxel_m_ = metres && std::isfinite(*metres) && *metres > 0 ? metres : std::nullopt;
 }
 
-CloudSet CloudBook::set() const {
+CloudSet NewestClouds::set() const {
   CloudSet set;
   const CloudTree* widest = nullptr;
   for (const Held& held : held_) {
@@ -100,7 +100,7 @@ CloudSet CloudBook::set() const {
   return set;
 }
 
-CloudBook::Totals CloudBook::totals() const {
+NewestClouds::Totals NewestClouds::totals() const {
   Totals totals;
   totals.clouds = held_.size();
   totals.forgotten = forgotten_;

@@ -1,4 +1,4 @@
-#include "map/projections.h"
+#include "map/map_part.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,532 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en_US" sourcelanguage="en">
+<context>
+    <name>CloudText</name>
+    <message numerus="yes">
+        <source>%1 points are shown.</source>
+        <translation>
+            <numerusform>%1 point is shown.</numerusform>
+            <numerusform>%1 points are shown.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 more have invalid or absurdly large coordinates and were left out.</source>
+        <translation>
+            <numerusform>%1 more has invalid or absurdly large coordinates and was left out.</numerusform>
+            <numerusform>%1 more have invalid or absurdly large coordinates and were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 points, evenly spread, are not shown, to save memory.</source>
+        <translation>
+            <numerusform>%1 point is not shown, to save memory.</numerusform>
+            <numerusform>%1 points, evenly spread, are not shown, to save memory.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 older clouds were discarded to save memory.</source>
+        <translation>
+            <numerusform>%1 older cloud was discarded to save memory.</numerusform>
+            <numerusform>%1 older clouds were discarded to save memory.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 points</source>
+        <translation>
+            <numerusform>%1 point</numerusform>
+            <numerusform>%1 points</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message numerus="yes">
+        <source>%1 cells</source>
+        <translation>
+            <numerusform>%1 cell</numerusform>
+            <numerusform>%1 cells</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cells in its answers are outside the range of -1 to 100. Values above 100 are shown as 100, values below -1 as unknown.</source>
+        <translation>
+            <numerusform>%1 cell in its answers is outside the range of -1 to 100. It is shown as 100 if it is above that, else as unknown.</numerusform>
+            <numerusform>%1 cells in its answers are outside the range of -1 to 100. Values above 100 are shown as 100, values below -1 as unknown.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 submaps could not be read back from the disk: parts of the picture are empty.</source>
+        <translation>
+            <numerusform>%1 submap could not be read back from the disk: parts of the picture are empty.</numerusform>
+            <numerusform>%1 submaps could not be read back from the disk: parts of the picture are empty.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 waypoints</source>
+        <translation>
+            <numerusform>%1 waypoint</numerusform>
+            <numerusform>%1 waypoints</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>FetchCloud</name>
+    <message numerus="yes">
+        <source>%1 points that the robot announced did not arrive: its answer is cut off.</source>
+        <translation>
+            <numerusform>%1 point that the robot announced did not arrive: its answer is cut off.</numerusform>
+            <numerusform>%1 points that the robot announced did not arrive: its answer is cut off.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 points lie outside the requested region and were left out.</source>
+        <translation>
+            <numerusform>%1 point lies outside the requested region and was left out.</numerusform>
+            <numerusform>%1 points lie outside the requested region and were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 more points have invalid or absurdly large coordinates and were left out.</source>
+        <translation>
+            <numerusform>%1 more point has invalid or absurdly large coordinates and was left out.</numerusform>
+            <numerusform>%1 more points have invalid or absurdly large coordinates and were left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ProblemLog</name>
+    <message numerus="yes">
+        <source>%1 older problems are no longer listed.</source>
+        <translation>
+            <numerusform>%1 older problem is no longer listed.</numerusform>
+            <numerusform>%1 older problems are no longer listed.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>WaypointJson</name>
+    <message numerus="yes">
+        <source>%1 features that are not points were left out.</source>
+        <translation>
+            <numerusform>%1 feature that is not a point was left out.</numerusform>
+            <numerusform>%1 features that are not points were left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>WaypointPlan</name>
+    <message numerus="yes">
+        <source>Waypoint types cannot be stored here: those of %1 waypoints are left out.</source>
+        <translation>
+            <numerusform>Waypoint types cannot be stored here: that of %1 waypoint is left out.</numerusform>
+            <numerusform>Waypoint types cannot be stored here: those of %1 waypoints are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Every waypoint needs a heading here: %1 waypoints without one get 0°.</source>
+        <translation>
+            <numerusform>Every waypoint needs a heading here: %1 waypoint without one gets 0°.</numerusform>
+            <numerusform>Every waypoint needs a heading here: %1 waypoints without one get 0°.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 waypoints are not sent: the robot does not allow duplicate names</source>
+        <translation>
+            <numerusform>%1 waypoint is not sent: the robot does not allow duplicate names</numerusform>
+            <numerusform>%1 waypoints are not sent: the robot does not allow duplicate names</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>aimdk</name>
+    <message numerus="yes">
+        <source>%1 more points have pixel and metre coordinates that differ.</source>
+        <translation>
+            <numerusform>%1 more point has pixel and metre coordinates that differ.</numerusform>
+            <numerusform>%1 more points have pixel and metre coordinates that differ.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>axbot</name>
+    <message numerus="yes">
+        <source>The robot&apos;s answer (%1 bytes) is cut off or is not a submap.</source>
+        <translation>
+            <numerusform>The robot&apos;s answer (%1 byte) is cut off or is not a submap.</numerusform>
+            <numerusform>The robot&apos;s answer (%1 bytes) is cut off or is not a submap.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A message of %1 bytes is not a JSON object. It was left out.</source>
+        <translation>
+            <numerusform>A message of %1 byte is not a JSON object. It was left out.</numerusform>
+            <numerusform>A message of %1 bytes is not a JSON object. It was left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A binary message of %1 bytes is too short to be read. It was left out.</source>
+        <translation>
+            <numerusform>A binary message of %1 byte is too short to be read. It was left out.</numerusform>
+            <numerusform>A binary message of %1 bytes is too short to be read. It was left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cells</name>
+    <message numerus="yes">
+        <source>%1 bytes where %2 (or %3) were expected</source>
+        <translation>
+            <numerusform>%1 byte where %2 (or %3) were expected</numerusform>
+            <numerusform>%1 bytes where %2 (or %3) were expected</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>grids</name>
+    <message numerus="yes">
+        <source>Its header says %2 pixels, but %3 after %1 rows. The rest is shown as unknown.</source>
+        <translation>
+            <numerusform>Its header says %2 pixels, but %3 after %1 row. The rest is shown as unknown.</numerusform>
+            <numerusform>Its header says %2 pixels, but %3 after %1 rows. The rest is shown as unknown.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Its header says %2 pixels, but %3 after %1 rows.</source>
+        <translation>
+            <numerusform>Its header says %2 pixels, but %3 after %1 row.</numerusform>
+            <numerusform>Its header says %2 pixels, but %3 after %1 rows.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cells are outside the range of -1 to 100. They are shown as unknown.</source>
+        <translation>
+            <numerusform>%1 cell is outside the range of -1 to 100. It is shown as unknown.</numerusform>
+            <numerusform>%1 cells are outside the range of -1 to 100. They are shown as unknown.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::CloudsController</name>
+    <message numerus="yes">
+        <source>%1 points were received.</source>
+        <translation>
+            <numerusform>%1 point was received.</numerusform>
+            <numerusform>%1 points were received.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>clouds of %1 points</source>
+        <translation>
+            <numerusform>a cloud of %1 point</numerusform>
+            <numerusform>clouds of %1 points</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::EventsDock</name>
+    <message numerus="yes">
+        <source>%1 events</source>
+        <translation>
+            <numerusform>%1 event</numerusform>
+            <numerusform>%1 events</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 events copied</source>
+        <translation>
+            <numerusform>%1 event copied</numerusform>
+            <numerusform>%1 events copied</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::InspectorDock</name>
+    <message numerus="yes">
+        <source>%1 submaps are selected.</source>
+        <translation>
+            <numerusform>%1 submap is selected.</numerusform>
+            <numerusform>%1 submaps are selected.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 slices</source>
+        <translation>
+            <numerusform>%1 slice</numerusform>
+            <numerusform>%1 slices</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 trajectories</source>
+        <translation>
+            <numerusform>%1 trajectory</numerusform>
+            <numerusform>%1 trajectories</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 answers</source>
+        <translation>
+            <numerusform>%1 answer</numerusform>
+            <numerusform>%1 answers</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::MapsDock</name>
+    <message numerus="yes">
+        <source>%1 maps</source>
+        <translation>
+            <numerusform>%1 map</numerusform>
+            <numerusform>%1 maps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::PictureDock</name>
+    <message numerus="yes">
+        <source>%1 specks</source>
+        <translation>
+            <numerusform>%1 speck</numerusform>
+            <numerusform>%1 specks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::PictureEditing</name>
+    <message numerus="yes">
+        <source>%1 cells</source>
+        <translation>
+            <numerusform>%1 cell</numerusform>
+            <numerusform>%1 cells</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::ProblemsDock</name>
+    <message numerus="yes">
+        <source>%1 problems copied</source>
+        <translation>
+            <numerusform>%1 problem copied</numerusform>
+            <numerusform>%1 problems copied</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::ProjectionsController</name>
+    <message numerus="yes">
+        <source>The robot has answered, but %1 projections differ from what was sent. The table shows its answer.</source>
+        <translation>
+            <numerusform>The robot has answered, but %1 projection differs from what was sent. The table shows its answer.</numerusform>
+            <numerusform>The robot has answered, but %1 projections differ from what was sent. The table shows its answer.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::ProjectionsDock</name>
+    <message numerus="yes">
+        <source>The robot has %1 projections.</source>
+        <translation>
+            <numerusform>The robot has %1 projection.</numerusform>
+            <numerusform>The robot has %1 projections.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::RangeExportDialog</name>
+    <message numerus="yes">
+        <source>%1 messages</source>
+        <translation>
+            <numerusform>%1 message</numerusform>
+            <numerusform>%1 messages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 poses</source>
+        <translation>
+            <numerusform>%1 pose</numerusform>
+            <numerusform>%1 poses</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::RecordingsDock</name>
+    <message numerus="yes">
+        <source>%1 recordings</source>
+        <translation>
+            <numerusform>%1 recording</numerusform>
+            <numerusform>%1 recordings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::RobotDock</name>
+    <message numerus="yes">
+        <source>%1 alerts</source>
+        <translation>
+            <numerusform>%1 alert</numerusform>
+            <numerusform>%1 alerts</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::WaypointReview</name>
+    <message numerus="yes">
+        <source>%1 requests</source>
+        <translation>
+            <numerusform>%1 request</numerusform>
+            <numerusform>%1 requests</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::Waypoints</name>
+    <message numerus="yes">
+        <source>%1 waypoints</source>
+        <translation>
+            <numerusform>%1 waypoint</numerusform>
+            <numerusform>%1 waypoints</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 changes</source>
+        <translation>
+            <numerusform>%1 change</numerusform>
+            <numerusform>%1 changes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::WaypointsDock</name>
+    <message numerus="yes">
+        <source>%1 warnings</source>
+        <translation>
+            <numerusform>%1 warning</numerusform>
+            <numerusform>%1 warnings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>recorded</name>
+    <message numerus="yes">
+        <source>%1 bytes of it cannot be read (from byte %2 on) and are skipped.</source>
+        <translation>
+            <numerusform>%1 byte of it cannot be read (at byte %2) and is skipped.</numerusform>
+            <numerusform>%1 bytes of it cannot be read (from byte %2 on) and are skipped.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 chunks of it cannot be unpacked (the first at byte %2) and are skipped.</source>
+        <translation>
+            <numerusform>%1 chunk of it cannot be unpacked (at byte %2) and is skipped.</numerusform>
+            <numerusform>%1 chunks of it cannot be unpacked (the first at byte %2) and are skipped.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 chunks of it are corrupted (the first at byte %2) and are skipped.</source>
+        <translation>
+            <numerusform>%1 chunk of it is corrupted (at byte %2) and is skipped.</numerusform>
+            <numerusform>%1 chunks of it are corrupted (the first at byte %2) and are skipped.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 chunks of it would need too much memory (the first at byte %2) and are skipped.</source>
+        <translation>
+            <numerusform>%1 chunk of it would need too much memory (at byte %2) and is skipped.</numerusform>
+            <numerusform>%1 chunks of it would need too much memory (the first at byte %2) and are skipped.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 chunks of it use an unknown compression: %3 (the first at byte %2). They are skipped.</source>
+        <translation>
+            <numerusform>%1 chunk of it uses an unknown compression: %3 (at byte %2). It is skipped.</numerusform>
+            <numerusform>%1 chunks of it use an unknown compression: %3 (the first at byte %2). They are skipped.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 chunks of it state a wrong time range (the first at byte %2).</source>
+        <translation>
+            <numerusform>%1 chunk of it states a wrong time range (at byte %2).</numerusform>
+            <numerusform>%1 chunks of it state a wrong time range (the first at byte %2).</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 message definitions in it are too large (the first at byte %2) and are skipped.</source>
+        <translation>
+            <numerusform>%1 message definition in it is too large (at byte %2) and is skipped.</numerusform>
+            <numerusform>%1 message definitions in it are too large (the first at byte %2) and are skipped.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 message definitions in it cannot be read (the first at byte %2) and are skipped.</source>
+        <translation>
+            <numerusform>%1 message definition in it cannot be read (at byte %2) and is skipped.</numerusform>
+            <numerusform>%1 message definitions in it cannot be read (the first at byte %2) and are skipped.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 messages belong to topics that it does not describe (the first at byte %2) and are skipped.</source>
+        <translation>
+            <numerusform>%1 message belongs to a topic that it does not describe (at byte %2) and is skipped.</numerusform>
+            <numerusform>%1 messages belong to topics that it does not describe (the first at byte %2) and are skipped.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 topics are described twice and differently (the first at byte %2). The first description is used.</source>
+        <translation>
+            <numerusform>%1 topic is described twice and differently (at byte %2). The first description is used.</numerusform>
+            <numerusform>%1 topics are described twice and differently (the first at byte %2). The first description is used.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ros</name>
+    <message numerus="yes">
+        <source>The robot accepted the picture, but shows %1 cells differently. Compare the two.</source>
+        <translation>
+            <numerusform>The robot accepted the picture, but shows %1 cell differently. Compare the two.</numerusform>
+            <numerusform>The robot accepted the picture, but shows %1 cells differently. Compare the two.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>window</name>
+    <message numerus="yes">
+        <source>%1 problems</source>
+        <translation>
+            <numerusform>%1 problem</numerusform>
+            <numerusform>%1 problems</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 submaps</source>
+        <translation>
+            <numerusform>%1 submap</numerusform>
+            <numerusform>%1 submaps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Loading %1 submaps</source>
+        <translation>
+            <numerusform>Loading %1 submap</numerusform>
+            <numerusform>Loading %1 submaps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>wire</name>
+    <message numerus="yes">
+        <source>%1 rows without an id were left out.</source>
+        <translation>
+            <numerusform>%1 row without an id was left out.</numerusform>
+            <numerusform>%1 rows without an id were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 points without a position were left out.</source>
+        <translation>
+            <numerusform>%1 point without a position was left out.</numerusform>
+            <numerusform>%1 points without a position were left out.</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
