@@ -108,7 +108,7 @@ struct CloudView {
     } while (!scene_.picturesSettled());
   }
   void look(const geometry::ViewTransform& to) { scene_.setView(camera_ = to); }
-  std::shared_ptr<clouds::NewestClouds> clouds_ = std::make_shared<clouds::NewestClouds>();
+  std::shared_ptr<clouds::CloudStore> clouds_ = std::make_shared<clouds::CloudStore>();
   scene::MapScene scene_;
   QGraphicsView view_;
   geometry::ViewTransform camera_;
@@ -176,9 +176,9 @@ void CloudsPanByPainter(benchmark::State& state) {
 /// One tile of the whole building, one of a hundredth of it.
 void CloudsTile(benchmark::State& state) {
   static const auto tree = clouds::CloudTree::make(*fiveMillion());
-  clouds::NewestClouds book;
-  book.add({.tree = tree, .points = tree->size()});
-  const clouds::CloudSet set = book.set();
+  clouds::NewestClouds newest;
+  newest.add({.tree = tree, .points = tree->size()});
+  const clouds::CloudSet set = newest.set();
   clouds::Raster raster;
   raster.scale_m_per_px = double(state.range(0)) / 1000;
   raster.width_px = raster.height_px = 256;

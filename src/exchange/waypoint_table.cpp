@@ -19,6 +19,7 @@ class WaypointTableText {
   Q_DECLARE_TR_FUNCTIONS(WaypointTable)
 };
 
+constexpr std::size_t kMostColumns = 100;
 constexpr std::string_view kMark = "\xef\xbb\xbf";
 const std::array<std::string, 9> kColumns{"id", "name", "x", "y", "yaw_rad", "tags", "frame", "map", "type"};
 
@@ -178,8 +179,6 @@ tl::expected<WantedWaypoint, QString> wantedOf(const CsvRecord& record, const Co
   }
   return wanted;
 }
-
-constexpr std::size_t kMostColumns = 100;
 
 /// The first record is the header.
 WantedFile wantedFromRecords(const std::vector<CsvRecord>& records) {

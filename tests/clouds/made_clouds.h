@@ -48,9 +48,9 @@ inline clouds::NewestClouds::Came came(const map::SpatialCloud& cloud,
 
 inline clouds::CloudSet setOf(const map::SpatialCloud& cloud,
                               clouds::PointKind kind = clouds::PointKind::Point) {
-  clouds::NewestClouds book;
-  book.add(came(cloud, {}, kind));
-  return book.set();
+  clouds::NewestClouds newest;
+  newest.add(came(cloud, {}, kind));
+  return newest.set();
 }
 
 inline map::CloudRegion box(const Eigen::Vector3d& centre, const Eigen::Vector3d& size) {

@@ -110,13 +110,13 @@ class TestWriteCloud : public QObject {
   }
 
   void ofASetWhatIsShownIsWritten() {
-    NewestClouds book;
+    NewestClouds newest;
     map::SpatialCloud plain = test::scattered(1'000, 10, 4, 1);
     plain.intensity.clear();
     plain.rgb.clear();
-    book.add(test::came(plain));
-    book.add(test::came(small(), test::box({2, 1, 2}, {4, 8, 6})));
-    const CloudSet set = book.set();
+    newest.add(test::came(plain));
+    newest.add(test::came(small(), test::box({2, 1, 2}, {4, 8, 6})));
+    const CloudSet set = newest.set();
     const HeightRange heights{0, 2};
     std::string bytes;
     const auto done = writeClouds(set, heights, CloudFormat::PlyBinary, [&](std::string_view more) {

@@ -36,10 +36,10 @@ struct Bench {
   /// Long lists are looked at aside.
   void say(const std::vector<map::SubmapEntry>& entries) {
     robot->list(entries);
-    const submap::SubmapStore& book = session->submaps();
-    QTRY_VERIFY(book.rows().size() == entries.size() &&
+    const submap::SubmapStore& store = session->submaps();
+    QTRY_VERIFY(store.rows().size() == entries.size() &&
                 std::all_of(entries.begin(), entries.end(), [&](const map::SubmapEntry& entry) {
-                  const submap::SubmapRow* row = book.find(entry.id);
+                  const submap::SubmapRow* row = store.find(entry.id);
                   return row && row->entry == entry;
                 }));
   }

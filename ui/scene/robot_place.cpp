@@ -11,9 +11,9 @@ namespace {
 using map::Whereabouts;
 
 /// Whether the submaps come from a stored map; nullopt while there are none.
-std::optional<bool> ofStoredMap(const submap::SubmapStore& book) {
-  if (!book.listReceived() || book.rows().empty()) return std::nullopt;
-  return book.frozenCount() > 0;
+std::optional<bool> ofStoredMap(const submap::SubmapStore& store) {
+  if (!store.listReceived() || store.rows().empty()) return std::nullopt;
+  return store.frozenCount() > 0;
 }
 
 ScreenPart partOf(bool left, bool right) {

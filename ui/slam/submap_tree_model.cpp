@@ -91,11 +91,11 @@ void SubmapTreeModel::noteWidth(const SubmapFacts& facts) {
 void SubmapTreeModel::syncRows(const std::vector<map::SubmapId>& ids) {
   constexpr int kManyOthers = 500;  // rows that come or go, one by one
   if (!session_) return;
-  const submap::SubmapStore& book = session_->submaps();
+  const submap::SubmapStore& store = session_->submaps();
   int others = 0;
   for (const map::SubmapId id : ids) {
     if (branchRow(id.trajectory) < 0) return sync();
-    others += (book.find(id) != nullptr) != indexOf(id).isValid();
+    others += (store.find(id) != nullptr) != indexOf(id).isValid();
   }
   if (others > kManyOthers) return sync();
   std::vector<int> touched;   // rows of branches
@@ -107,7 +107,7 @@ void SubmapTreeModel::syncRows(const std::vector<map::SubmapId>& ids) {
     first = -1;
   };
   for (const map::SubmapId id : ids) {
-    const submap::SubmapRow* const row = book.find(id);
+    const submap::SubmapRow* const row = store.find(id);
     const int branch_row = branchRow(id.trajectory);
     Branch& branch = branches_[std::size_t(branch_row)];
     const auto leaf = std::lower_bound(branch.leaves.begin(), branch.leaves.end(), id,
