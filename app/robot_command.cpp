@@ -87,14 +87,14 @@ RobotReading::RobotReading(std::unique_ptr<robot::Robot> robot, QString address,
       time_(time) {}
 
 bool RobotReading::waitUntil(const std::function<bool()>& done, double at_most_s) {
-  const QDeadlineTimer patience(at_most_s < 1e6 ? qint64(at_most_s * 1000) : -1, Qt::PreciseTimer);
+  const QDeadlineTimer deadline(at_most_s < 1e6 ? qint64(at_most_s * 1000) : -1, Qt::PreciseTimer);
   QEventLoop loop;
   QTimer look;
   look.setTimerType(Qt::PreciseTimer);
   bool is_done = done();
   QObject::connect(&look, &QTimer::timeout, &loop, [&] {
     is_done = done();
-    if (is_done || time_.over() || patience.hasExpired()) loop.quit();
+    if (is_done || time_.over() || deadline.hasExpired()) loop.quit();
   });
   look.start(kMapLookEveryMs);
   if (!is_done) loop.exec();
@@ -124,8 +124,8 @@ tl::unexpected<CommandFailure> RobotReading::failure(const map::Failure& failed)
 void RobotReading::giveUp(const robot::Call& call, const std::function<bool()>& over) const {
   call.cancel();
   QEventLoop loop;
-  const QDeadlineTimer patience(kMapFarewellMs);
-  while (!over() && !patience.hasExpired()) loop.processEvents(QEventLoop::AllEvents, kMapLookEveryMs);
+  const QDeadlineTimer farewell(kMapFarewellMs);
+  while (!over() && !farewell.hasExpired()) loop.processEvents(QEventLoop::AllEvents, kMapLookEveryMs);
 }
 
 map::Failure RobotReading::tooLate(map::Failure failure) const {

@@ -78,8 +78,8 @@ class Sending {
   void giveUp() {
     open_.cancelSaving();
     QEventLoop loop;
-    const QDeadlineTimer patience(kFarewellMs);
-    while (open_.saving() && !patience.hasExpired()) loop.processEvents(QEventLoop::AllEvents, 10);
+    const QDeadlineTimer farewell(kFarewellMs);
+    while (open_.saving() && !farewell.hasExpired()) loop.processEvents(QEventLoop::AllEvents, 10);
     sent_.failure = robot_.tooLate({});
   }
 

@@ -13,7 +13,7 @@ set(PRELUDE_widgets ${PRELUDE_core}
   <QAction> <QApplication> <QGraphicsItem> <QGraphicsView> <QImage> <QKeyEvent> <QLabel> <QLineEdit> <QMainWindow>
   <QPainter> <QPainterPath> <QPushButton> <QSettings> <QStyle> <QToolButton> <QVBoxLayout>)
 # How long tests wait is the one thing of ours in it.
-set(PRELUDE_test ${PRELUDE_widgets} <QtTest> <QTcpServer> <patience.h>)
+set(PRELUDE_test ${PRELUDE_widgets} <QtTest> <QTcpServer> <test_timeouts.h>)
 
 set(PRELUDE_plain_unoptimized ${PRELUDE_plain})
 

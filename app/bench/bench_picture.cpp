@@ -197,9 +197,9 @@ double msSince(Clock::time_point from) {
 
 template <typename Done>
 bool waitFor(Done done) {
-  QElapsedTimer patience;
-  patience.start();
-  while (!done() && patience.elapsed() < 120'000)
+  QElapsedTimer waited;
+  waited.start();
+  while (!done() && waited.elapsed() < 120'000)
     QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 5);
   return done();
 }
@@ -208,9 +208,9 @@ bool waitFor(Done done) {
 template <typename Done>
 double longestTurnUntil(Done done) {
   double longest = 0;
-  QElapsedTimer patience;
-  patience.start();
-  while (!done() && patience.elapsed() < 120'000) {
+  QElapsedTimer waited;
+  waited.start();
+  while (!done() && waited.elapsed() < 120'000) {
     const auto from = Clock::now();
     QCoreApplication::processEvents();
     longest = std::max(longest, msSince(from));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostIds = 65'535;
 constexpr std::size_t kMostText = std::size_t(32) << 20;
-constexpr std::int64_t kPatienceNs = 1'000'000'000;
+constexpr std::int64_t kRetryEveryNs = 1'000'000'000;
 
 std::uint64_t stampOf(std::int64_t time_ns) { return std::uint64_t(std::max<std::int64_t>(time_ns, 0)); }
 
@@ -94,7 +94,7 @@ void McapWriter::describe(ChannelId channel) {
 
 bool McapWriter::mayTry(std::int64_t now_ns) const {
   // A clock that was set back must not cause a wait.
-  return !fault_ || now_ns < failed_ns_ || now_ns - failed_ns_ >= kPatienceNs;
+  return !fault_ || now_ns < failed_ns_ || now_ns - failed_ns_ >= kRetryEveryNs;
 }
 
 std::optional<disk::FileError> McapWriter::seen(std::optional<disk::FileError> fault, std::int64_t now_ns) {

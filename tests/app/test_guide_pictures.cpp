@@ -92,7 +92,7 @@ class Desk {
         },
         60'000);
   }
-  /// Compares, and writes if asked to.
+  /// Waits until nothing moves; written if asked to.
   bool picture(const char* name) {
     const bool quiet =
         settles() &&
@@ -101,10 +101,8 @@ class Desk {
             20'000);
     const QImage seen = window_->grab().toImage();
     const QString folder = qEnvironmentVariable("MAPWRIGHT_GUIDE_PICTURES");
-    // The guide is read in a browser: 256 colours are enough, and a third of the bytes.
-    const QImage small = seen.convertToFormat(QImage::Format_Indexed8, Qt::ThresholdDither | Qt::AvoidDither);
     if (!folder.isEmpty() &&
-        !small.save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png")))
+        !seen.save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png"), nullptr, 0))
       return false;
     return quiet && seen.size() == QSize(1366, 768);
   }

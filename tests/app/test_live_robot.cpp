@@ -21,7 +21,7 @@ using simulator::RequestRecord;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+constexpr int kTimeoutMs = 60'000;
 
 std::vector<RequestRecord> submapRequests(const simulator::Simulator& robot) {
   std::vector<RequestRecord> requests;
@@ -95,7 +95,7 @@ class LiveRobotTest : public QObject {
     options.enable_topic_list = topic_lists;
     startRobot(options);
     const auto session = connectTo();
-    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kTimeoutMs);
     const auto requests = submapRequests(*robot_);
     QCOMPARE(int(requests.size()), session->counts().listed);
     QVERIFY(mostAtOnce(requests) <= 4);
@@ -110,11 +110,11 @@ class LiveRobotTest : public QObject {
     startRobot();
     {
       const auto session = connectTo();
-      QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kTimeoutMs);
     }
     robot_->clearRequestLog();
     const auto session = connectTo();
-    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kTimeoutMs);
     QCOMPARE(submapRequests(*robot_).size(), std::size_t(0));
     QCOMPARE(int(session->counts().cache_hits), session->counts().listed);
   }
@@ -122,23 +122,23 @@ class LiveRobotTest : public QObject {
   void onlyWhatChangedIsFetched() {
     startRobot();
     const auto session = connectTo();
-    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kTimeoutMs);
     robot_->clearRequestLog();
     const map::SubmapId id = session->submaps().rows().begin()->first;
     const int before = session->submaps().find(id)->shown_version;
     robot_->bumpVersion(id.trajectory, id.index);
-    QTRY_VERIFY_WITH_TIMEOUT(session->submaps().find(id)->shown_version > before, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(session->submaps().find(id)->shown_version > before, kTimeoutMs);
     QCOMPARE(submapRequests(*robot_).size(), std::size_t(1));
   }
 
   void aLoopClosureMovesPicturesWithoutAnyFetch() {
     startRobot();
     const auto session = connectTo();
-    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kTimeoutMs);
     robot_->clearRequestLog();
     QSignalSpy placed(session.get(), &Session::submapsPlaced);
     robot_->closeLoop();
-    QTRY_VERIFY_WITH_TIMEOUT(placed.count() > 0, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(placed.count() > 0, kTimeoutMs);
     QVERIFY(complete(*session));
     QCOMPARE(submapRequests(*robot_).size(), std::size_t(0));
   }
@@ -146,10 +146,10 @@ class LiveRobotTest : public QObject {
   void aSubmapThatLeavesTheListLeavesTheMap() {
     startRobot();
     const auto session = connectTo();
-    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kTimeoutMs);
     const map::SubmapId id = session->submaps().rows().begin()->first;
     robot_->removeSubmap(id.trajectory, id.index);
-    QTRY_VERIFY_WITH_TIMEOUT(!session->submaps().find(id), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!session->submaps().find(id), kTimeoutMs);
   }
 
   void a404IsNotRepeated() {
@@ -160,14 +160,14 @@ class LiveRobotTest : public QObject {
     submap::SchedulerOptions quick;
     quick.cooldown = submap::Millis(20);
     const auto session = connectTo(quick);
-    QTRY_VERIFY_WITH_TIMEOUT(session->settled(1) && session->counts().missing > 0, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(session->settled(1) && session->counts().missing > 0, kTimeoutMs);
     bool was_away = false;
     connect(session.get(), &Session::connectionChanged, this,
             [&] { was_away |= session->staleSince().has_value(); });
     robot_->dropWebSockets();  // a new list, a new chance to ask wrongly
     QTRY_VERIFY_WITH_TIMEOUT(was_away && session->connection().phase == robot::ConnectionPhase::Online,
-                             kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(session->settled(1), kPatienceMs);
+                             kTimeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(session->settled(1), kTimeoutMs);
     for (const auto& [target, times] : timesAsked(submapRequests(*robot_)))
       QVERIFY2(times == 1, target.c_str());
     QCOMPARE(session->counts().shown + session->counts().missing, session->counts().listed);
@@ -191,9 +191,9 @@ class LiveRobotTest : public QObject {
     quick.cooldown = submap::Millis(30);
     quick.cooldown_limit = submap::Millis(100);
     const auto session = connectTo(quick);
-    QTRY_VERIFY_WITH_TIMEOUT(session->problems().rows().size() > 0, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(session->problems().rows().size() > 0, kTimeoutMs);
     robot_->setFaults({});
-    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kTimeoutMs);
     QVERIFY(mostAtOnce(submapRequests(*robot_)) <= 4);
   }
 
@@ -204,7 +204,7 @@ class LiveRobotTest : public QObject {
     submap::SchedulerOptions scheduler;
     scheduler.cooldown = submap::Millis(400);
     const auto session = connectTo(scheduler);
-    QTRY_VERIFY_WITH_TIMEOUT(session->settled(2), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(session->settled(2), kTimeoutMs);
     std::map<std::string, double> ended;
     int again = 0;
     for (const RequestRecord& record : submapRequests(*robot_)) {
@@ -222,7 +222,7 @@ class LiveRobotTest : public QObject {
     options.faults.wrong_size_rate = 0.4;
     startRobot(options);
     const auto session = connectTo();
-    QTRY_VERIFY_WITH_TIMEOUT(session->settled(1) && session->counts().corrupt > 0, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(session->settled(1) && session->counts().corrupt > 0, kTimeoutMs);
     for (const auto& [target, times] : timesAsked(submapRequests(*robot_)))
       QVERIFY2(times == 1, target.c_str());
     QVERIFY(session->problems().unresolved() >= session->counts().corrupt);
@@ -233,14 +233,14 @@ class LiveRobotTest : public QObject {
     int good = 0;
     {
       const auto session = connectTo();
-      QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kTimeoutMs);
       good = session->counts().shown;
     }
     simulator::Options options;
     options.faults.bad_entries = true;
     startRobot(options);
     const auto session = connectTo();
-    QTRY_VERIFY_WITH_TIMEOUT(session->settled(1), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(session->settled(1), kTimeoutMs);
     QVERIFY(session->counts().shown >= good - 1);
     QVERIFY(session->counts().corrupt > 0);
     QVERIFY(session->problems().unresolved() > 0);
@@ -249,10 +249,10 @@ class LiveRobotTest : public QObject {
   void aNewSlamSessionReplacesEverything() {
     startRobot();
     const auto session = connectTo();
-    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kTimeoutMs);
     const std::string before = session->submaps().uuid();
     robot_->restartSlam();
-    QTRY_VERIFY_WITH_TIMEOUT(session->submaps().uuid() != before && complete(*session), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(session->submaps().uuid() != before && complete(*session), kTimeoutMs);
     QVERIFY(mostAtOnce(submapRequests(*robot_)) <= 4);
   }
 
@@ -262,27 +262,27 @@ class LiveRobotTest : public QObject {
     startRobot(options);
     {
       const auto session = connectTo({}, "open sesame");
-      QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kTimeoutMs);
     }
     const auto session = connectTo({}, "xyzzy-42");
-    QTRY_COMPARE_WITH_TIMEOUT(session->connection().phase, robot::ConnectionPhase::Refused, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(session->connection().phase, robot::ConnectionPhase::Refused, kTimeoutMs);
     QVERIFY(!sentences::wordsOf(session->connection().reason).contains(QStringLiteral("xyzzy-42")));
   }
 
   void aRobotThatGoesAwayAndComesBackIsFoundAgain() {
     startRobot();
     const auto session = connectTo();
-    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kTimeoutMs);
     const int shown = session->counts().shown;
     simulator::Options again;
     again.port = robot_->port();
     robot_.reset();
-    QTRY_COMPARE_WITH_TIMEOUT(session->connection().phase, robot::ConnectionPhase::Interrupted, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(session->connection().phase, robot::ConnectionPhase::Interrupted, kTimeoutMs);
     QVERIFY(session->connection().reason.any());
     QCOMPARE(session->counts().shown, shown);
     startRobot(again);
-    QTRY_COMPARE_WITH_TIMEOUT(session->connection().phase, robot::ConnectionPhase::Online, kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(session->connection().phase, robot::ConnectionPhase::Online, kTimeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kTimeoutMs);
     QCOMPARE(submapRequests(*robot_).size(), std::size_t(0));
   }
 };

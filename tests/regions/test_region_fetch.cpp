@@ -1,7 +1,7 @@
 // Asking a dispatcher for regions, and for one rectangle.
 #include <QtTest>
 
-#include "../patience.h"
+#include "../test_timeouts.h"
 #include "fake_dispatch.h"
 #include "regions/region_fetch.h"
 #include "test_program.h"

@@ -35,9 +35,9 @@ class Player {
     // With a limit of its own processEvents() does not wait: what is waited for would have to share its core.
     QTimer look;
     look.start(50);
-    const QDeadlineTimer patience(kLongMs);
+    const QDeadlineTimer deadline(kLongMs);
     while (!condition()) {
-      if (patience.hasExpired()) return false;
+      if (deadline.hasExpired()) return false;
       QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
     }
     return true;

@@ -43,9 +43,9 @@ bool waitFor(const std::function<bool()>& condition) {
   // With a limit of its own processEvents() does not wait: what is waited for would have to share its core.
   QTimer look;
   look.start(20);
-  const QDeadlineTimer patience(kLongMs);
+  const QDeadlineTimer deadline(kLongMs);
   while (!condition()) {
-    if (patience.hasExpired()) return false;
+    if (deadline.hasExpired()) return false;
     QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
   }
   return true;

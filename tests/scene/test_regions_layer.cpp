@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <QtTest>
 
-#include "../patience.h"
+#include "../test_timeouts.h"
 #include "fake_dispatch.h"
 #include "fake_robot.h"
 #include "regions/region_map.h"

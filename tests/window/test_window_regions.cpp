@@ -13,7 +13,7 @@
 #include <QToolTip>
 #include <QtTest>
 
-#include "../patience.h"
+#include "../test_timeouts.h"
 #include "../regions/fake_dispatch.h"
 #include "fake_robot.h"
 #include "known_addresses.h"

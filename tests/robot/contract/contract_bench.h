@@ -105,7 +105,7 @@ class Bench {
   };
 
   /// Another robot on the same way; one that loses patience with a silent robot.
-  void make(std::chrono::milliseconds patience = std::chrono::milliseconds(20'000)) {
+  void make(std::chrono::milliseconds timeout = std::chrono::milliseconds(20'000)) {
     robot.reset();
     if (adapter_ == Adapter::Files) {
       files::FileOptions options;
@@ -133,12 +133,12 @@ class Bench {
     if (adapter_ == Adapter::Axbot) {
       axbot::LinkOptions options;
       options.base = base;
-      options.answer_timeout = options.fetch_timeout = patience;
+      options.answer_timeout = options.fetch_timeout = timeout;
       robot = std::make_unique<axbot::AxbotRobot>(QStringLiteral("axbot+test"), options);
     } else {
       aimdk::LinkOptions options;
       options.base = base;
-      options.timeout = options.map_timeout = patience;
+      options.timeout = options.map_timeout = timeout;
       robot = std::make_unique<aimdk::AimdkRobot>(QStringLiteral("aimdk+test"), options);
     }
   }
