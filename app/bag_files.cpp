@@ -40,31 +40,31 @@ struct ExportOrder {
 };
 
 /// The requested format, otherwise by the extension.
-CommandResult<ExportOrder> orderFrom(const BagsWords& words, const QStringList& formats) {
-  const auto span = timeSpanFrom(words);
+CommandResult<ExportOrder> orderFrom(const BagsArguments& args, const QStringList& formats) {
+  const auto span = timeSpanFrom(args);
   if (!span) return passOn(span);
-  ExportOrder order{*span, text(words.output), text(words.format).toLower()};
+  ExportOrder order{*span, text(args.output), text(args.format).toLower()};
   const QString known = formats.join(QStringLiteral(", "));
   if (order.format.isEmpty()) {
     order.format = QFileInfo(order.path).suffix().toLower();
     if (!formats.contains(order.format))
       return wrong(Text::tr("%1: the name must end in one of %2, or pass --format.").arg(order.path, known));
   } else if (!formats.contains(order.format)) {
-    return wrong(Text::tr("--format %1: must be one of %2.").arg(text(words.format), known));
+    return wrong(Text::tr("--format %1: must be one of %2.").arg(text(args.format), known));
   }
-  if (const auto why = whyNotCreated(order.path, QFileInfo(order.path).isFile(), words.force))
+  if (const auto why = whyNotCreated(order.path, QFileInfo(order.path).isFile(), args.force))
     return wrong(*why);
   return order;
 }
 
 /// Reports what was written, for scripts and for people.
-void tell(const BagsWords& words, const ExportOrder& order, RobotCommand& command, QJsonObject done,
+void tell(const BagsArguments& args, const ExportOrder& order, RobotCommand& command, QJsonObject done,
           const QString& sentence) {
-  done[QStringLiteral("name")] = text(words.name);
+  done[QStringLiteral("name")] = text(args.name);
   done[QStringLiteral("file")] = order.path;
   command.report(QStringLiteral("bag"), done);
   if (isStandardOutput(order.path)) return;
-  if (words.json) {
+  if (args.json) {
     printJson(done);
   } else {
     printLine(QStringLiteral("%1: %2").arg(oneLine(order.path), sentence));
@@ -72,40 +72,40 @@ void tell(const BagsWords& words, const ExportOrder& order, RobotCommand& comman
 }
 
 /// The file, if it is a recording on this computer.
-std::optional<std::string> recordingOf(const BagsWords& words) {
-  const auto parsed = knownAddresses().parse(text(words.robot));
+std::optional<std::string> recordingOf(const BagsArguments& args) {
+  const auto parsed = knownAddresses().parse(text(args.robot));
   if (!parsed || parsed->path.isEmpty() || !robot::recorded::isRecording(parsed->path)) return std::nullopt;
   return parsed->path.toStdString();
 }
 
-excerpt::Order excerptOf(const BagsWords& words, const BagReading& bags, const ExportOrder& order) {
+excerpt::Order excerptOf(const BagsArguments& args, const BagReading& bags, const ExportOrder& order) {
   excerpt::Order wanted;
   wanted.kind = order.format == QLatin1String("mcap")      ? excerpt::Kind::Mcap
                 : order.format == QLatin1String("jsonl")   ? excerpt::Kind::Lines
                 : order.format == QLatin1String("csv")     ? excerpt::Kind::TrackCsv
                 : order.format == QLatin1String("geojson") ? excerpt::Kind::TrackGeoJson
                                                            : excerpt::Kind::TrackTum;
-  wanted.path = words.output;
+  wanted.path = args.output;
   wanted.span = order.span;
-  wanted.topics = words.topics;
+  wanted.topics = args.topics;
   wanted.address = bags.robot().session().robot().address().toStdString();
-  wanted.bag = words.name;
+  wanted.bag = args.name;
   return wanted;
 }
 
 /// A part of a recording is copied byte for byte.
-CommandResult<int> exportSlice(const BagsWords& words, RobotCommand& command, BagReading& bags,
+CommandResult<int> exportSlice(const BagsArguments& args, RobotCommand& command, BagReading& bags,
                                const std::string& path, const ExportOrder& order) {
   if (const auto why = overOwnSource({order.path}, {path})) return wrong(*why);
-  const auto sliced = excerpt::sliceRecording(path, excerptOf(words, bags, order));
+  const auto sliced = excerpt::sliceRecording(path, excerptOf(args, bags, order));
   if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
   const excerpt::Written& done = **sliced;  // nobody cancels it
-  bags.noteUnknown(words.topics);
+  bags.noteUnknown(args.topics);
   const map::Subject bag =
       subjectOf(robot::BagKey{robot::BagKind::File, robot::recorded::bagNameOf(text(path))});
   for (const Fault& loss : done.losses)
     bags.robot().lack(QStringLiteral("%1: %2").arg(sentences::nameOf(bag), sentences::wordsOf(loss)));
-  tell(words, order, command,
+  tell(args, order, command,
        {{QStringLiteral("messages"), qint64(done.messages)},
         {QStringLiteral("said_before"), qint64(done.said_before)},
         {QStringLiteral("attachments"), qint64(done.attachments)}},
@@ -134,22 +134,23 @@ Told toldOf(const excerpt::Written& done, excerpt::Kind kind) {
   }
 }
 
-CommandResult<int> exportExcerpt(RobotCommand& command, const BagsWords& words, const QStringList& formats) {
-  const auto order = orderFrom(words, formats);
+CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& args,
+                                 const QStringList& formats) {
+  const auto order = orderFrom(args, formats);
   if (!order) return passOn(order);
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
   BagReading& bags = *opened;
   const bool lines = order->format == QLatin1String("jsonl");
   const auto replayed =
-      bags.readThrough(words.name, lines ? BagReading::Texts::Whole : BagReading::Texts::Short);
+      bags.readThrough(args.name, lines ? BagReading::Texts::Whole : BagReading::Texts::Short);
   if (!replayed) return passOn(replayed);
-  const excerpt::Order wanted = excerptOf(words, bags, *order);
+  const excerpt::Order wanted = excerptOf(args, bags, *order);
   const bool mcap = wanted.kind == excerpt::Kind::Mcap;
   if (mcap && isStandardOutput(order->path))
     return wrong(Text::tr("An MCAP file must be a regular file (-o FILE)."));
-  if (const auto recording = mcap ? recordingOf(words) : std::nullopt)
-    return exportSlice(words, command, bags, *recording, *order);
+  if (const auto recording = mcap ? recordingOf(args) : std::nullopt)
+    return exportSlice(args, command, bags, *recording, *order);
   const auto writing = excerpt::begin(wanted);
   if (!writing) return fileFailure(writing.error());
   const auto read = bags.readRanges(excerpt::readsFrom(wanted), order->span.to_s,
@@ -161,10 +162,10 @@ CommandResult<int> exportExcerpt(RobotCommand& command, const BagsWords& words, 
   if (!read) return passOn(read);
   const auto done = (*writing)->place();
   if (!done) return fileFailure(done.error());
-  bags.noteUnknown(words.topics);
+  bags.noteUnknown(args.topics);
   bags.noteUnreadable(HUGE_VAL);
   const Told told = toldOf(*done, wanted.kind);
-  tell(words, *order, command, told.json, told.sentence);
+  tell(args, *order, command, told.json, told.sentence);
   return kDone;
 }
 
@@ -172,11 +173,11 @@ constexpr std::int64_t kMostParts = 10'000;
 
 auto notOpened(const Fault& why) { return wrong(sentences::sentenceOf(why)); }
 
-CommandResult<std::string> recordingFrom(const BagsWords& words) {
-  const auto parsed = knownAddresses().parse(text(words.robot));
+CommandResult<std::string> recordingFrom(const BagsArguments& args) {
+  const auto parsed = knownAddresses().parse(text(args.robot));
   if (!parsed || parsed->path.isEmpty())
     return wrong(
-        Text::tr("%1 is not a recording on this computer. Pass a file (.mcap, .bag).").arg(text(words.name)));
+        Text::tr("%1 is not a recording on this computer. Pass a file (.mcap, .bag).").arg(text(args.name)));
   return parsed->path.toStdString();
 }
 
@@ -192,14 +193,14 @@ bool isOfItsEnd(const Fault& loss) {
          loss.code == robot::recorded::fault::RecordingCutOff;
 }
 
-void tell(const BagsWords& words, const QStringList& files, const excerpt::Written& done) {
+void tell(const BagsArguments& args, const QStringList& files, const excerpt::Written& done) {
   QJsonArray losses;
   for (const Fault& loss : done.losses) {
     const QString sentence = sentences::sentenceOf(loss);
     losses.append(sentence);
     say(sentence);
   }
-  if (words.json) {
+  if (args.json) {
     printJson(QJsonObject{{QStringLiteral("files"), QJsonArray::fromStringList(files)},
                           {QStringLiteral("messages"), qint64(done.messages)},
                           {QStringLiteral("attachments"), qint64(done.attachments)},
@@ -212,34 +213,34 @@ void tell(const BagsWords& words, const QStringList& files, const excerpt::Writt
 
 }  // namespace
 
-CommandResult<int> bagsExport(RobotCommand& command, const BagsWords& words) {
-  return exportExcerpt(command, words, {QStringLiteral("mcap"), QStringLiteral("jsonl")});
+CommandResult<int> bagsExport(RobotCommand& command, const BagsArguments& args) {
+  return exportExcerpt(command, args, {QStringLiteral("mcap"), QStringLiteral("jsonl")});
 }
 
-CommandResult<int> bagsTrack(RobotCommand& command, const BagsWords& words) {
-  return exportExcerpt(command, words,
+CommandResult<int> bagsTrack(RobotCommand& command, const BagsArguments& args) {
+  return exportExcerpt(command, args,
                        {QStringLiteral("csv"), QStringLiteral("geojson"), QStringLiteral("tum")});
 }
 
-CommandResult<int> bagsRepair(RobotCommand&, const BagsWords& words) {
-  const auto path = recordingFrom(words);
+CommandResult<int> bagsRepair(RobotCommand&, const BagsArguments& args) {
+  const auto path = recordingFrom(args);
   if (!path) return passOn(path);
-  if (const auto why = whyNotInto(text(words.output), {*path}, words.force)) return wrong(*why);
+  if (const auto why = whyNotInto(text(args.output), {*path}, args.force)) return wrong(*why);
   excerpt::Order order;
-  order.path = words.output;
+  order.path = args.output;
   order.repair = true;
   const auto made = excerpt::sliceRecording(*path, order);
   if (!made) return notOpened(made.error());
-  tell(words, {text(words.output)}, **made);
+  tell(args, {text(args.output)}, **made);
   const bool all = std::all_of((*made)->losses.begin(), (*made)->losses.end(), isOfItsEnd);
   return int(all ? kDone : kIncomplete);
 }
 
-CommandResult<int> bagsSplit(RobotCommand&, const BagsWords& words) {
-  const auto path = recordingFrom(words);
+CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
+  const auto path = recordingFrom(args);
   if (!path) return passOn(path);
-  if (!(words.every_s > 0)) return wrong(Text::tr("--every must be greater than 0 seconds."));
-  const QString pattern = text(words.output);
+  if (!(args.every_s > 0)) return wrong(Text::tr("--every must be greater than 0 seconds."));
+  const QString pattern = text(args.output);
   if (numbered(pattern, 0).isEmpty())
     return wrong(
         Text::tr("-o %1: the parts need a number in their name, for example part-%03d.mcap.").arg(pattern));
@@ -247,7 +248,7 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsWords& words) {
   if (!opened) return notOpened(robot::recorded::reasonOf(opened.error()));
   const recording::Summary summary = (*opened)->summary();
   if (!summary.start_ns) return wrong(Text::tr("It contains no messages."));
-  const double every_ns = words.every_s * 1e9;
+  const double every_ns = args.every_s * 1e9;
   const double parts = std::floor(double(summary.durationNs()) / every_ns) + 1;
   if (parts > double(kMostParts))
     return wrong(Text::tr("That would be more than %1 parts. Choose a longer --every.").arg(kMostParts));
@@ -256,9 +257,9 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsWords& words) {
   for (std::int64_t part = 0; part < std::int64_t(parts); ++part) {
     excerpt::Order order;
     const QString file = numbered(pattern, int(part));
-    if (const auto why = whyNotInto(file, {*path}, words.force)) return wrong(*why);
+    if (const auto why = whyNotInto(file, {*path}, args.force)) return wrong(*why);
     order.path = file.toStdString();
-    order.topics = words.topics;
+    order.topics = args.topics;
     // The first and the last part include everything up to the ends, in spite of rounding.
     if (part > 0) order.first_ns = *summary.start_ns + std::llround(double(part) * every_ns);
     if (part + 1 < std::int64_t(parts))
@@ -270,21 +271,21 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsWords& words) {
     all.losses = (*made)->losses;  // they concern the whole
     files << file;
   }
-  tell(words, files, all);
+  tell(args, files, all);
   return int(all.losses.empty() ? kDone : kIncomplete);
 }
 
-CommandResult<int> bagsMerge(RobotCommand&, const BagsWords& words) {
-  if (const auto why = whyNotInto(text(words.output), words.files, words.force)) return wrong(*why);
-  const auto span = timeSpanFrom(words);
+CommandResult<int> bagsMerge(RobotCommand&, const BagsArguments& args) {
+  if (const auto why = whyNotInto(text(args.output), args.files, args.force)) return wrong(*why);
+  const auto span = timeSpanFrom(args);
   if (!span) return passOn(span);
   excerpt::Order order;
-  order.path = words.output;
+  order.path = args.output;
   order.span = *span;
-  order.topics = words.topics;
-  const auto made = excerpt::mergeRecordings(words.files, order);
+  order.topics = args.topics;
+  const auto made = excerpt::mergeRecordings(args.files, order);
   if (!made) return notOpened(made.error());
-  tell(words, {text(words.output)}, *made);
+  tell(args, {text(args.output)}, *made);
   return int(made->losses.empty() ? kDone : kIncomplete);
 }
 

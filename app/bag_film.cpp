@@ -35,8 +35,8 @@ constexpr double kFastestFps = 240;
 using words::text;
 
 /// The options as typed; those of a single picture are in `picture`, whose bag, at and output are not used.
-struct FilmWords {
-  SnapshotWords picture;
+struct FilmArguments {
+  SnapshotArguments picture;
   std::string name, from, to;
   double every_s = 1, fps = 10;
 };
@@ -52,9 +52,9 @@ struct Place {
   QTemporaryDir folder;  // for the frames of a video
 };
 
-tl::expected<std::unique_ptr<Place>, QString> placeFor(const FilmWords& words) {
+tl::expected<std::unique_ptr<Place>, QString> placeFor(const FilmArguments& args) {
   auto place = std::make_unique<Place>();
-  const QString output = text(words.picture.output);
+  const QString output = text(args.picture.output);
   if (!isFilm(output)) {
     place->pattern = output;
     if (numbered(output, 0).isEmpty() || !output.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
@@ -145,30 +145,30 @@ std::vector<double> filmTimes(double from_s, double to_s, double every_s) {
   return times;
 }
 
-tl::expected<std::vector<double>, QString> timesFrom(const FilmWords& words) {
-  const auto from_s = timeFrom(words.from, QStringLiteral("--from"));
+tl::expected<std::vector<double>, QString> timesFrom(const FilmArguments& args) {
+  const auto from_s = timeFrom(args.from, QStringLiteral("--from"));
   if (!from_s) return tl::make_unexpected(from_s.error().sentence);
-  const auto to_s = timeFrom(words.to, QStringLiteral("--to"));
+  const auto to_s = timeFrom(args.to, QStringLiteral("--to"));
   if (!to_s) return tl::make_unexpected(to_s.error().sentence);
   if (*to_s < *from_s) return tl::make_unexpected(Text::tr("--to is earlier than --from."));
-  if (!(words.every_s > 0)) return tl::make_unexpected(Text::tr("--every must be greater than 0 seconds."));
-  if (!(words.fps > 0 && words.fps <= kFastestFps))
+  if (!(args.every_s > 0)) return tl::make_unexpected(Text::tr("--every must be greater than 0 seconds."));
+  if (!(args.fps > 0 && args.fps <= kFastestFps))
     return tl::make_unexpected(Text::tr("--fps must be greater than 0 and at most %1.").arg(kFastestFps));
-  if ((*to_s - *from_s) / words.every_s >= double(kMostPictures))
+  if ((*to_s - *from_s) / args.every_s >= double(kMostPictures))
     return tl::make_unexpected(
         Text::tr("That would be more than %1 pictures. Choose a longer --every.").arg(kMostPictures));
-  return filmTimes(*from_s, *to_s, words.every_s);
+  return filmTimes(*from_s, *to_s, args.every_s);
 }
 
 /// Every picture is what `snapshot --bag NAME --at T` draws, all in the same view as the last one.
-int bagsFilm(const FilmWords& words, int& argc, char** argv) {
-  const auto times = timesFrom(words);
+int bagsFilm(const FilmArguments& args, int& argc, char** argv) {
+  const auto times = timesFrom(args);
   if (!times) return refuse(kUsage, times.error());
-  const auto place = placeFor(words);
+  const auto place = placeFor(args);
   if (!place) return refuse(kUsage, place.error());
-  SnapshotWords picture = words.picture;
-  picture.bag = words.name;
-  picture.at = words.from;
+  SnapshotArguments picture = args.picture;
+  picture.bag = args.name;
+  picture.at = args.from;
   picture.output = numbered((*place)->pattern, 0).toStdString();
   picture.report.clear();
   picture.json = false;
@@ -176,7 +176,7 @@ int bagsFilm(const FilmWords& words, int& argc, char** argv) {
   if (!options) return refuse(kUsage, options.error());
   const auto fonts = chooseOffscreenPlatform();
   QApplication application(argc, argv);
-  const auto access = RobotAccess::read(words.picture.access, options->robot);
+  const auto access = RobotAccess::read(args.picture.access, options->robot);
   if (!access) return refuse(kUsage, access.error());
 
   // The last picture comes first: it shows everything, and its view is used for all of them.
@@ -205,10 +205,10 @@ int bagsFilm(const FilmWords& words, int& argc, char** argv) {
   }
   progress.clear();
   if (!(*place)->film.isEmpty()) {
-    if (const auto why = makeFilm(**place, words.fps)) return refuse(kUsage, *why);
+    if (const auto why = makeFilm(**place, args.fps)) return refuse(kUsage, *why);
   }
-  const QString output = text(words.picture.output);
-  if (words.picture.json) {
+  const QString output = text(args.picture.output);
+  if (args.picture.json) {
     const QJsonObject report{{QStringLiteral("file"), output},
                              {QStringLiteral("pictures"), done},
                              {QStringLiteral("incomplete"), incomplete}};
@@ -225,17 +225,17 @@ int bagsFilm(const FilmWords& words, int& argc, char** argv) {
 }  // namespace
 
 void addBagPictures(Commands& commands, CLI::App& bags) {
-  const auto words = std::make_shared<SnapshotWords>();
+  const auto args = std::make_shared<SnapshotArguments>();
   CLI::App* const one =
       bags.add_subcommand("snapshot", help(Text::tr("Draw the state of a bag at a given time to a PNG")));
-  one->add_option("name", words->bag, help(Text::tr("Name of the bag (see mapwright bags list), or a file")))
+  one->add_option("name", args->bag, help(Text::tr("Name of the bag (see mapwright bags list), or a file")))
       ->required();
-  one->add_option("--at", words->at, help(Text::tr("Seconds since 1970, or 2024-06-03T09:00:00Z")))
+  one->add_option("--at", args->at, help(Text::tr("Seconds since 1970, or 2024-06-03T09:00:00Z")))
       ->required();
-  addSnapshotOptions(one, *words);
-  commands.add(one, [words](const Invocation& before) { return snapshotOf(*words, before); });
+  addSnapshotOptions(one, *args);
+  commands.add(one, [args](const Invocation& before) { return snapshotOf(*args, before); });
 
-  const auto film = std::make_shared<FilmWords>();
+  const auto film = std::make_shared<FilmArguments>();
   CLI::App* const many =
       bags.add_subcommand("film", help(Text::tr("Draw a bag at regular times, to PNG files or a video")));
   const std::string time = help(Text::tr("Seconds since 1970, or 2024-06-03T09:00:00Z"));

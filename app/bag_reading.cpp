@@ -51,10 +51,10 @@ CommandResult<double> timeFrom(const std::string& word, const QString& option) {
                          .arg(option, text(word)));
 }
 
-CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsWords& words) {
+CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsArguments& args) {
   excerpt::TimeSpan span;
   for (const auto& [word, option, value] :
-       {std::tuple(&words.from, "--from", &span.from_s), std::tuple(&words.to, "--to", &span.to_s)}) {
+       {std::tuple(&args.from, "--from", &span.from_s), std::tuple(&args.to, "--to", &span.to_s)}) {
     if (word->empty()) continue;
     const auto time = timeFrom(*word, QString::fromLatin1(option));
     if (!time) return passOn(time);

@@ -17,8 +17,8 @@
 namespace mapwright::app {
 
 /// The options as typed; empty = not given. Times are seconds since the epoch, or ISO 8601.
-struct BagsWords : RobotWords {
-  BagsWords() { timeout_s = 300; }
+struct BagsArguments : RobotArguments {
+  BagsArguments() { timeout_s = 300; }
   std::string name;                        // of a bag or a recording (mapwright bags list)
   std::string from, to, at;                // times
   std::vector<std::string> topics;         // frames, export: of these alone
@@ -81,16 +81,16 @@ class BagReading {
 CommandResult<double> timeFrom(const std::string& word, const QString& option);
 
 /// --from and --to.
-CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsWords& words);
+CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsArguments& args);
 
 /// "frames/%05d.png" and 7 -> "frames/00007.png"; empty where there is no %d, %0Nd or more than one.
 QString numbered(const QString& pattern, int number);
 
 // Files made of bags.
-CommandResult<int> bagsExport(RobotCommand& command, const BagsWords& words);
-CommandResult<int> bagsTrack(RobotCommand& command, const BagsWords& words);
-CommandResult<int> bagsRepair(RobotCommand& command, const BagsWords& words);
-CommandResult<int> bagsSplit(RobotCommand& command, const BagsWords& words);
-CommandResult<int> bagsMerge(RobotCommand& command, const BagsWords& words);
+CommandResult<int> bagsExport(RobotCommand& command, const BagsArguments& args);
+CommandResult<int> bagsTrack(RobotCommand& command, const BagsArguments& args);
+CommandResult<int> bagsRepair(RobotCommand& command, const BagsArguments& args);
+CommandResult<int> bagsSplit(RobotCommand& command, const BagsArguments& args);
+CommandResult<int> bagsMerge(RobotCommand& command, const BagsArguments& args);
 
 }  // namespace mapwright::app

@@ -40,12 +40,12 @@ QStringList rowOf(const robot::BagEntry& entry) {
 
 /// The default file name of a download. The bag's name comes from the robot, and must not lead to another
 /// folder.
-QString fileFor(const BagsWords& words) {
-  if (!words.output.empty()) return text(words.output);
-  return words::fileName(QFileInfo(text(words.name)).fileName(), {});
+QString fileFor(const BagsArguments& args) {
+  if (!args.output.empty()) return text(args.output);
+  return words::fileName(QFileInfo(text(args.name)).fileName(), {});
 }
 
-CommandResult<int> bagsList(RobotCommand& command, const BagsWords& words) {
+CommandResult<int> bagsList(RobotCommand& command, const BagsArguments& args) {
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
   BagReading& bags = *opened;
@@ -55,7 +55,7 @@ CommandResult<int> bagsList(RobotCommand& command, const BagsWords& words) {
       });
   if (!rows) return bags.failure(rows.error());
   bags.robot().insistOnAll();  // one of the two lists is incomplete
-  if (words.json) {
+  if (args.json) {
     QJsonArray all;
     for (const robot::BagEntry& entry : *rows) all.append(bagJson(entry));
     printJson(all);
@@ -72,19 +72,19 @@ CommandResult<int> bagsList(RobotCommand& command, const BagsWords& words) {
   return kDone;
 }
 
-CommandResult<int> bagsInfo(RobotCommand& command, const BagsWords& words) {
+CommandResult<int> bagsInfo(RobotCommand& command, const BagsArguments& args) {
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
   BagReading& bags = *opened;
-  const robot::BagKey key = bags.keyOf(words.name);
+  const robot::BagKey key = bags.keyOf(args.name);
   const auto info = bags.robot().ask<robot::BagInfo>(
       [&](robot::OutcomeTo<robot::BagInfo> reply) { return bags.library().info(key, std::move(reply)); });
   if (!info) return bags.failure(info.error());
-  if (words.json) {
-    printJson(infoJson(words.name, *info));
+  if (args.json) {
+    printJson(infoJson(args.name, *info));
     return kDone;
   }
-  printTable(infoRows(words.name, *info));
+  printTable(infoRows(args.name, *info));
   if (const auto topics = topicRows(*info); !topics.empty()) {
     printOut("\n");
     printTable(topics);
@@ -92,16 +92,16 @@ CommandResult<int> bagsInfo(RobotCommand& command, const BagsWords& words) {
   return kDone;
 }
 
-CommandResult<int> bagsDownload(RobotCommand& command, const BagsWords& words) {
+CommandResult<int> bagsDownload(RobotCommand& command, const BagsArguments& args) {
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
   BagReading& bags = *opened;
-  const QString path = fileFor(words);
+  const QString path = fileFor(args);
   if (path.isEmpty()) return wrong(Text::tr("Where should it be saved? Pass -o FILE."));
   if (isStandardOutput(path))
     return wrong(Text::tr("A download can be resumed, so it must go to a regular file (-o FILE)."));
-  if (const auto why = whyNotCreated(path, QFileInfo::exists(path), words.force)) return wrong(*why);
-  const robot::BagKey key = bags.keyOf(words.name);
+  if (const auto why = whyNotCreated(path, QFileInfo::exists(path), args.force)) return wrong(*why);
+  const robot::BagKey key = bags.keyOf(args.name);
   const auto line = std::make_shared<ProgressLine>();  // the robot may report progress after the end
   const auto done = bags.robot().ask<robot::BagDownload>([&](robot::OutcomeTo<robot::BagDownload> reply) {
     robot::Call call = bags.library().download(key, path, std::move(reply));
@@ -119,8 +119,8 @@ CommandResult<int> bagsDownload(RobotCommand& command, const BagsWords& words) {
       return wrong(failure.value().sentence);
     return failure;
   }
-  if (words.json) {
-    printJson(QJsonObject{{QStringLiteral("name"), text(words.name)},
+  if (args.json) {
+    printJson(QJsonObject{{QStringLiteral("name"), text(args.name)},
                           {QStringLiteral("file"), done->path},
                           {QStringLiteral("bytes"), qint64(done->bytes)},
                           {QStringLiteral("resumed"), done->resumed}});
@@ -130,31 +130,31 @@ CommandResult<int> bagsDownload(RobotCommand& command, const BagsWords& words) {
   return kDone;
 }
 
-CommandResult<int> bagsDelete(RobotCommand& command, const BagsWords& words) {
+CommandResult<int> bagsDelete(RobotCommand& command, const BagsArguments& args) {
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
   BagReading& bags = *opened;
-  if (!words.yes)
+  if (!args.yes)
     return wrong(Text::tr("Deleting a bag cannot be undone. Pass --yes to delete %1.")
-                     .arg(words::plainName(words.name)));
-  const robot::BagKey key = bags.keyOf(words.name);
+                     .arg(words::plainName(args.name)));
+  const robot::BagKey key = bags.keyOf(args.name);
   const auto done = bags.robot().ask<robot::BagKey>(
       [&](robot::OutcomeTo<robot::BagKey> reply) { return bags.library().remove(key, std::move(reply)); });
   if (!done) return bags.failure(done.error());
-  if (words.json) printJson(QJsonObject{{QStringLiteral("name"), text(words.name)}});
+  if (args.json) printJson(QJsonObject{{QStringLiteral("name"), text(args.name)}});
   return kDone;
 }
 
-CommandResult<int> bagsRecord(RobotCommand& command, const BagsWords& words) {
+CommandResult<int> bagsRecord(RobotCommand& command, const BagsArguments& args) {
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
   BagReading& bags = *opened;
-  const robot::BagOrder order{words.suffix, words.duration, words.category};
+  const robot::BagOrder order{args.suffix, args.duration, args.category};
   const auto entry = bags.robot().ask<robot::BagEntry>([&](robot::OutcomeTo<robot::BagEntry> reply) {
     return bags.library().record(order, std::move(reply));
   });
   if (!entry) return bags.failure(entry.error());
-  if (words.json) {
+  if (args.json) {
     printJson(bagJson(*entry));
   } else if (!entry->key.name.empty()) {
     printLine(words::plainName(entry->key.name));
@@ -185,40 +185,40 @@ std::optional<QString> noMapIn(const BagReading& bags, const replay::Moment& mom
   return noMapSentence(moment.at.world.live.map_info);
 }
 
-CommandResult<int> bagsFrames(RobotCommand& command, const BagsWords& words) {
-  const auto span = timeSpanFrom(words);
+CommandResult<int> bagsFrames(RobotCommand& command, const BagsArguments& args) {
+  const auto span = timeSpanFrom(args);
   if (!span) return passOn(span);
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
-  const auto replayed = opened->readThrough(words.name, BagReading::Texts::Whole);
+  const auto replayed = opened->readThrough(args.name, BagReading::Texts::Whole);
   if (!replayed) return passOn(replayed);
   bool taken = true;
   const auto read =
       opened->readRanges(span->from_s, span->to_s, [&](const replay::Chunk& chunk) -> CommandResult<void> {
-        taken = printFrames(chunk, *span, words.topics);
+        taken = printFrames(chunk, *span, args.topics);
         // Stops reading if nobody takes the output; the reason is reported at the end.
         if (!taken) return wrong({});
         return {};
       });
   if (!taken) return kUsage;
   if (!read) return passOn(read);
-  opened->noteUnknown(words.topics);
+  opened->noteUnknown(args.topics);
   opened->noteUnreadable(HUGE_VAL);
   return kDone;
 }
 
-CommandResult<int> bagsState(RobotCommand& command, const BagsWords& words) {
-  const auto at_s = timeFrom(words.at, QStringLiteral("--at"));
+CommandResult<int> bagsState(RobotCommand& command, const BagsArguments& args) {
+  const auto at_s = timeFrom(args.at, QStringLiteral("--at"));
   if (!at_s) return passOn(at_s);
   std::optional<double> from_s;
-  if (!words.from.empty()) {
-    const auto time = timeFrom(words.from, QStringLiteral("--from"));
+  if (!args.from.empty()) {
+    const auto time = timeFrom(args.from, QStringLiteral("--from"));
     if (!time) return passOn(time);
     from_s = *time;
   }
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
-  const auto replayed = opened->replay(words.name);
+  const auto replayed = opened->replay(args.name);
   if (!replayed) return passOn(replayed);
   // Plays from there: looks at each range on the way.
   while (from_s && *from_s < *at_s) {
@@ -232,7 +232,7 @@ CommandResult<int> bagsState(RobotCommand& command, const BagsWords& words) {
   if (!moment) return passOn(moment);
   const robot::BagInfo bag = (*replayed)->info().value_or(robot::BagInfo());
   const std::optional<QString> no_map = noMapIn(*opened, *moment);
-  if (words.json) {
+  if (args.json) {
     QJsonObject state = stateJson(*at_s, *moment, bag);
     if (no_map) state[QStringLiteral("no_map")] = *no_map;
     printJson(state);
@@ -263,12 +263,12 @@ CommandResult<std::set<replay::EventGroup>> groupsFrom(const std::string& kinds)
   return groups;
 }
 
-CommandResult<int> bagsEvents(RobotCommand& command, const BagsWords& words) {
-  const auto groups = groupsFrom(words.kinds);
+CommandResult<int> bagsEvents(RobotCommand& command, const BagsArguments& args) {
+  const auto groups = groupsFrom(args.kinds);
   if (!groups) return passOn(groups);
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
-  const auto replayed = opened->replay(words.name);
+  const auto replayed = opened->replay(args.name);
   if (!replayed) return passOn(replayed);
   replay::Reading& reading = **replayed;
   if (const auto read = opened->readWhole(); !read) return passOn(read);
@@ -276,7 +276,7 @@ CommandResult<int> bagsEvents(RobotCommand& command, const BagsWords& words) {
   std::erase_if(events,
                 [&](const replay::Event& event) { return !groups->contains(replay::groupOf(event.kind)); });
   opened->noteUnreadable(HUGE_VAL);
-  if (words.json) {
+  if (args.json) {
     printJson(eventsJson(events));
     return kDone;
   }
@@ -290,7 +290,7 @@ CommandResult<int> bagsEvents(RobotCommand& command, const BagsWords& words) {
 struct BagCommand {
   const char* name;
   QString about;
-  CommandResult<int> (*run)(RobotCommand&, const BagsWords&);
+  CommandResult<int> (*run)(RobotCommand&, const BagsArguments&);
 };
 
 std::vector<BagCommand> bagCommands() {
@@ -319,79 +319,78 @@ std::vector<BagCommand> bagCommands() {
       {"record", Text::tr("Make the robot record a bag"), bagsRecord}};
 }
 
-void addBagOptions(const std::string& name, CLI::App& command, BagsWords& words) {
+void addBagOptions(const std::string& name, CLI::App& command, BagsArguments& args) {
   const auto is = [&](auto... names) { return ((name == names) || ...); };
   const std::string time = help(Text::tr("Seconds since 1970, or 2024-06-03T09:00:00Z"));
   if (is("merge"))
-    command.add_option("files", words.files, help(Text::tr("Recordings on this computer")))->required();
+    command.add_option("files", args.files, help(Text::tr("Recordings on this computer")))->required();
   if (!is("list", "record", "merge"))
     command
-        .add_option("name", words.name,
-                    help(Text::tr("Name of the bag (see mapwright bags list), or a file")))
+        .add_option("name", args.name, help(Text::tr("Name of the bag (see mapwright bags list), or a file")))
         ->required();
-  if (is("frames", "state", "export", "track", "merge")) command.add_option("--from", words.from, time);
-  if (is("frames", "export", "track", "merge")) command.add_option("--to", words.to, time);
+  if (is("frames", "state", "export", "track", "merge")) command.add_option("--from", args.from, time);
+  if (is("frames", "export", "track", "merge")) command.add_option("--to", args.to, time);
   if (is("frames", "export", "split", "merge"))
     command
-        .add_option("--topic", words.topics,
+        .add_option("--topic", args.topics,
                     help(Text::tr("Only messages of this topic; separate several with commas")))
         ->delimiter(',')
         ->allow_extra_args(false);
   if (is("export", "track")) {
-    command.add_option("-o,--output", words.output, help(Text::tr("Output file; - is the standard output")))
+    command.add_option("-o,--output", args.output, help(Text::tr("Output file; - is the standard output")))
         ->required();
-    command.add_option("--format", words.format,
+    command.add_option("--format", args.format,
                        name == "export"
                            ? help(Text::tr("mcap or jsonl; by default taken from the file name"))
                            : help(Text::tr("csv, geojson or tum; by default taken from the file name")));
-    command.add_flag("--force", words.force, help(Text::tr("Replace an existing file")));
+    command.add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
   }
   if (is("repair", "split", "merge")) {
     command
-        .add_option("-o,--output", words.output,
+        .add_option("-o,--output", args.output,
                     is("split") ? help(Text::tr("Names of the MCAP files, with a number: part-%03d.mcap"))
                                 : help(Text::tr("The MCAP file to write")))
         ->required();
-    command.add_flag("--force", words.force, help(Text::tr("Replace an existing file")));
+    command.add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
   }
   if (is("split"))
-    command.add_option("--every", words.every_s, help(Text::tr("Length of each part in seconds")))
+    command.add_option("--every", args.every_s, help(Text::tr("Length of each part in seconds")))
         ->capture_default_str();
   if (is("events"))
     command.add_option(
-        "--kind", words.kinds,
+        "--kind", args.kinds,
         help(Text::tr("Only these, separated by commas: alerts, planner, position, maps, stops")));
-  if (is("state")) command.add_option("--at", words.at, time)->required();
+  if (is("state")) command.add_option("--at", args.at, time)->required();
   if (is("download")) {
-    command.add_option("-o,--output", words.output,
+    command.add_option("-o,--output", args.output,
                        help(Text::tr("Output file; by default named after the bag")));
-    command.add_flag("--force", words.force, help(Text::tr("Replace an existing file")));
+    command.add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
   }
   if (is("delete"))
-    command.add_flag("--yes", words.yes, help(Text::tr("Required: deleting cannot be undone")));
+    command.add_flag("--yes", args.yes, help(Text::tr("Required: deleting cannot be undone")));
   if (is("record")) {
-    command.add_option("--suffix", words.suffix, help(Text::tr("Part of the bag's name")));
-    command.add_option("--duration", words.duration, help(Text::tr("For example 90s or 2m")));
-    command.add_option("--category", words.category,
+    command.add_option("--suffix", args.suffix, help(Text::tr("Part of the bag's name")));
+    command.add_option("--duration", args.duration, help(Text::tr("For example 90s or 2m")));
+    command.add_option("--category", args.category,
                        help(Text::tr("What to record, in the robot's own terms, for example pos")));
   }
-  addJson(command, words.json);
+  addJson(command, args.json);
 }
 
 }  // namespace
 
 void addBags(Commands& commands) {
-  const auto words = std::make_shared<BagsWords>();
+  const auto args = std::make_shared<BagsArguments>();
   CLI::App* const bags = commands.program().add_subcommand(
       "bags", help(Text::tr("Bags and recordings of a robot: list, inspect, download, record")));
   bags->require_subcommand(1);
   for (const BagCommand& one : bagCommands()) {
     CLI::App* const command = bags->add_subcommand(one.name, help(one.about));
-    addRobot(*command, *words, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
-    addTimeout(*command, words->timeout_s);
-    addReport(*command, words->report);
-    addBagOptions(one.name, *command, *words);
-    addReading(commands, command, words, one.run, [](BagsWords& typed, const Invocation& before) {
+    addRobot(*command, *args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
+    addTimeout(*command, args->timeout_s);
+    addReport(*command, args->report);
+    addBagOptions(one.name, *command, *args);
+    addReading(commands, command, args, one.run, [](BagsArguments& typed, const Invocation& before) {
       takeRecording(typed.robot, typed.name, before.robot);
     });
   }

@@ -31,24 +31,24 @@ struct CloudOrder {
   QString path;
 };
 
-CommandResult<CloudOrder> orderFrom(const CloudsWords& words) {
+CommandResult<CloudOrder> orderFrom(const CloudsArguments& args) {
   CloudOrder order;
-  const auto region = cloudRegionFrom(words);
+  const auto region = cloudRegionFrom(args);
   if (!region) return wrong(region.error());
   order.region = *region;
-  order.path = text(words.output);
-  const auto format = clouds::formatOf(words.output);
+  order.path = text(args.output);
+  const auto format = clouds::formatOf(args.output);
   if (!format) return wrong(Text::tr("-o must name a file that ends in .pcd, .ply or .csv."));
   order.format =
-      words.ascii && *format == clouds::CloudFormat::PcdBinary ? clouds::CloudFormat::PcdAscii : *format;
-  if (words.ascii && *format != clouds::CloudFormat::PcdBinary)
+      args.ascii && *format == clouds::CloudFormat::PcdBinary ? clouds::CloudFormat::PcdAscii : *format;
+  if (args.ascii && *format != clouds::CloudFormat::PcdBinary)
     return wrong(Text::tr("--ascii applies only to PCD files."));
-  if (const auto why = whyNotCreated(order.path, QFileInfo(order.path).isFile(), words.force))
+  if (const auto why = whyNotCreated(order.path, QFileInfo(order.path).isFile(), args.force))
     return wrong(*why);
   return order;
 }
 
-QJsonObject jsonOf(const CloudsWords& words, const jobs::FetchedCloud& came,
+QJsonObject jsonOf(const CloudsArguments& args, const jobs::FetchedCloud& came,
                    const clouds::CloudWritten& written) {
   const map::SpatialCloud& cloud = *came.cloud;
   QJsonObject json{
@@ -57,8 +57,8 @@ QJsonObject jsonOf(const CloudsWords& words, const jobs::FetchedCloud& came,
       {QStringLiteral("beyond"), qint64(came.beyond)},
       {QStringLiteral("missing"), qint64(cloud.missing)},
       {QStringLiteral("frame"), words::plainName(cloud.frame)},
-      {QStringLiteral("kind"), words.occupancy ? QStringLiteral("occupancy") : QStringLiteral("points")},
-      {QStringLiteral("file"), text(words.output)},
+      {QStringLiteral("kind"), args.occupancy ? QStringLiteral("occupancy") : QStringLiteral("points")},
+      {QStringLiteral("file"), text(args.output)},
       {QStringLiteral("intensity"), written.intensity},
       {QStringLiteral("rgb"), written.rgb},
       {QStringLiteral("doubles"), written.doubles},
@@ -78,8 +78,8 @@ QJsonObject jsonOf(const CloudsWords& words, const jobs::FetchedCloud& came,
   return json;
 }
 
-CommandResult<int> exportCloud(RobotCommand& command, const CloudsWords& words) {
-  const auto order = orderFrom(words);
+CommandResult<int> exportCloud(RobotCommand& command, const CloudsArguments& args) {
+  const auto order = orderFrom(args);
   if (!order) return passOn(order);
   const auto opened = command.open();
   if (!opened) return passOn(opened);
@@ -88,7 +88,7 @@ CommandResult<int> exportCloud(RobotCommand& command, const CloudsWords& words) 
   if (!dispatch) return reading.lacks(robot::Capability::Dispatch);
   const auto came = reading.ask<jobs::FetchedCloud>([&](robot::OutcomeTo<jobs::FetchedCloud> reply) {
     return jobs::fetchCloud(*dispatch,
-                            words.occupancy ? robot::CloudKind::Occupancy : robot::CloudKind::Points,
+                            args.occupancy ? robot::CloudKind::Occupancy : robot::CloudKind::Points,
                             order->region, reading.workers(), std::move(reply));
   });
   if (!came) return reading.failure(came.error());
@@ -109,23 +109,23 @@ CommandResult<int> exportCloud(RobotCommand& command, const CloudsWords& words) 
   if (const auto fault = file.place()) {
     return wrong(sentences::sentenceOf(disk::notWritten(*fault)));
   }
-  if (words.json) printJson(jsonOf(words, *came, *written));
+  if (args.json) printJson(jsonOf(args, *came, *written));
   return came->complete() ? kDone : kIncomplete;
 }
 
 }  // namespace
 
-tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const CloudsWords& words) {
-  const int given = int(!words.box.empty()) + int(!words.sphere.empty()) + int(words.all);
+tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const CloudsArguments& args) {
+  const int given = int(!args.box.empty()) + int(!args.sphere.empty()) + int(args.all);
   if (given != 1) {
     return tl::make_unexpected(
         Text::tr("Which part? Pass --box or --sphere, or --all for the whole map (its size is not "
                  "known in advance)."));
   }
-  if (words.all) return std::optional<map::CloudRegion>();
+  if (args.all) return std::optional<map::CloudRegion>();
   map::CloudRegion region;
-  if (!words.box.empty()) {
-    const auto typed = numbersFrom(words.box);
+  if (!args.box.empty()) {
+    const auto typed = numbersFrom(args.box);
     const std::vector<double> box = typed && typed->size() == 6 ? *typed : std::vector<double>(6);
     if (!(box[3] > 0 && box[4] > 0 && box[5] > 0)) {
       return tl::make_unexpected(Text::tr(
@@ -135,7 +135,7 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
     region.size_m = {box[3], box[4], box[5]};
     return std::optional(region);
   }
-  const auto typed = numbersFrom(words.sphere);
+  const auto typed = numbersFrom(args.sphere);
   const std::vector<double> sphere = typed && typed->size() == 4 ? *typed : std::vector<double>(4);
   if (!(sphere[3] > 0)) {
     return tl::make_unexpected(
@@ -147,29 +147,28 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
 }
 
 void addClouds(Commands& commands) {
-  const auto shared = std::make_shared<CloudsWords>();
-  CloudsWords& words = *shared;
+  const auto shared = std::make_shared<CloudsArguments>();
+  CloudsArguments& args = *shared;
   CLI::App* const clouds =
       commands.program().add_subcommand("clouds", help(Text::tr("The robot's 3D map, as points")));
   clouds->require_subcommand(1);
   CLI::App* const command = clouds->add_subcommand(
       "export", help(Text::tr("Write the points of a region or of the whole map to a PCD, PLY or CSV file")));
-  addRobot(*command, words,
-           Text::tr("Robot address, for example rep130+ws://HOST:9090 (or MAPWRIGHT_ROBOT)"));
+  addRobot(*command, args, Text::tr("Robot address, for example rep130+ws://HOST:9090 (or MAPWRIGHT_ROBOT)"));
   command->add_option(
-      "--box", words.box,
+      "--box", args.box,
       help(Text::tr("X,Y,Z,LX,LY,LZ: the centre of a box and the lengths of its sides, in metres")));
-  command->add_option("--sphere", words.sphere,
+  command->add_option("--sphere", args.sphere,
                       help(Text::tr("X,Y,Z,R: the centre of a sphere and its radius, in metres")));
-  command->add_flag("--all", words.all, help(Text::tr("The whole map, regardless of its size")));
-  command->add_flag("--occupancy", words.occupancy,
+  command->add_flag("--all", args.all, help(Text::tr("The whole map, regardless of its size")));
+  command->add_flag("--occupancy", args.occupancy,
                     help(Text::tr("The centres of occupied cells instead of measured points")));
-  command->add_option("-o,--output", words.output, help(Text::tr("Output file: .pcd, .ply or .csv")))
+  command->add_option("-o,--output", args.output, help(Text::tr("Output file: .pcd, .ply or .csv")))
       ->required();
-  command->add_flag("--ascii", words.ascii, help(Text::tr("Write the PCD file as text")));
-  command->add_flag("--force", words.force, help(Text::tr("Replace an existing file")));
-  command->add_flag("--json", words.json, help(Text::tr("Print a summary on standard output")));
-  addTimeout(*command, words.timeout_s);
+  command->add_flag("--ascii", args.ascii, help(Text::tr("Write the PCD file as text")));
+  command->add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
+  command->add_flag("--json", args.json, help(Text::tr("Print a summary on standard output")));
+  addTimeout(*command, args.timeout_s);
   addReading(commands, command, shared, exportCloud);
 }
 

@@ -13,7 +13,7 @@
 namespace mapwright::app {
 
 /// The options as typed; empty = not given.
-struct CloudsWords : RobotWords {
+struct CloudsArguments : RobotArguments {
   std::string box;     // X,Y,Z,LX,LY,LZ in metres
   std::string sphere;  // X,Y,Z,R
   bool all = false, occupancy = false, ascii = false, force = false;
@@ -21,6 +21,6 @@ struct CloudsWords : RobotWords {
 };
 
 /// The requested region; nullopt = the whole map. The error is a sentence.
-tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const CloudsWords& words);
+tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const CloudsArguments& args);
 
 }  // namespace mapwright::app

@@ -43,14 +43,14 @@ namespace {
 int benchmarks(const std::vector<std::string>& arguments) {
   std::error_code unknown;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  std::vector<std::string> words{(self.parent_path() / "mapwright-bench").string()};
-  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> args{(self.parent_path() / "mapwright-bench").string()};
+  args.insert(args.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
+  for (std::string& word : args) argv.push_back(word.data());
   argv.push_back(nullptr);
   ::execv(argv[0], argv.data());
   const int error = errno;
-  const QString program = QString::fromStdString(words::plainLine(std::string_view(words[0])));
+  const QString program = QString::fromStdString(words::plainLine(std::string_view(args[0])));
   const QString why =
       error == ENOENT
           ? Text::tr(
@@ -102,10 +102,10 @@ int showWindow(const QString& address, const RobotAccess& known) {
 }
 
 /// Opens the window; `address` empty = not connected. Returns the exit code.
-int openWindow(const QString& address, const AccessWords& words, int& argc, char** argv) {
+int openWindow(const QString& address, const AccessArguments& args, int& argc, char** argv) {
   chooseWindowPlatform();
   QApplication application(argc, argv);
-  const auto access = RobotAccess::read(words, address);
+  const auto access = RobotAccess::read(args, address);
   if (!access) return refuse(kUsage, access.error());
   if (!haveDisplay()) {
     return refuse(
@@ -124,15 +124,15 @@ int openDemo(const QString& query, int& argc, char** argv) {
   }
   const QString picture = QStringLiteral("mapwright-demo.png");
   say(Text::tr("There is no display to open the window on. Rendering %1 instead.").arg(picture));
-  SnapshotWords words;
-  words.robot = address.toStdString();
-  words.output = picture.toStdString();
-  return snapshot(words, argc, argv);
+  SnapshotArguments args;
+  args.robot = address.toStdString();
+  args.output = picture.toStdString();
+  return snapshot(args, argc, argv);
 }
 
 int runCommand(int argc, char** argv) {
   std::string robot, demo_query, operand, log_rules;
-  AccessWords access;
+  AccessArguments access;
   CLI::App cli(
       help(Text::tr(
           "mapwright: look at the maps of mobile robots. Without a subcommand it opens the window.")),

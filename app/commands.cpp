@@ -9,12 +9,12 @@
 
 namespace mapwright::app {
 
-void inherit(RobotWords& words, const Invocation& before) {
-  if (words.robot.empty()) words.robot = before.robot;
-  AccessWords& access = words.access;
-  const AccessWords& outer = before.access;
+void inherit(RobotArguments& args, const Invocation& before) {
+  if (args.robot.empty()) args.robot = before.robot;
+  AccessArguments& access = args.access;
+  const AccessArguments& outer = before.access;
   if (!outer.secret_file.empty()) {
-    if (!before.robot.empty() && before.robot != words.robot) {
+    if (!before.robot.empty() && before.robot != args.robot) {
       access.secret_files_for.emplace_back(before.robot, outer.secret_file);
     } else if (access.secret_file.empty()) {
       access.secret_file = outer.secret_file;
@@ -34,12 +34,12 @@ std::optional<int> Commands::run(const Invocation& before) const {
 
 // No envname(): the variable would also be read for subcommands that were not given, and override what was
 // typed. It is handled by the option before the subcommand.
-void addRobot(CLI::App& command, RobotWords& words, const QString& about) {
-  command.add_option("--robot", words.robot, help(about));
-  addAccess(command, words.access);
+void addRobot(CLI::App& command, RobotArguments& args, const QString& about) {
+  command.add_option("--robot", args.robot, help(about));
+  addAccess(command, args.access);
 }
 
-void addAccess(CLI::App& command, AccessWords& access) {
+void addAccess(CLI::App& command, AccessArguments& access) {
   command.add_option("--secret-file", access.secret_file,
                      help(Text::tr("File with the secret for the robot of --robot (or MAPWRIGHT_SECRET)")));
   command

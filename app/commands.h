@@ -37,9 +37,9 @@ auto passOn(const Result& failed) {
 }
 
 /// The options of every command that talks to a robot, as typed; empty = not given.
-struct RobotWords {
+struct RobotArguments {
   std::string robot;
-  AccessWords access;
+  AccessArguments access;
   double timeout_s = 60;
   std::string report;
   bool json = false;
@@ -48,14 +48,14 @@ struct RobotWords {
 /// The options before the subcommand, and the arguments that Qt takes.
 struct Invocation {
   const std::string& robot;
-  const AccessWords& access;
+  const AccessArguments& access;
   int& argc;
   char** argv;
 };
 
 /// Uses the robot given before the subcommand if the subcommand names none, and the options given there: its
 /// --secret-file belongs to its --robot.
-void inherit(RobotWords& words, const Invocation& before);
+void inherit(RobotArguments& args, const Invocation& before);
 
 class Commands {
  public:
@@ -81,9 +81,9 @@ inline std::string help(const QString& text) { return text.toStdString(); }
 
 /// Adds --robot, --secret-file, --secret-file-for and --ca-file; `about`: which addresses it accepts. Values
 /// are written into the arguments, here and below, which must outlive `command`.
-void addRobot(CLI::App& command, RobotWords& words, const QString& about);
+void addRobot(CLI::App& command, RobotArguments& args, const QString& about);
 /// --secret-file, --secret-file-for and --ca-file.
-void addAccess(CLI::App& command, AccessWords& access);
+void addAccess(CLI::App& command, AccessArguments& access);
 /// Adds --timeout in seconds; `about`: what is given up then, empty = waiting.
 void addTimeout(CLI::App& command, double& timeout_s, const QString& about = {});
 /// --report

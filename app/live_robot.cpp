@@ -42,14 +42,14 @@ int runLive(int& argc, char** argv, const std::function<CommandResult<int>()>& w
   return done ? *done : refuse(done.error().exit_code, done.error().sentence);
 }
 
-CommandResult<std::unique_ptr<LiveRobot>> LiveRobot::make(const RobotWords& words) {
-  const QString address = words::text(words.robot);
+CommandResult<std::unique_ptr<LiveRobot>> LiveRobot::make(const RobotArguments& args) {
+  const QString address = words::text(args.robot);
   if (address.isEmpty()) return wrong(Text::tr("Which robot? Pass --robot ADDRESS."));
-  const auto access = RobotAccess::read(words.access, address);
+  const auto access = RobotAccess::read(args.access, address);
   if (!access) return wrong(access.error());
   auto robot = makeRobot(address, access->forAddress(address), DemoTime::Running);
   if (!robot) return wrong(robot.error());
-  return std::unique_ptr<LiveRobot>(new LiveRobot(std::move(*robot), words.timeout_s));
+  return std::unique_ptr<LiveRobot>(new LiveRobot(std::move(*robot), args.timeout_s));
 }
 
 LiveRobot::LiveRobot(std::unique_ptr<robot::Robot> robot, double timeout_s)

@@ -20,8 +20,8 @@ int runLive(int& argc, char** argv, const std::function<CommandResult<int>()>& w
 /// SIGINT and SIGTERM end its loop; use it within runLive().
 class LiveRobot {
  public:
-  /// The robot of `words`, not yet connected.
-  static CommandResult<std::unique_ptr<LiveRobot>> make(const RobotWords& words);
+  /// The robot of `args`, not yet connected.
+  static CommandResult<std::unique_ptr<LiveRobot>> make(const RobotArguments& args);
   ~LiveRobot();
 
   robot::Robot& robot() const { return *robot_; }

@@ -108,12 +108,12 @@ tl::expected<QString, QString> logRules(const QString& typed) {
 
 tl::expected<void, QString> startLog(const std::string& given) {
   const bool typed = !given.empty();
-  const QString words = typed ? QString::fromStdString(given) : qEnvironmentVariable("MAPWRIGHT_LOG");
-  if (words.trimmed().isEmpty()) {
+  const QString args = typed ? QString::fromStdString(given) : qEnvironmentVariable("MAPWRIGHT_LOG");
+  if (args.trimmed().isEmpty()) {
     qInstallMessageHandler(keepQtQuiet);
     return {};
   }
-  const auto rules = logRules(words);
+  const auto rules = logRules(args);
   if (!rules) {
     return tl::make_unexpected((typed ? QStringLiteral("--log: ") : QStringLiteral("MAPWRIGHT_LOG: ")) +
                                rules.error());

@@ -36,7 +36,7 @@ using robot::MapChange;
 using words::text;
 
 /// The options as typed; empty = not given.
-struct MapsWords : RobotWords {
+struct MapsArguments : RobotArguments {
   std::string id;             // show, export: a map (12, mapping:48, live, submaps)
   std::string label;          // rename, save: the new name
   std::string place;          // load: the name of the waypoint where the robot stands
@@ -131,10 +131,10 @@ QStringList rowOf(const map::CatalogueEntry& row) {
 }
 
 /// NaN when it is no number.
-double resolutionOf(const MapsWords& words) {
+double resolutionOf(const MapsArguments& args) {
   bool ok = false;
-  const double value = text(words.resolution).toDouble(&ok);
-  return words.resolution.empty() ? 0.05 : ok && std::isfinite(value) ? value : std::nan("");
+  const double value = text(args.resolution).toDouble(&ok);
+  return args.resolution.empty() ? 0.05 : ok && std::isfinite(value) ? value : std::nan("");
 }
 
 /// Whether an operand of `diff` is a file or address of its own, not a map of `robot`.
@@ -155,28 +155,29 @@ bool standsAlone(const QString& operand, const QString& robot) {
 }
 
 /// Why --resolution and --origin would have no effect on what the command reads.
-std::optional<QString> whyNoPlaceIn(const MapsWords& words) {
-  if (words.resolution.empty() && words.origin.empty()) return std::nullopt;
-  const bool diff = !words.first.empty();
+std::optional<QString> whyNoPlaceIn(const MapsArguments& args) {
+  if (args.resolution.empty() && args.origin.empty()) return std::nullopt;
+  const bool diff = !args.first.empty();
   const std::vector<std::string> operands =
-      diff ? std::vector{words.first, words.second} : std::vector{words.id};
+      diff ? std::vector{args.first, args.second} : std::vector{args.id};
   std::optional<QString> why;
   for (const std::string& operand : operands) {
-    if (operand == "submaps" && words.origin.empty()) return std::nullopt;
-    const bool other = diff && standsAlone(text(operand), text(words.robot));
-    why = whyNoPlace(text(other ? operand : words.robot), words.resolution, words.origin);
+    if (operand == "submaps" && args.origin.empty()) return std::nullopt;
+    const bool other = diff && standsAlone(text(operand), text(args.robot));
+    why = whyNoPlace(text(other ? operand : args.robot), args.resolution, args.origin);
     if (!why) return std::nullopt;
   }
   return why;
 }
 
-CommandResult<RobotReading*> openRobot(RobotCommand& command, const MapsWords& words, const QString& address,
+CommandResult<RobotReading*> openRobot(RobotCommand& command, const MapsArguments& args,
+                                       const QString& address,
                                        RobotReading::Purpose purpose = RobotReading::Purpose::Maps) {
-  if (const auto why = whyNoPlaceIn(words)) return wrong(*why);
-  if (!words.resolution.empty() && !(resolutionOf(words) > 0))
+  if (const auto why = whyNoPlaceIn(args)) return wrong(*why);
+  if (!args.resolution.empty() && !(resolutionOf(args) > 0))
     return wrong(
-        Text::tr("--resolution %1: give metres per cell, for example 0.05.").arg(text(words.resolution)));
-  return command.open(purpose, placedFile(address, words.resolution, words.origin));
+        Text::tr("--resolution %1: give metres per cell, for example 0.05.").arg(text(args.resolution)));
+  return command.open(purpose, placedFile(address, args.resolution, args.origin));
 }
 
 /// Its live map comes from a map dispatcher only, which can also send it whole on request.
@@ -205,12 +206,12 @@ void print(const map::CatalogueEntry& entry, bool json) {
   }
 }
 
-CommandResult<int> mapsList(RobotCommand& command, const MapsWords& words) {
-  auto robot = openRobot(command, words, text(words.robot));
+CommandResult<int> mapsList(RobotCommand& command, const MapsArguments& args) {
+  auto robot = openRobot(command, args, text(args.robot));
   if (!robot) return passOn(robot);
   const auto rows = (*robot)->catalogue();
   if (!rows) return passOn(rows);
-  if (words.json) {
+  if (args.json) {
     QJsonArray list;
     for (const map::CatalogueEntry& row : **rows) list << entryJson(row);
     printJson(list);
@@ -227,35 +228,35 @@ CommandResult<int> mapsList(RobotCommand& command, const MapsWords& words) {
   return kDone;
 }
 
-CommandResult<int> mapsCurrent(RobotCommand& command, const MapsWords& words) {
-  auto robot = openRobot(command, words, text(words.robot));
+CommandResult<int> mapsCurrent(RobotCommand& command, const MapsArguments& args) {
+  auto robot = openRobot(command, args, text(args.robot));
   if (!robot) return passOn(robot);
   const auto rows = (*robot)->catalogue();
   if (!rows) return passOn(rows);
   const map::CatalogueEntry* const current = (*robot)->session().catalogue().current();
   if (!current) {
     return tl::make_unexpected(CommandFailure{
-        kRobotError, Text::tr("%1: none of its maps is the current one.").arg(text(words.robot))});
+        kRobotError, Text::tr("%1: none of its maps is the current one.").arg(text(args.robot))});
   }
-  print(*current, words.json);
+  print(*current, args.json);
   return kDone;
 }
 
-CommandResult<int> mapsShow(RobotCommand& command, const MapsWords& words) {
-  auto robot = openRobot(command, words, text(words.robot), purposeOf(words.id));
+CommandResult<int> mapsShow(RobotCommand& command, const MapsArguments& args) {
+  auto robot = openRobot(command, args, text(args.robot), purposeOf(args.id));
   if (!robot) return passOn(robot);
-  const bool stored = !words.id.empty() && words.id != "live" && words.id != "submaps";
+  const bool stored = !args.id.empty() && args.id != "live" && args.id != "submaps";
   if (stored) {  // the catalogue has its dates and versions
     if (const auto rows = (*robot)->catalogue(); !rows) return passOn(rows);
   }
-  const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
+  const auto placed = (*robot)->map(text(args.id), resolutionOf(args));
   if (!placed && session::lacksPicture((*robot)->session().wholeMap()))
-    return showWithoutPicture(**robot, words.json);
+    return showWithoutPicture(**robot, args.json);
   if (!placed) return passOn(placed);
   session::Session& session = (*robot)->session();
   const map::WholeMap& shown = session.wholeMap().shown();
   const map::CatalogueEntry* const row = session.catalogue().find(shown.key);
-  const QString id = words.id == "submaps" ? text(words.id) : text(map::toText(shown.key));
+  const QString id = args.id == "submaps" ? text(args.id) : text(map::toText(shown.key));
   QJsonObject json =
       row ? entryJson(*row)
           : QJsonObject{{QStringLiteral("id"), id}, {QStringLiteral("name"), (*robot)->nameOfMap()}};
@@ -265,7 +266,7 @@ CommandResult<int> mapsShow(RobotCommand& command, const MapsWords& words) {
   json[QStringLiteral("landmarks")] = int(shown.landmarks.size());
   json[QStringLiteral("waypoints")] = pointsJson(session.wholeMap().waypoints().points);
   if (shown.display_rotation_rad) json[QStringLiteral("display_rotation")] = *shown.display_rotation_rad;
-  if (words.json) {
+  if (args.json) {
     printJson(json);
     return kDone;
   }
@@ -289,11 +290,11 @@ CommandResult<int> mapsShow(RobotCommand& command, const MapsWords& words) {
   return kDone;
 }
 
-CommandResult<int> mapsExport(RobotCommand& command, const MapsWords& words) {
-  const QString output = text(words.output);
+CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) {
+  const QString output = text(args.output);
   const QString suffix = QFileInfo(output).suffix().toLower();
   const bool printed = isStandardOutput(output);
-  QString format = !words.format.empty() ? text(words.format) : printed ? QStringLiteral("png") : suffix;
+  QString format = !args.format.empty() ? text(args.format) : printed ? QStringLiteral("png") : suffix;
   if (format == QLatin1String("yaml") || format == QLatin1String("yml")) format = QStringLiteral("pgm");
   if (format != QLatin1String("png") && format != QLatin1String("pgm")) {
     return wrong(Text::tr("--output %1: the name must end in .png, or in .pgm or .yaml to get both of "
@@ -302,40 +303,40 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsWords& words) {
   }
   const bool names_png = suffix == QLatin1String("png");
   const bool names_pgm = suffix == QLatin1String("pgm") || suffix.startsWith(QLatin1Char('y'));
-  if (!words.format.empty() && (format == QLatin1String("png") ? names_pgm : names_png)) {
-    return wrong(Text::tr("--output %1 contradicts --format %2.").arg(output, text(words.format)));
+  if (!args.format.empty() && (format == QLatin1String("png") ? names_pgm : names_png)) {
+    return wrong(Text::tr("--output %1 contradicts --format %2.").arg(output, text(args.format)));
   }
-  if (printed && (format != QLatin1String("png") || words.world_file)) {
+  if (printed && (format != QLatin1String("png") || args.world_file)) {
     return wrong(
         Text::tr("Only a single PNG can be written to the standard output (--output %1).").arg(output));
   }
   if (const auto why = whyNotWritable(output)) return wrong(*why);
-  if (const auto why = whyNotTogether({output, text(words.report)})) return wrong(*why);
+  if (const auto why = whyNotTogether({output, text(args.report)})) return wrong(*why);
   std::optional<map::GridRegion> region;
-  const bool live = words.id.empty() || words.id == "live";
-  if (!words.region.empty()) {
-    const auto typed = gridRegionFrom(words.region);
+  const bool live = args.id.empty() || args.id == "live";
+  if (!args.region.empty()) {
+    const auto typed = gridRegionFrom(args.region);
     if (!typed) return wrong(typed.error());
     if (!live)
-      return wrong(Text::tr("--region only works with the live map, not with %1.").arg(text(words.id)));
+      return wrong(Text::tr("--region only works with the live map, not with %1.").arg(text(args.id)));
     region = *typed;
   }
-  auto robot = openRobot(command, words, text(words.robot), purposeOf(words.id));
+  auto robot = openRobot(command, args, text(args.robot), purposeOf(args.id));
   if (!robot) return passOn(robot);
   // An export always means the whole map, whatever its size.
   const bool by_part = region || (live && givesMapWhenAsked((*robot)->session().robot()));
-  const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(words.id), resolutionOf(words));
+  const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(args.id), resolutionOf(args));
   if (!placed) return passOn(placed);
   const bool png = format == QLatin1String("png");
   const jobs::ExportRequest request{jobs::WholeMapExport{placed->cells, placed->reference},
                                     png ? jobs::ExportFormat::MapPicture : jobs::ExportFormat::MapServer,
-                                    output, words.world_file};
-  const QStringList outputs = jobs::exportedFiles(output, request.format, words.world_file);
+                                    output, args.world_file};
+  const QStringList outputs = jobs::exportedFiles(output, request.format, args.world_file);
   const auto why = overOwnSource(outputs, (*robot)->sourceFiles());
-  if (why && !words.force) return wrong(*why);
+  if (why && !args.force) return wrong(*why);
   const jobs::ExportResult written = jobs::exportMap(request, nullptr);
   if (!written.error.isEmpty()) return wrong(written.error);
-  if (!printed && !isStandardOutput(text(words.report))) {
+  if (!printed && !isStandardOutput(text(args.report))) {
     const map::GridReference& grid = placed->reference;
     printLine(Text::tr("%1: %2 x %3 cells of %4 m")
                   .arg(oneLine(output), QString::number(grid.width), QString::number(grid.height),
@@ -344,36 +345,36 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsWords& words) {
   return kDone;
 }
 
-CommandResult<int> mapsDiff(RobotCommand& command, const MapsWords& words) {
-  const QString printed = words.json ? QStringLiteral("-") : QString();
-  auto why_not = words.diff_picture.empty() ? std::nullopt : whyNotWritable(text(words.diff_picture));
-  if (!why_not) why_not = whyNotTogether({text(words.diff_picture), text(words.report), printed});
+CommandResult<int> mapsDiff(RobotCommand& command, const MapsArguments& args) {
+  const QString printed = args.json ? QStringLiteral("-") : QString();
+  auto why_not = args.diff_picture.empty() ? std::nullopt : whyNotWritable(text(args.diff_picture));
+  if (!why_not) why_not = whyNotTogether({text(args.diff_picture), text(args.report), printed});
   if (why_not) return wrong(*why_not);
   // Before the first one is read, which may take long.
-  for (const QString& operand : {text(words.first), text(words.second)}) {
+  for (const QString& operand : {text(args.first), text(args.second)}) {
     const auto parsed = knownAddresses().parse(operand);
-    if (!parsed && standsAlone(operand, text(words.robot))) return wrong(parsed.error());
+    if (!parsed && standsAlone(operand, text(args.robot))) return wrong(parsed.error());
   }
   std::vector<std::string> sources;
   std::vector<render::PlacedGrid> maps;
-  for (const std::string& word : {words.first, words.second}) {
+  for (const std::string& word : {args.first, args.second}) {
     const QString operand = text(word);
-    const bool alone = standsAlone(operand, text(words.robot));
-    auto robot = openRobot(command, words, alone ? operand : text(words.robot),
+    const bool alone = standsAlone(operand, text(args.robot));
+    auto robot = openRobot(command, args, alone ? operand : text(args.robot),
                            alone ? RobotReading::Purpose::Maps : purposeOf(word));
     if (!robot) return passOn(robot);
-    const auto placed = (*robot)->map(alone ? QString() : operand, resolutionOf(words));
+    const auto placed = (*robot)->map(alone ? QString() : operand, resolutionOf(args));
     if (!placed) return passOn(placed);
     maps.push_back(*placed);
     for (std::string& file : (*robot)->sourceFiles()) sources.push_back(std::move(file));
   }
-  const QString picture = text(words.diff_picture);
-  if (const auto why = overOwnSource({picture}, sources); why && !words.force) {
+  const QString picture = text(args.diff_picture);
+  if (const auto why = overOwnSource({picture}, sources); why && !args.force) {
     return wrong(*why);
   }
   const auto diff = diffMaps(maps[0], maps[1], picture);
   if (!diff) return wrong(diff.error());
-  if (isStandardOutput(picture) || isStandardOutput(text(words.report)))
+  if (isStandardOutput(picture) || isStandardOutput(text(args.report)))
     return diff->same() ? kDone : kIncomplete;
   using render::Difference;
   const auto cells = [&](Difference what) { return qint64(diff->cells[std::size_t(what)]); };
@@ -381,7 +382,7 @@ CommandResult<int> mapsDiff(RobotCommand& command, const MapsWords& words) {
       {"appeared", Difference::Appeared},    {"vanished", Difference::Vanished},
       {"only_first", Difference::OnlyFirst}, {"only_second", Difference::OnlySecond},
       {"same_free", Difference::SameFree},   {"same_occupied", Difference::SameOccupied}};
-  if (words.json) {
+  if (args.json) {
     QJsonObject json{{QStringLiteral("same"), diff->same()},
                      {QStringLiteral("complete"), command.complete()},
                      {QStringLiteral("size"), QJsonArray{diff->width, diff->height}},
@@ -419,48 +420,48 @@ bool isOfOneMap(MapChange change) {
 bool names(MapChange change) { return change == MapChange::Rename || change == MapChange::Save; }
 
 /// Why it is not even requested; empty if it is.
-QString whyNotAsked(MapChange change, const MapsWords& words) {
+QString whyNotAsked(MapChange change, const MapsArguments& args) {
   if (names(change)) {
-    const QString label = text(words.label);
+    const QString label = text(args.label);
     if (label.trimmed().isEmpty()) {
       return change == MapChange::Save ? Text::tr("Name the map: maps save NAME.")
                                        : Text::tr("Name the map: maps rename ID NAME.");
     }
     if (const QString why = jobs::whyNoMapName(label); !why.isEmpty()) return why;
   }
-  const map::MapKey key = map::mapKeyFromText(words.id);
+  const map::MapKey key = map::mapKeyFromText(args.id);
   if (isOfOneMap(change) && (key.kind != map::MapKind::Stored || key.id.empty()))
-    return Text::tr("%1: pass the id of a stored map (see mapwright maps list).").arg(text(words.id));
-  if (change == MapChange::Delete && !words.yes)
-    return Text::tr("Deleting a map cannot be undone. Pass --yes to delete %1.").arg(text(words.id));
+    return Text::tr("%1: pass the id of a stored map (see mapwright maps list).").arg(text(args.id));
+  if (change == MapChange::Delete && !args.yes)
+    return Text::tr("Deleting a map cannot be undone. Pass --yes to delete %1.").arg(text(args.id));
   return {};
 }
 
-CommandResult<int> mapsChange(RobotCommand& command, const MapsWords& words, MapChange change) {
-  if (const QString why = whyNotAsked(change, words); !why.isEmpty()) return wrong(why);
+CommandResult<int> mapsChange(RobotCommand& command, const MapsArguments& args, MapChange change) {
+  if (const QString why = whyNotAsked(change, args); !why.isEmpty()) return wrong(why);
   const auto robot = command.open();
   if (!robot) return passOn(robot);
   robot::MapOrder order{.change = change};
-  if (isOfOneMap(change)) order.key = map::mapKeyFromText(words.id);
-  if (names(change)) order.name = words.label;
-  if (change == MapChange::Load) order.place = words.place;
+  if (isOfOneMap(change)) order.key = map::mapKeyFromText(args.id);
+  if (names(change)) order.name = args.label;
+  if (change == MapChange::Load) order.place = args.place;
   const auto entry = (*robot)->change(order);
   if (!entry) return passOn(entry);
-  if (words.json || !entry->key.id.empty()) print(*entry, words.json);
+  if (args.json || !entry->key.id.empty()) print(*entry, args.json);
   const QString odd = jobs::oddity(order, *entry);
   if (odd.isEmpty()) return kDone;
   return tl::make_unexpected(
-      CommandFailure{kIncomplete, QStringLiteral("%1: %2").arg(text(words.robot), odd)});
+      CommandFailure{kIncomplete, QStringLiteral("%1: %2").arg(text(args.robot), odd)});
 }
 
-CommandResult<int> mapsSaveOnRobot(RobotCommand& command, const MapsWords& words) {
-  if (const QString why = jobs::whyNoFilename(text(words.filename)); !why.isEmpty()) return wrong(why);
+CommandResult<int> mapsSaveOnRobot(RobotCommand& command, const MapsArguments& args) {
+  if (const QString why = jobs::whyNoFilename(text(args.filename)); !why.isEmpty()) return wrong(why);
   const auto robot = command.open();
   if (!robot) return passOn(robot);
   robot::MapDispatch* const dispatch = (*robot)->session().robot().mapDispatch();
   if (!dispatch) return (*robot)->lacks(robot::Capability::Dispatch);
   const auto saved = (*robot)->ask<std::string>(
-      [&](robot::OutcomeTo<std::string> reply) { return dispatch->save(words.filename, std::move(reply)); });
+      [&](robot::OutcomeTo<std::string> reply) { return dispatch->save(args.filename, std::move(reply)); });
   if (!saved) return (*robot)->failure(saved.error());
   printLine(Text::tr("The robot wrote %1.").arg(words::plainName(*saved)));
   return kDone;
@@ -487,26 +488,26 @@ std::vector<MapChangeCommand> mapChangeCommands() {
 }  // namespace
 
 void addMaps(Commands& commands) {
-  const auto shared = std::make_shared<MapsWords>();
-  MapsWords& words = *shared;
+  const auto shared = std::make_shared<MapsArguments>();
+  MapsArguments& args = *shared;
   CLI::App* maps = commands.program().add_subcommand(
       "maps", help(Text::tr("Maps stored on a robot or in a folder: list, export, compare, change")));
   maps->require_subcommand(1);
-  using Run = std::function<CommandResult<int>(RobotCommand&, const MapsWords&)>;
+  using Run = std::function<CommandResult<int>(RobotCommand&, const MapsArguments&)>;
   const auto addOne = [&](const char* name, const std::string& what, Run run) {
     CLI::App* command = maps->add_subcommand(name, what);
-    addRobot(*command, words, Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"));
-    addTimeout(*command, words.timeout_s);
-    addReport(*command, words.report);
+    addRobot(*command, args, Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"));
+    addTimeout(*command, args.timeout_s);
+    addReport(*command, args.report);
     addReading(commands, command, shared, std::move(run));
     return command;
   };
   const auto add = [&](const char* name, const std::string& what, Run run) {
     CLI::App* command = addOne(name, what, std::move(run));
-    command->add_option("--resolution", words.resolution,
+    command->add_option("--resolution", args.resolution,
                         help(Text::tr("Metres per cell, for a plain picture file or for submaps "
                                       "that are exported or compared (default: 0.05)")));
-    command->add_option("--origin", words.origin,
+    command->add_option("--origin", args.origin,
                         help(Text::tr("Lower left corner of a plain picture file: X,Y or X,Y,YAW")));
     return command;
   };
@@ -514,58 +515,58 @@ void addMaps(Commands& commands) {
       help(Text::tr("Id of a stored map, mapping:ID, live, or submaps; by default the live or current one"));
   addJson(
       *add("list", help(Text::tr("List all maps and mapping results; * marks the current one")), mapsList),
-      words.json);
-  addJson(*add("current", help(Text::tr("Show the robot's current map")), mapsCurrent), words.json);
+      args.json);
+  addJson(*add("current", help(Text::tr("Show the robot's current map")), mapsCurrent), args.json);
   CLI::App* show = add("show", help(Text::tr("Show size, place, dates and waypoints of a map")), mapsShow);
-  show->add_option("id", words.id, which);
-  addJson(*show, words.json);
+  show->add_option("id", args.id, which);
+  addJson(*show, args.json);
   CLI::App* exported =
       add("export", help(Text::tr("Write a map as PNG, or as PGM and YAML for map_server")), mapsExport);
-  exported->add_option("id", words.id, which);
+  exported->add_option("id", args.id, which);
   exported
-      ->add_option("-o,--output", words.output,
+      ->add_option("-o,--output", args.output,
                    help(Text::tr("Output file: NAME.png, or NAME.yaml / NAME.pgm (both); - writes "
                                  "a PNG to the standard output")))
       ->required();
-  exported->add_flag("--force", words.force,
+  exported->add_flag("--force", args.force,
                      help(Text::tr("Overwrite a file even if the map was read from it")));
-  exported->add_option("--format", words.format, help(Text::tr("png or pgm, if the file name does not say")));
-  exported->add_flag("--world-file", words.world_file, help(Text::tr("Also write NAME.pgw (a world file)")));
-  exported->add_option("--region", words.region,
+  exported->add_option("--format", args.format, help(Text::tr("png or pgm, if the file name does not say")));
+  exported->add_flag("--world-file", args.world_file, help(Text::tr("Also write NAME.pgw (a world file)")));
+  exported->add_option("--region", args.region,
                        help(Text::tr("Only this region of the live map of a map dispatcher (REP "
                                      "130): X,Y,LX,LY, its centre and side lengths in metres")));
   CLI::App* saved = addOne(
       "save-on-robot", help(Text::tr("Make a map dispatcher (REP 130) write its map to a file on the robot")),
       mapsSaveOnRobot);
   saved
-      ->add_option("file", words.filename,
+      ->add_option("file", args.filename,
                    help(Text::tr("File name on the robot. Its extension selects the format: most know .png, "
                                  ".pgm or .yaml for grids and .pcd, .ply or .vtk for clouds")))
       ->required();
   CLI::App* diff =
       add("diff", help(Text::tr("Compare two maps cell by cell; exit code 1 when they differ")), mapsDiff);
-  diff->add_option("first", words.first,
+  diff->add_option("first", args.first,
                    help(Text::tr("A map of --robot (id, mapping:ID, live, submaps), or a file or address")))
       ->required();
-  diff->add_option("second", words.second, help(Text::tr("The same for the second map")))->required();
-  diff->add_option("--diff", words.diff_picture,
+  diff->add_option("second", args.second, help(Text::tr("The same for the second map")))->required();
+  diff->add_option("--diff", args.diff_picture,
                    help(Text::tr("Write the differences as a PNG; - is the standard output")));
-  diff->add_flag("--force", words.force, help(Text::tr("Overwrite a file even if a map was read from it")));
-  addJson(*diff, words.json);
+  diff->add_flag("--force", args.force, help(Text::tr("Overwrite a file even if a map was read from it")));
+  addJson(*diff, args.json);
   for (const MapChangeCommand& one : mapChangeCommands()) {
-    CLI::App* command =
-        addOne(one.name, help(one.about), [change = one.change](RobotCommand& each, const MapsWords& typed) {
-          return mapsChange(each, typed, change);
-        });
-    addJson(*command, words.json);
+    CLI::App* command = addOne(one.name, help(one.about),
+                               [change = one.change](RobotCommand& each, const MapsArguments& typed) {
+                                 return mapsChange(each, typed, change);
+                               });
+    addJson(*command, args.json);
     if (isOfOneMap(one.change))
-      command->add_option("id", words.id, help(Text::tr("Id of a stored map")))->required();
-    if (names(one.change)) command->add_option("name", words.label, help(Text::tr("New name")))->required();
+      command->add_option("id", args.id, help(Text::tr("Id of a stored map")))->required();
+    if (names(one.change)) command->add_option("name", args.label, help(Text::tr("New name")))->required();
     if (one.change == MapChange::Load)
-      command->add_option("--waypoint", words.place,
+      command->add_option("--waypoint", args.place,
                           help(Text::tr("Name of the waypoint at which the robot stands")));
     if (one.change == MapChange::Delete)
-      command->add_flag("--yes", words.yes, help(Text::tr("Required: deleting cannot be undone")));
+      command->add_flag("--yes", args.yes, help(Text::tr("Required: deleting cannot be undone")));
   }
 }
 

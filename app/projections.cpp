@@ -22,7 +22,7 @@ namespace mapwright::app {
 namespace {
 
 /// The options as typed; empty = not given.
-struct ProjectionsWords : RobotWords {
+struct ProjectionsArguments : RobotArguments {
   std::vector<std::string> wanted;  // X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z or the same with ,FRAME
   bool none = false;                // project nothing
 };
@@ -78,7 +78,8 @@ void print(const Projections& all, bool json) {
   printTable(table);
 }
 
-CommandResult<int> list(RobotReading& reading, robot::MapDispatch& dispatch, const ProjectionsWords& words) {
+CommandResult<int> list(RobotReading& reading, robot::MapDispatch& dispatch,
+                        const ProjectionsArguments& args) {
   const auto told = reading.ask<Projections>(
       [&](robot::OutcomeTo<Projections> reply) { return dispatch.projections(std::move(reply)); });
   if (!told && told.error().cause.code == robot::ros::fault::ProjectionsNotTold) {
@@ -86,13 +87,13 @@ CommandResult<int> list(RobotReading& reading, robot::MapDispatch& dispatch, con
   }
   if (!told) return reading.failure(told.error());
   const std::vector<std::string> silent = dispatch.silent();
-  if (!told->empty() || silent.empty() || words.json) print(*told, words.json);
+  if (!told->empty() || silent.empty() || args.json) print(*told, args.json);
   for (const std::string& topic : silent)
     reading.note(Text::tr("%1: it had no effect.").arg(words::plainName(topic)));
   return silent.empty() ? kDone : kIncomplete;
 }
 
-CommandResult<int> set(RobotReading& reading, robot::MapDispatch& dispatch, const ProjectionsWords& words,
+CommandResult<int> set(RobotReading& reading, robot::MapDispatch& dispatch, const ProjectionsArguments& args,
                        const Projections& wanted) {
   if (dispatch.offered(robot::DispatchService::ReadProjections) &&
       !dispatch.offered(robot::DispatchService::ChangeProjections)) {
@@ -104,44 +105,44 @@ CommandResult<int> set(RobotReading& reading, robot::MapDispatch& dispatch, cons
   const auto told = reading.ask<Projections>(
       [&](robot::OutcomeTo<Projections> reply) { return dispatch.project(wanted, std::move(reply)); });
   if (!told) return reading.failure(told.error());
-  print(*told, words.json);
+  print(*told, args.json);
   if (map::differing(wanted, *told) == 0) return kDone;
   return reading.failure(kIncomplete,
                          Text::tr("The robot accepted it, but does not project what was requested."));
 }
 
-CommandResult<int> runProjections(bool sets, RobotCommand& command, const ProjectionsWords& words) {
+CommandResult<int> runProjections(bool sets, RobotCommand& command, const ProjectionsArguments& args) {
   Projections wanted;
-  for (const std::string& typed : words.wanted) {
+  for (const std::string& typed : args.wanted) {
     const auto one = projectionFrom(typed);
     if (!one) return wrong(one.error());
     wanted.push_back(*one);
   }
-  if (sets && wanted.empty() != words.none)
+  if (sets && wanted.empty() != args.none)
     return wrong(Text::tr("projections set: pass --projection, once for each one, or --none."));
   const auto reading = command.open();
   if (!reading) return passOn(reading);
   robot::MapDispatch* const dispatch = (*reading)->session().robot().mapDispatch();
   if (!dispatch) return (*reading)->lacks(robot::Capability::Dispatch);
-  return sets ? set(**reading, *dispatch, words, wanted) : list(**reading, *dispatch, words);
+  return sets ? set(**reading, *dispatch, args, wanted) : list(**reading, *dispatch, args);
 }
 
 }  // namespace
 
 void addProjections(Commands& commands) {
-  const auto shared = std::make_shared<ProjectionsWords>();
-  ProjectionsWords& words = *shared;
+  const auto shared = std::make_shared<ProjectionsArguments>();
+  ProjectionsArguments& args = *shared;
   CLI::App* projections = commands.program().add_subcommand(
       "projections",
       help(Text::tr("What a map dispatcher (REP 130) projects from its 3D map onto a plane: list, set")));
   projections->require_subcommand(1);
   const auto add = [&](const char* name, const std::string& what, bool sets) {
     CLI::App* command = projections->add_subcommand(name, what);
-    addRobot(*command, words, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
-    addTimeout(*command, words.timeout_s);
-    addReport(*command, words.report);
-    addJson(*command, words.json);
-    addReading(commands, command, shared, [sets](RobotCommand& each, const ProjectionsWords& typed) {
+    addRobot(*command, args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
+    addTimeout(*command, args.timeout_s);
+    addReport(*command, args.report);
+    addJson(*command, args.json);
+    addReading(commands, command, shared, [sets](RobotCommand& each, const ProjectionsArguments& typed) {
       return runProjections(sets, each, typed);
     });
     return command;
@@ -150,11 +151,11 @@ void addProjections(Commands& commands) {
   CLI::App* command =
       add("set", help(Text::tr("Replace all projections, then print what the robot projects")), true);
   command
-      ->add_option("--projection", words.wanted,
+      ->add_option("--projection", args.wanted,
                    help(Text::tr("X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, and "
                                  ",FRAME if it is not that of the map; may be repeated")))
       ->allow_extra_args(false);
-  command->add_flag("--none", words.none, help(Text::tr("Project nothing")));
+  command->add_flag("--none", args.none, help(Text::tr("Project nothing")));
 }
 
 }  // namespace mapwright::app

@@ -27,9 +27,9 @@
 namespace mapwright::app {
 namespace {
 
-/// The words as typed; empty = not given.
-struct RecordWords : RobotWords {
-  RecordWords() { timeout_s = 30; }  // for the connection
+/// As typed; empty = not given.
+struct RecordArguments : RobotArguments {
+  RecordArguments() { timeout_s = 30; }  // for the connection
   std::string output;
   std::optional<double> duration_s;  // nullopt = until stopped
   std::string topics;                // comma-separated, by the robot's own names, in addition to `streams`
@@ -105,30 +105,30 @@ struct RecordOrder {
   QString path;
 };
 
-CommandResult<RecordOrder> orderFrom(const RecordWords& words) {
+CommandResult<RecordOrder> orderFrom(const RecordArguments& args) {
   RecordOrder order;
-  order.path = text(words.output);
-  const auto streams = streamsFrom(text(words.streams));
+  order.path = text(args.output);
+  const auto streams = streamsFrom(text(args.streams));
   if (!streams)
     return wrong(Text::tr("--streams: \"%1\" is unknown. Choose from: all, none, %2.")
                      .arg(streams.error(), streamWords().join(QLatin1String(", "))));
   order.streams = *streams;
-  for (const QString& topic : text(words.topics).split(QLatin1Char(','), Qt::SkipEmptyParts))
+  for (const QString& topic : text(args.topics).split(QLatin1Char(','), Qt::SkipEmptyParts))
     order.topics << topic.trimmed();
-  if (words.submaps == "all") {
+  if (args.submaps == "all") {
     order.submaps = SubmapRequests::Which::All;
-  } else if (words.submaps == "none") {
+  } else if (args.submaps == "none") {
     order.submaps = SubmapRequests::Which::None;
-  } else if (words.submaps != "listed") {
-    return wrong(Text::tr("--submaps must be all, listed or none, not \"%1\".").arg(text(words.submaps)));
+  } else if (args.submaps != "listed") {
+    return wrong(Text::tr("--submaps must be all, listed or none, not \"%1\".").arg(text(args.submaps)));
   }
-  if (words.duration_s && !(*words.duration_s > 0 && *words.duration_s <= 1e8))
+  if (args.duration_s && !(*args.duration_s > 0 && *args.duration_s <= 1e8))
     return wrong(Text::tr("--duration must be greater than 0 seconds and at most 100000000."));
-  if (const auto why = whyNoTimeout(words.timeout_s)) return wrong(*why);
+  if (const auto why = whyNoTimeout(args.timeout_s)) return wrong(*why);
   if (isStandardOutput(order.path))
     return wrong(Text::tr(
         "A recording must go to a regular file (-o FILE), because its index is written at the end."));
-  if (const auto why = whyNotCreated(order.path, QFileInfo::exists(order.path), words.force))
+  if (const auto why = whyNotCreated(order.path, QFileInfo::exists(order.path), args.force))
     return wrong(*why);
   return order;
 }
@@ -136,8 +136,8 @@ CommandResult<RecordOrder> orderFrom(const RecordWords& words) {
 /// One recording from the first connection to its end.
 class RecordRun {
  public:
-  RecordRun(const RecordWords& words, RecordOrder order, LiveRobot& live)
-      : words_(words), order_(std::move(order)), live_(live), robot_(live.robot()) {}
+  RecordRun(const RecordArguments& args, RecordOrder order, LiveRobot& live)
+      : args_(args), order_(std::move(order)), live_(live), robot_(live.robot()) {}
 
   CommandResult<int> carryOut() {
     if (robot::LiveTopics* const topics = robot_.liveTopics()) {
@@ -147,10 +147,10 @@ class RecordRun {
     if (auto failure = live_.connectToRobot()) return tl::make_unexpected(*failure);
     if (live_.stopped()) return kDone;  // nothing was started
     auto target = recording::appendFile(
-        words_.output, words_.force ? recording::Existing::Replace : recording::Existing::Refuse);
+        args_.output, args_.force ? recording::Existing::Replace : recording::Existing::Refuse);
     if (!target) return notWritten(target.error());
     Recorder::Options options;
-    options.kind = knownAddresses().kindOf(text(words_.robot));
+    options.kind = knownAddresses().kindOf(text(args_.robot));
     options.recorded_by = std::string("mapwright ") + MAPWRIGHT_VERSION;
     options.submaps = order_.submaps;
     auto recorder = Recorder::start(robot_, std::move(*target), std::move(options));
@@ -188,7 +188,7 @@ class RecordRun {
       refused_ = whyNotConnected(robot_.connection());
       live_.quit();
     });
-    live_.follow(words_.duration_s);
+    live_.follow(args_.duration_s);
   }
 
   void tellProgress() {
@@ -215,7 +215,7 @@ class RecordRun {
   }
 
   disk::FileError withPath(disk::FileError fault) const {
-    if (fault.path.empty()) fault.path = words_.output;
+    if (fault.path.empty()) fault.path = args_.output;
     return fault;
   }
 
@@ -232,7 +232,7 @@ class RecordRun {
     }
     const bool complete = done.written.lost == 0 && !done.end_fault && not_had_ == 0 && !refused_ &&
                           interruptions_ == 0 && silent.isEmpty();
-    if (words_.json) {
+    if (args_.json) {
       printJson(QJsonObject{{QStringLiteral("file"), order_.path},
                             {QStringLiteral("seconds"), done.seconds},
                             {QStringLiteral("bytes"), qint64(done.written.bytes)},
@@ -265,7 +265,7 @@ class RecordRun {
     return complete ? kDone : kIncomplete;
   }
 
-  const RecordWords& words_;
+  const RecordArguments& args_;
   RecordOrder order_;
   LiveRobot& live_;
   robot::Robot& robot_;
@@ -279,42 +279,42 @@ class RecordRun {
   std::optional<disk::FileError> told_;
 };
 
-CommandResult<int> record(const RecordWords& words) {
-  auto order = orderFrom(words);
+CommandResult<int> record(const RecordArguments& args) {
+  auto order = orderFrom(args);
   if (!order) return passOn(order);
-  auto live = LiveRobot::make(words);
+  auto live = LiveRobot::make(args);
   if (!live) return passOn(live);
   if (!robot::deliversOf((*live)->robot()))
-    return wrong(Text::tr("%1 is not a robot that sends messages: there is nothing to record.")
-                     .arg(text(words.robot)));
-  return RecordRun(words, std::move(*order), **live).carryOut();
+    return wrong(
+        Text::tr("%1 is not a robot that sends messages: there is nothing to record.").arg(text(args.robot)));
+  return RecordRun(args, std::move(*order), **live).carryOut();
 }
 
 }  // namespace
 
 void addRecord(Commands& commands) {
-  const auto shared = std::make_shared<RecordWords>();
-  RecordWords& words = *shared;
+  const auto shared = std::make_shared<RecordArguments>();
+  RecordArguments& args = *shared;
   CLI::App* const command = commands.program().add_subcommand(
       "record", help(Text::tr("Record what a robot sends to a file, including its maps")));
-  addRobot(*command, words, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
-  command->add_option("-o,--output", words.output, help(Text::tr("The MCAP file to write")))->required();
-  command->add_flag("--force", words.force, help(Text::tr("Replace an existing file")));
-  command->add_option("--duration", words.duration_s,
+  addRobot(*command, args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
+  command->add_option("-o,--output", args.output, help(Text::tr("The MCAP file to write")))->required();
+  command->add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
+  command->add_option("--duration", args.duration_s,
                       help(Text::tr("Length in seconds; by default until Ctrl+C")));
-  command->add_option("--topics", words.topics,
+  command->add_option("--topics", args.topics,
                       help(Text::tr("Additional topics, separated by commas, as the robot names them")));
   command
-      ->add_option("--streams", words.streams,
+      ->add_option("--streams", args.streams,
                    help(Text::tr("Kinds of data, separated by commas: all, none, %1")
                             .arg(streamWords().join(QLatin1String(", ")))))
       ->capture_default_str();
   command
-      ->add_option("--submaps", words.submaps,
+      ->add_option("--submaps", args.submaps,
                    help(Text::tr("listed (each submap once), all (every version) or none")))
       ->capture_default_str();
-  addTimeout(*command, words.timeout_s, Text::tr("Give up connecting after this many seconds"));
-  addJson(*command, words.json);
+  addTimeout(*command, args.timeout_s, Text::tr("Give up connecting after this many seconds"));
+  addJson(*command, args.json);
   commands.add(command, [shared](const Invocation& before) {
     inherit(*shared, before);
     return runLive(before.argc, before.argv, [&] { return record(*shared); });

@@ -38,9 +38,9 @@ tl::expected<QByteArray, QString> readSecret(const QString& file) {
   return checked(source.read(kLongest + 1).trimmed());
 }
 
-tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, const QString& robot) {
+tl::expected<RobotAccess, QString> RobotAccess::read(const AccessArguments& args, const QString& robot) {
   RobotAccess access;
-  for (const auto& [address, file] : words.secret_files_for) {
+  for (const auto& [address, file] : args.secret_files_for) {
     const auto parsed = knownAddresses().parse(text(address));
     if (!parsed) return tl::make_unexpected(QStringLiteral("--secret-file-for: ") + parsed.error());
     const QUrl origin = parsed->url;
@@ -53,8 +53,8 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
     if (!secret) return passOn(secret);
     access.secrets_.emplace_back(origin, *secret);
   }
-  if (!words.secret_file.empty()) {
-    const auto secret = readSecret(text(words.secret_file));
+  if (!args.secret_file.empty()) {
+    const auto secret = readSecret(text(args.secret_file));
     if (!secret) return passOn(secret);
     if (robot.isEmpty()) {
       return tl::make_unexpected(
@@ -67,8 +67,8 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
     const QString owner = qEnvironmentVariable("MAPWRIGHT_ROBOT");
     access.secrets_.emplace_back(originOf(owner.isEmpty() ? robot : owner), *secret);
   }
-  if (!words.ca_file.empty()) {
-    const auto authorities = net::readAuthorities(text(words.ca_file));
+  if (!args.ca_file.empty()) {
+    const auto authorities = net::readAuthorities(text(args.ca_file));
     if (!authorities) return tl::make_unexpected(sentences::wordsOf(authorities.error()));
     access.trust_.authorities = QSslConfiguration::systemCaCertificates() + *authorities;
   }

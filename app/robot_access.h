@@ -19,7 +19,7 @@
 namespace mapwright::app {
 
 /// The options as typed.
-struct AccessWords {
+struct AccessArguments {
   std::string secret_file;                                            // of the robot of --robot
   std::vector<std::pair<std::string, std::string>> secret_files_for;  // address and file, of other robots
   std::string ca_file;
@@ -43,7 +43,7 @@ class RobotAccess {
   /// `robot`: what --secret-file belongs to. MAPWRIGHT_SECRET belongs to MAPWRIGHT_ROBOT if that is set,
   /// otherwise to `robot`; a file takes precedence. Reads all files. The error is a sentence and never
   /// contains a secret.
-  static tl::expected<RobotAccess, QString> read(const AccessWords& words, const QString& robot);
+  static tl::expected<RobotAccess, QString> read(const AccessArguments& args, const QString& robot);
   Access forAddress(const QString& address) const;
 
  private:

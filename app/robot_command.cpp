@@ -360,14 +360,14 @@ CommandResult<render::PlacedGrid> RobotReading::part(const std::optional<map::Gr
   return render::PlacedGrid{pyramidOf(*part, workers_), part->grid};
 }
 
-RobotCommand::RobotCommand(const RobotWords& words)
-    : words_(words),
-      time_{commandStart(words.timeout_s, processAge()), words.timeout_s},
-      report_path_(words::text(words.report)) {}
+RobotCommand::RobotCommand(const RobotArguments& args)
+    : args_(args),
+      time_{commandStart(args.timeout_s, processAge()), args.timeout_s},
+      report_path_(words::text(args.report)) {}
 
 CommandResult<RobotReading*> RobotCommand::open(RobotReading::Purpose purpose, const QString& other) {
-  const QString robot = words::text(words_.robot), address = other.isEmpty() ? robot : other;
-  const auto access = RobotAccess::read(words_.access, robot);
+  const QString robot = words::text(args_.robot), address = other.isEmpty() ? robot : other;
+  const auto access = RobotAccess::read(args_.access, robot);
   if (!access) return wrong(access.error());
   auto reading = RobotReading::open(address, access->forAddress(address), time_, purpose, workers_);
   if (!reading) return passOn(reading);

@@ -127,8 +127,8 @@ robot::Outcome<T> RobotReading::ask(const std::function<robot::Call(robot::Outco
 /// Common to these commands: the time limit, the robots, the one line on standard error, the report.
 class RobotCommand {
  public:
-  /// Outlived by `words`; --report is written to, if given.
-  explicit RobotCommand(const RobotWords& words);
+  /// Outlived by `args`; --report is written to, if given.
+  explicit RobotCommand(const RobotArguments& args);
 
   /// Connects to the robot of the options, or to another `address`; the result lives as long as this object.
   CommandResult<RobotReading*> open(RobotReading::Purpose purpose = RobotReading::Purpose::Maps,
@@ -148,7 +148,7 @@ class RobotCommand {
  private:
   int end(const CommandResult<int>& result) const;
 
-  const RobotWords& words_;
+  const RobotArguments& args_;
   CommandTime time_;
   QString report_path_, done_name_;
   QJsonObject done_;
@@ -159,16 +159,16 @@ class RobotCommand {
 };
 
 /// Adds a command that reads from a robot. `prepare`: completes the options before they are used.
-template <typename Words>
-void addReading(Commands& commands, const CLI::App* command, std::shared_ptr<Words> words,
-                std::type_identity_t<std::function<CommandResult<int>(RobotCommand&, const Words&)>> work,
-                std::type_identity_t<std::function<void(Words&, const Invocation&)>> prepare = {}) {
-  commands.add(command, [words = std::move(words), work = std::move(work),
+template <typename Arguments>
+void addReading(Commands& commands, const CLI::App* command, std::shared_ptr<Arguments> args,
+                std::type_identity_t<std::function<CommandResult<int>(RobotCommand&, const Arguments&)>> work,
+                std::type_identity_t<std::function<void(Arguments&, const Invocation&)>> prepare = {}) {
+  commands.add(command, [args = std::move(args), work = std::move(work),
                          prepare = std::move(prepare)](const Invocation& before) {
-    if (prepare) prepare(*words, before);
-    inherit(*words, before);
-    return RobotCommand(*words).run(before.argc, before.argv,
-                                    [&](RobotCommand& one) { return work(one, *words); });
+    if (prepare) prepare(*args, before);
+    inherit(*args, before);
+    return RobotCommand(*args).run(before.argc, before.argv,
+                                   [&](RobotCommand& one) { return work(one, *args); });
   });
 }
 

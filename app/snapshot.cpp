@@ -60,20 +60,20 @@ std::optional<QSize> parseSize(const QString& word) {
 }
 
 /// Options that cannot be combined with --region.
-std::optional<QString> whyNotWithRegion(const SnapshotWords& words, const SnapshotOptions& options) {
+std::optional<QString> whyNotWithRegion(const SnapshotArguments& args, const SnapshotOptions& options) {
   if (options.mode == SnapshotMode::Submaps)
     return Text::tr("--region needs a robot that sends its map by region, and --mode grid.");
-  if (!words.map.empty())
+  if (!args.map.empty())
     return Text::tr("--region shows a part of the robot's own map and cannot be combined with --map.");
-  if (!words.bag.empty())
+  if (!args.bag.empty())
     return Text::tr("A bag has no map by region: --region and --bag cannot be combined.");
-  if (!words.center.empty() || words.fit || words.rotate_deg != 0)
+  if (!args.center.empty() || args.fit || args.rotate_deg != 0)
     return Text::tr(
         "--region already sets the view: it cannot be combined with --center, --fit and --rotate.");
-  if (words.size != SnapshotWords().size)
+  if (args.size != SnapshotArguments().size)
     return Text::tr(
         "With --region a pixel is one cell of the map, or as large as --scale says: --size cannot be set.");
-  if (words.average) return Text::tr("--average only applies to whole maps, not to --region.");
+  if (args.average) return Text::tr("--average only applies to whole maps, not to --region.");
   return std::nullopt;
 }
 
@@ -103,22 +103,22 @@ tl::expected<void, QString> takeTopic(QString& word, robot::TopicChoices& topics
   return {};
 }
 
-tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, robot::TopicChoices& topics) {
+tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& args, robot::TopicChoices& topics) {
   using scene::Layer;
   // The layers that do not change from run to run.
-  if (words.isEmpty())
+  if (args.isEmpty())
     return std::set{Layer::Grid, Layer::Trail, Layer::Footprint, Layer::Robot, Layer::ScaleBar};
   const auto every = scene::allLayers();
   std::set<Layer> chosen;
-  if (words == QLatin1String("all")) {
+  if (args == QLatin1String("all")) {
     std::copy_if(every.begin(), every.end(), std::inserter(chosen, chosen.end()),
                  [](Layer layer) { return scene::specOf(layer).in_all; });
     return chosen;
   }
-  if (words == QLatin1String("none")) return chosen;
+  if (args == QLatin1String("none")) return chosen;
   QStringList known;
   for (const Layer layer : every) known << scene::layerName(layer);
-  for (QString word : words.split(QLatin1Char(','))) {
+  for (QString word : args.split(QLatin1Char(','))) {
     if (const auto taken = takeTopic(word, topics); !taken) return passOn(taken);
     const auto position = known.indexOf(word.trimmed());
     if (position < 0) {
@@ -131,22 +131,22 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, 
 }
 
 /// An option without effect is a mistake that the picture would not show.
-std::optional<QString> whyWithoutEffect(const SnapshotWords& words, const SnapshotOptions& options) {
-  if (words.average && options.mode == SnapshotMode::Submaps) {
+std::optional<QString> whyWithoutEffect(const SnapshotArguments& args, const SnapshotOptions& options) {
+  if (args.average && options.mode == SnapshotMode::Submaps) {
     return Text::tr("--average only applies to whole maps: submaps are always averaged when zoomed out.");
   }
   const bool whole = options.mode == SnapshotMode::Whole;
-  if (whole && words.slice != 0) {
+  if (whole && args.slice != 0) {
     return Text::tr("--slice only applies to submaps: a whole map has no slices.");
   }
   if (whole && options.colors != render::ColorMode::Normal) {
-    return Text::tr("--colors %1 only applies to submaps, not to a whole map.").arg(text(words.colors));
+    return Text::tr("--colors %1 only applies to submaps, not to a whole map.").arg(text(args.colors));
   }
-  if (!words.raw) return std::nullopt;
+  if (!args.raw) return std::nullopt;
   if (options.dark || options.colors != render::ColorMode::Normal) {
     return Text::tr("--raw has no colours: it cannot be combined with --theme or --colors.");
   }
-  if (words.layers.empty()) return std::nullopt;
+  if (args.layers.empty()) return std::nullopt;
   for (const scene::Layer layer : options.layers) {
     if (layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap) {
       return Text::tr("--raw draws only the map, without the layer \"%1\" of --layers.")
@@ -235,62 +235,62 @@ bool SnapshotOptions::wantsWhole() const {
   return !region && (mode == SnapshotMode::Whole || layers.contains(scene::Layer::WholeMap));
 }
 
-void addSnapshotOptions(CLI::App* command, SnapshotWords& words) {
-  addRobot(*command, words,
+void addSnapshotOptions(CLI::App* command, SnapshotArguments& args) {
+  addRobot(*command, args,
            Text::tr("Robot address, for example axbot+http://192.168.25.25:8090 or demo: (or "
                     "MAPWRIGHT_ROBOT)"));
   command
-      ->add_option("-o,--output", words.output, help(Text::tr("The PNG to write; - is the standard output")))
+      ->add_option("-o,--output", args.output, help(Text::tr("The PNG to write; - is the standard output")))
       ->required();
-  command->add_flag("--force", words.force,
+  command->add_flag("--force", args.force,
                     help(Text::tr("Overwrite a file even if the map was read from it")));
   command->add_option(
-      "--mode", words.mode,
+      "--mode", args.mode,
       help(Text::tr("submaps, or whole (or grid, which means the same for robots and files whose whole "
                     "map is an occupancy grid). Default: submaps, if there are any")));
-  command->add_option("--map", words.map,
+  command->add_option("--map", args.map,
                       help(Text::tr("Id of a stored map, or mapping:ID (see mapwright maps "
                                     "list); by default the live or current one")));
   command->add_flag(
-      "--average", words.average,
+      "--average", args.average,
       help(Text::tr(
           "When zoomed out, show the average of the cells of a whole map; by default occupied cells win")));
-  command->add_flag("--robot-anyway", words.robot_anyway,
+  command->add_flag("--robot-anyway", args.robot_anyway,
                     help(Text::tr("Draw the robot and its sensor data even on a map that it is not in")));
-  command->add_flag("--fit", words.fit, help(Text::tr("Show the whole map (default without --center)")));
+  command->add_flag("--fit", args.fit, help(Text::tr("Show the whole map (default without --center)")));
   command->add_option(
-      "--region", words.region,
+      "--region", args.region,
       help(Text::tr(
           "A part of the map of a robot that sends its map by region (rep130+ws://): X,Y,LX,LY in metres, "
           "its centre and side lengths. A pixel is a cell, or as large as --scale says")));
-  command->add_option("--center", words.center,
+  command->add_option("--center", args.center,
                       help(Text::tr("Position at the centre of the picture: X,Y in metres")));
-  command->add_option("--scale", words.scale, help(Text::tr("Metres per pixel")));
-  command->add_option("--size", words.size, help(Text::tr("Picture size: WIDTHxHEIGHT in pixels")))
+  command->add_option("--scale", args.scale, help(Text::tr("Metres per pixel")));
+  command->add_option("--size", args.size, help(Text::tr("Picture size: WIDTHxHEIGHT in pixels")))
       ->capture_default_str();
-  command->add_option("--rotate", words.rotate_deg,
+  command->add_option("--rotate", args.rotate_deg,
                       help(Text::tr("Rotate the picture counter-clockwise by this many degrees")));
-  command->add_option("--layers", words.layers, help(layersHelp()));
-  command->add_option("--resolution", words.resolution,
+  command->add_option("--layers", args.layers, help(layersHelp()));
+  command->add_option("--resolution", args.resolution,
                       help(Text::tr("Metres per pixel of a plain picture file")));
   command->add_option(
-      "--origin", words.origin,
+      "--origin", args.origin,
       help(Text::tr("Lower left corner of a plain picture file: X,Y or X,Y,YAW in metres and radians")));
-  command->add_option("--slice", words.slice, help(Text::tr("Which slice of each submap to draw")))
+  command->add_option("--slice", args.slice, help(Text::tr("Which slice of each submap to draw")))
       ->capture_default_str();
-  command->add_option("--colors", words.colors, help(Text::tr("normal, incremental or active")))
+  command->add_option("--colors", args.colors, help(Text::tr("normal, incremental or active")))
       ->capture_default_str();
-  command->add_option("--theme", words.theme, help(Text::tr("light or dark")))->capture_default_str();
-  command->add_flag("--raw", words.raw,
+  command->add_option("--theme", args.theme, help(Text::tr("light or dark")))->capture_default_str();
+  command->add_flag("--raw", args.raw,
                     help(Text::tr("Only the map pixels: gray = intensity, alpha 0 = not observed")));
   command
-      ->add_option("--settle", words.settle,
+      ->add_option("--settle", args.settle,
                    help(Text::tr("complete, or for how many seconds to collect data")))
       ->capture_default_str();
-  addTimeout(*command, words.timeout_s);
-  command->add_option("--report", words.report,
+  addTimeout(*command, args.timeout_s);
+  command->add_option("--report", args.report,
                       help(Text::tr("Write a summary as JSON; - is the standard output")));
-  command->add_flag("--json", words.json, help(Text::tr("Print the report on standard output")));
+  command->add_flag("--json", args.json, help(Text::tr("Print the report on standard output")));
 }
 
 std::optional<QSize> pixelsOf(const geometry::WorldRect& region, double scale_m_per_px) {
@@ -301,121 +301,121 @@ std::optional<QSize> pixelsOf(const geometry::WorldRect& region, double scale_m_
   return QSize(int(wide), int(high));
 }
 
-tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords& words) {
+tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotArguments& args) {
   const auto wrong = [](const QString& sentence) { return tl::make_unexpected(sentence); };
   SnapshotOptions options;
-  options.robot = placedFile(text(words.robot), words.resolution, words.origin);
-  options.output = text(words.output);
-  options.report = text(words.report);
-  options.raw = words.raw;
-  options.json = words.json;
-  options.force = words.force;
+  options.robot = placedFile(text(args.robot), args.resolution, args.origin);
+  options.output = text(args.output);
+  options.report = text(args.report);
+  options.raw = args.raw;
+  options.json = args.json;
+  options.force = args.force;
   if (options.robot.isEmpty()) {
     return wrong(Text::tr(
         "Which robot? Pass --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in simulated robot."));
   }
-  if (words.bag.empty() != words.at.empty())
+  if (args.bag.empty() != args.at.empty())
     return wrong(Text::tr("--bag NAME and --at TIME must be used together."));
-  if (!words.bag.empty()) {
-    const auto at_s = timeFrom(words.at, QStringLiteral("--at"));
+  if (!args.bag.empty()) {
+    const auto at_s = timeFrom(args.at, QStringLiteral("--at"));
     if (!at_s) return wrong(at_s.error().sentence);
-    options.bag = words.bag;
+    options.bag = args.bag;
     options.at_s = *at_s;
   }
-  if (words.mode == "submaps") {
+  if (args.mode == "submaps") {
     options.mode = SnapshotMode::Submaps;
-  } else if (words.mode == "whole" || words.mode == "grid") {
+  } else if (args.mode == "whole" || args.mode == "grid") {
     // The occupancy grids of robots and files are their whole maps.
     options.mode = SnapshotMode::Whole;
-  } else if (!words.mode.empty()) {
-    return wrong(Text::tr("--mode must be submaps, whole or grid, not \"%1\".").arg(text(words.mode)));
+  } else if (!args.mode.empty()) {
+    return wrong(Text::tr("--mode must be submaps, whole or grid, not \"%1\".").arg(text(args.mode)));
   }
-  if (!words.map.empty()) {
+  if (!args.map.empty()) {
     if (options.mode == SnapshotMode::Submaps) {
       return wrong(Text::tr(
           "--map needs --mode whole: only the submaps of the robot's current SLAM session can be shown."));
     }
     options.mode = SnapshotMode::Whole;
-    options.map = map::mapKeyFromText(words.map);
+    options.map = map::mapKeyFromText(args.map);
   }
-  if (!words.region.empty()) {
-    const auto region = gridRegionFrom(words.region);
+  if (!args.region.empty()) {
+    const auto region = gridRegionFrom(args.region);
     if (!region) return wrong(region.error());
     const Eigen::Vector2d low = region->centre_m - region->size_m / 2, high = low + region->size_m;
     options.region = geometry::WorldRect{low.x(), low.y(), high.x(), high.y()};
-    if (const auto why = whyNotWithRegion(words, options)) return wrong(*why);
+    if (const auto why = whyNotWithRegion(args, options)) return wrong(*why);
     options.mode = SnapshotMode::Whole;
   }
-  if (const auto why = whyNoPlace(text(words.robot), words.resolution, words.origin)) return wrong(*why);
-  options.average = words.average;
-  options.robot_anyway = words.robot_anyway;
-  const auto size = parseSize(text(words.size));
+  if (const auto why = whyNoPlace(text(args.robot), args.resolution, args.origin)) return wrong(*why);
+  options.average = args.average;
+  options.robot_anyway = args.robot_anyway;
+  const auto size = parseSize(text(args.size));
   if (!size) {
     return wrong(
         Text::tr("--size %1: give WIDTHxHEIGHT, for example 1920x1080, with at most %2 pixels "
                  "per edge and %3 million in total.")
-            .arg(text(words.size), QString::number(kMaxEdge), QString::number(kMaxPixels / 1'000'000)));
+            .arg(text(args.size), QString::number(kMaxEdge), QString::number(kMaxPixels / 1'000'000)));
   }
   options.size_px = *size;
-  const bool has_center = !words.center.empty(), has_scale = words.scale.has_value();
-  if (words.fit && (has_center || has_scale)) {
+  const bool has_center = !args.center.empty(), has_scale = args.scale.has_value();
+  if (args.fit && (has_center || has_scale)) {
     return wrong(
         Text::tr("--fit chooses centre and scale itself: it cannot be combined with --center and --scale."));
   }
   if (has_center != has_scale && !(options.region && has_scale))
     return wrong(Text::tr("--center X,Y and --scale METRES_PER_PIXEL must be used together."));
   if (has_center) {
-    options.center_m = parsePoint(text(words.center));
+    options.center_m = parsePoint(text(args.center));
     if (!options.center_m) {
-      return wrong(Text::tr("--center %1: give X,Y in metres, for example 12.5,-3.").arg(text(words.center)));
+      return wrong(Text::tr("--center %1: give X,Y in metres, for example 12.5,-3.").arg(text(args.center)));
     }
   }
   if (has_scale) {
-    if (!(*words.scale >= geometry::kMinScaleMPerPx && *words.scale <= geometry::kMaxScaleMPerPx)) {
+    if (!(*args.scale >= geometry::kMinScaleMPerPx && *args.scale <= geometry::kMaxScaleMPerPx)) {
       return wrong(Text::tr("--scale must be between %1 and %2 metres per pixel.")
                        .arg(geometry::kMinScaleMPerPx)
                        .arg(geometry::kMaxScaleMPerPx));
     }
-    options.scale_m_per_px = *words.scale;
+    options.scale_m_per_px = *args.scale;
   }
-  if (!std::isfinite(words.rotate_deg)) return wrong(Text::tr("--rotate must be a number of degrees."));
-  options.rotation_rad = geometry::normalizeAngle(geometry::radiansFromDegrees(words.rotate_deg));
-  const auto layers = parseLayers(text(words.layers), options.topics);
+  if (!std::isfinite(args.rotate_deg)) return wrong(Text::tr("--rotate must be a number of degrees."));
+  options.rotation_rad = geometry::normalizeAngle(geometry::radiansFromDegrees(args.rotate_deg));
+  const auto layers = parseLayers(text(args.layers), options.topics);
   if (!layers) return wrong(layers.error());
   options.layers = *layers;
-  if (!words.layers.empty() && words.layers != "all") options.named = *layers;
-  options.without_submaps = !words.layers.empty() && words.layers != "all" && words.layers != "none" &&
+  if (!args.layers.empty() && args.layers != "all") options.named = *layers;
+  options.without_submaps = !args.layers.empty() && args.layers != "all" && args.layers != "none" &&
                             !layers->contains(scene::Layer::Submaps);
-  if (words.slice < 0) return wrong(Text::tr("--slice must be 0 or more."));
-  options.slice = words.slice;
-  if (words.colors == "normal")
+  if (args.slice < 0) return wrong(Text::tr("--slice must be 0 or more."));
+  options.slice = args.slice;
+  if (args.colors == "normal")
     options.colors = render::ColorMode::Normal;
-  else if (words.colors == "incremental")
+  else if (args.colors == "incremental")
     options.colors = render::ColorMode::Incremental;
-  else if (words.colors == "active")
+  else if (args.colors == "active")
     options.colors = render::ColorMode::Active;
   else
     return wrong(
-        Text::tr("--colors must be normal, incremental or active, not \"%1\".").arg(text(words.colors)));
-  if (words.theme != "light" && words.theme != "dark") {
-    return wrong(Text::tr("--theme must be light or dark, not \"%1\".").arg(text(words.theme)));
+        Text::tr("--colors must be normal, incremental or active, not \"%1\".").arg(text(args.colors)));
+  if (args.theme != "light" && args.theme != "dark") {
+    return wrong(Text::tr("--theme must be light or dark, not \"%1\".").arg(text(args.theme)));
   }
-  options.dark = words.theme == "dark";
-  if (const auto why = whyNoTimeout(words.timeout_s)) return wrong(*why);
-  options.timeout_s = words.timeout_s;
-  if (words.settle != "complete") {
+  options.dark = args.theme == "dark";
+  if (const auto why = whyNoTimeout(args.timeout_s)) return wrong(*why);
+  options.timeout_s = args.timeout_s;
+  if (args.settle != "complete") {
     bool ok = false;
-    const double seconds = text(words.settle).toDouble(&ok);
+    const double seconds = text(args.settle).toDouble(&ok);
     if (!ok || !(seconds >= 0 && seconds <= 86'400)) {
       return wrong(
-          Text::tr("--settle must be complete or a number of seconds, not \"%1\".").arg(text(words.settle)));
+          Text::tr("--settle must be complete or a number of seconds, not \"%1\".").arg(text(args.settle)));
     }
-    if (seconds > words.timeout_s) {
-      return wrong(Text::tr("--settle %1 is longer than --timeout %2.").arg(seconds).arg(words.timeout_s));
+    if (seconds > args.timeout_s) {
+      return wrong(Text::tr("--settle %1 is longer than --timeout %2.").arg(seconds).arg(args.timeout_s));
     }
     options.settle_s = seconds;
   }
-  if (const auto why = whyWithoutEffect(words, options)) return wrong(*why);
+  if (const auto why = whyWithoutEffect(args, options)) return wrong(*why);
   // Layers that --raw never draws are neither requested nor waited for.
   if (options.raw) {
     std::erase_if(options.layers, [](scene::Layer layer) {
@@ -431,9 +431,9 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   return options;
 }
 
-int snapshot(const SnapshotWords& words, int& argc, char** argv) {
-  const CommandStart start = commandStart(words.timeout_s, processAge());
-  auto options = parseSnapshotOptions(words);
+int snapshot(const SnapshotArguments& args, int& argc, char** argv) {
+  const CommandStart start = commandStart(args.timeout_s, processAge());
+  auto options = parseSnapshotOptions(args);
   if (!options) return refuse(kUsage, options.error());
   // Outlives everything that may take time, including destruction.
   Deadline deadline(
@@ -444,7 +444,7 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
       });
   const auto fonts = chooseOffscreenPlatform();
   QApplication application(argc, argv);
-  const auto access = RobotAccess::read(words.access, options->robot);
+  const auto access = RobotAccess::read(args.access, options->robot);
   if (!access) return refuse(kUsage, access.error());
   auto robot = makeRobot(options->robot, access->forAddress(options->robot), DemoTime::Frozen);
   if (!robot) return refuse(kUsage, robot.error());
@@ -474,22 +474,22 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   return exit_code;
 }
 
-int snapshotOf(SnapshotWords& words, const Invocation& before) {
-  takeRecording(words.robot, words.bag, before.robot);
-  inherit(words, before);
-  return snapshot(words, before.argc, before.argv);
+int snapshotOf(SnapshotArguments& args, const Invocation& before) {
+  takeRecording(args.robot, args.bag, before.robot);
+  inherit(args, before);
+  return snapshot(args, before.argc, before.argv);
 }
 
 void addSnapshot(Commands& commands) {
-  const auto words = std::make_shared<SnapshotWords>();
+  const auto args = std::make_shared<SnapshotArguments>();
   CLI::App* const command = commands.program().add_subcommand(
       "snapshot", help(Text::tr("Draw a robot's map to a PNG, without a window")));
-  addSnapshotOptions(command, *words);
-  command->add_option("--bag", words->bag,
+  addSnapshotOptions(command, *args);
+  command->add_option("--bag", args->bag,
                       help(Text::tr("Draw recorded data: the name of a bag, or a file (with --at)")));
-  command->add_option("--at", words->at,
+  command->add_option("--at", args->at,
                       help(Text::tr("Time in the bag: seconds since 1970, or 2024-06-03T09:00:00Z")));
-  commands.add(command, [words](const Invocation& before) { return snapshotOf(*words, before); });
+  commands.add(command, [args](const Invocation& before) { return snapshotOf(*args, before); });
 }
 
 }  // namespace mapwright::app

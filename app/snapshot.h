@@ -20,7 +20,7 @@
 namespace mapwright::app {
 
 /// The options as typed; empty = not given.
-struct SnapshotWords : RobotWords {
+struct SnapshotArguments : RobotArguments {
   std::string output, mode, map, region, center, layers, resolution, origin;
   std::string size = "1280x800", colors = "normal", theme = "light", settle = "complete";
   std::optional<double> scale;
@@ -67,18 +67,18 @@ struct SnapshotOptions {
 };
 
 /// Adds the options of a picture, of a robot or of a bag.
-void addSnapshotOptions(CLI::App* command, SnapshotWords& words);
+void addSnapshotOptions(CLI::App* command, SnapshotArguments& args);
 
 /// The size in pixels of a region at this scale; nullopt = larger than a picture may be.
 std::optional<QSize> pixelsOf(const geometry::WorldRect& region, double scale_m_per_px);
 
 /// The error is a sentence that names the option.
-tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords& words);
+tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotArguments& args);
 
 /// Runs to the end and returns the exit code. Makes its own QApplication, offscreen.
-int snapshot(const SnapshotWords& words, int& argc, char** argv);
+int snapshot(const SnapshotArguments& args, int& argc, char** argv);
 /// The same with the options before the subcommand; the name of a recording also gives the robot.
-int snapshotOf(SnapshotWords& words, const Invocation& before);
+int snapshotOf(SnapshotArguments& args, const Invocation& before);
 
 /// `bags snapshot` and `bags film`; see Commands.
 void addBagPictures(Commands& commands, CLI::App& bags);

@@ -27,9 +27,9 @@
 namespace mapwright::app {
 namespace {
 
-/// The words as typed; empty = not given.
-struct TopicsWords : RobotWords {
-  TopicsWords() { timeout_s = 30; }  // for the connection, and for each message of echo
+/// As typed; empty = not given.
+struct TopicsArguments : RobotArguments {
+  TopicsArguments() { timeout_s = 30; }  // for the connection, and for each message of echo
   std::vector<std::string> topics;
   int count = 0;        // for echo: messages; 0: until stopped
   double seconds = 10;  // of hz
@@ -67,9 +67,9 @@ struct Tally {
 
 class TopicsRun {
  public:
-  TopicsRun(const TopicsWords& words, LiveRobot& live)
-      : words_(words), live_(live), robot_(live.robot()), offers_(robot::topicsOfferedBy(robot_)) {
-    for (const std::string& typed : words_.topics) {
+  TopicsRun(const TopicsArguments& args, LiveRobot& live)
+      : args_(args), live_(live), robot_(live.robot()), offers_(robot::topicsOfferedBy(robot_)) {
+    for (const std::string& typed : args_.topics) {
       QString topic = text(typed);
       if (!topic.startsWith(QLatin1Char('/'))) topic.prepend(QLatin1Char('/'));
       if (!topics_.contains(topic)) topics_ << topic;
@@ -99,31 +99,31 @@ class TopicsRun {
   }
 
   CommandResult<int> echo() {
-    int left = words_.count;
+    int left = args_.count;
     bool cut = false;
     QTimer silence;
     silence.setSingleShot(true);
     QObject::connect(&silence, &QTimer::timeout, &context_, [this] { live_.quit(); });
     QObject::connect(&robot_, &robot::Robot::rawReceived, &context_, [&](const robot::RawMessage& message) {
-      if (message.topic != topics_.front() || (words_.count > 0 && left == 0)) return;
+      if (message.topic != topics_.front() || (args_.count > 0 && left == 0)) return;
       cut |= message.text.size() >= robot::kMaxRawText;
       printOut((lineOf(message.text) + '\n').toStdString());
       std::fflush(stdout);
       silence.start();
-      if (words_.count > 0 && --left == 0) live_.quit();
+      if (args_.count > 0 && --left == 0) live_.quit();
     });
     robot_.liveTopics()->setWatching(true);
     if (auto failure = connect(topics_)) return tl::make_unexpected(*failure);
-    silence.setInterval(std::chrono::milliseconds(std::llround(words_.timeout_s * 1000)));
+    silence.setInterval(std::chrono::milliseconds(std::llround(args_.timeout_s * 1000)));
     silence.start();
-    const bool done = live_.stopped() || (words_.count > 0 && left == 0);
+    const bool done = live_.stopped() || (args_.count > 0 && left == 0);
     if (!done) live_.follow({});
     if (cut) say(Text::tr("Messages longer than 1 MiB were truncated."));
-    if (!live_.stopped() && (words_.count == 0 || left > 0))
+    if (!live_.stopped() && (args_.count == 0 || left > 0))
       say(Text::tr("%1: nothing arrived within %2 s (--timeout).")
-              .arg(topics_.front(), QString::number(words_.timeout_s)));
-    const bool ended_by_hand = live_.stopped() && words_.count == 0;
-    return !cut && (ended_by_hand || (words_.count > 0 && left == 0)) ? kDone : kIncomplete;
+              .arg(topics_.front(), QString::number(args_.timeout_s)));
+    const bool ended_by_hand = live_.stopped() && args_.count == 0;
+    return !cut && (ended_by_hand || (args_.count > 0 && left == 0)) ? kDone : kIncomplete;
   }
 
   CommandResult<int> hz() {
@@ -139,7 +139,7 @@ class TopicsRun {
     });
     if (offers_) offers_->setEveryMessage(true);
     if (auto failure = connect(topics_)) return tl::make_unexpected(*failure);
-    live_.follow(words_.seconds);
+    live_.follow(args_.seconds);
     delivers->setDeliveryTap({});
     return report(tallies);
   }
@@ -153,7 +153,7 @@ class TopicsRun {
   }
 
   void print(const std::vector<OfferedTopic>& topics) const {
-    if (words_.json) {
+    if (args_.json) {
       QJsonArray rows;
       for (const OfferedTopic& topic : topics)
         rows << QJsonObject{
@@ -202,7 +202,7 @@ class TopicsRun {
                        words::plainName(topic)});
       all &= told;
     }
-    if (words_.json) {
+    if (args_.json) {
       printJson(rows);
     } else {
       printTable(table);
@@ -213,12 +213,12 @@ class TopicsRun {
           tallies.at(topic).count == 0
               ? Text::tr("%1: nothing arrived within %2 s (--seconds).")
               : Text::tr("%1: only one message arrived within %2 s (--seconds), too few for a rate.");
-      say(sentence.arg(topic, QString::number(words_.seconds)));
+      say(sentence.arg(topic, QString::number(args_.seconds)));
     }
     return all ? kDone : kIncomplete;
   }
 
-  const TopicsWords& words_;
+  const TopicsArguments& args_;
   LiveRobot& live_;
   robot::Robot& robot_;
   robot::OffersTopics* offers_;
@@ -226,62 +226,62 @@ class TopicsRun {
   QObject context_;
 };
 
-CommandResult<int> runTopics(const std::string& what, const TopicsWords& words) {
-  if (!words.robot.empty()) {
-    if (const auto why = whyNoTimeout(words.timeout_s)) return wrong(*why);
-    if (!(words.seconds > 0 && words.seconds <= 86'400))
+CommandResult<int> runTopics(const std::string& what, const TopicsArguments& args) {
+  if (!args.robot.empty()) {
+    if (const auto why = whyNoTimeout(args.timeout_s)) return wrong(*why);
+    if (!(args.seconds > 0 && args.seconds <= 86'400))
       return wrong(Text::tr("--seconds must be greater than 0 and at most 86400."));
   }
-  auto live = LiveRobot::make(words);
+  auto live = LiveRobot::make(args);
   if (!live) return passOn(live);
   robot::Robot& robot = (*live)->robot();
   if (!robot.liveTopics())
     return wrong(Text::tr("%1: %2").arg(
-        text(words.robot),
+        text(args.robot),
         sentences::whyAbsent(robot::Capability::Live, robot.whyNot(robot::Capability::Live))));
   if (what != "list" && !robot::deliversOf(robot))
     return wrong(Text::tr("%1 sends nothing by itself. For a recording, mapwright bags frames prints the "
                           "messages and mapwright bags info shows what it contains.")
-                     .arg(text(words.robot)));
-  TopicsRun run(words, **live);
+                     .arg(text(args.robot)));
+  TopicsRun run(args, **live);
   return what == "list" ? run.list() : what == "echo" ? run.echo() : run.hz();
 }
 
 }  // namespace
 
 void addTopics(Commands& commands) {
-  const auto shared = std::make_shared<TopicsWords>();
-  TopicsWords& words = *shared;
+  const auto shared = std::make_shared<TopicsArguments>();
+  TopicsArguments& args = *shared;
   CLI::App* const topics = commands.program().add_subcommand(
       "topics", help(Text::tr("The topics of a robot, under its own names: list, echo, hz")));
   topics->require_subcommand(1);
   const auto add = [&](const char* name, const QString& what) {
     CLI::App* const command = topics->add_subcommand(name, help(what));
-    addRobot(*command, words, Text::tr("Robot address, or a recording for list (or MAPWRIGHT_ROBOT)"));
-    addJson(*command, words.json);
+    addRobot(*command, args, Text::tr("Robot address, or a recording for list (or MAPWRIGHT_ROBOT)"));
+    addJson(*command, args.json);
     commands.add(command, [shared, name](const Invocation& before) {
       inherit(*shared, before);
       return runLive(before.argc, before.argv, [&] { return runTopics(name, *shared); });
     });
     return command;
   };
-  addTimeout(*add("list", Text::tr("List all topics with their types")), words.timeout_s,
+  addTimeout(*add("list", Text::tr("List all topics with their types")), args.timeout_s,
              Text::tr("Give up connecting after this many seconds"));
   CLI::App* const echo = add(
       "echo", Text::tr("Print the messages of a topic as they arrive, one JSON text per line, until Ctrl+C"));
-  echo->add_option("topic", words.topics, help(Text::tr("Topic, as the robot names it")))
+  echo->add_option("topic", args.topics, help(Text::tr("Topic, as the robot names it")))
       ->required()
       ->expected(1);
-  echo->add_option("--count", words.count,
+  echo->add_option("--count", args.count,
                    help(Text::tr("Stop after this many messages; by default when interrupted")))
       ->check(CLI::Range(1, 1'000'000'000));
-  addTimeout(*echo, words.timeout_s,
+  addTimeout(*echo, args.timeout_s,
              Text::tr("Give up after this many seconds without a connection or a message"));
   CLI::App* const hz = add("hz", Text::tr("Measure the rates of topics and how regular they are"));
-  hz->add_option("topics", words.topics, help(Text::tr("Topics, as the robot names them")))->required();
-  hz->add_option("--seconds", words.seconds, help(Text::tr("For how many seconds to measure")))
+  hz->add_option("topics", args.topics, help(Text::tr("Topics, as the robot names them")))->required();
+  hz->add_option("--seconds", args.seconds, help(Text::tr("For how many seconds to measure")))
       ->capture_default_str();
-  addTimeout(*hz, words.timeout_s, Text::tr("Give up connecting after this many seconds"));
+  addTimeout(*hz, args.timeout_s, Text::tr("Give up connecting after this many seconds"));
 }
 
 }  // namespace mapwright::app

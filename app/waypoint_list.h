@@ -20,7 +20,7 @@
 namespace mapwright::app {
 
 /// The options as typed; empty = not given.
-struct WaypointsWords : RobotWords {
+struct WaypointsArguments : RobotArguments {
   std::string map;                       // the id of a stored map; empty = the current one
   bool dry_run = false;                  // print the changes, send nothing
   std::vector<std::string> which;        // get, rename, move, tag, delete: ids, or unique names

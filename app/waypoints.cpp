@@ -40,17 +40,17 @@ QStringList rowOf(const map::Waypoint& point) {
           words::plainName(point.name)};
 }
 
-CommandResult<int> waypointsList(RobotCommand& command, const WaypointsWords& words) {
-  const auto radius_m = radiusFrom(words.radius);
+CommandResult<int> waypointsList(RobotCommand& command, const WaypointsArguments& args) {
+  const auto radius_m = radiusFrom(args.radius);
   if (!radius_m) return wrong(radius_m.error());
-  const auto list = listWaypoints(command, words.map, Use::Reading);
+  const auto list = listWaypoints(command, args.map, Use::Reading);
   if (!list) return passOn(list);
   std::optional<DoubtfulWaypoints> doubtful;
-  if (words.warnings) doubtful = doubtsOf(*list, list->stored.points, *radius_m);
+  if (args.warnings) doubtful = doubtsOf(*list, list->stored.points, *radius_m);
   if (doubtful && !doubtful->untold.isEmpty()) list->robot->note(doubtful->untold);
   // The list is complete; the additional data is not.
   const int exit_code = doubtful && !doubtful->looked ? int(kIncomplete) : int(kDone);
-  if (words.json) {
+  if (args.json) {
     QJsonArray rows = exchange::waypointsJson(list->stored.points, list->mapId());
     for (std::size_t i = 0; doubtful && i < doubtful->of.size(); ++i) {
       QJsonObject row = rows[qsizetype(i)].toObject();
@@ -75,12 +75,12 @@ CommandResult<int> waypointsList(RobotCommand& command, const WaypointsWords& wo
   return exit_code;
 }
 
-CommandResult<int> waypointsGet(RobotCommand& command, const WaypointsWords& words) {
-  const auto list = listWaypoints(command, words.map, Use::Reading);
+CommandResult<int> waypointsGet(RobotCommand& command, const WaypointsArguments& args) {
+  const auto list = listWaypoints(command, args.map, Use::Reading);
   if (!list) return passOn(list);
-  const auto point = chosen(*list, words.which.front());
+  const auto point = chosen(*list, args.which.front());
   if (!point) return passOn(point);
-  if (words.json) {
+  if (args.json) {
     printJson(exchange::waypointJson(**point, list->mapId()));
     return kDone;
   }
@@ -94,23 +94,23 @@ CommandResult<int> waypointsGet(RobotCommand& command, const WaypointsWords& wor
   return kDone;
 }
 
-CommandResult<int> waypointsExport(RobotCommand& command, const WaypointsWords& words) {
-  const QString output = text(words.output);
-  const auto kind = waypointFileKind(words.output, words.format);
+CommandResult<int> waypointsExport(RobotCommand& command, const WaypointsArguments& args) {
+  const QString output = text(args.output);
+  const auto kind = waypointFileKind(args.output, args.format);
   if (!kind) return wrong(kind.error());
   if (const auto why = whyNotWritable(output)) return wrong(*why);
-  if (const auto why = whyNotTogether({output, text(words.report)})) return wrong(*why);
-  const auto list = listWaypoints(command, words.map, Use::Reading);
+  if (const auto why = whyNotTogether({output, text(args.report)})) return wrong(*why);
+  const auto list = listWaypoints(command, args.map, Use::Reading);
   if (!list) return passOn(list);
-  if (const auto why = overOwnSource({output}, waypointSources(words.robot, list->map)); why && !words.force)
+  if (const auto why = overOwnSource({output}, waypointSources(args.robot, list->map)); why && !args.force)
     return wrong(*why);
   const std::string bytes =
       *kind == WaypointFileKind::Csv
           ? exchange::waypointsCsv(list->stored.points, list->mapId())
           : exchange::waypointsGeoJson(list->stored.points, list->mapId()).toStdString();
-  if (const auto trouble = disk::writeFile(words.output, bytes))
+  if (const auto trouble = disk::writeFile(args.output, bytes))
     return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
-  if (!isStandardOutput(output) && !isStandardOutput(text(words.report))) {
+  if (!isStandardOutput(output) && !isStandardOutput(text(args.report))) {
     const auto count = qint64(list->stored.points.size());
     printLine(QStringLiteral("%1: %2").arg(
         oneLine(output),
@@ -124,31 +124,30 @@ struct PlaceAt {
   std::optional<double> yaw_rad;
 };
 
-CommandResult<PlaceAt> placeAt(const std::string& words) {
-  const auto numbers = numbersFrom(words);
+CommandResult<PlaceAt> placeAt(const std::string& args) {
+  const auto numbers = numbersFrom(args);
   if (!numbers || (numbers->size() != 2 && numbers->size() != 3))
     return wrong(
         Text::tr("--at %1: give X,Y in metres, or X,Y,YAW with the yaw in degrees, for example 1.5,-2,90.")
-            .arg(text(words)));
+            .arg(text(args)));
   PlaceAt place{{(*numbers)[0], (*numbers)[1]}, {}};
   if (numbers->size() == 3)
     place.yaw_rad = geometry::normalizeAngle(geometry::radiansFromDegrees((*numbers)[2]));
   return place;
 }
 
-CommandResult<std::vector<std::string>> tagsIn(const char* option, const std::string& words) {
-  auto tags = exchange::tagsOf(words);
+CommandResult<std::vector<std::string>> tagsIn(const char* option, const std::string& args) {
+  auto tags = exchange::tagsOf(args);
   if (tags) return std::move(*tags);
-  return wrong(
-      Text::tr("%1 %2: give tags as a,b (%3)").arg(QLatin1String(option), text(words), tags.error()));
+  return wrong(Text::tr("%1 %2: give tags as a,b (%3)").arg(QLatin1String(option), text(args), tags.error()));
 }
 
 using Edits = CommandResult<std::vector<exchange::WaypointEdit>>;
 
 /// The change of the selected waypoint.
-Edits editOf(const ListedWaypoints& list, const WaypointsWords& words,
+Edits editOf(const ListedWaypoints& list, const WaypointsArguments& args,
              const std::function<void(map::Waypoint&)>& change) {
-  const auto point = chosen(list, words.which.front());
+  const auto point = chosen(list, args.which.front());
   if (!point) return passOn(point);
   map::Waypoint after = **point;
   change(after);
@@ -156,7 +155,7 @@ Edits editOf(const ListedWaypoints& list, const WaypointsWords& words,
 }
 
 void printChanged(const SentWaypoints& sent, const std::vector<exchange::WaypointEdit>& edits,
-                  const ListedWaypoints& list, const WaypointsWords& words) {
+                  const ListedWaypoints& list, const WaypointsArguments& args) {
   QJsonArray rows;
   for (const exchange::WaypointEdit& edit : edits) {
     const auto kept = sent.kept.find(edit.key);
@@ -164,18 +163,18 @@ void printChanged(const SentWaypoints& sent, const std::vector<exchange::Waypoin
                                  : edit.after            ? *edit.after
                                                          : *edit.before;
     rows << exchange::waypointJson(point, list.mapId());
-    if (!words.json)
+    if (!args.json)
       printLine(QStringLiteral("%1  %2").arg(words::plainName(point.id), words::plainName(point.name)));
   }
-  if (!words.json) return;
+  if (!args.json) return;
   const bool one = rows.size() == 1 && edits.front().after;
   one ? printJson(rows.first().toObject()) : printJson(rows);
 }
 
 /// The common part of these commands, given the change.
-CommandResult<int> change(RobotCommand& command, const WaypointsWords& words,
+CommandResult<int> change(RobotCommand& command, const WaypointsArguments& args,
                           const std::function<Edits(const ListedWaypoints&)>& editsOf) {
-  const auto list = listWaypoints(command, words.map, Use::Changing);
+  const auto list = listWaypoints(command, args.map, Use::Changing);
   if (!list) return passOn(list);
   Edits edits = editsOf(*list);
   if (!edits) return passOn(edits);
@@ -184,21 +183,21 @@ CommandResult<int> change(RobotCommand& command, const WaypointsWords& words,
     const QString why = edit.after ? exchange::whyNotKept(edit.before, *edit.after) : QString();
     if (!why.isEmpty()) return wrong(why);
   }
-  if (words.dry_run) {
+  if (args.dry_run) {
     const exchange::MergedEdits together = exchange::merged(*edits, exchange::itemsOf(list->stored.points));
     command.report(QStringLiteral("waypoints"), previewReport(*list, together));
-    if (!isStandardOutput(text(words.report))) printPreview(*list, together, words.json);
+    if (!isStandardOutput(text(args.report))) printPreview(*list, together, args.json);
     return kDone;
   }
-  const auto sent = sendWaypoints(*list, *edits, words.go_on ? AtFailure::GoOn : AtFailure::Stop);
+  const auto sent = sendWaypoints(*list, *edits, args.go_on ? AtFailure::GoOn : AtFailure::Stop);
   if (!sent) return passOn(sent);
   command.report(QStringLiteral("waypoints"), sentReport(*sent, list->mapId()));
-  const bool taken = isStandardOutput(text(words.report));  // nothing else is printed there
+  const bool taken = isStandardOutput(text(args.report));  // nothing else is printed there
   if (sent->complete()) {
-    if (!taken) printChanged(*sent, *edits, *list, words);
+    if (!taken) printChanged(*sent, *edits, *list, args);
     return kDone;
   }
-  if (edits->size() > 1 && !taken) words.json ? printJson(sentJson(*sent, list->mapId())) : printSent(*sent);
+  if (edits->size() > 1 && !taken) args.json ? printJson(sentJson(*sent, list->mapId())) : printSent(*sent);
   const bool of_the_request =
       edits->size() == 1 && sent->conflicts.empty() && sent->steps.front().outcome.failure;
   return list->robot->failure(of_the_request
@@ -207,14 +206,14 @@ CommandResult<int> change(RobotCommand& command, const WaypointsWords& words,
                               sent->sentence());
 }
 
-CommandResult<int> waypointsCreate(RobotCommand& command, const WaypointsWords& words) {
-  const auto place = placeAt(words.at);
+CommandResult<int> waypointsCreate(RobotCommand& command, const WaypointsArguments& args) {
+  const auto place = placeAt(args.at);
   if (!place) return passOn(place);
-  const auto tags = tagsIn("--tags", words.tags);
+  const auto tags = tagsIn("--tags", args.tags);
   if (!tags) return passOn(tags);
-  return change(command, words, [&](const ListedWaypoints&) -> Edits {
+  return change(command, args, [&](const ListedWaypoints&) -> Edits {
     map::Waypoint point;
-    point.name = words.name;
+    point.name = args.name;
     point.position_m = place->position_m;
     point.yaw_rad = place->yaw_rad;
     point.tags = *tags;
@@ -222,39 +221,39 @@ CommandResult<int> waypointsCreate(RobotCommand& command, const WaypointsWords& 
   });
 }
 
-CommandResult<int> waypointsRename(RobotCommand& command, const WaypointsWords& words) {
-  return change(command, words, [&](const ListedWaypoints& list) {
-    return editOf(list, words, [&](map::Waypoint& point) { point.name = words.name; });
+CommandResult<int> waypointsRename(RobotCommand& command, const WaypointsArguments& args) {
+  return change(command, args, [&](const ListedWaypoints& list) {
+    return editOf(list, args, [&](map::Waypoint& point) { point.name = args.name; });
   });
 }
 
-CommandResult<int> waypointsMove(RobotCommand& command, const WaypointsWords& words) {
-  const auto place = placeAt(words.at);
+CommandResult<int> waypointsMove(RobotCommand& command, const WaypointsArguments& args) {
+  const auto place = placeAt(args.at);
   if (!place) return passOn(place);
-  return change(command, words, [&](const ListedWaypoints& list) {
-    return editOf(list, words, [&](map::Waypoint& point) {
+  return change(command, args, [&](const ListedWaypoints& list) {
+    return editOf(list, args, [&](map::Waypoint& point) {
       point.position_m = place->position_m;
       if (place->yaw_rad) point.yaw_rad = place->yaw_rad;
     });
   });
 }
 
-CommandResult<int> waypointsTag(RobotCommand& command, const WaypointsWords& words) {
-  const auto tags = tagsIn("--set", words.tags), added = tagsIn("--add", words.added_tags),
-             removed = tagsIn("--remove", words.removed_tags);
+CommandResult<int> waypointsTag(RobotCommand& command, const WaypointsArguments& args) {
+  const auto tags = tagsIn("--set", args.tags), added = tagsIn("--add", args.added_tags),
+             removed = tagsIn("--remove", args.removed_tags);
   for (const auto* read : {&tags, &added, &removed}) {
     if (!*read) return passOn(*read);
   }
   const bool partly = !added->empty() || !removed->empty();
-  if (int(!tags->empty()) + int(words.no_tags) + int(partly) != 1)
+  if (int(!tags->empty()) + int(args.no_tags) + int(partly) != 1)
     return wrong(Text::tr("Which tags? Pass --set a,b, or --clear, or --add and --remove."));
   for (const std::string& tag : *added) {
     if (std::find(removed->begin(), removed->end(), tag) != removed->end())
       return wrong(Text::tr("The tag %1 cannot be both added and removed.").arg(text(tag)));
   }
-  return change(command, words, [&](const ListedWaypoints& list) {
-    return editOf(list, words, [&](map::Waypoint& point) {
-      if (!tags->empty() || words.no_tags) point.tags = *tags;
+  return change(command, args, [&](const ListedWaypoints& list) {
+    return editOf(list, args, [&](map::Waypoint& point) {
+      if (!tags->empty() || args.no_tags) point.tags = *tags;
       for (const std::string& tag : *removed) std::erase(point.tags, tag);
       for (const std::string& tag : *added) {
         if (std::find(point.tags.begin(), point.tags.end(), tag) == point.tags.end())
@@ -264,12 +263,12 @@ CommandResult<int> waypointsTag(RobotCommand& command, const WaypointsWords& wor
   });
 }
 
-CommandResult<int> waypointsDelete(RobotCommand& command, const WaypointsWords& words) {
-  if (!words.yes && !words.dry_run)
+CommandResult<int> waypointsDelete(RobotCommand& command, const WaypointsArguments& args) {
+  if (!args.yes && !args.dry_run)
     return wrong(Text::tr("Deleting waypoints cannot be undone. Pass --yes to delete them."));
-  return change(command, words, [&](const ListedWaypoints& list) -> Edits {
+  return change(command, args, [&](const ListedWaypoints& list) -> Edits {
     std::vector<exchange::WaypointEdit> edits;
-    for (const std::string& word : words.which) {
+    for (const std::string& word : args.which) {
       const auto point = chosen(list, word);
       if (!point) return passOn(point);
       const bool is_new = std::none_of(edits.begin(), edits.end(), [&](const exchange::WaypointEdit& edit) {
@@ -286,20 +285,21 @@ CommandResult<int> notAll(const ListedWaypoints& list, const SentWaypoints& sent
 
 /// Sends the changes, or only shows them, and reports the result.
 CommandResult<int> carryOut(RobotCommand& command, const ListedWaypoints& list,
-                            const std::vector<exchange::WaypointEdit>& edits, const WaypointsWords& words) {
-  const bool taken = isStandardOutput(text(words.report));  // nothing else is printed there
-  if (words.dry_run) {
+                            const std::vector<exchange::WaypointEdit>& edits,
+                            const WaypointsArguments& args) {
+  const bool taken = isStandardOutput(text(args.report));  // nothing else is printed there
+  if (args.dry_run) {
     const exchange::MergedEdits together = exchange::merged(edits, exchange::itemsOf(list.stored.points));
     command.report(QStringLiteral("waypoints"), previewReport(list, together));
-    if (!taken) printPreview(list, together, words.json);
+    if (!taken) printPreview(list, together, args.json);
     if (together.conflicts.empty()) return kDone;
     return notAll(list, SentWaypoints{{}, together.conflicts, {}, {}});
   }
-  const auto sent = sendWaypoints(list, edits, words.go_on ? AtFailure::GoOn : AtFailure::Stop);
+  const auto sent = sendWaypoints(list, edits, args.go_on ? AtFailure::GoOn : AtFailure::Stop);
   if (!sent) return passOn(sent);
   command.report(QStringLiteral("waypoints"), sentReport(*sent, list.mapId()));
-  if (!taken) words.json ? printJson(sentJson(*sent, list.mapId())) : printSent(*sent);
-  if (!taken && !words.json && sent->steps.empty() && sent->conflicts.empty())
+  if (!taken) args.json ? printJson(sentJson(*sent, list.mapId())) : printSent(*sent);
+  if (!taken && !args.json && sent->steps.empty() && sent->conflicts.empty())
     printLine(Text::tr("There is nothing to change."));
   if (sent->complete()) return kDone;
   return notAll(list, *sent);
@@ -308,12 +308,12 @@ CommandResult<int> carryOut(RobotCommand& command, const ListedWaypoints& list,
 /// The changes that the file requires to the present waypoints.
 CommandResult<std::vector<exchange::WaypointEdit>> wantedEdits(const ListedWaypoints& list,
                                                                const exchange::WantedList& wanted,
-                                                               const WaypointsWords& words,
+                                                               const WaypointsArguments& args,
                                                                exchange::Others others) {
   for (const QString& note : wanted.notes)
-    list.robot->note(QStringLiteral("%1: %2").arg(oneLine(inputCalled(words.file), 200), note));
+    list.robot->note(QStringLiteral("%1: %2").arg(oneLine(inputCalled(args.file), 200), note));
   auto edits = exchange::editsFor(exchange::itemsOf(list.stored.points), wanted.points, others);
-  if (!edits) return wrong(QStringLiteral("%1: %2").arg(inputCalled(words.file), edits.error()));
+  if (!edits) return wrong(QStringLiteral("%1: %2").arg(inputCalled(args.file), edits.error()));
   return fitted(list, std::move(*edits));
 }
 
@@ -335,73 +335,73 @@ DoubtsAhead doubtsAhead(const ListedWaypoints& list, const std::vector<exchange:
   return ahead;
 }
 
-CommandResult<int> waypointsImport(RobotCommand& command, const WaypointsWords& words) {
-  const exchange::WantedFile wanted = readWantedFile(words.file, words.format);
+CommandResult<int> waypointsImport(RobotCommand& command, const WaypointsArguments& args) {
+  const exchange::WantedFile wanted = readWantedFile(args.file, args.format);
   if (!wanted) return wrong(wanted.error());
-  const auto list = listWaypoints(command, words.map, Use::Changing);
+  const auto list = listWaypoints(command, args.map, Use::Changing);
   if (!list) return passOn(list);
-  const auto edits = wantedEdits(*list, *wanted, words, exchange::Others::Stay);
+  const auto edits = wantedEdits(*list, *wanted, args, exchange::Others::Stay);
   if (!edits) return passOn(edits);
-  return carryOut(command, *list, *edits, words);
+  return carryOut(command, *list, *edits, args);
 }
 
-CommandResult<int> waypointsPlan(RobotCommand& command, const WaypointsWords& words) {
-  const QString output = text(words.output);
+CommandResult<int> waypointsPlan(RobotCommand& command, const WaypointsArguments& args) {
+  const QString output = text(args.output);
   if (!output.isEmpty()) {
     if (const auto why = whyNotWritable(output)) return wrong(*why);
   }
-  const auto radius_m = radiusFrom(words.radius);
+  const auto radius_m = radiusFrom(args.radius);
   if (!radius_m) return wrong(radius_m.error());
-  const QString printed = words.json ? QStringLiteral("-") : QString();
-  if (const auto why = whyNotTogether({output, text(words.report), printed})) return wrong(*why);
-  const exchange::WantedFile wanted = readWantedFile(words.file, words.format);
+  const QString printed = args.json ? QStringLiteral("-") : QString();
+  if (const auto why = whyNotTogether({output, text(args.report), printed})) return wrong(*why);
+  const exchange::WantedFile wanted = readWantedFile(args.file, args.format);
   if (!wanted) return wrong(wanted.error());
-  const auto list = listWaypoints(command, words.map, Use::Changing);
+  const auto list = listWaypoints(command, args.map, Use::Changing);
   if (!list) return passOn(list);
-  const auto edits = wantedEdits(*list, *wanted, words, exchange::Others::Go);
+  const auto edits = wantedEdits(*list, *wanted, args, exchange::Others::Go);
   if (!edits) return passOn(edits);
   if (!output.isEmpty()) {
-    std::vector<std::string> sources = waypointSources(words.robot, list->map);
-    if (words.file != "-") sources.push_back(words.file);
-    if (const auto why = overOwnSource({output}, sources); why && !words.force) return wrong(*why);
+    std::vector<std::string> sources = waypointSources(args.robot, list->map);
+    if (args.file != "-") sources.push_back(args.file);
+    if (const auto why = overOwnSource({output}, sources); why && !args.force) return wrong(*why);
     const exchange::WaypointPlan plan{list->robot->session().robot().address(), list->mapId(),
                                       exchange::itemsOf(list->stored.points), *edits};
     const QByteArray bytes = exchange::planBytes(plan, callsOf(*list, *edits));
-    if (const auto trouble = disk::writeFile(words.output, bytes.toStdString()))
+    if (const auto trouble = disk::writeFile(args.output, bytes.toStdString()))
       return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
   }
-  const bool taken = isStandardOutput(output) || isStandardOutput(text(words.report));
+  const bool taken = isStandardOutput(output) || isStandardOutput(text(args.report));
   const DoubtsAhead doubts = doubtsAhead(*list, *edits, *radius_m);
   command.report(QStringLiteral("waypoints"), previewReport(*list, {*edits, {}}, doubts));
-  if (!taken) printPreview(*list, {*edits, {}}, words.json, doubts);
+  if (!taken) printPreview(*list, {*edits, {}}, args.json, doubts);
   return kDone;
 }
 
-CommandResult<int> waypointsApply(RobotCommand& command, const WaypointsWords& words) {
-  const QString file = inputCalled(words.file);
+CommandResult<int> waypointsApply(RobotCommand& command, const WaypointsArguments& args) {
+  const QString file = inputCalled(args.file);
   // A plan contains its base and the changes.
   constexpr std::size_t kMost = 4 * exchange::kMaxWantedBytes;
-  const auto bytes = bytesOf(words.file, kMost);
+  const auto bytes = bytesOf(args.file, kMost);
   if (!bytes)
     return wrong(Text::tr("%1 cannot be read: %2.").arg(file, sentences::wordsOf(bytes.error().cause)));
   if (bytes->size() > kMost) return wrong(Text::tr("%1 is larger than 256 MiB.").arg(file));
   auto plan = exchange::planFromBytes(*bytes);
   if (!plan) return wrong(QStringLiteral("%1: %2").arg(file, plan.error()));
-  const auto list = listWaypoints(command, words.map.empty() ? plan->map : words.map, Use::Changing);
+  const auto list = listWaypoints(command, args.map.empty() ? plan->map : args.map, Use::Changing);
   if (!list) return passOn(list);
   const QString address = list->robot->session().robot().address();
-  if (!words.force && (address != plan->robot || list->mapId() != plan->map))
+  if (!args.force && (address != plan->robot || list->mapId() != plan->map))
     return wrong(Text::tr("%1 was made for the map %2 of %3. Pass --force to apply it to the map %4 of %5.")
                      .arg(file, text(plan->map), plan->robot, text(list->mapId()), address));
   plan->edits = fitted(*list, std::move(plan->edits));
   return carryOut(command, *list, exchange::withoutCreated(*plan, exchange::itemsOf(list->stored.points)),
-                  words);
+                  args);
 }
 
 struct WaypointCommand {
   const char* name;
   QString about;
-  CommandResult<int> (*run)(RobotCommand&, const WaypointsWords&);
+  CommandResult<int> (*run)(RobotCommand&, const WaypointsArguments&);
 };
 
 std::vector<WaypointCommand> waypointCommands() {
@@ -421,101 +421,100 @@ std::vector<WaypointCommand> waypointCommands() {
 }
 
 /// Adds the options of a command.
-void addWaypointOptions(const std::string& name, CLI::App& command, WaypointsWords& words) {
+void addWaypointOptions(const std::string& name, CLI::App& command, WaypointsArguments& args) {
   const auto is = [&](auto... names) { return ((name == names) || ...); };
   const std::string which = help(Text::tr("Its id, or its name if no other waypoint has it"));
   if (is("get", "rename", "move", "tag"))
     // A single value: a list would also take the name after it.
     command
         .add_option_function<std::string>(
-            "id", [&words](const std::string& id) { words.which = {id}; }, which)
+            "id", [&args](const std::string& id) { args.which = {id}; }, which)
         ->required();
-  if (is("delete")) command.add_option("ids", words.which, help(Text::tr("Their ids, or names")))->required();
-  if (is("create", "rename")) command.add_option("name", words.name, help(Text::tr("New name")))->required();
+  if (is("delete")) command.add_option("ids", args.which, help(Text::tr("Their ids, or names")))->required();
+  if (is("create", "rename")) command.add_option("name", args.name, help(Text::tr("New name")))->required();
   if (is("create", "move"))
     command
-        .add_option("--at", words.at,
+        .add_option("--at", args.at,
                     help(Text::tr("X,Y or X,Y,YAW in metres of the map and degrees, counter-clockwise")))
         ->required();
-  if (is("create")) command.add_option("--tags", words.tags, help(Text::tr("Tags: a,b")));
+  if (is("create")) command.add_option("--tags", args.tags, help(Text::tr("Tags: a,b")));
   if (is("tag")) {
-    command.add_option("--set", words.tags, help(Text::tr("Exactly these tags: a,b")));
-    command.add_option("--add", words.added_tags, help(Text::tr("Add these tags: a,b")));
-    command.add_option("--remove", words.removed_tags, help(Text::tr("Remove these tags: a,b")));
-    command.add_flag("--clear", words.no_tags, help(Text::tr("Remove all tags")));
+    command.add_option("--set", args.tags, help(Text::tr("Exactly these tags: a,b")));
+    command.add_option("--add", args.added_tags, help(Text::tr("Add these tags: a,b")));
+    command.add_option("--remove", args.removed_tags, help(Text::tr("Remove these tags: a,b")));
+    command.add_flag("--clear", args.no_tags, help(Text::tr("Remove all tags")));
   }
   if (is("delete"))
-    command.add_flag("--yes", words.yes, help(Text::tr("Required: deleting cannot be undone")));
+    command.add_flag("--yes", args.yes, help(Text::tr("Required: deleting cannot be undone")));
   if (is("import", "plan"))
     command
         .add_option(
-            "file", words.file,
+            "file", args.file,
             help(Text::tr("F.geojson or F.csv, with the columns of mapwright waypoints list; - is the "
                           "standard input")))
         ->required();
   if (is("apply"))
     command
-        .add_option("file", words.file,
+        .add_option("file", args.file,
                     help(Text::tr("The output of mapwright waypoints plan -o; - is the standard input")))
         ->required();
   if (is("export"))
     command
-        .add_option("-o,--output", words.output,
+        .add_option("-o,--output", args.output,
                     help(Text::tr("F.geojson or F.csv; - is the standard output")))
         ->required();
   if (is("plan"))
     command.add_option(
-        "-o,--output", words.output,
+        "-o,--output", args.output,
         help(Text::tr("Where to write the plan for mapwright waypoints apply; - is the standard output")));
   if (is("list"))
-    command.add_flag("--warnings", words.warnings,
+    command.add_flag("--warnings", args.warnings,
                      help(Text::tr("Also show possible mistakes: in a wall, outside the map, "
                                    "near a wall, duplicate name, zero quaternion")));
   if (is("list", "plan"))
-    command.add_option("--radius", words.radius,
+    command.add_option("--radius", args.radius,
                        help(Text::tr("Warn of walls that are closer than this, in metres; by "
                                      "default taken from the robot's footprint")));
   if (is("import", "export", "plan"))
-    command.add_option("--format", words.format,
+    command.add_option("--format", args.format,
                        help(Text::tr("csv or geojson, if the file name does not say")));
   if (is("export", "plan"))
-    command.add_flag("--force", words.force,
+    command.add_flag("--force", args.force,
                      help(Text::tr("Overwrite a file even if the waypoints were read from it")));
   if (is("apply"))
-    command.add_flag("--force", words.force,
+    command.add_flag("--force", args.force,
                      help(Text::tr("Apply it even to a map that the plan was not made for")));
   if (is("import", "apply", "delete")) {
     CLI::Option* const stop =
-        command.add_flag("--stop-at-failure", words.stop_at_failure,
+        command.add_flag("--stop-at-failure", args.stop_at_failure,
                          help(Text::tr("Stop after the first request that fails (default)")));
     command
-        .add_flag("--go-on", words.go_on,
+        .add_flag("--go-on", args.go_on,
                   help(Text::tr("Send the remaining ones anyway, unless the connection is lost")))
         ->excludes(stop);
   }
   if (!is("list", "get", "export", "plan"))
-    command.add_flag("--dry-run", words.dry_run,
-                     help(Text::tr("Print the changes without sending anything")));
-  if (!is("export")) addJson(command, words.json);
+    command.add_flag("--dry-run", args.dry_run, help(Text::tr("Print the changes without sending anything")));
+  if (!is("export")) addJson(command, args.json);
 }
 
 }  // namespace
 
 void addWaypoints(Commands& commands) {
-  const auto words = std::make_shared<WaypointsWords>();
+  const auto args = std::make_shared<WaypointsArguments>();
   CLI::App* const waypoints = commands.program().add_subcommand(
       "waypoints", help(Text::tr("The waypoints of a map: list, change, import, export, plan, apply")));
   waypoints->require_subcommand(1);
   for (const WaypointCommand& one : waypointCommands()) {
     CLI::App* const command = waypoints->add_subcommand(one.name, help(one.about));
-    addRobot(*command, *words, Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"));
+    addRobot(*command, *args, Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"));
     command->add_option(
-        "--map", words->map,
+        "--map", args->map,
         help(Text::tr("Id of a stored map (see mapwright maps list); by default the current one")));
-    addTimeout(*command, words->timeout_s);
-    addReport(*command, words->report);
-    addWaypointOptions(one.name, *command, *words);
-    addReading(commands, command, words, one.run);
+    addTimeout(*command, args->timeout_s);
+    addReport(*command, args->report);
+    addWaypointOptions(one.name, *command, *args);
+    addReading(commands, command, args, one.run);
   }
 }
 

@@ -58,11 +58,11 @@ class Mcap : public Writing {
   Mcap(WholeMcap file, const Order& order) : file_(std::move(file)), order_(order), span_(order.span) {}
 
   std::optional<disk::FileError> describe() {
-    recording::Words about{{"version", "1"},
-                           {"address", order_.address},
-                           {"kind", schemeOf(order_.address)},
-                           {"bag", order_.bag},
-                           {"recorded_by", "mapwright " MAPWRIGHT_VERSION}};
+    recording::Values about{{"version", "1"},
+                            {"address", order_.address},
+                            {"kind", schemeOf(order_.address)},
+                            {"bag", order_.bag},
+                            {"recorded_by", "mapwright " MAPWRIGHT_VERSION}};
     for (const char* unknown : {"model", "serial", "name", "firmware"}) about[unknown];
     if (span_.from_s) about["started_ns"] = std::to_string(nanosecondsOf(*span_.from_s));
     return file_.writer().note({recorder::kAbout, std::move(about)});
@@ -91,7 +91,7 @@ class Mcap : public Writing {
     auto fault = begin();
     recording::Metadata end{
         recorder::kEnd, {{"messages", std::to_string(done_.messages)}, {"lost", "0"}, {"lost_bytes", "0"}}};
-    if (span_.to_s) end.words["ended_ns"] = std::to_string(nanosecondsOf(*span_.to_s));
+    if (span_.to_s) end.values["ended_ns"] = std::to_string(nanosecondsOf(*span_.to_s));
     if (!fault) fault = file_.writer().note(end);
     if (!fault) fault = file_.finish();
     if (fault) return tl::make_unexpected(std::move(*fault));

@@ -137,11 +137,11 @@ class Merge {
     const bool whole = std::none_of(sources_.begin(), sources_.end(), [](const SourcePtr& one) {
       return robot::recorded::isInterrupted(*one);
     });
-    Once<std::pair<std::string, recording::Words>> once;
+    Once<std::pair<std::string, recording::Values>> once;
     for (std::size_t of = 0; of < sources_.size(); ++of) {
       for (const recording::Metadata& metadata : sources_[of]->metadata()) {
         if (!whole && robot::recorded::isEndMark(metadata)) continue;
-        if (!once.isNew(of, {metadata.name, metadata.words})) continue;
+        if (!once.isNew(of, {metadata.name, metadata.values})) continue;
         if (auto fault = file_.writer().note(metadata)) return fault;
       }
     }

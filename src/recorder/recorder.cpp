@@ -116,22 +116,22 @@ void Recorder::begin() {
 void Recorder::tell() {
   if (!robot_) return;
   const robot::RobotIdentity identity = robot_->identity();
-  putWords(kAbout, {{"version", std::to_string(kVersion)},
-                    {"address", robot_->address().toStdString()},
-                    {"kind", options_.kind},
-                    {"model", identity.model.toStdString()},
-                    {"serial", identity.serial.toStdString()},
-                    {"name", identity.name.toStdString()},
-                    {"firmware", identity.version.toStdString()},
-                    {"recorded_by", options_.recorded_by},
-                    {"started_ns", std::to_string(started_ns_)}});
+  putMetadata(kAbout, {{"version", std::to_string(kVersion)},
+                       {"address", robot_->address().toStdString()},
+                       {"kind", options_.kind},
+                       {"model", identity.model.toStdString()},
+                       {"serial", identity.serial.toStdString()},
+                       {"name", identity.name.toStdString()},
+                       {"firmware", identity.version.toStdString()},
+                       {"recorded_by", options_.recorded_by},
+                       {"started_ns", std::to_string(started_ns_)}});
 }
 
-void Recorder::putWords(const char* name, recording::Words words) {
+void Recorder::putMetadata(const char* name, recording::Values values) {
   Entry entry;
-  entry.kind = Entry::Kind::Words;
+  entry.kind = Entry::Kind::Metadata;
   entry.name = name;
-  entry.words = std::move(words);
+  entry.values = std::move(values);
   queue_->put(std::move(entry), {});
 }
 
@@ -141,10 +141,10 @@ void Recorder::takeLink() {
   was_online_ |= online;
   if (!was_online_ || online == !lost_ns_) return;
   const std::int64_t now_ns = options_.now_ns();
-  recording::Words words{{"lost_ns", std::to_string(lost_ns_.value_or(now_ns))}};
-  if (online) words["back_ns"] = std::to_string(now_ns);
+  recording::Values values{{"lost_ns", std::to_string(lost_ns_.value_or(now_ns))}};
+  if (online) values["back_ns"] = std::to_string(now_ns);
   lost_ns_ = online ? std::nullopt : std::optional(now_ns);
-  putWords(kLink, std::move(words));
+  putMetadata(kLink, std::move(values));
 }
 
 void Recorder::run() {

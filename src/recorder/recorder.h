@@ -72,7 +72,7 @@ class Recorder : public QObject {
   Recorder(robot::Robot& robot, std::unique_ptr<recording::McapWriter> writer, Options options);
   void begin();
   void tell();
-  void putWords(const char* name, recording::Words words);
+  void putMetadata(const char* name, recording::Values values);
   /// Records when the connection was lost and restored.
   void takeLink();
   void run();

@@ -214,8 +214,8 @@ std::optional<recording::ChannelId> Tape::channelOf(const Entry& entry, const Me
 }
 
 std::optional<disk::FileError> Tape::beside(const Entry& entry) {
-  if (entry.kind == Entry::Kind::Words) {
-    fault_ = writer_->note({entry.name, entry.words});
+  if (entry.kind == Entry::Kind::Metadata) {
+    fault_ = writer_->note({entry.name, entry.values});
   } else {
     fault_ = writer_->attach({entry.name, entry.encoding, entry.log_ns, entry.publish_ns, entry.bytes});
     if (!fault_) ++files_written_;
@@ -258,10 +258,10 @@ std::optional<disk::FileError> Tape::finish(std::int64_t now_ns, EntryQueue::Los
   waiting_.clear();
   recording::Metadata end;
   end.name = kEnd;
-  end.words["ended_ns"] = std::to_string(now_ns);
-  end.words["messages"] = std::to_string(writer_->progress().messages);
-  end.words["lost"] = std::to_string(lost_ + elsewhere.entries);
-  end.words["lost_bytes"] = std::to_string(lost_bytes_ + elsewhere.bytes);
+  end.values["ended_ns"] = std::to_string(now_ns);
+  end.values["messages"] = std::to_string(writer_->progress().messages);
+  end.values["lost"] = std::to_string(lost_ + elsewhere.entries);
+  end.values["lost_bytes"] = std::to_string(lost_bytes_ + elsewhere.bytes);
   writer_->note(end);  // even if closing fails there
   fault_ = writer_->close();
   ended_ = true;

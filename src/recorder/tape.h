@@ -27,7 +27,7 @@ namespace mapwright::recorder {
 
 /// A message, an attachment, metadata, or a message definition.
 struct Entry {
-  enum class Kind : std::uint8_t { Message, File, Words, Definition };
+  enum class Kind : std::uint8_t { Message, File, Metadata, Definition };
   Kind kind = Kind::Message;
   std::string name;              // topic; or name of an attachment, metadata or type
   std::string encoding, schema;  // of a message; for an attachment `encoding` is its media type
@@ -35,7 +35,7 @@ struct Entry {
   std::int64_t log_ns = 0, publish_ns = 0;
   std::uint32_t sequence = 0;  // set by the queue
   std::string bytes;
-  recording::Words words;
+  recording::Values values;
 };
 
 /// Thread-safe. Bounded: producers never wait for the disk; entries without space are lost and counted.

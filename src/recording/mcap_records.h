@@ -71,7 +71,7 @@ struct ChannelRecord {
   static constexpr Op kOp = Op::Channel;
   std::uint16_t id = 0, schema_id = 0;
   std::string topic, message_encoding;
-  Words metadata;
+  Values metadata;
   static auto fields(auto& of) {
     return std::tie(of.id, of.schema_id, of.topic, of.message_encoding, of.metadata);
   }
@@ -125,7 +125,7 @@ struct AttachmentIndex {
 struct MetadataRecord {
   static constexpr Op kOp = Op::Metadata;
   Metadata metadata;
-  static auto fields(auto& of) { return std::tie(of.metadata.name, of.metadata.words); }
+  static auto fields(auto& of) { return std::tie(of.metadata.name, of.metadata.values); }
 };
 
 struct MetadataIndex {

@@ -17,7 +17,7 @@
 
 namespace mapwright::recording {
 
-using Words = std::map<std::string, std::string>;
+using Values = std::map<std::string, std::string>;
 
 /// A stream of messages of one type on one topic. Several channels may have the same topic.
 struct Channel {
@@ -27,7 +27,7 @@ struct Channel {
   std::string schema_name;       // "nav_msgs/Path"; empty: none
   std::string schema_encoding;   // "jsonschema", "ros1msg", "ros2msg" …; empty: none
   std::string schema_data;
-  Words metadata;  // for a bag: "callerid", "latching", "md5sum" …
+  Values metadata;  // for a bag: "callerid", "latching", "md5sum" …
   bool operator==(const Channel&) const = default;
 };
 using ChannelPtr = std::shared_ptr<const Channel>;
@@ -59,7 +59,7 @@ struct Attachment {
 
 struct Metadata {
   std::string name;
-  Words words;
+  Values values;
   bool operator==(const Metadata&) const = default;
 };
 

@@ -18,8 +18,8 @@ struct Outcome {
   QString out, err;
 };
 
-app::CloudsWords words(const std::string& box, const std::string& sphere = {}, bool all = false) {
-  app::CloudsWords made;
+app::CloudsArguments words(const std::string& box, const std::string& sphere = {}, bool all = false) {
+  app::CloudsArguments made;
   made.box = box;
   made.sphere = sphere;
   made.all = all;

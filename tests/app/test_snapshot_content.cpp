@@ -52,8 +52,8 @@ class SnapshotContentTest : public QObject {
   std::unique_ptr<SnapshotRun> run_;
   std::unique_ptr<QSignalSpy> finished_;
 
-  app::SnapshotWords words(const char* name) const {
-    app::SnapshotWords words;
+  app::SnapshotArguments words(const char* name) const {
+    app::SnapshotArguments words;
     words.robot = "axbot+http://192.0.2.1";
     words.output = folder_.filePath(QLatin1String(name)).toStdString();
     words.size = "200x200";
@@ -62,7 +62,7 @@ class SnapshotContentTest : public QObject {
     words.scale = 0.01;
     return words;
   }
-  void begin(const app::SnapshotWords& words) {
+  void begin(const app::SnapshotArguments& words) {
     auto robot = std::make_unique<FakeRobot>();
     robot_ = robot.get();
     robot_->has_maps = true;
@@ -106,7 +106,7 @@ class SnapshotContentTest : public QObject {
   }
   void theMapThatWasAskedForIsDrawnWhateverComesFirst() {
     QFETCH(QByteArray, first);
-    app::SnapshotWords asked = words("seven.png");
+    app::SnapshotArguments asked = words("seven.png");
     asked.mode = "whole";
     asked.map = "7";
     asked.raw = true;
@@ -134,7 +134,7 @@ class SnapshotContentTest : public QObject {
   }
 
   void aRobotThatIsGoneLeavesTimeToDrawWhatHasCome() {
-    app::SnapshotWords asked = words("gone.png");
+    app::SnapshotArguments asked = words("gone.png");
     asked.timeout_s = 2;
     begin(asked);
     robot_->say(listOf(3, "u"));
@@ -160,7 +160,7 @@ class SnapshotContentTest : public QObject {
   }
   void aMapThatDoesNotComeIsNotReplacedByAnother() {
     QFETCH(bool, raw);
-    app::SnapshotWords asked = words("none.png");
+    app::SnapshotArguments asked = words("none.png");
     asked.mode = "whole";
     asked.map = "7";
     asked.raw = raw;
@@ -191,7 +191,7 @@ class SnapshotContentTest : public QObject {
     QFETCH(bool, raw);
     QByteArray undisturbed;
     for (const bool disturb : {false, true}) {
-      app::SnapshotWords asked = words("busy.png");
+      app::SnapshotArguments asked = words("busy.png");
       asked.size = "1500x1100";
       asked.raw = raw;
       asked.layers = raw ? "none" : "submaps,whole,robot,trail";
@@ -227,7 +227,7 @@ class SnapshotContentTest : public QObject {
   }
   void aPictureThatIsNotFinishedInTimeIsWrittenAsFarAsItIs() {
     QFETCH(bool, raw);
-    app::SnapshotWords asked = words("cut.png");
+    app::SnapshotArguments asked = words("cut.png");
     asked.size = "9000x9000";
     asked.raw = raw;
     asked.scale = 0.0005;
@@ -277,7 +277,7 @@ class SnapshotContentTest : public QObject {
     QFETCH(std::string, layers);
     QFETCH(bool, submaps);
     QFETCH(bool, pose);
-    app::SnapshotWords asked = words("asked.png");
+    app::SnapshotArguments asked = words("asked.png");
     asked.mode = mode;
     asked.map = map;
     asked.layers = layers;

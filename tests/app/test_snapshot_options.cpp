@@ -10,14 +10,14 @@ namespace test_snapshot_options {
 
 using namespace mapwright;
 using app::parseSnapshotOptions;
+using app::SnapshotArguments;
 using app::SnapshotMode;
-using app::SnapshotWords;
 
 class SnapshotOptionsTest : public QObject {
   Q_OBJECT
  private:
-  static SnapshotWords words() {
-    SnapshotWords w;
+  static SnapshotArguments words() {
+    SnapshotArguments w;
     w.robot = "demo:";
     w.output = "picture.png";
     return w;
@@ -34,7 +34,7 @@ class SnapshotOptionsTest : public QObject {
   }
 
   void everyOptionIsTakenOver() {
-    SnapshotWords w = words();
+    SnapshotArguments w = words();
     w.center = "12.5,-3";
     w.scale = 0.1;
     w.size = "640x480";
@@ -54,7 +54,7 @@ class SnapshotOptionsTest : public QObject {
   }
 
   void aMapMeansTheWholeMode() {
-    SnapshotWords w = words();
+    SnapshotArguments w = words();
     w.map = "1764059676131";
     auto options = parseSnapshotOptions(w);
     QVERIFY(options && options->mode == SnapshotMode::Whole && options->map->id == "1764059676131");
@@ -67,7 +67,7 @@ class SnapshotOptionsTest : public QObject {
   }
 
   void namedLayersWithoutTheSubmapsHideThem() {
-    SnapshotWords w = words();
+    SnapshotArguments w = words();
     w.layers = "grid,robot";
     QVERIFY(parseSnapshotOptions(w)->without_submaps);
     w.layers = "none";
@@ -75,7 +75,7 @@ class SnapshotOptionsTest : public QObject {
   }
 
   void aBarePictureTakesItsPlaceFromTheOptions() {
-    SnapshotWords w = words();
+    SnapshotArguments w = words();
     w.robot = "/maps/floor.png";
     w.resolution = "0.1";
     w.origin = "-3,4,0.5";
@@ -108,7 +108,7 @@ class SnapshotOptionsTest : public QObject {
   void wrongWordsAreRefusedWithASentence() {
     QFETCH(QString, option);
     QFETCH(QString, value);
-    SnapshotWords w = words();
+    SnapshotArguments w = words();
     const std::string v = value.toStdString();
     if (option == QLatin1String("size")) w.size = v;
     if (option == QLatin1String("center")) w.center = v, w.scale = 1;
@@ -126,14 +126,14 @@ class SnapshotOptionsTest : public QObject {
   }
 
   void anOptionWithoutEffectIsRefused_data() {
-    QTest::addColumn<SnapshotWords>("given");
+    QTest::addColumn<SnapshotArguments>("given");
     QTest::addColumn<bool>("fine");
     const auto row = [](const char* name, bool fine, auto change) {
-      SnapshotWords w = words();
+      SnapshotArguments w = words();
       change(w);
       QTest::newRow(name) << w << fine;
     };
-    using W = SnapshotWords;
+    using W = SnapshotArguments;
     row("average of submaps", false, [](W& w) { w.mode = "submaps", w.average = true; });
     row("average of whole maps", true, [](W& w) { w.mode = "whole", w.average = true; });
     row("average of whatever is there", true, [](W& w) { w.average = true; });
@@ -154,7 +154,7 @@ class SnapshotOptionsTest : public QObject {
     row("a place for a picture", true, [](W& w) { w.robot = "/maps/hall.png", w.origin = "1,2"; });
   }
   void anOptionWithoutEffectIsRefused() {
-    QFETCH(SnapshotWords, given);
+    QFETCH(SnapshotArguments, given);
     QFETCH(bool, fine);
     const auto options = parseSnapshotOptions(given);
     QVERIFY2(options.has_value() == fine, options ? "taken" : qPrintable(options.error()));
@@ -162,7 +162,7 @@ class SnapshotOptionsTest : public QObject {
   }
 
   void aRawPictureWantsNothingButTheMap() {
-    SnapshotWords w = words();
+    SnapshotArguments w = words();
     w.raw = true;
     const auto options = parseSnapshotOptions(w);
     QVERIFY(options.has_value());
@@ -179,7 +179,7 @@ class SnapshotOptionsTest : public QObject {
   }
 
   void centerAndScaleBelongTogether() {
-    SnapshotWords w = words();
+    SnapshotArguments w = words();
     w.center = "0,0";
     QVERIFY(!parseSnapshotOptions(w));
     w.scale = 0.05;
@@ -190,7 +190,7 @@ class SnapshotOptionsTest : public QObject {
     for (const double scale : {-1.0, 0.0, 1e-9, 1e9, std::nan(""), HUGE_VAL}) {
       w.scale = scale;
       QVERIFY2(!parseSnapshotOptions(w), qPrintable(QString::number(scale)));
-      SnapshotWords alone = words();
+      SnapshotArguments alone = words();
       alone.scale = scale;
       QVERIFY2(!parseSnapshotOptions(alone), qPrintable(QString::number(scale)));
     }

@@ -26,7 +26,7 @@ class SnapshotRunTest : public QObject {
   QTemporaryDir folder_;
 
   SnapshotOptions small(const QString& name) const {
-    app::SnapshotWords words;
+    app::SnapshotArguments words;
     words.robot = "demo:";
     words.output = folder_.filePath(name).toStdString();
     words.size = "320x240";
@@ -67,7 +67,7 @@ class SnapshotRunTest : public QObject {
 
   void theRobotIsLeftOutOfAMapThatItIsNotIn() {
     const auto other = [&](const std::string& layers, const QString& name, bool anyway = false) {
-      app::SnapshotWords words;
+      app::SnapshotArguments words;
       words.robot = "demo:";
       words.output = folder_.filePath(name).toStdString();
       words.size = "320x240";

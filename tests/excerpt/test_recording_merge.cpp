@@ -61,7 +61,7 @@ Content contentOf(const std::string& path) {
   }
   content.metadata = (*source)->metadata();
   const auto byName = [](const recording::Metadata& a, const recording::Metadata& b) {
-    return std::tie(a.name, a.words) < std::tie(b.name, b.words);
+    return std::tie(a.name, a.values) < std::tie(b.name, b.values);
   };
   std::sort(content.files.begin(), content.files.end());
   std::sort(content.metadata.begin(), content.metadata.end(), byName);

@@ -43,7 +43,7 @@ struct Row {
 struct Film {
   std::vector<Row> rows;
   std::map<std::string, recording::Attachment> files;
-  std::map<std::string, recording::Words> words;
+  std::map<std::string, recording::Values> metadata;
   bool finished = false;
   std::size_t notes = 0;
 
@@ -83,7 +83,7 @@ Film read(const QString& path) {
   for (const auto& place : (*source)->attachments()) {
     if (auto file = (*source)->attachment(place)) film.files[place.name] = std::move(*file);
   }
-  for (const auto& metadata : (*source)->metadata()) film.words[metadata.name] = metadata.words;
+  for (const auto& metadata : (*source)->metadata()) film.metadata[metadata.name] = metadata.values;
   return film;
 }
 
@@ -225,10 +225,10 @@ class RecorderTest : public QObject {
     const auto poses = film.of("/tracked_pose");
     QVERIFY(poses.size() > 5);
     for (std::size_t i = 0; i < poses.size(); ++i) QCOMPARE(std::size_t(poses[i].sequence), i + 1);
-    QCOMPARE(film.words.at(kAbout).at("kind"), std::string("test"));
-    QCOMPARE(film.words.at(kAbout).at("address"), std::string("axbot+test"));
-    QVERIFY(!film.words.at(kAbout).at("serial").empty());
-    QCOMPARE(film.words.at(kEnd).at("lost"), std::string("0"));
+    QCOMPARE(film.metadata.at(kAbout).at("kind"), std::string("test"));
+    QCOMPARE(film.metadata.at(kAbout).at("address"), std::string("axbot+test"));
+    QVERIFY(!film.metadata.at(kAbout).at("serial").empty());
+    QCOMPARE(film.metadata.at(kEnd).at("lost"), std::string("0"));
   }
 
   void submapsMapsAndPicturesThatBelongToItAreInTheFile() {
@@ -314,7 +314,7 @@ class RecorderTest : public QObject {
     for (const char* topic : {"/robot_model", "/submap_list", "/tracked_pose"}) {
       const auto before = film.of(topic, true);
       QVERIFY2(before.size() == 1, topic);
-      QCOMPARE(std::to_string(before.front().log_ns), film.words.at(kAbout).at("started_ns"));
+      QCOMPARE(std::to_string(before.front().log_ns), film.metadata.at(kAbout).at("started_ns"));
       QVERIFY(before.front().publish_ns <= before.front().log_ns);
     }
     const auto later =
@@ -433,7 +433,7 @@ class RecorderTest : public QObject {
     const std::uint64_t until_then = messages();
     QTRY_VERIFY(messages() > until_then + 10);
     const Film film = end();
-    const recording::Words& link = film.words.at(kLink);  // the last one counts
+    const recording::Values& link = film.metadata.at(kLink);  // the last one counts
     const auto number = [&](const char* name) {
       return QByteArray::fromStdString(link.at(name)).toLongLong();
     };

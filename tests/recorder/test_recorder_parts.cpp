@@ -203,8 +203,8 @@ class RecorderPartsTest : public QObject {
     const auto source = read();
     QVERIFY(source->summary().finished);
     QCOMPARE(source->metadata().back().name, std::string(kEnd));
-    QCOMPARE(source->metadata().back().words.at("lost"), std::string("3"));
-    QCOMPARE(source->metadata().back().words.at("messages"), std::string("1"));
+    QCOMPARE(source->metadata().back().values.at("lost"), std::string("3"));
+    QCOMPARE(source->metadata().back().values.at("messages"), std::string("1"));
   }
 
   void aFileIsKeptOnceAndAgainWhenItIsAnotherOne() {

@@ -131,7 +131,7 @@ void TestMcapCore::weReadWhatOthersWrite() {
   }
   QCOMPARE((*opened)->channels()[0]->metadata.at("k"), std::string("v"));
   QCOMPARE((*opened)->attachment((*opened)->attachments().at(0))->bytes, std::string("hello"));
-  QCOMPARE((*opened)->metadata().at(0).words.at("a"), std::string("b"));
+  QCOMPARE((*opened)->metadata().at(0).values.at("a"), std::string("b"));
 }
 
 }  // namespace test_mcap_core

@@ -13,8 +13,8 @@
 #include <QToolTip>
 #include <QtTest>
 
-#include "../test_timeouts.h"
 #include "../regions/fake_dispatch.h"
+#include "../test_timeouts.h"
 #include "fake_robot.h"
 #include "known_addresses.h"
 #include "test_program.h"

@@ -39,9 +39,9 @@ recording::Opened opened(const RecordedOptions& options) {
   return recording::openRecording(std::make_unique<StoppableBytes>(std::move(*bytes)), options.limits);
 }
 
-QString text(const recording::Words& words, const char* name) {
-  const auto found = words.find(name);
-  return found == words.end() ? QString() : QString::fromStdString(found->second);
+QString text(const recording::Values& values, const char* name) {
+  const auto found = values.find(name);
+  return found == values.end() ? QString() : QString::fromStdString(found->second);
 }
 
 }  // namespace
@@ -164,10 +164,10 @@ RecordingFacts RecordedFile::facts() const {
   RecordingFacts facts;
   for (const recording::Metadata& metadata : parts_->file->metadata()) {
     if (metadata.name != recorder::kAbout) continue;  // the last one counts
-    facts.identity.model = text(metadata.words, "model");
-    facts.identity.serial = text(metadata.words, "serial");
-    facts.identity.name = text(metadata.words, "name");
-    facts.identity.version = text(metadata.words, "firmware");
+    facts.identity.model = text(metadata.values, "model");
+    facts.identity.serial = text(metadata.values, "serial");
+    facts.identity.name = text(metadata.values, "name");
+    facts.identity.version = text(metadata.values, "firmware");
   }
   std::set<QString> topics;
   bool frames = false;
@@ -314,11 +314,11 @@ void RecordedFile::tellContent(BagInfo& info, const recording::Summary& summary)
 void RecordedFile::messages(const wire::TaskPtr& task, const BagKey& key, const BagRange& range,
                             OutcomeTo<BagChunkPtr> reply) {
   if (!std::isfinite(range.from_s) || !std::isfinite(range.until_s) || range.until_s < range.from_s) {
-    const std::string words = std::to_string(range.from_s) + " - " + std::to_string(range.until_s);
+    const std::string span = std::to_string(range.from_s) + " - " + std::to_string(range.until_s);
     reply(tl::make_unexpected(map::Failure{.kind = map::FailureKind::Unsupported,
                                            .subject = subjectOf(key),
                                            .reason = map::FailureReason::Unfit,
-                                           .cause = {robot::axbot::fault::BagNotAsked, {words}}}));
+                                           .cause = {robot::axbot::fault::BagNotAsked, {span}}}));
     return;
   }
   if (auto failure = whyNot(subjectOf(key))) {

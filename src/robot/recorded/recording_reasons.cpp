@@ -43,9 +43,9 @@ constexpr NoteFault kNoteFaults[] = {
     {Code::AttachmentCorrupt, fault::RecordingFileInItCorrupt, Says::Name, true},
     {Code::Unreadable, fault::RecordingNotReadByDisk, Says::Place, true}};
 
-std::optional<std::int64_t> numberIn(const recording::Words& words, const char* name) {
-  const auto found = words.find(name);
-  if (found == words.end()) return std::nullopt;
+std::optional<std::int64_t> numberIn(const recording::Values& values, const char* name) {
+  const auto found = values.find(name);
+  if (found == values.end()) return std::nullopt;
   std::int64_t value = 0;
   const char* const end = found->second.data() + found->second.size();
   const auto [stop, error] = std::from_chars(found->second.data(), end, value);
@@ -141,7 +141,7 @@ bool isEndMark(const recording::Metadata& metadata) {
 
 recording::Metadata repairMark(const recording::Summary& interrupted) {
   recording::Metadata mark{recorder::kRepaired, {}};
-  if (interrupted.end_ns) mark.words[kBrokeOff] = std::to_string(*interrupted.end_ns);
+  if (interrupted.end_ns) mark.values[kBrokeOff] = std::to_string(*interrupted.end_ns);
   return mark;
 }
 
@@ -150,7 +150,7 @@ std::optional<BagRepair> repairOf(const recording::Source& file) {
   for (const recording::Metadata& metadata : file.metadata()) {
     if (metadata.name != recorder::kRepaired) continue;
     repair.emplace();  // the last one counts
-    if (const auto at_ns = numberIn(metadata.words, kBrokeOff))
+    if (const auto at_ns = numberIn(metadata.values, kBrokeOff))
       repair->broke_off_s = recording::secondsOf(*at_ns);
   }
   return repair;
@@ -166,10 +166,10 @@ std::vector<BagAway> awayIn(const recording::Source& file) {
   std::map<std::int64_t, std::optional<std::int64_t>> back_of;
   for (const recording::Metadata& metadata : file.metadata()) {
     if (metadata.name != recorder::kLink) continue;
-    const auto lost_ns = numberIn(metadata.words, "lost_ns");
+    const auto lost_ns = numberIn(metadata.values, "lost_ns");
     if (!lost_ns) continue;
     std::optional<std::int64_t>& back_ns = back_of[*lost_ns];
-    if (const auto told_ns = numberIn(metadata.words, "back_ns")) back_ns = told_ns;
+    if (const auto told_ns = numberIn(metadata.values, "back_ns")) back_ns = told_ns;
   }
   std::vector<BagAway> all;
   for (const auto& [lost_ns, back_ns] : back_of) {

@@ -67,8 +67,8 @@ void addFoxglove(const recording::Source& file, std::vector<ros::Source>& source
 bool recordedOfRos(const recording::Source& file) {
   bool ros = false;
   for (const recording::Metadata& metadata : file.metadata()) {
-    const auto kind = metadata.words.find("kind");
-    if (metadata.name != recorder::kAbout || kind == metadata.words.end()) continue;
+    const auto kind = metadata.values.find("kind");
+    if (metadata.name != recorder::kAbout || kind == metadata.values.end()) continue;
     ros = kind->second == "ros" || kind->second == "kabam" || kind->second == "aimdk";
   }
   return ros;
