@@ -15,13 +15,11 @@ set(PRELUDE_widgets ${PRELUDE_core}
 # How long tests wait is the one thing of ours in it.
 set(PRELUDE_test ${PRELUDE_widgets} <QtTest> <QTcpServer> <test_timeouts.h>)
 
-set(PRELUDE_plain_unoptimized ${PRELUDE_plain})
-
 set(PRELUDE_LIBRARIES_plain PkgConfig::EIGEN)
-set(PRELUDE_LIBRARIES_plain_unoptimized ${PRELUDE_LIBRARIES_plain})
 set(PRELUDE_LIBRARIES_core ${PRELUDE_LIBRARIES_plain} Qt6::Core)
 set(PRELUDE_LIBRARIES_widgets ${PRELUDE_LIBRARIES_core} Qt6::Widgets)
 set(PRELUDE_LIBRARIES_test ${PRELUDE_LIBRARIES_widgets} Qt6::Network Qt6::Test)
+set(PRELUDE_FOLDERS_test ${PROJECT_SOURCE_DIR}/tests)
 
 # Qt Test defines the folder of every test on its command line, and a precompiled header that has seen one folder is
 # refused in the next. Our tests find their data by MAPWRIGHT_TEST_DATA.
@@ -29,21 +27,27 @@ set_target_properties(Qt6::Test PROPERTIES INTERFACE_COMPILE_DEFINITIONS QT_TEST
 
 file(WRITE ${CMAKE_BINARY_DIR}/prelude.cpp.in "")
 configure_file(${CMAKE_BINARY_DIR}/prelude.cpp.in ${CMAKE_BINARY_DIR}/prelude.cpp COPYONLY)
-foreach(kind plain plain_unoptimized core widgets test)
-  add_library(mw_prelude_${kind} OBJECT ${CMAKE_BINARY_DIR}/prelude.cpp)
-  target_link_libraries(mw_prelude_${kind} PRIVATE mw_warnings ${PRELUDE_LIBRARIES_${kind}})
-  target_precompile_headers(mw_prelude_${kind} PRIVATE ${PRELUDE_${kind}})
-  set_target_properties(mw_prelude_${kind} PROPERTIES AUTOMOC OFF)
-endforeach()
 
 # Tests are compiled without optimising: half of the time that it takes to build them, and what they test is optimised.
 set(MAPWRIGHT_TEST_OPTIONS -O0)
-target_compile_options(mw_prelude_test PRIVATE ${MAPWRIGHT_TEST_OPTIONS})
-if(CMAKE_BUILD_TYPE STREQUAL "Release")
-  target_compile_options(mw_prelude_plain_unoptimized PRIVATE -O0)
-endif()
-target_include_directories(mw_prelude_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 
-function(take_prelude target kind)
-  target_precompile_headers(${target} REUSE_FROM mw_prelude_${kind})
+# g++ compiles with the optimisation of the precompiled header, whatever its command line says: each level has a header
+# of its own. Without levels (sanitizers, coverage) there is one of each kind.
+function(take_prelude target kind optimize)
+  set(prelude mw_prelude_${kind})
+  if(kind STREQUAL "test")
+    set(options ${MAPWRIGHT_TEST_OPTIONS})
+  elseif(CMAKE_BUILD_TYPE STREQUAL "Release")
+    set(prelude ${prelude}_O${optimize})
+    set(options -O${optimize})
+  endif()
+  if(NOT TARGET ${prelude})
+    add_library(${prelude} OBJECT ${CMAKE_BINARY_DIR}/prelude.cpp)
+    target_link_libraries(${prelude} PRIVATE mw_warnings ${PRELUDE_LIBRARIES_${kind}})
+    target_compile_options(${prelude} PRIVATE ${options})
+    target_include_directories(${prelude} PRIVATE ${PRELUDE_FOLDERS_${kind}})
+    target_precompile_headers(${prelude} PRIVATE ${PRELUDE_${kind}})
+    set_target_properties(${prelude} PROPERTIES AUTOMOC OFF)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${prelude})
 endfunction()

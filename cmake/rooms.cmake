@@ -4,8 +4,9 @@
 # it.
 #   mapwright_room(NAME [PREFIX <include prefix>] [PRELUDE plain|core|widgets] [OPTIMIZE 0|1|2|3] SOURCES ... USES ...
 #                  [LIBRARIES ...])
-# OPTIMIZE (2 where nothing is said): 3 where cells become pixels, 1 where people are what is waited for, 0 for what
-# only plays a robot. A program links rooms of 0 last, or it takes their copies of what the headers of libraries hold.
+# OPTIMIZE (1 where nothing is said): 3 where a benchmark tells the difference (cells, pixels, large messages), 0 for
+# what only plays a robot.
+# A program links rooms of 0 last, or it takes their copies of what the headers of libraries hold.
 # Several sources of a room are compiled as one (MAPWRIGHT_UNITY: a third of the time): what they keep to themselves
 # must not have the same name.
 function(mapwright_room name)
@@ -15,14 +16,11 @@ function(mapwright_room name)
   endif()
   add_library(mw_${name} STATIC ${ROOM_SOURCES})
   set_target_properties(mw_${name} PROPERTIES UNITY_BUILD ${MAPWRIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 64)
+  if(NOT DEFINED ROOM_OPTIMIZE)
+    set(ROOM_OPTIMIZE 1)
+  endif()
   if(CMAKE_BUILD_TYPE STREQUAL "Release")
-    if(NOT DEFINED ROOM_OPTIMIZE)
-      set(ROOM_OPTIMIZE 2)
-    endif()
     target_compile_options(mw_${name} PRIVATE -O${ROOM_OPTIMIZE})
-    if(ROOM_OPTIMIZE EQUAL 0 AND ROOM_PRELUDE)
-      set(ROOM_PRELUDE ${ROOM_PRELUDE}_unoptimized)
-    endif()
   endif()
   open_door(${name} ${ROOM_PREFIX})
   foreach(used ${ROOM_USES})
@@ -35,7 +33,7 @@ function(mapwright_room name)
   set_property(GLOBAL PROPERTY ROOM_FOLDER_${name} ${folder})
   set_property(GLOBAL PROPERTY ROOM_PREFIX_${name} ${ROOM_PREFIX})
   if(ROOM_PRELUDE)
-    take_prelude(mw_${name} ${ROOM_PRELUDE})
+    take_prelude(mw_${name} ${ROOM_PRELUDE} ${ROOM_OPTIMIZE})
   endif()
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   set(objects)
@@ -137,7 +135,7 @@ function(mapwright_test name)
     target_include_directories(${program} PRIVATE ${CMAKE_SOURCE_DIR}/tests ${CMAKE_CURRENT_BINARY_DIR}/${program}_moc)
     set_target_properties(${program} PROPERTIES AUTOMOC OFF AUTORCC OFF
       UNITY_BUILD ${MAPWRIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 8)
-    take_prelude(${program} test)
+    take_prelude(${program} test 0)
   endif()
   set(sources ${TEST_SOURCES})
   list(FILTER sources INCLUDE REGEX "\\.cpp$")

@@ -212,6 +212,12 @@ EventsDock::EventsDock(ReplayClock& clock, QWidget* parent)
       retry_(new QPushButton(tr("Retry"), this)),
       save_(new QPushButton(tr("Save…"), this)) {
   setObjectName(QStringLiteral("events"));
+  group_->addItem(tr("All kinds"));
+  for (const replay::EventGroup group : replay::kEventGroups) group_->addItem(groupName(group), int(group));
+  group_->setAccessibleName(tr("Kind of event"));
+  group_->setToolTip(tr("Which kinds of events to list"));
+  group_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  group_->setMinimumContentsLength(14);
   layOut(model_, {group_, follow_}, 2, {read_, retry_, save_});
   setTabOrder(table_, search_);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -227,12 +233,6 @@ EventsDock::EventsDock(ReplayClock& clock, QWidget* parent)
       wide(model_->headerData(EventsModel::SinceColumn, Qt::Horizontal, Qt::DisplayRole).toString()));
   header->resizeSection(EventsModel::KindColumn, wide(kindName(replay::EventKind::EmergencyStopOn)) + 20);
   search_->setMaximumWidth(220);
-  group_->addItem(tr("All kinds"));
-  for (const replay::EventGroup group : replay::kEventGroups) group_->addItem(groupName(group), int(group));
-  group_->setAccessibleName(tr("Kind of event"));
-  group_->setToolTip(tr("Which kinds of events to list"));
-  group_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  group_->setMinimumContentsLength(14);
   follow_->setIcon(themedIcon(QStringLiteral("follow")));
   follow_->setIconSize({16, 16});
   follow_->setCheckable(true);

@@ -112,12 +112,12 @@ InspectorDock::InspectorDock(scene::MapScene* scene, QAction* show_ids, QAction*
   column->addWidget(buildControls(show_ids, show_outlines));
   tree_ = new TreeView(this);
   details_ = textLabel({}, this);
+  details_->setObjectName(QStringLiteral("details"));  // before it is laid out: the theme knows it by name
   column->addWidget(tree_, 1);
   column->addWidget(details_);
   body->setMinimumWidth(300);
   setWidget(body);
   buildTree();
-  details_->setObjectName(QStringLiteral("details"));
   details_->setContentsMargins(8, 6, 8, 6);
   details_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   // A fixed height: moving the selection through the rows must not make the

@@ -111,8 +111,8 @@ CompareBar::CompareBar(QWidget* parent)
 void CompareBar::fill(session::Session* session, const std::optional<SecondMap>& chosen) {
   std::vector<SecondMap> offers;
   QStringList titles;
-  const auto offer = [&](const SecondMap& what, const QString& title) {
-    offers.push_back(what);
+  const auto offer = [&](auto&& what, const QString& title) {
+    offers.emplace_back(std::forward<decltype(what)>(what));
     titles << title;
   };
   if (session->robot().submapSource()) offer(SubmapsAside{}, tr("the submaps (they are on the left)"));

@@ -202,6 +202,7 @@ LineBar::LineBar(LineTool* tool, QWidget* map)
       count_(new PlainLabel(this)),
       create_(new QPushButton(tr("Create"), this)),
       close_(new QPushButton(tr("Cancel"), this)) {
+  spacing_->setAlignment(Qt::AlignLeft);
   setObjectName(QStringLiteral("card"));
   setCursor(Qt::ArrowCursor);
   auto* label = new QLabel(tr("&Spacing"), this);
