@@ -28,6 +28,7 @@ function(mapwright_room name)
   endforeach()
   target_link_libraries(mw_${name} PUBLIC ${ROOM_LIBRARIES} PRIVATE mw_warnings)
   set_property(GLOBAL PROPERTY ROOM_USES_${name} "${ROOM_USES}")
+  set_property(GLOBAL PROPERTY ROOM_OPTIMIZE_${name} ${ROOM_OPTIMIZE})
   set_property(GLOBAL APPEND PROPERTY ROOMS ${name})
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   set_property(GLOBAL PROPERTY ROOM_FOLDER_${name} ${folder})
@@ -91,6 +92,18 @@ function(rooms_within_reach result)
     endif()
   endwhile()
   set(${result} ${reached} PARENT_SCOPE)
+endfunction()
+
+# Links a program with rooms. What the headers of libraries hold is compiled in many rooms, and the linker takes the
+# first copy that it meets: the objects of rooms of 3 come first, so that theirs are taken.
+function(link_rooms program)
+  foreach(room ${ARGN})
+    get_property(optimize GLOBAL PROPERTY ROOM_OPTIMIZE_${room})
+    if(optimize EQUAL 3)
+      target_sources(${program} PRIVATE $<TARGET_OBJECTS:mw_${room}>)
+    endif()
+    target_link_libraries(${program} PRIVATE mw_${room})
+  endforeach()
 endfunction()
 
 # A test's class stands in its source, which includes what moc says of it. AUTOMOC would look through every header
