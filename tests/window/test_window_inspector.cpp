@@ -120,6 +120,25 @@ class TestWindowInspector : public QObject {
     QVERIFY(room >= tree->fontMetrics().horizontalAdvance(QStringLiteral("60 of 60")));
   }
 
+  /// The theme knows widgets by their name: one that is named too late looks like any other.
+  void whatTheThemeKnowsByNameLooksSo() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.robot->list(five());
+    QTRY_COMPARE(window.session()->counts().shown, 5);
+    int looked_at = 0;
+    for (QWidget* const widget : window.findChildren<QWidget*>()) {
+      if (widget->objectName().isEmpty() || !widget->isVisible() || !qobject_cast<QFrame*>(widget)) continue;
+      const QImage before = widget->grab().toImage();
+      widget->style()->unpolish(widget);
+      widget->style()->polish(widget);
+      QVERIFY2(widget->grab().toImage() == before, qPrintable(widget->objectName()));
+      ++looked_at;
+    }
+    QVERIFY(looked_at > 5);
+  }
+
   void makesRoomForLongTotals() {
     Bench bench;
     MainWindow& window = bench.open();

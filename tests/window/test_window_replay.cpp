@@ -529,6 +529,19 @@ class TestWindowReplay : public QObject {
     QVERIFY(!planner->isChecked());
   }
 
+  void theKindsOfEventsKeepTheirRoom() {
+    Desk desk;
+    desk.replay(kWhole);
+    EventsDock& list = *part<ReplayController>(*desk.window)->eventsDock();
+    QTest::mouseClick(desk.timeline().listButton(), Qt::LeftButton);
+    QTRY_VERIFY(list.isVisible() && list.table()->isVisible());
+    const auto* const kinds = list.findChild<QComboBox*>();
+    list.setFloating(true);
+    list.resize(1, 300);
+    QCoreApplication::processEvents();
+    QVERIFY(kinds->width() >= 14 * kinds->fontMetrics().horizontalAdvance(QLatin1Char('x')));
+  }
+
   void aListOfTheEventsGoesThereAndFollows() {
     Desk desk;
     desk.replay(kWhole);
