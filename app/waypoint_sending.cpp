@@ -282,7 +282,7 @@ QString SentWaypoints::whatBecame() const {
   if (lines.isEmpty() && failure) lines << QString::fromStdString(sentences::sentenceOf(*failure));
   const QString first = lines.isEmpty() ? QString() : lines.first();
   if (steps.size() == 1) return first;
-  return Text::tr("Of %1 changes %2 are applied, %3 failed, %4 are unknown and %5 were not sent. %6")
+  return Text::tr("Of %1 changes: %2 applied, %3 failed, %4 with unknown result, %5 not sent. %6")
       .arg(QString::number(steps.size()), QString::number(count(StepState::Applied)),
            QString::number(count(StepState::Failed)), QString::number(count(StepState::Unknown)),
            QString::number(count(StepState::NotSent)), first);

@@ -155,7 +155,7 @@ class TestWindowWaypointsReview : public QObject {
     QTRY_VERIFY(desk.review().sendButton()->isVisible());
     QCOMPARE(desk.outcome(0), QStringLiteral("done"));
     QVERIFY2(desk.review().statusShown().contains(
-                 QLatin1String("Of 3 requests 1 succeeded, 1 failed, 0 are unknown and 1 were not sent.")),
+                 QLatin1String("Of 3 requests: 1 succeeded, 1 failed, 0 with unknown result, 1 not sent.")),
              qPrintable(desk.review().statusShown()));
     QVERIFY(desk.review().comparedShown().contains(QLatin1String("1 as intended, 2 differ: Kitchen, Gate")));
     QVERIFY(desk.control().unsaved());
@@ -245,7 +245,7 @@ class TestWindowWaypointsReview : public QObject {
     QTRY_COMPARE(desk.control().list()->submission().phase(), edit::SubmissionPhase::Stopped);
     QCOMPARE(desk.review().model()->rowCount(), 3);
     QVERIFY2(desk.review().statusShown().contains(
-                 QLatin1String("Of 3 requests 1 succeeded, 0 failed, 1 are unknown and 1 were not sent.")),
+                 QLatin1String("Of 3 requests: 1 succeeded, 0 failed, 1 with unknown result, 1 not sent.")),
              qPrintable(desk.review().statusShown()));
     if (!arrives) desk.store.put(waypoint("b", 3, 2, "Kitchen"));
     desk.store.unreadable = false;

@@ -397,7 +397,7 @@ QString WaypointReview::statusText() const {
     default:
       break;
   }
-  QString text = tr("Of %1 requests %2 succeeded, %3 failed, %4 are unknown and %5 were not sent.")
+  QString text = tr("Of %1 requests: %2 succeeded, %3 failed, %4 with unknown result, %5 not sent.")
                      .arg(figure(std::size_t(model_->rowCount())), figure(counts.applied),
                           figure(counts.failed), figure(counts.unknown), figure(counts.not_sent));
   // Only the reason: the result of each is shown in its row.
