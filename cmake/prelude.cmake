@@ -35,6 +35,7 @@ set(MAPWRIGHT_TEST_OPTIONS -O0)
 # of its own. Without levels (sanitizers, coverage) there is one of each kind.
 function(take_prelude target kind optimize)
   set(prelude mw_prelude_${kind})
+  set(options)
   if(kind STREQUAL "test")
     set(options ${MAPWRIGHT_TEST_OPTIONS})
   elseif(CMAKE_BUILD_TYPE STREQUAL "Release")

@@ -5,22 +5,17 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QRegularExpression>
-#include <QSettings>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "app/robot_factory.h"
 #include "replay/replay_robot.h"
 #include "robot/address.h"
 #include "robot/bag_library.h"
+#include "shown_window.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 #include "ui/replay/replay_controller.h"
 #include "ui/shell/replay_clock.h"
-#include "ui/view/map_overlay.h"
-#include "ui/view/map_view.h"
-#include "ui/view/toast_stack.h"
-#include "window/main_window.h"
 #include "window/window_parts.h"
 
 namespace test_guide_pictures {
@@ -37,29 +32,23 @@ simulator::Options frozen() {
   return options;
 }
 
+constexpr int kLongMs = 60'000;
+
+/// A window on a simulated robot, and what a hand does there. What it cannot do ends the test.
 class Desk {
  public:
   explicit Desk(const simulator::Options& options = frozen())
-      : robot_(options), settings_(folder_.filePath(QStringLiteral("s.ini")), QSettings::IniFormat) {
+      : robot_(options), shown_([](const QString& to, const QByteArray&) {
+          return app::makeRobot(to, {}, app::DemoTime::Frozen);
+        }) {
     if (const auto error = robot_.start()) qFatal("%s", error->c_str());
-    window::MainWindow::Dependencies wanted{
-        [](const QString& to, const QByteArray&) { return app::makeRobot(to, {}, app::DemoTime::Frozen); },
-        settings_};
-    wanted.addresses = app::knownAddresses();
-    wanted.edit.drafts_folder = folder_.filePath(QStringLiteral("drafts"));
-    window_ = std::make_unique<window::MainWindow>(std::move(wanted));
-    window_->resize(1366, 768);
-    window_->show();
-    window_->view()->setAnimationMs(0);
-    (void)QTest::qWaitForWindowActive(window_.get());
   }
-  ~Desk() { window_.reset(); }
 
-  window::MainWindow& window() { return *window_; }
-  session::Session* session() { return window_->session(); }
+  window::MainWindow& window() { return shown_.window(); }
+  session::Session* session() { return shown_.session(); }
   const simulator::Simulator& robot() const { return robot_; }
   bool connectTo(const std::string& address) {
-    return !window_->connectTo(QString::fromStdString(address)) && settles();
+    return shown_.connectTo(QString::fromStdString(address)) && settles();
   }
   /// Opens the first map that the robot stores.
   bool openMap() {
@@ -68,38 +57,25 @@ class Desk {
         if (entry.key.kind == map::MapKind::Stored) return &entry;
       return nullptr;
     };
-    if (!QTest::qWaitFor([&] { return stored() != nullptr; }, 20'000)) return false;
+    if (!QTest::qWaitFor([&] { return stored() != nullptr; }, kLongMs)) return false;
     session()->openMap(stored()->key);
-    return QTest::qWaitFor([this] { return session()->wholeMap().cells() && window_->mapScene()->settled(); },
-                           20'000);
+    return QTest::qWaitFor([this] { return session()->wholeMap().cells() && settled(); }, kLongMs);
   }
   void act(const char* id) {
-    QAction* const action = window_->actionList().find(QLatin1String(id));
-    if (!action) qFatal("no action %s", id);
+    QAction* const action = window().actionList().find(QLatin1String(id));
+    if (!action || !QTest::qWaitFor([&] { return action->isEnabled(); }, kLongMs)) qFatal("no action %s", id);
     action->trigger();
   }
   void front(const char* dock) {
-    auto* const panel = window_->findChild<QDockWidget*>(QLatin1String(dock));
+    auto* const panel = window().findChild<QDockWidget*>(QLatin1String(dock));
     if (!panel) qFatal("no dock %s", dock);
     panel->show();
     panel->raise();
   }
-  bool settles() {
-    return QTest::qWaitFor(
-        [this] {
-          return session() && session()->counts().pending == 0 && session()->wholeMap().settled() &&
-                 window_->mapScene()->settled();
-        },
-        60'000);
-  }
-  /// Waits until nothing moves; written if asked to.
+  /// What is seen when nothing moves any more; written if asked to.
   bool picture(const char* name) {
-    const bool quiet =
-        settles() &&
-        QTest::qWaitFor(
-            [this] { return window::part<window::MapOverlay>(*window_)->toasts()->texts().isEmpty(); },
-            20'000);
-    const QImage seen = window_->grab().toImage();
+    const bool quiet = settles() && QTest::qWaitFor([this] { return !shown_.hasToasts(); }, kLongMs);
+    const QImage seen = window().grab().toImage();
     const QString folder = qEnvironmentVariable("MAPWRIGHT_GUIDE_PICTURES");
     if (!folder.isEmpty() &&
         !seen.save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png"), nullptr, 0))
@@ -108,10 +84,13 @@ class Desk {
   }
 
  private:
+  bool settled() { return session() && shown_.mapsSettled() && window().mapScene()->settled(); }
+  bool settles() {
+    return QTest::qWaitFor([this] { return settled(); }, kLongMs);
+  }
+
   simulator::Simulator robot_;
-  QTemporaryDir folder_;
-  QSettings settings_;
-  std::unique_ptr<window::MainWindow> window_;
+  test::ShownWindow shown_;
 };
 
 }  // namespace
@@ -129,22 +108,25 @@ class GuidePicturesTest : public QObject {
     QVERIFY(desk.picture("inspect"));
   }
 
-  void editWaypoints() {
-    Desk desk(simulator::Options{});  // its rosbridge needs time that passes
-    QVERIFY(desk.connectTo(desk.robot().kabamAddress()) && desk.openMap());
-    desk.front("waypoints");
-    desk.act("waypointTool");
-    desk.act("fit");
-    QVERIFY(desk.picture("waypoints"));
+  void editAMap_data() {
+    QTest::addColumn<QString>("tool");
+    QTest::addColumn<QString>("dock");
+    QTest::addColumn<QString>("picture");
+    QTest::newRow("waypoints") << QStringLiteral("waypointTool") << QStringLiteral("waypoints")
+                               << QStringLiteral("waypoints");
+    QTest::newRow("picture") << QStringLiteral("pictureTool") << QStringLiteral("picture")
+                             << QStringLiteral("clean");
   }
-
-  void cleanAMap() {
+  void editAMap() {
+    QFETCH(QString, tool);
+    QFETCH(QString, dock);
+    QFETCH(QString, picture);
     Desk desk(simulator::Options{});  // its rosbridge needs time that passes
     QVERIFY(desk.connectTo(desk.robot().kabamAddress()) && desk.openMap());
-    desk.act("pictureTool");
-    desk.front("picture");
+    desk.act(qPrintable(tool));
+    desk.front(qPrintable(dock));
     desk.act("fit");
-    QVERIFY(desk.picture("clean"));
+    QVERIFY(desk.picture(qPrintable(picture)));
   }
 
   void replayWhatHappened() {

@@ -13,14 +13,13 @@
 #include "replay/replay_robot.h"
 #include "robot/address.h"
 #include "robot/recorded/recorded_robot.h"
+#include "shown_window.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 #include "ui/replay/replay_controller.h"
 #include "ui/shell/replay_clock.h"
-#include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/replay_state.h"
-#include "ui/view/toast_stack.h"
 #include "window/main_window.h"
 
 namespace test_idle_window {
@@ -65,39 +64,26 @@ class Counter : public QObject {
   std::map<QString, int> by_who_;
 };
 
-class Desk {
+/// Plays bags and recordings, too, as the program does.
+tl::expected<std::unique_ptr<robot::Robot>, QString> robotOrReplay(const QString& to) {
+  const auto parsed = app::knownAddresses().parse(to);
+  auto made = app::makeRobot(to, {}, app::DemoTime::Running);
+  if (made && parsed && !parsed->path.isEmpty() && robot::recorded::isRecording(parsed->path))
+    *made = std::make_unique<replay::ReplayRobot>(std::move(*made), robot::recorded::bagNameOf(parsed->path),
+                                                  window::followedReading());
+  return made;
+}
+
+class Desk : public test::ShownWindow {
  public:
-  Desk() : settings_(folder_.filePath(QStringLiteral("s.ini")), QSettings::IniFormat) {
-    const robot::Addresses addresses = app::knownAddresses();
-    window::MainWindow::Dependencies wanted{
-        [addresses](const QString& to,
-                    const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
-          auto made = app::makeRobot(to, {}, app::DemoTime::Running);
-          const auto parsed = addresses.parse(to);
-          if (made && parsed && !parsed->path.isEmpty() && robot::recorded::isRecording(parsed->path))
-            *made = std::make_unique<replay::ReplayRobot>(
-                std::move(*made), robot::recorded::bagNameOf(parsed->path), window::followedReading());
-          return made;
-        },
-        settings_};
-    wanted.addresses = addresses;
-    window_ = std::make_unique<window::MainWindow>(std::move(wanted));
-    window_->resize(1366, 768);
-    window_->show();
-    window_->view()->setAnimationMs(0);
-    (void)QTest::qWaitForWindowActive(window_.get());
-  }
-  ~Desk() { window_.reset(); }
+  Desk() : ShownWindow([](const QString& to, const QByteArray&) { return robotOrReplay(to); }) {}
 
   QString written(const QString& name, const std::string& bytes) {
-    QFile file(folder_.filePath(name));
+    QFile file(filePath(name));
     if (!file.open(QIODevice::WriteOnly)) qFatal("no file");
     file.write(bytes.data(), qint64(bytes.size()));
     return QStringLiteral("file:") + file.fileName();
   }
-  window::MainWindow& window() { return *window_; }
-  bool connectTo(const QString& address) { return !window_->connectTo(address); }
-  session::Session* session() { return window_->session(); }
   replay::ReplayRobot* replay() {
     return session() ? qobject_cast<replay::ReplayRobot*>(&session()->robot()) : nullptr;
   }
@@ -105,16 +91,15 @@ class Desk {
   bool settles() {
     const auto there = [this] {
       if (!session()) return true;
-      if (!window_->findChild<window::MapOverlay*>()->toasts()->texts().isEmpty())
-        return false;  // they go by themselves
-      if (session()->robot().connection().phase != robot::ConnectionPhase::Online) return false;
+      if (hasToasts() || session()->robot().connection().phase != robot::ConnectionPhase::Online)
+        return false;
       const bool known = !replay() || (replay()->knowledge() == replay::Knowledge::Exact &&
                                        replay()->picturesUnderWay() == 0);
-      return known && session()->counts().pending == 0 && session()->wholeMap().settled();
+      return known && mapsSettled();
     };
     constexpr int kLongMs = 60'000, kQuietMs = 700;
     if (!QTest::qWaitFor(there, kLongMs)) return false;
-    window_->view()->setFocus();  // a caret blinks
+    window().view()->setFocus();  // a caret blinks
     // Tiles, toasts and the like come after what they show.
     for (int tries = 0; tries < 40; ++tries) {
       Counter counter;
@@ -123,11 +108,6 @@ class Desk {
     }
     return true;  // whoever watches will see what goes on
   }
-
- private:
-  QTemporaryDir folder_;
-  QSettings settings_;
-  std::unique_ptr<window::MainWindow> window_;
 };
 
 struct Seen {
