@@ -2,11 +2,9 @@
 # other. Each room's headers are reached through an include root of its own that holds a link to each of them, and
 # USES is linked PRIVATE, so neither an #include over a wall nor one through a neighbour compiles. tests/house proves
 # it.
-#   mapwright_room(NAME [PREFIX <include prefix>] [PRELUDE plain|core|widgets] [OPTIMIZE 0|1|2|3] SOURCES ... USES ...
+#   mapwright_room(NAME [PREFIX <include prefix>] [PRELUDE plain|core|widgets] [OPTIMIZE 1|2|3] SOURCES ... USES ...
 #                  [LIBRARIES ...])
-# OPTIMIZE (1 where nothing is said): 3 where a benchmark tells the difference (cells, pixels, large messages), 0 for
-# what only plays a robot. A program links rooms of 0 last, or it takes their copies of what the headers of libraries
-# hold.
+# OPTIMIZE (1 where nothing is said): 3 where a benchmark tells the difference (cells, pixels, large messages).
 # Several sources of a room are compiled as one (MAPWRIGHT_UNITY: a third of the time): what they keep to themselves
 # must not have the same name.
 function(mapwright_room name)

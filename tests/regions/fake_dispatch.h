@@ -25,11 +25,15 @@ struct FakeGround {
     return std::int8_t((x / 64 + y / 64) % 3 == 0 ? 100 : (x / 64 + y / 64) % 3 == 1 ? 0 : -1);
   };
 
-  /// The cells that a rectangle touches, cut at the edge of the map; 0 x 0 beside it. Turned as the map is.
-  map::GridPart part(const map::GridRegion& region) const {
-    map::GridPart part;
-    part.frame = frame;
-    part.grid.resolution_m = resolution_m;
+  /// Columns and rows, counted from the lower left.
+  struct Cells {
+    int left = 0, bottom = 0, right = 0, top = 0;
+    int wide() const { return right - left; }
+    int high() const { return top - bottom; }
+    std::int64_t count() const { return std::int64_t(wide()) * high(); }
+  };
+  /// Those that a rectangle touches, cut at the edge of the map; none beside it. Turned as the map is.
+  Cells cellsIn(const map::GridRegion& region) const {
     geometry::WorldRect box;
     for (const double x : {-0.5, 0.5}) {
       for (const double y : {-0.5, 0.5}) {
@@ -39,25 +43,26 @@ struct FakeGround {
       }
     }
     constexpr double kRounding = 1e-6;
-    const int left = std::max(0, int(std::floor(box.min_x + kRounding)));
-    const int bottom = std::max(0, int(std::floor(box.min_y + kRounding)));
-    const int right = std::min(width, int(std::ceil(box.max_x - kRounding)));
-    const int top = std::min(height, int(std::ceil(box.max_y - kRounding)));
-    if (right <= left || top <= bottom) return part;
-    return cut(left, bottom, right, top);
+    const Cells cells{std::max(0, int(std::floor(box.min_x + kRounding))),
+                      std::max(0, int(std::floor(box.min_y + kRounding))),
+                      std::min(width, int(std::ceil(box.max_x - kRounding))),
+                      std::min(height, int(std::ceil(box.max_y - kRounding)))};
+    return cells.wide() > 0 && cells.high() > 0 ? cells : Cells{};
   }
-  map::GridPart all() const { return cut(0, 0, width, height); }
-
- private:
-  map::GridPart cut(int left, int bottom, int right, int top) const {
+  map::GridPart part(const map::GridRegion& region) const { return cut(cellsIn(region)); }
+  map::GridPart all() const { return cut({0, 0, width, height}); }
+  map::GridPart nothing() const { return cut({}); }
+  map::GridPart cut(const Cells& wanted) const {
     map::GridPart part;
     part.frame = frame;
-    const Eigen::Vector2d corner = origin.apply({left * resolution_m, bottom * resolution_m});
-    part.grid = {right - left, top - bottom, resolution_m, {corner.x(), corner.y(), origin.yaw_rad}};
-    auto cells = std::make_shared<std::vector<std::int8_t>>();
-    cells->reserve(std::size_t(right - left) * std::size_t(top - bottom));
-    for (int y = bottom; y < top; ++y) {
-      for (int x = left; x < right; ++x) cells->push_back(cell(x, y));
+    part.grid.resolution_m = resolution_m;
+    if (wanted.count() == 0) return part;
+    const Eigen::Vector2d corner = origin.apply({wanted.left * resolution_m, wanted.bottom * resolution_m});
+    part.grid = {wanted.wide(), wanted.high(), resolution_m, {corner.x(), corner.y(), origin.yaw_rad}};
+    auto cells = std::make_shared<std::vector<std::int8_t>>(std::size_t(wanted.count()));
+    std::int8_t* out = cells->data();
+    for (int y = wanted.bottom; y < wanted.top; ++y) {
+      for (int x = wanted.left; x < wanted.right; ++x) *out++ = cell(x, y);
     }
     part.cells = std::move(cells);
     return part;

@@ -31,32 +31,6 @@ WorldRect boundsOf(const FakeGround& ground) {
           ground.origin.y_m + ground.height * ground.resolution_m};
 }
 
-map::GridPart nothingOf(const FakeGround& ground) {
-  map::GridPart nothing;
-  nothing.frame = ground.frame;
-  nothing.grid.resolution_m = ground.resolution_m;
-  return nothing;
-}
-
-std::int64_t cellsIn(const map::GridPart& part) { return std::int64_t(part.grid.width) * part.grid.height; }
-
-/// Of `part`, so many columns and rows of it, beginning at those.
-map::GridPart cropped(const map::GridPart& part, int left, int bottom, int width, int height) {
-  map::GridPart less = part;
-  less.grid.width = width;
-  less.grid.height = height;
-  less.grid.origin.x_m += left * part.grid.resolution_m;
-  less.grid.origin.y_m += bottom * part.grid.resolution_m;
-  auto cells = std::make_shared<std::vector<std::int8_t>>();
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x)
-      cells->push_back(
-          (*part.cells)[std::size_t(bottom + y) * std::size_t(part.grid.width) + std::size_t(left + x)]);
-  }
-  less.cells = std::move(cells);
-  return less;
-}
-
 enum class Habit { Corner, Middle, Rows, Edge, Nothing, Error, Strict };
 
 /// What a dispatcher with a limit of `most` cells answers. Strict: nothing, too, for what is partly beyond.
@@ -64,23 +38,27 @@ Outcome limited(const FakeGround& ground, Habit habit, std::int64_t most, const 
   if (habit == Habit::Strict) {
     const Eigen::Vector2d low = region.centre_m - region.size_m / 2,
                           high = region.centre_m + region.size_m / 2;
-    if (!boundsOf(ground).contains(low) || !boundsOf(ground).contains(high)) return nothingOf(ground);
+    if (!boundsOf(ground).contains(low) || !boundsOf(ground).contains(high)) return ground.nothing();
   }
-  const map::GridPart part = ground.part(region);
-  if (cellsIn(part) <= most && habit != Habit::Edge) return part;
-  const int wide = part.grid.width, high = part.grid.height, root = int(std::sqrt(double(most)));
+  const FakeGround::Cells wanted = ground.cellsIn(region);
+  if (wanted.count() <= most && habit != Habit::Edge) return ground.cut(wanted);
+  const int wide = wanted.wide(), high = wanted.high(), root = int(std::sqrt(double(most)));
   const int w = std::min(wide, root), h = std::min(high, root);
+  const auto cropped = [&](int left, int bottom, int columns, int rows) {
+    return ground.cut({wanted.left + left, wanted.bottom + bottom, wanted.left + left + columns,
+                       wanted.bottom + bottom + rows});
+  };
   switch (habit) {
     case Habit::Corner:
     case Habit::Edge:
-      return cropped(part, 0, 0, w, h);
+      return cropped(0, 0, w, h);
     case Habit::Middle:
-      return cropped(part, (wide - w) / 2, (high - h) / 2, w, h);
+      return cropped((wide - w) / 2, (high - h) / 2, w, h);
     case Habit::Rows:
-      return cropped(part, 0, 0, wide, std::max(1, int(most / wide)));
+      return cropped(0, 0, wide, std::max(1, int(most / wide)));
     case Habit::Nothing:
     case Habit::Strict:
-      return nothingOf(ground);
+      return ground.nothing();
     case Habit::Error:
       break;
   }
@@ -178,7 +156,7 @@ class TestAnswerLimit : public QObject {
     look(regions, next);
     int too_much = 0;
     settle(regions, [&](const auto& region) {
-      too_much += cellsIn(ground.part(region)) > most;
+      too_much += ground.cellsIn(region).count() > most;
       return limited(ground, habit, most, region);
     });
     if (habit >= Habit::Nothing) QCOMPARE(too_much, 0);

@@ -79,11 +79,15 @@ struct Model {
   }
   /// Where a state has what was kept, it has what is kept now.
   void takeIn(const Cells& theirs) {
+    // By pointers: a test is compiled without optimising, and these are most of its steps.
+    const std::uint8_t *const kept = saved.data(), *const coming = theirs.data(), *mine = states[now].data();
     for (std::size_t at = 0; at < saved.size(); ++at) {
-      if (states[now][at] != saved[at] && theirs[at] != saved[at] && theirs[at] != states[now][at])
-        met[at] = true;
-      for (Cells& state : states) {
-        if (state[at] == saved[at]) state[at] = theirs[at];
+      if (mine[at] != kept[at] && coming[at] != kept[at] && coming[at] != mine[at]) met[at] = true;
+    }
+    for (Cells& state : states) {
+      std::uint8_t* const cells = state.data();
+      for (std::size_t at = 0; at < saved.size(); ++at) {
+        if (cells[at] == kept[at]) cells[at] = coming[at];
       }
     }
     saved = theirs;
