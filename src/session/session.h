@@ -175,6 +175,9 @@ class Session : public QObject {
   void followLivePlaces();  // the waypoints of the live map
   void readLivePlacesAgain();
   void readPictureAgain(const map::MapKey& key);
+  /// Its source has changed. A map that is on its way is read to the end first: one that changes faster than
+  /// it can be read would never be seen.
+  void openAgain(MapSlot& slot);
   void openFirstMap();
   void retryMaps();  // those that failed
   void askForOverview();
@@ -207,9 +210,10 @@ class Session : public QObject {
     bool operator==(const Subscription&) const = default;
   };
   std::map<QString, Subscription> wants_;
-  Subscription wanted_;           // all of them together
-  QSet<QString> retired_topics_;  // no longer wanted: messages still arriving are ignored
-  QStringList wanted_topics_;     // all topics that may carry it
+  Subscription wanted_;                // all of them together
+  QSet<QString> retired_topics_;       // no longer wanted: messages still arriving are ignored
+  QStringList wanted_topics_;          // all topics that may carry it
+  std::set<const MapSlot*> outdated_;  // their source has changed since
   std::map<const MapSlot*, map::MapKey> live_places_;  // whose waypoints were requested last
   std::optional<submap::Millis> listed_at_;  // when the catalogue last arrived; nullopt if it failed since
   Catalogue catalogue_;

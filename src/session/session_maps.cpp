@@ -45,6 +45,13 @@ void Session::wireMaps() {
   for (MapSlot* slot : {&whole_map_, &compared_map_}) {
     connect(slot, &MapSlot::problemFound, this, note);
     connect(slot, &MapSlot::recovered, this, forget);
+    // Queued: it changes in the middle of what else it does.
+    connect(
+        slot, &MapSlot::changed, this,
+        [this, slot] {
+          if (slot->settled() && outdated_.contains(slot)) openAgain(*slot);
+        },
+        Qt::QueuedConnection);
   }
   for (MapSlot* slot : {&whole_map_, &compared_map_, &overview_})
     connect(slot, &MapSlot::unreadable, this, &Session::discardPicture);
@@ -65,9 +72,7 @@ void Session::wireMaps() {
   connect(&layer_grids_, &LayerGrids::unreadable, this, &Session::discardPicture);
   connect(robot_.get(), &robot::Robot::mapsChanged, this, [this] {
     if (maps_by_itself_ || catalogue_.asked()) catalogue_.refresh();
-    if (whole_map_.key().kind == map::MapKind::File && whole_map_.settled()) {
-      openInto(whole_map_, whole_map_.key());
-    }
+    if (whole_map_.key().kind == map::MapKind::File) openAgain(whole_map_);
   });
   const auto hearStores = [this] {
     if (robot::WaypointStore* const store = robot_->waypointStore())
@@ -174,6 +179,7 @@ void Session::keepForComparing() {
 }
 
 void Session::openInto(MapSlot& slot, const map::MapKey& key) {
+  outdated_.erase(&slot);
   if (key.kind == map::MapKind::Live) {
     const auto grid = live_.grids.find(map::GridKind::WholeMap);
     if (grid == live_.grids.end()) {
@@ -236,9 +242,17 @@ void Session::readLivePlacesAgain() {
 }
 
 void Session::readPictureAgain(const map::MapKey& key) {
-  if (still_) return;
   for (MapSlot* slot : {&whole_map_, &compared_map_}) {
-    if (slot->key() == key && slot->phase() != MapSlot::Phase::Empty) openInto(*slot, key);
+    if (slot->key() == key) openAgain(*slot);
+  }
+}
+
+void Session::openAgain(MapSlot& slot) {
+  if (still_ || slot.phase() == MapSlot::Phase::Empty) return;
+  if (slot.settled()) {
+    openInto(slot, map::MapKey(slot.key()));
+  } else {
+    outdated_.insert(&slot);
   }
 }
 

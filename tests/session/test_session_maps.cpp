@@ -399,6 +399,42 @@ class SessionMapsTest : public QObject {
     QCOMPARE(robot_->lists.size(), std::size_t(1));
   }
 
+  void aFileThatChangesWhileItIsReadIsReadAgain() {
+    make(true, false);
+    goOnline();
+    const map::MapKey file{map::MapKind::File, "office.yaml"};
+    const auto answer = [&](std::size_t which, int gray) {
+      map::WholeMap map = FakeRobot::wholeMap("office.yaml", gray);
+      map.key = file;
+      robot_->map_fetches[which].second(std::move(map));
+    };
+    session_->openMap(file);
+    Q_EMIT robot_->mapsChanged();  // while it is being fetched
+    Q_EMIT robot_->mapsChanged();
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(1));
+    answer(0, 254);
+    QVERIFY(session_->wholeMap().phase() == Phase::Reading);
+    Q_EMIT robot_->mapsChanged();  // while it is being read
+    QTRY_COMPARE(robot_->map_fetches.size(), std::size_t(2));
+    QCOMPARE(shownGray(), 254);
+    answer(1, 100);
+    QTRY_COMPARE(shownGray(), 100);
+    QTRY_VERIFY(session_->wholeMap().settled());
+    QCoreApplication::processEvents();
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(2));
+    // One that cannot be read has perhaps been written in the meantime.
+    Q_EMIT robot_->mapsChanged();
+    Q_EMIT robot_->mapsChanged();
+    robot_->map_fetches[2].second(tl::make_unexpected(test::failed("It is empty.")));
+    QTRY_COMPARE(robot_->map_fetches.size(), std::size_t(4));
+    // Another map that is opened meanwhile needs nothing read again.
+    Q_EMIT robot_->mapsChanged();
+    session_->openMap({map::MapKind::File, "attic.yaml"});
+    robot_->map_fetches[4].second(tl::make_unexpected(test::failed("It is empty.")));
+    QCoreApplication::processEvents();
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(5));
+  }
+
   void bytesCountOnlyWhenTheyTravelled_data() {
     QTest::addColumn<QByteArray>("what");
     QTest::addColumn<quint64>("fetches");

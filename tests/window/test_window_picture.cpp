@@ -545,6 +545,46 @@ class TestWindowPicture : public QObject {
     QVERIFY(tool->isEnabled());
   }
 
+  /// Reading takes a while: what is read may be older than what was saved in the meantime.
+  void whatWasReadBeforeItWasSavedTakesNothingBack() {
+    class SlowStore : public robot::PictureStore {
+     public:
+      std::optional<robot::PictureObstacle> obstacle(const map::WholeMap&) const override { return {}; }
+      bool holdsUnknown(const map::WholeMap&) const override { return true; }
+      robot::Call write(const robot::PictureChange&,
+                        robot::OutcomeTo<robot::PictureReceipt> outcome) override {
+        reply = std::move(outcome);
+        return {};
+      }
+      robot::OutcomeTo<robot::PictureReceipt> reply;
+    };
+    SlowStore store;
+    test::Bench bench;
+    bench.offerMaps();
+    bench.prepare = [&store, offer = bench.prepare](test::FakeRobot& robot) {
+      offer(robot);
+      robot.picture_store = &store;
+    };
+    bench.open();
+    QVERIFY(!bench.window->connectTo(test::kAddress));
+    session::Session& session = *bench.window->session();
+    const map::MapKey key{map::MapKind::Stored, "1"};
+    session.openMap(key);
+    PictureController& control = *part<PictureController>(*bench.window);
+    QTRY_VERIFY(control.editing()->isOpen());
+    control.editing()->drawRectangle({10, 10, 20, 20});
+    bench.action("save")->trigger();
+    bench.window->findChild<QPushButton*>(QStringLiteral("sendPicture"))->click();
+    QTRY_VERIFY(store.reply);
+    const auto before = session.wholeMap().cells();
+    Q_EMIT store.changed(key);  // read again while it is being written, as it was before
+    QTRY_VERIFY(session.wholeMap().cells() != before && session.wholeMap().settled());
+    store.reply(robot::PictureReceipt{"saved"});
+    QTRY_VERIFY(!control.saving() && !control.editing()->merging());
+    QCOMPARE(int(control.editing()->grid()->at(15, 15)), 0);  // black
+    QVERIFY(!control.editing()->unsaved());
+  }
+
   void theToolSaysWhyNot() {
     Desk desk;
     desk.start(QStringLiteral("/nowhere/gone.yaml"));

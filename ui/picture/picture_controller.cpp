@@ -177,7 +177,7 @@ void PictureController::openMap(const MapSlot& slot) {
   open_map_ = slot.shown().key;
   seen_ = slot.cells();
   revision_ = slot.shown().fingerprint;
-  own_revisions_.clear();
+  past_revisions_.clear();
   forgetting_reported_ = false;
   ++opened_;
   editing_.open(seen_, slot.reference(), session_->robot().pictureStore()->holdsUnknown(slot.shown()));
@@ -234,10 +234,12 @@ void PictureController::takeOther(const MapSlot& slot) {
   const bool fits = picture::sameShape(*editing_.grid(), *seen_) && slot.reference() == editing_.reference();
   if (fits && editing_.touched()) {
     const std::string& revision = slot.shown().fingerprint;
-    // A picture saved here comes back, possibly after a later save.
-    const bool known = revision == revision_ || own_revisions_.contains(revision);
+    // A picture saved here comes back, possibly after a later save; and so may the one before it, which was
+    // being read meanwhile. What is read comes in order: an older one after the latest is someone's change.
+    const bool latest = revision == revision_;
+    const bool known = latest || past_revisions_.contains(revision);
+    if (latest || !known) past_revisions_.clear();
     if (known && !editing_.merging()) return again_ ? noteMerged(0, revision_) : void();
-    own_revisions_.clear();  // an equal one from now on is someone else's change
     editing_.takeIn(seen_, revision);
     return;
   }
@@ -444,8 +446,7 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
   saving_ = false;
   dock_->setTravelled(std::nullopt);
   if (outcome) {
-    revision_ = outcome->revision;
-    own_revisions_.insert(revision_);
+    past_revisions_.insert(std::exchange(revision_, outcome->revision));
     Q_EMIT written();
     editing_.noteSaved(cells);
     if (copy_.isEmpty()) {

@@ -93,7 +93,7 @@ class PictureController : public Controller {
   bool forgetting_reported_ = false;
   std::shared_ptr<const grids::GridPyramid> seen_;  // of the last map received
   std::string revision_;                            // of what is saved
-  std::set<std::string> own_revisions_;             // saved from here since the last change by someone else
+  std::set<std::string> past_revisions_;            // replaced by saving here; may still be on their way
   bool shown_ = false;                              // the edited cells are drawn
   bool saving_ = false, again_ = false;             // again: saves once more after merging theirs
   bool was_unsaved_ = false;
