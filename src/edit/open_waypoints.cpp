@@ -83,7 +83,9 @@ void OpenWaypoints::read() {
   store_->read(map_, [self = QPointer<OpenWaypoints>(this)](robot::Outcome<robot::StoredWaypoints> stored) {
     if (!self) return;
     self->reading_ = false;
-    if (stored && !self->saving()) {
+    if (std::exchange(self->read_overtaken_, false)) {
+      self->read_again_ = true;
+    } else if (stored && !self->saving()) {
       self->read_since_ = true;
       self->take(*stored);
     } else if (!stored) {
@@ -135,7 +137,9 @@ void OpenWaypoints::send(const std::vector<PlannedRequest>& reviewed, AtFailure 
 }
 
 void OpenWaypoints::startSaving() {
-  if (store_ && phase_ == Phase::Ready) submission_.start(way_);
+  if (!store_ || phase_ != Phase::Ready) return;
+  read_overtaken_ = reading_;
+  submission_.start(way_);
 }
 
 std::vector<PlannedRequest> OpenWaypoints::planned() const {

@@ -125,7 +125,8 @@ class OpenWaypoints : public QObject {
   std::optional<map::Failure> failure_;
   std::vector<Fault> notes_;
   bool has_read_ = false, reading_ = false, read_again_ = false;
-  int conflicts_met_ = 0;                                     // in a row, while saving
+  bool read_overtaken_ = false;  // saving has begun since: what comes may be older than what is saved
+  int conflicts_met_ = 0;        // in a row, while saving
   bool looked_ = true, read_since_ = false;                   // read_since_: read again since saving stopped
   std::set<std::string> zero_turns_;                          // their ids
   std::string revision_;                                      // of what was read last

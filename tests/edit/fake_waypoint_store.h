@@ -31,6 +31,13 @@ class FakeWaypointStore : public robot::WaypointStore {
   robot::KeptFields keeps() const override { return kept_fields; }
   robot::Call read(const map::MapKey&, robot::OutcomeTo<robot::StoredWaypoints> reply) override {
     ++reads;
+    if (slow) {
+      answers.push_back(
+          [reply, now = robot::StoredWaypoints{points, std::to_string(revision), {}, there, zero_turns}] {
+            reply(now);
+          });
+      return {};
+    }
     return later([this, reply] {
       if (unreadable || reads > readable) {
         reply(tl::make_unexpected(map::Failure{map::FailureKind::Unreachable}));
@@ -110,6 +117,8 @@ class FakeWaypointStore : public robot::WaypointStore {
   std::set<std::string> zero_turns;  // ids
   int revision = 1, reads = 0;
   bool hold = false, unreadable = false;
+  bool slow = false;  // reading ends when the test calls its answer
+  std::vector<std::function<void()>> answers;
   bool is_called = false;             // its requests are calls of services
   int readable = 1'000'000;           // times
   bool there = true;                  // the list, be it empty

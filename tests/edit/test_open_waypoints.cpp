@@ -92,6 +92,29 @@ class TestOpenWaypoints : public QObject {
     QCOMPARE(desk.store.find("New")->position_m.x(), 4.0);
   }
 
+  void whatWasReadBeforeItWasSavedTakesNothingBack() {
+    Desk desk(Way::OneByOne);
+    READY(desk);
+    desk.store.slow = true;
+    desk.list->read();
+    desk.store.slow = false;
+    desk.move("a", 1);
+    QSignalSpy saved(desk.list.get(), &OpenWaypoints::saved);
+    desk.list->save();
+    QTRY_COMPARE(saved.size(), 1);
+    desk.store.slow = true;
+    desk.store.answers[0]();
+    QCOMPARE(desk.document().find("a")->position_m.x(), 1.0);
+    QVERIFY(!desk.list->unsaved());
+    QCOMPARE(desk.store.answers.size(), std::size_t(2));  // it reads again instead
+    desk.store.answers[1]();
+    QCOMPARE(desk.document().find("a")->position_m.x(), 1.0);
+    desk.store.put(waypoint("a", 2, 0, "A"));
+    desk.list->read();
+    desk.store.answers[2]();
+    QCOMPARE(desk.document().find("a")->position_m.x(), 2.0);  // somebody else's
+  }
+
   void savingNothingAsksForNothing() {
     Desk desk(Way::AllAtOnce);
     READY(desk);
