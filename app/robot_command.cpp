@@ -88,17 +88,15 @@ RobotReading::RobotReading(std::unique_ptr<robot::Robot> robot, QString address,
 
 bool RobotReading::waitUntil(const std::function<bool()>& done, double at_most_s) {
   const QDeadlineTimer deadline(at_most_s < 1e6 ? qint64(at_most_s * 1000) : -1, Qt::PreciseTimer);
-  QEventLoop loop;
+  // Looks after everything that happens; the timer is for what happens without an event.
   QTimer look;
-  look.setTimerType(Qt::PreciseTimer);
-  bool is_done = done();
-  QObject::connect(&look, &QTimer::timeout, &loop, [&] {
-    is_done = done();
-    if (is_done || time_.over() || deadline.hasExpired()) loop.quit();
-  });
   look.start(kMapLookEveryMs);
-  if (!is_done) loop.exec();
-  return is_done;
+  QEventLoop loop;
+  while (!done()) {
+    if (time_.over() || deadline.hasExpired()) return false;
+    loop.processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
+  }
+  return true;
 }
 
 bool RobotReading::local() const { return session_.robot().isLocal(); }

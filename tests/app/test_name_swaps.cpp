@@ -200,7 +200,7 @@ class NameSwapsTest : public QObject {
     options.drafts_folder = drafts;
     options.workers = workers_;
     auto list = std::make_unique<edit::OpenWaypoints>(store, kMap, kAddress, options);
-    return QTest::qWaitFor([&] { return list->phase() == edit::OpenWaypoints::Phase::Ready; })
+    return reading_->waitUntil([&] { return list->phase() == edit::OpenWaypoints::Phase::Ready; }, 30)
                ? std::move(list)
                : nullptr;
   }
@@ -209,9 +209,9 @@ class NameSwapsTest : public QObject {
     for (const map::Waypoint& point : trial.wanted) changes.push_back(list.document().to(point.id, point));
     list.document().change(std::move(changes), QStringLiteral("names"));
   }
-  static bool send(edit::OpenWaypoints& list) {
+  bool send(edit::OpenWaypoints& list) {
     list.send(list.planned(), edit::AtFailure::Stop);
-    return QTest::qWaitFor([&] { return !list.saving(); });
+    return reading_->waitUntil([&] { return !list.saving(); }, 30);
   }
 
  private Q_SLOTS:
@@ -285,8 +285,9 @@ class NameSwapsTest : public QObject {
             list.reset();
             list = window(store, drafts.path());
             QVERIFY2(list, where);
-            QVERIFY2(QTest::qWaitFor([&] { return !list->offered().empty() || isAsWanted(store, trial); }),
-                     where);
+            QVERIFY2(
+                reading_->waitUntil([&] { return !list->offered().empty() || isAsWanted(store, trial); }, 30),
+                where);
             list->takeUp(QStringLiteral("take up"));
             QVERIFY2(list->document().conflicts().empty(), where);
             QVERIFY2(send(*list), where);
