@@ -300,8 +300,13 @@ void addRecord(Commands& commands) {
   addRobot(*command, args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
   command->add_option("-o,--output", args.output, help(Text::tr("The MCAP file to write")))->required();
   command->add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
-  command->add_option("--duration", args.duration_s,
-                      help(Text::tr("Length in seconds; by default until Ctrl+C")));
+  command
+      ->add_option(
+          "--duration", args.duration_s,
+          help(Text::tr("For example 90s, 2m or 1h, or a number of seconds; by default until Ctrl+C")))
+      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}},
+                                        CLI::AsNumberWithUnit::CASE_SENSITIVE)
+                      .description(""));
   command->add_option("--topics", args.topics,
                       help(Text::tr("Additional topics, separated by commas, as the robot names them")));
   command

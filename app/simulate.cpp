@@ -147,11 +147,14 @@ void SimulateOptions::addRosRobot(simulator::RosOptions& o) {
   group_.clear();
   option("--ros-port", o.port, tr("Port of the ROS robot, 0 for any free port"))->capture_default_str();
   option("--ros-dialect", o.dialect, tr("ros1 or ros2: type names, times and headers"))
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, RosDialect>{{"ros1", RosDialect::Ros1}, {"ros2", RosDialect::Ros2}}));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, RosDialect>{{"ros1", RosDialect::Ros1},
+                                                                            {"ros2", RosDialect::Ros2}})
+                      .description("{ros1,ros2}"));
   option("--ros-writer", o.writer, tr("How to write JSON: escaped (\\/ and \\uXXXX), spaced or plain"))
-      ->transform(CLI::CheckedTransformer(std::map<std::string, RosWriter>{
-          {"escaped", RosWriter::Escaped}, {"spaced", RosWriter::Spaced}, {"plain", RosWriter::Plain}}));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, RosWriter>{{"escaped", RosWriter::Escaped},
+                                                                           {"spaced", RosWriter::Spaced},
+                                                                           {"plain", RosWriter::Plain}})
+                      .description("{escaped,spaced,plain}"));
   flag("!--no-rosapi", o.rosapi, tr("The ROS robot has no /rosapi"));
   flag("!--no-kabam", o.kabam, tr("The ROS robot has no /map_manager"));
   flag("--ros-status", o.status, tr("Report errors in status messages"));

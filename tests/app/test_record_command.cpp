@@ -85,7 +85,7 @@ class RecordCommandTest : public QObject {
 
   void itEndsByItselfAndSaysWhatIsInTheFile() {
     const QString file = path("one.mcap");
-    const Ended done = run(words(file, {QStringLiteral("--duration"), QStringLiteral("6")}));
+    const Ended done = run(words(file, {QStringLiteral("--duration"), QStringLiteral("6s")}));
     QCOMPARE(done.code, 0);
     const QJsonObject said = QJsonDocument::fromJson(done.out).object();
     const Film film = read(file);
@@ -186,6 +186,7 @@ class RecordCommandTest : public QObject {
         << QStringList{QStringLiteral("--streams"), QStringLiteral("pose,odd")};
     QTest::newRow("no such choice") << QStringList{QStringLiteral("--submaps"), QStringLiteral("some")};
     QTest::newRow("no time at all") << QStringList{QStringLiteral("--duration"), QStringLiteral("0")};
+    QTest::newRow("a unit that is none") << QStringList{QStringLiteral("--duration"), QStringLiteral("5x")};
     QTest::newRow("a time that is none") << QStringList{QStringLiteral("--duration"), QStringLiteral("-1")};
     QTest::newRow("no file") << QStringList{QStringLiteral("-o"), QStringLiteral("-")};
   }
