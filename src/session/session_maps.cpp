@@ -73,6 +73,7 @@ void Session::wireMaps() {
   connect(robot_.get(), &robot::Robot::mapsChanged, this, [this] {
     if (maps_by_itself_ || catalogue_.asked()) catalogue_.refresh();
     if (whole_map_.key().kind == map::MapKind::File) openAgain(whole_map_);
+    if (compared_map_.key().kind == map::MapKind::File && !compared_aside_) openAgain(compared_map_);
   });
   const auto hearStores = [this] {
     if (robot::WaypointStore* const store = robot_->waypointStore())

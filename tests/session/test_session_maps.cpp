@@ -427,12 +427,29 @@ class SessionMapsTest : public QObject {
     Q_EMIT robot_->mapsChanged();
     robot_->map_fetches[2].second(tl::make_unexpected(test::failed("It is empty.")));
     QTRY_COMPARE(robot_->map_fetches.size(), std::size_t(4));
+    robot_->map_fetches[3].second(tl::make_unexpected(test::failed("It is empty.")));
+    // So is the one that it is compared with, unless that was kept as it was.
+    session_->compareWith(file);
+    answer(4, 50);
+    QTRY_VERIFY(session_->comparedMap().settled());
+    Q_EMIT robot_->mapsChanged();
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(7));
+    answer(5, 60);
+    answer(6, 60);
+    QTRY_VERIFY(session_->wholeMap().settled() && session_->comparedMap().settled());
+    session_->keepForComparing();
+    QTRY_VERIFY(session_->comparedMap().settled());
+    Q_EMIT robot_->mapsChanged();
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(8));
+    answer(7, 70);
+    QTRY_VERIFY(session_->wholeMap().settled());
     // Another map that is opened meanwhile needs nothing read again.
     Q_EMIT robot_->mapsChanged();
+    Q_EMIT robot_->mapsChanged();
     session_->openMap({map::MapKind::File, "attic.yaml"});
-    robot_->map_fetches[4].second(tl::make_unexpected(test::failed("It is empty.")));
+    robot_->map_fetches[9].second(tl::make_unexpected(test::failed("It is empty.")));
     QCoreApplication::processEvents();
-    QCOMPARE(robot_->map_fetches.size(), std::size_t(5));
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(10));
   }
 
   void bytesCountOnlyWhenTheyTravelled_data() {
