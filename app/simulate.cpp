@@ -154,7 +154,7 @@ void SimulateOptions::addRosRobot(simulator::RosOptions& o) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, RosWriter>{{"escaped", RosWriter::Escaped},
                                                                            {"spaced", RosWriter::Spaced},
                                                                            {"plain", RosWriter::Plain}})
-                      .description("{escaped,spaced,plain}"));
+                      .description("{escaped,plain,spaced}"));
   flag("!--no-rosapi", o.rosapi, tr("The ROS robot has no /rosapi"));
   flag("!--no-kabam", o.kabam, tr("The ROS robot has no /map_manager"));
   flag("--ros-status", o.status, tr("Report errors in status messages"));
