@@ -181,7 +181,10 @@ void Session::takeTopic(const map::StampedMessage& stamped) {
 void Session::take(const map::StampedMessage& stamped) {
   const map::TopicMessage& message = stamped.message;
   const int frame = live_.frame;
-  const bool known = !heard_.insert(message.index()).second && map::repeats(live_, message);
+  const auto [heard, first] = heard_.try_emplace(message.index());
+  const bool known = !first && map::repeats(live_, message);
+  const double unchanged_s = known && heard->second ? heard->second->unchanged_s : stamped.at_s();
+  heard->second = Heard{QString::fromStdString(stamped.topic), stamped.at_s(), unchanged_s};
   world_ = map::reduce(std::move(world_), stamped);
   if (live_.frame != frame) {
     // Latched data (landmarks, doors, the map) may have arrived before the message about the new frame: a new
@@ -206,7 +209,13 @@ void Session::take(const map::StampedMessage& stamped) {
   Q_EMIT liveHeard(int(message.index()));
 }
 
+std::optional<Session::Heard> Session::heard(int what) const {
+  const auto heard = heard_.find(std::size_t(what));
+  return heard == heard_.end() ? std::nullopt : heard->second;
+}
+
 void Session::reset(map::World world, bool whole) {
+  for (auto& [what, heard] : heard_) heard.reset();
   world.live.frame = live_.frame + 1;
   const std::optional<map::SubmapList> list = world.submaps;
   world_ = std::move(world);

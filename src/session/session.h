@@ -68,6 +68,15 @@ class Session : public QObject {
   const map::LiveState& live() const { return live_; }
   /// Everything received from the robot.
   const map::World& world() const { return world_; }
+  /// When messages of a kind came, seconds since the epoch (of a replay: of the bag).
+  struct Heard {
+    QString topic;           // the robot's name for it; may be empty
+    double last_s = 0;       // the last one
+    double unchanged_s = 0;  // since when they say the same
+  };
+  /// `what` is the TopicMessage alternative. nullopt: none since the connection was made, or the world was
+  /// replaced.
+  std::optional<Heard> heard(int what) const;
   /// Replaces the world, as if its messages had arrived: for example the state of a recording at some time.
   /// Later messages apply to it. Not `whole`: missing parts may still be found, and the previous submaps stay
   /// until then.
@@ -200,10 +209,10 @@ class Session : public QObject {
   quint64 fetches_ = 0, cache_hits_ = 0, bytes_fetched_ = 0;
   bool overview_wanted_, submaps_wanted_, maps_by_itself_;
   bool still_ = false;
-  std::set<std::size_t> heard_;                  // kinds of messages
-  bool live_wanted_ = true;                      // the whole map on screen is the live one
-  bool map_chosen_ = false;                      // by the user
-  std::optional<map::WholeMap> compared_aside_;  // not requested from the robot
+  std::map<std::size_t, std::optional<Heard>> heard_;  // by kind; nullopt: in an earlier world
+  bool live_wanted_ = true;                            // the whole map on screen is the live one
+  bool map_chosen_ = false;                            // by the user
+  std::optional<map::WholeMap> compared_aside_;        // not requested from the robot
   struct Subscription {
     map::Streams streams;
     QStringList topics;

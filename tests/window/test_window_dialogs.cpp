@@ -190,7 +190,7 @@ class TestWindowDialogs : public QObject {
         .add(QStringLiteral("Map"), QStringLiteral("off"), QStringLiteral("Fit never"), {}, {}, Reach::Map,
              QStringLiteral("x"))
         ->setEnabled(false);
-    CommandPalette palette(actions, nullptr);
+    CommandPalette palette(actions, Findings(), nullptr);
     palette.show();
     QCOMPARE(palette.list()->count(), 3);
     QTest::keyClicks(palette.field(), QStringLiteral("fit"));
@@ -198,7 +198,7 @@ class TestWindowDialogs : public QObject {
     QTest::keyClick(palette.field(), Qt::Key_Return);
     QCOMPARE(fits, 1);
     QCOMPARE(others, 0);
-    CommandPalette again(actions, nullptr);
+    CommandPalette again(actions, Findings(), nullptr);
     again.show();
     QTest::keyClicks(again.field(), QStringLiteral("never"));
     QTest::keyClick(again.field(), Qt::Key_Return);

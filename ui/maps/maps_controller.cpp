@@ -21,6 +21,16 @@ namespace mapwright::window {
 MapsController::MapsController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context), dock_(new MapsDock(&context.window)) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Left, .tab = 10, .menu_rank = 10});
+  context_.findings.add([this]() -> Findings::Search {
+    return [this](const QString&, const Findings::See& see) {
+      const session::Session* const session = context_.current.session();
+      if (!session) return;
+      for (const map::CatalogueEntry& entry : session->catalogue().entries()) {
+        see({mapCalled(QString::fromStdString(entry.name), entry.key), tr("Map"), QStringLiteral("map"),
+             [this, key = entry.key] { open(key); }});
+      }
+    };
+  });
   connect(dock_, &MapsDock::openWanted, this, &MapsController::open);
   connect(dock_, &MapsDock::compareWanted, this, &MapsController::compareWanted);
   connect(dock_, &MapsDock::exportWanted, this, &MapsController::openToExport);

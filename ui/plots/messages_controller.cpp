@@ -9,6 +9,16 @@ namespace mapwright::window {
 MessagesController::MessagesController(WindowContext& context, QObject* parent)
     : Controller(parent), dock_(new MessagesDock({}, &context.window)) {
   context.panels.add(dock_, {.side = PanelPlace::Side::Bottom, .tab = 10, .menu_rank = 60, .open = false});
+  context.findings.add([this, &panels = context.panels]() -> Findings::Search {
+    return [this, &panels, topics = dock_->knownTopics()](const QString&, const Findings::See& see) {
+      for (const QString& topic : topics) {
+        see({topic, tr("Topic"), QStringLiteral("list"), [this, &panels, topic] {
+               panels.open(dock_);
+               dock_->chooseTopic(topic);
+             }});
+      }
+    };
+  });
   connect(dock_, &MessagesDock::copyWanted, &context.overlay,
           [overlay = &context.overlay](const QString& text, const QString& said) {
             copyText(*overlay, text, said);

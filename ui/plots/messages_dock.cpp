@@ -312,6 +312,13 @@ void MessagesDock::showMessage(bool force) {
   message_->horizontalScrollBar()->setValue(across);
 }
 
+QStringList MessagesDock::knownTopics() const {
+  QStringList topics = known_->stringList();
+  for (const auto& [topic, tally] : log_.topics()) topics << topic;
+  topics.removeDuplicates();
+  return topics;
+}
+
 void MessagesDock::chooseTopic(const QString& topic) {
   for (int row = 0; row < model_->rowCount(); ++row) {
     if (model_->topicAt(row) != topic) continue;

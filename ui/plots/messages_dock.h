@@ -42,6 +42,8 @@ class MessagesDock : public QDockWidget {
   QPushButton* copyButton() const { return copy_; }
   MessageView* messageView() const { return message_; }
   QString chosenTopic() const { return chosen_; }
+  /// All that can be looked at: those that have come, and those that the robot offers.
+  QStringList knownTopics() const;
   bool watching() const { return watching_; }
   void chooseTopic(const QString& topic);
   /// Somebody else needs the raw messages, so they are subscribed even if this is not visible.

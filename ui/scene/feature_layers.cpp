@@ -136,6 +136,10 @@ QColor regionColor(const MapTheme& theme, int type) {
   }
 }
 
+QColor lineColor(const MapTheme& theme, int type) {
+  return type == 2 ? theme.bad : type == 1 ? theme.path : theme.region;
+}
+
 QColor pointColor(const MapTheme& theme, int type) {
   switch (type) {
     case 9:
@@ -246,7 +250,7 @@ class OverlaysLayer : public LayerItem {
           const QString name =
               feature.name.empty() ? sentences::nameOf(feature.shape, feature.type) : shortName(feature.name);
           drawPlace(*painter, context_, feature.parts[0][0], feature.yaw_rad,
-                    pointColor(context_.theme, feature.type), name);
+                    overlayColor(context_.theme, feature), name);
         }
       }
     }
@@ -260,7 +264,7 @@ class OverlaysLayer : public LayerItem {
     const QRectF bounds = path.boundingRect();
     if (!inView(context_.view, bounds)) return;
     path.setFillRule(Qt::OddEvenFill);
-    const QColor color = regionColor(context_.theme, feature.type);
+    const QColor color = overlayColor(context_.theme, feature);
     painter.setPen(QPen(color, 1.5));
     painter.setBrush(translucent(color, 34));
     painter.drawPath(path);
@@ -283,9 +287,7 @@ class OverlaysLayer : public LayerItem {
 
   void paintLine(QPainter& painter, const map::OverlayFeature& feature) const {
     const bool wall = feature.type == 2;
-    const QColor color = wall                ? context_.theme.bad
-                         : feature.type == 1 ? context_.theme.path
-                                             : context_.theme.region;
+    const QColor color = overlayColor(context_.theme, feature);
     for (const auto& part : feature.parts) {
       for (const QPolygonF& line : visibleLines(context_.view, part, 6)) {
         painter.setBrush(Qt::NoBrush);
@@ -301,6 +303,18 @@ class OverlaysLayer : public LayerItem {
 };
 
 }  // namespace
+
+QColor overlayColor(const MapTheme& theme, const map::OverlayFeature& feature) {
+  switch (feature.shape) {
+    case map::OverlayShape::Point:
+      return pointColor(theme, feature.type);
+    case map::OverlayShape::Line:
+      return lineColor(theme, feature.type);
+    case map::OverlayShape::Polygon:
+      return regionColor(theme, feature.type);
+  }
+  return {};
+}
 
 template <>
 LayerSpec layerSpec<Layer::Overlays>() {

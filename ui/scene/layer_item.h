@@ -26,6 +26,7 @@
 #include "scene/drawing.h"
 #include "scene/drawn_waypoint.h"
 #include "scene/layer.h"
+#include "scene/map_object.h"
 #include "scene/map_theme.h"
 #include "scene/track.h"
 
@@ -76,8 +77,6 @@ struct MapFeatures {
   std::vector<map::Landmark> landmarks;
   std::vector<DrawnWaypoint> waypoints;
 };
-/// Whose features an item shows: those of a map that is opened, or of the robot's present one.
-enum class FeaturesOf { WholeMap, ComparedMap, Robot };
 
 /// Everything that layers paint with. Owned by the scene, outlives its items.
 struct LayerContext {
@@ -92,6 +91,8 @@ struct LayerContext {
   Outlines outlines;
   std::set<map::SubmapId> highlighted;
   std::vector<Eigen::Vector2d> measured;
+  std::optional<MapObject> marked;               // framed: what the user has chosen
+  std::optional<Eigen::Vector2d> marker;         // a place that the user went to
   std::shared_ptr<const Track> track;            // null = none
   std::shared_ptr<clouds::CloudStore> clouds;    // never null
   QPointer<regions::RegionMap> regions;          // null = none
@@ -198,6 +199,19 @@ class HighlightItem : public LayerItem {
   using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 };
+
+/// Frames the chosen object, and marks the place that the user went to.
+class MarkItem : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+  /// What paint() covers at present.
+  QRectF covers() const;
+};
+
+/// The colour of a place, line or region of an overlay.
+QColor overlayColor(const MapTheme& theme, const map::OverlayFeature& feature);
+QColor waypointColor(const MapTheme& theme, WaypointMark mark);
 
 /// The viewport rectangle of the robot and its footprints, to limit repaints.
 QRectF robotRect(const LayerContext& context);

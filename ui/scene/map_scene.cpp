@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/layer_objects.h"
 #include "scene/scene_items.h"
 
 namespace mapwright::scene {
@@ -98,6 +99,8 @@ void MapScene::setSession(session::Session* session) {
   setPoseBetween(std::nullopt);
   setTrack(nullptr);
   items_->context.highlighted.clear();
+  setMarked(std::nullopt);
+  setMarker(std::nullopt);
   items_->context.live = session_ ? &session_->live() : &items_->nothing_live;
   items_->robot_pose = items_->context.live->robot_pose;
   items_->raster.setSession(session_);
@@ -337,6 +340,30 @@ std::optional<map::SubmapId> MapScene::submapAt(const Eigen::Vector2d& world_m) 
   }
   return std::nullopt;
 }
+
+std::vector<ObjectId> MapScene::objectsAt(const Eigen::Vector2d& world_m, double reach_px) const {
+  return scene::objectsAt(*items_, world_m, reach_px);
+}
+
+std::optional<MapObject> MapScene::object(const ObjectId& id) const {
+  return session_ ? scene::objectOf(*items_, *session_, id) : std::nullopt;
+}
+
+std::vector<MapObject> MapScene::objects(std::size_t most) const { return scene::allObjects(*items_, most); }
+
+void MapScene::setMarked(std::optional<MapObject> object) {
+  items_->mark->update(items_->mark->covers());
+  items_->context.marked = std::move(object);
+  items_->mark->update(items_->mark->covers());
+}
+
+void MapScene::setMarker(std::optional<Eigen::Vector2d> world_m) {
+  items_->mark->update(items_->mark->covers());
+  items_->context.marker = std::move(world_m);
+  items_->mark->update(items_->mark->covers());
+}
+
+const std::optional<Eigen::Vector2d>& MapScene::marker() const { return items_->context.marker; }
 
 void MapScene::setMeasurement(std::vector<Eigen::Vector2d> points) {
   items_->context.measured = std::move(points);

@@ -18,6 +18,7 @@
 #include "render/tile_renderer.h"
 #include "scene/drawn_waypoint.h"
 #include "scene/layer.h"
+#include "scene/map_object.h"
 #include "scene/map_theme.h"
 #include "scene/repaint_pace.h"
 #include "scene/robot_place.h"
@@ -87,6 +88,19 @@ class MapScene : public QGraphicsScene {
   bool highlightedAt(const Eigen::Vector2d& world_m) const;
   /// The topmost visible submap whose slice covers the point.
   std::optional<map::SubmapId> submapAt(const Eigen::Vector2d& world_m) const;
+
+  /// The things that visible layers show at a point, those that are most likely meant first: points, lines,
+  /// areas from small to large, submaps. A few dozen at most.
+  std::vector<ObjectId> objectsAt(const Eigen::Vector2d& world_m, double reach_px) const;
+  /// nullopt: it is gone, or no longer shown.
+  std::optional<MapObject> object(const ObjectId& id) const;
+  /// All things that visible layers show, except submaps and the points of sensors; at most `most`.
+  std::vector<MapObject> objects(std::size_t most) const;
+  /// Frames a thing as it lies now; nullopt = none.
+  void setMarked(std::optional<MapObject> object);
+  /// Marks a place, world metres; nullopt = none.
+  void setMarker(std::optional<Eigen::Vector2d> world_m);
+  const std::optional<Eigen::Vector2d>& marker() const;
 
   /// The edited waypoints, shown instead of the robot's waypoints of that map; nullopt = none.
   void setWaypoints(std::optional<DrawnWaypoints> waypoints);

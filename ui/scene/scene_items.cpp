@@ -110,7 +110,8 @@ SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
       highlight(new HighlightItem(context)),
       measure(new MeasureItem(context)),
       stale(new StaleItem(context)),
-      swipe(new SwipeItem(context)) {
+      swipe(new SwipeItem(context)),
+      mark(new MarkItem(context)) {
   context.live = &nothing_live;
   for (const Layer layer : allLayers()) {
     const LayerSpec& spec = specOf(layer);
@@ -125,8 +126,8 @@ SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
       if (robots && layer != Layer::Submaps) robots_own.push_back(item);
     }
   }
-  all.insert(all.end(),
-             {raster.overview(), raster.compared(), raster.difference(), highlight, stale, measure, swipe});
+  all.insert(all.end(), {raster.overview(), raster.compared(), raster.difference(), highlight, stale, measure,
+                         swipe, mark});
   for (LayerItem* item : all) scene.addItem(item);
   stale->setVisible(false);
   stack();
@@ -148,7 +149,8 @@ void SceneItems::stack() {
   raster.compared()->setZValue(std::max(submaps, first(Layer::WholeMap).zValue()) + 1);
   raster.difference()->setZValue(raster.compared()->zValue() + 1);
   highlight->setZValue(first(Layer::Ids).zValue() + 1);
-  for (LayerItem* item : {stale, measure, swipe, &first(Layer::ScaleBar)}) item->setZValue(z += 10);
+  for (LayerItem* item : {stale, static_cast<LayerItem*>(mark), measure, swipe, &first(Layer::ScaleBar)})
+    item->setZValue(z += 10);
 }
 
 MapsOnScreen SceneItems::onScreen() const {

@@ -58,6 +58,7 @@ class SceneItems {
   std::vector<LayerItem*> all;
   std::vector<LayerItem*> robots_own;  // all that only make sense where the robot is; not the submaps
   LayerItem *highlight, *measure, *stale, *swipe;
+  MarkItem* mark;
 
  private:
   MapsOnScreen onScreen() const;

@@ -1,7 +1,11 @@
 #include <algorithm>
 
+#include <QCoreApplication>
+
 #include "render/tile_renderer.h"
-#include "scene/layer_item.h"
+#include "scene/layer_objects.h"
+#include "sentences/fault_sentence.h"
+#include "session/session.h"
 
 namespace mapwright::scene {
 namespace {
@@ -40,7 +44,44 @@ class SubmapsLayer : public DeviceLayer {
   }
 };
 
+class SubmapText {
+  Q_DECLARE_TR_FUNCTIONS(MapObject)
+};
+
 }  // namespace
+
+std::optional<MapObject> submapObject(const LayerContext& context, const session::Session& session,
+                                      const std::string& key) {
+  const auto found = std::find_if(context.outlines.begin(), context.outlines.end(),
+                                  [&](const auto& outline) { return map::toText(outline.first) == key; });
+  if (found == context.outlines.end()) return std::nullopt;
+  const auto& [submap, outline] = *found;
+  const submap::SubmapRow* const row = session.submaps().find(submap);
+  if (!row) return std::nullopt;
+  MapObject object;
+  object.id = {Layer::Submaps, FeaturesOf::Robot, key, 0};
+  object.form = ObjectForm::Area;
+  object.kind = SubmapText::tr("Submap");
+  object.name = QString::fromStdString(key);
+  object.at_m = outline.center;
+  object.parts = {{outline.corners.begin(), outline.corners.end()}};
+  object.color = outline.frozen ? context.theme.outline_frozen : context.theme.outline;
+  object.topic = map::topicIndex<map::SubmapList>();
+  if (const auto pose = geometry::toIsometry(row->entry.pose))
+    object.yaw_rad = geometry::projectToPlane(*pose).yaw_rad;
+  const auto add = [&](const QString& name, const QString& value) {
+    if (!value.isEmpty()) object.properties.push_back({name, value});
+  };
+  add(SubmapText::tr("Version"),
+      row->shown_version == row->entry.version
+          ? QString::number(row->entry.version)
+          : SubmapText::tr("%1, on screen %2").arg(row->entry.version).arg(row->shown_version));
+  add(SubmapText::tr("State"), row->entry.is_frozen ? SubmapText::tr("frozen") : SubmapText::tr("active"));
+  add(SubmapText::tr("Trajectory"), QString::number(submap.trajectory));
+  if (row->slices.size() > 1) add(SubmapText::tr("Slices"), QString::number(row->slices.size()));
+  add(SubmapText::tr("Problem"), sentences::sentenceOf(session.reason(submap)));
+  return object;
+}
 
 template <>
 LayerSpec layerSpec<Layer::Submaps>() {

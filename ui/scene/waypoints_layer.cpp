@@ -15,18 +15,6 @@ constexpr std::size_t kCrowd = 500;  // with this many, those that would hide ea
 constexpr double kCrowdPx = 4;
 constexpr std::size_t kWaypointMarks = std::size_t(WaypointMark::Theirs) + 1;
 
-QColor waypointColor(const MapTheme& theme, WaypointMark mark) {
-  switch (mark) {
-    case WaypointMark::Saved:
-      return theme.place;
-    case WaypointMark::Conflict:
-    case WaypointMark::Theirs:
-      return theme.bad;
-    default:
-      return theme.warn;
-  }
-}
-
 /// An exclamation mark to the upper right of `at`, readable on any background.
 void paintWarning(QPainter& painter, const MapTheme& theme, const QPointF& at) {
   const QPointF foot = at + QPointF(kRadiusPx + 3, -kRadiusPx - 1);
@@ -140,6 +128,18 @@ class WaypointsLayer : public LayerItem {
 };
 
 }  // namespace
+
+QColor waypointColor(const MapTheme& theme, WaypointMark mark) {
+  switch (mark) {
+    case WaypointMark::Saved:
+      return theme.place;
+    case WaypointMark::Conflict:
+    case WaypointMark::Theirs:
+      return theme.bad;
+    default:
+      return theme.warn;
+  }
+}
 
 void paintWaypointMark(QPainter& painter, const QPointF& at, double radius, WaypointMark mark,
                        const QColor& fill, const QColor& edge) {

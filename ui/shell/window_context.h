@@ -9,6 +9,7 @@
 #include "robot/address.h"
 #include "scene/map_scene.h"
 #include "ui/kit/actions.h"
+#include "ui/kit/findings.h"
 #include "ui/view/hit_list.h"
 #include "work/budgets.h"
 #include "work/workers.h"
@@ -31,6 +32,7 @@ struct WindowContext {
   MapView& view;
   scene::MapScene& scene;
   Actions& actions;     // with their places in menus and tool bar
+  Findings& findings;   // what the palette finds besides commands
   ToolChoice& tools;    // which one is in the hand
   MapOverlay& overlay;  // toasts, what is floating over the map, the hint
   Panels& panels;       // docks

@@ -4,6 +4,7 @@
 
 #include <QLineEdit>
 #include <QMenu>
+#include <QRegularExpression>
 
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
@@ -31,6 +32,9 @@ InspectorController::InspectorController(WindowContext& context, QAction* show_i
                         .menu = {MenuGroup::Window, 10}},
                        this, &InspectorController::goToFilter);
   addToMapMenu();
+  context_.findings.add([this]() -> Findings::Search {
+    return [this](const QString& typed, const Findings::See& see) { findSubmaps(typed, see); };
+  });
   connect(dock_, &InspectorDock::locateWanted, this, &InspectorController::locate);
   connect(dock_, &InspectorDock::colorModeWanted, this, &InspectorController::colorModeWanted);
   connect(dock_, &InspectorDock::counted, &context_.bar, &WindowStatusBar::recount);
@@ -52,6 +56,30 @@ void InspectorController::addToMapMenu() {
       if (session::Session* const session = context_.current.session()) session->setVisible({*id}, false);
     });
   });
+}
+
+/// "12-3" is one, "12-" or "12" are those of a trajectory, as far as a list shows them.
+void InspectorController::findSubmaps(const QString& typed, const Findings::See& see) {
+  session::Session* const session = context_.current.session();
+  static const QRegularExpression pattern(QStringLiteral("^(\\d{1,9})(?:-(\\d{0,9}))?$"));
+  const QRegularExpressionMatch match = pattern.match(typed);
+  if (!session || !match.hasMatch()) return;
+  constexpr int kMost = 20;
+  const int trajectory = match.captured(1).toInt();
+  int shown = 0;
+  const auto& rows = session->submaps().rows();
+  for (auto row = rows.lower_bound({trajectory, 0}); row != rows.end() && shown < kMost; ++row) {
+    const map::SubmapId id = row->first;
+    if (id.trajectory != trajectory) break;
+    const QString name = QString::fromStdString(map::toText(id));
+    if (!name.startsWith(typed)) continue;
+    ++shown;
+    see({tr("Submap %1").arg(name), tr("Submap"), QStringLiteral("submaps"), [this, id] {
+           context_.panels.open(dock_);
+           dock_->select(id);
+           locate(id);
+         }});
+  }
 }
 
 void InspectorController::setColorMode(render::ColorMode mode) { dock_->setColorMode(mode); }

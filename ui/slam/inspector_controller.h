@@ -27,6 +27,7 @@ class InspectorController : public Controller {
 
  private:
   void addToMapMenu();
+  void findSubmaps(const QString& typed, const Findings::See& see);
   void locate(map::SubmapId id);
   void goToFilter();
 

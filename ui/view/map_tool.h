@@ -74,10 +74,10 @@ class PanTool : public MapTool {
   using MapTool::MapTool;
   QString name() const override { return QStringLiteral("pan"); }
   QCursor cursor() const override { return Qt::ArrowCursor; }
-  void clicked(const MapPoint& at) override { Q_EMIT clickedAt(at.world_m); }
+  void clicked(const MapPoint& at) override { Q_EMIT clickedAt(at); }
 
  Q_SIGNALS:
-  void clickedAt(const Eigen::Vector2d& world_m);
+  void clickedAt(const mapwright::window::MapPoint& at);
 };
 
 }  // namespace mapwright::window

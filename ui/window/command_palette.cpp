@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kKeysRole = Qt::UserRole + 1;
 constexpr int kMenuRole = Qt::UserRole + 2;
+constexpr int kFindingRole = Qt::UserRole + 3;
 
 /// Name on the left, menu and keys on the right.
 class CommandDelegate : public QStyledItemDelegate {
@@ -73,18 +74,19 @@ std::optional<int> fuzzyScore(const QString& pattern, const QString& text) {
   return score;
 }
 
-CommandPalette::CommandPalette(const Actions& actions, QWidget* parent)
+CommandPalette::CommandPalette(const Actions& actions, const Findings& findings, QWidget* parent)
     : QDialog(parent, Qt::Dialog | Qt::FramelessWindowHint),
       actions_(actions),
+      searches_(findings.begin()),
       field_(new QLineEdit(this)),
       list_(new QListWidget(this)) {
   setObjectName(QStringLiteral("card"));
-  setWindowTitle(tr("Commands"));
+  setWindowTitle(tr("Find"));
   resize(560, 380);
-  field_->setPlaceholderText(tr("Type a command"));
+  field_->setPlaceholderText(tr("A command, or the name of an object, submap, map or topic"));
   field_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   field_->setMinimumHeight(32);
-  field_->setAccessibleName(tr("Command"));
+  field_->setAccessibleName(tr("Command or name"));
   field_->installEventFilter(this);
   list_->setItemDelegate(new CommandDelegate(list_));
   list_->setFocusPolicy(Qt::NoFocus);
@@ -106,21 +108,46 @@ CommandPalette::CommandPalette(const Actions& actions, QWidget* parent)
 }
 
 void CommandPalette::fill() {
+  constexpr std::size_t kMostFound = 60;
   struct Hit {
     int score;
-    const Actions::Entry* entry;
+    const Actions::Entry* entry;  // null: `finding`
+    std::size_t finding;
   };
   std::vector<Hit> hits;
+  const QString typed = field_->text().simplified();
   for (const Actions::Entry& entry : actions_.entries()) {
     if (!entry.action->isVisible()) continue;
     const QString name = plainActionText(*entry.action);
     // A menu's name also finds its actions, after those whose own name matches.
-    std::optional<int> score = fuzzyScore(field_->text(), name);
+    std::optional<int> score = fuzzyScore(typed, name);
     if (!score) {
-      score = fuzzyScore(field_->text(), entry.menu + QLatin1Char(' ') + name);
+      score = fuzzyScore(typed, entry.menu + QLatin1Char(' ') + name);
       if (score) *score -= 100;
     }
-    if (score) hits.push_back({*score - (entry.action->isEnabled() ? 0 : 1000), &entry});
+    if (score) hits.push_back({*score - (entry.action->isEnabled() ? 0 : 1000), &entry, 0});
+  }
+  found_.clear();
+  if (!typed.isEmpty()) {
+    std::vector<std::pair<int, Finding>> findings;
+    const QStringList words = typed.split(QLatin1Char(' '));
+    const auto see = [&](Finding finding) {
+      // Names are many: each word must be in it as it was typed.
+      const auto has = [&](const QString& word) {
+        return finding.text.contains(word, Qt::CaseInsensitive) ||
+               finding.where.contains(word, Qt::CaseInsensitive);
+      };
+      if (!std::all_of(words.begin(), words.end(), has)) return;
+      findings.emplace_back(fuzzyScore(typed, finding.text).value_or(-100), std::move(finding));
+    };
+    for (const Findings::Search& search : searches_) search(typed, see);
+    std::stable_sort(findings.begin(), findings.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    if (findings.size() > kMostFound) findings.resize(kMostFound);
+    for (auto& [score, finding] : findings) {
+      hits.push_back({score, nullptr, found_.size()});
+      found_.push_back(std::move(finding));
+    }
   }
   std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.score > b.score; });
   list_->clear();
@@ -128,6 +155,14 @@ void CommandPalette::fill() {
   nothing.fill(Qt::transparent);
   const QIcon no_icon(nothing);
   for (const Hit& hit : hits) {
+    if (!hit.entry) {
+      const Finding& finding = found_[hit.finding];
+      auto* item = new QListWidgetItem(finding.icon.isEmpty() ? no_icon : themedIcon(finding.icon),
+                                       finding.text, list_);
+      item->setData(kFindingRole, qulonglong(hit.finding));
+      item->setData(kMenuRole, finding.where);
+      continue;
+    }
     QAction* action = hit.entry->action;
     // Names are aligned, with or without an icon.
     auto* item = new QListWidgetItem(action->icon().isNull() ? no_icon : action->icon(),
@@ -139,7 +174,7 @@ void CommandPalette::fill() {
     if (!action->isEnabled()) item->setFlags(Qt::NoItemFlags);
   }
   if (list_->count() == 0) {
-    auto* item = new QListWidgetItem(tr("No matching command"), list_);
+    auto* item = new QListWidgetItem(tr("Nothing is called that"), list_);
     item->setFlags(Qt::NoItemFlags);
   } else {
     list_->setCurrentRow(0);
@@ -149,9 +184,12 @@ void CommandPalette::fill() {
 void CommandPalette::run() {
   const QListWidgetItem* item = list_->currentItem();
   if (!item || !(item->flags() & Qt::ItemIsEnabled)) return;
+  const QVariant finding = item->data(kFindingRole);
   auto* action = qobject_cast<QAction*>(item->data(Qt::UserRole).value<QObject*>());
+  const auto go = finding.isValid() ? found_[std::size_t(finding.toULongLong())].go : std::function<void()>();
   accept();
   if (action) action->trigger();
+  if (go) go();
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {

@@ -1,9 +1,12 @@
-// Finds any action by name: type a few letters, press Enter.
+// Finds any action by name, and whatever else has one: type a few letters, press Enter.
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <QDialog>
+
+#include "ui/kit/findings.h"
 
 class QLineEdit;
 class QListWidget;
@@ -20,7 +23,8 @@ std::optional<int> fuzzyScore(const QString& pattern, const QString& text);
 class CommandPalette : public QDialog {
   Q_OBJECT
  public:
-  CommandPalette(const Actions& actions, QWidget* parent);
+  /// Both must outlive this.
+  CommandPalette(const Actions& actions, const Findings& findings, QWidget* parent);
   QLineEdit* field() const { return field_; }
   QListWidget* list() const { return list_; }
 
@@ -32,6 +36,8 @@ class CommandPalette : public QDialog {
   void run();
 
   const Actions& actions_;
+  std::vector<Findings::Search> searches_;
+  std::vector<Finding> found_;  // listed after the commands, or before, as they match
   QLineEdit* field_;
   QListWidget* list_;
 };

@@ -15,14 +15,14 @@ HelpController::HelpController(WindowContext& context, QObject* parent)
   QWidget* const window = &context.window;
   Actions& actions = context.actions;
   actions.add({.id = "palette",
-               .text = tr("&Commands…"),
+               .text = tr("&Find anything…"),
                .icon = "palette",
                .keys = {"Ctrl+K"},
-               .tip = tr("Search all commands by name"),
+               .tip = tr("Search commands, objects, submaps, maps, layers and topics by name"),
                .menu = {MenuGroup::Finding, 10},
                .bar = {BarGroup::FarEnd, 10}},
-              window, [&actions, window] {
-                auto* const palette = new CommandPalette(actions, window);
+              window, [&actions, &findings = context.findings, window] {
+                auto* const palette = new CommandPalette(actions, findings, window);
                 palette->setAttribute(Qt::WA_DeleteOnClose);
                 palette->open();
               });

@@ -23,6 +23,7 @@
 #include "ui/maps/files_controller.h"
 #include "ui/maps/maps_controller.h"
 #include "ui/maps/maps_dock.h"
+#include "ui/objects/objects_controller.h"
 #include "ui/picture/picture_controller.h"
 #include "ui/plots/messages_controller.h"
 #include "ui/plots/messages_dock.h"
@@ -95,6 +96,7 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
                                  .view = *view_,
                                  .scene = *scene_,
                                  .actions = actions_,
+                                 .findings = findings_,
                                  .tools = *new ToolChoice(view_, overlay_, this),
                                  .overlay = *overlay_,
                                  .panels = *new Panels(*this, actions_),
@@ -153,6 +155,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(compare_, *placing_,
        [connect = dependencies.connect](const QString& address) { return connect(address, {}); });
   make(layers_);
+  make(objects_);
   make(inspector_, ids("showIds"), ids("showOutlines"));
   controllers_.push_back(new EditController(context, this));
   make(waypoints_);
@@ -180,6 +183,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
 
 void MainWindow::connectControllers() {
   connect(view_control_, &ViewController::clicked, inspector_, &InspectorController::clickedOnMap);
+  connect(view_control_, &ViewController::picked, objects_, &ObjectsController::clickedOnMap);
   connect(view_control_, &ViewController::clicked, replay_, &ReplayController::clickedOnMap);
   connect(recordings_, &RecordingsController::openWanted, replay_, &ReplayController::openBag);
   connect(plots_, &PlotsController::rawWanted, messages_->dock(), &MessagesDock::setWantedElsewhere);

@@ -40,6 +40,7 @@ class MapOverlay;
 class MapsController;
 class MapView;
 class MessagesController;
+class ObjectsController;
 class PictureController;
 class PicturePlacing;
 class PlotsController;
@@ -112,6 +113,7 @@ class MainWindow : public QMainWindow {
   QSettings& settings_;
   std::shared_ptr<work::Workers> workers_;
   Actions actions_;
+  Findings findings_;
   std::shared_ptr<clouds::CloudStore> cloud_store_;
   std::unique_ptr<scene::MapScene> scene_;
   HitList hits_{*scene_};
@@ -134,6 +136,7 @@ class MainWindow : public QMainWindow {
   MapsController* maps_ = nullptr;
   AdministrationController* administration_ = nullptr;
   MessagesController* messages_ = nullptr;
+  ObjectsController* objects_ = nullptr;
   PictureController* picture_ = nullptr;
   PicturePlacing* placing_ = nullptr;
   PlotsController* plots_ = nullptr;

@@ -65,7 +65,10 @@ void ViewController::addTools() {
           measure_->clicked({world, {}, {}});
         });
       });
-  connect(pan, &PanTool::clickedAt, this, &ViewController::clicked);
+  connect(pan, &PanTool::clickedAt, this, [this](const MapPoint& at) {
+    Q_EMIT clicked(at.world_m);
+    Q_EMIT picked(at);
+  });
 }
 
 void ViewController::addRobotActions() {

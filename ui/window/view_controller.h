@@ -6,6 +6,7 @@
 
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
+#include "ui/view/map_tool.h"
 
 namespace mapwright::window {
 
@@ -24,6 +25,8 @@ class ViewController : public Controller {
  Q_SIGNALS:
   /// A click on the map with the pan tool, world metres.
   void clicked(const Eigen::Vector2d& world_m);
+  /// The same, with where it was on screen and with which keys.
+  void picked(const mapwright::window::MapPoint& at);
 
  private:
   void addTools();

@@ -1,0 +1,243 @@
+// What is this? Cards, properties and the list of what is on the map, by mouse and by keyboard.
+#include <QLineEdit>
+#include <QListWidget>
+#include <QTableView>
+#include <QtTest>
+
+#include "test_program.h"
+#include "ui/objects/object_card.h"
+#include "ui/objects/object_facts.h"
+#include "ui/objects/objects_dock.h"
+#include "ui/objects/properties_dock.h"
+#include "ui/view/map_view.h"
+#include "window/command_palette.h"
+#include "window_bench.h"
+#include "window_parts.h"
+
+namespace test_window_objects {
+
+using namespace mapwright;
+using namespace mapwright::window;
+using test::Bench;
+using test::kAddress;
+
+namespace {
+
+map::AutoDoor door(const std::string& name, double x_m, const std::string& state) {
+  return {name, "", state, {{x_m, 0}, {x_m + 2, 0}, {x_m + 2, 1}, {x_m, 1}}};
+}
+
+map::OverlayFeature region(const std::string& name, double from_m, double to_m) {
+  return {map::OverlayShape::Polygon,
+          1,
+          name,
+          name,
+          std::nullopt,
+          {{{from_m, from_m}, {to_m, from_m}, {to_m, to_m}, {from_m, to_m}}}};
+}
+
+/// A window on a robot at the origin that looks at 20 m around it.
+struct ObjectBench : Bench {
+  MainWindow& openOnRobot() {
+    MainWindow& opened = open();
+    (void)opened.connectTo(kAddress);
+    robot->goOnline();
+    robot->say(map::TrackedPose{{0, 0, 0}});
+    geometry::ViewTransform view = opened.mapScene()->view();
+    view.center_m = {0, 0};
+    view.scale_m_per_px = 0.05;
+    view.rotation_rad = 0;
+    opened.view()->moveTo(view, false);
+    return opened;
+  }
+  QPoint at(double x_m, double y_m) const {
+    const Eigen::Vector2d px = window->mapScene()->view().pixelFromWorld({x_m, y_m});
+    return QPoint(int(std::lround(px.x())), int(std::lround(px.y())));
+  }
+  void click(double x_m, double y_m, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::mouseClick(window->view()->viewport(), Qt::LeftButton, modifiers, at(x_m, y_m));
+  }
+  void rest(double x_m, double y_m) {
+    QTest::mouseMove(window->view()->viewport(), at(x_m, y_m));
+    // Offscreen, a move of the mouse reaches the widget as an event of its own.
+    QMouseEvent move(QEvent::MouseMove, at(x_m, y_m), window->view()->viewport()->mapToGlobal(at(x_m, y_m)),
+                     Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(window->view()->viewport(), &move);
+  }
+  ObjectCard* card() const { return window->findChild<ObjectCard*>(); }
+};
+
+}  // namespace
+
+class TestWindowObjects : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aClickSaysWhatItIsAndEscLetsGo() {
+    ObjectBench bench;
+    bench.openOnRobot();
+    bench.robot->say(map::AutoDoorsMessage{{door("Gate <b>3</b>", 4, "closed")}});
+    bench.click(5, 0.5);
+    QVERIFY(bench.card()->isVisible());
+    QCOMPARE(bench.card()->title(), QStringLiteral("Automatic door Gate <b>3</b>"));
+    QVERIFY2(bench.card()->lines().contains(QStringLiteral("State: closed")),
+             qPrintable(bench.card()->lines().join(QLatin1Char('\n'))));
+    QVERIFY(bench.card()->lines().contains(QStringLiteral("Area: 2.00 m²")));
+    bench.key(Qt::Key_Escape);
+    QVERIFY(!bench.card()->isVisible());
+  }
+
+  void aClickOnNothingLetsGo() {
+    ObjectBench bench;
+    bench.openOnRobot();
+    bench.robot->say(map::LandmarksMessage{{{"L7", {4, 4}, false}}});
+    bench.click(4, 4);
+    QCOMPARE(bench.card()->title(), QStringLiteral("Landmark L7"));
+    QVERIFY(bench.card()->lines().contains(QStringLiteral("In use: no")));
+    bench.click(-6, -6);
+    QVERIFY(!bench.card()->isVisible());
+  }
+
+  void altClickStepsThroughWhatLiesBeneath() {
+    ObjectBench bench;
+    bench.openOnRobot();
+    map::MapInfo info;
+    info.name = "Hall";
+    info.overlays_version = 12;
+    info.overlays = {region("Large", 2, 8), region("Small", 3, 5)};
+    bench.robot->say(info);
+    bench.robot->say(map::LandmarksMessage{{{"L1", {4, 4}, true}}});
+    bench.click(4, 4);
+    QCOMPARE(bench.card()->title(), QStringLiteral("Landmark L1"));
+    bench.click(4, 4, Qt::AltModifier);
+    QCOMPARE(bench.card()->title(), QStringLiteral("Forbidden region Small"));
+    QVERIFY(bench.card()->lines().contains(QStringLiteral("Overlays version: 12")));
+    bench.click(4, 4, Qt::AltModifier);
+    QCOMPARE(bench.card()->title(), QStringLiteral("Forbidden region Large"));
+    bench.click(4, 4, Qt::AltModifier);
+    QCOMPARE(bench.card()->title(), QStringLiteral("Landmark L1"));
+  }
+
+  void theCardOfARestingCursorIsInNobodysWay() {
+    ObjectBench bench;
+    bench.openOnRobot();
+    bench.robot->say(map::LandmarksMessage{{{"L1", {4, 4}, true}}});
+    bench.rest(4, 4);
+    QTRY_VERIFY(bench.card()->isVisible());
+    QVERIFY(bench.card()->testAttribute(Qt::WA_TransparentForMouseEvents));
+    QCOMPARE(bench.card()->title(), QStringLiteral("Landmark L1"));
+    bench.rest(-6, -6);
+    QVERIFY(!bench.card()->isVisible());
+  }
+
+  void theKeyboardAlonePointsAtTheMiddleOfTheMap() {
+    ObjectBench bench;
+    bench.openOnRobot();
+    bench.key(Qt::Key_I);
+    QCOMPARE(bench.card()->title(), QStringLiteral("Robot"));
+    QVERIFY(bench.card()->lines().contains(QStringLiteral("Heading: 0°")));
+  }
+
+  void propertiesFollowTheThingUntilItIsGone() {
+    ObjectBench bench;
+    MainWindow& window = bench.openOnRobot();
+    auto* const dock = part<PropertiesDock>(window);
+    dock->show();
+    bench.robot->say(map::AutoDoorsMessage{{door("Gate", 4, "closed")}});
+    bench.click(5, 0.5);
+    const auto value = [&](const QString& name) {
+      const QAbstractItemModel* rows = dock->table()->model();
+      for (int row = 0; row < rows->rowCount(); ++row) {
+        if (rows->index(row, 0).data().toString() == name) return rows->index(row, 1).data().toString();
+      }
+      return QString();
+    };
+    QCOMPARE(value(QStringLiteral("State")), QStringLiteral("closed"));
+    bench.robot->say(map::AutoDoorsMessage{{door("Gate", 4, "open")}});
+    QTRY_COMPARE(value(QStringLiteral("State")), QStringLiteral("open"));
+    bench.robot->say(map::AutoDoorsMessage{});
+    QTRY_VERIFY(!bench.card()->isVisible());
+    QCOMPARE(value(QStringLiteral("State")), QStringLiteral("open"));
+  }
+
+  void listsAllThatIsShownAndGoesThere() {
+    ObjectBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.robot->say(map::LandmarksMessage{{{"L1", {4, 4}, true}, {"L2", {300, 40}, true}}});
+    bench.robot->say(map::AutoDoorsMessage{{door("Gate", 4, "closed")}});
+    auto* const dock = part<ObjectsDock>(window);
+    bench.action("findObject")->trigger();
+    QVERIFY(dock->isVisible());
+    QVERIFY(dock->filterEdit()->hasFocus());
+    QTest::keyClicks(dock->filterEdit(), QStringLiteral("landm"));
+    QCOMPARE(dock->table()->model()->rowCount(), 2);
+    QTest::keyClicks(dock->filterEdit(), QStringLiteral("arks"));
+    dock->table()->setFocus();
+    QTest::keyClick(dock->table(), Qt::Key_Down);
+    QTest::keyClick(dock->table(), Qt::Key_Down);
+    QTest::keyClick(dock->table(), Qt::Key_Return);
+    const Eigen::Vector2d middle = window.view()->destination().center_m;
+    QVERIFY2((middle - Eigen::Vector2d(300, 40)).norm() < 1, "it is in the middle of the map");
+    QCOMPARE(bench.card()->title(), QStringLiteral("Landmark L2"));
+  }
+
+  void aLayerThatIsHiddenHasNothingToPointAt() {
+    ObjectBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.robot->say(map::LandmarksMessage{{{"L1", {4, 4}, true}}});
+    bench.click(4, 4);
+    QVERIFY(bench.card()->isVisible());
+    window.mapScene()->setLayerVisible(scene::Layer::Landmarks, false);
+    QTRY_VERIFY(!bench.card()->isVisible());
+    bench.click(4, 4);
+    QVERIFY(!bench.card()->isVisible());
+  }
+
+  void saysWhenAndFromWhereItKnows() {
+    ObjectBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.robot->say(map::LandmarksMessage{{{"L1", {4, 4}, true}}});
+    const auto ids = window.mapScene()->objectsAt({4, 4}, 5);
+    QCOMPARE(ids.size(), 1U);
+    const auto object = window.mapScene()->object(ids[0]);
+    const auto heard = window.session()->heard(object->topic);
+    QVERIFY(heard);
+    const QDateTime later = QDateTime::fromMSecsSinceEpoch(std::llround((heard->last_s + 130) * 1000));
+    bool told = false;
+    for (const auto& fact : factsOf(*object, *window.session(), later))
+      told = told || (fact.name == QLatin1String("Last message") && fact.value.endsWith(QLatin1String("(2 min ago)")));
+    QVERIFY(told);
+  }
+
+  void thePaletteFindsThingsSubmapsAndCommands() {
+    ObjectBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.load();
+    bench.robot->say(map::LandmarksMessage{{{"Pillar 9", {4, 4}, true}}});
+    bench.action("palette")->trigger();
+    auto* const palette = window.findChild<CommandPalette*>();
+    QVERIFY(palette);
+    QTest::keyClicks(palette->field(), QStringLiteral("pillar"));
+    QCOMPARE(palette->list()->item(0)->text(), QStringLiteral("Landmark Pillar 9"));
+    palette->field()->clear();
+    QTest::keyClicks(palette->field(), QStringLiteral("1-0"));
+    QCOMPARE(palette->list()->item(0)->text(), QStringLiteral("Submap 1-0"));
+    QTest::keyClick(palette->field(), Qt::Key_Return);
+    QVERIFY(window.mapScene()->highlighted().contains({1, 0}));
+  }
+
+  void tenThousandThingsAreFoundAtOnce() {
+    ObjectBench bench;
+    MainWindow& window = bench.openOnRobot();
+    map::LandmarksMessage many;
+    for (int i = 0; i < 10'000; ++i) many.landmarks.push_back({"same", {i * 0.001, 0}, true});
+    bench.robot->say(many);
+    QVERIFY(!window.mapScene()->objectsAt({5, 0}, 5).empty());
+    QVERIFY(window.mapScene()->objectsAt({5, 0}, 5).size() <= 50);
+    QVERIFY(window.mapScene()->objects(100).size() == 100);
+  }
+};
+
+}  // namespace test_window_objects
+
+MAPWRIGHT_TEST(test_window_objects, TestWindowObjects, Widgets)
+#include "test_window_objects.moc"

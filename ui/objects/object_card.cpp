@@ -1,0 +1,117 @@
+#include "ui/objects/object_card.h"
+
+#include <QGridLayout>
+
+#include "ui/kit/forms.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/plain_label.h"
+#include "ui/objects/object_facts.h"
+
+namespace mapwright::window {
+namespace {
+
+constexpr int kCardSymbolPx = 20, kIconPx = 16, kWidestValuePx = 260;
+constexpr std::size_t kMostRows = 9;
+
+QToolButton* cardButton(const QString& icon, const QString& text, const QString& tip, QWidget* parent) {
+  QToolButton* const button = iconButton(icon, kIconPx, tip, parent);
+  if (!text.isEmpty()) {
+    button->setText(text);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  }
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+}  // namespace
+
+ObjectCard::ObjectCard(QWidget* parent)
+    : QFrame(parent),
+      symbol_(new QLabel(this)),
+      kind_(new PlainLabel(this)),
+      name_(new PlainLabel(this)),
+      grid_(new QGridLayout),
+      buttons_(new QWidget(this)),
+      copy_(cardButton(QStringLiteral("copy"), tr("Copy"),
+                       tr("Copy what this card says, and all else that is known"), buttons_)),
+      properties_(cardButton(QStringLiteral("list"), tr("Properties"),
+                             tr("Show everything that is known in a panel"), buttons_)),
+      next_(cardButton(QStringLiteral("layers"), {}, tr("Show what lies beneath (Alt+click)"), buttons_)),
+      close_(cardButton(QStringLiteral("close"), {}, tr("Close (Esc)"), this)),
+      hint_(new PlainLabel(this)) {
+  setObjectName(QStringLiteral("card"));
+  setAccessibleName(tr("What is this?"));
+  symbol_->setFixedSize(kCardSymbolPx, kCardSymbolPx);
+  makeHeading(*kind_);
+  hint_->setSecondary(true);
+  grid_->setHorizontalSpacing(12);
+  grid_->setVerticalSpacing(2);
+  grid_->setColumnStretch(1, 1);
+  buttons_->setLayout(rowOf({copy_, properties_, next_, LayoutItem::rest()}, 4, QMargins()));
+  setLayout(columnOf({rowOf({symbol_, kind_, {name_, 1}, close_}, 8), grid_, hint_, buttons_}, 6,
+                     QMargins(10, 8, 10, 8)));
+  connect(copy_, &QToolButton::clicked, this, &ObjectCard::copyWanted);
+  connect(properties_, &QToolButton::clicked, this, &ObjectCard::propertiesWanted);
+  connect(next_, &QToolButton::clicked, this, &ObjectCard::nextWanted);
+  connect(close_, &QToolButton::clicked, this, &ObjectCard::closeWanted);
+  setStaying(false);
+  hide();
+}
+
+void ObjectCard::setStaying(bool stays) {
+  stays_ = stays;
+  setAttribute(Qt::WA_TransparentForMouseEvents, !stays);
+  buttons_->setVisible(stays);
+  close_->setVisible(stays);
+}
+
+void ObjectCard::show(const scene::MapObject& object, const std::vector<scene::ObjectProperty>& facts,
+                      int beneath) {
+  symbol_->setPixmap(symbolOf(object, kCardSymbolPx, devicePixelRatioF()));
+  kind_->setText(object.kind);
+  name_->setText(object.name);
+  const std::size_t rows = std::min(facts.size(), kMostRows);
+  while (labels_.size() < 2 * rows) {
+    auto* const name = new PlainLabel(this);
+    auto* const value = new PlainLabel(this);
+    name->setSecondary(true);
+    value->setMaximumWidth(kWidestValuePx);
+    const int row = int(labels_.size() / 2);
+    grid_->addWidget(name, row, 0);
+    grid_->addWidget(value, row, 1);
+    labels_.insert(labels_.end(), {name, value});
+  }
+  for (std::size_t i = 0; i < labels_.size() / 2; ++i) {
+    const bool used = i < rows;
+    labels_[2 * i]->setVisible(used);
+    labels_[2 * i + 1]->setVisible(used);
+    if (!used) continue;
+    labels_[2 * i]->setText(facts[i].name);
+    labels_[2 * i + 1]->setText(facts[i].value);
+  }
+  shown_.assign(facts.begin(), facts.begin() + std::ptrdiff_t(rows));
+  next_->setVisible(beneath > 0);
+  next_->setText(QString::number(beneath));
+  next_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  hint_->setVisible(!stays_ && beneath > 0);
+  hint_->setText(tr("%n more here: Alt+click", nullptr, beneath));
+  layout()->invalidate();
+  adjustSize();
+  QFrame::show();
+  raise();
+}
+
+QString ObjectCard::title() const {
+  return name_->text().isEmpty() ? kind_->text() : QStringLiteral("%1 %2").arg(kind_->text(), name_->text());
+}
+
+QStringList ObjectCard::lines() const {
+  QStringList lines;
+  for (const scene::ObjectProperty& fact : shown_)
+    lines << QStringLiteral("%1: %2").arg(fact.name, fact.value);
+  return lines;
+}
+
+}  // namespace mapwright::window
+
+#include "moc_object_card.cpp"

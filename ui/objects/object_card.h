@@ -1,0 +1,49 @@
+// A small card on the map that says what a thing is.
+#pragma once
+
+#include <vector>
+
+#include <QFrame>
+#include <QLabel>
+#include <QToolButton>
+
+#include "scene/map_object.h"
+
+class QGridLayout;
+
+namespace mapwright::window {
+
+class PlainLabel;
+
+class ObjectCard : public QFrame {
+  Q_OBJECT
+ public:
+  explicit ObjectCard(QWidget* parent);
+
+  /// What the card says. `beneath`: how many other things lie at the same place.
+  void show(const scene::MapObject& object, const std::vector<scene::ObjectProperty>& facts, int beneath);
+  /// One that stays has buttons; the other lets the mouse through.
+  void setStaying(bool stays);
+  bool staying() const { return stays_; }
+  QString title() const;
+  QStringList lines() const;  // "State: open"
+
+ Q_SIGNALS:
+  void copyWanted();
+  void propertiesWanted();
+  void nextWanted();
+  void closeWanted();
+
+ private:
+  QLabel* symbol_;
+  PlainLabel *kind_, *name_;
+  QGridLayout* grid_;
+  std::vector<PlainLabel*> labels_;  // name, value, name, value …
+  std::vector<scene::ObjectProperty> shown_;
+  QWidget* buttons_;
+  QToolButton *copy_, *properties_, *next_, *close_;
+  PlainLabel* hint_;
+  bool stays_ = false;
+};
+
+}  // namespace mapwright::window

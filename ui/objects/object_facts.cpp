@@ -1,0 +1,130 @@
+#include "ui/objects/object_facts.h"
+
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QTimeZone>
+
+#include "scene/lengths.h"
+#include "ui/kit/status_text.h"
+#include "ui/kit/ui_colors.h"
+#include "ui/view/replay_state.h"
+
+namespace mapwright::window {
+namespace {
+
+class FactText {
+  Q_DECLARE_TR_FUNCTIONS(ObjectFacts)
+};
+
+constexpr double kMillimetres = 0.001;  // a scale that shows them
+
+QString agoText(double seconds) {
+  if (seconds < 10) return FactText::tr("%1 s").arg(std::max(0.0, seconds), 0, 'f', 1);
+  if (seconds < 120) return FactText::tr("%1 s").arg(std::lround(seconds));
+  if (seconds < 7200) return FactText::tr("%1 min").arg(std::lround(seconds / 60));
+  return FactText::tr("%1 h").arg(std::lround(seconds / 3600));
+}
+
+QString clockText(double at_s, bool utc) {
+  const auto at = QDateTime::fromMSecsSinceEpoch(std::llround(at_s * 1000), utc ? Qt::UTC : Qt::LocalTime);
+  return at.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+}
+
+QString areaText(double m2) { return QStringLiteral("%1 m²").arg(m2, 0, 'f', m2 < 100 ? 2 : 0); }
+
+/// Of a thing that belongs to a map that was opened.
+QString mapOf(const scene::MapObject& object, const session::Session& session) {
+  const session::MapSlot& slot =
+      object.id.of == scene::FeaturesOf::ComparedMap ? session.comparedMap() : session.wholeMap();
+  QString text = mapOnScreen(slot);
+  const map::CatalogueEntry* const entry = map::entryOf(session.catalogue().entries(), slot.shown().key);
+  if (entry && entry->map_version) text += FactText::tr(", version %1").arg(*entry->map_version);
+  return text;
+}
+
+}  // namespace
+
+std::vector<scene::ObjectProperty> factsOf(const scene::MapObject& object, const session::Session& session,
+                                           const QDateTime& now) {
+  std::vector<scene::ObjectProperty> facts;
+  const auto add = [&](const QString& name, const QString& value) {
+    if (!value.isEmpty()) facts.push_back({name, value});
+  };
+  facts = object.properties;
+  if (object.id.layer == scene::Layer::Submaps) {
+    for (const auto& [id, row] : session.submaps().rows()) {
+      if (map::toText(id) != object.id.key) continue;
+      add(FactText::tr("Status"), statusWord(session.status(id)));
+      break;
+    }
+  }
+  add(object.form == scene::ObjectForm::Point ? FactText::tr("Position") : FactText::tr("Middle"),
+      coordinatesText(object.at_m, kMillimetres));
+  if (object.yaw_rad && std::isfinite(*object.yaw_rad))
+    add(FactText::tr("Heading"), rotationText(*object.yaw_rad));
+  if (object.form == scene::ObjectForm::Line)
+    add(FactText::tr("Length"), scene::lengthText(object.lengthM()));
+  if (object.form == scene::ObjectForm::Area) add(FactText::tr("Area"), areaText(object.areaM2()));
+  if (const auto& robot = session.live().robot_pose;
+      robot && object.id.layer != scene::Layer::Robot && object.form == scene::ObjectForm::Point)
+    add(FactText::tr("From the robot"),
+        scene::lengthText((object.at_m - Eigen::Vector2d(robot->x_m, robot->y_m)).norm()));
+  if (object.topic < 0) {
+    add(FactText::tr("Belongs to"), mapOf(object, session));
+    return facts;
+  }
+  const auto heard = session.heard(object.topic);
+  if (!heard) return facts;
+  const bool replay = replayOf(&session) != nullptr;
+  const double now_s = replay ? session.world().at_s : double(now.toMSecsSinceEpoch()) / 1000;
+  add(FactText::tr("From"), plainWords(heard->topic.toStdString(), 120));
+  add(FactText::tr("Last message"),
+      FactText::tr("%1 (%2 ago)").arg(clockText(heard->last_s, replay), agoText(now_s - heard->last_s)));
+  if (heard->unchanged_s < heard->last_s)
+    add(FactText::tr("The same since"), clockText(heard->unchanged_s, replay));
+  return facts;
+}
+
+QString calledInFull(const scene::MapObject& object) {
+  return object.name.isEmpty() ? object.kind : QStringLiteral("%1 %2").arg(object.kind, object.name);
+}
+
+QString asText(const scene::MapObject& object, const std::vector<scene::ObjectProperty>& facts) {
+  QStringList lines{calledInFull(object)};
+  for (const scene::ObjectProperty& fact : facts)
+    lines << QStringLiteral("%1: %2").arg(fact.name, fact.value);
+  return lines.join(QLatin1Char('\n'));
+}
+
+QPixmap symbolOf(const scene::MapObject& object, int size_px, double device_pixel_ratio) {
+  QPixmap pixmap(QSize(size_px, size_px) * device_pixel_ratio);
+  pixmap.setDevicePixelRatio(device_pixel_ratio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double size = size_px;
+  QColor soft = object.color;
+  soft.setAlpha(90);
+  switch (object.form) {
+    case scene::ObjectForm::Point:
+      painter.setPen(QPen(appColors().outline, 1));
+      painter.setBrush(object.color);
+      painter.drawEllipse(QPointF(size / 2, size / 2), size * 0.34, size * 0.34);
+      break;
+    case scene::ObjectForm::Line:
+      painter.setPen(QPen(object.color, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      painter.drawPolyline(
+          QPolygonF{{size * 0.15, size * 0.8}, {size * 0.45, size * 0.35}, {size * 0.85, size * 0.3}});
+      break;
+    case scene::ObjectForm::Area:
+      painter.setPen(QPen(object.color, 2));
+      painter.setBrush(soft);
+      painter.drawRect(QRectF(size * 0.15, size * 0.2, size * 0.7, size * 0.6));
+      break;
+  }
+  return pixmap;
+}
+
+}  // namespace mapwright::window

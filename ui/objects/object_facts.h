@@ -1,0 +1,26 @@
+// What people are told about a thing on the map: what its layer says, where it is, and how old that is. Pure.
+#pragma once
+
+#include <vector>
+
+#include <QDateTime>
+#include <QPixmap>
+#include <QString>
+
+#include "scene/map_object.h"
+#include "session/session.h"
+
+namespace mapwright::window {
+
+/// All that is known, the most important first. `now` is the time of day; in a replay the time of the bag is
+/// taken instead.
+std::vector<scene::ObjectProperty> factsOf(const scene::MapObject& object, const session::Session& session,
+                                           const QDateTime& now);
+/// "Automatic door Gate 3"; its kind alone if it has no name.
+QString calledInFull(const scene::MapObject& object);
+/// The same with all facts, a line each, for the clipboard.
+QString asText(const scene::MapObject& object, const std::vector<scene::ObjectProperty>& facts);
+/// A dot, a stroke or a patch in its colour.
+QPixmap symbolOf(const scene::MapObject& object, int size_px, double device_pixel_ratio);
+
+}  // namespace mapwright::window

@@ -1,0 +1,333 @@
+#include "ui/objects/objects_controller.h"
+
+#include <cmath>
+
+#include <QMenu>
+
+#include "ui/kit/icons.h"
+#include "ui/kit/panels.h"
+#include "ui/kit/status_text.h"
+#include "ui/objects/object_card.h"
+#include "ui/objects/object_facts.h"
+#include "ui/objects/objects_dock.h"
+#include "ui/objects/properties_dock.h"
+#include "ui/shell/current_session.h"
+#include "ui/shell/viewpoint.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/map_view.h"
+#include "ui/view/toast_stack.h"
+#include "ui/view/tool_choice.h"
+
+namespace mapwright::window {
+
+namespace {
+
+constexpr int kDwellMs = 350;    // the cursor rests: what is under it is told
+constexpr int kRefreshMs = 250;  // what was chosen changes no faster than this
+constexpr int kListMs = 1000;
+constexpr int kAgeMs = 1000;
+constexpr double kSamePx = 4;  // a click at the same place
+constexpr std::size_t kMostListed = 20'000;
+constexpr int kMostInMenu = 8;
+constexpr double kRoomAroundM = 1;
+
+bool near(const QPointF& a, const QPointF& b, double px) {
+  return std::hypot(a.x() - b.x(), a.y() - b.y()) <= px;
+}
+
+QPointF toPixel(const scene::MapScene& scene, const Eigen::Vector2d& world_m) {
+  const Eigen::Vector2d px = scene.view().pixelFromWorld(world_m);
+  return {px.x(), px.y()};
+}
+
+}  // namespace
+
+ObjectsController::ObjectsController(WindowContext& context, QObject* parent, std::function<QDateTime()> wall)
+    : Controller(parent),
+      context_(context),
+      wall_(std::move(wall)),
+      card_(new ObjectCard(&context.view)),
+      properties_(new PropertiesDock(&context.window)),
+      dock_(new ObjectsDock(&context.window)) {
+  context_.panels.add(properties_,
+                      {.side = PanelPlace::Side::Right, .tab = 40, .menu_rank = 34, .open = false});
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Left, .tab = 30, .menu_rank = 32, .open = false});
+  for (const auto& [timer, ms] : {std::pair(&hover_timer_, kDwellMs), std::pair(&refresh_timer_, kRefreshMs),
+                                  std::pair(&list_timer_, kListMs)}) {
+    timer->setSingleShot(true);
+    timer->setInterval(ms);
+  }
+  age_timer_.setInterval(kAgeMs);
+  connect(&hover_timer_, &QTimer::timeout, this, &ObjectsController::hover);
+  connect(&refresh_timer_, &QTimer::timeout, this, &ObjectsController::refresh);
+  connect(&list_timer_, &QTimer::timeout, this, &ObjectsController::list);
+  connect(&age_timer_, &QTimer::timeout, this, &ObjectsController::refresh);
+  connect(&context_.view, &MapView::cursorMoved, this, &ObjectsController::cursorMoved);
+  connect(&context_.scene, &scene::MapScene::viewChanged, this, &ObjectsController::placeCard);
+  connect(&context_.scene, &scene::MapScene::layersChanged, this, &ObjectsController::refreshSoon);
+  connect(&context_.scene, &scene::MapScene::contentChanged, this, &ObjectsController::refreshSoon);
+  connect(card_, &ObjectCard::closeWanted, this, &ObjectsController::letGo);
+  connect(card_, &ObjectCard::copyWanted, this, &ObjectsController::copyChosen);
+  connect(card_, &ObjectCard::propertiesWanted, this, [this] {
+    context_.panels.open(properties_);
+    refresh();
+  });
+  connect(card_, &ObjectCard::nextWanted, this, [this] { pick(card_at_m_, true); });
+  connect(properties_, &PropertiesDock::copyWanted, this,
+          [this](const QString& text, const QString& said) { copyText(context_.overlay, text, said); });
+  connect(properties_, &PropertiesDock::locateWanted, this, [this] {
+    if (chosen_) context_.viewpoint.lookAt(chosen_->bounds().grown(kRoomAroundM));
+  });
+  connect(properties_, &QDockWidget::visibilityChanged, this, &ObjectsController::refreshSoon);
+  connect(dock_, &ObjectsDock::chosen, this, [this](const scene::ObjectId& id) {
+    if (const auto object = context_.scene.object(id)) choose(id, object->at_m, 0);
+  });
+  connect(dock_, &ObjectsDock::locateWanted, this, &ObjectsController::locate);
+  connect(dock_, &ObjectsDock::shown, this, &ObjectsController::list);
+  addActions();
+  addToMapMenu();
+  addFindings();
+}
+
+void ObjectsController::addActions() {
+  context_.actions.add({.id = "identify",
+                        .text = tr("&What is this?"),
+                        .icon = "info",
+                        .keys = {"I"},
+                        .reach = Reach::OutsideText,
+                        .tip = tr("Say what is under the cursor; again: what lies beneath it"),
+                        .needs_session = true,
+                        .menu = {MenuGroup::Look, 30}},
+                       this, &ObjectsController::identify);
+  context_.actions.add({.id = "findObject",
+                        .text = tr("Find an &object…"),
+                        .icon = "search",
+                        .keys = {"Ctrl+Shift+F"},
+                        .tip = tr("Search everything that the visible layers show"),
+                        .needs_session = true,
+                        .menu = {MenuGroup::Window, 15}},
+                       this, [this] {
+                         context_.panels.open(dock_);
+                         dock_->filterEdit()->setFocus();
+                         dock_->filterEdit()->selectAll();
+                       });
+}
+
+void ObjectsController::addToMapMenu() {
+  context_.actions.placeOnMapMenu({MapMenuGroup::Point, 5}, [this](QMenu& menu,
+                                                                   const Eigen::Vector2d& world) {
+    const std::vector<scene::ObjectId> ids = context_.scene.objectsAt(world, MapTool::kReachPx);
+    int shown = 0;
+    for (const scene::ObjectId& id : ids) {
+      const auto object = context_.scene.object(id);
+      if (!object || ++shown > kMostInMenu) break;
+      QString text = calledInFull(*object);
+      menu.addAction(QIcon(symbolOf(*object, 16, 2)), text.replace(QLatin1Char('&'), QStringLiteral("&&")),
+                     this, [this, id, world] { choose(id, world, 0); });
+    }
+  });
+}
+
+void ObjectsController::addFindings() {
+  context_.findings.add([this]() -> Findings::Search {
+    if (!context_.current.session()) return [](const QString&, const Findings::See&) {};
+    auto all = std::make_shared<std::vector<scene::MapObject>>(context_.scene.objects(kMostListed));
+    return [this, all](const QString&, const Findings::See& see) {
+      for (const scene::MapObject& object : *all) {
+        see({calledInFull(object), scene::layerTitle(object.id.layer), QStringLiteral("locate"),
+             [this, id = object.id] { locate(id); }});
+      }
+    };
+  });
+}
+
+void ObjectsController::setSession(session::Session* session) {
+  letGo();
+  hover_timer_.stop();
+  list_timer_.stop();
+  if (session) {
+    connect(session, &session::Session::liveChanged, this, [this](int what) {
+      if (chosen_ && chosen_->topic == what) refreshSoon();
+      if (dock_->isVisible() && !list_timer_.isActive()) list_timer_.start();
+    });
+    for (const session::MapSlot* slot : {&session->wholeMap(), &session->comparedMap()})
+      connect(slot, &session::MapSlot::changed, this, &ObjectsController::refreshSoon);
+  }
+  list();
+}
+
+bool ObjectsController::escape() {
+  if (!chosen_) return false;
+  letGo();
+  return true;
+}
+
+void ObjectsController::clickedOnMap(const MapPoint& at) {
+  pick(at.world_m, at.modifiers.testFlag(Qt::AltModifier));
+}
+
+void ObjectsController::identify() {
+  const Eigen::Vector2d at = context_.view.cursorWorld().value_or(context_.scene.view().center_m);
+  const bool again = picked_px_ && chosen_ && near(*picked_px_, toPixel(context_.scene, at), kSamePx);
+  pick(at, again);
+}
+
+void ObjectsController::pick(const Eigen::Vector2d& world_m, bool beneath) {
+  if (!context_.current.session()) return;
+  const QPointF px = toPixel(context_.scene, world_m);
+  const bool same_place = picked_px_ && near(*picked_px_, px, kSamePx);
+  here_ = context_.scene.objectsAt(world_m, MapTool::kReachPx);
+  turn_ = beneath && same_place ? turn_ + 1 : beneath ? 1 : 0;
+  picked_px_ = px;
+  if (here_.empty()) return letGo();
+  turn_ %= here_.size();
+  choose(here_[turn_], world_m, int(here_.size()) - 1);
+}
+
+void ObjectsController::choose(const scene::ObjectId& id, const Eigen::Vector2d& card_at_m, int beneath) {
+  chosen_ = context_.scene.object(id);
+  if (!chosen_) return letGo();
+  context_.scene.setMarked(chosen_);
+  showCard(*chosen_, card_at_m, beneath, true);
+  dock_->point(id);
+  refresh();
+}
+
+void ObjectsController::locate(const scene::ObjectId& id) {
+  const auto object = context_.scene.object(id);
+  if (!object) {
+    context_.overlay.toasts()->add(Mark::Neutral, tr("It is no longer on the map."));
+    return list();
+  }
+  context_.viewpoint.lookAt(object->bounds().grown(kRoomAroundM));
+  choose(id, object->at_m, 0);
+}
+
+void ObjectsController::letGo() {
+  chosen_.reset();
+  here_.clear();
+  picked_px_.reset();
+  hovered_px_.reset();
+  age_timer_.stop();
+  refresh_timer_.stop();
+  card_->setStaying(false);
+  card_->hide();
+  context_.scene.setMarked(std::nullopt);
+  properties_->clear();
+  dock_->point(std::nullopt);
+}
+
+void ObjectsController::cursorMoved() {
+  const auto world = context_.view.cursorWorld();
+  if (hovered_px_) {
+    const bool rests = world && near(*hovered_px_, toPixel(context_.scene, *world), MapTool::kReachPx / 2);
+    if (rests) return;
+    hovered_px_.reset();
+    // What was chosen is told again.
+    if (chosen_) {
+      showCard(*chosen_, card_at_m_, card_beneath_, true);
+    } else {
+      card_->hide();
+    }
+  }
+  const bool asks =
+      world && context_.current.session() && context_.view.activeTool()->name() == QLatin1String("pan");
+  asks ? hover_timer_.start() : hover_timer_.stop();
+}
+
+void ObjectsController::hover() {
+  const auto world = context_.view.cursorWorld();
+  if (!world || context_.view.moving()) return;
+  const std::vector<scene::ObjectId> ids = context_.scene.objectsAt(*world, MapTool::kReachPx);
+  if (ids.empty()) return;
+  // Submaps are everywhere: they are told when they are asked for, or drawn one by one.
+  const bool outlined =
+      context_.scene.layerVisible(scene::Layer::Outlines) || context_.scene.layerVisible(scene::Layer::Ids);
+  if (ids.front().layer == scene::Layer::Submaps && !outlined) return;
+  if (chosen_ && ids.front().sameAs(chosen_->id)) return;
+  const auto object = context_.scene.object(ids.front());
+  if (!object) return;
+  hovered_px_ = toPixel(context_.scene, *world);
+  const Eigen::Vector2d kept = card_at_m_;
+  const int kept_beneath = card_beneath_;
+  showCard(*object, *world, int(ids.size()) - 1, false);
+  card_at_m_ = kept;
+  card_beneath_ = kept_beneath;
+}
+
+void ObjectsController::showCard(const scene::MapObject& object, const Eigen::Vector2d& at_m, int beneath,
+                                 bool stays) {
+  const session::Session* const session = context_.current.session();
+  if (!session) return;
+  card_->setStaying(stays);
+  card_->show(object, factsOf(object, *session, wall_()), beneath);
+  card_at_m_ = at_m;
+  card_beneath_ = beneath;
+  placeCard();
+}
+
+void ObjectsController::placeCard() {
+  if (card_->isHidden()) return;
+  constexpr int kGapPx = 16, kMarginPx = 8;
+  const QPointF at = hovered_px_ ? *hovered_px_ : toPixel(context_.scene, card_at_m_);
+  const QSize size = card_->size(), area = context_.view.viewport()->size();
+  const int top = int(context_.scene.coveredTop()) + kMarginPx;
+  // Beside what it is about, never over it; on the other side where there is no room.
+  int x = int(at.x()) + kGapPx, y = int(at.y()) + kGapPx;
+  if (x + size.width() > area.width() - kMarginPx) x = int(at.x()) - kGapPx - size.width();
+  if (y + size.height() > area.height() - kMarginPx) y = int(at.y()) - kGapPx - size.height();
+  const QRect room(kMarginPx, top, std::max(1, area.width() - size.width() - 2 * kMarginPx),
+                   std::max(1, area.height() - size.height() - top - kMarginPx));
+  card_->move(std::clamp(x, room.left(), room.right()), std::clamp(y, room.top(), room.bottom()));
+}
+
+void ObjectsController::refreshSoon() {
+  if (chosen_ && !refresh_timer_.isActive()) refresh_timer_.start();
+  if (dock_->isVisible() && !list_timer_.isActive()) list_timer_.start();
+}
+
+void ObjectsController::refresh() {
+  const session::Session* const session = context_.current.session();
+  if (!chosen_ || !session) return age_timer_.stop();
+  const auto now = context_.scene.object(chosen_->id);
+  if (now) {
+    chosen_ = now;
+    context_.scene.setMarked(now);
+  } else {
+    context_.scene.setMarked(std::nullopt);
+  }
+  const std::vector<scene::ObjectProperty> facts = factsOf(*chosen_, *session, wall_());
+  if (properties_->isVisible()) properties_->setObject(*chosen_, facts, !now);
+  if (!now && !hovered_px_) card_->hide();
+  if (now && !hovered_px_ && card_->isVisible()) {
+    card_->show(*chosen_, facts, card_beneath_);
+    placeCard();
+  }
+  // Ages grow; what is not looked at needs no clock.
+  const bool looked_at = chosen_->topic >= 0 && (card_->isVisible() || properties_->isVisible());
+  if (!looked_at) {
+    age_timer_.stop();
+  } else if (!age_timer_.isActive()) {
+    age_timer_.start();
+  }
+}
+
+void ObjectsController::list() {
+  if (!dock_->isVisible()) return;
+  std::vector<scene::MapObject> all;
+  if (context_.current.session()) all = context_.scene.objects(kMostListed + 1);
+  const bool more = all.size() > kMostListed;
+  if (more) all.pop_back();
+  dock_->setObjects(std::move(all), more);
+  dock_->point(chosen_ ? std::optional(chosen_->id) : std::nullopt);
+}
+
+void ObjectsController::copyChosen() {
+  const session::Session* const session = context_.current.session();
+  if (!session || !chosen_) return;
+  copyText(context_.overlay, asText(*chosen_, factsOf(*chosen_, *session, wall_())), tr("Properties copied"));
+}
+
+}  // namespace mapwright::window
+
+#include "moc_objects_controller.cpp"

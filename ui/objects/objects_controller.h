@@ -1,0 +1,73 @@
+// What is this? Tells about the thing under the cursor, and keeps the one that was clicked: framed on the
+// map, on a card, in the dock Properties, and among all others in Objects.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QDateTime>
+#include <QTimer>
+
+#include "scene/map_object.h"
+#include "ui/kit/controller.h"
+#include "ui/shell/window_context.h"
+#include "ui/view/map_tool.h"
+
+namespace mapwright::window {
+
+class ObjectCard;
+class ObjectsDock;
+class PropertiesDock;
+
+class ObjectsController : public Controller {
+  Q_OBJECT
+ public:
+  /// `wall`: the time of day.
+  explicit ObjectsController(WindowContext& context, QObject* parent = nullptr,
+                             std::function<QDateTime()> wall = &QDateTime::currentDateTime);
+
+  ObjectCard* card() const { return card_; }
+  PropertiesDock* properties() const { return properties_; }
+  ObjectsDock* dock() const { return dock_; }
+
+  /// A click on the map that no tool handles; with Alt it goes to what lies beneath.
+  void clickedOnMap(const MapPoint& at);
+  void setSession(session::Session* session) override;
+  bool escape() override;
+
+ private:
+  void addActions();
+  void addToMapMenu();
+  void addFindings();
+  /// At the cursor, or in the middle of the map: again and again, what lies beneath.
+  void identify();
+  void pick(const Eigen::Vector2d& world_m, bool beneath);
+  /// Frames it and says what it is. The card appears at `card_at_m`.
+  void choose(const scene::ObjectId& id, const Eigen::Vector2d& card_at_m, int beneath);
+  void locate(const scene::ObjectId& id);
+  void letGo();
+  void hover();
+  void cursorMoved();
+  void refreshSoon();
+  void refresh();
+  void list();
+  void showCard(const scene::MapObject& object, const Eigen::Vector2d& at_m, int beneath, bool stays);
+  void placeCard();
+  void copyChosen();
+
+  WindowContext& context_;
+  std::function<QDateTime()> wall_;
+  ObjectCard* card_;
+  PropertiesDock* properties_;
+  ObjectsDock* dock_;
+  std::optional<scene::MapObject> chosen_;  // as it was last seen
+  std::vector<scene::ObjectId> here_;       // what lies where it was clicked
+  std::size_t turn_ = 0;                    // which of them is chosen
+  std::optional<QPointF> picked_px_;
+  Eigen::Vector2d card_at_m_{0, 0};
+  int card_beneath_ = 0;
+  std::optional<QPointF> hovered_px_;  // where the card of the cursor was made
+  QTimer hover_timer_, refresh_timer_, list_timer_, age_timer_;
+};
+
+}  // namespace mapwright::window

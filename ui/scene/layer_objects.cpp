@@ -1,0 +1,712 @@
+#include "scene/layer_objects.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include <QCoreApplication>
+
+#include "map/live_topics.h"
+#include "scene/scene_items.h"
+#include "sentences/overlay_name.h"
+
+namespace mapwright::scene {
+namespace {
+
+class ObjectText {
+  Q_DECLARE_TR_FUNCTIONS(MapObject)
+};
+
+constexpr qsizetype kLongestValue = 200;
+
+QString metres(double value) { return QStringLiteral("%1 m").arg(value, 0, 'f', 2); }
+QString percent(double share) { return QStringLiteral("%1 %").arg(std::lround(share * 100)); }
+QString plain(const std::string& text) { return shortName(text, kLongestValue); }
+
+/// A property is added if it is known.
+class Properties {
+ public:
+  Properties& add(const QString& name, const QString& value) {
+    if (!value.isEmpty()) rows_.push_back({name, value});
+    return *this;
+  }
+  Properties& add(const QString& name, const std::string& value) { return add(name, plain(value)); }
+  Properties& add(const QString& name, std::optional<bool> value) {
+    return value ? add(name, *value ? ObjectText::tr("yes") : ObjectText::tr("no")) : *this;
+  }
+  operator std::vector<ObjectProperty>() const { return rows_; }
+
+ private:
+  std::vector<ObjectProperty> rows_;
+};
+
+void seePoint(const SeeObject& see, std::size_t number, const Eigen::Vector2d& at) {
+  const std::span<const Eigen::Vector2d> part(&at, 1);
+  see(number, ObjectForm::Point, {&part, 1});
+}
+void seePart(const SeeObject& see, std::size_t number, ObjectForm form,
+             std::span<const Eigen::Vector2d> part) {
+  see(number, form, {&part, 1});
+}
+
+template <class Thing>
+void seePoints(const std::vector<Thing>& things, const SeeObject& see) {
+  for (std::size_t i = 0; i < things.size(); ++i) seePoint(see, i, things[i].position_m);
+}
+
+std::string onlyOne(const LayerContext&, FeaturesOf, std::size_t) { return {}; }
+
+/// A polyline that is the whole layer.
+void seeLine(std::span<const Eigen::Vector2d> line, const SeeObject& see) {
+  if (line.size() > 1) seePart(see, 0, ObjectForm::Line, line);
+}
+
+MapObject oneLine(const QString& kind, const QColor& color, std::size_t points, int topic) {
+  MapObject object;
+  object.kind = kind;
+  object.color = color;
+  object.topic = topic;
+  object.properties = Properties().add(ObjectText::tr("Points"), QString::number(points));
+  return object;
+}
+
+// The robot.
+
+void seeRobot(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  const auto pose = context.robotPose();
+  if (!pose) return;
+  // It is hit by its mark; its footprint is as much of it.
+  seePoint(see, 0, {pose->x_m, pose->y_m});
+}
+
+MapObject describeRobot(const LayerContext& context, FeaturesOf, std::size_t) {
+  const map::LiveState& live = *context.live;
+  MapObject object;
+  object.kind = ObjectText::tr("Robot");
+  object.color = context.theme.robot;
+  object.topic = map::topicIndex<map::TrackedPose>();
+  const auto pose = context.robotPose().value_or(geometry::Pose2());
+  object.yaw_rad = pose.yaw_rad;
+  Properties known;
+  known.add(ObjectText::tr("Localization"), live.slam.state)
+      .add(ObjectText::tr("Reliable"), live.slam.reliable);
+  if (live.battery && live.battery->level)
+    known.add(ObjectText::tr("Battery"), percent(*live.battery->level));
+  if (live.planning) known.add(ObjectText::tr("Movement"), live.planning->move_state);
+  if (live.model.width_m > 0) known.add(ObjectText::tr("Width"), metres(live.model.width_m));
+  object.properties = known;
+  return object;
+}
+
+// Other robots.
+
+void seeNearby(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  const auto& robots = context.live->nearby_robots;
+  for (std::size_t i = 0; i < robots.size(); ++i) seePoint(see, i, {robots[i].pose.x_m, robots[i].pose.y_m});
+}
+
+std::string keyOfNearby(const LayerContext& context, FeaturesOf, std::size_t number) {
+  return context.live->nearby_robots[number].uid;
+}
+
+MapObject describeNearby(const LayerContext& context, FeaturesOf, std::size_t number) {
+  const map::NearbyRobot& robot = context.live->nearby_robots[number];
+  MapObject object;
+  object.kind = ObjectText::tr("Nearby robot");
+  object.name = shortName(robot.uid);
+  object.color = context.theme.other_robot;
+  object.yaw_rad = robot.pose.yaw_rad;
+  object.topic = map::topicIndex<map::NearbyRobotsMessage>();
+  return object;
+}
+
+// Doors.
+
+void seeDoors(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  const auto& doors = context.live->doors;
+  for (std::size_t i = 0; i < doors.size(); ++i) {
+    if (doors[i].polygon.size() >= 3) seePart(see, i, ObjectForm::Area, doors[i].polygon);
+  }
+}
+
+std::string keyOfDoor(const LayerContext& context, FeaturesOf, std::size_t number) {
+  const map::AutoDoor& door = context.live->doors[number];
+  return door.mac.empty() ? door.name : door.mac;
+}
+
+MapObject describeDoor(const LayerContext& context, FeaturesOf, std::size_t number) {
+  const map::AutoDoor& door = context.live->doors[number];
+  const MapTheme& theme = context.theme;
+  MapObject object;
+  object.kind = ObjectText::tr("Automatic door");
+  object.name = shortName(door.name);
+  object.color = door.state == "open" ? theme.good : door.state == "closed" ? theme.bad : theme.warn;
+  object.topic = map::topicIndex<map::AutoDoorsMessage>();
+  object.properties =
+      Properties().add(ObjectText::tr("State"), door.state).add(ObjectText::tr("MAC address"), door.mac);
+  return object;
+}
+
+// Landmarks.
+
+const std::vector<map::Landmark>& landmarksOf(const LayerContext& context, FeaturesOf of) {
+  return of == FeaturesOf::Robot ? context.live->landmarks : context.of(of).landmarks;
+}
+
+void seeLandmarks(const LayerContext& context, FeaturesOf of, const SeeObject& see) {
+  seePoints(landmarksOf(context, of), see);
+}
+
+std::string keyOfLandmark(const LayerContext& context, FeaturesOf of, std::size_t number) {
+  return landmarksOf(context, of)[number].id;
+}
+
+MapObject describeLandmark(const LayerContext& context, FeaturesOf of, std::size_t number) {
+  const map::Landmark& landmark = landmarksOf(context, of)[number];
+  MapObject object;
+  object.kind = ObjectText::tr("Landmark");
+  object.name = shortName(landmark.id);
+  object.color = context.theme.constraint;
+  if (of == FeaturesOf::Robot) object.topic = map::topicIndex<map::LandmarksMessage>();
+  object.properties = Properties().add(ObjectText::tr("In use"), landmark.in_use);
+  return object;
+}
+
+// Overlays.
+
+void seeOverlays(const LayerContext& context, FeaturesOf of, const SeeObject& see) {
+  std::vector<std::span<const Eigen::Vector2d>> parts;
+  const std::vector<map::OverlayFeature>& features = context.of(of).overlays;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    parts.assign(features[i].parts.begin(), features[i].parts.end());
+    if (parts.empty() || parts[0].empty()) continue;
+    const auto form = features[i].shape == map::OverlayShape::Point  ? ObjectForm::Point
+                      : features[i].shape == map::OverlayShape::Line ? ObjectForm::Line
+                                                                     : ObjectForm::Area;
+    see(i, form, parts);
+  }
+}
+
+std::string keyOfOverlay(const LayerContext& context, FeaturesOf of, std::size_t number) {
+  const map::OverlayFeature& feature = context.of(of).overlays[number];
+  return feature.id.empty() ? feature.name : feature.id;
+}
+
+MapObject describeOverlay(const LayerContext& context, FeaturesOf of, std::size_t number) {
+  const map::OverlayFeature& feature = context.of(of).overlays[number];
+  MapObject object;
+  object.kind = sentences::nameOf(feature.shape, feature.type);
+  object.name = shortName(feature.name);
+  object.color = overlayColor(context.theme, feature);
+  object.yaw_rad = feature.yaw_rad;
+  Properties known;
+  known.add(ObjectText::tr("Id"), feature.id)
+      .add(ObjectText::tr("Type"), feature.type == 0 ? QString() : QString::number(feature.type));
+  if (of == FeaturesOf::Robot) {
+    object.topic = map::topicIndex<map::MapInfo>();
+    if (const auto& info = context.live->map_info) {
+      known.add(ObjectText::tr("Map"), info->name);
+      if (info->map_version) known.add(ObjectText::tr("Map version"), QString::number(*info->map_version));
+      if (info->overlays_version)
+        known.add(ObjectText::tr("Overlays version"), QString::number(*info->overlays_version));
+    }
+  }
+  object.properties = known;
+  return object;
+}
+
+// Waypoints.
+
+QString markText(WaypointMark mark) {
+  switch (mark) {
+    case WaypointMark::Saved:
+      return {};
+    case WaypointMark::Unsaved:
+      return ObjectText::tr("changed, not saved");
+    case WaypointMark::Sent:
+      return ObjectText::tr("sent, not confirmed");
+    case WaypointMark::Conflict:
+      return ObjectText::tr("in conflict: mine");
+    case WaypointMark::New:
+      return ObjectText::tr("new, not saved");
+    case WaypointMark::Deleted:
+      return ObjectText::tr("deleted, not saved");
+    case WaypointMark::Theirs:
+      return ObjectText::tr("in conflict: theirs");
+  }
+  return {};
+}
+
+void seeWaypoints(const LayerContext& context, FeaturesOf of, const SeeObject& see) {
+  seePoints(context.of(of).waypoints, see);
+}
+
+std::string keyOfWaypoint(const LayerContext& context, FeaturesOf of, std::size_t number) {
+  return context.of(of).waypoints[number].name;
+}
+
+MapObject describeWaypoint(const LayerContext& context, FeaturesOf of, std::size_t number) {
+  const DrawnWaypoint& point = context.of(of).waypoints[number];
+  MapObject object;
+  object.kind = ObjectText::tr("Waypoint");
+  object.name = shortName(point.name);
+  object.color = waypointColor(context.theme, point.mark);
+  object.yaw_rad = point.yaw_rad;
+  object.properties = Properties().add(ObjectText::tr("State"), markText(point.mark));
+  return object;
+}
+
+// Boxes and drawings.
+
+/// All boxes, in the order in which they are drawn.
+const map::GroundBox* boxAt(const map::LiveState& live, std::size_t number) {
+  for (const auto* boxes : {&live.pallets, &live.racks, &live.seen_objects}) {
+    if (number < boxes->size()) return &(*boxes)[number];
+    number -= boxes->size();
+  }
+  return nullptr;
+}
+
+std::optional<geometry::Pose2> placeOf(const LayerContext& context, const map::GroundBox& box) {
+  if (!box.in_robot_frame) return box.pose;
+  const auto robot = context.robotPose();
+  return robot ? std::optional(*robot * box.pose) : std::nullopt;
+}
+
+void seeBoxes(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  for (std::size_t i = 0;; ++i) {
+    const map::GroundBox* const box = boxAt(*context.live, i);
+    if (!box) return;
+    const auto pose = placeOf(context, *box);
+    if (!pose) continue;
+    const double a = box->length_m / 2, b = box->width_m / 2;
+    if (a > 0 && b > 0) {
+      const std::array corners{pose->apply({a, b}), pose->apply({-a, b}), pose->apply({-a, -b}),
+                               pose->apply({a, -b})};
+      seePart(see, i, ObjectForm::Area, corners);
+    } else {
+      seePoint(see, i, {pose->x_m, pose->y_m});
+    }
+  }
+}
+
+std::string keyOfBox(const LayerContext& context, FeaturesOf, std::size_t number) {
+  const map::GroundBox* const box = boxAt(*context.live, number);
+  return box ? box->label : std::string();
+}
+
+MapObject describeBox(const LayerContext& context, FeaturesOf, std::size_t number) {
+  const map::LiveState& live = *context.live;
+  const map::GroundBox& box = *boxAt(live, number);
+  MapObject object;
+  const bool pallet = number < live.pallets.size(),
+             rack = !pallet && number < live.pallets.size() + live.racks.size();
+  object.kind = pallet ? ObjectText::tr("Pallet")
+                : rack ? ObjectText::tr("Rack")
+                       : ObjectText::tr("Seen object");
+  object.topic = pallet ? map::topicIndex<map::PalletsMessage>()
+                 : rack ? map::topicIndex<map::RackMessage>()
+                        : map::topicIndex<map::SeenObjectsMessage>();
+  object.name = shortName(box.label);
+  object.color = box.rgba ? translucent(colorFrom(*box.rgba), 255) : context.theme.place;
+  if (const auto pose = placeOf(context, box)) object.yaw_rad = pose->yaw_rad;
+  if (box.length_m > 0 && box.width_m > 0)
+    object.properties = Properties().add(
+        ObjectText::tr("Size"), QStringLiteral("%1 × %2").arg(metres(box.length_m), metres(box.width_m)));
+  return object;
+}
+
+// Lines.
+
+void seeConstraints(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  std::size_t number = 0;
+  for (const auto& [name, segments] : context.live->constraints.by_name) {
+    for (const auto& [from, to] : segments) {
+      const std::array line{from, to};
+      seePart(see, number++, ObjectForm::Line, line);
+    }
+  }
+}
+
+MapObject describeConstraint(const LayerContext& context, FeaturesOf, std::size_t number) {
+  MapObject object;
+  object.kind = ObjectText::tr("Constraint");
+  object.color = context.theme.constraint;
+  object.topic = map::topicIndex<map::ConstraintsMessage>();
+  for (const auto& [name, segments] : context.live->constraints.by_name) {
+    if (number < segments.size()) {
+      object.name = shortName(name);
+      break;
+    }
+    number -= segments.size();
+  }
+  return object;
+}
+
+void seeTrajectories(const LayerContext& context, FeaturesOf of, const SeeObject& see) {
+  if (of == FeaturesOf::Robot) return seeLine(context.live->trajectory, see);
+  const auto& lines = context.of(of).trajectories;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].size() > 1) seePart(see, i, ObjectForm::Line, lines[i]);
+  }
+}
+
+MapObject describeTrajectory(const LayerContext& context, FeaturesOf of, std::size_t number) {
+  const bool robots = of == FeaturesOf::Robot;
+  return oneLine(ObjectText::tr("Trajectory"), context.theme.trajectory,
+                 robots ? context.live->trajectory.size() : context.of(of).trajectories[number].size(),
+                 robots ? map::topicIndex<map::TrajectoryMessage>() : -1);
+}
+
+void seePath(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  seeLine(context.live->path, see);
+}
+
+MapObject describePath(const LayerContext& context, FeaturesOf, std::size_t) {
+  return oneLine(ObjectText::tr("Path"), context.theme.path, context.live->path.size(),
+                 map::topicIndex<map::PathMessage>());
+}
+
+void seeLocalPath(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  seeLine(context.live->local_path.points, see);
+}
+
+MapObject describeLocalPath(const LayerContext& context, FeaturesOf, std::size_t) {
+  const map::LocalPathMessage& path = context.live->local_path;
+  MapObject object = oneLine(ObjectText::tr("Local path"), context.theme.path, path.points.size(),
+                             map::topicIndex<map::LocalPathMessage>());
+  if (path.width_m > 0) object.properties.push_back({ObjectText::tr("Width"), metres(path.width_m)});
+  return object;
+}
+
+void seeTargets(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  if (!context.live->planning) return;
+  const auto& targets = context.live->planning->targets;
+  for (std::size_t i = 0; i < targets.size(); ++i) seePoint(see, i, {targets[i].x_m, targets[i].y_m});
+}
+
+MapObject describeTarget(const LayerContext& context, FeaturesOf, std::size_t number) {
+  const map::PlanningState& planning = *context.live->planning;
+  MapObject object;
+  object.kind = ObjectText::tr("Target");
+  object.color = context.theme.target;
+  object.yaw_rad = planning.targets[number].yaw_rad;
+  object.topic = map::topicIndex<map::PlanningState>();
+  Properties known;
+  known.add(ObjectText::tr("Movement"), planning.move_state)
+      .add(ObjectText::tr("Action"), planning.action_type);
+  if (planning.remaining_distance_m)
+    known.add(ObjectText::tr("Distance left"), metres(*planning.remaining_distance_m));
+  known.add(ObjectText::tr("Why it failed"), planning.fail_reason);
+  object.properties = known;
+  return object;
+}
+
+void seeTrail(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  map::Polyline line;
+  line.reserve(context.live->trail.size());
+  for (const map::TrailPoint& point : context.live->trail) line.push_back(point.position_m);
+  seeLine(line, see);
+}
+
+MapObject describeTrail(const LayerContext& context, FeaturesOf, std::size_t) {
+  return oneLine(ObjectText::tr("Trail"), context.theme.trail, context.live->trail.size(),
+                 map::topicIndex<map::TrackedPose>());
+}
+
+void seeTrack(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  if (!context.track) return;
+  map::Polyline line;
+  line.reserve(context.track->size());
+  for (const TrackSample& sample : *context.track) line.push_back(sample.position_m);
+  seeLine(line, see);
+}
+
+MapObject describeTrack(const LayerContext& context, FeaturesOf, std::size_t) {
+  return oneLine(ObjectText::tr("Track of the bag"), context.theme.trail,
+                 context.track ? context.track->size() : 0, map::topicIndex<map::TrackedPose>());
+}
+
+// Points of sensors.
+
+void seeCloud(const LayerContext& context, FeaturesOf, const SeeObject& see) {
+  std::size_t number = 0;
+  for (const auto& [topic, cloud] : context.live->clouds) {
+    if (!cloud) continue;
+    for (const map::CloudPoint& point : *cloud) seePoint(see, number++, {point.x_m, point.y_m});
+  }
+}
+
+MapObject describeCloudPoint(const LayerContext& context, FeaturesOf, std::size_t number) {
+  MapObject object;
+  object.kind = ObjectText::tr("Lidar point");
+  object.color = context.theme.cloud;
+  for (const auto& [topic, cloud] : context.live->clouds) {
+    if (!cloud) continue;
+    if (number < cloud->size()) {
+      const map::CloudPoint& point = (*cloud)[number];
+      object.topic = map::topicIndex<map::PointCloudMessage>();
+      object.properties = Properties()
+                              .add(ObjectText::tr("Height"), metres(point.z_m))
+                              .add(ObjectText::tr("Intensity"), QString::number(point.intensity))
+                              .add(ObjectText::tr("Topic"), topic);
+      break;
+    }
+    number -= cloud->size();
+  }
+  return object;
+}
+
+double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  const Eigen::Vector2d along = b - a;
+  const double squared = along.squaredNorm();
+  const double t = squared > 0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0;
+  return (a + t * along - p).norm();
+}
+
+double signedArea(std::span<const Eigen::Vector2d> ring) {
+  double twice = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    twice += a.x() * b.y() - b.x() * a.y();
+  }
+  return twice / 2;
+}
+
+bool inside(ObjectParts rings, const Eigen::Vector2d& p) {
+  bool odd = false;
+  for (const auto& ring : rings) {
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+      const Eigen::Vector2d &a = ring[i], &b = ring[j];
+      if ((a.y() > p.y()) != (b.y() > p.y()) &&
+          p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x())
+        odd = !odd;
+    }
+  }
+  return odd;
+}
+
+/// What the layer says of a thing, with what follows from where it lies.
+MapObject complete(const LayerObjects& things, const LayerContext& context, const ObjectId& id,
+                   ObjectForm form, std::vector<map::Polyline> parts) {
+  MapObject object = things.describe(context, id.of, id.number);
+  object.id = id;
+  object.form = form;
+  if (form == ObjectForm::Point) {
+    object.at_m = parts[0][0];
+    return object;
+  }
+  object.parts = std::move(parts);
+  const map::Polyline& first = object.parts[0];
+  // The middle of a line lies on it.
+  object.at_m = form == ObjectForm::Line ? first[first.size() / 2] : object.bounds().center();
+  return object;
+}
+
+std::vector<map::Polyline> copyOf(ObjectParts parts) {
+  std::vector<map::Polyline> copy;
+  copy.reserve(parts.size());
+  for (const auto& part : parts) copy.emplace_back(part.begin(), part.end());
+  return copy;
+}
+
+/// The present number of `id`, and what it is; nullopt: it is gone.
+std::optional<MapObject> findObject(const LayerContext& context, const ObjectId& id) {
+  const LayerObjects* const things = objectsOf(id.layer);
+  if (!things) return std::nullopt;
+  const auto of = id.of;
+  // Where it was, or else the first with its key.
+  struct Found {
+    std::size_t number = 0;
+    ObjectForm form = ObjectForm::Point;
+    std::vector<map::Polyline> parts;
+  };
+  std::optional<Found> found;
+  things->visit(context, of, [&](std::size_t number, ObjectForm form, ObjectParts parts) {
+    const bool same_place = number == id.number;
+    if ((found && !same_place) || (id.key.empty() && !same_place)) return;
+    if (things->key(context, of, number) != id.key) return;
+    found = Found{number, form, copyOf(parts)};
+  });
+  if (!found) return std::nullopt;
+  return complete(*things, context, {id.layer, id.of, id.key, found->number}, found->form,
+                  std::move(found->parts));
+}
+
+/// Calls `with` for each visible item that has things, the topmost first, with whose features it shows.
+template <class With>
+void forEachSource(const SceneItems& items, With&& with) {
+  for (auto layer = items.order.rbegin(); layer != items.order.rend(); ++layer) {
+    const LayerObjects* const things = objectsOf(*layer);
+    if (!things) continue;
+    for (const LayerItem* item : items.itemsOf(*layer)) {
+      if (item->isVisible()) with(*layer, *item, *things, item->of().value_or(FeaturesOf::Robot));
+    }
+  }
+}
+
+}  // namespace
+
+const LayerObjects* objectsOf(Layer layer) {
+  static constexpr LayerObjects kRobot{seeRobot, onlyOne, describeRobot};
+  static constexpr LayerObjects kNearby{seeNearby, keyOfNearby, describeNearby};
+  static constexpr LayerObjects kDoors{seeDoors, keyOfDoor, describeDoor};
+  static constexpr LayerObjects kLandmarks{seeLandmarks, keyOfLandmark, describeLandmark};
+  static constexpr LayerObjects kOverlays{seeOverlays, keyOfOverlay, describeOverlay};
+  static constexpr LayerObjects kWaypoints{seeWaypoints, keyOfWaypoint, describeWaypoint};
+  static constexpr LayerObjects kBoxes{seeBoxes, keyOfBox, describeBox};
+  static constexpr LayerObjects kConstraints{seeConstraints, onlyOne, describeConstraint, false};
+  static constexpr LayerObjects kTrajectories{seeTrajectories, onlyOne, describeTrajectory};
+  static constexpr LayerObjects kPath{seePath, onlyOne, describePath};
+  static constexpr LayerObjects kLocalPath{seeLocalPath, onlyOne, describeLocalPath};
+  static constexpr LayerObjects kTargets{seeTargets, onlyOne, describeTarget};
+  static constexpr LayerObjects kTrail{seeTrail, onlyOne, describeTrail};
+  static constexpr LayerObjects kTrack{seeTrack, onlyOne, describeTrack};
+  static constexpr LayerObjects kCloud{seeCloud, onlyOne, describeCloudPoint, false};
+  switch (layer) {
+    case Layer::Robot:
+      return &kRobot;
+    case Layer::NearbyRobots:
+      return &kNearby;
+    case Layer::Doors:
+      return &kDoors;
+    case Layer::Landmarks:
+      return &kLandmarks;
+    case Layer::Overlays:
+      return &kOverlays;
+    case Layer::Waypoints:
+      return &kWaypoints;
+    case Layer::Boxes:
+      return &kBoxes;
+    case Layer::Constraints:
+      return &kConstraints;
+    case Layer::Trajectory:
+      return &kTrajectories;
+    case Layer::Path:
+      return &kPath;
+    case Layer::LocalPath:
+      return &kLocalPath;
+    case Layer::Target:
+      return &kTargets;
+    case Layer::Trail:
+      return &kTrail;
+    case Layer::Track:
+      return &kTrack;
+    case Layer::Cloud:
+      return &kCloud;
+    default:
+      return nullptr;
+  }
+}
+
+std::optional<ObjectFit> fitOf(ObjectForm form, ObjectParts parts, const Eigen::Vector2d& world_m,
+                               double reach_m) {
+  if (form == ObjectForm::Area) {
+    if (!inside(parts, world_m)) return std::nullopt;
+    return ObjectFit{0, std::abs(signedArea(parts[0]))};
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& part : parts) {
+    if (part.size() == 1) nearest = std::min(nearest, (part[0] - world_m).norm());
+    for (std::size_t i = 1; i < part.size(); ++i)
+      nearest = std::min(nearest, distanceToSegment(world_m, part[i - 1], part[i]));
+  }
+  if (!(nearest <= reach_m)) return std::nullopt;
+  return ObjectFit{nearest, 0};
+}
+
+std::vector<ObjectId> objectsAt(const SceneItems& items, const Eigen::Vector2d& world_m, double reach_px) {
+  constexpr std::size_t kMost = 50;
+  const double reach_m = reach_px * items.context.view.scale_m_per_px;
+  const QPointF pixel = toPoint(items.context.view.pixelFromWorld(world_m));
+  struct Candidate {
+    int rank;
+    ObjectFit fit;
+    ObjectId id;
+  };
+  std::vector<Candidate> candidates;
+  forEachSource(items, [&](Layer layer, const LayerItem& item, const LayerObjects& things, FeaturesOf of) {
+    if (item.part() && !item.part()->contains(pixel)) return;
+    std::optional<Candidate> nearest;
+    things.visit(items.context, of, [&](std::size_t number, ObjectForm form, ObjectParts parts) {
+      const auto fit = fitOf(form, parts, world_m, reach_m);
+      if (!fit) return;
+      // What comes in thousands is not in the way of what comes in dozens.
+      const int rank = !things.listed ? 2 : form == ObjectForm::Point ? 0 : form == ObjectForm::Line ? 1 : 3;
+      Candidate candidate{rank, *fit, {layer, of, {}, number}};
+      if (things.listed) {
+        candidate.id.key = things.key(items.context, of, number);
+        candidates.push_back(std::move(candidate));
+      } else if (!nearest || *fit < nearest->fit) {
+        nearest = std::move(candidate);
+      }
+    });
+    if (nearest) candidates.push_back(std::move(*nearest));
+  });
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return std::tie(a.rank, a.fit) < std::tie(b.rank, b.fit);
+  });
+  std::vector<ObjectId> ids;
+  for (Candidate& candidate : candidates) {
+    if (ids.size() < kMost) ids.push_back(std::move(candidate.id));
+  }
+  const LayerItem& submaps = items.first(Layer::Submaps);
+  if (!submaps.isVisible() || (submaps.part() && !submaps.part()->contains(pixel))) return ids;
+  for (auto it = items.context.outlines.rbegin(); it != items.context.outlines.rend(); ++it) {
+    if (ids.size() >= kMost) break;
+    if (it->second.visible && it->second.contains(world_m))
+      ids.push_back({Layer::Submaps, FeaturesOf::Robot, map::toText(it->first), 0});
+  }
+  return ids;
+}
+
+std::optional<MapObject> objectOf(const SceneItems& items, const session::Session& session,
+                                  const ObjectId& id) {
+  if (!items.shown.at(id.layer)) return std::nullopt;
+  return id.layer == Layer::Submaps ? submapObject(items.context, session, id.key)
+                                    : findObject(items.context, id);
+}
+
+std::vector<MapObject> allObjects(const SceneItems& items, std::size_t most) {
+  std::vector<MapObject> all;
+  forEachSource(items, [&](Layer layer, const LayerItem&, const LayerObjects& things, FeaturesOf of) {
+    if (!things.listed) return;
+    things.visit(items.context, of, [&](std::size_t number, ObjectForm form, ObjectParts parts) {
+      if (all.size() >= most) return;
+      const ObjectId id{layer, of, things.key(items.context, of, number), number};
+      all.push_back(complete(things, items.context, id, form, copyOf(parts)));
+    });
+  });
+  return all;
+}
+
+geometry::WorldRect MapObject::bounds() const {
+  geometry::WorldRect bounds;
+  for (const map::Polyline& part : parts) {
+    for (const Eigen::Vector2d& point : part) bounds.extend(point);
+  }
+  if (bounds.empty()) bounds.extend(at_m);
+  return bounds;
+}
+
+double MapObject::lengthM() const {
+  double length = 0;
+  for (const map::Polyline& part : parts) {
+    for (std::size_t i = 1; i < part.size(); ++i) length += (part[i] - part[i - 1]).norm();
+  }
+  return length;
+}
+
+double MapObject::areaM2() const {
+  if (form != ObjectForm::Area) return 0;
+  double area = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const double ring = std::abs(signedArea(parts[i]));
+    area += i == 0 ? ring : -ring;
+  }
+  return area;
+}
+
+}  // namespace mapwright::scene

@@ -1,0 +1,55 @@
+// How a layer tells what it shows, thing by thing (see map_object.h). Private to this room.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "scene/layer_item.h"
+#include "scene/map_object.h"
+
+namespace mapwright::session {
+class Session;
+}
+
+namespace mapwright::scene {
+
+/// Lines, or the rings of an area; a point has one part of one position. World metres.
+using ObjectParts = std::span<const std::span<const Eigen::Vector2d>>;
+using SeeObject = std::function<void(std::size_t number, ObjectForm form, ObjectParts parts)>;
+
+/// The things of a layer, numbered. The numbers hold until its data changes.
+struct LayerObjects {
+  void (*visit)(const LayerContext& context, FeaturesOf of, const SeeObject& see);
+  std::string (*key)(const LayerContext& context, FeaturesOf of, std::size_t number);
+  /// All but `id`, `form` and `parts`, which follow from visit() and key().
+  MapObject (*describe)(const LayerContext& context, FeaturesOf of, std::size_t number);
+  /// Listed; points of sensors and thousands of segments are not.
+  bool listed = true;
+};
+
+/// Null: the layer has no things that can be told apart.
+const LayerObjects* objectsOf(Layer layer);
+
+class SceneItems;
+
+/// See MapScene.
+std::vector<ObjectId> objectsAt(const SceneItems& items, const Eigen::Vector2d& world_m, double reach_px);
+std::optional<MapObject> objectOf(const SceneItems& items, const session::Session& session,
+                                  const ObjectId& id);
+std::vector<MapObject> allObjects(const SceneItems& items, std::size_t most);
+/// nullopt: it is not on screen.
+std::optional<MapObject> submapObject(const LayerContext& context, const session::Session& session,
+                                      const std::string& key);
+
+/// How well something fits a click: the nearer and the smaller, the better.
+struct ObjectFit {
+  double distance_m = 0;  // 0 inside of an area
+  double area_m2 = 0;
+  auto operator<=>(const ObjectFit&) const = default;
+};
+/// nullopt: it is not at `world_m`.
+std::optional<ObjectFit> fitOf(ObjectForm form, ObjectParts parts, const Eigen::Vector2d& world_m,
+                               double reach_m);
+
+}  // namespace mapwright::scene

@@ -1,0 +1,60 @@
+// The frame of the chosen object, and the marker of a place that the user went to.
+#include "scene/layer_item.h"
+
+namespace mapwright::scene {
+namespace {
+
+constexpr double kRingPx = 13, kCrossPx = 14;
+
+void strokeTwice(QPainter& painter, const MapTheme& theme, double width, const std::function<void()>& draw) {
+  painter.setBrush(Qt::NoBrush);
+  for (const auto& [color, px] : {std::pair(theme.text_halo, width + 2.5), std::pair(theme.accent, width)}) {
+    painter.setPen(QPen(color, px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    draw();
+  }
+}
+
+}  // namespace
+
+QRectF MarkItem::covers() const {
+  QRectF covered;
+  if (context_.marked) {
+    const geometry::WorldRect bounds = context_.marked->bounds();
+    QPolygonF corners;
+    for (const Eigen::Vector2d& corner :
+         {Eigen::Vector2d(bounds.min_x, bounds.min_y), Eigen::Vector2d(bounds.max_x, bounds.min_y),
+          Eigen::Vector2d(bounds.max_x, bounds.max_y), Eigen::Vector2d(bounds.min_x, bounds.max_y)})
+      corners << toPoint(context_.view.pixelFromWorld(corner));
+    covered |= corners.boundingRect().adjusted(-kRingPx - 4, -kRingPx - 4, kRingPx + 4, kRingPx + 4);
+  }
+  if (context_.marker) {
+    const QPointF at = toPoint(context_.view.pixelFromWorld(*context_.marker));
+    const double reach = kCrossPx + 4;
+    covered |= QRectF(at.x() - reach, at.y() - reach, 2 * reach, 2 * reach);
+  }
+  return covered;
+}
+
+void MarkItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  painter->setRenderHint(QPainter::Antialiasing);
+  if (const auto& object = context_.marked) {
+    strokeTwice(*painter, context_.theme, 2.5, [&] {
+      if (object->form == ObjectForm::Point)
+        painter->drawEllipse(toPoint(context_.view.pixelFromWorld(object->at_m)), kRingPx, kRingPx);
+      for (map::Polyline part : object->parts) {
+        if (object->form == ObjectForm::Area && !part.empty()) part.push_back(part.front());
+        for (const QPolygonF& line : visibleLines(context_.view, part, 8)) painter->drawPolyline(line);
+      }
+    });
+  }
+  if (context_.marker) {
+    const QPointF at = toPoint(context_.view.pixelFromWorld(*context_.marker));
+    strokeTwice(*painter, context_.theme, 2, [&] {
+      painter->drawEllipse(at, 7, 7);
+      for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+        painter->drawLine(at + way * 4, at + way * kCrossPx);
+    });
+  }
+}
+
+}  // namespace mapwright::scene
