@@ -282,6 +282,26 @@
     </message>
 </context>
 <context>
+    <name>mapwright::window::ObjectCard</name>
+    <message numerus="yes">
+        <source>%n other things here: Alt+click</source>
+        <translation>
+            <numerusform>%n other thing here: Alt+click</numerusform>
+            <numerusform>%n other things here: Alt+click</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::ObjectsDock</name>
+    <message numerus="yes">
+        <source>%n objects</source>
+        <translation>
+            <numerusform>%n object</numerusform>
+            <numerusform>%n objects</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::window::PictureDock</name>
     <message numerus="yes">
         <source>%1 specks</source>

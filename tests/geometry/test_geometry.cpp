@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "geometry/polyline.h"
 #include "geometry/pose.h"
 #include "geometry/view_transform.h"
 #include "test_program.h"
@@ -112,6 +113,19 @@ class GeometryTest : public QObject {
     }
     const ViewTransform view{{1, 2}, 0.3, 0, 300, 200};
     QCOMPARE(view.fitted(WorldRect{}, 10), view);
+  }
+
+  void polylinesHaveLengthsAreasAndAngles() {
+    const std::vector<Eigen::Vector2d> ring{{1e6, 1e6}, {1e6 + 3, 1e6}, {1e6 + 3, 1e6 + 4}};
+    QCOMPARE(lengthOf(ring), 7.0);
+    QCOMPARE(signedAreaOf(ring), 6.0);
+    QCOMPARE(signedAreaOf(std::vector<Eigen::Vector2d>(ring.rbegin(), ring.rend())), -6.0);
+    QCOMPARE(signedAreaOf({}), 0.0);
+    QCOMPARE(degreesFromRadians(angleAt({0, 0}, {1, 0}, {0, 5})), 90.0);
+    QCOMPARE(degreesFromRadians(angleAt({0, 0}, {1, 0}, {-2, 0})), 180.0);
+    QCOMPARE(angleAt({0, 0}, {0, 0}, {1, 0}), 0.0);
+    QCOMPARE(distanceToSegment({0, 1}, {-1, 0}, {1, 0}), 1.0);
+    QCOMPARE(distanceToSegment({4, 4}, {1, 0}, {1, 0}), 5.0);
   }
 };
 

@@ -132,7 +132,7 @@ class TestWindowObjects : public QObject {
   void theKeyboardAlonePointsAtTheMiddleOfTheMap() {
     ObjectBench bench;
     bench.openOnRobot();
-    bench.key(Qt::Key_I);
+    bench.key(Qt::Key_I, Qt::ControlModifier);
     QCOMPARE(bench.card()->title(), QStringLiteral("Robot"));
     QVERIFY(bench.card()->lines().contains(QStringLiteral("Heading: 0°")));
   }
@@ -204,7 +204,8 @@ class TestWindowObjects : public QObject {
     const QDateTime later = QDateTime::fromMSecsSinceEpoch(std::llround((heard->last_s + 130) * 1000));
     bool told = false;
     for (const auto& fact : factsOf(*object, *window.session(), later))
-      told = told || (fact.name == QLatin1String("Last message") && fact.value.endsWith(QLatin1String("(2 min ago)")));
+      told = told || (fact.name == QLatin1String("Last message") &&
+                      fact.value.endsWith(QLatin1String("(2 min ago)")));
     QVERIFY(told);
   }
 

@@ -101,6 +101,7 @@ class TestWindowPlots : public QObject {
   void quantitiesFindAPlotOfTheirUnit();
   void plotsShareTimePointerAndCursor();
   void whatIsPlottedIsRemembered();
+  void fieldsOfAnEarlierRobotGo();
   void thereAreNoMoreThanCanBeToldApart();
   void aRobotThatSpeaksIsPlottedAsItComes();
   void closingTheBagLeavesNothingOfIt();
@@ -318,6 +319,18 @@ void TestWindowPlots::whatIsPlottedIsRemembered() {
   QCOMPARE(other.dock.plots().size(), std::size_t(3));
   other.dock.clearPlots();
   QCOMPARE(other.dock.layout(), QStringLiteral("[[]]"));
+}
+
+void TestWindowPlots::fieldsOfAnEarlierRobotGo() {
+  Desk desk;
+  desk.dock.addQuantity(Quantity::X);
+  QVERIFY(desk.dock.addCurve(desk.dock.plots()[0], field("/odd.a")));
+  desk.dock.addQuantity(Quantity::Speed);
+  const QString before = desk.dock.layout();
+  QVERIFY(before.contains(QLatin1String("/odd")));
+  desk.dock.removeFields();
+  QVERIFY(!desk.dock.layout().contains(QLatin1String("/odd")));
+  QVERIFY(desk.dock.layout().contains(QLatin1String("speed")));
 }
 
 void TestWindowPlots::thereAreNoMoreThanCanBeToldApart() {

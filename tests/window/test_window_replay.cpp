@@ -659,6 +659,21 @@ class TestWindowReplay : public QObject {
     QCOMPARE(model.presentRow(), 70'001);
   }
 
+  void aRangeBeginsAndEndsWhereTheReplayIs() {
+    Desk desk;
+    desk.replay(kWhole);
+    desk.action("replayExport")->trigger();
+    const QPointer<RangeExportDialog> dialog = part<ReplayController>(*desk.window)->rangeDialog();
+    QVERIFY(dialog && dialog->fromHereButton()->isVisible());
+    desk.clock().seek(desk.clock().start() + 100);
+    QTest::mouseClick(dialog->fromHereButton(), Qt::LeftButton);
+    desk.clock().seek(desk.clock().start() + 130);
+    QTest::mouseClick(dialog->toHereButton(), Qt::LeftButton);
+    QVERIFY(dialog->fromEdit()->text().endsWith(clockText(desk.clock().start() + 100)));
+    QVERIFY(dialog->toEdit()->text().endsWith(clockText(desk.clock().start() + 130)));
+    dialog->close();
+  }
+
   void aRangeIsExportedAsMessagesAndAsWay_data() {
     QTest::addColumn<int>("kind");
     QTest::addColumn<QString>("suffix");

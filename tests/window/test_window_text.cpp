@@ -122,8 +122,6 @@ class TestWindowText : public QObject {
     QCOMPARE(problemsText(1), QStringLiteral("1 problem"));
     QCOMPARE(problemsText(0), QStringLiteral("0 problems"));
     QCOMPARE(submapsText(12480), QStringLiteral("12,480 submaps"));
-    QCOMPARE(lengthText(12.3456), QStringLiteral("12.346 m"));
-    QCOMPARE(lengthText(12'345.6), QStringLiteral("12.346 km"));
   }
 
   void filtersByWhatPeopleType_data() {

@@ -206,7 +206,7 @@ class TestWindowView : public QObject {
     bench.view.setTool(&measure);
     QTest::mouseClick(bench.view.viewport(), Qt::LeftButton, {}, {400, 300});
     bench.hover({460, 300});  // 60 px of 5 cm
-    QVERIFY2(measure.hint().contains(QLatin1String("3.000 m")), qPrintable(measure.hint()));
+    QVERIFY2(measure.hint().contains(QStringLiteral("3 m, heading 0°")), qPrintable(measure.hint()));
     QTest::mouseClick(bench.view.viewport(), Qt::LeftButton, {}, {460, 300});
     QTest::mouseClick(bench.view.viewport(), Qt::LeftButton, {}, {460, 220});
     QCOMPARE(measure.points().size(), std::size_t(3));
@@ -215,14 +215,31 @@ class TestWindowView : public QObject {
     QVERIFY(std::abs(measure.total() - 3.0) < 1e-9);
     QTest::keyClick(&bench.view, Qt::Key_Escape);
     QVERIFY(measure.ended());
-    QVERIFY(measure.hint().contains(QLatin1String("Total 3.000 m")));
+    QVERIFY(measure.hint().contains(QLatin1String("Total 3 m")));
     bench.hover({700, 500});
-    QVERIFY(measure.hint().contains(QLatin1String("Total 3.000 m")));  // an ended one stands still
+    QVERIFY(measure.hint().contains(QLatin1String("Total 3 m")));  // an ended one stands still
     QCOMPARE(finished.size(), 0);
     QTest::keyClick(&bench.view, Qt::Key_Escape);
     QCOMPARE(finished.size(), 1);
     QTest::mouseClick(bench.view.viewport(), Qt::LeftButton, {}, {100, 100});
     QCOMPARE(measure.points().size(), std::size_t(1));  // a new one began
+  }
+
+  void aClickOnTheFirstPointClosesARingAndTellsItsArea() {
+    Bench bench;
+    MeasureTool measure(&bench.scene);
+    bench.view.setTool(&measure);
+    for (const QPoint& corner : {QPoint(400, 300), QPoint(460, 300), QPoint(460, 220)})
+      QTest::mouseClick(bench.view.viewport(), Qt::LeftButton, {}, corner);
+    bench.hover({403, 302});
+    QVERIFY2(measure.hint().contains(QLatin1String("area")), qPrintable(measure.hint()));
+    QTest::mouseClick(bench.view.viewport(), Qt::LeftButton, {}, {402, 301});
+    QVERIFY(measure.closed());
+    QVERIFY2(measure.hint().contains(QStringLiteral("Area 6.00 m², around it 12 m")),
+             qPrintable(measure.hint()));
+    QTest::keyClick(&bench.view, Qt::Key_Backspace);  // opens it again
+    QVERIFY(!measure.closed());
+    QCOMPARE(measure.points().size(), std::size_t(3));
   }
 
   void draggingWhileMeasuringSetsNoPoint() {

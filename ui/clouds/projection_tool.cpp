@@ -7,7 +7,7 @@
 #include <QPainter>
 
 #include "scene/drawing.h"
-#include "ui/view/measure_tool.h"
+#include "scene/lengths.h"
 
 namespace mapwright::window {
 namespace {
@@ -161,12 +161,12 @@ QString ProjectionTool::hint() const {
   if (!takes_) return tr("Projections cannot be set on this robot: click one to select it. Esc leaves.");
   if (!editable_) return tr("Click a projection to select it. Esc leaves.");
   if (hold_ && hold_->index < 0 && hold_->from_m != hold_->to_m) {
-    return tr("%1 x %2").arg(lengthText(std::abs(hold_->to_m.x() - hold_->from_m.x())),
-                             lengthText(std::abs(hold_->to_m.y() - hold_->from_m.y())));
+    return tr("%1 x %2").arg(scene::lengthText(std::abs(hold_->to_m.x() - hold_->from_m.x())),
+                             scene::lengthText(std::abs(hold_->to_m.y() - hold_->from_m.y())));
   }
   if (const map::Projection* const one = draft_->selectedOne()) {
     return tr("%1 x %2. Drag it or its edges; Delete removes it. Esc leaves.")
-        .arg(lengthText(one->size_m.x()), lengthText(one->size_m.y()));
+        .arg(scene::lengthText(one->size_m.x()), scene::lengthText(one->size_m.y()));
   }
   return tr("Drag a rectangle for a new projection, or click one to select it. Esc leaves.");
 }

@@ -6,7 +6,7 @@
 #include <QPainter>
 
 #include "scene/drawing.h"
-#include "ui/view/measure_tool.h"
+#include "scene/lengths.h"
 
 namespace mapwright::window {
 
@@ -67,9 +67,9 @@ QString RegionTool::hint() const {
                ? tr("Drag a box to fetch its cloud. Esc leaves.")
                : tr("Drag from the centre of a sphere to its edge to fetch its cloud. Esc leaves.");
   }
-  if (shape_ == RegionShape::Sphere) return tr("Radius %1").arg(lengthText((*to_ - *from_).norm()));
-  return tr("%1 x %2").arg(lengthText(std::abs(to_->x() - from_->x())),
-                           lengthText(std::abs(to_->y() - from_->y())));
+  if (shape_ == RegionShape::Sphere) return tr("Radius %1").arg(scene::lengthText((*to_ - *from_).norm()));
+  return tr("%1 x %2").arg(scene::lengthText(std::abs(to_->x() - from_->x())),
+                           scene::lengthText(std::abs(to_->y() - from_->y())));
 }
 
 void RegionTool::paint(QPainter& painter) {

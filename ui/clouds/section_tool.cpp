@@ -6,7 +6,7 @@
 #include <QPainterPath>
 
 #include "scene/drawing.h"
-#include "ui/view/measure_tool.h"
+#include "scene/lengths.h"
 
 namespace mapwright::window {
 
@@ -80,7 +80,7 @@ QString SectionTool::hint() const {
   if (!line_ || line_->from_m == line_->to_m)
     return tr("Drag a line to see a cross-section of the cloud. Esc leaves.");
   return tr("%1 long. Drag another line, or press Esc to remove it.")
-      .arg(lengthText((line_->to_m - line_->from_m).norm()));
+      .arg(scene::lengthText((line_->to_m - line_->from_m).norm()));
 }
 
 void SectionTool::paint(QPainter& painter) {

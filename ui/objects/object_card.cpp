@@ -94,7 +94,7 @@ void ObjectCard::show(const scene::MapObject& object, const std::vector<scene::O
   next_->setText(QString::number(beneath));
   next_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   hint_->setVisible(!stays_ && beneath > 0);
-  hint_->setText(tr("%n more here: Alt+click", nullptr, beneath));
+  hint_->setText(tr("%n other things here: Alt+click", nullptr, beneath));
   layout()->invalidate();
   adjustSize();
   QFrame::show();

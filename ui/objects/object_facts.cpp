@@ -9,6 +9,7 @@
 #include "scene/lengths.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/objects/map_facts.h"
 #include "ui/view/replay_state.h"
 
 namespace mapwright::window {
@@ -32,8 +33,6 @@ QString clockText(double at_s, bool utc) {
   return at.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
 }
 
-QString areaText(double m2) { return QStringLiteral("%1 m²").arg(m2, 0, 'f', m2 < 100 ? 2 : 0); }
-
 /// Of a thing that belongs to a map that was opened.
 QString mapOf(const scene::MapObject& object, const session::Session& session) {
   const session::MapSlot& slot =
@@ -44,15 +43,39 @@ QString mapOf(const scene::MapObject& object, const session::Session& session) {
   return text;
 }
 
+/// Adds from which message it comes, and how old that is.
+std::vector<scene::ObjectProperty> withSource(std::vector<scene::ObjectProperty> facts,
+                                              const scene::MapObject& object, const session::Session& session,
+                                              const QDateTime& now) {
+  const auto heard = object.topic < 0 ? std::nullopt : session.heard(object.topic);
+  if (!heard) return facts;
+  const bool replay = replayOf(&session) != nullptr;
+  const double now_s = replay ? session.world().at_s : double(now.toMSecsSinceEpoch()) / 1000;
+  if (!heard->topic.isEmpty())
+    facts.push_back({FactText::tr("Topic"), plainWords(heard->topic.toStdString(), 120)});
+  facts.push_back(
+      {FactText::tr("Last message"),
+       FactText::tr("%1 (%2 ago)").arg(clockText(heard->last_s, replay), agoText(now_s - heard->last_s))});
+  if (heard->unchanged_s < heard->last_s)
+    facts.push_back({FactText::tr("The same since"), clockText(heard->unchanged_s, replay)});
+  return facts;
+}
+
 }  // namespace
 
 std::vector<scene::ObjectProperty> factsOf(const scene::MapObject& object, const session::Session& session,
-                                           const QDateTime& now) {
+                                           const QDateTime& now,
+                                           const std::optional<grids::CellCounts>& counts) {
   std::vector<scene::ObjectProperty> facts;
   const auto add = [&](const QString& name, const QString& value) {
     if (!value.isEmpty()) facts.push_back({name, value});
   };
   facts = object.properties;
+  if (object.id.layer == scene::Layer::WholeMap) {
+    const bool compared = object.id.of == scene::FeaturesOf::ComparedMap;
+    facts = mapFacts(compared ? session.comparedMap() : session.wholeMap(), session, counts);
+    return withSource(std::move(facts), object, session, now);
+  }
   if (object.id.layer == scene::Layer::Submaps) {
     for (const auto& [id, row] : session.submaps().rows()) {
       if (map::toText(id) != object.id.key) continue;
@@ -66,25 +89,13 @@ std::vector<scene::ObjectProperty> factsOf(const scene::MapObject& object, const
     add(FactText::tr("Heading"), rotationText(*object.yaw_rad));
   if (object.form == scene::ObjectForm::Line)
     add(FactText::tr("Length"), scene::lengthText(object.lengthM()));
-  if (object.form == scene::ObjectForm::Area) add(FactText::tr("Area"), areaText(object.areaM2()));
+  if (object.form == scene::ObjectForm::Area) add(FactText::tr("Area"), scene::areaText(object.areaM2()));
   if (const auto& robot = session.live().robot_pose;
       robot && object.id.layer != scene::Layer::Robot && object.form == scene::ObjectForm::Point)
     add(FactText::tr("From the robot"),
         scene::lengthText((object.at_m - Eigen::Vector2d(robot->x_m, robot->y_m)).norm()));
-  if (object.topic < 0) {
-    add(FactText::tr("Belongs to"), mapOf(object, session));
-    return facts;
-  }
-  const auto heard = session.heard(object.topic);
-  if (!heard) return facts;
-  const bool replay = replayOf(&session) != nullptr;
-  const double now_s = replay ? session.world().at_s : double(now.toMSecsSinceEpoch()) / 1000;
-  add(FactText::tr("From"), plainWords(heard->topic.toStdString(), 120));
-  add(FactText::tr("Last message"),
-      FactText::tr("%1 (%2 ago)").arg(clockText(heard->last_s, replay), agoText(now_s - heard->last_s)));
-  if (heard->unchanged_s < heard->last_s)
-    add(FactText::tr("The same since"), clockText(heard->unchanged_s, replay));
-  return facts;
+  if (object.topic < 0) add(FactText::tr("Belongs to"), mapOf(object, session));
+  return withSource(std::move(facts), object, session, now);
 }
 
 QString calledInFull(const scene::MapObject& object) {

@@ -48,7 +48,8 @@ ObjectsController::ObjectsController(WindowContext& context, QObject* parent, st
       wall_(std::move(wall)),
       card_(new ObjectCard(&context.view)),
       properties_(new PropertiesDock(&context.window)),
-      dock_(new ObjectsDock(&context.window)) {
+      dock_(new ObjectsDock(&context.window)),
+      tasks_(context.workers) {
   context_.panels.add(properties_,
                       {.side = PanelPlace::Side::Right, .tab = 40, .menu_rank = 34, .open = false});
   context_.panels.add(dock_, {.side = PanelPlace::Side::Left, .tab = 30, .menu_rank = 32, .open = false});
@@ -93,12 +94,18 @@ void ObjectsController::addActions() {
   context_.actions.add({.id = "identify",
                         .text = tr("&What is this?"),
                         .icon = "info",
-                        .keys = {"I"},
-                        .reach = Reach::OutsideText,
+                        .keys = {"Ctrl+I"},
                         .tip = tr("Say what is under the cursor; again: what lies beneath it"),
                         .needs_session = true,
                         .menu = {MenuGroup::Look, 30}},
                        this, &ObjectsController::identify);
+  context_.actions.add({.id = "mapProperties",
+                        .text = tr("P&roperties of the map"),
+                        .icon = "map",
+                        .tip = tr("Name, size, resolution, origin and cells of the whole map"),
+                        .needs_session = true,
+                        .menu = {MenuGroup::WholeMap, 90}},
+                       this, &ObjectsController::showMap);
   context_.actions.add({.id = "findObject",
                         .text = tr("Find an &object…"),
                         .icon = "search",
@@ -111,6 +118,19 @@ void ObjectsController::addActions() {
                          dock_->filterEdit()->setFocus();
                          dock_->filterEdit()->selectAll();
                        });
+}
+
+void ObjectsController::showMap() {
+  const scene::ObjectId id{scene::Layer::WholeMap, scene::FeaturesOf::WholeMap, {}, 0};
+  context_.panels.open(properties_);
+  const auto map = context_.scene.object(id);
+  if (!map) {
+    letGo();
+    context_.overlay.toasts()->add(Mark::Neutral, tr("There is no whole map on screen."));
+    return;
+  }
+  choose(id, map->at_m, 0);
+  card_->hide();
 }
 
 void ObjectsController::addToMapMenu() {
@@ -156,6 +176,42 @@ void ObjectsController::setSession(session::Session* session) {
   list();
 }
 
+ObjectsController::~ObjectsController() {
+  if (count_cancelled_) *count_cancelled_ = true;
+}
+
+std::vector<scene::ObjectProperty> ObjectsController::facts(const scene::MapObject& object) const {
+  const session::Session* const session = context_.current.session();
+  if (!session) return {};
+  const bool whole = object.id.layer == scene::Layer::WholeMap;
+  return factsOf(object, *session, wall_(), whole ? counts_ : std::nullopt);
+}
+
+void ObjectsController::count() {
+  const session::Session* const session = context_.current.session();
+  if (!session || !chosen_ || chosen_->id.layer != scene::Layer::WholeMap || !properties_->isVisible())
+    return;
+  const bool compared = chosen_->id.of == scene::FeaturesOf::ComparedMap;
+  const auto cells = (compared ? session->comparedMap() : session->wholeMap()).cells();
+  if (!cells || cells == counted_ || !cells->complete()) return;
+  if (count_cancelled_) *count_cancelled_ = true;
+  counted_ = cells;
+  counts_.reset();
+  count_cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  tasks_.startLong([this, cells, cancelled = count_cancelled_] {
+    const auto counts = grids::countCells(*cells, *cancelled);
+    if (!counts) return;
+    QMetaObject::invokeMethod(
+        this,
+        [this, cells, counts] {
+          if (cells != counted_) return;
+          counts_ = counts;
+          refreshSoon();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
 bool ObjectsController::escape() {
   if (!chosen_) return false;
   letGo();
@@ -176,11 +232,16 @@ void ObjectsController::pick(const Eigen::Vector2d& world_m, bool beneath) {
   if (!context_.current.session()) return;
   const QPointF px = toPixel(context_.scene, world_m);
   const bool same_place = picked_px_ && near(*picked_px_, px, kSamePx);
+  hover_timer_.stop();  // it has been told
   here_ = context_.scene.objectsAt(world_m, MapTool::kReachPx);
   turn_ = beneath && same_place ? turn_ + 1 : beneath ? 1 : 0;
   picked_px_ = px;
   if (here_.empty()) return letGo();
   turn_ %= here_.size();
+  // The ground is everywhere: a second click on it is how to be rid of it.
+  const scene::ObjectId& id = here_[turn_];
+  const bool ground = id.layer == scene::Layer::Submaps || id.layer == scene::Layer::WholeMap;
+  if (ground && !beneath && chosen_ && chosen_->id.sameAs(id)) return letGo();
   choose(here_[turn_], world_m, int(here_.size()) - 1);
 }
 
@@ -205,6 +266,9 @@ void ObjectsController::locate(const scene::ObjectId& id) {
 
 void ObjectsController::letGo() {
   chosen_.reset();
+  if (count_cancelled_) *count_cancelled_ = true;
+  counted_.reset();
+  counts_.reset();
   here_.clear();
   picked_px_.reset();
   hovered_px_.reset();
@@ -243,7 +307,9 @@ void ObjectsController::hover() {
   // Submaps are everywhere: they are told when they are asked for, or drawn one by one.
   const bool outlined =
       context_.scene.layerVisible(scene::Layer::Outlines) || context_.scene.layerVisible(scene::Layer::Ids);
-  if (ids.front().layer == scene::Layer::Submaps && !outlined) return;
+  const bool ground =
+      ids.front().layer == scene::Layer::Submaps || ids.front().layer == scene::Layer::WholeMap;
+  if (ground && !(outlined && ids.front().layer == scene::Layer::Submaps)) return;
   if (chosen_ && ids.front().sameAs(chosen_->id)) return;
   const auto object = context_.scene.object(ids.front());
   if (!object) return;
@@ -260,7 +326,7 @@ void ObjectsController::showCard(const scene::MapObject& object, const Eigen::Ve
   const session::Session* const session = context_.current.session();
   if (!session) return;
   card_->setStaying(stays);
-  card_->show(object, factsOf(object, *session, wall_()), beneath);
+  card_->show(object, facts(object), beneath);
   card_at_m_ = at_m;
   card_beneath_ = beneath;
   placeCard();
@@ -296,11 +362,12 @@ void ObjectsController::refresh() {
   } else {
     context_.scene.setMarked(std::nullopt);
   }
-  const std::vector<scene::ObjectProperty> facts = factsOf(*chosen_, *session, wall_());
-  if (properties_->isVisible()) properties_->setObject(*chosen_, facts, !now);
+  count();
+  const std::vector<scene::ObjectProperty> known = facts(*chosen_);
+  if (properties_->isVisible()) properties_->setObject(*chosen_, known, !now);
   if (!now && !hovered_px_) card_->hide();
   if (now && !hovered_px_ && card_->isVisible()) {
-    card_->show(*chosen_, facts, card_beneath_);
+    card_->show(*chosen_, known, card_beneath_);
     placeCard();
   }
   // Ages grow; what is not looked at needs no clock.
@@ -325,7 +392,7 @@ void ObjectsController::list() {
 void ObjectsController::copyChosen() {
   const session::Session* const session = context_.current.session();
   if (!session || !chosen_) return;
-  copyText(context_.overlay, asText(*chosen_, factsOf(*chosen_, *session, wall_())), tr("Properties copied"));
+  copyText(context_.overlay, asText(*chosen_, facts(*chosen_)), tr("Properties copied"));
 }
 
 }  // namespace mapwright::window

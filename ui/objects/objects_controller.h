@@ -2,16 +2,20 @@
 // map, on a card, in the dock Properties, and among all others in Objects.
 #pragma once
 
+#include <atomic>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include <QDateTime>
 #include <QTimer>
 
+#include "grids/cell_counts.h"
 #include "scene/map_object.h"
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
 #include "ui/view/map_tool.h"
+#include "work/workers.h"
 
 namespace mapwright::window {
 
@@ -34,6 +38,7 @@ class ObjectsController : public Controller {
   void clickedOnMap(const MapPoint& at);
   void setSession(session::Session* session) override;
   bool escape() override;
+  ~ObjectsController() override;
 
  private:
   void addActions();
@@ -54,6 +59,10 @@ class ObjectsController : public Controller {
   void showCard(const scene::MapObject& object, const Eigen::Vector2d& at_m, int beneath, bool stays);
   void placeCard();
   void copyChosen();
+  void showMap();
+  /// The cells of the whole map that is chosen, in the background.
+  void count();
+  std::vector<scene::ObjectProperty> facts(const scene::MapObject& object) const;
 
   WindowContext& context_;
   std::function<QDateTime()> wall_;
@@ -68,6 +77,11 @@ class ObjectsController : public Controller {
   int card_beneath_ = 0;
   std::optional<QPointF> hovered_px_;  // where the card of the cursor was made
   QTimer hover_timer_, refresh_timer_, list_timer_, age_timer_;
+  /// Which map is being counted, or was.
+  std::shared_ptr<const grids::GridPyramid> counted_;
+  std::optional<grids::CellCounts> counts_;
+  std::shared_ptr<std::atomic<bool>> count_cancelled_;
+  work::Tasks tasks_;
 };
 
 }  // namespace mapwright::window

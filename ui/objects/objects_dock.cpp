@@ -16,6 +16,10 @@
 
 namespace mapwright::window {
 
+namespace {
+constexpr int kColumnLetters = 15;
+}
+
 ObjectsDock::ObjectsDock(QWidget* parent)
     : QDockWidget(tr("Objects"), parent),
       model_(new ObjectsModel(this)),
@@ -40,10 +44,8 @@ ObjectsDock::ObjectsDock(QWidget* parent)
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setSectionResizeMode(ObjectsModel::NameColumn, QHeaderView::Stretch);
-  header->resizeSection(ObjectsModel::KindColumn,
-                        fontMetrics().horizontalAdvance(QStringLiteral("Automatic door")) + 24);
-  header->resizeSection(ObjectsModel::LayerColumn,
-                        fontMetrics().horizontalAdvance(QStringLiteral("Nearby robots")) + 24);
+  header->resizeSection(ObjectsModel::KindColumn, kColumnLetters * fontMetrics().averageCharWidth());
+  header->resizeSection(ObjectsModel::LayerColumn, kColumnLetters * fontMetrics().averageCharWidth());
   table_->installEventFilter(this);
   count_->setSecondary(true);
   auto* const body = new QWidget(this);

@@ -10,7 +10,8 @@ namespace mapwright::window {
 
 namespace {
 const QString kLayout = QStringLiteral("plots/layout");
-}
+const QString kSource = QStringLiteral("plots/source");  // whose fields these are
+}  // namespace
 
 PlotsController::PlotsController(WindowContext& context, ReplayClock& clock, QObject* parent)
     : Controller(parent),
@@ -41,15 +42,25 @@ PlotsController::PlotsController(WindowContext& context, ReplayClock& clock, QOb
 }
 
 void PlotsController::setSession(session::Session* session) {
+  // Fields of topics mean something for the robot that has them; quantities are those of any.
+  if (session) {
+    const QString source = session->robot().address();
+    if (!source_.isEmpty() && source != source_) dock_->removeFields();
+    source_ = source;
+  }
   feed_->setSession(session);
   dock_->sourceChanged();
 }
 
 void PlotsController::recall(const QSettings& settings) {
   dock_->restoreLayout(settings.value(kLayout).toString());
+  source_ = settings.value(kSource).toString();
 }
 
-void PlotsController::remember(QSettings& settings) { settings.setValue(kLayout, dock_->layout()); }
+void PlotsController::remember(QSettings& settings) {
+  settings.setValue(kLayout, dock_->layout());
+  settings.setValue(kSource, source_);
+}
 
 void PlotsController::reset() { dock_->clearPlots(); }
 

@@ -33,6 +33,7 @@ class PlotsController : public Controller {
  private:
   WindowContext& context_;
   QPointer<ReplayClock> clock_;
+  QString source_;  // the robot whose fields are plotted; empty = none yet
   PlotFeed* feed_;
   PlotsDock* dock_;
 };

@@ -192,6 +192,18 @@ void PlotsDock::removePlot(PlotWidget* plot) {
   updateControls();
 }
 
+void PlotsDock::removeFields() {
+  for (PlotWidget* const plot : std::vector(plots_)) {
+    std::vector<PlotCurve> curves = plot->curves();
+    const auto fields = std::remove_if(curves.begin(), curves.end(), [](const PlotCurve& curve) {
+      return std::holds_alternative<series::FieldPath>(curve.selection);
+    });
+    if (fields == curves.end()) continue;
+    curves.erase(fields, curves.end());
+    curves.empty() ? removePlot(plot) : setCurves(plot, std::move(curves));
+  }
+}
+
 void PlotsDock::setCurves(PlotWidget* plot, std::vector<PlotCurve> curves) {
   for (const PlotCurve& before : plot->curves()) {
     const bool stays = std::any_of(curves.begin(), curves.end(),

@@ -46,6 +46,8 @@ class PlotsDock : public QDockWidget {
   /// Empty, below the others; null: the maximum is reached.
   PlotWidget* addPlot();
   void removePlot(PlotWidget* plot);
+  /// Fields of topics; quantities of any robot stay.
+  void removeFields();
   /// False: it exists already, or the maximum is reached; a sentence explains it.
   bool addCurve(PlotWidget* plot, const PlotSelection& selection);
   void removeCurve(PlotWidget* plot, int curve);

@@ -91,6 +91,8 @@ RangeExportDialog::RangeExportDialog(RangeOffer offer, QWidget* parent)
       path_(new QLineEdit(this)),
       film_(new QLineEdit(this)),
       kind_(new QComboBox(this)),
+      from_here_(new QPushButton(tr("From here"), this)),
+      to_here_(new QPushButton(tr("To here"), this)),
       browse_(new QPushButton(tr("&Browse…"), this)),
       export_(new QPushButton(tr("Export"), this)),
       close_(new QPushButton(tr("Cancel"), this)),
@@ -115,6 +117,9 @@ RangeExportDialog::RangeExportDialog(RangeOffer offer, QWidget* parent)
   path_->setText(QDir(offer_.folder).filePath(fileNameOf(offer_.name)));
   layOut();
 
+  for (const auto& [here, edit] : {std::pair(from_here_, from_), std::pair(to_here_, to_)})
+    connect(here, &QPushButton::clicked, edit,
+            [this, edit = edit] { edit->setText(shownDayTime(offer_.now())); });
   connect(kind_, &QComboBox::currentIndexChanged, this, &RangeExportDialog::takeKind);
   for (QLineEdit* const edit : {from_, to_})
     connect(edit, &QLineEdit::textChanged, this, &RangeExportDialog::takeRange);
@@ -129,7 +134,7 @@ RangeExportDialog::RangeExportDialog(RangeOffer offer, QWidget* parent)
 RangeExportDialog::~RangeExportDialog() = default;
 
 void RangeExportDialog::layOut() {
-  giveRoles(*export_, {browse_, close_});
+  giveRoles(*export_, {from_here_, to_here_, browse_, close_});
   makeLine(*progress_);
   said_->setTextFormat(Qt::PlainText);
   said_->setWordWrap(true);
@@ -137,8 +142,18 @@ void RangeExportDialog::layOut() {
   auto* const form = new QFormLayout;
   form->setHorizontalSpacing(12);
   form->setVerticalSpacing(6);
-  form->addRow(tr("F&rom (UTC)"), from_);
-  form->addRow(tr("&To (UTC)"), to_);
+  const auto add_time = [&](const QString& name, QLineEdit* edit, QPushButton* here) {
+    auto* const row = new QHBoxLayout;
+    row->addWidget(edit, 1);
+    row->addWidget(here);
+    auto* const label = new QLabel(name, this);
+    label->setBuddy(edit);
+    here->setToolTip(tr("The time that the replay shows now"));
+    here->setVisible(bool(offer_.now));
+    form->addRow(label, row);
+  };
+  add_time(tr("F&rom (UTC)"), from_, from_here_);
+  add_time(tr("&To (UTC)"), to_, to_here_);
   form->addRow(tr("&What"), kind_);
   auto* const path_row = new QHBoxLayout;
   path_row->addWidget(path_, 1);
@@ -159,7 +174,7 @@ void RangeExportDialog::layOut() {
   column->addWidget(said_);
   column->addWidget(progress_);
   column->addLayout(buttons);
-  QWidget* const order[] = {from_, to_, kind_, path_, browse_, film_, close_, export_};
+  QWidget* const order[] = {from_, from_here_, to_, to_here_, kind_, path_, browse_, film_, close_, export_};
   for (std::size_t i = 1; i < std::size(order); ++i) setTabOrder(order[i - 1], order[i]);
 }
 

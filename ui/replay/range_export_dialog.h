@@ -1,6 +1,7 @@
 // Asks which part of the open bag to export, as what and where; stays open until it is written. Non-modal.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -26,6 +27,7 @@ struct RangeOffer {
   std::optional<replay::Player::Loop> loop;  // proposed, where there is one
   QString folder;
   std::shared_ptr<work::Workers> workers;
+  std::function<double()> now = {};  // the time on screen; none = there is none
 };
 
 /// "mapwright bags film …" for the same range. For a shell: names are quoted.
@@ -45,6 +47,8 @@ class RangeExportDialog : public QDialog {
   QComboBox* kindBox() const { return kind_; }
   QLineEdit* pathEdit() const { return path_; }
   QLineEdit* filmEdit() const { return film_; }
+  QPushButton* fromHereButton() const { return from_here_; }
+  QPushButton* toHereButton() const { return to_here_; }
   QPushButton* exportButton() const { return export_; }
   QPushButton* closeButton() const { return close_; }
   /// Errors, omissions or a question; empty = nothing.
@@ -77,7 +81,7 @@ class RangeExportDialog : public QDialog {
   RangeOffer offer_;
   QLineEdit *from_, *to_, *path_, *film_;
   QComboBox* kind_;
-  QPushButton *browse_, *export_, *close_;
+  QPushButton *from_here_, *to_here_, *browse_, *export_, *close_;
   QProgressBar* progress_;
   QLabel* said_;
   QString from_shown_, to_shown_;  // as proposed: these texts mean the exact times

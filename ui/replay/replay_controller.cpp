@@ -179,6 +179,7 @@ void ReplayController::exportRange() {
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   offer.folder = folderToWriteInto({context_.settings.value(kRangeFolderKey).toString(), documents});
   offer.workers = context_.workers;
+  offer.now = [clock = clock_] { return clock->at(); };
   range_dialog_ = new RangeExportDialog(std::move(offer), &context_.window);
   range_dialog_->setAttribute(Qt::WA_DeleteOnClose);
   connect(range_dialog_, &RangeExportDialog::exported, this,

@@ -91,6 +91,7 @@ struct LayerContext {
   Outlines outlines;
   std::set<map::SubmapId> highlighted;
   std::vector<Eigen::Vector2d> measured;
+  bool measured_ring = false;
   std::optional<MapObject> marked;               // framed: what the user has chosen
   std::optional<Eigen::Vector2d> marker;         // a place that the user went to
   std::shared_ptr<const Track> track;            // null = none

@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 
+#include "geometry/polyline.h"
 #include "map/live_topics.h"
 #include "scene/scene_items.h"
 #include "sentences/overlay_name.h"
@@ -450,29 +451,12 @@ MapObject describeCloudPoint(const LayerContext& context, FeaturesOf, std::size_
       object.topic = map::topicIndex<map::PointCloudMessage>();
       object.properties = Properties()
                               .add(ObjectText::tr("Height"), metres(point.z_m))
-                              .add(ObjectText::tr("Intensity"), QString::number(point.intensity))
-                              .add(ObjectText::tr("Topic"), topic);
+                              .add(ObjectText::tr("Intensity"), QString::number(point.intensity));
       break;
     }
     number -= cloud->size();
   }
   return object;
-}
-
-double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  const Eigen::Vector2d along = b - a;
-  const double squared = along.squaredNorm();
-  const double t = squared > 0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0;
-  return (a + t * along - p).norm();
-}
-
-double signedArea(std::span<const Eigen::Vector2d> ring) {
-  double twice = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    twice += a.x() * b.y() - b.x() * a.y();
-  }
-  return twice / 2;
 }
 
 bool inside(ObjectParts rings, const Eigen::Vector2d& p) {
@@ -603,18 +587,23 @@ const LayerObjects* objectsOf(Layer layer) {
 
 std::optional<ObjectFit> fitOf(ObjectForm form, ObjectParts parts, const Eigen::Vector2d& world_m,
                                double reach_m) {
-  if (form == ObjectForm::Area) {
-    if (!inside(parts, world_m)) return std::nullopt;
-    return ObjectFit{0, std::abs(signedArea(parts[0]))};
-  }
+  const bool area = form == ObjectForm::Area;
+  if (area && inside(parts, world_m)) return ObjectFit{0, std::abs(geometry::signedAreaOf(parts[0]))};
   double nearest = std::numeric_limits<double>::infinity();
+  geometry::WorldRect bounds;
   for (const auto& part : parts) {
     if (part.size() == 1) nearest = std::min(nearest, (part[0] - world_m).norm());
-    for (std::size_t i = 1; i < part.size(); ++i)
-      nearest = std::min(nearest, distanceToSegment(world_m, part[i - 1], part[i]));
+    for (std::size_t i = area ? 0 : 1; i < part.size(); ++i)
+      nearest = std::min(
+          nearest, geometry::distanceToSegment(world_m, part[i], part[i == 0 ? part.size() - 1 : i - 1]));
+    if (!area) continue;
+    for (const Eigen::Vector2d& point : part) bounds.extend(point);
   }
   if (!(nearest <= reach_m)) return std::nullopt;
-  return ObjectFit{nearest, 0};
+  if (!area) return ObjectFit{nearest, 0};
+  // One that is thinner than the cursor is hit beside it, too.
+  if (std::min(bounds.width(), bounds.height()) > 2 * reach_m) return std::nullopt;
+  return ObjectFit{0, std::abs(geometry::signedAreaOf(parts[0]))};
 }
 
 std::vector<ObjectId> objectsAt(const SceneItems& items, const Eigen::Vector2d& world_m, double reach_px) {
@@ -652,21 +641,62 @@ std::vector<ObjectId> objectsAt(const SceneItems& items, const Eigen::Vector2d& 
   for (Candidate& candidate : candidates) {
     if (ids.size() < kMost) ids.push_back(std::move(candidate.id));
   }
-  const LayerItem& submaps = items.first(Layer::Submaps);
-  if (!submaps.isVisible() || (submaps.part() && !submaps.part()->contains(pixel))) return ids;
-  for (auto it = items.context.outlines.rbegin(); it != items.context.outlines.rend(); ++it) {
-    if (ids.size() >= kMost) break;
-    if (it->second.visible && it->second.contains(world_m))
-      ids.push_back({Layer::Submaps, FeaturesOf::Robot, map::toText(it->first), 0});
+  const auto covers = [&](const LayerItem& item) {
+    return item.isVisible() && (!item.part() || item.part()->contains(pixel));
+  };
+  if (covers(items.first(Layer::Submaps))) {
+    for (auto it = items.context.outlines.rbegin(); it != items.context.outlines.rend(); ++it) {
+      if (ids.size() >= kMost) break;
+      if (it->second.visible && it->second.contains(world_m))
+        ids.push_back({Layer::Submaps, FeaturesOf::Robot, map::toText(it->first), 0});
+    }
+  }
+  for (const auto& [raster, of] : {std::pair(items.raster.compared(), FeaturesOf::ComparedMap),
+                                   std::pair(items.raster.whole(), FeaturesOf::WholeMap)}) {
+    const auto grid = covers(*raster) ? raster->grid() : std::nullopt;
+    if (!grid) continue;
+    const Eigen::Vector2d cell = grid->reference.cellFromWorld(world_m);
+    if (cell.x() >= 0 && cell.y() >= 0 && cell.x() < grid->reference.width &&
+        cell.y() < grid->reference.height)
+      ids.push_back({Layer::WholeMap, of, {}, 0});
   }
   return ids;
 }
 
+namespace {
+
+std::optional<MapObject> wholeMapObject(const SceneItems& items, const session::Session& session,
+                                        const ObjectId& id) {
+  const bool compared = id.of == FeaturesOf::ComparedMap;
+  const auto grid = (compared ? items.raster.compared() : items.raster.whole())->grid();
+  if (!grid) return std::nullopt;
+  const session::MapSlot& slot = compared ? session.comparedMap() : session.wholeMap();
+  const map::GridReference& reference = grid->reference;
+  MapObject object;
+  object.id = id;
+  object.form = ObjectForm::Area;
+  object.kind = ObjectText::tr("Map");
+  object.name = shortName(slot.name().toStdString());
+  object.color = items.context.theme.outline;
+  object.yaw_rad = reference.origin.yaw_rad;
+  const double width = reference.width * reference.resolution_m,
+               height = reference.height * reference.resolution_m;
+  const geometry::Pose2& origin = reference.origin;
+  object.parts = {{origin.apply({0, 0}), origin.apply({width, 0}), origin.apply({width, height}),
+                   origin.apply({0, height})}};
+  object.at_m = origin.apply({width / 2, height / 2});
+  if (slot.shown().key.kind == map::MapKind::Live) object.topic = map::topicIndex<map::GridMessage>();
+  return object;
+}
+
+}  // namespace
+
 std::optional<MapObject> objectOf(const SceneItems& items, const session::Session& session,
                                   const ObjectId& id) {
   if (!items.shown.at(id.layer)) return std::nullopt;
-  return id.layer == Layer::Submaps ? submapObject(items.context, session, id.key)
-                                    : findObject(items.context, id);
+  if (id.layer == Layer::Submaps) return submapObject(items.context, session, id.key);
+  if (id.layer == Layer::WholeMap) return wholeMapObject(items, session, id);
+  return findObject(items.context, id);
 }
 
 std::vector<MapObject> allObjects(const SceneItems& items, std::size_t most) {
@@ -693,9 +723,7 @@ geometry::WorldRect MapObject::bounds() const {
 
 double MapObject::lengthM() const {
   double length = 0;
-  for (const map::Polyline& part : parts) {
-    for (std::size_t i = 1; i < part.size(); ++i) length += (part[i] - part[i - 1]).norm();
-  }
+  for (const map::Polyline& part : parts) length += geometry::lengthOf(part);
   return length;
 }
 
@@ -703,7 +731,7 @@ double MapObject::areaM2() const {
   if (form != ObjectForm::Area) return 0;
   double area = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const double ring = std::abs(signedArea(parts[i]));
+    const double ring = std::abs(geometry::signedAreaOf(parts[i]));
     area += i == 0 ? ring : -ring;
   }
   return area;

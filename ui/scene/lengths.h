@@ -16,7 +16,9 @@ struct GridSteps {
 GridSteps gridSteps(const geometry::ViewTransform& view);
 /// The largest of 1, 2 or 5 times a power of ten that is not above `value`.
 double roundDown125(double value);
-/// "250 mm", "5 m", "1.2 km".
+/// "250 mm", "5 m", "1.2 km"; "?" if it is no number.
 QString lengthText(double metres);
+/// "3.5 m²", "1.2 km²".
+QString areaText(double m2);
 
 }  // namespace mapwright::scene

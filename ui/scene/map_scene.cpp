@@ -365,8 +365,9 @@ void MapScene::setMarker(std::optional<Eigen::Vector2d> world_m) {
 
 const std::optional<Eigen::Vector2d>& MapScene::marker() const { return items_->context.marker; }
 
-void MapScene::setMeasurement(std::vector<Eigen::Vector2d> points) {
+void MapScene::setMeasurement(std::vector<Eigen::Vector2d> points, bool closed) {
   items_->context.measured = std::move(points);
+  items_->context.measured_ring = closed;
   items_->measure->update();
 }
 

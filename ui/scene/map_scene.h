@@ -111,8 +111,8 @@ class MapScene : public QGraphicsScene {
   /// Some of them have changed.
   void editedCellsChanged(const geometry::WorldRect& where);
 
-  /// World metres; empty = none.
-  void setMeasurement(std::vector<Eigen::Vector2d> points);
+  /// World metres; empty = none. `closed`: they are a ring.
+  void setMeasurement(std::vector<Eigen::Vector2d> points, bool closed = false);
 
   /// The map by regions (not owned; it may be destroyed first); null = none.
   void setRegions(regions::RegionMap* regions);

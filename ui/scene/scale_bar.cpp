@@ -38,6 +38,7 @@ class ScaleBarLayer : public LayerItem {
 }  // namespace
 
 QString lengthText(double metres) {
+  if (!std::isfinite(metres)) return QStringLiteral("?");
   const QLocale plain = QLocale::c();
   const auto trimmed = [&](double value, int decimals) {
     QString text = plain.toString(value, 'f', decimals);
@@ -52,6 +53,13 @@ QString lengthText(double metres) {
   if (metres < 1) return trimmed(metres * 100, 1) + QCoreApplication::translate("scene", " cm");
   if (metres < 1000) return trimmed(metres, metres < 100 ? 2 : 1) + QStringLiteral(" m");
   return trimmed(metres / 1000, metres < 10'000 ? 2 : 1) + QCoreApplication::translate("scene", " km");
+}
+
+QString areaText(double m2) {
+  if (!std::isfinite(m2)) return QStringLiteral("?");
+  const QLocale plain = QLocale::c();
+  if (m2 < 1e6) return plain.toString(m2, 'f', m2 < 100 ? 2 : m2 < 10'000 ? 1 : 0) + QStringLiteral(" m²");
+  return plain.toString(m2 / 1e6, 'f', 3) + QCoreApplication::translate("scene", " km²");
 }
 
 template <>

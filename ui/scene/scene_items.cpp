@@ -6,6 +6,7 @@
 #include <QFontMetricsF>
 #include <QGraphicsScene>
 
+#include "geometry/polyline.h"
 #include "scene/lengths.h"
 #include "session/lacks_picture.h"
 
@@ -21,35 +22,56 @@ class StaleItem : public LayerItem {
   }
 };
 
-/// The measured polyline with the length of each leg and the total.
+/// The measured polyline, or ring, with the length of each leg, the angles between them, the total and the
+/// area.
 class MeasureItem : public LayerItem {
  public:
   using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    if (context_.measured.empty()) return;
+    std::vector<Eigen::Vector2d> points = context_.measured;
+    if (points.empty()) return;
+    const bool ring = context_.measured_ring && points.size() > 2;
+    if (ring) points.push_back(points.front());
     painter->setRenderHint(QPainter::Antialiasing);
     QPolygonF line;
-    for (const Eigen::Vector2d& point : context_.measured)
-      line << toPoint(context_.view.pixelFromWorld(point));
+    for (const Eigen::Vector2d& point : points) line << toPoint(context_.view.pixelFromWorld(point));
+    if (ring) {
+      painter->setPen(Qt::NoPen);
+      painter->setBrush(translucent(context_.theme.measure, 34));
+      painter->drawPolygon(line);
+      painter->setBrush(Qt::NoBrush);
+    }
     painter->setPen(QPen(context_.theme.text_halo, 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter->drawPolyline(line);
     painter->setPen(QPen(context_.theme.measure, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter->drawPolyline(line);
     painter->setBrush(context_.theme.measure);
     for (const QPointF& point : line) painter->drawEllipse(point, 3.5, 3.5);
-    double total = 0;
-    for (std::size_t i = 1; i < context_.measured.size(); ++i) {
-      const double leg = (context_.measured[i] - context_.measured[i - 1]).norm();
-      total += leg;
+    for (std::size_t i = 1; i < points.size(); ++i) {
       const QPointF middle = (line[qsizetype(i)] + line[qsizetype(i) - 1]) / 2;
-      if (context_.measured.size() > 2) {
-        drawLabel(*painter, middle + QPointF(6, -6), lengthText(leg), context_.theme, context_.theme.text);
+      if (points.size() > 2) {
+        drawLabel(*painter, middle + QPointF(6, -6), lengthText((points[i] - points[i - 1]).norm()),
+                  context_.theme, context_.theme.text);
       }
+      if (i + 1 < points.size())
+        drawAngle(*painter, line[qsizetype(i)], points[i], points[i - 1], points[i + 1]);
     }
-    if (context_.measured.size() > 1) {
-      drawLabel(*painter, line.last() + QPointF(10, 4), lengthText(total), context_.theme,
-                context_.theme.measure);
+    if (ring) {
+      drawAngle(*painter, line[0], points[0], points[points.size() - 2], points[1]);
+      drawLabel(*painter, line.boundingRect().center(), areaText(std::abs(geometry::signedAreaOf(points))),
+                context_.theme, context_.theme.measure);
+    } else if (points.size() > 1) {
+      drawLabel(*painter, line.last() + QPointF(10, 4), lengthText(geometry::lengthOf(points)),
+                context_.theme, context_.theme.measure);
     }
+  }
+
+ private:
+  void drawAngle(QPainter& painter, const QPointF& at, const Eigen::Vector2d& corner,
+                 const Eigen::Vector2d& before, const Eigen::Vector2d& after) const {
+    const double degrees = geometry::degreesFromRadians(geometry::angleAt(corner, before, after));
+    drawLabel(painter, at + QPointF(7, 15), QStringLiteral("%1°").arg(degrees, 0, 'f', 1), context_.theme,
+              context_.theme.text);
   }
 };
 

@@ -2,25 +2,14 @@
 
 #include <cmath>
 
-#include <QCoreApplication>
-#include <QLocale>
+#include "geometry/polyline.h"
+#include "scene/lengths.h"
+#include "ui/kit/status_text.h"
 
 namespace mapwright::window {
 
-double polylineLength(const std::vector<Eigen::Vector2d>& points) {
-  double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-  return length;
-}
-
-QString lengthText(double metres) {
-  if (!std::isfinite(metres)) return QStringLiteral("?");
-  const QLocale c = QLocale::c();
-  if (metres >= 10'000)
-    return QCoreApplication::translate("window", "%1 km").arg(c.toString(metres / 1000, 'f', 3));
-  const int decimals = metres < 100 ? 3 : metres < 1000 ? 2 : 1;
-  return QStringLiteral("%1 m").arg(c.toString(metres, 'f', decimals));
-}
+using scene::areaText;
+using scene::lengthText;
 
 MeasureTool::MeasureTool(scene::MapScene* scene, QObject* parent) : MapTool(parent), scene_(scene) {}
 
@@ -29,14 +18,22 @@ void MeasureTool::activate() { show(); }
 void MeasureTool::deactivate() {
   points_.clear();
   live_.reset();
-  ended_ = false;
+  ended_ = closed_ = false;
   show();
+}
+
+bool MeasureTool::onFirst(const Eigen::Vector2d& world_m) const {
+  return points_.size() > 2 && (points_.front() - world_m).norm() <= kReachPx * scene_->view().scale_m_per_px;
 }
 
 void MeasureTool::clicked(const MapPoint& at) {
   if (ended_) {
     points_.clear();
-    ended_ = false;
+    ended_ = closed_ = false;
+  }
+  if (onFirst(at.world_m)) {
+    closed_ = true;
+    return end();
   }
   points_.push_back(at.world_m);
   live_ = at.world_m;
@@ -66,8 +63,9 @@ bool MeasureTool::keyPressed(const MapKeyPress& press) {
     case Qt::Key_Backspace:
     case Qt::Key_Delete:
       if (points_.empty()) return true;
-      points_.pop_back();
-      ended_ = false;
+      // A ring is opened first.
+      if (!closed_) points_.pop_back();
+      ended_ = closed_ = false;
       show();
       return true;
     case Qt::Key_Return:
@@ -95,22 +93,32 @@ void MeasureTool::end() {
 void MeasureTool::show() {
   std::vector<Eigen::Vector2d> points = points_;
   if (!points.empty() && live_ && !ended_) points.push_back(*live_);
-  scene_->setMeasurement(std::move(points));
+  scene_->setMeasurement(std::move(points), closed_);
   Q_EMIT hintChanged();
+}
+
+double MeasureTool::total() const {
+  const double around = closed_ ? (points_.front() - points_.back()).norm() : 0;
+  return geometry::lengthOf(points_) + around;
 }
 
 QString MeasureTool::hint() const {
   if (points_.empty()) return tr("Click where to start measuring. Esc leaves.");
+  if (closed_) {
+    return tr("Area %1, around it %2. Click to start a new measurement, Esc leaves.")
+        .arg(areaText(std::abs(geometry::signedAreaOf(points_))), lengthText(total()));
+  }
   if (ended_) {
     return tr("Total %1. Click to start a new measurement, Esc leaves.").arg(lengthText(total()));
   }
   if (!live_) return tr("Total %1. Backspace removes the last point, Esc ends.").arg(lengthText(total()));
-  const double leg = (*live_ - points_.back()).norm();
-  if (points_.size() == 1) {
-    return tr("%1. Click to add a point, Esc leaves.").arg(lengthText(leg));
-  }
-  return tr("%1, total %2. Backspace removes the last point, Esc ends.")
-      .arg(lengthText(leg), lengthText(total() + leg));
+  if (onFirst(*live_)) return tr("Click to close the ring and see its area.");
+  const Eigen::Vector2d leg = *live_ - points_.back();
+  const QString heading = rotationText(std::atan2(leg.y(), leg.x()));
+  if (points_.size() == 1)
+    return tr("%1, heading %2. Click to add a point, Esc leaves.").arg(lengthText(leg.norm()), heading);
+  return tr("%1, heading %2, total %3. Backspace removes the last point, Esc ends.")
+      .arg(lengthText(leg.norm()), heading, lengthText(total() + leg.norm()));
 }
 
 }  // namespace mapwright::window

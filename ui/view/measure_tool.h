@@ -1,4 +1,4 @@
-// Measures along clicked points.
+// Measures along clicked points: lengths, headings, angles, areas.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,9 @@
 
 namespace mapwright::window {
 
-/// Length of a polyline, metres.
-double polylineLength(const std::vector<Eigen::Vector2d>& points);
-/// "12.345 m", "1.204 km": three decimals below 100 m, then fewer.
-QString lengthText(double metres);
-
-/// Click adds a point, the leg to the cursor is updated live, Backspace removes the last point, Enter, double
-/// click or Esc ends it and keeps the result; the next click starts a new one, a second Esc leaves the tool.
+/// Click adds a point, the leg to the cursor is updated live, a click on the first point closes a ring,
+/// Backspace removes the last point, Enter, double click or Esc ends it and keeps the result; the next click
+/// starts a new one, a second Esc leaves the tool.
 class MeasureTool : public MapTool {
   Q_OBJECT
  public:
@@ -34,16 +30,18 @@ class MeasureTool : public MapTool {
 
   const std::vector<Eigen::Vector2d>& points() const { return points_; }
   bool ended() const { return ended_; }
-  double total() const { return polylineLength(points_); }
+  bool closed() const { return closed_; }
+  double total() const;
 
  private:
   void show();
   void end();
+  bool onFirst(const Eigen::Vector2d& world_m) const;
 
   scene::MapScene* scene_;
   std::vector<Eigen::Vector2d> points_;
   std::optional<Eigen::Vector2d> live_;
-  bool ended_ = false;
+  bool ended_ = false, closed_ = false;
 };
 
 }  // namespace mapwright::window

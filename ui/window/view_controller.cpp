@@ -190,6 +190,12 @@ void ViewController::reset() {
   context_.tools.putAway();
 }
 
+bool ViewController::escape() {
+  if (!context_.scene.marker()) return false;
+  context_.scene.setMarker(std::nullopt);
+  return true;
+}
+
 void ViewController::follow(bool on) {
   context_.view.setFollowing(on);
   const session::Session* const session = context_.current.session();
@@ -205,7 +211,9 @@ void ViewController::follow(bool on) {
 
 void ViewController::goTo() {
   GoToDialog dialog(context_.view.destination().center_m, &context_.window);
-  if (dialog.exec() == QDialog::Accepted && dialog.point()) context_.view.lookAt(*dialog.point());
+  if (dialog.exec() != QDialog::Accepted || !dialog.point()) return;
+  context_.view.lookAt(*dialog.point());
+  context_.scene.setMarker(*dialog.point());
 }
 
 void ViewController::showCursor() {

@@ -21,6 +21,8 @@ class ViewController : public Controller {
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
   void reset() override;
+  /// Takes away the marker of a place that was gone to.
+  bool escape() override;
 
  Q_SIGNALS:
   /// A click on the map with the pan tool, world metres.
