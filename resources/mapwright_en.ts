@@ -284,20 +284,20 @@
 <context>
     <name>mapwright::window::ObjectCard</name>
     <message numerus="yes">
-        <source>%n other things here: Alt+click</source>
+        <source>%1 other things here: Alt+click</source>
         <translation>
-            <numerusform>%n other thing here: Alt+click</numerusform>
-            <numerusform>%n other things here: Alt+click</numerusform>
+            <numerusform>%1 other thing here: Alt+click</numerusform>
+            <numerusform>%1 other things here: Alt+click</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>mapwright::window::ObjectsDock</name>
     <message numerus="yes">
-        <source>%n objects</source>
+        <source>%1 objects</source>
         <translation>
-            <numerusform>%n object</numerusform>
-            <numerusform>%n objects</numerusform>
+            <numerusform>%1 object</numerusform>
+            <numerusform>%1 objects</numerusform>
         </translation>
     </message>
 </context>

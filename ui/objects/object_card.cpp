@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 
+#include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
@@ -94,7 +95,7 @@ void ObjectCard::show(const scene::MapObject& object, const std::vector<scene::O
   next_->setText(QString::number(beneath));
   next_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   hint_->setVisible(!stays_ && beneath > 0);
-  hint_->setText(tr("%n other things here: Alt+click", nullptr, beneath));
+  hint_->setText(sentences::counted(tr("%1 other things here: Alt+click", nullptr, beneath), beneath));
   layout()->invalidate();
   adjustSize();
   QFrame::show();

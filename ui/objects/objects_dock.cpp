@@ -7,6 +7,7 @@
 #include <QSortFilterProxyModel>
 #include <QTableView>
 
+#include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
@@ -98,7 +99,7 @@ void ObjectsDock::point(const std::optional<scene::ObjectId>& id) {
 void ObjectsDock::count() {
   const int all = model_->rowCount(), found = filtered_->rowCount();
   QString text = all == 0       ? tr("The visible layers show nothing here.")
-                 : found == all ? tr("%n objects", nullptr, all)
+                 : found == all ? sentences::counted(tr("%1 objects", nullptr, all), all)
                                 : tr("%1 of %2 objects").arg(countText(found), countText(all));
   if (more_) text += tr("; more are on the map than are listed here");
   count_->setText(text);
