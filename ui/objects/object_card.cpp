@@ -12,7 +12,7 @@ namespace mapwright::window {
 namespace {
 
 constexpr int kCardSymbolPx = 20, kIconPx = 16, kWidestValuePx = 260;
-constexpr std::size_t kMostRows = 9;
+constexpr std::size_t kMostRows = 11;
 
 QToolButton* cardButton(const QString& icon, const QString& text, const QString& tip, QWidget* parent) {
   QToolButton* const button = iconButton(icon, kIconPx, tip, parent);

@@ -478,6 +478,8 @@ MapObject complete(const LayerObjects& things, const LayerContext& context, cons
   MapObject object = things.describe(context, id.of, id.number);
   object.id = id;
   object.form = form;
+  // A robot often calls a thing by its kind.
+  if (object.name.compare(object.kind, Qt::CaseInsensitive) == 0) object.name.clear();
   if (form == ObjectForm::Point) {
     object.at_m = parts[0][0];
     return object;
