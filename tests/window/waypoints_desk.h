@@ -9,6 +9,7 @@
 #include "ui/view/map_overlay.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
+#include "ui/waypoints/name_editor.h"
 #include "ui/waypoints/waypoint_tool.h"
 #include "ui/waypoints/waypoints_controller.h"
 #include "ui/waypoints/waypoints_dock.h"

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QCompleter>
 #include <QDoubleSpinBox>
@@ -114,6 +115,8 @@ QFormLayout* formOf(QWidget* widget) {
 
 }  // namespace
 
+bool hasFocusInside(const QWidget& form) { return form.isAncestorOf(QApplication::focusWidget()); }
+
 WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
     : QWidget(parent),
       editing_(editing),
@@ -160,12 +163,7 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
     last_field_ = 0;
     refresh();
   });
-  connect(tags_, &QLineEdit::editingFinished, this, [this] {
-    if (refreshing_ || !tags_->isModified()) return;
-    tags_->setModified(false);
-    apply(tr("tag %1"), edit::waypoint_field::kTags,
-          [this](map::Waypoint& to) { to.tags = tagsFrom(tags_->text()); });
-  });
+  connect(tags_, &QLineEdit::editingFinished, this, &WaypointForm::takeTags);
   // Only sets the edited field: the other one keeps its exact value, although it shows a rounded one.
   for (const auto& [box, axis] : {std::pair(x_, 0), std::pair(y_, 1)}) {
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, axis = axis](double metres) {
@@ -212,6 +210,13 @@ void WaypointForm::takeName(const QString& text) {
   typing_ = false;
 }
 
+void WaypointForm::takeTags() {
+  if (refreshing_ || !tags_->isModified()) return;
+  tags_->setModified(false);
+  apply(tr("tag %1"), edit::waypoint_field::kTags,
+        [this](map::Waypoint& to) { to.tags = tagsFrom(tags_->text()); });
+}
+
 void WaypointForm::apply(const QString& what, edit::FieldMask field,
                          const std::function<void(map::Waypoint&)>& change) {
   const map::Waypoint* const now = editing_->find(shown_);
@@ -224,12 +229,18 @@ void WaypointForm::apply(const QString& what, edit::FieldMask field,
 }
 
 void WaypointForm::refresh() {
-  refreshing_ = true;
   const map::Waypoint* const point = editing_->only();
   const edit::Key key = point ? *editing_->selected().begin() : edit::Key();
-  if (std::exchange(shown_, key) != key) last_field_ = 0;
+  if (shown_ != key) {
+    takeTags();  // of the one before: what is being typed is not about the next one
+    for (QLineEdit* field : {name_, tags_}) field->setModified(false);
+    shown_ = key;
+    last_field_ = 0;
+  }
+  refreshing_ = true;
   const std::optional<placing::Spot> spot = point ? editing_->spotOf(key) : std::nullopt;
-  setEnabled(point && editing_->editable());
+  // Whoever is typing when the waypoint goes types on, into nothing: letters would be commands elsewhere.
+  setEnabled((point && editing_->editable()) || (isEnabled() && hasFocusInside(*this)));
   const auto show = [this](QLineEdit* edit, const QString& text) {
     if (edit->isModified() && (typing_ || edit->hasFocus())) return;  // the user is typing
     if (edit->text() != text) edit->setText(text);
@@ -366,7 +377,7 @@ void GroupForm::tag(QLineEdit* edit, bool add) {
 
 void GroupForm::refresh() {
   const bool several = editing_->document() && editing_->selected().size() > 1;
-  setEnabled(several && editing_->editable());
+  setEnabled((several && editing_->editable()) || (isEnabled() && hasFocusInside(*this)));
   if (!several) return;
   const GroupSummary all = summaryOf(*editing_->document(), editing_->selected());
   QString place =

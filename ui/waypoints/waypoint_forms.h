@@ -16,6 +16,9 @@ namespace mapwright::window {
 
 class WaypointWarnings;
 
+/// One of its fields has the focus: somebody may be typing.
+bool hasFocusInside(const QWidget& form);
+
 /// One waypoint: name, place, heading, tags.
 class WaypointForm : public QWidget {
   Q_OBJECT
@@ -27,11 +30,13 @@ class WaypointForm : public QWidget {
   /// Must outlive this.
   void setWarnings(const WaypointWarnings* warnings);
   QString warningsShown() const;  // empty = none
+  /// The selection has changed, or the focus has left.
+  void refresh();
 
  private:
-  void refresh();
   void showWarnings();
   void takeName(const QString& text);
+  void takeTags();
   /// Continuous changes of one field are one command.
   void apply(const QString& what, edit::FieldMask field, const std::function<void(map::Waypoint&)>& change);
 

@@ -17,6 +17,7 @@
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
+#include "ui/waypoints/name_editor.h"
 #include "ui/waypoints/waypoint_conflicts.h"
 #include "ui/waypoints/waypoint_placing.h"
 #include "ui/waypoints/waypoint_review.h"
@@ -82,10 +83,8 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
     refresh();
   });
   // When the camera moves the line follows: further typing must not trigger commands of the map.
-  connect(&context_.scene, &scene::MapScene::viewChanged, this, [this] {
-    const map::Waypoint* const point = name_editor_->isHidden() ? nullptr : editing_.find(named_);
-    if (point) name_editor_->follow(scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m)));
-  });
+  connect(&context_.scene, &scene::MapScene::viewChanged, this, &WaypointsController::followNamed);
+  connect(&editing_, &WaypointEditing::previewChanged, this, &WaypointsController::followNamed);
   connect(name_editor_, &NameEditor::closed, this, [this] { context_.view.setFocus(); });
   refresh();
 }
@@ -226,7 +225,8 @@ void WaypointsController::addAt(const Eigen::Vector2d& world_m) {
 }
 
 void WaypointsController::closeList() {
-  name_editor_->finish();
+  name_editor_->loseObject();
+  named_.clear();
   may_leave_ = false;
   open_map_.reset();
   review_->forget();
@@ -278,6 +278,7 @@ void WaypointsController::noteSaving() {
 
 void WaypointsController::takeChange() {
   may_leave_ = false;
+  followNamed();
   refresh();
 }
 
@@ -365,9 +366,15 @@ void WaypointsController::save() {
   list_->save();
 }
 
+void WaypointsController::followNamed() {
+  const auto spot = name_editor_->isOpen() ? editing_.spotOf(named_) : std::nullopt;
+  if (spot) name_editor_->follow(scene::toPoint(context_.scene.view().pixelFromWorld(spot->position_m)));
+}
+
 void WaypointsController::askName(const edit::Key& key, edit::Gesture gesture) {
   const map::Waypoint* const point = editing_.find(key);
   if (!point || !editing_.editable()) return;
+  if (name_editor_->isOpen() && named_ == key) return;  // it is being named
   const QPointF at = scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m));
   if (!QRectF(context_.view.viewport()->rect()).contains(at)) context_.view.lookAt(point->position_m, false);
   // Continuous typing is one step, together with the creation of the waypoint.

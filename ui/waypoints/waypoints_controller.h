@@ -66,6 +66,7 @@ class WaypointsController : public Controller {
   std::optional<LeftName> nameLeft() const;
   void revertAll();
   void askName(const edit::Key& key, edit::Gesture gesture);
+  void followNamed();  // it has moved, on the screen or on the map
   void noteSaving();
   void answer(Leaving leaving, const std::function<void()>& then);
   QString mapName() const;

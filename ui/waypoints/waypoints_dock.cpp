@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -114,6 +115,13 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
     showSelection();
     refresh();
   });
+  connect(qApp, &QApplication::focusChanged, this, [this](const QWidget* was, const QWidget* now) {
+    const auto left = [was, now](const QWidget& form) {
+      return form.isAncestorOf(was) && !form.isAncestorOf(now);
+    };
+    if (left(*form_)) form_->refresh();
+    if (left(*form_) || left(*group_)) refresh();
+  });
   connect(editing_, &WaypointEditing::opened, this, [this] {
     model_->setDocument(editing_->document());
     if (editing_->document())
@@ -126,6 +134,7 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
 WaypointsDock::~WaypointsDock() {
   // As in the other docks: the table is destroyed later than the object it reports to.
   table_->selectionModel()->disconnect(this);
+  qApp->disconnect(this);
   table_->removeEventFilter(this);
   filter_->removeEventFilter(this);
 }
@@ -262,8 +271,9 @@ void WaypointsDock::refresh() {
   const bool editable = editing_->editable(), saving = list_ && list_->saving();
   empty_->setText(emptyText());
   empty_->setVisible(!empty_->text().isEmpty());
-  filter_->setEnabled(document && model_->rowCount() > 0);
-  pending_->setEnabled(filter_->isEnabled());
+  const bool any_rows = document && model_->rowCount() > 0;
+  filter_->setEnabled(any_rows || filter_->hasFocus());
+  pending_->setEnabled(any_rows);
   add_->setEnabled(editable);
   remove_->setEnabled(editable && !editing_->selected().empty());
   save_->setEnabled(list_ && list_->maySave());
@@ -271,8 +281,9 @@ void WaypointsDock::refresh() {
   cancel_->setVisible(saving);
   retry_->setVisible(list_ && list_->failure() && !saving);
   const bool several = editing_->selected().size() > 1;
-  form_->setVisible(document && !several);
-  group_->setVisible(document && several);
+  // One that is being typed into stays until the focus goes elsewhere: letters are commands there.
+  form_->setVisible((document && !several) || hasFocusInside(*form_));
+  group_->setVisible((document && several) || hasFocusInside(*group_));
   status_bad_ =
       list_ && (list_->failure() || (list_->stoppedBy() && list_->unsaved()) || list_->draftTrouble().any());
   status_->setText(statusText());
