@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "geometry/pose.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of a spacing: rounding errors
 constexpr std::size_t kLongestNumber = 9;
+constexpr double kOnePlaceM = 1e-6;  // closer ones lie in one place
 
 std::pair<double, double> rangeOf(const std::vector<Spot>& spots, int axis) {
   const auto [least, most] = std::minmax_element(
@@ -35,6 +37,16 @@ std::vector<Spot> turned(std::vector<Spot> spots, const Eigen::Vector2d& pivot_m
   for (Spot& spot : spots) {
     spot.position_m = pivot_m + turn * (spot.position_m - pivot_m);
     if (spot.yaw_rad) spot.yaw_rad = geometry::normalizeAngle(*spot.yaw_rad + by_rad);
+  }
+  return spots;
+}
+
+std::vector<Spot> mirrored(std::vector<Spot> spots, const Eigen::Vector2d& through_m, double along_rad) {
+  const Eigen::Rotation2Dd there(along_rad), back(-along_rad);
+  for (Spot& spot : spots) {
+    const Eigen::Vector2d of_line = back * (spot.position_m - through_m);
+    spot.position_m = through_m + there * Eigen::Vector2d(of_line.x(), -of_line.y());
+    if (spot.yaw_rad) spot.yaw_rad = geometry::normalizeAngle(2 * along_rad - *spot.yaw_rad);
   }
   return spots;
 }
@@ -73,6 +85,65 @@ std::vector<Spot> distributed(std::vector<Spot> spots, Axis axis) {
   for (std::size_t i = 0; i < order.size(); ++i)
     spots[order[i]].position_m[at] = least + (most - least) * double(i) / double(order.size() - 1);
   return spots;
+}
+
+std::vector<Spot> headingOn(std::vector<Spot> spots, LastHeads last) {
+  const std::size_t count = spots.size();
+  std::optional<Eigen::Vector2d> next;  // the nearest one after it that lies elsewhere
+  const auto isElsewhere = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return (a - b).norm() > kOnePlaceM;
+  };
+  const auto headTo = [](Spot& spot, const Eigen::Vector2d& there) {
+    const Eigen::Vector2d way = there - spot.position_m;
+    spot.yaw_rad = std::atan2(way.y(), way.x());
+  };
+  std::size_t ahead = count;  // from here on all lie where the last one does
+  for (std::size_t i = count; i-- > 0;) {
+    if (i + 1 < count && isElsewhere(spots[i].position_m, spots[i + 1].position_m))
+      next = spots[i + 1].position_m;
+    if (!next) {
+      ahead = i;
+      continue;
+    }
+    headTo(spots[i], *next);
+  }
+  if (ahead == 0 || ahead >= count) return spots;  // one place, or none
+  for (std::size_t i = ahead; i < count; ++i) {
+    const Eigen::Vector2d& first = spots.front().position_m;
+    if (last == LastHeads::OnAsBefore || !isElsewhere(first, spots[i].position_m)) {
+      spots[i].yaw_rad = spots[ahead - 1].yaw_rad;
+    } else {
+      headTo(spots[i], first);
+    }
+  }
+  return spots;
+}
+
+std::vector<std::size_t> orderOf(const std::vector<Spot>& spots, Order order) {
+  std::vector<std::size_t> indices(spots.size());
+  std::iota(indices.begin(), indices.end(), 0);
+  if (order == Order::AsGiven || spots.empty()) return indices;
+  Eigen::Vector2d along = order == Order::Y ? Eigen::Vector2d::UnitY() : Eigen::Vector2d::UnitX();
+  if (order == Order::AlongLine) {
+    const Eigen::Vector2d middle = middleOf(spots);
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const Spot& spot : spots)
+      spread += (spot.position_m - middle) * (spot.position_m - middle).transpose();
+    along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
+    const bool is_vertical = std::abs(along.x()) < kRounding;
+    if (is_vertical ? along.y() < 0 : along.x() < 0) along = -along;
+  }
+  std::stable_sort(indices.begin(), indices.end(), [&](std::size_t a, std::size_t b) {
+    return spots[a].position_m.dot(along) < spots[b].position_m.dot(along);
+  });
+  return indices;
+}
+
+Eigen::Vector2d centreOf(const std::vector<Spot>& spots) {
+  if (spots.empty()) return {0, 0};
+  const auto [left, right] = rangeOf(spots, 0);
+  const auto [bottom, top] = rangeOf(spots, 1);
+  return {(left + right) / 2, (bottom + top) / 2};
 }
 
 std::string nextName(const std::string& name, std::set<std::string>& taken) {

@@ -32,6 +32,67 @@ class TestArrange : public QObject {
     QVERIFY(!turned[2].yaw_rad);  // what heads nowhere goes on doing so
   }
 
+  void aMirrorTurnsHeadingsToo() {
+    const std::vector<Spot> spots{{{1, 0}, 0.0}, {{3, 5}, kQuarter}, {{2, 2}}};
+    // About a vertical line: left and right change places.
+    auto seen = placing::mirrored(spots, {2, 0}, kQuarter);
+    QVERIFY(same(seen[0].position_m, {3, 0}) && same(seen[1].position_m, {1, 5}));
+    QVERIFY(std::abs(std::abs(*seen[0].yaw_rad) - 2 * kQuarter) < 1e-9);
+    QVERIFY(std::abs(*seen[1].yaw_rad - kQuarter) < 1e-9);
+    QVERIFY(!seen[2].yaw_rad && same(seen[2].position_m, {2, 2}));
+    // About a horizontal one: up and down.
+    seen = placing::mirrored(spots, {0, 1}, 0);
+    QVERIFY(same(seen[1].position_m, {3, -3}));
+    QVERIFY(std::abs(*seen[1].yaw_rad + kQuarter) < 1e-9);
+    // About x = y: x and y change places.
+    seen = placing::mirrored(spots, {0, 0}, kQuarter / 2);
+    QVERIFY(same(seen[1].position_m, {5, 3}));
+    QVERIFY(std::abs(*seen[0].yaw_rad - kQuarter) < 1e-9);
+    // Twice is as before.
+    seen = placing::mirrored(placing::mirrored(spots, {7, 3}, 0.4), {7, 3}, 0.4);
+    for (std::size_t i = 0; i < spots.size(); ++i) QVERIFY(same(seen[i].position_m, spots[i].position_m));
+  }
+
+  void eachHeadsTowardsTheNext() {
+    const std::vector<Spot> way{{{0, 0}}, {{1, 0}, 2.0}, {{1, 1}}};
+    auto heads = placing::headingOn(way, LastHeads::OnAsBefore);
+    QVERIFY(std::abs(*heads[0].yaw_rad) < 1e-9);
+    QVERIFY(std::abs(*heads[1].yaw_rad - kQuarter) < 1e-9);
+    QVERIFY(std::abs(*heads[2].yaw_rad - kQuarter) < 1e-9);
+    heads = placing::headingOn(way, LastHeads::BackToFirst);
+    QVERIFY(std::abs(*heads[2].yaw_rad + 3 * kQuarter / 2) < 1e-9);
+    for (std::size_t i = 0; i < way.size(); ++i) QVERIFY(same(heads[i].position_m, way[i].position_m));
+  }
+
+  void whatLiesInOnePlaceHeadsOnTogether() {
+    auto heads = placing::headingOn({{{0, 0}}, {{0, 0}}, {{0, 2}}, {{0, 2}}}, LastHeads::OnAsBefore);
+    for (const Spot& spot : heads) QVERIFY(std::abs(*spot.yaw_rad - kQuarter) < 1e-9);
+    heads = placing::headingOn({{{0, 0}}, {{0, 0}}, {{0, 2}}, {{0, 2}}}, LastHeads::BackToFirst);
+    QVERIFY(std::abs(*heads[3].yaw_rad + kQuarter) < 1e-9);
+    // Nowhere to go: as they were.
+    heads = placing::headingOn({{{1, 1}, 0.5}, {{1, 1}}}, LastHeads::BackToFirst);
+    QCOMPARE(*heads[0].yaw_rad, 0.5);
+    QVERIFY(!heads[1].yaw_rad);
+    QVERIFY(placing::headingOn({}, LastHeads::BackToFirst).empty());
+    // A loop that ends where it begins.
+    heads = placing::headingOn({{{0, 0}}, {{1, 0}}, {{0, 0}}}, LastHeads::BackToFirst);
+    QVERIFY(std::abs(std::abs(*heads[2].yaw_rad) - 2 * kQuarter) < 1e-9);
+  }
+
+  void theyAreCountedInTheOrderInWhichTheyLie() {
+    using Indices = std::vector<std::size_t>;
+    const std::vector<Spot> spots{{{3, 0}}, {{1, 2}}, {{2, 1}}};
+    QCOMPARE(placing::orderOf(spots, Order::AsGiven), (Indices{0, 1, 2}));
+    QCOMPARE(placing::orderOf(spots, Order::X), (Indices{1, 2, 0}));
+    QCOMPARE(placing::orderOf(spots, Order::Y), (Indices{0, 2, 1}));
+    // A corridor at an angle, in which x alone would miss the order.
+    const std::vector<Spot> corridor{{{0.1, 9}}, {{0.2, 1}}, {{0, 5}}, {{0.3, 0}}};
+    QCOMPARE(placing::orderOf(corridor, Order::AlongLine), (Indices{0, 2, 1, 3}));
+    const std::vector<Spot> upright{{{2, 9}}, {{2, 1}}, {{2, 5}}};
+    QCOMPARE(placing::orderOf(upright, Order::AlongLine), (Indices{1, 2, 0}));
+    QVERIFY(placing::orderOf({}, Order::AlongLine).empty());
+  }
+
   void theMiddleStaysWhereItIsHoweverOftenAGroupIsTurned() {
     std::vector<Spot> spots{{{1, 0}}, {{4, 0}}, {{2, 7}}, {{9, 1}}};
     const Eigen::Vector2d middle = middleOf(spots);
