@@ -272,6 +272,16 @@
     </message>
 </context>
 <context>
+    <name>mapwright::window::LineBar</name>
+    <message numerus="yes">
+        <source>; %1 names are taken and left out</source>
+        <translation>
+            <numerusform>; %1 name is taken and left out</numerusform>
+            <numerusform>; %1 names are taken and left out</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::window::MapsDock</name>
     <message numerus="yes">
         <source>%1 maps</source>
@@ -375,6 +385,30 @@
         <translation>
             <numerusform>%1 recording</numerusform>
             <numerusform>%1 recordings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::RenameDialog</name>
+    <message numerus="yes">
+        <source>%1 names change.</source>
+        <translation>
+            <numerusform>%1 name changes.</numerusform>
+            <numerusform>%1 names change.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 would not be unique.</source>
+        <translation>
+            <numerusform>%1 would not be unique.</numerusform>
+            <numerusform>%1 would not be unique.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 would be empty.</source>
+        <translation>
+            <numerusform>%1 would be empty.</numerusform>
+            <numerusform>%1 would be empty.</numerusform>
         </translation>
     </message>
 </context>

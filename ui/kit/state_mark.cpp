@@ -1,5 +1,6 @@
 #include "ui/kit/state_mark.h"
 
+#include <QGuiApplication>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -75,6 +76,17 @@ void paintMark(QPainter* painter, const QRectF& rect, Mark mark, const UiColors&
       break;
   }
   painter->restore();
+}
+
+QPixmap markPixmap(Mark mark) {
+  constexpr int kEdgePx = 14;
+  const double ratio = qApp->devicePixelRatio();
+  QPixmap pixmap(QSize(kEdgePx, kEdgePx) * ratio);
+  pixmap.setDevicePixelRatio(ratio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  paintMark(&painter, QRectF(2, 2, kEdgePx - 4, kEdgePx - 4), mark, appColors());
+  return pixmap;
 }
 
 }  // namespace mapwright::window

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QColor>
+#include <QPixmap>
 #include <QRectF>
 
 #include "ui/kit/status_text.h"
@@ -16,5 +17,7 @@ QColor markColor(Mark mark, const UiColors& colors);
 QColor markTextColor(Mark mark, const UiColors& colors);
 /// Good: filled disc. Busy: half disc. Neutral: ring. Warning: triangle. Bad: cross in an octagon.
 void paintMark(QPainter* painter, const QRectF& rect, Mark mark, const UiColors& colors);
+/// For a cell of a table, in the present colours.
+QPixmap markPixmap(Mark mark);
 
 }  // namespace mapwright::window

@@ -8,15 +8,20 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
+#include <QRegularExpressionValidator>
 #include <QSignalBlocker>
+#include <QSpinBox>
 
 #include "scene/drawing.h"
+#include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/waypoints/waypoint_text.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 namespace {
@@ -25,6 +30,7 @@ constexpr double kTickPx = 11;
 constexpr std::size_t kMostLineTicks = 500;  // more could not be distinguished
 
 constexpr int kLineBarMarginPx = 16;
+constexpr int kPrefixPx = 130, kNumberPx = 64, kLongestPrefix = 400, kMostStep = 1'000;
 
 }  // namespace
 
@@ -92,11 +98,16 @@ void LineTool::dragged(const MapPoint& at) {
 
 void LineTool::released(const MapPoint& at) {
   if (!from_ || fixed_) return;
-  to_ = caught(at);
-  fixed_ = true;
   dragging_ = false;
+  end(at);
+}
+
+void LineTool::end(const MapPoint& at) {
+  to_ = caught(at);
+  fixed_ = (*to_ - *from_).norm() > 0;
   landing_ = {};
   tell();
+  if (fixed_) Q_EMIT lineEnded();
 }
 
 void LineTool::dragCancelled() {
@@ -109,11 +120,7 @@ void LineTool::clicked(const MapPoint& at) {
     dragging_ = false;
     return;
   }
-  if (!from_ || fixed_) return;
-  to_ = caught(at);
-  fixed_ = (*to_ - *from_).norm() > 0;
-  landing_ = {};
-  tell();
+  if (from_ && !fixed_) end(at);
 }
 
 void LineTool::hovered(const MapPoint& at) {
@@ -191,49 +198,121 @@ QString LineTool::hint() const {
   return tr("Enter creates them, Esc starts over.");
 }
 
-LineBar::LineBar(LineTool* tool, QWidget* map)
+LineBar::LineBar(LineTool* tool, WaypointEditing* editing, QWidget* map)
     : QFrame(map),
       tool_(tool),
+      editing_(editing),
       spacing_(numberField(this, {.least = LineTool::kLeastSpacingM,
                                   .most = LineTool::kMostSpacingM,
                                   .decimals = 2,
                                   .step = 0.25,
                                   .name = tr("Distance between two waypoints")})),
+      prefix_(new QLineEdit(tr("Waypoint "), this)),
+      first_(new QLineEdit(this)),
+      step_(new QSpinBox(this)),
       count_(new PlainLabel(this)),
+      names_(new PlainLabel(this)),
       create_(new QPushButton(tr("Create"), this)),
       close_(new QPushButton(tr("Cancel"), this)) {
   spacing_->setAlignment(Qt::AlignLeft);
   setObjectName(QStringLiteral("card"));
   setCursor(Qt::ArrowCursor);
-  auto* label = new QLabel(tr("&Spacing"), this);
-  label->setBuddy(spacing_);
+  prefix_->setMaxLength(kLongestPrefix);
+  prefix_->setAccessibleName(tr("What their names begin with"));
+  prefix_->setFixedWidth(kPrefixPx);
+  first_->setAccessibleName(tr("First number"));
+  first_->setToolTip(
+      tr("The first number, with as many digits as all shall have: 1, 01, 001. Empty: the next "
+         "free one"));
+  first_->setValidator(
+      new QRegularExpressionValidator(QRegularExpression(QStringLiteral("\\d{0,9}")), first_));
+  first_->setFixedWidth(kNumberPx);
+  step_->setRange(1, kMostStep);
+  step_->setAccessibleName(tr("Step from number to number"));
+  step_->setFixedWidth(kNumberPx);
+  const auto labelled = [this](const QString& text, QWidget* buddy) {
+    auto* const label = new QLabel(text, this);
+    label->setBuddy(buddy);
+    return label;
+  };
   count_->setSample(tr("%1 on 123.45 m").arg(waypointsText(1888)));
+  names_->setSample(QStringLiteral("x"));
+  names_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  names_->setSecondary(true);
   create_->setObjectName(QStringLiteral("primary"));
   close_->setObjectName(QStringLiteral("secondary"));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 8, 12, 8);
-  row->setSpacing(8);
-  row->addWidget(label);
-  row->addWidget(spacing_);
-  row->addSpacing(8);
-  row->addWidget(count_);
-  row->addWidget(close_);
-  row->addWidget(create_);
+  auto* const rows =
+      columnOf({rowOf({labelled(tr("&Spacing"), spacing_), spacing_, LayoutItem::gap(8),
+                       LayoutItem(count_, 1), close_, create_},
+                      8),
+                rowOf({labelled(tr("&Names"), prefix_), prefix_, labelled(tr("fr&om"), first_), first_,
+                       labelled(tr("ste&p"), step_), step_, LayoutItem::gap(8), LayoutItem(names_, 1)},
+                      8)},
+               8, QMargins(12, 8, 12, 8));
+  setLayout(rows);
   hide();
   connect(spacing_, &QDoubleSpinBox::valueChanged, tool_, &LineTool::setSpacing);
+  connect(prefix_, &QLineEdit::textChanged, this, &LineBar::refreshNames);
+  connect(first_, &QLineEdit::textChanged, this, &LineBar::refreshNames);
+  connect(step_, &QSpinBox::valueChanged, this, &LineBar::refreshNames);
   connect(create_, &QPushButton::clicked, this, &LineBar::createWanted);
   connect(close_, &QPushButton::clicked, this, &LineBar::closed);
   connect(tool_, &LineTool::lineChanged, this, &LineBar::refresh);
+  // What is typed next is their name, and no command.
+  connect(tool_, &LineTool::lineEnded, this, [this] {
+    prefix_->setFocus();
+    prefix_->selectAll();
+  });
   connect(tool_, &LineTool::activated, this, [this](bool active) {
     setVisible(active);
     place();
     if (active) raise();
+  });
+  const auto look_anew = [this] {
+    taken_.reset();
+    if (isVisible()) refreshNames();
+  };
+  connect(editing_, &WaypointEditing::opened, this, [this, look_anew] {
+    if (editing_->document())
+      connect(editing_->document(), &edit::WaypointDocument::changed, this, look_anew);
+    look_anew();
   });
   map->installEventFilter(this);
   refresh();
 }
 
 QString LineBar::countShown() const { return count_->text(); }
+QString LineBar::namesShown() const { return names_->text(); }
+
+const exchange::TakenNames& LineBar::taken() const {
+  if (!taken_) taken_ = editing_->names();
+  return *taken_;
+}
+
+exchange::SeriesNames LineBar::series() const {
+  return exchange::namesOf({prefix_->text(), first_->text(), step_->value()},
+                           qsizetype(tool_->spots().size()), taken());
+}
+
+QStringList LineBar::names() const { return series().names; }
+
+void LineBar::noteCreated() { first_->clear(); }
+
+void LineBar::refreshNames() {
+  first_->setPlaceholderText(exchange::nextNumber(prefix_->text(), taken()));
+  const exchange::SeriesNames series = this->series();
+  const auto shown = [](const QString& name) { return words::plainName(name); };
+  QString text;
+  if (series.names.size() == 1) text = shown(series.names.front());
+  if (series.names.size() > 1)
+    text = tr("%1 … %2").arg(shown(series.names.front()), shown(series.names.back()));
+  if (series.skipped.size() == 1) text += tr("; %1 is taken and left out").arg(shown(series.skipped.front()));
+  if (series.skipped.size() > 1)
+    text += sentences::counted(
+        tr("; %1 names are taken and left out", nullptr, sentences::formOf(series.skipped.size())),
+        series.skipped.size());
+  names_->setText(text);
+}
 
 void LineBar::refresh() {
   const QSignalBlocker quiet(spacing_);
@@ -244,6 +323,7 @@ void LineBar::refresh() {
                   : count == 0 ? tr("More than %1").arg(waypointsText(qsizetype(placing::kMostAlongLine)))
                                : tr("%1 on %2 m").arg(waypointsText(count), length));
   create_->setEnabled(tool_->ready() && count > 0);
+  refreshNames();
 }
 
 void LineBar::place() {
@@ -263,7 +343,12 @@ void LineBar::keyPressEvent(QKeyEvent* event) {
     if (create_->isEnabled()) Q_EMIT createWanted();
     return;
   }
-  if (event->key() == Qt::Key_Escape) return Q_EMIT closed();
+  if (event->key() == Qt::Key_Escape) {
+    // As on the map: first the line, then the tool.
+    if (!tool_->ready()) return Q_EMIT closed();
+    parentWidget()->setFocus();
+    return tool_->forget();
+  }
   QFrame::keyPressEvent(event);
 }
 

@@ -1,18 +1,22 @@
 // Places waypoints along a line: two clicks or a drag define it, with a preview of the result; a strip over
-// the map has spacing, number and Create.
+// the map has spacing, names and Create.
 #pragma once
 
 #include <optional>
 
 #include <QFrame>
 
+#include "exchange/waypoint_names.h"
 #include "placing/arrange.h"
 #include "scene/map_scene.h"
 #include "ui/view/map_tool.h"
+#include "ui/waypoints/waypoint_editing.h"
 #include "ui/waypoints/waypoint_snapping.h"
 
 class QDoubleSpinBox;
+class QLineEdit;
 class QPushButton;
+class QSpinBox;
 
 namespace mapwright::window {
 
@@ -53,10 +57,12 @@ class LineTool : public MapTool {
  Q_SIGNALS:
   void activated(bool active);
   void lineChanged();
+  void lineEnded();   // by the hand: its second end is set
   void madeWanted();  // Enter
 
  private:
   Eigen::Vector2d caught(const MapPoint& at);
+  void end(const MapPoint& at);
   void tell();
 
   const scene::MapScene* scene_;
@@ -72,11 +78,19 @@ class LineTool : public MapTool {
 class LineBar : public QFrame {
   Q_OBJECT
  public:
-  /// A child of `map`, at its lower edge. `tool` must outlive this.
-  LineBar(LineTool* tool, QWidget* map);
+  /// A child of `map`, at its lower edge. `tool` and `editing` must outlive this.
+  LineBar(LineTool* tool, WaypointEditing* editing, QWidget* map);
   QDoubleSpinBox* spacing() const { return spacing_; }
+  QLineEdit* prefixEdit() const { return prefix_; }
+  QLineEdit* firstEdit() const { return first_; }
+  QSpinBox* stepBox() const { return step_; }
   QPushButton* createButton() const { return create_; }
   QString countShown() const;
+  QString namesShown() const;
+  /// Of as many waypoints as there will be.
+  QStringList names() const;
+  /// They have been created: the next line goes on counting.
+  void noteCreated();
 
  Q_SIGNALS:
   void createWanted();
@@ -88,11 +102,19 @@ class LineBar : public QFrame {
 
  private:
   void refresh();
+  void refreshNames();
   void place();
+  exchange::SeriesNames series() const;
+  const exchange::TakenNames& taken() const;
+
   LineTool* tool_;
+  WaypointEditing* editing_;
   QDoubleSpinBox* spacing_;
-  PlainLabel* count_;
+  QLineEdit *prefix_, *first_;
+  QSpinBox* step_;
+  PlainLabel *count_, *names_;
   QPushButton *create_, *close_;
+  mutable std::optional<exchange::TakenNames> taken_;  // made when they are asked for
 };
 
 }  // namespace mapwright::window

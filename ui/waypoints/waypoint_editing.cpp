@@ -26,6 +26,7 @@ void WaypointEditing::setDocument(edit::WaypointDocument* document, const QStrin
   why_not_ = why_not;
   keeps_ = keeps;
   selected_.clear();
+  since_.clear();
   preview_.clear();
   if (document_) connect(document_, &edit::WaypointDocument::changed, this, &WaypointEditing::takeChange);
   Q_EMIT opened();
@@ -44,7 +45,34 @@ void WaypointEditing::takeChange(const edit::DocumentChange& change) {
 void WaypointEditing::select(std::set<edit::Key> keys) {
   if (keys == selected_) return;
   selected_ = std::move(keys);
+  ++selections_;
+  std::map<edit::Key, std::uint64_t> since;
+  for (const edit::Key& key : selected_) {
+    const auto before = since_.find(key);
+    since.emplace_hint(since.end(), key, before == since_.end() ? selections_ : before->second);
+  }
+  since_ = std::move(since);
   Q_EMIT selectionChanged();
+}
+
+std::vector<edit::Key> WaypointEditing::inOrder() const {
+  const QCollator by_name = nameOrder();
+  struct Row {
+    std::uint64_t since;
+    QCollatorSortKey name;
+    const edit::Key* key;
+  };
+  std::vector<Row> rows;
+  for (const auto& [key, since] : since_) {
+    if (const map::Waypoint* const point = find(key))
+      rows.push_back({since, by_name.sortKey(QString::fromStdString(point->name)), &key});
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+    return a.since != b.since ? a.since < b.since : a.name < b.name;
+  });
+  std::vector<edit::Key> keys;
+  for (const Row& row : rows) keys.push_back(*row.key);
+  return keys;
 }
 
 void WaypointEditing::toggle(const edit::Key& key) {
@@ -113,6 +141,20 @@ void WaypointEditing::rename(const edit::Key& key, const QString& name, edit::Ge
   set(key, to, tr("rename %1").arg(shortWaypointName(*now)), gesture);
 }
 
+void WaypointEditing::renameAll(const std::vector<std::pair<edit::Key, QString>>& names) {
+  std::vector<edit::Change> changes;
+  for (const auto& [key, name] : names) {
+    const map::Waypoint* const now = find(key);
+    if (!now || name.trimmed().isEmpty()) continue;
+    map::Waypoint to = *now;
+    to.name = name.trimmed().toStdString();
+    changes.push_back(document_->to(key, std::move(to)));
+  }
+  if (!editable() || changes.empty()) return;
+  const QString called = calledOf(changes);
+  document_->change(std::move(changes), tr("rename %1").arg(called));
+}
+
 void WaypointEditing::set(const edit::Key& key, const map::Waypoint& to, const QString& what,
                           edit::Gesture gesture) {
   if (editable() && find(key)) document_->change({document_->to(key, to)}, what, gesture);
@@ -170,6 +212,16 @@ std::optional<placing::Spot> WaypointEditing::spotOf(const edit::Key& key) const
   if (!point) return std::nullopt;
   const auto moving = preview_.find(key);
   return moving == preview_.end() ? placing::Spot{point->position_m, point->yaw_rad} : moving->second;
+}
+
+std::vector<placing::Spot> WaypointEditing::spots(const std::vector<edit::Key>& keys) const {
+  std::vector<placing::Spot> spots;
+  spots.reserve(keys.size());
+  for (const edit::Key& key : keys) {
+    const map::Waypoint& point = *find(key);
+    spots.push_back({point.position_m, point.yaw_rad});
+  }
+  return spots;
 }
 
 void WaypointEditing::setPreview(WaypointPreview preview) {

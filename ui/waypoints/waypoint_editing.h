@@ -1,9 +1,12 @@
 // The operations on the waypoints on screen, shared by the tool, the table and the form, and the selection.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <QObject>
@@ -40,6 +43,8 @@ class WaypointEditing : public QObject {
   const std::set<edit::Key>& selected() const { return selected_; }
   /// The only one selected; null = none or several.
   const map::Waypoint* only() const { return selected_.size() == 1 ? find(*selected_.begin()) : nullptr; }
+  /// In the order in which they were selected; those selected at once by name, as people count.
+  std::vector<edit::Key> inOrder() const;
   void select(std::set<edit::Key> keys);
   void toggle(const edit::Key& key);
   void selectAll();
@@ -56,6 +61,8 @@ class WaypointEditing : public QObject {
   /// The names that are in use.
   std::set<std::string> names() const;
   void rename(const edit::Key& key, const QString& name, edit::Gesture gesture = 0);
+  /// The same of several, as one command.
+  void renameAll(const std::vector<std::pair<edit::Key, QString>>& names);
   /// The new state of one item; `what`: the name of the command.
   void set(const edit::Key& key, const map::Waypoint& to, const QString& what, edit::Gesture gesture = 0);
   /// The same change of all that are selected, as one command; `what` names it, with %1 for what it is about.
@@ -72,6 +79,8 @@ class WaypointEditing : public QObject {
   const WaypointPreview& preview() const { return preview_; }
   /// Where it is now, dragged or not; nullopt = there is none.
   std::optional<placing::Spot> spotOf(const edit::Key& key) const;
+  /// Where these are, whatever is being dragged.
+  std::vector<placing::Spot> spots(const std::vector<edit::Key>& keys) const;
   void setPreview(WaypointPreview preview);
   /// Applies the preview, as one command.
   void applyPreview(const QString& what);
@@ -83,6 +92,7 @@ class WaypointEditing : public QObject {
   void selectionChanged();
   void previewChanged();
   void renameWanted(const std::string& key, quint64 gesture);  // by typing, where the list is on screen
+  void renameSeveralWanted();                                  // those that are selected
 
  private:
   void takeChange(const edit::DocumentChange& change);
@@ -93,6 +103,8 @@ class WaypointEditing : public QObject {
   robot::KeptFields keeps_;
   double cell_m_ = 0.05;
   std::set<edit::Key> selected_;
+  std::map<edit::Key, std::uint64_t> since_;  // since which selection each has been selected
+  std::uint64_t selections_ = 0;
   WaypointPreview preview_;
   edit::Gesture last_gesture_ = 0;
 };

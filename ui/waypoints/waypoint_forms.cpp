@@ -289,6 +289,8 @@ GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
       dy_(metres(this, kFarthestShiftM, tr("Shift along y"))),
       yaw_(numberField(this, {-360, 360, 1, 5, QString(QChar(0xb0)), tr("Heading of all selected")})),
       turn_how_(new QComboBox(this)),
+      rename_(compactButton(tr("Rename…"), this,
+                            tr("New names for all of them: counted, or with a part replaced (F2)"))),
       shift_(compactButton(tr("Shift"), this)),
       turn_(compactButton(tr("Turn"), this)),
       add_tags_(new QLineEdit(this)),
@@ -315,6 +317,7 @@ GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
   turn_row->setStretch(1, 1);
   QFormLayout* const form = formOf(this);
   form->addRow(place_);
+  form->addRow(tr("Names"), rowOf({rename_, LayoutItem::rest()}));
   form->addRow(tr("Shift"), shift_row);
   form->addRow(tr("Heading"), turn_row);
   form->addRow(tr("Tags"), tags_row);
@@ -333,6 +336,7 @@ GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
       connect(editing_->document(), &edit::WaypointDocument::changed, this, &GroupForm::refresh);
     refresh();
   });
+  connect(rename_, &QPushButton::clicked, editing_, &WaypointEditing::renameSeveralWanted);
   connect(shift_, &QPushButton::clicked, this, &GroupForm::shift);
   connect(turn_, &QPushButton::clicked, this, &GroupForm::turn);
   connect(turn_how_, &QComboBox::currentIndexChanged, this,

@@ -73,6 +73,7 @@ class GroupForm : public QWidget {
   QLabel* placeLabel() const { return place_; }
   QDoubleSpinBox* shiftX() const { return dx_; }
   QDoubleSpinBox* shiftY() const { return dy_; }
+  QPushButton* renameButton() const { return rename_; }
   QPushButton* shiftButton() const { return shift_; }
   QComboBox* turnChoice() const { return turn_how_; }
   QDoubleSpinBox* turnBox() const { return yaw_; }
@@ -91,7 +92,7 @@ class GroupForm : public QWidget {
   QLabel *place_, *tags_;
   QDoubleSpinBox *dx_, *dy_, *yaw_;
   QComboBox* turn_how_;
-  QPushButton *shift_, *turn_;
+  QPushButton *rename_, *shift_, *turn_;
   QLineEdit *add_tags_, *remove_tags_, *type_;
   QLabel* type_label_;
 };

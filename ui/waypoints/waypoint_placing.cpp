@@ -23,6 +23,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"
 #include "ui/waypoints/line_tool.h"
+#include "ui/waypoints/waypoint_arranging.h"
 #include "ui/waypoints/waypoint_snapping.h"
 #include "ui/waypoints/waypoint_text.h"
 
@@ -134,15 +135,12 @@ PlacingActions::PlacingActions(WindowContext& context, WaypointEditing* editing,
       editing_(editing),
       snapping_(snapping),
       line_(new LineTool(&context.scene, snapping, this)),
-      bar_(new LineBar(line_, &context.view)),
-      creating_menu_(new QMenu(tr("&New waypoint"), &context.window)),
-      arranging_menu_(new QMenu(tr("&Arrange waypoints"), &context.window)) {
+      bar_(new LineBar(line_, editing, &context.view)),
+      creating_menu_(new QMenu(tr("&New waypoint"), &context.window)) {
   addCreating();
   addSelecting();
-  addArranging();
-  for (QMenu* menu : {creating_menu_, arranging_menu_}) menu->setToolTipsVisible(true);
+  creating_menu_->setToolTipsVisible(true);
   context_.actions.place({MenuGroup::Waypoints, 12}, creating_menu_->menuAction());
-  context_.actions.place({MenuGroup::Waypoints, 14}, arranging_menu_->menuAction());
   connect(creating_menu_, &QMenu::aboutToShow, this, &PlacingActions::refresh);
   connect(editing_, &WaypointEditing::opened, this, &PlacingActions::refresh);
   connect(editing_, &WaypointEditing::selectionChanged, this, &PlacingActions::refresh);
@@ -204,27 +202,6 @@ void PlacingActions::addSelecting() {
                            editing_, &WaypointEditing::invertSelection);
 }
 
-void PlacingActions::addArranging() {
-  using placing::Axis;
-  const auto add = [this](const char* id, const QString& text, const QString& tip, Arranging how, Axis axis,
-                          const QString& what) {
-    QAction* const action = entry(id, text, "", "", Reach::Everywhere, tip);
-    connect(action, &QAction::triggered, this, [this, how, axis, what] { arrange(how, axis, what); });
-    arranging_menu_->addAction(action);
-    arranging_.push_back(action);
-  };
-  add("alignWaypointsX", tr("Align on one &x"), tr("Move all selected waypoints to their mean x"),
-      &placing::aligned, Axis::X, tr("align %1"));
-  add("alignWaypointsY", tr("Align on one &y"), tr("Move all selected waypoints to their mean y"),
-      &placing::aligned, Axis::Y, tr("align %1"));
-  add("distributeWaypointsX", tr("&Distribute along x"),
-      tr("Space the selected waypoints evenly between the outermost two"), &placing::distributed, Axis::X,
-      tr("distribute %1"));
-  add("distributeWaypointsY", tr("Dis&tribute along y"),
-      tr("Space the selected waypoints evenly between the outermost two"), &placing::distributed, Axis::Y,
-      tr("distribute %1"));
-}
-
 std::optional<geometry::Pose2> PlacingActions::robotPose(QString* why_not) const {
   const session::Session* const session = context_.current.session();
   const auto& pose = session ? session->live().robot_pose : std::nullopt;
@@ -252,13 +229,6 @@ void PlacingActions::refresh() {
   allow(duplicate_, editable && selected > 0, editable ? tr("Nothing is selected.") : why);
   allow(all_, editing_->document() != nullptr, why);
   allow(invert_, editing_->document() != nullptr, why);
-  for (std::size_t i = 0; i < arranging_.size(); ++i) {
-    const bool distributes = i >= 2;
-    allow(arranging_[i], editable && selected >= (distributes ? 3U : 2U),
-          !editable     ? why
-          : distributes ? tr("Select at least three waypoints.")
-                        : tr("Select at least two waypoints."));
-  }
 }
 
 void PlacingActions::refreshRobot() {
@@ -299,14 +269,17 @@ void PlacingActions::askForNumbers() {
 void PlacingActions::createAlongLine() {
   if (!line_->ready() || !editing_->editable()) return;
   std::vector<map::Waypoint> points;
+  const QStringList names = bar_->names();
   for (const placing::Spot& spot : line_->spots()) {
     map::Waypoint point;
+    if (const auto i = qsizetype(points.size()); i < names.size()) point.name = names[i].toStdString();
     point.position_m = spot.position_m;
     point.yaw_rad = spot.yaw_rad;
     points.push_back(std::move(point));
   }
   if (points.empty()) return;
   editing_->addAll(std::move(points), tr("add %1"));
+  bar_->noteCreated();
   line_->forget();
   Q_EMIT made();
   context_.view.setFocus();
@@ -330,19 +303,6 @@ void PlacingActions::duplicate() {
   Q_EMIT made();
 }
 
-void PlacingActions::arrange(Arranging how, placing::Axis axis, const QString& what) {
-  std::vector<placing::Spot> spots;
-  for (const edit::Key& key : editing_->selected()) {
-    const map::Waypoint& point = *editing_->find(key);
-    spots.push_back({point.position_m, point.yaw_rad});
-  }
-  spots = how(std::move(spots), axis);
-  WaypointPreview to;
-  std::size_t i = 0;
-  for (const edit::Key& key : editing_->selected()) to.emplace_hint(to.end(), key, spots[i++]);
-  editing_->apply(to, what.arg(waypointsText(qsizetype(to.size()))));
-}
-
 WaypointPlacing::WaypointPlacing(WindowContext& context, WaypointEditing* editing, QObject* parent)
     : QObject(parent),
       context_(context),
@@ -350,6 +310,7 @@ WaypointPlacing::WaypointPlacing(WindowContext& context, WaypointEditing* editin
       snapping_(new WaypointSnapping(&context.scene, &context.hits, this)),
       warnings_(new WaypointWarnings(editing, context.workers, this)),
       actions_(new PlacingActions(context, editing, snapping_, this)),
+      arranging_(new WaypointArranging(context, editing, snapping_, this)),
       snap_menu_(new QMenu(tr("S&nap to"), &context.window)) {
   addSnapping();
   next_ = context_.actions.add({.id = "nextWarning",

@@ -1,6 +1,5 @@
-// Placing waypoints with the map in mind: other ways of creating them than a click, arranging the selected
-// ones, what they snap to, warnings about them, and what these have to know of the map and the robot. GUI
-// thread.
+// Placing waypoints with the map in mind: other ways of creating them than a click, what they snap to,
+// warnings about them, and what these have to know of the map and the robot. GUI thread.
 #pragma once
 
 #include <QDialog>
@@ -21,6 +20,7 @@ namespace mapwright::window {
 
 class LineBar;
 class LineTool;
+class WaypointArranging;
 
 class NewWaypointDialog : public QDialog {
   Q_OBJECT
@@ -81,15 +81,12 @@ class PlacingActions : public QObject {
  private:
   void addCreating();
   void addSelecting();
-  void addArranging();
   QAction* entry(const char* id, const QString& text, const char* icon, const char* key, Reach reach,
                  const QString& tip);
   void createAtRobot();
   void askForNumbers();
   void createAlongLine();
   void duplicate();
-  using Arranging = std::vector<placing::Spot> (*)(std::vector<placing::Spot>, placing::Axis);
-  void arrange(Arranging how, placing::Axis axis, const QString& what);
   /// The robot's pose on the map on screen; nullopt, with the reason in `why_not`: unknown.
   std::optional<geometry::Pose2> robotPose(QString* why_not) const;
 
@@ -100,8 +97,7 @@ class PlacingActions : public QObject {
   LineBar* bar_;
   bool robot_known_ = false;
   QAction *at_robot_, *at_numbers_, *along_line_, *duplicate_, *all_, *invert_;
-  std::vector<QAction*> arranging_;
-  QMenu *creating_menu_, *arranging_menu_;
+  QMenu* creating_menu_;
   QPointer<NewWaypointDialog> dialog_;
 };
 
@@ -121,6 +117,7 @@ class WaypointPlacing : public QObject {
   WaypointSnapping* snapping() const { return snapping_; }
   WaypointWarnings* warnings() const { return warnings_; }
   PlacingActions* actions() const { return actions_; }
+  WaypointArranging* arranging() const { return arranging_; }
   PlacingDialog* dialog() const { return dialog_; }  // null: none is open
   /// Selects the next waypoint with a warning, and shows it.
   void showNextWarning();
@@ -142,6 +139,7 @@ class WaypointPlacing : public QObject {
   WaypointSnapping* snapping_;
   WaypointWarnings* warnings_;
   PlacingActions* actions_;
+  WaypointArranging* arranging_;
   QPointer<session::Session> session_;
   double radius_m_ = kRadiusM;    // if the robot does not report one
   double reported_radius_m_ = 0;  // 0 = unknown

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include <QCollator>
 #include <QString>
 
 #include "edit/document.h"
@@ -15,6 +16,8 @@ namespace mapwright::window {
 
 /// A name, or what stands for it, as one line that is not too long for a menu.
 QString shortWaypointName(const map::Waypoint& point, int limit = 40);
+/// Sorts names as people count: "Rack 2" before "Rack 10".
+QCollator nameOrder();
 /// "dock, charger".
 QString tagsText(const std::vector<std::string>& tags);
 /// The reverse of what people type: separated by commas, without blanks around them and empty ones.
@@ -43,6 +46,8 @@ enum Pending : int {
 int pendingOf(const edit::ItemState& state, const map::Waypoint* kept, const map::Waypoint* now);
 /// "Not saved yet: renamed, moved."; empty when nothing is pending.
 QString pendingText(const edit::ItemState& state, int pending);
+/// What a change does, for people: "Create Corr 2", "Move Dock by 0.40 m", "Rename A to B, turn it by 15.0°".
+QString deedText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after);
 /// "name “A” to “B”, position 1.000, 2.000 m to 2.000, 2.000 m"; "new: …", "deleted".
 QString changeText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after);
 /// "Changed here: position 1.000, 2.000. Changed elsewhere: position 4.000, 2.000."

@@ -312,6 +312,7 @@ bool WaypointTool::keyPressed(const MapKeyPress& press) {
     case Qt::Key_F2:
       if (editing_->editable() && editing_->only())
         Q_EMIT editing_->renameWanted(*editing_->selected().begin(), 0);
+      if (editing_->selected().size() > 1) Q_EMIT editing_->renameSeveralWanted();
       return true;
     case Qt::Key_Left:
     case Qt::Key_Right:
@@ -443,7 +444,8 @@ QString WaypointTool::hint() const {
   if (editing_->selected().empty())
     return tr("Click to add a waypoint, drag to move one, Shift and drag to select several. Esc leaves.");
   if (editing_->selected().size() > 1)
-    return tr("%1: drag or use the arrows to move, drag the handle to turn, Delete deletes. Esc deselects.")
+    return tr("%1: drag or use the arrows to move, drag the handle to turn, F2 renames, Delete deletes. Esc "
+              "deselects.")
         .arg(waypointsText(qsizetype(editing_->selected().size())));
   return tr("Drag or use the arrows to move, F2 renames, Delete deletes. Esc deselects.");
 }

@@ -18,6 +18,7 @@
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
 #include "ui/waypoints/name_editor.h"
+#include "ui/waypoints/waypoint_arranging.h"
 #include "ui/waypoints/waypoint_conflicts.h"
 #include "ui/waypoints/waypoint_placing.h"
 #include "ui/waypoints/waypoint_review.h"
@@ -47,6 +48,7 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
   transfer_ = new WaypointTransfer(context_, &editing_, tool_, this);
   on_map_->setWarnings(placing_->warnings());
   dock_->setWarnings(placing_->warnings());
+  placing_->arranging()->setListOrder([this] { return dock_->selectedAsListed(); });
   connect(dock_, &WaypointsDock::nextWarningWanted, placing_, &WaypointPlacing::showNextWarning);
   connect(placing_, &WaypointPlacing::made, this, [this] {
     if (list_) context_.undo.setActiveStack(&list_->document().undoStack());

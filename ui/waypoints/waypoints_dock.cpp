@@ -355,12 +355,34 @@ void WaypointsDock::showMenu(const QPoint& at) {
   menu.addAction(tr("&Copy"), this, &WaypointsDock::copyWanted)->setEnabled(any);
   menu.addAction(tr("&Paste"), this, &WaypointsDock::pasteWanted)->setEnabled(editable);
   menu.addSeparator();
+  menu.addAction(tr("Re&name…"), this, &WaypointsDock::rename)->setEnabled(editable && any);
   menu.addAction(tr("&Restore"), this, [this, deleted] { editing_->restore(deleted); })
       ->setEnabled(editable && !deleted.empty());
   menu.addAction(themedIcon(QStringLiteral("trash")), tr("&Delete"), editing_,
                  &WaypointEditing::removeSelected)
       ->setEnabled(editable && any);
   menu.exec(table_->viewport()->mapToGlobal(at));
+}
+
+void WaypointsDock::rename() {
+  if (!editing_->only()) return Q_EMIT editing_->renameSeveralWanted();
+  if (!form_->isEnabled() || !form_->isVisible()) return;
+  form_->nameEdit()->setFocus();
+  form_->nameEdit()->selectAll();
+}
+
+std::vector<edit::Key> WaypointsDock::selectedAsListed() const {
+  std::vector<edit::Key> keys;
+  std::set<edit::Key> others = editing_->selected();
+  for (int row = 0; row < sorted_->rowCount() && !others.empty(); ++row) {
+    edit::Key key = model_->key(sorted_->mapToSource(sorted_->index(row, 0)));
+    if (others.erase(key) > 0) keys.push_back(std::move(key));
+  }
+  // Those that the filter hides.
+  for (const edit::Key& key : editing_->inOrder()) {
+    if (others.contains(key)) keys.push_back(key);
+  }
+  return keys;
 }
 
 bool WaypointsDock::pressed(QKeyEvent* press) {
@@ -377,10 +399,7 @@ bool WaypointsDock::pressed(QKeyEvent* press) {
       editing_->removeSelected();
       return true;
     case Qt::Key_F2:
-      if (form_->isEnabled() && form_->isVisible()) {
-        form_->nameEdit()->setFocus();
-        form_->nameEdit()->selectAll();
-      }
+      rename();
       return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:

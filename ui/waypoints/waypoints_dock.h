@@ -54,6 +54,8 @@ class WaypointsDock : public QDockWidget {
   bool statusIsBad() const { return status_bad_; }  // in red
   /// Keys of the rows that are selected and that I deleted.
   std::vector<edit::Key> selectedDeleted() const;
+  /// Those that are selected, in the order of the rows.
+  std::vector<edit::Key> selectedAsListed() const;
   /// The text in place of rows; empty if there are rows.
   QString emptyShown() const;
 
@@ -75,6 +77,7 @@ class WaypointsDock : public QDockWidget {
   void buildTable();
   void buildFilter();
   bool pressed(QKeyEvent* press);
+  void rename();
   void showMenu(const QPoint& at);
   void refresh();
   void showSelection();

@@ -277,13 +277,7 @@ QVariant WaypointsModel::headerData(int section, Qt::Orientation orientation, in
   return names.at(std::size_t(section)).isEmpty() ? QVariant() : names[std::size_t(section)];
 }
 
-WaypointFilter::WaypointFilter(QObject* parent) : QSortFilterProxyModel(parent) {
-  // The C locale always compares bytes.
-  if (order_.locale().language() == QLocale::C)
-    order_.setLocale(QLocale(QLocale::English, QLocale::UnitedStates));
-  order_.setNumericMode(true);
-  order_.setCaseSensitivity(Qt::CaseInsensitive);
-}
+WaypointFilter::WaypointFilter(QObject* parent) : QSortFilterProxyModel(parent), order_(nameOrder()) {}
 
 void WaypointFilter::look(const QString& text) {
   if (sort_keys_.size() > kMostSortKeys) sort_keys_.clear();
