@@ -10,6 +10,7 @@
 #include "ui/maps/maps_controller.h"
 #include "ui/waypoints/waypoint_conflicts.h"
 #include "ui/waypoints/waypoint_review.h"
+#include "ui/waypoints/waypoint_text.h"
 #include "waypoints_desk.h"
 #include "window_parts.h"
 
@@ -69,7 +70,7 @@ class TestWindowWaypointsReview : public QObject {
     QVERIFY(desk.store.asked.empty());
     QCOMPARE(desk.review().model()->rowCount(), 3);
     QCOMPARE(desk.cell(0, ReviewModel::CallColumn), QStringLiteral("change"));
-    QCOMPARE(desk.cell(1, ReviewModel::WaypointColumn), QStringLiteral("Kitchen"));
+    QCOMPARE(desk.cell(1, ReviewModel::DeedColumn), QStringLiteral("Move Kitchen by 0.25 m"));
     QCOMPARE(desk.cell(1, ReviewModel::ChangeColumn),
              QStringLiteral("position 3.000, 2.000 m → position 3.250, 2.000 m"));
     QVERIFY(desk.review().statusShown().contains(QLatin1String("Nothing has been sent yet")));
@@ -152,7 +153,7 @@ class TestWindowWaypointsReview : public QObject {
     desk.open();
     desk.send();
     QTRY_COMPARE(desk.outcome(2), QStringLiteral("not sent"));
-    QTRY_VERIFY(desk.review().sendButton()->isVisible());
+    QTRY_VERIFY(!desk.control().list()->saving());
     QCOMPARE(desk.outcome(0), QStringLiteral("done"));
     QVERIFY2(desk.review().statusShown().contains(
                  QLatin1String("Of 3 requests: 1 succeeded, 1 failed, 0 with unknown result, 1 not sent.")),
@@ -173,7 +174,7 @@ class TestWindowWaypointsReview : public QObject {
     desk.open();
     desk.send();
     QTRY_COMPARE(desk.outcome(2), QStringLiteral("not sent"));
-    QTRY_VERIFY(desk.review().sendButton()->isVisible());
+    QTRY_VERIFY(!desk.control().list()->saving());
     // Another operator renames one that is left.
     desk.store.put(waypoint("c", 2, 2, "Gate north"));
     Q_EMIT desk.store.changed();
@@ -279,7 +280,7 @@ class TestWindowWaypointsReview : public QObject {
     QTRY_VERIFY2(desk.review().statusShown().contains(QLatin1String("the list has changed in the meantime")),
                  qPrintable(desk.review().statusShown()));
     QVERIFY(desk.store.asked.empty());
-    QCOMPARE(desk.cell(2, ReviewModel::WaypointColumn), QStringLiteral("Gate north"));
+    QCOMPARE(desk.cell(2, ReviewModel::DeedColumn), QStringLiteral("Move Gate north by 0.25 m"));
     desk.send();
     QTRY_VERIFY(!desk.control().unsaved());
     QCOMPARE(desk.store.find("Gate north")->position_m.x(), 2.25);
@@ -368,7 +369,7 @@ class TestWindowWaypointsReview : public QObject {
       QTest::keyClick(desk.review().focusWidget() ? desk.review().focusWidget() : &desk.review(), key);
     QCOMPARE(desk.outcome(0), QStringLiteral("in progress…"));
     QTest::mouseClick(desk.review().cancelButton(), Qt::LeftButton);
-    QTRY_VERIFY(desk.review().sendButton()->isVisible());
+    QTRY_VERIFY(!desk.control().list()->saving());
     // Nor is it closed.
     desk.store.before_performing = [&] { desk.store.hold = false; };
     desk.store.hold = false;
@@ -386,10 +387,16 @@ class TestWindowWaypointsReview : public QObject {
     desk.change();
     desk.editing().rename("b", QStringLiteral("Gate"));
     desk.open();
-    QCOMPARE(desk.review().model()->rowCount(), 2);
+    QCOMPARE(desk.review().model()->requests(), 2);
     QVERIFY2(desk.review().statusShown().contains(
                  QLatin1String("1 waypoint is not sent: the robot does not allow duplicate names (Gate).")),
              qPrintable(desk.review().statusShown()));
+    // It has its row, below those that are sent.
+    QCOMPARE(desk.review().model()->rowCount(), 3);
+    QCOMPARE(desk.cell(2, ReviewModel::DeedColumn),
+             QStringLiteral("Rename Kitchen to Gate, move it by 0.25 m"));
+    QCOMPARE(desk.outcome(2), QStringLiteral("not sent: another waypoint is called Gate"));
+    QVERIFY(desk.cell(2, ReviewModel::NumberColumn).isEmpty());
     desk.send();
     QTRY_COMPARE(desk.store.asked.size(), std::size_t(2));
     QTRY_VERIFY2(desk.review().statusShown().contains(QLatin1String("1 waypoint is not sent")),
@@ -418,6 +425,125 @@ class TestWindowWaypointsReview : public QObject {
     QVERIFY(desk.window->session()->wholeMap().key().id != "2");
   }
 
+  void nothingChangesUnderTheFocus() {
+    Desk desk;
+    desk.change();
+    desk.store.before_performing = [&] { desk.store.hold = desk.store.asked.size() == 2; };
+    desk.open();
+    desk.review().activateWindow();
+    QTRY_VERIFY(desk.review().isActiveWindow());
+    auto* const table = desk.review().findChild<QTableView*>();
+    table->selectRow(2);
+    QPushButton* const send = desk.review().sendButton();
+    send->setFocus();
+    QTest::keyClick(send, Qt::Key_Return);
+    QTRY_COMPARE(desk.outcome(1), QStringLiteral("in progress…"));
+    // The button has become no other one, and a second press of it does nothing.
+    QVERIFY(send->isVisible() && send->hasFocus() && send->isDefault());
+    QTest::keyClick(send, Qt::Key_Space);
+    QCOMPARE(table->currentIndex().row(), 2);
+    QCOMPARE(table->selectionModel()->selectedRows().size(), 1);
+    QTest::mouseClick(desk.review().cancelButton(), Qt::LeftButton);
+    QTRY_COMPARE(desk.outcome(2), QStringLiteral("not sent"));
+    QTRY_VERIFY(!desk.control().list()->saving());
+    QCOMPARE(table->currentIndex().row(), 2);
+    QVERIFY(send->isDefault());
+    desk.store.before_performing = [&] { desk.store.hold = false; };
+    desk.store.hold = false;
+    QTest::keyClick(desk.review().focusWidget(), Qt::Key_Return);
+    QTRY_VERIFY(!desk.control().unsaved());
+    QCOMPARE(table->currentIndex().row(), 2);
+  }
+
+  void whatChangesMeanwhileLeavesTheCurrentRow() {
+    Desk desk;
+    desk.change();
+    desk.open();
+    auto* const table = desk.review().findChild<QTableView*>();
+    table->selectRow(1);
+    desk.editing().add({1, 2});
+    QTRY_COMPARE(desk.review().model()->rowCount(), 4);
+    QCOMPARE(table->currentIndex().row(), 1);
+    QCOMPARE(table->selectionModel()->selectedRows().size(), 1);
+  }
+
+  void withoutALinkNothingIsSent() {
+    Desk desk;
+    desk.change();
+    desk.open();
+    desk.review().activateWindow();
+    QTRY_VERIFY(desk.review().isActiveWindow());
+    QPushButton* const send = desk.review().sendButton();
+    send->setFocus();
+    desk.robot->goAway(QStringLiteral("The cable is out."));
+    QVERIFY(!send->isEnabled());
+    QVERIFY2(desk.review().statusShown().contains(QLatin1String("There is no connection to the robot")),
+             qPrintable(desk.review().statusShown()));
+    QVERIFY(desk.review().statusShown().contains(QLatin1String("The cable is out.")));
+    QVERIFY(send->toolTip().contains(QLatin1String("no connection")));
+    QTest::keyClick(desk.review().focusWidget(), Qt::Key_Return);
+    QTest::keyClick(desk.review().focusWidget(), Qt::Key_Space);
+    QVERIFY(desk.store.asked.empty());
+    QVERIFY(desk.review().isVisible());
+    desk.robot->goOnline();
+    QVERIFY(send->isEnabled());
+    QVERIFY(!desk.review().statusShown().contains(QLatin1String("no connection")));
+    QTest::keyClick(desk.review().focusWidget(), Qt::Key_Return);
+    QTRY_COMPARE(desk.store.asked.size(), std::size_t(3));
+  }
+
+  void theLinkGoesWhileItIsSent() {
+    Desk desk;
+    desk.change();
+    desk.store.before_performing = [&] {
+      if (desk.store.asked.size() != 2) return;
+      desk.store.unreadable = true;
+      desk.store.failures.push_back(Desk::failure(map::FailureKind::Unreachable, map::Applied::Maybe));
+      desk.robot->goAway(QStringLiteral("no answer"));
+    };
+    desk.open();
+    desk.send();
+    QTRY_COMPARE(desk.outcome(2), QStringLiteral("not sent"));
+    QTRY_VERIFY(!desk.control().list()->saving());
+    QVERIFY(!desk.review().sendButton()->isEnabled());
+    desk.store.unreadable = false;
+    desk.robot->goOnline();
+    Q_EMIT desk.store.changed();
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("as intended")));
+    QVERIFY(desk.review().sendButton()->isEnabled());
+    desk.send();
+    QTRY_VERIFY(!desk.control().unsaved());
+  }
+
+  void eachRequestIsSaidInWords() {
+    map::Waypoint dock = waypoint("a", 1, 1, "Dock");
+    const auto deed = [&](auto change) {
+      map::Waypoint to = dock;
+      change(to);
+      return deedText(dock, to);
+    };
+    QCOMPARE(deedText(std::nullopt, dock), QStringLiteral("Create Dock"));
+    QCOMPARE(deedText(dock, std::nullopt), QStringLiteral("Delete Dock"));
+    QCOMPARE(deed([](map::Waypoint& to) { to.name = "Kitchen"; }), QStringLiteral("Rename Dock to Kitchen"));
+    QCOMPARE(deed([](map::Waypoint& to) { to.position_m += Eigen::Vector2d(0.3, 0.4); }),
+             QStringLiteral("Move Dock by 0.50 m"));
+    QCOMPARE(deed([](map::Waypoint& to) { to.position_m.x() += 0.004; }),
+             QStringLiteral("Move Dock by 0.004 m"));
+    QCOMPARE(deed([](map::Waypoint& to) { to.yaw_rad = 1.5707963; }), QStringLiteral("Turn Dock to 90.0°"));
+    dock.yaw_rad = 0;
+    QCOMPARE(deed([](map::Waypoint& to) { to.yaw_rad = -1.5707963; }), QStringLiteral("Turn Dock by -90.0°"));
+    QCOMPARE(deed([](map::Waypoint& to) { to.yaw_rad.reset(); }),
+             QStringLiteral("Remove the heading of Dock"));
+    QCOMPARE(deed([](map::Waypoint& to) { to.tags = {"charger"}; }),
+             QStringLiteral("Change the tags of Dock"));
+    QCOMPARE(deed([](map::Waypoint& to) {
+               to.name = "%2 <b>";
+               to.position_m.x() += 1;
+               to.type = "charger";
+             }),
+             QStringLiteral("Rename Dock to %2 <b>, move it by 1.00 m, change its kind"));
+  }
+
   void newOnesAreSentInTheOrderInWhichTheyWereMade() {
     Desk desk;
     desk.start();
@@ -429,8 +555,8 @@ class TestWindowWaypointsReview : public QObject {
     }
     desk.open();
     QStringList listed;
-    for (int row = 0; row < 8; ++row) listed << desk.cell(row, ReviewModel::WaypointColumn);
-    QCOMPARE(listed, names);
+    for (int row = 0; row < 8; ++row) listed << desk.cell(row, ReviewModel::DeedColumn);
+    QCOMPARE(listed, names.replaceInStrings(QStringLiteral("Corr"), QStringLiteral("Create Corr")));
   }
 
   void aHeadingThatThereMustBeIsSaidBefore() {
@@ -456,7 +582,7 @@ class TestWindowWaypointsReview : public QObject {
     desk.store.points[0].name = "<b>Bold</b>\nline";
     desk.change();
     desk.open();
-    QCOMPARE(desk.cell(0, ReviewModel::WaypointColumn), QStringLiteral("<b>Bold</b> line"));
+    QCOMPARE(desk.cell(0, ReviewModel::DeedColumn), QStringLiteral("Move <b>Bold</b> line by 0.25 m"));
     for (const QLabel* label : desk.review().findChildren<QLabel*>())
       QCOMPARE(label->textFormat(), Qt::PlainText);
   }

@@ -9,8 +9,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
-#include <QPainter>
-#include <QPixmap>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTimer>
@@ -30,16 +28,7 @@
 namespace mapwright::window {
 namespace {
 
-constexpr int kReviewMarkPx = 14;
 constexpr qsizetype kLongestTip = 2'000;
-
-QPixmap pixmapOf(Mark mark) {
-  QPixmap pixmap(kReviewMarkPx, kReviewMarkPx);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  paintMark(&painter, QRectF(2, 2, kReviewMarkPx - 4, kReviewMarkPx - 4), mark, appColors());
-  return pixmap;
-}
 
 constexpr int kReviewRowPx = 24;
 constexpr qsizetype kNamed = 3;  // of those that differ
@@ -56,46 +45,67 @@ bool areCalls(const edit::OpenWaypoints& list, const std::vector<edit::PlannedRe
 }  // namespace
 
 void ReviewModel::showPlan(edit::OpenWaypoints* list, std::vector<edit::PlannedRequest> plan) {
-  beginResetModel();
   list_ = list;
   plan_ = std::move(plan);
   follows_ = false;
-  shown_rows_ = int(plan_.size());
-  endResetModel();
+  takeRefused();
+  tellRows();
 }
 
 void ReviewModel::showSubmission(edit::OpenWaypoints* list) {
-  if (!follows_ || list_ != list) {
-    beginResetModel();
+  if (!std::exchange(follows_, true) || list_ != list) {
     list_ = list;
-    follows_ = true;
-    shown_rows_ = int(list->submission().rows().size());
-    endResetModel();
     connect(list, &edit::OpenWaypoints::changed, this, &ReviewModel::follow, Qt::UniqueConnection);
   }
   follow();
 }
 
 void ReviewModel::clear() {
-  beginResetModel();
   if (list_) list_->disconnect(this);
   list_.clear();
   plan_.clear();
+  refused_.clear();
   follows_ = false;
-  shown_rows_ = 0;
-  endResetModel();
+  tellRows();
 }
 
 void ReviewModel::follow() {
   if (!follows_ || !list_) return;
-  const int rows = int(list_->submission().rows().size());
-  if (rows != shown_rows_) {
-    beginResetModel();
-    shown_rows_ = rows;
-    endResetModel();
-  } else if (rows > 0) {
-    Q_EMIT dataChanged(index(0, 0), index(rows - 1, kColumns - 1));
+  if (!list_->saving()) takeRefused();
+  tellRows();
+}
+
+void ReviewModel::takeRefused() {
+  refused_.clear();
+  const std::set<edit::Key> refused = list_->refused();
+  for (const edit::Change& change :
+       refused.empty() ? std::vector<edit::Change>() : list_->document().changes()) {
+    if (!refused.contains(change.key)) continue;
+    refused_.push_back({{{change.key, change.before, change.after}},
+                        tr("not sent: another waypoint is called %1").arg(shortWaypointName(*change.after))});
   }
+}
+
+/// As many as there are now. They come and go at the end, so that what is current or selected stays so.
+void ReviewModel::tellRows() {
+  const int rows = requests() + int(refused_.size());
+  const int before = shown_rows_;
+  if (rows > before) {
+    beginInsertRows({}, before, rows - 1);
+    shown_rows_ = rows;
+    endInsertRows();
+  } else if (rows < before) {
+    beginRemoveRows({}, rows, before - 1);
+    shown_rows_ = rows;
+    endRemoveRows();
+  }
+  if (const int same = std::min(rows, before); same > 0)
+    Q_EMIT dataChanged(index(0, 0), index(same - 1, kColumns - 1));
+}
+
+int ReviewModel::requests() const {
+  if (!list_) return 0;
+  return follows_ ? int(list_->submission().rows().size()) : int(plan_.size());
 }
 
 const robot::WaypointRequest& ReviewModel::request(int row) const {
@@ -106,8 +116,22 @@ robot::WaypointCall ReviewModel::call(int row) const {
   return follows_ ? list_->callOf(request(row)) : plan_[std::size_t(row)].call;
 }
 
+const std::vector<robot::WaypointChange>& ReviewModel::changes(int row) const {
+  return row < requests() ? request(row).changes : refused_[std::size_t(row - requests())].changes;
+}
+
+/// What is to be feared of it before it is sent.
+ReviewModel::Outcome ReviewModel::plannedOutcome(int row) const {
+  for (const robot::WaypointChange& one : changes(row)) {
+    const QString why = one.after ? exchange::whyNotKept(one.before, *one.after) : QString();
+    if (!why.isEmpty()) return {Mark::Warning, tr("may be refused. %1").arg(why)};
+  }
+  return {};
+}
+
 ReviewModel::Outcome ReviewModel::outcome(int row) const {
-  if (!follows_) return {};
+  if (row >= requests()) return {Mark::Bad, refused_[std::size_t(row - requests())].why};
+  if (!follows_) return plannedOutcome(row);
   const auto& sent = list_->submission().rows()[std::size_t(row)];
   if (sent.state == State::Waiting) return {Mark::Neutral, tr("waiting")};
   if (sent.state == State::UnderWay) return {Mark::Busy, tr("in progress…")};
@@ -130,7 +154,7 @@ ReviewModel::Outcome ReviewModel::outcome(int row) const {
 }
 
 exchange::SentCounts ReviewModel::counts() const {
-  return follows_ && list_ ? countsOf(*list_) : exchange::SentCounts{.not_sent = std::size_t(rowCount())};
+  return follows_ && list_ ? countsOf(*list_) : exchange::SentCounts{.not_sent = std::size_t(requests())};
 }
 
 std::vector<robot::WaypointRequest> ReviewModel::rest() const {
@@ -142,32 +166,36 @@ std::vector<robot::WaypointRequest> ReviewModel::rest() const {
   return rest;
 }
 
-int ReviewModel::rowCount(const QModelIndex& parent) const {
-  if (parent.isValid() || !list_) return 0;
-  // When a submission starts, its rows change before it emits the signal.
-  return follows_ ? std::min(shown_rows_, int(list_->submission().rows().size())) : int(plan_.size());
-}
+int ReviewModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : shown_rows_; }
 int ReviewModel::columnCount(const QModelIndex&) const { return kColumns; }
 
 QVariant ReviewModel::data(const QModelIndex& index, int role) const {
-  if (!index.isValid() || index.row() >= rowCount()) return {};
-  const robot::WaypointRequest& asked = request(index.row());
-  const int column = index.column();
+  // When a submission starts, its rows change before it emits the signal.
+  const int row = index.row(), column = index.column();
+  if (!index.isValid() || row >= std::min(shown_rows_, requests() + int(refused_.size()))) return {};
   if (role == Qt::TextAlignmentRole)
     return int((column == NumberColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  if (role == Qt::ForegroundRole && row >= requests() && column != OutcomeColumn)
+    return appColors().secondary_text;
   if (role == Qt::DecorationRole && column == OutcomeColumn) {
-    const Mark mark = outcome(index.row()).mark;
-    return mark == Mark::None ? QVariant() : pixmapOf(mark);
+    const Mark mark = outcome(row).mark;
+    return mark == Mark::None ? QVariant() : markPixmap(mark);
   }
   if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
   const bool tip = role == Qt::ToolTipRole;
+  const std::vector<robot::WaypointChange>& changes = this->changes(row);
   QString text;
   switch (column) {
     case NumberColumn:
-      text = QLocale::c().toString(index.row() + 1);
+      if (row < requests()) text = QLocale::c().toString(row + 1);
+      break;
+    case DeedColumn:
+      text = changes.size() == 1 ? deedText(changes.front().before, changes.front().after)
+                                 : tr("Save %1").arg(waypointsText(qsizetype(changes.size())));
       break;
     case CallColumn: {
-      const robot::WaypointCall call = this->call(index.row());
+      if (row >= requests()) break;
+      const robot::WaypointCall call = this->call(row);
       text = words::plainName(call.service);
       if (text.isEmpty()) text = tr("save the list");
       if (tip)
@@ -175,20 +203,11 @@ QVariant ReviewModel::data(const QModelIndex& index, int role) const {
             QLatin1Char('\n') + words::plainText(QString::fromStdString(call.arguments)).left(kLongestTip);
       break;
     }
-    case WaypointColumn:
-      if (asked.changes.size() == 1) {
-        const auto& one = asked.changes.front();
-        if (one.before || one.after) text = shortWaypointName(one.before ? *one.before : *one.after);
-      } else {
-        text = waypointsText(qsizetype(asked.changes.size()));
-      }
-      break;
     case ChangeColumn:
-      if (asked.changes.size() == 1)
-        text = changeText(asked.changes.front().before, asked.changes.front().after);
+      if (changes.size() == 1) text = changeText(changes.front().before, changes.front().after);
       break;
     default: {
-      const Outcome outcome = this->outcome(index.row());
+      const Outcome outcome = this->outcome(row);
       text = tip && !outcome.sentence.isEmpty() ? outcome.sentence : outcome.text;
     }
   }
@@ -197,8 +216,8 @@ QVariant ReviewModel::data(const QModelIndex& index, int role) const {
 
 QVariant ReviewModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const std::array<QString, kColumns> names{QStringLiteral("#"), tr("Call"), tr("Waypoint"),
-                                            tr("What changes"), tr("Outcome")};
+  const std::array<QString, kColumns> names{QStringLiteral("#"), tr("What"), tr("Call"), tr("Values"),
+                                            tr("Outcome")};
   return section < kColumns ? names[std::size_t(section)] : QVariant();
 }
 
@@ -216,7 +235,7 @@ WaypointReview::WaypointReview(QWidget* parent)
       close_(new QPushButton(tr("C&lose"), this)) {
   setObjectName(QStringLiteral("waypointReview"));
   setWindowTitle(tr("Review and send"));
-  resize(860, 420);
+  resize(960, 420);
   showRows(*table_, model_, tr("The requests in their order"), kReviewRowPx);
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
@@ -225,8 +244,8 @@ WaypointReview::WaypointReview(QWidget* parent)
   // In average letter widths: room for the longest of our own texts and usual names.
   const auto wide = [&](int letters) { return letters * fontMetrics().averageCharWidth() + 20; };
   header->resizeSection(ReviewModel::NumberColumn, wide(4));
-  header->resizeSection(ReviewModel::CallColumn, wide(22));
-  header->resizeSection(ReviewModel::WaypointColumn, wide(20));
+  header->resizeSection(ReviewModel::DeedColumn, wide(32));
+  header->resizeSection(ReviewModel::CallColumn, wide(20));
   header->resizeSection(ReviewModel::OutcomeColumn, wide(30));
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(6);
@@ -298,6 +317,10 @@ void WaypointReview::forget() {
   hide();
 }
 
+void WaypointReview::setLinkTrouble(const QString& why) {
+  if (std::exchange(link_trouble_, why) != why) refresh();
+}
+
 void WaypointReview::takePlan() {
   sent_ = false;  // none of this has been sent
   model_->showPlan(list_, list_->planned());
@@ -305,7 +328,7 @@ void WaypointReview::takePlan() {
 }
 
 void WaypointReview::send() {
-  if (!list_ || list_->saving()) return;
+  if (!list_ || list_->saving() || !link_trouble_.isEmpty()) return;
   std::vector<edit::PlannedRequest> planned = list_->planned();
   // Sends exactly what is shown, nothing else.
   if (!model_->showsPlan() && !areCalls(*list_, planned, model_->rest())) {
@@ -340,11 +363,12 @@ void WaypointReview::refresh() {
   }
   if (sent_ && phase != SubmissionPhase::Looking) model_->showSubmission(list_);
   const bool saving = list_->saving();
-  const int rows = model_->rowCount();
+  const int rows = model_->requests();
   heading_->setText(
       tr("Waypoints of %1: %2 in this order.")
           .arg(map_, sentences::counted(tr("%1 requests", nullptr, sentences::formOf(rows)), rows)));
-  QStringList lines{statusText(), list_->saving() ? QString() : refusedText()};
+  QStringList lines{statusText(), list_->saving() ? QString() : refusedText(),
+                    list_->saving() || !list_->unsaved() ? QString() : link_trouble_};
   if (model_->showsPlan()) lines << madeUpText();
   lines.removeAll(QString());
   status_->setText(lines.join(QLatin1Char('\n')));
@@ -355,11 +379,14 @@ void WaypointReview::refresh() {
   progress_->setRange(0, saving && phase == SubmissionPhase::Sending ? rows : 0);
   progress_->setValue(int(list_->submission().done()));
   const bool all_done = sent_ && phase == SubmissionPhase::Done;
-  send_->setText(sent_ && !all_done ? tr("&Send the rest") : tr("&Send"));
-  // Hiding a button would move the focus to the next one, and Space would press that.
-  if (saving ? send_->hasFocus() || close_->hasFocus() : cancel_->hasFocus()) table_->setFocus();
-  send_->setVisible(!saving);
-  send_->setEnabled(list_->maySave() && (model_->showsPlan() ? rows > 0 : !all_done));
+  send_->setText(saving ? tr("Sending…") : sent_ && !all_done ? tr("&Send the rest") : tr("&Send"));
+  // It stays where it is while it works, and presses nothing then.
+  const bool may_send =
+      saving || (list_->maySave() && link_trouble_.isEmpty() && (model_->showsPlan() ? rows > 0 : !all_done));
+  // Hiding or disabling a button would move the focus to the next one, and Space would press that.
+  if ((saving ? close_ : cancel_)->hasFocus() || (!may_send && send_->hasFocus())) table_->setFocus();
+  send_->setEnabled(may_send);
+  send_->setToolTip(plainToolTip(saving ? QString() : link_trouble_));
   cancel_->setVisible(saving);
   close_->setVisible(!saving);
   go_on_->setEnabled(!saving);
@@ -379,7 +406,7 @@ QString WaypointReview::statusText() const {
       return tr(
           "Nothing was sent: the list has changed in the meantime. These are the requests that are needed "
           "now. Review them and send them.");
-    if (model_->rowCount() > 0) return tr("Nothing has been sent yet.");
+    if (model_->requests() > 0) return tr("Nothing has been sent yet.");
     return list_->unsaved() ? QString() : tr("There is nothing to send.");
   }
   const exchange::SentCounts counts = model_->counts();
@@ -389,7 +416,7 @@ QString WaypointReview::statusText() const {
       return tr("Checking the waypoints on the robot…");
     case SubmissionPhase::Sending:
       return tr("Sending: %1 of %2 done.")
-          .arg(figure(counts.applied), figure(std::size_t(model_->rowCount())));
+          .arg(figure(counts.applied), figure(std::size_t(model_->requests())));
     case SubmissionPhase::LookingAgain:
       return tr("Everything was sent. Checking the result…");
     case SubmissionPhase::Done:
@@ -398,7 +425,7 @@ QString WaypointReview::statusText() const {
       break;
   }
   QString text = tr("Of %1 requests: %2 succeeded, %3 failed, %4 with unknown result, %5 not sent.")
-                     .arg(figure(std::size_t(model_->rowCount())), figure(counts.applied),
+                     .arg(figure(std::size_t(model_->requests())), figure(counts.applied),
                           figure(counts.failed), figure(counts.unknown), figure(counts.not_sent));
   // Only the reason: the result of each is shown in its row.
   if (const auto why = list_->stoppedBy()) text = whyText(*why) + QLatin1Char(' ') + text;

@@ -22,15 +22,18 @@ class QTableView;
 
 namespace mapwright::window {
 
-/// The requests, each with its changes and its result.
+/// The requests, each in words, with its changes and its result; below them the changes that the robot would
+/// refuse, which are not sent. Rows keep their places: neither focus nor selection moves when they change.
 class ReviewModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { NumberColumn, CallColumn, WaypointColumn, ChangeColumn, OutcomeColumn, kColumns };
+  enum Column { NumberColumn, DeedColumn, CallColumn, ChangeColumn, OutcomeColumn, kColumns };
 
   using QAbstractTableModel::QAbstractTableModel;
   /// The requests to send.
   void showPlan(edit::OpenWaypoints* list, std::vector<edit::PlannedRequest> plan);
+  /// How many rows are requests; the others are refused.
+  int requests() const;
   /// The requests sent or being sent: follows the list's submission.
   void showSubmission(edit::OpenWaypoints* list);
   /// Nothing.
@@ -57,11 +60,20 @@ class ReviewModel : public QAbstractTableModel {
   using State = edit::SubmittedRequest::State;
   const robot::WaypointRequest& request(int row) const;
   robot::WaypointCall call(int row) const;
+  const std::vector<robot::WaypointChange>& changes(int row) const;
   Outcome outcome(int row) const;
+  Outcome plannedOutcome(int row) const;
   void follow();
+  void takeRefused();
+  void tellRows();
 
+  struct Refused {
+    std::vector<robot::WaypointChange> changes;  // one
+    QString why;
+  };
   QPointer<edit::OpenWaypoints> list_;
   std::vector<edit::PlannedRequest> plan_;
+  std::vector<Refused> refused_;
   bool follows_ = false;
   int shown_rows_ = 0;
 };
@@ -77,6 +89,8 @@ class WaypointReview : public QDialog {
   void review(edit::OpenWaypoints* list, const QString& map);
   /// The list is being closed.
   void forget();
+  /// Why nothing can be sent at present; empty: the robot is there.
+  void setLinkTrouble(const QString& why);
 
   ReviewModel* model() const { return model_; }
   QPushButton* sendButton() const { return send_; }
@@ -104,7 +118,7 @@ class WaypointReview : public QDialog {
   QString comparedText() const;
 
   QPointer<edit::OpenWaypoints> list_;
-  QString map_;
+  QString map_, link_trouble_;
   ReviewModel* model_;
   QLabel *heading_, *status_, *compared_;
   QTableView* table_;

@@ -132,6 +132,7 @@ void WaypointsController::setSession(session::Session* session) {
     session_->wholeMap().disconnect(this);
     session_->catalogue().disconnect(this);
     session_->robot().disconnect(this);
+    session_->disconnect(this);
   }
   closeList();
   session_ = session;
@@ -140,6 +141,8 @@ void WaypointsController::setSession(session::Session* session) {
     // The robot's current map, and the possible actions on its waypoints.
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &WaypointsController::syncMap);
     connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &WaypointsController::syncMap);
+    connect(session_, &session::Session::connectionChanged, this, &WaypointsController::noteLink);
+    noteLink();
   }
   placing_->setSession(session);
   if (comesFirst()) context_.panels.suggest(dock_);
@@ -150,6 +153,14 @@ void WaypointsController::setSession(session::Session* session) {
 bool WaypointsController::comesFirst() const {
   // Files have no live data and no submaps.
   return session_ && session_->robot().isLocal() && session_->robot().waypointStore();
+}
+
+void WaypointsController::noteLink() {
+  const robot::ConnectionState state = session_->connection();
+  if (state.phase == robot::ConnectionPhase::Online) return review_->setLinkTrouble({});
+  QStringList why{tr("There is no connection to the robot, so nothing can be sent at present.")};
+  if (state.reason.any()) why << sentences::wordsOf(state.reason);
+  review_->setLinkTrouble(why.join(QLatin1Char(' ')));
 }
 
 void WaypointsController::recall(const QSettings& settings) { placing_->recall(settings); }

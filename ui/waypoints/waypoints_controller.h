@@ -68,6 +68,7 @@ class WaypointsController : public Controller {
   void askName(const edit::Key& key, edit::Gesture gesture);
   void followNamed();  // it has moved, on the screen or on the map
   void noteSaving();
+  void noteLink();
   void answer(Leaving leaving, const std::function<void()>& then);
   QString mapName() const;
 
