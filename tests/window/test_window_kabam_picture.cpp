@@ -1,17 +1,21 @@
 // The picture of a KABAM robot's map, edited in the window on its simulator.
 #include <QAction>
+#include <QDesktopServices>
 #include <QDirIterator>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTableWidget>
+#include <QUrl>
 #include <QtTest>
 
 #include "robot/ros/ros_address.h"
 #include "robot/ros/ros_robot.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
+#include "ui/picture/copies_dialog.h"
 #include "ui/picture/picture_controller.h"
+#include "ui/picture/picture_copies.h"
 #include "ui/picture/picture_dock.h"
-#include "ui/picture/picture_drafts.h"
 #include "ui/picture/picture_tool.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
@@ -112,6 +116,18 @@ struct Hall {
 
 constexpr CellRect kSpot{30, 40, 34, 44};
 
+/// What the desktop is asked to show.
+class ShownFolders : public QObject {
+  Q_OBJECT
+ public:
+  ShownFolders() { QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "take"); }
+  ~ShownFolders() override { QDesktopServices::unsetUrlHandler(QStringLiteral("file")); }
+  QStringList folders;
+
+ public Q_SLOTS:
+  void take(const QUrl& url) { folders << url.toLocalFile(); }
+};
+
 }  // namespace
 
 class TestWindowKabamPicture : public QObject {
@@ -209,6 +225,97 @@ class TestWindowKabamPicture : public QObject {
     QCOMPARE(hall.copies().size(), kMostCopies);
     QCOMPARE(hall.copies().first(), copyPath(folder, first.addSecs(3)));
     QCOMPARE(QDir(folder).entryList(QDir::Files).size(), 2 * kMostCopies);
+  }
+
+  void theOldestGoWhereTheyTakeTooMuchRoom() {
+    const auto copy = [](const char* map, int second, qint64 bytes) {
+      PictureCopy made;
+      made.map = QString::fromLatin1(map);
+      made.path = QStringLiteral("/robot/%1/%2.yaml").arg(made.map).arg(second);
+      made.made = QDateTime(QDate(2026, 1, 2), QTime(3, 4, second));
+      made.bytes = bytes;
+      return made;
+    };
+    const auto gone = [](const std::vector<PictureCopy>& copies, qint64 most) {
+      QStringList paths;
+      for (const PictureCopy& one : copiesTooMany(copies, most)) paths << one.path;
+      return paths;
+    };
+    const std::vector<PictureCopy> copies{copy("hall", 9, 40), copy("attic", 8, 40), copy("hall", 7, 40),
+                                          copy("hall", 6, 10), copy("cellar", 5, 90)};
+    QVERIFY(gone(copies, 1'000).isEmpty());
+    // The newest of each map stays, whatever it takes.
+    QCOMPARE(gone(copies, 100), QStringList{QStringLiteral("/robot/hall/7.yaml")});
+    QCOMPARE(gone(copies, 1),
+             (QStringList{QStringLiteral("/robot/hall/7.yaml"), QStringLiteral("/robot/hall/6.yaml")}));
+  }
+
+  void aCopyIsPutBackAndLookedAtBeforeItIsSent() {
+    Hall hall;
+    hall.keeps_copies = true;
+    hall.open();
+    const auto original = hall.editing().saved();
+    hall.paint(kSpot);
+    hall.save();
+    QTRY_VERIFY(!hall.control().saving() && !hall.editing().unsaved());
+    QCOMPARE(hall.copies().size(), 1);
+    hall.action("pictureCopies")->trigger();
+    CopiesDialog* const dialog = hall.control().copiesDialog();
+    QVERIFY(dialog);
+    QTRY_COMPARE(dialog->table()->rowCount(), 1);
+    QVERIFY2(dialog->putBackButton()->isEnabled(), qPrintable(dialog->statusShown()));
+    QVERIFY(dialog->table()->item(0, 3)->text().contains(
+        QStringLiteral("%1 x %2 cells").arg(original->width()).arg(original->height())));
+    ShownFolders shown;
+    QTest::mouseClick(dialog->folderButton(), Qt::LeftButton);
+    QCOMPARE(shown.folders, QStringList{QFileInfo(hall.copies().front()).path()});
+    QTest::mouseClick(dialog->putBackButton(), Qt::LeftButton);
+    QTRY_VERIFY(hall.editing().unsaved());
+    // As it was, cell by cell; and nothing has been sent.
+    QCOMPARE(picture::DifferenceCount::between(*hall.editing().grid(), *original).cells, std::int64_t(0));
+    QCOMPARE(hall.editing().changedCells(), kSpot.area());
+    QVERIFY(!hall.control().saving() && !hall.control().sendingQuestion());
+    QVERIFY(hall.action("undo")->text().contains(QLatin1String("put back the copy of")));
+    hall.action("undo")->trigger();
+    QCOMPARE(hall.cell(31, 41), 100);
+    hall.action("redo")->trigger();
+    hall.save();
+    QTRY_VERIFY(!hall.control().saving() && !hall.editing().unsaved());
+    QCOMPARE(hall.copies().size(), 2);  // that one, too, was kept before
+    Hall other(hall.robot);
+    other.open();
+    QVERIFY(other.cell(31, 41) != 100);
+  }
+
+  void aCopyOfAnotherMapIsNotPutBack() {
+    Hall hall;
+    hall.keeps_copies = true;
+    hall.open();
+    const QString folder = copiesFolder(hall.folder.filePath(QStringLiteral("mapwright/drafts")),
+                                        QStringLiteral("ws://elsewhere"), QStringLiteral("<b>Attic</b>"));
+    const auto builder = grids::buildGrid(3, 2, grids::CellCode::Occupancy, grids::Reduction::OccupiedWins);
+    builder->finish();
+    map::GridReference place;
+    place.width = 3;
+    place.height = 2;
+    place.resolution_m = 1;
+    QVERIFY(
+        !keepCopy(*builder->pyramid(), place, copyPath(folder, QDateTime(QDate(2026, 1, 2), QTime(3, 4)))));
+    hall.action("pictureCopies")->trigger();
+    CopiesDialog* const dialog = hall.control().copiesDialog();
+    QTRY_COMPARE(dialog->table()->rowCount(), 1);
+    QVERIFY(!dialog->putBackButton()->isEnabled());
+    QVERIFY2(dialog->statusShown().contains(QLatin1String("a copy of another map")),
+             qPrintable(dialog->statusShown()));
+    QVERIFY(dialog->openButton()->isEnabled());
+    // One that has rotted says so.
+    QString pgm = hall.copies().first();
+    QFile file(pgm.replace(QLatin1String(".yaml"), QLatin1String(".pgm")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.close();
+    dialog->list(copiesKept(allCopiesFolder(hall.folder.filePath(QStringLiteral("mapwright/drafts")))));
+    QCOMPARE(dialog->statusShown(), QStringLiteral("This copy cannot be read."));
+    QVERIFY(!dialog->openButton()->isEnabled());
   }
 
   void withoutACopyNothingIsOverwritten() {

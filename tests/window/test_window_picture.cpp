@@ -257,6 +257,39 @@ class TestWindowPicture : public QObject {
     QCOMPARE(int(desk.cells().at(20, 20)), 100);
   }
 
+  void theKeysOfAPreviewWorkInItsPanelToo() {
+    Desk desk;
+    desk.writeCells([](int x, int y) { return x == 20 && y == 20 ? char(0) : char(254); });
+    desk.open();
+    desk.dock().tidyButton(Tidying::Specks)->click();
+    QTRY_VERIFY(desk.editing().preview());
+    // Who goes back to the panel has neither lost Esc nor Enter.
+    QTest::mouseClick(desk.dock().tidyButton(Tidying::Gaps), Qt::LeftButton);
+    QTRY_VERIFY(desk.editing().preview() && desk.editing().preview()->what == Tidying::Gaps);
+    desk.dock().modeButton(PaintMode::Brush)->setFocus();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    QVERIFY(!desk.editing().preview() && !desk.editing().looking());
+    QCOMPARE(desk.window->view()->tool(), static_cast<MapTool*>(desk.control().tool()));
+    // Enter in a number looks with it, the next one applies that.
+    QSpinBox* const size = desk.dock().tidySize(Tidying::Specks);
+    size->setFocus();
+    size->selectAll();
+    QTest::keyClicks(size, QStringLiteral("5"));
+    QTest::keyClick(size, Qt::Key_Return);
+    QTRY_VERIFY(desk.editing().preview());
+    QVERIFY(!desk.editing().unsaved());
+    desk.dock().applyButton()->setFocus();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QTRY_VERIFY(desk.editing().unsaved());
+    QVERIFY(!desk.editing().preview());
+    const int across = desk.editing().across();
+    desk.dock().modeButton(PaintMode::Brush)->setFocus();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Period);
+    QVERIFY(desk.editing().across() > across);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Comma);
+    QCOMPARE(desk.editing().across(), across);
+  }
+
   void whatIsShownBeforeItIsTidiedUpHasKeysAndALegend() {
     Desk desk;
     // A speck in free ground, one in unknown ground, and a gap in a wall.

@@ -1,18 +1,23 @@
 #include "ui/picture/picture_controller.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include <QDesktopServices>
 #include <QDir>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QUrl>
 
+#include "map/waypoint.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/undo_stacks.h"
+#include "ui/picture/copies_dialog.h"
 #include "ui/picture/picture_dock.h"
 #include "ui/picture/picture_drafts.h"
 #include "ui/view/map_overlay.h"
@@ -28,6 +33,7 @@ using session::MapSlot;
 
 const QString kUndoMb = QStringLiteral("picture/undo_mb");
 constexpr unsigned kUsualUndoMb = 256;
+constexpr double kSameResolutionM = 1e-6;
 
 }  // namespace
 
@@ -81,6 +87,7 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
   connect(dock_, &PictureDock::stopSavingWanted, this, [this] { write_call_.cancel(); });
   connect(dock_, &PictureDock::discardWanted, &editing_, &PictureEditing::revert);
   connect(dock_, &PictureDock::compareWanted, this, &PictureController::compareWanted);
+  connect(dock_, &PictureDock::copiesWanted, this, &PictureController::showCopies);
   connect(dock_, &PictureDock::draftWanted, this, [this] {
     if (drafts_) drafts_->takeUp();
   });
@@ -110,6 +117,14 @@ void PictureController::addActions() {
                                        .menu = {MenuGroup::Waypoints, 30},
                                        .bar = {BarGroup::Tools, 40}});
   context_.tools.add(tool_, tool_action_);
+  QAction* const copies = context_.actions.add(
+      {.id = "pictureCopies",
+       .text = tr("Cop&ies of overwritten maps…"),
+       .icon = "reset",
+       .tip = tr("What robots had before their maps were overwritten; it can be put back"),
+       .menu = {MenuGroup::Waypoints, 31}},
+      this, &PictureController::showCopies);
+  allow(copies, !context_.edit.drafts_folder.isEmpty(), tr("No copies are kept here."));
 }
 
 void PictureController::setSession(session::Session* session) {
@@ -197,6 +212,7 @@ void PictureController::closeMap() {
   open_map_.reset();
   ++opened_;
   when_saved_ = when_reverted_ = nullptr;
+  if (stop_reading_) stop_reading_->store(true);
   keepDraft();
   editing_.close();
 }
@@ -407,6 +423,101 @@ QString PictureController::copiesHere() const {
   return copiesFolder(context_.edit.drafts_folder, session_->robot().address(), mapName());
 }
 
+CopiesDialog* PictureController::copiesDialog() const { return copies_; }
+
+void PictureController::showCopies() {
+  if (copies_) return copies_->raise();
+  const QString folder = allCopiesFolder(context_.edit.drafts_folder);
+  if (folder.isEmpty()) return;
+  copies_ = new CopiesDialog(
+      folder, [this](const PictureCopy& copy) { return whyNotPutBack(copy); }, &context_.window);
+  copies_->setAttribute(Qt::WA_DeleteOnClose);
+  connect(copies_, &CopiesDialog::putBackWanted, this, &PictureController::putBack);
+  connect(copies_, &CopiesDialog::openWanted, this, [this](const QString& path) {
+    copies_->accept();
+    Q_EMIT fileWanted(path);
+  });
+  connect(copies_, &CopiesDialog::folderWanted, this,
+          [](const QString& there) { QDesktopServices::openUrl(QUrl::fromLocalFile(there)); });
+  connect(&editing_, &PictureEditing::stateChanged, copies_, &CopiesDialog::refresh);
+  copies_->open();
+  share_.startLong([this, folder, dialog = copies_] {
+    auto found = std::make_shared<std::vector<PictureCopy>>(copiesKept(folder));
+    QMetaObject::invokeMethod(
+        this,
+        [dialog, found] {
+          if (dialog) dialog->list(std::move(*found));
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+QString PictureController::whyNotPutBack(const PictureCopy& copy) const {
+  if (!session_ || !session_->wholeMap().cells() || copy.folder() != copiesHere())
+    return tr("This is a copy of another map. To put it back, open its map from its robot first.");
+  if (!editing_.isOpen()) {
+    const QString why = whyNot();
+    return why.isEmpty() ? tr("The map is loading.") : why;
+  }
+  return saving_ ? tr("The map is being saved.") : QString();
+}
+
+void PictureController::putBack(const PictureCopy& copy) {
+  if (!whyNotPutBack(copy).isEmpty()) return;
+  copies_->accept();
+  if (stop_reading_) stop_reading_->store(true);
+  stop_reading_ = std::make_shared<std::atomic<bool>>(false);
+  share_.startLong([this, copy, stop = stop_reading_, opened = opened_] {
+    const auto read = std::make_shared<tl::expected<ReadCopy, QString>>(readCopy(copy.path, *stop));
+    const QString when = copy.made.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+    QMetaObject::invokeMethod(
+        this,
+        [this, when, read, opened] {
+          if (opened == opened_) takeCopy(when, *read);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void PictureController::takeCopy(const QString& when, const tl::expected<ReadCopy, QString>& read) {
+  ToastStack* const toasts = context_.overlay.toasts();
+  if (!read) return toasts->add(Mark::Bad, tr("The copy cannot be put back. %1").arg(read.error()));
+  const map::GridReference &there = read->place, &here = editing_.reference();
+  const bool in_place =
+      std::abs(there.resolution_m - here.resolution_m) < kSameResolutionM &&
+      map::samePlace({there.origin.x_m, there.origin.y_m}, {here.origin.x_m, here.origin.y_m}) &&
+      map::sameHeading(there.origin.yaw_rad, here.origin.yaw_rad);
+  if (!in_place || !picture::sameShape(*editing_.grid(), *read->cells))
+    return toasts->add(Mark::Bad,
+                       tr("The copy cannot be put back: the map has another size or position now."));
+  if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
+  turnInto(read->cells, when);
+}
+
+void PictureController::turnInto(std::shared_ptr<const grids::GridPyramid> cells, const QString& when) {
+  editing_.endStroke();
+  share_.startLong([this, cells = std::move(cells), when, stop = stop_reading_, now = editing_.snapshot(),
+                    step = editing_.undoStack().index(), revision = revision_, opened = opened_] {
+    const auto patch = std::make_shared<picture::Patch>(picture::differenceTo(*now, *cells, stop.get()));
+    QMetaObject::invokeMethod(
+        this,
+        [this, cells, when, patch, step, revision, opened] {
+          if (opened != opened_) return;
+          const bool changed = step != editing_.undoStack().index() || revision != revision_ ||
+                               editing_.stroking() || editing_.reckoning() || editing_.merging();
+          if (changed) return turnInto(cells, when);
+          const bool any = !patch->empty();
+          if (any) editing_.takeUp(std::move(*patch), tr("put back the copy of %1").arg(when));
+          context_.overlay.toasts()->add(
+              Mark::Good,
+              any ? tr("This is the copy of %1, not saved yet. Ctrl+S sends it, Ctrl+Z takes it back.")
+                        .arg(when)
+                  : tr("The map is as the copy of %1 already.").arg(when));
+        },
+        Qt::QueuedConnection);
+  });
+}
+
 /// Without a backup nothing is overwritten.
 void PictureController::noteCopied(const std::optional<Fault>& trouble) {
   if (!saving_) return;
@@ -492,6 +603,17 @@ void PictureController::noteMerged(qint64 taken, const std::string& revision) {
       context_.overlay.toasts()->add(Mark::Warning, told);
   }
   refresh();
+}
+
+bool PictureController::escape() {
+  if (editing_.reckoning()) {
+    editing_.stop();
+  } else if (editing_.preview() || editing_.looking()) {
+    editing_.dropPreview();
+  } else {
+    return false;
+  }
+  return true;
 }
 
 QString PictureController::mapName() const {

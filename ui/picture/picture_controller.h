@@ -14,12 +14,14 @@
 
 #include "robot/picture_store.h"
 #include "ui/kit/controller.h"
+#include "ui/picture/picture_copies.h"
 #include "ui/picture/picture_editing.h"
 #include "ui/shell/unsaved_question.h"
 #include "ui/shell/window_context.h"
 
 namespace mapwright::window {
 
+class CopiesDialog;
 class PictureDock;
 class PictureDrafts;
 class PictureTool;
@@ -33,6 +35,7 @@ class PictureController : public Controller {
   void setSession(session::Session* session) override;
   bool unsaved() const override { return editing_.unsaved(); }
   void save() override;
+  bool escape() override;
   void beforeLeaving(std::function<void()> then) override;
 
   PictureEditing* editing() { return &editing_; }
@@ -42,6 +45,7 @@ class PictureController : public Controller {
   QMessageBox* question() const { return question_; }      // null: nothing is asked
   /// The same, before a robot's map is overwritten.
   QMessageBox* sendingQuestion() const { return sending_question_; }
+  CopiesDialog* copiesDialog() const;  // null: none is open
   bool saving() const { return saving_; }
 
  Q_SIGNALS:
@@ -73,6 +77,11 @@ class PictureController : public Controller {
   void noteCopied(const std::optional<Fault>& trouble);
   void noteNotWritten(const QString& sentence);
   QString copiesHere() const;
+  void showCopies();
+  QString whyNotPutBack(const PictureCopy& copy) const;
+  void putBack(const PictureCopy& copy);
+  void takeCopy(const QString& when, const tl::expected<ReadCopy, QString>& read);
+  void turnInto(std::shared_ptr<const grids::GridPyramid> cells, const QString& when);
   void watchDrafts();
   void keepDraft();
   void answer(Leaving leaving);
@@ -104,6 +113,8 @@ class PictureController : public Controller {
   QString trouble_;         // of saving
   QString copy_;            // of the robot's picture; empty: none
   QPointer<QMessageBox> question_, sending_question_;
+  QPointer<CopiesDialog> copies_;
+  std::shared_ptr<std::atomic<bool>> stop_reading_;  // the copy that is to be put back
   std::function<void()> when_left_, when_saved_, when_reverted_;
   /// Whether all cells of a map can be written is checked before painting starts.
   struct CellCheck {

@@ -3,6 +3,7 @@
 #include <QButtonGroup>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QPainter>
@@ -267,13 +268,16 @@ void PictureDock::buildEnd(QVBoxLayout* column) {
   compare_ =
       compactButton(tr("Before…"), body_,
                     tr("Compare the saved map with the current one, with a divider that can be dragged"));
+  copies_ = compactButton(tr("Copies…"), body_,
+                          tr("What the robot had before it was overwritten; it can be put back"));
   discard_ = compactButton(tr("Discard"), body_, tr("Restore the saved map; can be undone"));
   save_ = compactButton(tr("Save"), body_);
   save_->setIcon(themedIcon(QStringLiteral("save")));
   stop_ = compactButton(tr("Stop"), body_, tr("Stop sending; the robot keeps its current picture"));
   column->addWidget(status_);
-  column->addLayout(rowOf({compare_, LayoutItem::rest(), discard_, stop_, save_}, 6));
+  column->addLayout(rowOf({compare_, copies_, LayoutItem::rest(), discard_, stop_, save_}, 6));
   connect(compare_, &QPushButton::clicked, this, &PictureDock::compareWanted);
+  connect(copies_, &QPushButton::clicked, this, &PictureDock::copiesWanted);
   connect(discard_, &QPushButton::clicked, this, &PictureDock::discardWanted);
   connect(save_, &QPushButton::clicked, this, &PictureDock::saveWanted);
   connect(stop_, &QPushButton::clicked, this, &PictureDock::stopSavingWanted);
@@ -299,9 +303,27 @@ void PictureDock::setTravelled(std::optional<double> part) {
 }
 
 void PictureDock::setLocal(bool local) {
+  copies_->setVisible(!local);
   save_->setToolTip(
       local ? tr("Save the picture of the map (Ctrl+S). Its map.yaml is not changed")
             : tr("Send the picture to the robot (Ctrl+S). Its position, size and resolution stay the same"));
+}
+
+/// The keys of the tool work here, too: they are what the texts name.
+void PictureDock::keyPressEvent(QKeyEvent* event) {
+  const int key = event->key();
+  const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+  for (int i = 0; enter && i < int(tidy_sizes_.size()); ++i) {
+    // Another number is looked at before it is applied.
+    QSpinBox* const size = tidy_sizes_[std::size_t(i)];
+    if (size->hasFocus()) return Q_EMIT lookWanted(Tidying(i), size->value());
+  }
+  const bool any_preview = editing_->preview() || editing_->looking() || editing_->reckoning();
+  const bool of_tool = (any_preview && (enter || key == Qt::Key_Escape)) || key == Qt::Key_Comma ||
+                       key == Qt::Key_Period || key == Qt::Key_Delete;
+  const bool taken =
+      of_tool && editing_->isOpen() && tool_->keyPressed({key, event->modifiers(), event->isAutoRepeat()});
+  taken ? event->accept() : QDockWidget::keyPressEvent(event);
 }
 
 QString PictureDock::statusText() const {

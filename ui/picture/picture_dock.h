@@ -38,6 +38,7 @@ class PictureDock : public QDockWidget {
   QSpinBox* tidySize(Tidying what) const { return tidy_sizes_[std::size_t(what)]; }
   QPushButton* tidyButton(Tidying what) const { return tidy_buttons_[std::size_t(what)]; }
   QPushButton* applyButton() const { return apply_; }
+  QPushButton* copiesButton() const { return copies_; }
   QPushButton* takeTheirsButton() const { return theirs_; }
   /// An earlier draft; empty = none.
   void setOffer(const QString& sentence);
@@ -54,8 +55,12 @@ class PictureDock : public QDockWidget {
   void saveWanted();
   void discardWanted();
   void compareWanted();
+  void copiesWanted();
   void locateConflictWanted();
   void stopSavingWanted();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void buildModes(QVBoxLayout* column);
@@ -93,7 +98,8 @@ class PictureDock : public QDockWidget {
   QWidget* offer_box_ = nullptr;
   QPushButton *mine_ = nullptr, *theirs_ = nullptr;
   QLabel* status_ = nullptr;
-  QPushButton *compare_ = nullptr, *discard_ = nullptr, *save_ = nullptr, *stop_ = nullptr;
+  QPushButton *compare_ = nullptr, *copies_ = nullptr, *discard_ = nullptr, *save_ = nullptr,
+              *stop_ = nullptr;
   std::optional<int> travelled_;  // percent
 };
 

@@ -1,5 +1,4 @@
-// What is kept of a map's picture on this computer: drafts of unsaved changes, which are offered again, and
-// backups of a robot's picture before it is overwritten.
+// Drafts of the unsaved changes of a map's picture, which are offered again.
 #pragma once
 
 #include <memory>
@@ -15,23 +14,10 @@
 #include "edit/open_waypoints.h"
 #include "fault/fault.h"
 #include "grids/grid_pyramid.h"
-#include "map/grid_reference.h"
 #include "picture/merge.h"
 #include "ui/picture/picture_editing.h"
 
 namespace mapwright::window {
-
-/// The oldest beyond this number are deleted.
-inline constexpr int kMostCopies = 10;
-
-/// The folder for one map, next to the drafts; empty: no backups. Names are sanitised.
-QString copiesFolder(const QString& drafts_folder, const QString& robot, const QString& map);
-/// The map.yaml of a backup at that time; its picture is in the same folder.
-QString copyPath(const QString& folder, const QDateTime& now);
-/// Writes it completely or not at all, and deletes the oldest in its folder; nullopt = success, otherwise why
-/// not.
-std::optional<Fault> keepCopy(const grids::GridPyramid& cells, const map::GridReference& reference,
-                              const QString& path);
 
 /// The unsaved changes of a picture: each changed tile before and after.
 struct PictureDraft {

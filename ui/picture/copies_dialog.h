@@ -1,0 +1,52 @@
+// The copies of overwritten maps that are kept on this computer: which there are, and what to do with one.
+// GUI thread.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <QDialog>
+
+#include "ui/picture/picture_copies.h"
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace mapwright::window {
+
+class CopiesDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// `folder`: of all of them. `why_not`: why a copy cannot be put back now; empty = it can.
+  CopiesDialog(const QString& folder, std::function<QString(const PictureCopy&)> why_not,
+               QWidget* parent = nullptr);
+  /// The newest first.
+  void list(std::vector<PictureCopy> copies);
+  /// What can be put back may have changed.
+  void refresh();
+
+  QTableWidget* table() const { return table_; }
+  QPushButton* putBackButton() const { return put_back_; }
+  QPushButton* openButton() const { return open_; }
+  QPushButton* folderButton() const { return show_; }
+  QString statusShown() const;
+
+ Q_SIGNALS:
+  void putBackWanted(const mapwright::window::PictureCopy& copy);
+  void openWanted(const QString& path);
+  void folderWanted(const QString& folder);
+
+ private:
+  const PictureCopy* chosen() const;  // null = none
+
+  QString folder_;
+  std::function<QString(const PictureCopy&)> why_not_;
+  std::optional<std::vector<PictureCopy>> copies_;
+  QLabel *about_, *status_;
+  QTableWidget* table_;
+  QPushButton *put_back_, *open_, *show_;
+};
+
+}  // namespace mapwright::window
