@@ -209,6 +209,19 @@ class TestWindowTyping : public QObject {
     QCOMPARE(desk.undo().count(), 1);
   }
 
+  void aClickOfAnUnsteadyHandIsAClick() {
+    Desk desk;
+    desk.start();
+    desk.take();
+    const geometry::ViewTransform view = desk.window->mapScene()->view();
+    desk.press(desk.px(2, 2));
+    desk.moveTo(desk.px(2, 2) + QPoint(5, 3));
+    desk.release(desk.px(2, 2) + QPoint(5, 3));
+    Desk::type(QStringLiteral("Corr 2"));
+    QCOMPARE(desk.nameNow(), std::string("Corr 2"));
+    QVERIFY(desk.window->mapScene()->view() == view);
+  }
+
   void itIsDraggedWithoutLosingItsName() {
     Desk desk;
     desk.place();

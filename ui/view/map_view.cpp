@@ -25,7 +25,8 @@ namespace {
 constexpr int kAnimationMs = 120;
 constexpr int kFrameMs = 8;
 constexpr double kTurnDegrees = 15;
-constexpr double kDragStartPx = 4;
+constexpr double kDragStartPx = 4;  // of what a tool has taken hold of
+constexpr double kPanStartPx = 8;   // a click of an unsteady hand is still a click
 constexpr double kFineZoom = 0.2;                               // part of a rung with Ctrl
 constexpr double kWheelTurn = geometry::radiansFromDegrees(5);  // one notch with Shift
 constexpr double kArrowPx = 64;
@@ -386,7 +387,8 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
   cursor_px_ = event->position();
   if (press_ && (event->buttons() & (Qt::LeftButton | Qt::MiddleButton))) {
     const QPointF moved = event->position() - *press_;
-    if (!dragging_ && !tool_dragging_ && std::hypot(moved.x(), moved.y()) >= kDragStartPx) {
+    const double start_px = tool_takes_ ? kDragStartPx : kPanStartPx;
+    if (!dragging_ && !tool_dragging_ && std::hypot(moved.x(), moved.y()) >= start_px) {
       (tool_takes_ ? tool_dragging_ : dragging_) = true;
       updateCursor();
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QApplication>
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -219,7 +220,7 @@ LineBar::LineBar(LineTool* tool, WaypointEditing* editing, QWidget* map)
   setCursor(Qt::ArrowCursor);
   prefix_->setMaxLength(kLongestPrefix);
   prefix_->setAccessibleName(tr("What their names begin with"));
-  prefix_->setFixedWidth(kPrefixPx);
+  prefix_->setMinimumWidth(kPrefixPx);
   first_->setAccessibleName(tr("First number"));
   first_->setToolTip(
       tr("The first number, with as many digits as all shall have: 1, 01, 001. Empty: the next "
@@ -241,14 +242,14 @@ LineBar::LineBar(LineTool* tool, WaypointEditing* editing, QWidget* map)
   names_->setSecondary(true);
   create_->setObjectName(QStringLiteral("primary"));
   close_->setObjectName(QStringLiteral("secondary"));
-  auto* const rows =
-      columnOf({rowOf({labelled(tr("&Spacing"), spacing_), spacing_, LayoutItem::gap(8),
-                       LayoutItem(count_, 1), close_, create_},
-                      8),
-                rowOf({labelled(tr("&Names"), prefix_), prefix_, labelled(tr("fr&om"), first_), first_,
-                       labelled(tr("ste&p"), step_), step_, LayoutItem::gap(8), LayoutItem(names_, 1)},
-                      8)},
-               8, QMargins(12, 8, 12, 8));
+  auto* const rows = columnOf({rowOf({labelled(tr("&Spacing"), spacing_), spacing_, LayoutItem::gap(8),
+                                      LayoutItem(count_, 1), close_, create_},
+                                     8),
+                               rowOf({labelled(tr("&Names"), prefix_), prefix_, labelled(tr("fr&om"), first_),
+                                      first_, labelled(tr("ste&p"), step_), step_},
+                                     8),
+                               names_},
+                              8, QMargins(12, 8, 12, 8));
   setLayout(rows);
   hide();
   connect(spacing_, &QDoubleSpinBox::valueChanged, tool_, &LineTool::setSpacing);
@@ -264,6 +265,8 @@ LineBar::LineBar(LineTool* tool, WaypointEditing* editing, QWidget* map)
     prefix_->selectAll();
   });
   connect(tool_, &LineTool::activated, this, [this](bool active) {
+    // Otherwise the focus would hop to some button.
+    if (!active && isAncestorOf(QApplication::focusWidget())) parentWidget()->setFocus();
     setVisible(active);
     place();
     if (active) raise();

@@ -181,8 +181,9 @@ QWidget* RenameDialog::patternPage() {
   };
   form->addRow(tr("&Names"), pattern_);
   form->addRow(QString(), about);
-  form->addRow(tr("&From"), rowOf({first_, labelled(tr("&step"), step_), step_, LayoutItem::rest()}, 8));
-  form->addRow(tr("&Order"), rowOf({order_, reverse_, LayoutItem::rest()}, 8));
+  form->addRow(labelled(tr("&From"), first_),
+               rowOf({first_, labelled(tr("&step"), step_), step_, LayoutItem::rest()}, 8));
+  form->addRow(labelled(tr("&Order"), order_), rowOf({order_, reverse_, LayoutItem::rest()}, 8));
   return page;
 }
 

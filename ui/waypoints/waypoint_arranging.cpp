@@ -124,6 +124,8 @@ void WaypointArranging::refresh() {
     Q_EMIT mirror_->ended();
 }
 
+RenameDialog* WaypointArranging::renameDialog() const { return dialog_; }
+
 void WaypointArranging::rename() {
   if (dialog_ || !editing_->editable() || editing_->selected().empty()) return;
   dialog_ = new RenameDialog(editing_, list_order_, &context_.window);

@@ -27,7 +27,7 @@ class WaypointArranging : public QObject {
 
   /// The selected ones in the order of the list on screen.
   void setListOrder(std::function<std::vector<edit::Key>()> order) { list_order_ = std::move(order); }
-  RenameDialog* renameDialog() const { return dialog_; }  // null: none is open
+  RenameDialog* renameDialog() const;  // null: none is open
   MirrorTool* mirrorTool() const { return mirror_; }
 
  private:

@@ -159,7 +159,7 @@ void WaypointsController::noteLink() {
   const robot::ConnectionState state = session_->connection();
   if (state.phase == robot::ConnectionPhase::Online) return review_->setLinkTrouble({});
   QStringList why{tr("There is no connection to the robot, so nothing can be sent at present.")};
-  if (state.reason.any()) why << sentences::wordsOf(state.reason);
+  if (state.reason.any()) why << sentences::sentenceOf(state.reason);
   review_->setLinkTrouble(why.join(QLatin1Char(' ')));
 }
 
