@@ -285,6 +285,20 @@ class TestWindowSeveral : public QObject {
     QVERIFY(desk.action("mirrorWaypointsX")->toolTip().contains(QLatin1String("two")));
   }
 
+  void aToolThatIsChosenHasItsKeysAtOnce() {
+    Corridor desk;
+    desk.start();
+    desk.bringUp();
+    for (const char* tool : {"waypointTool", "waypointLine"}) {
+      desk.dock().addButton()->setFocus();
+      desk.action(tool)->trigger();
+      QVERIFY(desk.window->view()->hasFocus());
+    }
+    desk.action("waypointTool")->trigger();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_A, Qt::ControlModifier);
+    QCOMPARE(desk.editing().selected().size(), std::size_t(3));
+  }
+
   void theyAreMirroredAboutALineThatIsDrawn() {
     Corridor desk;
     desk.store.points[0].yaw_rad = 0;

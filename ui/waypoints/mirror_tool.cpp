@@ -14,6 +14,11 @@ MirrorTool::MirrorTool(WaypointEditing* editing, const scene::MapScene* scene, W
                        QObject* parent)
     : MapTool(parent), editing_(editing), scene_(scene), snapping_(snapping) {}
 
+void MirrorTool::activate() {
+  forget();
+  Q_EMIT activated();
+}
+
 void MirrorTool::forget() {
   const bool any = from_.has_value();
   from_.reset();

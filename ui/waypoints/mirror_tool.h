@@ -20,7 +20,7 @@ class MirrorTool : public MapTool {
 
   QString name() const override { return QStringLiteral("mirrorWaypoints"); }
   QCursor cursor() const override { return Qt::CrossCursor; }
-  void activate() override { forget(); }
+  void activate() override;
   void deactivate() override { forget(); }
   bool pressed(const MapPoint& at) override;
   void dragged(const MapPoint& at) override { follow(at); }
@@ -34,6 +34,7 @@ class MirrorTool : public MapTool {
   QString hint() const override;
 
  Q_SIGNALS:
+  void activated();
   void ended();  // mirrored, or given up
 
  private:

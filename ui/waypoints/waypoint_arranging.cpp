@@ -6,6 +6,7 @@
 
 #include "geometry/pose.h"
 #include "ui/kit/forms.h"
+#include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"
 #include "ui/waypoints/mirror_tool.h"
 #include "ui/waypoints/rename_dialog.h"
@@ -87,6 +88,7 @@ WaypointArranging::WaypointArranging(WindowContext& context, WaypointEditing* ed
        .menu = {MenuGroup::Waypoints, 15}},
       this, &WaypointArranging::rename);
   entries_.push_back({rename, 1});
+  connect(mirror_, &MirrorTool::activated, this, [this] { context_.view.setFocus(); });
   connect(mirror_, &MirrorTool::ended, this, [this] { context_.tools.choose(QStringLiteral("waypoints")); });
   connect(editing_, &WaypointEditing::renameSeveralWanted, this, &WaypointArranging::rename);
   connect(editing_, &WaypointEditing::opened, this, &WaypointArranging::refresh);

@@ -146,6 +146,9 @@ PlacingActions::PlacingActions(WindowContext& context, WaypointEditing* editing,
   connect(editing_, &WaypointEditing::selectionChanged, this, &PlacingActions::refresh);
   connect(&context_.scene, &scene::MapScene::robotPlaceChanged, this, &PlacingActions::refresh);
   connect(line_, &LineTool::madeWanted, this, &PlacingActions::createAlongLine);
+  connect(line_, &LineTool::activated, this, [this](bool active) {
+    if (active) context_.view.setFocus();
+  });
   connect(bar_, &LineBar::createWanted, this, &PlacingActions::createAlongLine);
   connect(bar_, &LineBar::closed, this, [this] {
     context_.tools.putAway();

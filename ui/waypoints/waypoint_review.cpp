@@ -240,11 +240,11 @@ WaypointReview::WaypointReview(QWidget* parent)
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  header->setSectionResizeMode(ReviewModel::ChangeColumn, QHeaderView::Stretch);
+  for (const int column : {ReviewModel::DeedColumn, ReviewModel::ChangeColumn})
+    header->setSectionResizeMode(column, QHeaderView::Stretch);
   // In average letter widths: room for the longest of our own texts and usual names.
   const auto wide = [&](int letters) { return letters * fontMetrics().averageCharWidth() + 20; };
   header->resizeSection(ReviewModel::NumberColumn, wide(4));
-  header->resizeSection(ReviewModel::DeedColumn, wide(32));
   header->resizeSection(ReviewModel::CallColumn, wide(20));
   header->resizeSection(ReviewModel::OutcomeColumn, wide(30));
   progress_->setTextVisible(false);

@@ -57,6 +57,7 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
   connect(tool_, &WaypointTool::activated, this, [this] {
     context_.scene.setLayerVisible(scene::Layer::Waypoints, true);
     context_.panels.open(dock_);
+    context_.view.setFocus();  // its keys are those of the map
     if (list_) context_.undo.setActiveStack(&list_->document().undoStack());
   });
   connect(dock_, &WaypointsDock::addWanted, this, [this] { addAt(context_.scene.view().center_m); });
