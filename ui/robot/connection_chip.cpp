@@ -12,8 +12,10 @@
 namespace mapwright::window {
 
 namespace {
-constexpr int kNameLimitPx = 200, kSafetyGapPx = 8;
-}
+constexpr int kBeforeTextPx = 30, kAfterTextPx = 28;  // the mark, the arrow
+constexpr int kNameLetters = 22, kLeastNameLetters = 8;
+constexpr int kSafetyGapPx = 8, kWordGapPx = 8;
+}  // namespace
 
 ConnectionChip::ConnectionChip(QWidget* parent) : QToolButton(parent) {
   setPopupMode(QToolButton::InstantPopup);
@@ -24,22 +26,17 @@ ConnectionChip::ConnectionChip(QWidget* parent) : QToolButton(parent) {
 void ConnectionChip::setRobot(const QString& name, Mark mark, const QString& word, const QString& detail) {
   const bool same = name == name_ && mark == mark_ && word == word_;
   detail_ = detail;
-  if (name != name_) safety_room_ = 0;
   name_ = name;
   mark_ = mark;
   word_ = word;
   describe();
-  if (same) return;
-  updateGeometry();
-  update();
+  if (!same) update();
 }
 
 void ConnectionChip::setSafety(const SafetyText& text) {
   if (text == safety_) return;
   safety_ = text;
   describe();
-  safety_room_ = std::max(safety_room_, safetyRoom());
-  updateGeometry();
   update();
 }
 
@@ -51,39 +48,38 @@ void ConnectionChip::describe() {
   setAccessibleName(called);
 }
 
-int ConnectionChip::safetyRoom() const {
-  const int width = safetyWidth(safety_, font());
-  return width == 0 ? 0 : width + kSafetyGapPx;
-}
-
 QSize ConnectionChip::sizeHint() const {
+  // The same whatever it shows: the tools next to it never move.
   const QFontMetrics metrics = fontMetrics();
-  const int name = qMin(metrics.horizontalAdvance(name_), kNameLimitPx);
-  // As wide as the longest word, so that the tool bar does not move.
-  const int word = word_.isEmpty() ? 0 : metrics.horizontalAdvance(QStringLiteral("reconnecting")) + 8;
-  return {10 + 12 + 8 + name + word + safety_room_ + 8 + 16 + 6, 30};
+  return {kBeforeTextPx + kNameLetters * metrics.averageCharWidth() + kWordGapPx +
+              metrics.horizontalAdvance(QStringLiteral("reconnecting")) + kAfterTextPx,
+          30};
 }
 
 void ConnectionChip::paintEvent(QPaintEvent*) {
   const UiColors colors = appColors();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(hasFocus() ? colors.accent : colors.border);
+  painter.setPen(hasFocus() ? QPen(colors.focus, 2) : QPen(colors.border, 1));
   painter.setBrush(isDown() || underMouse() ? colors.hover : colors.base);
-  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+  painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 6, 6);
   paintMark(&painter, QRectF(10, height() / 2.0 - 6, 12, 12), mark_, colors);
   const QFontMetrics metrics = fontMetrics();
-  const int safety_room = safetyRoom();
-  const QRect area = rect().adjusted(30, 0, -26 - safety_room_, 0);
-  paintSafety(&painter, QRect(area.right() + 1 + kSafetyGapPx, 4, safety_room - kSafetyGapPx, height() - 8),
-              safety_, colors);
-  const int word_width = word_.isEmpty() ? 0 : metrics.horizontalAdvance(QStringLiteral("reconnecting")) + 8;
-  const QRect name = area.adjusted(0, 0, -word_width, 0);
+  QRect area = rect().adjusted(kBeforeTextPx, 0, -kAfterTextPx, 0);
+  if (const int wanted = safetyWidth(safety_, font()); wanted > 0) {
+    // An alert stands where the word was, which the mark and the status bar tell, too.
+    const int least_name = kLeastNameLetters * metrics.averageCharWidth();
+    const int width = std::min(wanted, area.width() - least_name - kSafetyGapPx);
+    paintSafety(&painter, QRect(area.right() + 1 - width, 4, width, height() - 8), safety_, colors);
+    area.setRight(area.right() - width - kSafetyGapPx);
+  } else if (!word_.isEmpty()) {
+    painter.setPen(colors.secondary_text);
+    painter.drawText(area, Qt::AlignRight | Qt::AlignVCenter | Qt::TextSingleLine, word_);
+    area.setRight(area.right() - metrics.horizontalAdvance(word_) - kWordGapPx);
+  }
   painter.setPen(colors.text);
-  painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
-                   metrics.elidedText(name_, Qt::ElideMiddle, name.width()));
-  painter.setPen(colors.secondary_text);
-  painter.drawText(area, Qt::AlignRight | Qt::AlignVCenter | Qt::TextSingleLine, word_);
+  painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
+                   metrics.elidedText(name_, Qt::ElideMiddle, area.width()));
   paintIcon(&painter, QRectF(width() - 22, height() / 2.0 - 7, 14, 14), QStringLiteral("chevron-down"),
             colors.secondary_text);
 }

@@ -26,12 +26,9 @@ class ConnectionChip : public QToolButton {
 
  private:
   void describe();
-  int safetyRoom() const;
 
   QString name_, word_, detail_;
   SafetyText safety_;
-  // The widest so far for this robot: the tools next to it do not move when an alert ends.
-  int safety_room_ = 0;
   Mark mark_ = Mark::Neutral;
 };
 
