@@ -3,7 +3,6 @@
 #include <QCompleter>
 #include <QElapsedTimer>
 #include <QFontDatabase>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QMenu>
@@ -16,10 +15,12 @@
 
 #include "sentences/absence_sentence.h"
 #include "ui/kit/icons.h"
+#include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/pretty_json.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/tree_view.h"
+#include "ui/kit/wrapping_row.h"
 #include "ui/plots/message_view.h"
 #include "ui/view/replay_state.h"
 
@@ -27,6 +28,7 @@ namespace mapwright::window {
 
 namespace {
 
+constexpr int kSideBySidePx = 620;  // the topics and a message
 constexpr int kMessagesRefreshMs = 200, kIdleMs = 1'000;
 const QString kOwner = QStringLiteral("messages");
 
@@ -72,19 +74,19 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
   right_column->setSpacing(2);
   right_column->addWidget(caption_);
   right_column->addWidget(message_, 1);
-  auto* split = new QSplitter(Qt::Horizontal, this);
-  split->addWidget(table_);
-  split->addWidget(right);
-  split->setSizes({560, 300});
-  split->setStretchFactor(1, 1);
-  split->setHandleWidth(1);
-  split->setChildrenCollapsible(false);
+  split_ = new QSplitter(Qt::Horizontal, this);
+  split_->addWidget(table_);
+  split_->addWidget(right);
+  split_->setSizes({560, 300});
+  split_->setStretchFactor(1, 1);
+  split_->setHandleWidth(1);
+  split_->setChildrenCollapsible(false);
   auto* body = new QWidget(this);
   auto* column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(buildControls());
-  column->addWidget(split, 1);
+  column->addWidget(split_, 1);
   setWidget(body);
 
   refresh_timer_.setSingleShot(true);
@@ -111,9 +113,8 @@ MessagesDock::~MessagesDock() {
 
 QWidget* MessagesDock::buildControls() {
   auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(8, 4, 8, 4);
-  row->setSpacing(6);
+  auto* row = new WrappingRow;
+  box->setLayout(row);
   filter_->setPlaceholderText(tr("Filter topics"));
   filter_->setClearButtonEnabled(true);
   filter_->setAccessibleName(tr("Filter topics"));
@@ -131,13 +132,9 @@ QWidget* MessagesDock::buildControls() {
   copy_->setIcon(themedIcon(QStringLiteral("copy")));
   copy_->setToolTip(tr("Copy the message as it was received"));
   for (QPushButton* button : {add_, pause_, clear_, copy_}) button->setObjectName(QStringLiteral("compact"));
-  row->addWidget(filter_, 2);
-  row->addWidget(topic_, 2);
-  row->addWidget(add_);
-  row->addSpacing(8);
-  row->addWidget(pause_);
-  row->addWidget(clear_);
-  row->addWidget(copy_);
+  row->add(filter_, 2);
+  row->add(topic_, 2, 180);
+  for (QPushButton* button : {add_, pause_, clear_, copy_}) row->add(button);
   connect(filter_, &QLineEdit::textChanged, sorted_, &QSortFilterProxyModel::setFilterFixedString);
   connect(topic_, &QLineEdit::returnPressed, this, &MessagesDock::addTopic);
   connect(topic_, &QLineEdit::textChanged, this,
@@ -162,6 +159,15 @@ QWidget* MessagesDock::buildControls() {
   return box;
 }
 
+void MessagesDock::resizeEvent(QResizeEvent* event) {
+  QDockWidget::resizeEvent(event);
+  const bool narrow = width() < kSideBySidePx;
+  if (narrow == (split_->orientation() == Qt::Vertical)) return;
+  split_->setOrientation(narrow ? Qt::Vertical : Qt::Horizontal);
+  // The topics have more columns than the message has.
+  narrow ? split_->setSizes({300, 300}) : split_->setSizes({560, 300});
+}
+
 void MessagesDock::buildTable() {
   sorted_->setSourceModel(model_);
   sorted_->setSortRole(TopicsModel::kSortRole);
@@ -175,7 +181,6 @@ void MessagesDock::buildTable() {
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setMinimumSectionSize(40);
-  header->setSectionResizeMode(TopicsModel::TopicColumn, QHeaderView::Stretch);
   const int digit = fontMetrics().horizontalAdvance(QLatin1Char('0'));
   const auto room = [&](int column, int digits) { header->resizeSection(column, digit * digits + 14); };
   room(TopicsModel::TypeColumn, 6);
@@ -184,6 +189,13 @@ void MessagesDock::buildTable() {
   room(TopicsModel::BytesRateColumn, 7);
   room(TopicsModel::SizeColumn, 7);
   room(TopicsModel::TimeColumn, 7);
+  new NameColumn(table_, header, TopicsModel::TopicColumn,
+                 {{TopicsModel::TypeColumn},
+                  {TopicsModel::SizeColumn},
+                  {TopicsModel::BytesRateColumn},
+                  {TopicsModel::TimeColumn},
+                  {TopicsModel::CountColumn},
+                  {TopicsModel::RateColumn}});
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& index) {
             if (!index.isValid()) return;

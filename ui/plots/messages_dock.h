@@ -15,6 +15,7 @@
 class QCompleter;
 class QLineEdit;
 class QPushButton;
+class QSplitter;
 class QStringListModel;
 class QTableView;
 
@@ -55,6 +56,9 @@ class MessagesDock : public QDockWidget {
   void copyWanted(const QString& text, const QString& what);
   void plotWanted(const mapwright::window::PlotSelection& selection);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QWidget* buildControls();
   void buildTable();
@@ -81,6 +85,7 @@ class MessagesDock : public QDockWidget {
   TopicsModel* model_;
   QSortFilterProxyModel* sorted_;
   QTableView* table_;
+  QSplitter* split_;
   MessageView* message_;
   PlainLabel* caption_;
   QLineEdit *filter_, *topic_;

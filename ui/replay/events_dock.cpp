@@ -17,6 +17,7 @@
 
 #include "sentences/plural.h"
 #include "ui/kit/icons.h"
+#include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
@@ -232,6 +233,10 @@ EventsDock::EventsDock(ReplayClock& clock, QWidget* parent)
       EventsModel::SinceColumn,
       wide(model_->headerData(EventsModel::SinceColumn, Qt::Horizontal, Qt::DisplayRole).toString()));
   header->resizeSection(EventsModel::KindColumn, wide(kindName(replay::EventKind::EmergencyStopOn)) + 20);
+  new NameColumn(table_, header, EventsModel::TextColumn,
+                 {{EventsModel::SinceColumn},
+                  {EventsModel::KindColumn, 90},
+                  {EventsModel::TimeColumn, header->sectionSize(EventsModel::TimeColumn)}});
   search_->setMaximumWidth(220);
   follow_->setIcon(themedIcon(QStringLiteral("follow")));
   follow_->setIconSize({16, 16});

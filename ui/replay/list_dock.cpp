@@ -10,8 +10,13 @@
 
 #include "ui/kit/plain_label.h"
 #include "ui/kit/tree_view.h"
+#include "ui/kit/wrapping_row.h"
 
 namespace mapwright::window {
+
+namespace {
+constexpr int kSummaryPx = 150;
+}
 
 ListDock::ListDock(const QString& title, const QString& search, QWidget* parent)
     : QDockWidget(title, parent),
@@ -25,7 +30,6 @@ ListDock::ListDock(const QString& title, const QString& search, QWidget* parent)
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->installEventFilter(this);
   table_->horizontalHeader()->setHighlightSections(false);
-  table_->horizontalHeader()->setStretchLastSection(true);
   empty_->setTextFormat(Qt::PlainText);
   empty_->setWordWrap(true);
   empty_->setContentsMargins(12, 8, 12, 8);
@@ -42,15 +46,13 @@ void ListDock::layOut(QAbstractItemModel* rows, std::initializer_list<QWidget*> 
                       std::initializer_list<QPushButton*> buttons) {
   showRows(*table_, rows, windowTitle());
   auto* const body = new QWidget(this);
-  auto* const row = new QHBoxLayout;
-  row->setContentsMargins(8, 4, 8, 4);
-  row->setSpacing(6);
-  row->addWidget(search_, 1);
-  for (QWidget* const tool : tools) row->addWidget(tool);
-  row->addWidget(summary_, summary_stretch);
+  auto* const row = new WrappingRow;
+  row->add(search_, 1);
+  for (QWidget* const tool : tools) row->add(tool);
+  row->add(summary_, summary_stretch, kSummaryPx);
   for (QPushButton* const button : buttons) {
     button->setObjectName(QStringLiteral("compact"));
-    row->addWidget(button);
+    row->add(button);
   }
   auto* const column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);

@@ -15,6 +15,7 @@
 
 #include "sentences/plural.h"
 #include "ui/kit/icons.h"
+#include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
@@ -212,11 +213,16 @@ RecordingsDock::RecordingsDock(QWidget* parent)
   table_->sortByColumn(BagsModel::EndColumn, Qt::DescendingOrder);
   QHeaderView* const header = table_->horizontalHeader();
   const auto wide = [this](const QString& sample) { return fontMetrics().horizontalAdvance(sample) + 24; };
-  header->resizeSection(BagsModel::NameColumn, wide(QStringLiteral("2023-10-31_14-36-17.bag")));
   header->resizeSection(BagsModel::KindColumn, wide(QStringLiteral("recording")));
   header->resizeSection(BagsModel::SizeColumn, wide(QStringLiteral("000.0 MB")));
   header->resizeSection(BagsModel::DurationColumn, wide(QStringLiteral("00:00:00")));
   header->resizeSection(BagsModel::EndColumn, wide(QStringLiteral("2023-10-31 14:36:17")));
+  new NameColumn(table_, header, BagsModel::NameColumn,
+                 {{BagsModel::KindColumn},
+                  {BagsModel::DurationColumn},
+                  {BagsModel::SizeColumn},
+                  {BagsModel::EndColumn},
+                  {BagsModel::NoteColumn, 60}});
 
   connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
     sorted_->setFilterFixedString(text.trimmed());

@@ -7,7 +7,6 @@
 #include <set>
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
@@ -20,6 +19,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/kit/wrapping_row.h"
 #include "ui/shell/window_status_bar.h"
 #include "words/qt_plain.h"
 
@@ -29,6 +29,7 @@ using replay::Knowledge;
 
 namespace {
 
+constexpr int kStatePx = 150;
 constexpr std::array kSpeeds{20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, -0.1, -0.5, -1.0, -2.0, -5.0, -20.0};
 // The events of a long bag are not collected again for each range read.
 constexpr int kContentEveryMs = 150;
@@ -171,24 +172,15 @@ void TimelineDock::setHiddenGroups(const QStringList& words) {
 
 void TimelineDock::layOut() {
   auto* const body = new QWidget(this);
-  auto* const row = row_ = new QHBoxLayout;
-  row->setContentsMargins(8, 4, 8, 4);
-  row->setSpacing(2);
-  for (QToolButton* const tool : {event_back_, message_back_, play_, message_forward_, event_forward_})
-    row->addWidget(tool);
-  row->addWidget(events_);
-  row->addWidget(list_);
-  row->addSpacing(8);
-  row->addWidget(speed_);
-  row->addSpacing(8);
-  row->addWidget(time_);
-  row->addSpacing(6);
-  row->addWidget(length_);
-  row->addSpacing(6);
-  row->addWidget(state_, 1);
-  row->addWidget(retry_);
-  row->addSpacing(4);
-  row->addWidget(back_);
+  auto* const row = new WrappingRow(QMargins(8, 4, 8, 4), 4);
+  for (QWidget* const tool :
+       std::initializer_list<QWidget*>{event_back_, message_back_, play_, message_forward_, event_forward_,
+                                       events_, list_, speed_, time_, length_})
+    row->add(tool);
+  // What it says changes all the time, and nothing is to move for that.
+  row->add(state_, 1, kStatePx);
+  row->add(retry_);
+  row->add(back_);
   auto* const column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -245,32 +237,8 @@ void TimelineDock::setOpening(const QString& sentence) {
 }
 
 void TimelineDock::setBack(const QString& text) {
-  back_words_ = text;
-  back_->setAccessibleName(text);
-  back_->setToolTip(text);
+  back_->setText(text);
   back_->setVisible(!text.isEmpty());
-  fitBack();
-}
-
-void TimelineDock::fitBack() {
-  const int icon_px = back_->iconSize().width() + 16;
-  const int words_px = fontMetrics().horizontalAdvance(back_words_) + icon_px + 12;
-  // Its visibility must not depend on the text while the bag is read.
-  int others_px = fontMetrics().horizontalAdvance(tr("reading earlier data: %1 %").arg(100)) + 24;
-  for (int i = 0; i < row_->count(); ++i) {
-    const QLayoutItem* const item = row_->itemAt(i);
-    if (item->isEmpty() || item->widget() == back_ || item->widget() == state_) continue;
-    others_px += item->sizeHint().width() + row_->spacing();
-  }
-  const QMargins margins = row_->contentsMargins();
-  const int room_px = widget()->width() - margins.left() - margins.right() - others_px;
-  // The strip above the map has the same button with its text.
-  back_->setText(words_px <= room_px ? back_words_ : QString());
-}
-
-void TimelineDock::resizeEvent(QResizeEvent* event) {
-  QDockWidget::resizeEvent(event);
-  fitBack();
 }
 
 void TimelineDock::goToNextEvent(int direction) {
@@ -369,7 +337,6 @@ void TimelineDock::takeState() {
   state_->setState(state);
   state_->setToolTip(gap ? plainToolTip(rangeOf(*gap).why) : QString());
   retry_->setVisible(open && reading->chunks().anyFailed());
-  fitBack();
 }
 
 void TimelineDock::takeTyped(bool play_until) {

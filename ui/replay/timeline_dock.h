@@ -8,7 +8,6 @@
 #include "ui/shell/replay_clock.h"
 
 class QComboBox;
-class QHBoxLayout;
 class QLineEdit;
 class QPushButton;
 class QToolButton;
@@ -60,7 +59,6 @@ class TimelineDock : public QDockWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QToolButton* button(const char* icon, const QString& name, const QString& tip);
@@ -77,7 +75,6 @@ class TimelineDock : public QDockWidget {
   void takeTyped(bool play_until);
   void takeSpeed();
   /// Its text, if there is room for it.
-  void fitBack();
 
   ReplayClock& clock_;
   TimelineView* view_;
@@ -88,8 +85,7 @@ class TimelineDock : public QDockWidget {
   StateLabel* state_;
   QPushButton *retry_, *back_;
   QTimer content_timer_;
-  QString opening_, back_words_;
-  QHBoxLayout* row_ = nullptr;
+  QString opening_;
 };
 
 }  // namespace mapwright::window

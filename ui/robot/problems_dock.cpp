@@ -9,9 +9,11 @@
 #include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
+#include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/tree_view.h"
+#include "ui/kit/wrapping_row.h"
 
 namespace mapwright::window {
 
@@ -30,13 +32,17 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   table_->installEventFilter(this);
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
-  header->setStretchLastSection(true);
   header->resizeSection(ProblemsModel::TimeColumn,
                         fontMetrics().horizontalAdvance(QStringLiteral("00:00:00")) + 40);
   header->resizeSection(ProblemsModel::CountColumn, 64);
   header->resizeSection(ProblemsModel::DurationColumn,
                         fontMetrics().horizontalAdvance(QStringLiteral("59 min 59 s")) + 16);
   header->resizeSection(ProblemsModel::SubjectColumn, 150);
+  new NameColumn(table_, header, ProblemsModel::SentenceColumn,
+                 {{ProblemsModel::DurationColumn},
+                  {ProblemsModel::CountColumn},
+                  {ProblemsModel::TimeColumn},
+                  {ProblemsModel::SubjectColumn, 90}});
 
   auto* body = new QWidget(this);
   summary_->setSample(QStringLiteral("x"));
@@ -45,10 +51,10 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   copy_all_->setIcon(themedIcon(QStringLiteral("copy")));
   clear_->setIcon(themedIcon(QStringLiteral("trash")));
   retry_->setToolTip(tr("Repeat the requests for everything that failed or was missing"));
-  body->setLayout(
-      columnOf({{table_, 1},
-                rowOf({{summary_, 1}, retry_, copy_selected_, copy_all_, clear_}, 8, QMargins(8, 4, 8, 4))},
-               0, QMargins()));
+  auto* const tools = new WrappingRow;
+  tools->add(summary_, 1, 120);
+  for (QPushButton* button : {retry_, copy_selected_, copy_all_, clear_}) tools->add(button);
+  body->setLayout(columnOf({{table_, 1}, tools}, 0, QMargins()));
   setWidget(body);
 
   connect(retry_, &QPushButton::clicked, this, &ProblemsDock::retryWanted);

@@ -18,6 +18,7 @@
 #include "exchange/waypoint_steps.h"
 #include "sentences/plural.h"
 #include "ui/kit/forms.h"
+#include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/state_mark.h"
 #include "ui/kit/tree_view.h"
@@ -240,13 +241,17 @@ WaypointReview::WaypointReview(QWidget* parent)
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  for (const int column : {ReviewModel::DeedColumn, ReviewModel::ChangeColumn})
-    header->setSectionResizeMode(column, QHeaderView::Stretch);
   // In average letter widths: room for the longest of our own texts and usual names.
   const auto wide = [&](int letters) { return letters * fontMetrics().averageCharWidth() + 20; };
   header->resizeSection(ReviewModel::NumberColumn, wide(4));
   header->resizeSection(ReviewModel::CallColumn, wide(20));
   header->resizeSection(ReviewModel::OutcomeColumn, wide(30));
+  header->resizeSection(ReviewModel::ChangeColumn, wide(36));
+  new NameColumn(table_, header, ReviewModel::DeedColumn,
+                 {{ReviewModel::NumberColumn},
+                  {ReviewModel::OutcomeColumn, wide(6)},
+                  {ReviewModel::CallColumn, wide(8)},
+                  {ReviewModel::ChangeColumn, wide(12)}});
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(6);
   // Enter sends, wherever the focus is, and does nothing else.

@@ -28,6 +28,7 @@
 #include "sentences/plural.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/forms.h"
+#include "ui/kit/name_column.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
@@ -103,9 +104,9 @@ ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, co
       of_tables->hide();
   }
   table_->setHorizontalHeaderLabels({tr("Waypoint"), tr("Change"), tr("What changes")});
-  table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->horizontalHeader()->resizeSection(0, 180);
+  new NameColumn(table_, table_->horizontalHeader(), 2, {{1, 60}, {0, 120}});
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(kImportRowPx);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -21,6 +21,7 @@
 #include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
+#include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/ui_colors.h"
@@ -155,7 +156,6 @@ void WaypointsDock::buildTable() {
   header->setMinimumSectionSize(22);
   header->setSectionResizeMode(WaypointsModel::StateColumn, QHeaderView::Fixed);
   header->resizeSection(WaypointsModel::StateColumn, 26);
-  header->setSectionResizeMode(WaypointsModel::NameColumn, QHeaderView::Stretch);
   const auto wide = [&](const char* sample) {
     return fontMetrics().horizontalAdvance(QLatin1String(sample)) + 12;
   };
@@ -163,6 +163,12 @@ void WaypointsDock::buildTable() {
   header->resizeSection(WaypointsModel::YColumn, wide("-12.34"));
   header->resizeSection(WaypointsModel::YawColumn, wide("-179.9"));
   header->resizeSection(WaypointsModel::TagsColumn, wide("charge"));
+  new NameColumn(table_, header, WaypointsModel::NameColumn,
+                 {{WaypointsModel::TagsColumn, 40, true},
+                  {WaypointsModel::YawColumn},
+                  {WaypointsModel::YColumn},
+                  {WaypointsModel::XColumn},
+                  {WaypointsModel::StateColumn, 26}});
 }
 
 void WaypointsDock::buildFilter() {
