@@ -67,7 +67,7 @@ QAction* Actions::add(const ActionSpec& spec) {
   if (spec.needs_session) need_session_.push_back(action);
   const bool in_menu = spec.menu.rank != 0;
   enter({in_menu ? withoutMnemonic(menuTitle(menuOf(spec.menu.group))) : QString(), action, spec.reach,
-         spec.menu});
+         spec.menu, spec.name});
   if (in_menu) place(spec.menu, action);
   if (spec.bar.rank != 0) insert(on_bar_, spec.bar, BarItem{action, {}});
   if (spec.map_menu.rank != 0) {
@@ -94,6 +94,7 @@ void Actions::placeOnMapMenu(const MapMenuPlace& where, MapMenuFiller fill) {
 QAction* Actions::make(const QString& id, const QString& text, const QString& icon_name,
                        const QList<QKeySequence>& shortcuts, Reach reach, const QString& tip) {
   auto* const action = new QAction(text, this);
+  action->setIconText(withoutMnemonic(text).remove(QChar(0x2026)));  // on the tool bar
   action->setObjectName(id);
   if (!icon_name.isEmpty()) action->setIcon(themedIcon(icon_name));
   action->setShortcuts(shortcuts);
@@ -164,9 +165,30 @@ QString submenuTitle(MenuGroup group) {
       return QCoreApplication::translate("window", "Colours of submaps");
     case MenuGroup::Theme:
       return QCoreApplication::translate("window", "Theme");
+    case MenuGroup::Layouts:
+      return QCoreApplication::translate("window", "Layout");
     default:
       return {};
   }
+}
+
+constexpr Menu kMenus[] = {Menu::Robot, Menu::Edit, Menu::Map, Menu::View, Menu::Help};
+
+QString nameAlone(const Actions::Entry& entry) {
+  if (!entry.name.isEmpty()) return entry.name;
+  const QString text = plainActionText(*entry.action);
+  if (entry.place.rank == 0) {
+    // In a menu of its own, inside one of the bar's.
+    const bool of_bar = std::any_of(std::begin(kMenus), std::end(kMenus), [&](Menu menu) {
+      return entry.menu == withoutMnemonic(menuTitle(menu));
+    });
+    return of_bar || entry.menu.isEmpty() ? text : QStringLiteral("%1: %2").arg(entry.menu, text);
+  }
+  if (entry.place.group == MenuGroup::Panels)
+    return QCoreApplication::translate("window", "Panel: %1").arg(text);
+  return entry.place.group == MenuGroup::Layouts
+             ? QStringLiteral("%1: %2").arg(submenuTitle(entry.place.group), text)
+             : text;
 }
 
 QString plainActionText(const QAction& action) { return withoutMnemonic(action.text()); }
@@ -209,7 +231,7 @@ void fillMenuBar(QMenuBar& bar, const Actions& actions) {
 void fillToolBar(QToolBar& bar, const Actions& actions) {
   std::optional<BarGroup> last;
   for (const auto& [place, item] : actions.onBar()) {
-    if (last && last != place.group && place.group == BarGroup::FarEnd) {
+    if (last && *last < BarGroup::Layouts && place.group >= BarGroup::Layouts) {
       auto* gap = new QWidget(&bar);
       gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
       bar.addWidget(gap);

@@ -52,6 +52,7 @@ enum class MenuGroup {
   Drawn,
   Colors,
   Theme,
+  Layouts,
   Panels,
   Window,
   // Help
@@ -59,8 +60,8 @@ enum class MenuGroup {
   About,
 };
 
-/// The groups of the tool bar, from left to right; the last one is at the far end.
-enum class BarGroup { Robot, Maps, Tools, Edit, Look, Drawn, Places, FarEnd };
+/// The groups of the tool bar, from left to right; the last two are at the far end.
+enum class BarGroup { Robot, Maps, Tools, Edit, Look, Drawn, Places, Layouts, FarEnd };
 
 /// The groups of the map's context menu.
 enum class MapMenuGroup { Edit, Point, Submap, Copies, Look };
@@ -80,6 +81,7 @@ using MapMenuPlace = Place<MapMenuGroup>;
 struct ActionSpec {
   const char* id = "";  // its object name
   QString text = {};    // with a mnemonic
+  QString name = {};    // where it stands alone, without its menu around it; empty = the text says enough
   const char* icon = "";
   std::vector<const char*> keys = {};  // "Ctrl+O"
   Reach reach = Reach::Everywhere;
@@ -99,6 +101,7 @@ class Actions : public QObject {
     QAction* action;
     Reach reach;
     MenuPlace place = {};
+    QString name = {};  // see ActionSpec
   };
   /// Adds entries to the map's context menu at a point, world metres, if there are any.
   using MapMenuFiller = std::function<void(QMenu& menu, const Eigen::Vector2d& world_m)>;
@@ -169,6 +172,8 @@ QString menuTitle(Menu menu);
 /// For a group that forms a submenu; empty = it does not.
 QString submenuTitle(MenuGroup group);
 
+/// "Panel: Maps", "Fit the map": says what the action does without its menu around it.
+QString nameAlone(const Actions::Entry& entry);
 /// "Fit (F)": an action's text without mnemonics, dots and the like.
 QString plainActionText(const QAction& action);
 /// "F", "Ctrl+K", "+ or =".

@@ -31,14 +31,15 @@ QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px; b
 QToolButton:hover { background: %hover%; }
 QToolButton:pressed { background: %border%; }
 QToolButton:checked { background: %tint%; border-color: %focus%; }
-QToolButton:focus { border-color: %focus%; }
+QToolButton:focus { border: 2px solid %focus%; padding: 2px; }
 QToolButton::menu-indicator { image: none; width: 0; }
 QStatusBar { background: %window%; border-top: 1px solid %border%; }
 QStatusBar::item { border: none; }
 QHeaderView::section { background: %window%; color: %secondary%; border: none; border-bottom: 1px solid %border%;
   padding: 3px 6px; }
 QHeaderView, QTableCornerButton::section { background: %window%; border: none; }
-QTreeView, QTableView, QListView { border: none; outline: 0; }
+QTreeView, QTableView, QListView { border: 1px solid transparent; outline: 0; }
+QTreeView:focus, QTableView:focus, QListView:focus { border-color: %focus%; }
 QLineEdit { border: 1px solid %outline%; border-radius: 4px; padding: 2px 6px; background: %base%;
   min-height: 18px; selection-background-color: %accent%;
   selection-color: white; }
@@ -81,6 +82,7 @@ QTabBar::tab { padding: 4px 12px; background: transparent; color: %secondary%; b
   border-bottom: 2px solid transparent; }
 QTabBar::tab:selected { color: %text%; border-bottom-color: %focus%; }
 QTabBar::tab:hover { color: %text%; }
+QTabBar::tab:focus { color: %text%; border: 2px solid %focus%; padding: 2px 10px 4px; border-radius: 3px; }
 #card { background: %window%; border: 1px solid %border%; border-radius: 8px; }
 #furniture { background: %furniture%; border: 1px solid %border%; border-radius: 6px; }
 #compareBar { background: %window%; border: none; border-bottom: 1px solid %border%; }
@@ -88,18 +90,18 @@ QTabBar::tab:hover { color: %text%; }
 #primary { background: %accent%; color: white; border: 1px solid %accent%; border-radius: 4px; padding: 5px 14px; }
 #primary:hover { background: #1a60cf; }
 #primary:pressed { background: #1653b5; }
-#primary:focus { border-color: %text%; }
+#primary:focus { border: 2px solid %text%; padding: 4px 13px; }
 #primary:disabled { background: transparent; border-color: %border%; color: %disabled%; }
 #secondary { background: transparent; color: %text%; border: 1px solid %outline%; border-radius: 4px; padding: 5px 14px; }
 #secondary:hover { background: %hover%; }
-#secondary:focus { border-color: %focus%; }
+#secondary:focus { border: 2px solid %focus%; padding: 4px 13px; }
 #secondary:disabled { color: %disabled%; border-color: %border%; }
 #details { border-top: 1px solid %border%; }
 #recents::item:selected, #recents::item:hover { background: %hover%; color: %text%; }
 #recents::item:selected { border-left: 3px solid %focus%; }
 #compact { background: transparent; color: %text%; border: 1px solid %outline%; border-radius: 4px; padding: 2px 10px; }
 #compact:hover { background: %hover%; }
-#compact:focus { border-color: %focus%; }
+#compact:focus { border: 2px solid %focus%; padding: 1px 9px; }
 #compact:disabled { color: %disabled%; border-color: %border%; }
 #compact:checked { background: %tint%; border-color: %focus%; }
 #recents { background: %base%; border: 1px solid %border%; border-radius: 4px; }

@@ -89,6 +89,11 @@ class TableRowDelegate : public QStyledItemDelegate {
     const auto* table = qobject_cast<const QTableView*>(option.widget);
     const bool first = table && table->horizontalHeader()->visualIndex(index.column()) == 0;
     if (first) paintRowState(painter, option.rect, option.state.testFlag(QStyle::State_Selected), false);
+    // Where the keyboard is: the row has no frame of its own, each cell has a part of it.
+    if (!table || !table->hasFocus() || table->currentIndex().row() != index.row()) return;
+    painter->setPen(appColors().focus);
+    painter->drawLine(option.rect.topLeft(), option.rect.topRight());
+    painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
   }
 };
 

@@ -36,6 +36,7 @@ LayersController::LayersController(WindowContext& context, QObject* parent)
   addModes();
   addSwitch({.id = "grid",
              .text = tr("&Grid"),
+             .name = tr("Show the grid"),
              .icon = "grid",
              .keys = {"G"},
              .tip = tr("Show the metric grid"),
@@ -44,6 +45,7 @@ LayersController::LayersController(WindowContext& context, QObject* parent)
             scene::Layer::Grid);
   addSwitch({.id = "showIds",
              .text = tr("Submap &ids"),
+             .name = tr("Show the ids of submaps"),
              .icon = "ids",
              .keys = {"I"},
              .tip = tr("Show the ids of the submaps on the map"),
@@ -52,6 +54,7 @@ LayersController::LayersController(WindowContext& context, QObject* parent)
             scene::Layer::Ids);
   addSwitch({.id = "showOutlines",
              .text = tr("Submap &outlines"),
+             .name = tr("Show the outlines of submaps"),
              .icon = "outlines",
              .keys = {"O"},
              .tip = tr("Show the outlines of the submaps on the map"),
@@ -95,18 +98,21 @@ void LayersController::addModes() {
   };
   mode({.id = "modeSubmaps",
         .text = tr("&Submaps"),
+        .name = tr("Show the submaps"),
         .icon = "submaps",
         .keys = {"1"},
         .tip = tr("Show the submaps")},
        ViewMode::Submaps, 10);
   mode({.id = "modeWhole",
         .text = tr("&Whole map"),
+        .name = tr("Show the whole map"),
         .icon = "map",
         .keys = {"2"},
         .tip = tr("Show the whole map")},
        ViewMode::Whole, 20);
   mode({.id = "modeBoth",
         .text = tr("&Both"),
+        .name = tr("Show the whole map below the submaps"),
         .icon = "layers",
         .keys = {"3"},
         .tip = tr("Show the whole map below the submaps")},

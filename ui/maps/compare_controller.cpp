@@ -27,6 +27,7 @@ CompareController::CompareController(WindowContext& context, PicturePlacing& pla
       handle_(new SwipeHandle(&context.view)) {
   context_.actions.add({.id = "compare",
                         .text = tr("Com&pare…"),
+                        .name = tr("Compare maps…"),
                         .icon = "compare",
                         .keys = {"Ctrl+Shift+D"},
                         .tip = tr("Compare the open map with another one"),

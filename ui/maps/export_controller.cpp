@@ -327,6 +327,7 @@ ExportController::ExportController(WindowContext& context, jobs::YamlsNaming yam
     : Controller(parent), context_(context), yamls_naming_(std::move(yamls_naming)) {
   context_.actions.add({.id = "export",
                         .text = tr("E&xport…"),
+                        .name = tr("Export the map…"),
                         .icon = "export",
                         .keys = {"Ctrl+E"},
                         .tip = tr("Write the map on screen to a file"),

@@ -109,6 +109,7 @@ PictureController::~PictureController() {
 void PictureController::addActions() {
   tool_action_ = context_.actions.add({.id = "pictureTool",
                                        .text = tr("&Edit map"),
+                                       .name = tr("Tool: Edit map"),
                                        .icon = "edit-map",
                                        .keys = {"B"},
                                        .reach = Reach::OutsideText,

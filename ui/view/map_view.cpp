@@ -17,6 +17,7 @@
 
 #include "geometry/pose.h"
 #include "ui/kit/actions.h"
+#include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {
 
@@ -266,6 +267,10 @@ void MapView::drawForeground(QPainter* painter, const QRectF& rect) {
   painter->save();
   tool_->paint(*painter);
   painter->restore();
+  if (!keyboard_came_) return;
+  painter->setPen(QPen(appColors().focus, 2));
+  painter->setBrush(Qt::NoBrush);
+  painter->drawRect(QRectF(viewport()->rect()).adjusted(1, scene_->coveredTop() + 1, -1, -1));
 }
 
 std::optional<Eigen::Vector2d> MapView::cursorWorld() const {
@@ -373,6 +378,7 @@ void MapView::mousePressEvent(QMouseEvent* event) {
     event->ignore();
     return;
   }
+  if (std::exchange(keyboard_came_, false)) viewport()->update();
   stopMoving();
   press_ = drag_last_ = event->position();
   // Middle and Space+left drag at once; a left press may still become a click.
@@ -507,7 +513,15 @@ void MapView::keyReleaseEvent(QKeyEvent* event) {
   event->ignore();
 }
 
+void MapView::focusInEvent(QFocusEvent* event) {
+  keyboard_came_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
+                   event->reason() == Qt::ShortcutFocusReason;
+  if (keyboard_came_) viewport()->update();
+  QGraphicsView::focusInEvent(event);
+}
+
 void MapView::focusOutEvent(QFocusEvent* event) {
+  if (std::exchange(keyboard_came_, false)) viewport()->update();
   space_held_ = false;
   if (tool_dragging_) press_.reset();
   cancelToolDrag();
@@ -577,6 +591,7 @@ void addCameraActions(Actions& actions, MapView& view) {
               &view, [&view] { view.zoomSteps(-1); });
   actions.add({.id = "native",
                .text = QStringLiteral("&1:1"),
+               .name = MapView::tr("Zoom to 1:1"),
                .icon = "native",
                .keys = {"0"},
                .reach = Reach::OutsideText,
@@ -587,6 +602,7 @@ void addCameraActions(Actions& actions, MapView& view) {
               &view, [&view] { view.setScale(kNativeScaleMPerPx); });
   actions.add({.id = "fit",
                .text = MapView::tr("&Fit"),
+               .name = MapView::tr("Fit the map"),
                .icon = "fit",
                .keys = {"F"},
                .reach = Reach::OutsideText,
@@ -598,6 +614,7 @@ void addCameraActions(Actions& actions, MapView& view) {
               &view, [&view] { view.fit(view.mapScene()->contentBounds(), true); });
   actions.add({.id = "northUp",
                .text = MapView::tr("&North up"),
+               .name = MapView::tr("Turn the map north up"),
                .icon = "north",
                .keys = {"N"},
                .reach = Reach::OutsideText,
@@ -609,6 +626,7 @@ void addCameraActions(Actions& actions, MapView& view) {
               &view, [&view] { view.setRotation(0); });
   actions.add({.id = "rotateLeft",
                .text = MapView::tr("Rotate &left"),
+               .name = MapView::tr("Rotate the map left"),
                .icon = "rotate-left",
                .keys = {"["},
                .reach = Reach::OutsideText,
@@ -618,6 +636,7 @@ void addCameraActions(Actions& actions, MapView& view) {
               &view, [&view] { view.rotateBy(geometry::radiansFromDegrees(kTurnDegrees)); });
   actions.add({.id = "rotateRight",
                .text = MapView::tr("Rotate r&ight"),
+               .name = MapView::tr("Rotate the map right"),
                .icon = "rotate-right",
                .keys = {"]"},
                .reach = Reach::OutsideText,

@@ -98,6 +98,7 @@ class MapView : public QGraphicsView {
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   void drawForeground(QPainter* painter, const QRectF& rect) override;
 
@@ -134,6 +135,7 @@ class MapView : public QGraphicsView {
   int animation_ms_;
   bool following_ = false;
   bool space_held_ = false;
+  bool keyboard_came_ = false;    // the focus, by keys: it is framed
   std::optional<QPointF> press_;  // where the button went down
   QPointF drag_last_;
   bool dragging_ = false;

@@ -343,6 +343,7 @@ void WaypointPlacing::addSnapping() {
   using placing::SnapRules;
   snap_ = context_.actions.add({.id = "snap",
                                 .text = tr("&Snap"),
+                                .name = tr("Snap waypoints"),
                                 .keys = {"S"},
                                 .reach = Reach::OutsideText,
                                 .tip = tr("Placed waypoints snap to what is selected below; Alt suspends it"),

@@ -100,6 +100,7 @@ WaypointsController::~WaypointsController() {
 void WaypointsController::addActions() {
   tool_action_ = context_.actions.add({.id = "waypointTool",
                                        .text = tr("&Waypoints"),
+                                       .name = tr("Tool: Waypoints"),
                                        .icon = "waypoint",
                                        .keys = {"W"},
                                        .reach = Reach::OutsideText,

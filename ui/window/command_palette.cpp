@@ -118,7 +118,7 @@ void CommandPalette::fill() {
   const QString typed = field_->text().simplified();
   for (const Actions::Entry& entry : actions_.entries()) {
     if (!entry.action->isVisible()) continue;
-    const QString name = plainActionText(*entry.action);
+    const QString name = nameAlone(entry);
     // A menu's name also finds its actions, after those whose own name matches.
     std::optional<int> score = fuzzyScore(typed, name);
     if (!score) {
@@ -165,8 +165,8 @@ void CommandPalette::fill() {
     }
     QAction* action = hit.entry->action;
     // Names are aligned, with or without an icon.
-    auto* item = new QListWidgetItem(action->icon().isNull() ? no_icon : action->icon(),
-                                     plainActionText(*action), list_);
+    auto* item =
+        new QListWidgetItem(action->icon().isNull() ? no_icon : action->icon(), nameAlone(*hit.entry), list_);
     item->setData(Qt::UserRole, QVariant::fromValue(static_cast<QObject*>(action)));
     item->setData(kKeysRole, shortcutsText(*action));
     item->setData(kMenuRole, hit.entry->menu);

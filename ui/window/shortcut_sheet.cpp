@@ -56,12 +56,12 @@ QList<Group> groupsOf(const Actions& actions) {
       auto known =
           std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.title == entry.menu; });
       if (known != groups.end()) {
-        known->lines << Line{plainActionText(*entry.action), keys};
+        known->lines << Line{nameAlone(entry), keys};
         continue;
       }
       groups << Group{entry.menu, {}};
     }
-    groups.last().lines << Line{plainActionText(*entry.action), keys};
+    groups.last().lines << Line{nameAlone(entry), keys};
   }
   return groups;
 }

@@ -14,6 +14,7 @@
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
 #include "window/go_to_dialog.h"
+#include "window/panes.h"
 
 namespace mapwright::window {
 
@@ -41,6 +42,7 @@ void ViewController::addTools() {
   auto* const pan = static_cast<PanTool*>(context_.view.tool());  // with which a view begins
   context_.tools.add(pan, context_.actions.add({.id = "pan",
                                                 .text = tr("&Pan"),
+                                                .name = tr("Tool: Pan"),
                                                 .icon = "pan",
                                                 .keys = {"P"},
                                                 .reach = Reach::OutsideText,
@@ -50,6 +52,7 @@ void ViewController::addTools() {
                                                 .bar = {BarGroup::Tools, 10}}));
   context_.tools.add(measure_, context_.actions.add({.id = "measure",
                                                      .text = tr("&Measure"),
+                                                     .name = tr("Tool: Measure"),
                                                      .icon = "measure",
                                                      .keys = {"M"},
                                                      .reach = Reach::OutsideText,
@@ -120,6 +123,7 @@ void ViewController::addOtherActions() {
       [this] { copyCoordinates(context_.view.cursorWorld().value_or(context_.scene.view().center_m)); });
   furniture_ = context_.actions.add({.id = "furniture",
                                      .text = tr("&Buttons on the map"),
+                                     .name = tr("Show the buttons on the map"),
                                      .icon = "furniture",
                                      .keys = {"H"},
                                      .reach = Reach::OutsideText,
@@ -130,10 +134,22 @@ void ViewController::addOtherActions() {
   connect(furniture_, &QAction::toggled, this, [this](bool on) { context_.overlay.setFurnitureVisible(on); });
   context_.actions.add({.id = "focusMap",
                         .text = tr("Focus the &map"),
-                        .keys = {"F6"},
+                        .keys = {"Ctrl+F6"},
                         .tip = tr("Move the keyboard focus to the map"),
                         .menu = {MenuGroup::Window, 20}},
-                       this, [this] { context_.view.setFocus(); });
+                       this, [this] { context_.view.setFocus(Qt::ShortcutFocusReason); });
+  context_.actions.add({.id = "nextPane",
+                        .text = tr("Focus the ne&xt part of the window"),
+                        .keys = {"F6"},
+                        .tip = tr("Move the keyboard focus on: map, strips, panels, status bar, tool bar"),
+                        .menu = {MenuGroup::Window, 24}},
+                       this, [this] { goToPane(context_, 1); });
+  context_.actions.add({.id = "previousPane",
+                        .text = tr("Focus the pre&vious part of the window"),
+                        .keys = {"Shift+F6"},
+                        .tip = tr("Move the keyboard focus back: tool bar, status bar, panels, strips, map"),
+                        .menu = {MenuGroup::Window, 26}},
+                       this, [this] { goToPane(context_, -1); });
 }
 
 void ViewController::addToMapMenu() {
