@@ -228,8 +228,10 @@ void PictureController::watchDrafts() {
                           QStringLiteral("picture")},
       context_.edit, context_.workers);
   connect(drafts_.get(), &PictureDrafts::changed, this, [this] {
-    if (drafts_->offered()) context_.panels.open(dock_);
     refresh();
+    if (drafts_->offered())
+      context_.overlay.toasts()->add(Mark::Neutral, drafts_->offer(),
+                                     {tr("Show"), [this] { context_.panels.open(dock_); }});
   });
   connect(drafts_.get(), &PictureDrafts::remarked, this,
           [this](const QString& sentence) { context_.overlay.toasts()->add(Mark::Warning, sentence); });

@@ -258,16 +258,10 @@ void ReplayController::setSession(session::Session* session) {
     dock_->setOpening(tr("Opening %1…").arg(bagCalled(*robot)));
     clock_->attach(*robot, *session);
     context_.panels.open(dock_);
-    if (std::exchange(events_wanted_, false)) events_->show();
   } else if (session && was_replay && !std::exchange(dock_was_open_, true)) {
     dock_->hide();
   }
   if (!robot) dock_->setOpening({});
-  // Without a replay it is empty.
-  if (session && !robot && events_->toggleViewAction()->isChecked()) {
-    events_wanted_ = true;
-    events_->hide();
-  }
   maps_chosen_ = false;
   if (session && mode_before_ && viewMode(context_.scene) == ViewMode::Whole)
     setViewMode(context_.scene, *mode_before_);

@@ -95,7 +95,6 @@ class ReplayController : public Controller {
   QString live_address_;        // of the robot that was on screen before; empty = none
   bool space_pressed_ = false;  // on the map, without other input since
   bool dock_was_open_ = true;
-  bool events_wanted_ = false;  // opens the list with the next replay
   bool maps_chosen_ = false;
   bool away_ = false;                    // disconnected at this time of the recording
   std::optional<ViewMode> mode_before_;  // a bag without submaps

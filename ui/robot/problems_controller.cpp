@@ -53,7 +53,7 @@ void ProblemsController::tellFirstError() {
                                   [&](const session::LoggedProblem& row) { return isError(row, safety); });
   if (error == rows.end()) return;
   told_ = true;
-  if (dock_->isVisible()) return;
+  if (!dock_->visibleRegion().isEmpty()) return;
   const QString subject = words::plainName(sentences::nameOf(error->problem.subject));
   const QString sentence = sentences::sentenceOf(error->problem);
   context_.overlay.toasts()->add(
