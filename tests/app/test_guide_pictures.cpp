@@ -101,6 +101,7 @@ class GuidePicturesTest : public QObject {
   void inspectWhatARobotKnows() {
     Desk desk;
     QVERIFY(desk.connectTo(desk.robot().address()));
+    desk.act("layoutInspect");
     desk.act("modeBoth");
     desk.front("layers");
     desk.front("robot");
@@ -147,9 +148,9 @@ class GuidePicturesTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(replay->clock().readShare() == 1, 30'000);
     replay->clock().seek(replay->clock().start() + 300);
     QTRY_VERIFY(replay->clock().knowledge() == replay::Knowledge::Exact);
+    desk.act("layoutReplay");
     desk.front("events");
     desk.front("timeline");
-    desk.front("robot");
     desk.act("fit");
     QVERIFY(desk.picture("replay"));
   }

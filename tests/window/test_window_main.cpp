@@ -15,6 +15,7 @@
 #include "ui/layers/layers_dock.h"
 #include "ui/maps/maps_dock.h"
 #include "ui/plots/messages_dock.h"
+#include "ui/replay/recordings_dock.h"
 #include "ui/robot/connect_dialog.h"
 #include "ui/robot/connection_chip.h"
 #include "ui/robot/problems_dock.h"
@@ -233,19 +234,19 @@ class TestWindowMain : public QObject {
     const auto front = [&](MainWindow& window) {
       return std::vector<bool>{in_front(part<MapsDock>(window)),     in_front(part<LayersDock>(window)),
                                in_front(part<RobotDock>(window)),    in_front(part<InspectorDock>(window)),
-                               in_front(part<MessagesDock>(window)), in_front(part<ProblemsDock>(window))};
+                               in_front(part<MessagesDock>(window)), in_front(part<RecordingsDock>(window))};
     };
     const std::vector<bool> wanted = others ? std::vector<bool>{true, false, true, false, true, false}
                                             : std::vector<bool>{false, true, false, true, false, true};
     {
       MainWindow& window = bench.open();
       part<MessagesDock>(window)->show();
-      part<ProblemsDock>(window)->show();
+      part<RecordingsDock>(window)->show();
       QTRY_VERIFY(in_front(part<InspectorDock>(window)) && in_front(part<LayersDock>(window)));
       QDockWidget* const first[] = {part<MapsDock>(window), part<RobotDock>(window),
                                     part<MessagesDock>(window)};
       QDockWidget* const second[] = {part<LayersDock>(window), part<InspectorDock>(window),
-                                     part<ProblemsDock>(window)};
+                                     part<RecordingsDock>(window)};
       for (QDockWidget* dock : others ? first : second) dock->raise();
       QTRY_COMPARE(front(window), wanted);
       window.close();
@@ -297,7 +298,8 @@ class TestWindowMain : public QObject {
         // How maps are to look, and how the window does: remembered, whoever comes next.
         "modeSubmaps", "modeWhole", "modeBoth", "grid", "showIds", "showOutlines", "colorsNormal",
         "colorsIncremental", "colorsActive", "furniture", "pan", "replayReadAll", "fullScreen", "resetLayout",
-        "focusMap", "showRecordings"};
+        "focusMap", "nextPane", "previousPane", "layoutOperate", "layoutInspect", "layoutReplay",
+        "showRecordings"};
     Bench bench;
     MainWindow& window = bench.open();
     const auto check = [&](const char* when) {
@@ -391,17 +393,18 @@ class TestWindowMain : public QObject {
     Bench bench;
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QVERIFY(!part<ProblemsDock>(window)->isVisible());
+    const auto in_front = [&] { return !part<ProblemsDock>(window)->visibleRegion().isEmpty(); };
+    QVERIFY(!in_front());
     QVERIFY(!part<WindowStatusBar>(window)->problemsButton()->isVisible());
     bench.robot->failing = {{0, 0}};
     bench.robot->list({test::entry(0, 0, 1, 0, 0), test::entry(0, 1, 1, 5, 0)});
     QTRY_COMPARE(part<MapOverlay>(window)->toasts()->texts().size(), qsizetype(1));
     QVERIFY(part<MapOverlay>(window)->toasts()->texts()[0].startsWith(QLatin1String("Submap 0-0: ")));
-    QVERIFY(!part<ProblemsDock>(window)->isVisible());
+    QVERIFY(!in_front());
     for (QPushButton* button : part<MapOverlay>(window)->toasts()->findChildren<QPushButton*>()) {
       if (button->text() == QLatin1String("Show problems")) QTest::mouseClick(button, Qt::LeftButton);
     }
-    QVERIFY(part<ProblemsDock>(window)->isVisible());
+    QTRY_VERIFY(in_front());
     QCOMPARE(part<WindowStatusBar>(window)->problemsButton()->text(), QStringLiteral("1 problem"));
     part<ProblemsDock>(window)->table()->selectAll();
     for (QPushButton* button : part<ProblemsDock>(window)->findChildren<QPushButton*>()) {

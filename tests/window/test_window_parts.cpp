@@ -56,9 +56,10 @@ struct Docks {
     for (const QString& name : names) {
       auto* const dock = new QDockWidget(name, &window);
       dock->setObjectName(name);
-      panels.add(
-          dock,
-          {.side = PanelPlace::Side::Left, .tab = int(docks.size()), .menu_rank = int(docks.size()) + 1});
+      panels.add(dock, {.side = PanelPlace::Side::Left,
+                        .tab = int(docks.size()),
+                        .menu_rank = int(docks.size()) + 1,
+                        .open = true});
       docks.push_back(dock);
     }
     panels.arrange();
@@ -155,14 +156,16 @@ class TestWindowParts : public QObject {
                  "copyCoordinates "
                  "screenshotCopy screenshotSave"));
     QCOMPARE(
-        idsOf(menuCalled(bar, "&View")->actions()).mid(0, 13).join(QLatin1Char(' ')),
-        QStringLiteral("modeSubmaps modeWhole modeBoth - grid showIds showOutlines furniture - * * - *"));
+        idsOf(menuCalled(bar, "&View")->actions()).mid(0, 14).join(QLatin1Char(' ')),
+        QStringLiteral("modeSubmaps modeWhole modeBoth - grid showIds showOutlines furniture - * * * - *"));
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Colours of submaps")->actions()),
              words("colorsNormal colorsIncremental colorsActive"));
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Theme")->actions()),
              words("themeLight themeDark themeSystem"));
-    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(28).join(QLatin1Char(' ')),
-             QStringLiteral("- filter focusMap fullScreen resetLayout"));
+    QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Layout")->actions()),
+             words("layoutOperate layoutInspect layoutReplay"));
+    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(29).join(QLatin1Char(' ')),
+             QStringLiteral("- filter focusMap nextPane previousPane fullScreen resetLayout"));
     QCOMPARE(idsOf(menuCalled(bar, "&Help")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("palette shortcuts - diagnostics about"));
   }
@@ -170,10 +173,22 @@ class TestWindowParts : public QObject {
   void theToolBarOfTheWindow() {
     Bench bench;
     const auto* const bar = bench.open().findChild<QToolBar*>(QStringLiteral("tools"));
-    QCOMPARE(idsOf(bar->actions()).join(QLatin1Char(' ')),
-             QStringLiteral("* record - modeSubmaps modeWhole modeBoth compare - pan measure "
-                            "waypointTool pictureTool - undo redo save - fit native follow northUp - grid "
-                            "showIds showOutlines - goTo screenshotSave * palette"));
+    const auto shown = [&](const char* role) {
+      bench.action(role)->trigger();
+      return idsOf(bar->actions()).join(QLatin1Char(' '));
+    };
+    QCOMPARE(
+        shown("layoutInspect"),
+        QStringLiteral("* record - modeSubmaps modeWhole modeBoth compare - pan measure - fit native follow "
+                       "northUp - grid showIds showOutlines - goTo screenshotSave * layoutOperate "
+                       "layoutInspect layoutReplay - palette"));
+    QCOMPARE(shown("layoutOperate"),
+             QStringLiteral("* record - pan measure waypointTool pictureTool - undo redo save - fit follow - "
+                            "goTo * layoutOperate layoutInspect layoutReplay - palette"));
+    QCOMPARE(
+        shown("layoutReplay"),
+        QStringLiteral("* - modeSubmaps modeWhole modeBoth - pan measure - fit follow - screenshotSave * "
+                       "layoutOperate layoutInspect layoutReplay - palette"));
   }
 
   void showsTheLastTabOfASideFirst() {

@@ -15,6 +15,7 @@
 
 #include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
+#include "ui/kit/tab_order.h"
 #include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {
@@ -26,12 +27,14 @@ using Side = PanelPlace::Side;
 struct Edge {
   Side side;
   Qt::DockWidgetArea area;
-  Qt::Orientation orientation;
-  int px;
+  Qt::Orientation across, along;  // its width, and how its stacks follow one another
+  int Layout::*px;
 };
-constexpr Edge kEdges[] = {{Side::Left, Qt::LeftDockWidgetArea, Qt::Horizontal, 220},
-                           {Side::Right, Qt::RightDockWidgetArea, Qt::Horizontal, 322},
-                           {Side::Bottom, Qt::BottomDockWidgetArea, Qt::Vertical, 168}};
+constexpr Edge kEdges[] = {
+    {Side::Left, Qt::LeftDockWidgetArea, Qt::Horizontal, Qt::Vertical, &Layout::left_px},
+    {Side::Right, Qt::RightDockWidgetArea, Qt::Horizontal, Qt::Vertical, &Layout::right_px},
+    {Side::Bottom, Qt::BottomDockWidgetArea, Qt::Vertical, Qt::Horizontal, &Layout::bottom_px}};
+constexpr int kSharePx = 100;
 
 }  // namespace
 
@@ -39,7 +42,6 @@ Panels::Panels(QMainWindow& window, Actions& actions) : QObject(&window), window
   window_.setDockNestingEnabled(true);
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   window_.installEventFilter(this);
 }
 
@@ -47,6 +49,7 @@ bool Panels::eventFilter(QObject* watched, QEvent* event) {
   // The window creates them on demand. Truncated to a few letters they would be useless.
   if (event->type() == QEvent::ChildPolished) {
     if (auto* const tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child())) {
+      tabs->setAccessibleName(tr("Panels"));
       tabs->setElideMode(Qt::ElideNone);
       tabs->setUsesScrollButtons(true);
     }
@@ -56,6 +59,7 @@ bool Panels::eventFilter(QObject* watched, QEvent* event) {
 
 void Panels::add(QDockWidget* dock, const PanelPlace& place) {
   giveTitle(dock);
+  if (dock->widget()) orderTabsAsLaidOut(*dock->widget());
   QAction* const toggle = dock->toggleViewAction();
   actions_.list({MenuGroup::Panels, place.menu_rank}, toggle);
   // The user wants to see the opened panel, not the tab in front of it; Qt places it only once it is laid
@@ -74,57 +78,114 @@ std::vector<QDockWidget*> Panels::docks() const {
   return docks;
 }
 
-std::vector<Panels::Panel> Panels::onSide(Side side) const {
-  std::vector<Panel> found;
-  std::copy_if(panels_.begin(), panels_.end(), std::back_inserter(found),
-               [&](const Panel& panel) { return panel.place.side == side; });
-  std::stable_sort(found.begin(), found.end(),
+std::vector<std::vector<Panels::Panel>> Panels::stacksOn(Side side) const {
+  std::vector<std::vector<Panel>> stacks;
+  QStringList named;
+  for (const Layout::Stack& stack : layout_.stacks) {
+    named += stack.docks;
+    if (stack.side != side) continue;
+    std::vector<Panel> found;
+    for (const QString& name : stack.docks) {
+      std::copy_if(panels_.begin(), panels_.end(), std::back_inserter(found),
+                   [&](const Panel& panel) { return panel.dock->objectName() == name; });
+    }
+    if (!found.empty()) stacks.push_back(std::move(found));
+  }
+  std::vector<Panel> others;
+  std::copy_if(panels_.begin(), panels_.end(), std::back_inserter(others), [&](const Panel& panel) {
+    return panel.place.side == side && !named.contains(panel.dock->objectName());
+  });
+  std::stable_sort(others.begin(), others.end(),
                    [](const Panel& a, const Panel& b) { return a.place.tab < b.place.tab; });
-  return found;
+  if (stacks.empty() && !others.empty()) stacks.emplace_back();
+  if (!others.empty()) stacks.back().insert(stacks.back().end(), others.begin(), others.end());
+  return stacks;
 }
 
-void Panels::arrange() {
+const Layout::Stack* Panels::stackOf(const QDockWidget* dock) const {
+  const auto stack = std::find_if(
+      layout_.stacks.begin(), layout_.stacks.end(),
+      [&](const Layout::Stack& candidate) { return candidate.docks.contains(dock->objectName()); });
+  return stack == layout_.stacks.end() ? nullptr : &*stack;
+}
+
+bool Panels::opensAtFirst(const Panel& panel) const { return panel.place.open || stackOf(panel.dock); }
+
+void Panels::arrange(const Layout& layout) {
+  layout_ = layout;
+  window_.setUpdatesEnabled(false);
   place();
+  window_.setUpdatesEnabled(true);
   restored_ = false;
   // Which tab is in front is only known after layout.
   QTimer::singleShot(0, this, [this] {
     if (restored_) return;
-    for (const Edge& edge : kEdges) {
-      const auto stack = onSide(edge.side);
-      const auto last =
-          std::find_if(stack.rbegin(), stack.rend(), [](const Panel& panel) { return panel.place.open; });
-      if (last != stack.rend()) last->dock->raise();
-    }
+    raiseFirst();
     Q_EMIT arranged();
   });
 }
 
+void Panels::raiseFirst() {
+  for (const Edge& edge : kEdges) {
+    for (const std::vector<Panel>& stack : stacksOn(edge.side)) {
+      const auto last = std::find_if(stack.rbegin(), stack.rend(),
+                                     [this](const Panel& panel) { return opensAtFirst(panel); });
+      if (last != stack.rend()) (stackOf(stack.front().dock) ? stack.front() : *last).dock->raise();
+    }
+  }
+}
+
 void Panels::place() {
+  window_.setCorner(Qt::BottomRightCorner,
+                    layout_.wide_bottom ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea);
   for (const Panel& panel : panels_) {
     panel.dock->setFloating(false);
     window_.removeDockWidget(panel.dock);
   }
   for (const Edge& edge : kEdges) {
-    QDockWidget* before = nullptr;
-    for (const Panel& panel : onSide(edge.side)) {
-      window_.addDockWidget(edge.area, panel.dock);
-      if (before) window_.tabifyDockWidget(before, panel.dock);
-      before = panel.dock;
+    const auto stacks = stacksOn(edge.side);
+    // Before there are tabs: what is split from a tab becomes a tab, too.
+    for (std::size_t i = 0; i < stacks.size(); ++i) {
+      QDockWidget* const first = stacks[i].front().dock;
+      window_.addDockWidget(edge.area, first);
+      if (i > 0) window_.splitDockWidget(stacks[i - 1].front().dock, first, edge.along);
+    }
+    for (const std::vector<Panel>& stack : stacks) {
+      for (std::size_t i = 1; i < stack.size(); ++i) {
+        window_.addDockWidget(edge.area, stack[i].dock);
+        window_.tabifyDockWidget(stack[i - 1].dock, stack[i].dock);
+      }
     }
   }
-  for (const Edge& edge : kEdges) {
-    for (const Panel& panel : onSide(edge.side)) panel.dock->setVisible(panel.place.open);
-  }
+  for (const Panel& panel : panels_) panel.dock->setVisible(opensAtFirst(panel));
+  share();
+}
+
+void Panels::share() {
   for (const Qt::Orientation orientation : {Qt::Horizontal, Qt::Vertical}) {
     QList<QDockWidget*> docks;
     QList<int> sizes;
     for (const Edge& edge : kEdges) {
-      const auto stack = onSide(edge.side);
-      if (edge.orientation != orientation || stack.empty()) continue;
-      docks << stack.back().dock;
-      sizes << edge.px;
+      const auto stacks = stacksOn(edge.side);
+      if (edge.across != orientation || stacks.empty()) continue;
+      docks << stacks.back().back().dock;
+      sizes << layout_.*edge.px;
     }
     window_.resizeDocks(docks, sizes, orientation);
+  }
+  for (const Edge& edge : kEdges) {
+    QList<QDockWidget*> docks;
+    QList<int> sizes;
+    for (const Layout::Stack& stack : layout_.stacks) {
+      if (stack.side != edge.side) continue;
+      const auto panel = std::find_if(panels_.begin(), panels_.end(), [&](const Panel& candidate) {
+        return stack.docks.contains(candidate.dock->objectName());
+      });
+      if (panel == panels_.end()) continue;
+      docks << panel->dock;
+      sizes << stack.share * kSharePx;
+    }
+    if (docks.size() > 1) window_.resizeDocks(docks, sizes, edge.along);
   }
 }
 
@@ -136,8 +197,9 @@ int Panels::version() const {
 
 QByteArray Panels::state() const { return window_.saveState(version()); }
 
-bool Panels::restore(const QByteArray& state) {
+bool Panels::restore(const QByteArray& state, const Layout& layout) {
   if (!window_.restoreState(state, version())) return false;
+  layout_ = layout;
   restored_ = true;
   return true;
 }
@@ -148,7 +210,8 @@ void Panels::open(QDockWidget* dock) {
 }
 
 void Panels::suggest(QDockWidget* dock) {
-  if (!restored_) dock->raise();
+  const Layout::Stack* const stack = stackOf(dock);
+  if (!restored_ && !(stack && stack->keeps_front)) dock->raise();
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include <QByteArray>
 #include <QObject>
+#include <QStringList>
 #include <QWidget>
 
 class QDockWidget;
@@ -14,13 +15,29 @@ namespace mapwright::window {
 
 class Actions;
 
-/// The original place of a dock. Those on one side are tabs.
+/// The place of a dock where no layout names it: a tab at the end of its side.
 struct PanelPlace {
   enum class Side { Left, Right, Bottom };
   Side side = Side::Left;
-  int tab = 0;        // its rank among the tabs of its side
+  int tab = 0;        // its rank among those tabs
   int menu_rank = 0;  // in the View menu
-  bool open = true;
+  bool open = false;
+};
+
+/// An arrangement of the docks for one kind of work: which are open at first, and where.
+struct Layout {
+  /// Tabs in one place.
+  struct Stack {
+    PanelPlace::Side side = PanelPlace::Side::Left;
+    QStringList docks;         // by object name; the first one is in front
+    int share = 1;             // of the length of its side
+    bool keeps_front = false;  // whatever is suggested
+  };
+  /// Those of one side are below one another, those at the bottom side by side.
+  std::vector<Stack> stacks;
+  int left_px = 220, right_px = 322, bottom_px = 168;
+  /// The bottom reaches below the docks at the right.
+  bool wide_bottom = false;
 };
 
 class Panels : public QObject {
@@ -29,23 +46,23 @@ class Panels : public QObject {
   /// Both must outlive this.
   Panels(QMainWindow& window, Actions& actions);
 
-  /// Not owned. Gives the dock its title bar and lists it in the View menu.
+  /// Not owned. Gives the dock, which is complete, its title bar and lists it in the View menu.
   void add(QDockWidget* dock, const PanelPlace& place);
   /// In the order of the View menu.
   std::vector<QDockWidget*> docks() const;
 
   bool eventFilter(QObject* watched, QEvent* event) override;
-  /// All as at first.
-  void arrange();
+  /// All as at first in this layout.
+  void arrange(const Layout& layout = {});
   QByteArray state() const;
-  /// False: invalid state for these docks; nothing has changed.
-  bool restore(const QByteArray& state);
+  /// A state() of `layout`. False: invalid state for these docks; nothing has changed.
+  bool restore(const QByteArray& state, const Layout& layout = {});
   /// The layout was restored: nothing comes to the front automatically.
   bool restored() const { return restored_; }
 
   /// Shows a dock on request.
   void open(QDockWidget* dock);
-  /// Brings a dock to the front, unless the user has chosen the one that is there.
+  /// Brings a dock to the front, unless the user or the layout has chosen the one that is there.
   void suggest(QDockWidget* dock);
 
  Q_SIGNALS:
@@ -57,14 +74,20 @@ class Panels : public QObject {
     QDockWidget* dock;
     PanelPlace place;
   };
-  std::vector<Panel> onSide(PanelPlace::Side side) const;  // by tab
+  /// The stacks of a side, docks that the layout does not name at the end of the last one.
+  std::vector<std::vector<Panel>> stacksOn(PanelPlace::Side side) const;
+  const Layout::Stack* stackOf(const QDockWidget* dock) const;  // null: the layout does not name it
+  bool opensAtFirst(const Panel& panel) const;
   void place();
+  void share();
+  void raiseFirst();
   /// Changes with the set of docks, so that an old state is not applied to a new layout.
   int version() const;
 
   QMainWindow& window_;
   Actions& actions_;
   std::vector<Panel> panels_;
+  Layout layout_;
   bool restored_ = false;
 };
 

@@ -8,7 +8,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QScreen>
-#include <QToolBar>
 
 #include "ui/clouds/clouds_controller.h"
 #include "ui/clouds/projections_controller.h"
@@ -49,6 +48,8 @@
 #include "ui/waypoints/waypoints_controller.h"
 #include "window/appearance_controller.h"
 #include "window/help_controller.h"
+#include "window/layout_controller.h"
+#include "window/tool_bar.h"
 #include "window/view_controller.h"
 
 namespace mapwright::window {
@@ -57,7 +58,6 @@ namespace {
 
 constexpr int kFramePx = 8, kTitleBarPx = 40;
 const QString kGeometryKey = QStringLiteral("window/geometry");
-const QString kStateKey = QStringLiteral("window/state");
 
 template <typename Options>
 Options with(const std::shared_ptr<work::Workers>& workers, Options options) {
@@ -115,7 +115,6 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   createControllers(dependencies);
   connectControllers();
   addOwnActions();
-  context_->panels.arrange();
   fillMenuBar(*menuBar(), actions_);
   createToolBar();
   actions_.attach(this, view_);
@@ -152,6 +151,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   placing_ = new PicturePlacing(this, dependencies.yamls_naming, workers_);
   make(appearance_);
   make(view_control_);
+  make(layout_);
   make(compare_, *placing_,
        [connect = dependencies.connect](const QString& address) { return connect(address, {}); });
   make(layers_);
@@ -212,6 +212,7 @@ void MainWindow::connectControllers() {
 void MainWindow::addOwnActions() {
   actions_.add({.id = "quit",
                 .text = tr("&Quit"),
+                .name = tr("Quit mapwright"),
                 .keys = {"Ctrl+Q"},
                 .tip = tr("Quit mapwright"),
                 .menu = {MenuGroup::Quit, 10}},
@@ -225,14 +226,9 @@ void MainWindow::addOwnActions() {
 }
 
 void MainWindow::createToolBar() {
-  auto* const tools = new QToolBar(tr("Tools"), this);
-  tools->setObjectName(QStringLiteral("tools"));
-  tools->setMovable(false);
-  tools->setFloatable(false);
-  tools->setIconSize({20, 20});
-  tools->toggleViewAction()->setVisible(false);
+  auto* const tools = new ToolBar(actions_, this);
   addToolBar(Qt::TopToolBarArea, tools);
-  fillToolBar(*tools, actions_);
+  connect(layout_, &LayoutController::shown, tools, &ToolBar::showRole);
 }
 
 void MainWindow::tellControllers(session::Session* session) {
@@ -246,18 +242,15 @@ void MainWindow::restoreSettings() {
     // Room for the window manager's frame.
     resize(qMin(1600, room.width() - kFramePx), qMin(1000, room.height() - kTitleBarPx));
   }
-  if (!context_->panels.restore(settings_.value(kStateKey).toByteArray())) context_->panels.arrange();
   for (Controller* controller : controllers_) controller->recall(settings_);
 }
 
 void MainWindow::saveSettings() {
   settings_.setValue(kGeometryKey, saveGeometry());
-  settings_.setValue(kStateKey, context_->panels.state());
   for (Controller* controller : controllers_) controller->remember(settings_);
 }
 
 void MainWindow::resetLayout() {
-  context_->panels.arrange();
   for (Controller* controller : controllers_) controller->reset();
 }
 

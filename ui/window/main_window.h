@@ -36,6 +36,7 @@ class ExportController;
 class FilesController;
 class InspectorController;
 class LayersController;
+class LayoutController;
 class MapOverlay;
 class MapsController;
 class MapView;
@@ -133,6 +134,7 @@ class MainWindow : public QMainWindow {
   FilesController* files_ = nullptr;
   InspectorController* inspector_ = nullptr;
   LayersController* layers_ = nullptr;
+  LayoutController* layout_ = nullptr;
   MapsController* maps_ = nullptr;
   AdministrationController* administration_ = nullptr;
   MessagesController* messages_ = nullptr;

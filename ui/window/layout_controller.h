@@ -1,0 +1,49 @@
+// Which of its layouts the window has: one for each role, remembered separately, one click apart.
+#pragma once
+
+#include <map>
+
+#include <QByteArray>
+
+#include "ui/kit/controller.h"
+#include "ui/shell/window_context.h"
+#include "window/layouts.h"
+
+class QAction;
+
+namespace mapwright::window {
+
+class LayoutController : public Controller {
+  Q_OBJECT
+ public:
+  explicit LayoutController(WindowContext& context, QObject* parent = nullptr);
+
+  Role role() const { return role_; }
+  /// The user's choice, which stands from then on.
+  void choose(Role role);
+
+  void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
+  void reset() override;
+
+ Q_SIGNALS:
+  void shown(Role role);
+
+ private:
+  void show(Role role);
+  /// As long as the user has not chosen: by what was opened.
+  void pick(session::Session& session);
+  void offerReplay();
+  Layout fresh() const;
+
+  WindowContext& context_;
+  std::map<Role, QAction*> actions_;
+  std::map<Role, QByteArray> states_;  // of the panels, as they were left
+  Role role_ = Role::Inspect;
+  bool chosen_ = false;   // by the user, at any time
+  bool opened_ = false;   // something, since the start
+  bool offered_ = false;  // the layout of replays
+};
+
+}  // namespace mapwright::window
