@@ -67,7 +67,7 @@ class TrackLayerTest : public QObject {
     const QRgb ground = desk.painted().pixel(200, 150);
     desk.scene.setTrack(straight(16));
     const QImage image = desk.painted();
-    const auto colors = trackColors(TrackChoice::Time, lightMapTheme());
+    const auto colors = trackColors(TrackChoice::Time);
     QCOMPARE(image.pixel(45, 150), colors.front().rgb());
     QCOMPARE(image.pixel(355, 150), colors.back().rgb());
     QCOMPARE(image.pixel(200, 130), ground);
@@ -92,7 +92,7 @@ class TrackLayerTest : public QObject {
     auto track = straight(16);
     for (std::size_t i = 0; i < 80; ++i) (*track)[i].quality = 1;
     desk.scene.setTrack(track);
-    const auto colors = trackColors(TrackChoice::Quality, lightMapTheme());
+    const auto colors = trackColors(TrackChoice::Quality);
     QCOMPARE(desk.painted().pixel(100, 150), colors[1].rgb());
     QCOMPARE(desk.painted().pixel(300, 150), colors[3].rgb());
     const TrackScale scale{TrackChoice::Quality, 0};
@@ -122,14 +122,12 @@ class TrackLayerTest : public QObject {
     QVERIFY(!desk.painted().isNull());
   }
 
-  void coloursOfAThemeDiffer() {
-    for (const MapTheme& theme : {lightMapTheme(), darkMapTheme()}) {
-      for (const TrackChoice choice : {TrackChoice::Time, TrackChoice::Speed, TrackChoice::Quality}) {
-        std::set<QRgb> different;
-        const auto colors = trackColors(choice, theme);
-        for (const QColor& color : colors) different.insert(color.rgb());
-        QCOMPARE(different.size(), colors.size());
-      }
+  void coloursOfAChoiceDiffer() {
+    for (const TrackChoice choice : {TrackChoice::Time, TrackChoice::Speed, TrackChoice::Quality}) {
+      std::set<QRgb> different;
+      const auto colors = trackColors(choice);
+      for (const QColor& color : colors) different.insert(color.rgb());
+      QCOMPARE(different.size(), colors.size());
     }
   }
 };

@@ -3,7 +3,8 @@
 namespace mapwright::scene {
 namespace {
 
-/// 0xAARRGGBB.
+/// 0xAARRGGBB. What can be on screen together is told apart on every ground, also by colour-blind people: the
+/// test map_colors measures it.
 struct ColorRow {
   QColor MapTheme::*color;
   QRgb light, dark;
@@ -13,13 +14,13 @@ constexpr ColorRow kColorRows[] = {
     {&MapTheme::axis, 0x961f6feb, 0xaa5c9bff},           {&MapTheme::text, 0xff10141a, 0xfff2f5f9},
     {&MapTheme::text_halo, 0xdcffffff, 0xdc0a0e14},      {&MapTheme::accent, 0xff1f6feb, 0xff1f6feb},
     {&MapTheme::robot, 0xff1f6feb, 0xff1f6feb},          {&MapTheme::robot_outline, 0xffffffff, 0xffffffff},
-    {&MapTheme::trail, 0xbe1f6feb, 0xbe1f6feb},          {&MapTheme::outline, 0xc8b35c00, 0xdcffb454},
+    {&MapTheme::trail, 0xff68abfd, 0xff1c57ac},          {&MapTheme::outline, 0xc8b35c00, 0xdcffb454},
     {&MapTheme::outline_frozen, 0x96334458, 0xaa8da2bb}, {&MapTheme::measure, 0xffa81e7a, 0xffff6ad5},
-    {&MapTheme::stale_veil, 0x82e6e9ee, 0x8214181e},     {&MapTheme::cloud, 0xffc2185b, 0xffff5d9e},
-    {&MapTheme::path, 0xff1f6feb, 0xff5c9bff},           {&MapTheme::trajectory, 0xff0f8b8d, 0xff3fd0d2},
-    {&MapTheme::target, 0xffa81e7a, 0xffff6ad5},         {&MapTheme::other_robot, 0xff7a4dd8, 0xffb090ff},
-    {&MapTheme::constraint, 0xff0f8b8d, 0xff3fd0d2},     {&MapTheme::region, 0xff6b4fc4, 0xffa992f5},
-    {&MapTheme::place, 0xff0a58ca, 0xff6faeff},          {&MapTheme::good, 0xff2e9e5b, 0xff2e9e5b},
+    {&MapTheme::stale_veil, 0x82e6e9ee, 0x8214181e},     {&MapTheme::cloud, 0xffa43472, 0xffd58eb0},
+    {&MapTheme::path, 0xff277aff, 0xff5c9bff},           {&MapTheme::trajectory, 0xff7fad75, 0xff42deb3},
+    {&MapTheme::target, 0xff7b0367, 0xffc75292},         {&MapTheme::other_robot, 0xff2f00fa, 0xffa97cbc},
+    {&MapTheme::constraint, 0xff039d81, 0xff00b579},     {&MapTheme::region, 0xff6b4fc4, 0xffa992f5},
+    {&MapTheme::place, 0xff0050b1, 0xff9fc6ff},          {&MapTheme::good, 0xff2e9e5b, 0xff2e9e5b},
     {&MapTheme::warn, 0xffd98c00, 0xffd98c00},           {&MapTheme::bad, 0xffd1383d, 0xffd1383d}};
 
 MapTheme themeOf(bool dark) {

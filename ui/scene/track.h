@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include "scene/layer.h"
-#include "scene/map_theme.h"
 
 namespace mapwright::scene {
 
@@ -35,6 +34,6 @@ constexpr int kTrackColors = 32;  // steps of a gradient
 /// fair, 3 good.
 int colorIndexOf(const TrackSample& sample, const TrackScale& scale);
 /// By index, distinguishable for colour-blind people as well.
-std::vector<QColor> trackColors(TrackChoice choice, const MapTheme& theme);
+std::vector<QColor> trackColors(TrackChoice choice);
 
 }  // namespace mapwright::scene

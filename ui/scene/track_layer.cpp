@@ -24,9 +24,9 @@ constexpr double kNearPx = 1.5;  // samples closer to the previous one are skipp
 // The legend is above the scale bar.
 constexpr double kLeft = 8, kAboveBottom = 48, kBarPx = 140, kBarHeight = 8, kPad = 8;
 
-/// Dark to light, uniform, without red against green: "viridis" (matplotlib, CC0), eight stops of it.
-constexpr std::array<QRgb, 8> kGradient{0xff440154, 0xff46327e, 0xff365c8d, 0xff277f8e,
-                                        0xff1fa187, 0xff4ac16d, 0xffa0da39, 0xfffde725};
+/// From brown to yellow: steadily lighter, without red against green, apart from the blues, greens and
+/// purples of everything else, and from every ground (test map_colors).
+constexpr std::array<QRgb, 5> kGradient{0xff8a2f06, 0xffcb4e04, 0xffea7216, 0xfffd9a2b, 0xfffdc551};
 
 QColor gradientAt(double share) {
   const double at = std::clamp(share, 0.0, 1.0) * double(kGradient.size() - 1);
@@ -73,15 +73,12 @@ int colorIndexOf(const TrackSample& sample, const TrackScale& scale) {
   return std::clamp(int(shareOf(sample, scale) * kTrackColors), 0, kTrackColors - 1);
 }
 
-std::vector<QColor> trackColors(TrackChoice choice, const MapTheme& theme) {
+std::vector<QColor> trackColors(TrackChoice choice) {
   // Okabe and Ito's colours.
   if (choice == TrackChoice::Quality)
     return {QColor(128, 128, 128), QColor(213, 94, 0), QColor(230, 159, 0), QColor(0, 114, 178)};
-  // Omits the ends that are too close to the background.
-  const double from = theme.dark ? 0.25 : 0, to = theme.dark ? 1 : 0.85;
   std::vector<QColor> colors;
-  for (int i = 0; i < kTrackColors; ++i)
-    colors.push_back(gradientAt(from + (to - from) * i / (kTrackColors - 1)));
+  for (int i = 0; i < kTrackColors; ++i) colors.push_back(gradientAt(double(i) / (kTrackColors - 1)));
   return colors;
 }
 
@@ -149,7 +146,7 @@ void TrackLayer::layOut() {
 void TrackLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   if (!context_.track || context_.track->empty()) return;
   layOut();
-  const std::vector<QColor> colors = trackColors(scale_.choice, context_.theme);
+  const std::vector<QColor> colors = trackColors(scale_.choice);
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setBrush(Qt::NoBrush);
   for (const Run& run : runs_) {
@@ -163,7 +160,7 @@ void TrackLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
 
 void TrackLayer::paintLegend(QPainter& painter, const QRectF& exposed) const {
   const QFontMetricsF metrics(context_.theme.label_font);
-  const std::vector<QColor> colors = trackColors(scale_.choice, context_.theme);
+  const std::vector<QColor> colors = trackColors(scale_.choice);
   const bool qualities = scale_.choice == TrackChoice::Quality;
   const QStringList names =
       qualities ? QStringList{TrackLayerText::tr("unknown"), TrackLayerText::tr("poor or lost"),
