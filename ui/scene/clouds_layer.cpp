@@ -135,6 +135,7 @@ LayerSpec layerSpec<Layer::DispatchedCloud>() {
           .title = QT_TRANSLATE_NOOP("scene", "Point cloud of the map"),
           .follows_robot = false,
           .in_all = false,  // its size is not known in advance
+          .in_fit = true,
           .traits =
               [] {
                 return LayerTraits{.color = true,

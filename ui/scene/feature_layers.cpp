@@ -7,6 +7,7 @@
 #include <QPainterPath>
 
 #include "map/live_topics.h"
+#include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
 #include "sentences/overlay_name.h"
 
@@ -176,6 +177,11 @@ class DoorsLayer : public LayerItem {
       }
     }
   }
+  geometry::WorldRect contentBounds() const override {
+    geometry::WorldRect bounds;
+    for (const map::AutoDoor& door : context_.live->doors) bounds.extend(boundsOf(door.polygon));
+    return bounds;
+  }
 };
 
 /// Pallets, racks, detected objects, and the robot's other drawings.
@@ -208,6 +214,20 @@ class BoxesLayer : public LayerItem {
       }
     }
   }
+  geometry::WorldRect contentBounds() const override {
+    const map::LiveState& live = *context_.live;
+    geometry::WorldRect bounds;
+    for (const map::GroundDrawing& drawing : live.drawings) bounds.extend(boundsOf(drawing.points));
+    for (const auto* boxes : {&live.pallets, &live.racks, &live.seen_objects}) {
+      for (const map::GroundBox& box : *boxes) {
+        const auto robot = context_.robotPose();
+        if (box.in_robot_frame && !robot) continue;
+        const geometry::Pose2 pose = box.in_robot_frame ? *robot * box.pose : box.pose;
+        extendBy(bounds, {pose.x_m, pose.y_m});
+      }
+    }
+    return bounds;
+  }
 };
 
 /// Landmarks seen by the robot, or those of an opened map.
@@ -232,6 +252,13 @@ class LandmarksLayer : public LayerItem {
       }
     }
   }
+  geometry::WorldRect contentBounds() const override {
+    geometry::WorldRect bounds;
+    const bool robots = of() == FeaturesOf::Robot;
+    for (const map::Landmark& landmark : robots ? context_.live->landmarks : context_.of(*of()).landmarks)
+      extendBy(bounds, landmark.position_m);
+    return bounds;
+  }
 };
 
 /// Walls, regions and places, read-only.
@@ -254,6 +281,13 @@ class OverlaysLayer : public LayerItem {
         }
       }
     }
+  }
+  geometry::WorldRect contentBounds() const override {
+    geometry::WorldRect bounds;
+    for (const map::OverlayFeature& feature : context_.of(*of()).overlays) {
+      for (const auto& part : feature.parts) bounds.extend(boundsOf(part));
+    }
+    return bounds;
   }
 
  private:
@@ -320,6 +354,7 @@ template <>
 LayerSpec layerSpec<Layer::Overlays>() {
   return {.name = "overlays",
           .title = QT_TRANSLATE_NOOP("scene", "Overlays"),
+          .group = LayerGroup::Annotations,
           .streams = {map::Stream::MapInfo},
           .follows_robot = false,
           .why_empty = whyNoMapFeatures,
@@ -330,6 +365,7 @@ template <>
 LayerSpec layerSpec<Layer::Landmarks>() {
   return {.name = "landmarks",
           .title = QT_TRANSLATE_NOOP("scene", "Landmarks"),
+          .group = LayerGroup::Environment,
           .streams = {map::Stream::Landmarks},
           .topics = {map::topicIndex<map::LandmarksMessage>()},
           .traits = [] { return LayerTraits{.color = true}; },
@@ -341,6 +377,7 @@ template <>
 LayerSpec layerSpec<Layer::Doors>() {
   return {.name = "doors",
           .title = QT_TRANSLATE_NOOP("scene", "Auto doors"),
+          .group = LayerGroup::Environment,
           .streams = {map::Stream::Doors},
           .topics = {map::topicIndex<map::AutoDoorsMessage>()},
           .items = oneItem<DoorsLayer>};
@@ -350,6 +387,7 @@ template <>
 LayerSpec layerSpec<Layer::Boxes>() {
   return {.name = "boxes",
           .title = QT_TRANSLATE_NOOP("scene", "Pallets, racks"),
+          .group = LayerGroup::Environment,
           .streams = {map::Stream::Pallets, map::Stream::Racks, map::Stream::SeenObjects},
           .topics = {map::topicIndex<map::PalletsMessage>(), map::topicIndex<map::RackMessage>(),
                      map::topicIndex<map::SeenObjectsMessage>()},

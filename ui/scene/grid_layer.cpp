@@ -128,6 +128,7 @@ template <>
 LayerSpec layerSpec<Layer::Grid>() {
   return {.name = "grid",
           .title = QT_TRANSLATE_NOOP("scene", "Grid"),
+          .group = LayerGroup::Annotations,
           .follows_robot = false,
           .why_empty = neverEmpty,
           .items = oneItem<GridLayer>};

@@ -25,6 +25,34 @@ QString layerName(Layer layer) { return QString::fromLatin1(specOf(layer).name);
 
 QString layerTitle(Layer layer) { return QCoreApplication::translate("scene", specOf(layer).title); }
 
+QString groupName(LayerGroup group) {
+  switch (group) {
+    case LayerGroup::Robot:
+      return QStringLiteral("robot");
+    case LayerGroup::Environment:
+      return QStringLiteral("environment");
+    case LayerGroup::Annotations:
+      return QStringLiteral("annotations");
+    case LayerGroup::Map:
+      break;
+  }
+  return QStringLiteral("map");
+}
+
+QString groupTitle(LayerGroup group) {
+  switch (group) {
+    case LayerGroup::Robot:
+      return QCoreApplication::translate("scene", "Robot");
+    case LayerGroup::Environment:
+      return QCoreApplication::translate("scene", "Environment");
+    case LayerGroup::Annotations:
+      return QCoreApplication::translate("scene", "Annotations");
+    case LayerGroup::Map:
+      break;
+  }
+  return QCoreApplication::translate("scene", "Map");
+}
+
 map::Streams layerStreams(Layer layer) { return specOf(layer).streams; }
 
 bool followsRobot(Layer layer) { return specOf(layer).follows_robot; }

@@ -73,6 +73,11 @@ struct LayerTraits {
   bool any() const { return color || size_px || !choices.isEmpty(); }
 };
 
+/// What belongs together in the list of layers.
+enum class LayerGroup { Robot, Environment, Annotations, Map };
+inline constexpr LayerGroup kLayerGroups[] = {LayerGroup::Robot, LayerGroup::Environment,
+                                              LayerGroup::Annotations, LayerGroup::Map};
+
 class LayerItem;
 struct LayerContext;
 
@@ -85,8 +90,9 @@ QString whyNoMapFeatures(robot::Robot& robot);
 
 /// What is known about a layer.
 struct LayerSpec {
-  const char* name;              // for the command line and settings: "whole", "submaps", "costmap", …
-  const char* title;             // for display, short; in the translation context "scene"
+  const char* name;   // for the command line and settings: "whole", "submaps", "costmap", …
+  const char* title;  // for display, short; in the translation context "scene"
+  LayerGroup group = LayerGroup::Map;
   bool shown = true;             // at first
   map::Streams streams = {};     // the data that it needs from a robot, besides what is always on
   std::vector<int> topics = {};  // map::topicIndex() of the messages that change what it shows
@@ -96,6 +102,7 @@ struct LayerSpec {
   bool topic_chosen = false;  // the user may choose from which topic its data comes
   bool in_all = true;         // part of "--layers all"
   bool order_fixed = false;   // its position in the order is
+  bool in_fit = false;        // what it holds belongs into the view that shows everything, as maps do
   LayerTraits (*traits)() = [] { return LayerTraits(); };
   WhyEmpty why_empty = whyNoLiveData;
   /// The graphics items that draw it, bottom first; null: RasterStack makes them.
@@ -116,6 +123,8 @@ const LayerSpec& specOf(Layer layer);
 const std::vector<Layer>& allLayers();
 QString layerName(Layer layer);
 QString layerTitle(Layer layer);
+QString groupName(LayerGroup group);  // for settings
+QString groupTitle(LayerGroup group);
 map::Streams layerStreams(Layer layer);
 bool followsRobot(Layer layer);
 /// The kind of data whose topic can be chosen; nullopt: no choice.

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include "map/live_topics.h"
+#include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
 
 namespace mapwright::scene {
@@ -21,6 +22,14 @@ class CloudLayer : public LayerItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
   /// Points have arrived: repaints their old and new areas.
   void liveChanged() override;
+  geometry::WorldRect contentBounds() const override {
+    geometry::WorldRect bounds;
+    for (const auto& [topic, cloud] : context_.live->clouds) {
+      if (!cloud) continue;
+      for (const map::CloudPoint& point : *cloud) extendBy(bounds, {point.x_m, point.y_m});
+    }
+    return bounds;
+  }
 
  private:
   struct Key {
@@ -142,6 +151,7 @@ class PathLayer : public LinesLayer {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
     paintLines(*painter, colorOr(context_.theme.path), sizeOr(kPathPx), context_.live->path);
   }
+  geometry::WorldRect contentBounds() const override { return boundsOf(context_.live->path); }
 };
 
 /// Of the robot, or of an opened map.
@@ -154,6 +164,12 @@ class TrajectoryLayer : public LinesLayer {
     };
     if (of() == FeaturesOf::Robot) return paint_one(context_.live->trajectory);
     for (const auto& line : context_.of(*of()).trajectories) paint_one(line);
+  }
+  geometry::WorldRect contentBounds() const override {
+    if (of() == FeaturesOf::Robot) return boundsOf(context_.live->trajectory);
+    geometry::WorldRect bounds;
+    for (const auto& line : context_.of(*of()).trajectories) bounds.extend(boundsOf(line));
+    return bounds;
   }
 };
 
@@ -182,6 +198,16 @@ class ConstraintsLayer : public LayerItem {
       });
     }
   }
+  geometry::WorldRect contentBounds() const override {
+    geometry::WorldRect bounds;
+    for (const auto& [name, segments] : context_.live->constraints.by_name) {
+      for (const auto& [from, to] : segments) {
+        extendBy(bounds, from);
+        extendBy(bounds, to);
+      }
+    }
+    return bounds;
+  }
 
  private:
   LineSheet sheet_;
@@ -205,6 +231,7 @@ class LocalPathLayer : public LayerItem {
     painter->setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
     for (const QPolygonF& line : visibleLines(context_.view, path.points, width)) painter->drawPolyline(line);
   }
+  geometry::WorldRect contentBounds() const override { return boundsOf(context_.live->local_path.points); }
 };
 
 /// The robot's goal.
@@ -240,6 +267,13 @@ class TargetLayer : public LayerItem {
       painter->drawEllipse(at, 2, 2);
     }
   }
+  geometry::WorldRect contentBounds() const override {
+    geometry::WorldRect bounds;
+    if (!context_.live->planning) return bounds;
+    for (const geometry::Pose2& target : context_.live->planning->targets)
+      extendBy(bounds, {target.x_m, target.y_m});
+    return bounds;
+  }
 };
 
 /// Other robots, with their footprints and where they are headed.
@@ -266,6 +300,12 @@ class NearbyRobotsLayer : public LayerItem {
       drawPlace(*painter, context_, {other.pose.x_m, other.pose.y_m}, other.pose.yaw_rad, color,
                 QString::fromStdString(other.uid));
     }
+  }
+  geometry::WorldRect contentBounds() const override {
+    geometry::WorldRect bounds;
+    for (const map::NearbyRobot& other : context_.live->nearby_robots)
+      extendBy(bounds, {other.pose.x_m, other.pose.y_m});
+    return bounds;
   }
 };
 
@@ -298,6 +338,7 @@ template <>
 LayerSpec layerSpec<Layer::Path>() {
   return {.name = "path",
           .title = QT_TRANSLATE_NOOP("scene", "Path"),
+          .group = LayerGroup::Robot,
           .streams = {map::Stream::Path},
           .topics = {map::topicIndex<map::PathMessage>()},
           .topic_chosen = true,
@@ -309,6 +350,7 @@ template <>
 LayerSpec layerSpec<Layer::LocalPath>() {
   return {.name = "local-path",
           .title = QT_TRANSLATE_NOOP("scene", "Local path"),
+          .group = LayerGroup::Robot,
           .streams = {map::Stream::LocalPath},
           .topics = {map::topicIndex<map::LocalPathMessage>()},
           .topic_chosen = true,
@@ -320,6 +362,7 @@ template <>
 LayerSpec layerSpec<Layer::Target>() {
   return {.name = "target",
           .title = QT_TRANSLATE_NOOP("scene", "Target"),
+          .group = LayerGroup::Robot,
           .streams = {map::Stream::Planning},
           .topics = {map::topicIndex<map::PlanningState>()},
           .topic_chosen = true,
@@ -331,6 +374,7 @@ template <>
 LayerSpec layerSpec<Layer::Cloud>() {
   return {.name = "cloud",
           .title = QT_TRANSLATE_NOOP("scene", "Lidar points"),
+          .group = LayerGroup::Environment,
           .streams = {map::Stream::Cloud},
           .topics = {map::topicIndex<map::PointCloudMessage>()},
           .traits =
@@ -351,6 +395,7 @@ template <>
 LayerSpec layerSpec<Layer::NearbyRobots>() {
   return {.name = "robots",
           .title = QT_TRANSLATE_NOOP("scene", "Nearby robots"),
+          .group = LayerGroup::Environment,
           .streams = {map::Stream::NearbyRobots, map::Stream::NearbyFootprints},
           .topics = {map::topicIndex<map::NearbyRobotsMessage>(),
                      map::topicIndex<map::NearbyFootprintsMessage>()},

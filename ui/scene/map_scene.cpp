@@ -292,16 +292,27 @@ geometry::WorldRect MapScene::contentBounds() const {
     bounds.extend(raster.compared()->gridBounds());
   }
   if (items_->first(Layer::Regions).isVisible()) bounds.extend(raster.regionBounds());
-  for (const auto& [layer, items] : items_->by_layer) {
-    if (!layerVisible(layer)) continue;
-    for (const LayerItem* item : items) bounds.extend(item->contentBounds());
+  for (const Layer layer : allLayers()) {
+    if (layerVisible(layer) && specOf(layer).in_fit) bounds.extend(items_->first(layer).contentBounds());
   }
   if (bounds.empty()) bounds = session_->contentBounds();
-  if (!bounds.empty() || !layerVisible(Layer::Cloud)) return bounds;
   // A robot without a map: its sensor data is all there is.
-  for (const auto& [topic, cloud] : session_->live().clouds) {
-    if (!cloud) continue;
-    for (const map::CloudPoint& point : *cloud) bounds.extend(Eigen::Vector2d(point.x_m, point.y_m));
+  if (bounds.empty() && layerVisible(Layer::Cloud)) bounds = layerBounds(Layer::Cloud);
+  return bounds;
+}
+
+geometry::WorldRect MapScene::layerBounds(Layer layer) const {
+  geometry::WorldRect bounds;
+  const std::vector<LayerItem*>& robots_own = items_->robots_own;
+  if (layer == Layer::Regions) {  // sheets reach beyond what was fetched
+    bounds.extend(items_->first(layer).contentBounds());
+    bounds.extend(items_->raster.regionBounds());
+    return bounds;
+  }
+  const bool robot_drawn = items_->place.drawn != ScreenPart::None;
+  for (const LayerItem* item : items_->itemsOf(layer)) {
+    const bool robots = std::find(robots_own.begin(), robots_own.end(), item) != robots_own.end();
+    if (robot_drawn || !robots) bounds.extend(item->contentBounds());
   }
   return bounds;
 }
@@ -430,6 +441,13 @@ bool MapScene::layerVisible(Layer layer) const { return items_->shown.at(layer);
 
 void MapScene::setLayerVisible(Layer layer, bool visible) {
   items_->shown[layer] = visible;
+  syncPlace();
+  sendWants();
+  Q_EMIT layersChanged();
+}
+
+void MapScene::setLayersVisible(const std::set<Layer>& layers) {
+  for (const Layer layer : allLayers()) items_->shown[layer] = layers.contains(layer);
   syncPlace();
   sendWants();
   Q_EMIT layersChanged();

@@ -59,6 +59,8 @@ class MapScene : public QGraphicsScene {
 
   bool layerVisible(Layer layer) const;
   void setLayerVisible(Layer layer, bool visible);
+  /// The same for all layers at once: these and no others.
+  void setLayersVisible(const std::set<Layer>& layers);
   double layerOpacity(Layer layer) const;
   void setLayerOpacity(Layer layer, double opacity);  // 0..1
   const LayerStyle& layerStyle(Layer layer) const;
@@ -148,6 +150,8 @@ class MapScene : public QGraphicsScene {
   bool picturesSettled() const;
   /// Bounds of all maps shown; empty if there is none.
   geometry::WorldRect contentBounds() const;
+  /// Bounds of what a layer holds, shown or not; empty: nothing, or nothing that has a place.
+  geometry::WorldRect layerBounds(Layer layer) const;
 
   /// The robot, and everything that belongs to it, is only drawn in the maps that it is in.
   const RobotPlace& robotPlace() const;

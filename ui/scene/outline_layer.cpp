@@ -4,6 +4,7 @@
 
 #include <QFontMetricsF>
 
+#include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
 
 namespace mapwright::scene {
@@ -39,6 +40,7 @@ class OutlinesLayer : public LayerItem {
     lay(frozen, context_.theme.outline_frozen, Qt::DashLine);
     lay(active, context_.theme.outline, Qt::SolidLine);
   }
+  geometry::WorldRect contentBounds() const override { return boundsOf(context_.outlines); }
 
  private:
   LineSheet sheet_;
@@ -75,6 +77,7 @@ class IdsLayer : public LayerItem {
                 context_.theme, color, !it->second.visible);
     }
   }
+  geometry::WorldRect contentBounds() const override { return boundsOf(context_.outlines); }
 };
 
 }  // namespace

@@ -48,7 +48,12 @@ render::GridPalette regionsPalette(const render::MapColors& colors) {
 }
 
 LayerSpec costmapSpec(const char* name, const char* title, map::Stream stream) {
-  return {.name = name, .title = title, .shown = false, .streams = {stream}, .topic_chosen = true};
+  return {.name = name,
+          .title = title,
+          .group = LayerGroup::Environment,
+          .shown = false,
+          .streams = {stream},
+          .topic_chosen = true};
 }
 
 LayerSpec gridSpec(const char* name, const char* title, map::Stream stream) {

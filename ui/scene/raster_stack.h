@@ -22,6 +22,7 @@ class RasterLayer : public DeviceLayer {
   const std::optional<render::PlacedGrid>& grid() const { return renderer_.grid(); }
   /// Of the grid; empty without one.
   geometry::WorldRect gridBounds() const;
+  geometry::WorldRect contentBounds() const override { return gridBounds(); }
   void setActive(bool active) override { renderer_.setActive(active); }
   bool settled() const override { return renderer_.settled(); }
   std::size_t cacheBytes() const override { return renderer_.cacheBytes(); }

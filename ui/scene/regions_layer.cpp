@@ -142,6 +142,7 @@ LayerSpec layerSpec<Layer::Regions>() {
       .title = QT_TRANSLATE_NOOP("scene", "Map by regions"),
       .follows_robot = false,
       .in_all = false,  // --region says which
+      .in_fit = true,
       .why_empty =
           [](robot::Robot& robot) {
             const robot::MapDispatch* const dispatch = robot.mapDispatch();

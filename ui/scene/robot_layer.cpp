@@ -5,6 +5,7 @@
 #include <QPainterPath>
 
 #include "map/live_state.h"
+#include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
 
 namespace mapwright::scene {
@@ -39,6 +40,11 @@ class TrailLayer : public LayerItem {
     }
     drawPiece();
   }
+  geometry::WorldRect contentBounds() const override {
+    geometry::WorldRect bounds;
+    for (const map::TrailPoint& point : context_.live->trail) extendBy(bounds, point.position_m);
+    return bounds;
+  }
 };
 
 /// The footprint of the robot, or the wider one with its safety margin, if it reports them.
@@ -59,6 +65,15 @@ class FootprintLayer : public LayerItem {
     painter->setBrush(translucent(color, expanded_ ? 24 : 70));
     painter->setPen(QPen(color, sizeOr(1.5), expanded_ ? Qt::DashLine : Qt::SolidLine));
     painter->drawPolygon(outline);
+  }
+  geometry::WorldRect contentBounds() const override {
+    const auto& model = context_.live->model;
+    const auto pose = context_.robotPose();
+    geometry::WorldRect bounds;
+    if (!pose) return bounds;
+    for (const Eigen::Vector2d& corner : expanded_ ? model.expanded_footprint : model.footprint)
+      extendBy(bounds, pose->apply(corner));
+    return bounds;
   }
 };
 
@@ -86,6 +101,11 @@ class RobotLayer : public LayerItem {
     painter->setBrush(context_.theme.robot);
     painter->drawPath(mark);
   }
+  geometry::WorldRect contentBounds() const override {
+    geometry::WorldRect bounds;
+    if (const auto pose = context_.robotPose()) extendBy(bounds, {pose->x_m, pose->y_m});
+    return bounds;
+  }
 };
 
 LayerTraits thinLines() { return lineTraits(2); }
@@ -109,6 +129,7 @@ template <>
 LayerSpec layerSpec<Layer::Trail>() {
   return {.name = "trail",
           .title = QT_TRANSLATE_NOOP("scene", "Trail"),
+          .group = LayerGroup::Robot,
           .traits = thinLines,
           .items = oneItem<TrailLayer>};
 }
@@ -117,6 +138,7 @@ template <>
 LayerSpec layerSpec<Layer::ExpandedFootprint>() {
   return {.name = "expanded-footprint",
           .title = QT_TRANSLATE_NOOP("scene", "Wide footprint"),
+          .group = LayerGroup::Robot,
           .shown = false,
           .traits = thinLines,
           .items = oneItem<FootprintLayer<true>>};
@@ -126,13 +148,17 @@ template <>
 LayerSpec layerSpec<Layer::Footprint>() {
   return {.name = "footprint",
           .title = QT_TRANSLATE_NOOP("scene", "Footprint"),
+          .group = LayerGroup::Robot,
           .traits = thinLines,
           .items = oneItem<FootprintLayer<false>>};
 }
 
 template <>
 LayerSpec layerSpec<Layer::Robot>() {
-  return {.name = "robot", .title = QT_TRANSLATE_NOOP("scene", "Robot"), .items = oneItem<RobotLayer>};
+  return {.name = "robot",
+          .title = QT_TRANSLATE_NOOP("scene", "Robot"),
+          .group = LayerGroup::Robot,
+          .items = oneItem<RobotLayer>};
 }
 
 }  // namespace mapwright::scene

@@ -66,6 +66,7 @@ template <>
 LayerSpec layerSpec<Layer::ScaleBar>() {
   return {.name = "scalebar",
           .title = QT_TRANSLATE_NOOP("scene", "Scale bar"),
+          .group = LayerGroup::Annotations,
           .follows_robot = false,
           .order_fixed = true,
           .why_empty = neverEmpty,

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "render/tile_renderer.h"
+#include "scene/layer_bounds.h"
 #include "scene/layer_objects.h"
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
@@ -17,6 +18,7 @@ class SubmapsLayer : public DeviceLayer {
  public:
   using DeviceLayer::DeviceLayer;
   bool settled() const override { return context_.submaps->settled(); }
+  geometry::WorldRect contentBounds() const override { return boundsOf(context_.outlines); }
 
  protected:
   void takeView(const geometry::ViewTransform& device_view) override {

@@ -6,6 +6,7 @@
 #include <QFontMetricsF>
 #include <QLinearGradient>
 
+#include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
 #include "scene/lengths.h"
 #include "scene/track.h"
@@ -88,6 +89,12 @@ class TrackLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override;
+  geometry::WorldRect contentBounds() const override {
+    geometry::WorldRect bounds;
+    if (!context_.track) return bounds;
+    for (const TrackSample& sample : *context_.track) extendBy(bounds, sample.position_m);
+    return bounds;
+  }
 
  private:
   struct Run {
@@ -215,6 +222,7 @@ template <>
 LayerSpec layerSpec<Layer::Track>() {
   return {.name = "track",
           .title = QT_TRANSLATE_NOOP("scene", "Track of the bag"),
+          .group = LayerGroup::Robot,
           .in_all = false,  // it needs the whole bag
           .traits =
               [] {

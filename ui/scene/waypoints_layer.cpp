@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "robot/robot.h"
+#include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
 #include "sentences/absence_sentence.h"
 
@@ -125,6 +126,11 @@ class WaypointsLayer : public LayerItem {
       }
     }
   }
+  geometry::WorldRect contentBounds() const override {
+    geometry::WorldRect bounds;
+    for (const DrawnWaypoint& point : context_.of(*of()).waypoints) extendBy(bounds, point.position_m);
+    return bounds;
+  }
 };
 
 }  // namespace
@@ -188,6 +194,7 @@ template <>
 LayerSpec layerSpec<Layer::Waypoints>() {
   return {.name = "waypoints",
           .title = QT_TRANSLATE_NOOP("scene", "Waypoints"),
+          .group = LayerGroup::Annotations,
           .follows_robot = false,
           .why_empty =
               [](robot::Robot& robot) {
