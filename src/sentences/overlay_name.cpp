@@ -58,24 +58,31 @@ constexpr TypeName kRegions[] = {
     {17, QT_TRANSLATE_NOOP("Overlay", "Rack zone")},
 };
 
+std::span<const TypeName> typesOf(OverlayShape shape) {
+  if (shape == OverlayShape::Point) return kPoints;
+  if (shape == OverlayShape::Line) return kLines;
+  return kRegions;
+}
+
 QString translated(const char* name) { return QCoreApplication::translate("Overlay", name); }
 
 }  // namespace
 
 QString nameOf(OverlayShape shape, int type) {
-  std::span<const TypeName> types = kRegions;
+  const std::span<const TypeName> types = typesOf(shape);
   const char* any = QT_TRANSLATE_NOOP("Overlay", "Region");
-  if (shape == OverlayShape::Point) {
-    types = kPoints;
-    any = QT_TRANSLATE_NOOP("Overlay", "Point");
-  } else if (shape == OverlayShape::Line) {
-    types = kLines;
-    any = QT_TRANSLATE_NOOP("Overlay", "Line");
-  }
+  if (shape == OverlayShape::Point) any = QT_TRANSLATE_NOOP("Overlay", "Point");
+  if (shape == OverlayShape::Line) any = QT_TRANSLATE_NOOP("Overlay", "Line");
   const auto known =
       std::find_if(types.begin(), types.end(), [type](const TypeName& each) { return each.type == type; });
   if (known != types.end()) return translated(known->name);
   return type == 0 ? translated(any) : QStringLiteral("%1 %2").arg(translated(any)).arg(type);
+}
+
+std::vector<int> knownTypes(OverlayShape shape) {
+  std::vector<int> types;
+  for (const TypeName& each : typesOf(shape)) types.push_back(each.type);
+  return types;
 }
 
 }  // namespace mapwright::sentences

@@ -9,6 +9,7 @@
 
 #include "clouds/draw_cloud.h"
 #include "scene/layer_item.h"
+#include "scene/legend.h"
 #include "sentences/absence_sentence.h"
 
 namespace mapwright::scene {
@@ -154,7 +155,8 @@ LayerSpec layerSpec<Layer::DispatchedCloud>() {
                                            : sentences::whyAbsent(robot::Capability::Dispatch,
                                                                   robot.whyNot(robot::Capability::Dispatch));
               },
-          .items = oneItem<CloudsLayer>};
+          .items = oneItem<CloudsLayer>,
+          .legend = cloudsLegend};
 }
 
 }  // namespace mapwright::scene

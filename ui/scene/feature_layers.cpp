@@ -9,6 +9,7 @@
 #include "map/live_topics.h"
 #include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
+#include "scene/legend.h"
 #include "sentences/overlay_name.h"
 
 namespace mapwright::scene {
@@ -358,7 +359,8 @@ LayerSpec layerSpec<Layer::Overlays>() {
           .streams = {map::Stream::MapInfo},
           .follows_robot = false,
           .why_empty = whyNoMapFeatures,
-          .items = itemForEachMap<OverlaysLayer>};
+          .items = itemForEachMap<OverlaysLayer>,
+          .legend = overlaysLegend};
 }
 
 template <>
@@ -370,7 +372,8 @@ LayerSpec layerSpec<Layer::Landmarks>() {
           .topics = {map::topicIndex<map::LandmarksMessage>()},
           .traits = [] { return LayerTraits{.color = true}; },
           .why_empty = whyNoMapFeatures,
-          .items = itemForEachMap<LandmarksLayer>};
+          .items = itemForEachMap<LandmarksLayer>,
+          .legend = landmarksLegend};
 }
 
 template <>
@@ -380,7 +383,8 @@ LayerSpec layerSpec<Layer::Doors>() {
           .group = LayerGroup::Environment,
           .streams = {map::Stream::Doors},
           .topics = {map::topicIndex<map::AutoDoorsMessage>()},
-          .items = oneItem<DoorsLayer>};
+          .items = oneItem<DoorsLayer>,
+          .legend = doorsLegend};
 }
 
 template <>
@@ -392,7 +396,8 @@ LayerSpec layerSpec<Layer::Boxes>() {
           .topics = {map::topicIndex<map::PalletsMessage>(), map::topicIndex<map::RackMessage>(),
                      map::topicIndex<map::SeenObjectsMessage>()},
           .traits = [] { return LayerTraits{.color = true}; },
-          .items = oneItem<BoxesLayer>};
+          .items = oneItem<BoxesLayer>,
+          .legend = boxesLegend};
 }
 
 }  // namespace mapwright::scene

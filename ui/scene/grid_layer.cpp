@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "scene/layer_item.h"
+#include "scene/legend.h"
 #include "scene/lengths.h"
 
 namespace mapwright::scene {
@@ -131,7 +132,8 @@ LayerSpec layerSpec<Layer::Grid>() {
           .group = LayerGroup::Annotations,
           .follows_robot = false,
           .why_empty = neverEmpty,
-          .items = oneItem<GridLayer>};
+          .items = oneItem<GridLayer>,
+          .legend = gridLegend};
 }
 
 }  // namespace mapwright::scene

@@ -80,6 +80,7 @@ inline constexpr LayerGroup kLayerGroups[] = {LayerGroup::Robot, LayerGroup::Env
 
 class LayerItem;
 struct LayerContext;
+class Legend;
 
 /// Why a robot has no data for a layer, as a sentence; empty if it has.
 using WhyEmpty = QString (*)(robot::Robot& robot);
@@ -107,6 +108,8 @@ struct LayerSpec {
   WhyEmpty why_empty = whyNoLiveData;
   /// The graphics items that draw it, bottom first; null: RasterStack makes them.
   std::vector<LayerItem*> (*items)(const LayerContext& context) = nullptr;
+  /// What its colours and shapes mean (scene/legend.h); null: nothing that needs to be said.
+  void (*legend)(Legend& legend) = nullptr;
 };
 
 /// Defined in the file of each layer.
@@ -138,6 +141,9 @@ enum class WholeMapChoice { OccupiedWins, Average };
 enum class TrackChoice { Time, Speed, Quality };
 enum class CloudChoice { OneColor, Intensity, Height };
 enum class DispatchedCloudChoice { Height, Intensity, Rgb, OneColor };
+
+/// Lidar points by height: the colours reach from the ground to here.
+inline constexpr float kLidarFullHeightM = 2.5F;
 
 /// How two maps are compared on screen.
 enum class CompareMode { Off, Swipe, Difference };

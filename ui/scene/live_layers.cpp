@@ -9,6 +9,7 @@
 #include "map/live_topics.h"
 #include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
+#include "scene/legend.h"
 
 namespace mapwright::scene {
 namespace {
@@ -114,7 +115,8 @@ void CloudLayer::splat() {
       const int y1 = std::min(size.height(), int(std::floor(py + 0.5)) + edge);
       if (x0 >= x1 || y0 >= y1) continue;
       std::size_t index = point.intensity;
-      if (choice == CloudChoice::Height) index = std::size_t(std::clamp(point.z_m / 2.5F, 0.0F, 1.0F) * 255);
+      if (choice == CloudChoice::Height)
+        index = std::size_t(std::clamp(point.z_m / kLidarFullHeightM, 0.0F, 1.0F) * 255);
       for (int y = y0; y < y1; ++y)
         std::fill(rows[std::size_t(y)] + x0, rows[std::size_t(y)] + x1, colors[index]);
       left = std::min(left, x0);
@@ -319,7 +321,8 @@ LayerSpec layerSpec<Layer::Constraints>() {
           .streams = {map::Stream::Constraints},
           .topics = {map::topicIndex<map::ConstraintsMessage>()},
           .traits = [] { return lineTraits(1); },
-          .items = oneItem<ConstraintsLayer>};
+          .items = oneItem<ConstraintsLayer>,
+          .legend = constraintsLegend};
 }
 
 template <>
@@ -331,7 +334,8 @@ LayerSpec layerSpec<Layer::Trajectory>() {
           .topics = {map::topicIndex<map::TrajectoryMessage>()},
           .traits = [] { return lineTraits(kTrajectoryPx); },
           .why_empty = whyNoMapFeatures,
-          .items = itemForEachMap<TrajectoryLayer>};
+          .items = itemForEachMap<TrajectoryLayer>,
+          .legend = trajectoryLegend};
 }
 
 template <>
@@ -343,7 +347,8 @@ LayerSpec layerSpec<Layer::Path>() {
           .topics = {map::topicIndex<map::PathMessage>()},
           .topic_chosen = true,
           .traits = [] { return lineTraits(kPathPx); },
-          .items = oneItem<PathLayer>};
+          .items = oneItem<PathLayer>,
+          .legend = pathLegend};
 }
 
 template <>
@@ -355,7 +360,8 @@ LayerSpec layerSpec<Layer::LocalPath>() {
           .topics = {map::topicIndex<map::LocalPathMessage>()},
           .topic_chosen = true,
           .traits = [] { return LayerTraits{.color = true}; },
-          .items = oneItem<LocalPathLayer>};
+          .items = oneItem<LocalPathLayer>,
+          .legend = localPathLegend};
 }
 
 template <>
@@ -367,7 +373,8 @@ LayerSpec layerSpec<Layer::Target>() {
           .topics = {map::topicIndex<map::PlanningState>()},
           .topic_chosen = true,
           .traits = [] { return LayerTraits{.color = true}; },
-          .items = oneItem<TargetLayer>};
+          .items = oneItem<TargetLayer>,
+          .legend = targetLegend};
 }
 
 template <>
@@ -388,7 +395,8 @@ LayerSpec layerSpec<Layer::Cloud>() {
                                                QCoreApplication::translate("scene", "By intensity"),
                                                QCoreApplication::translate("scene", "By height")}};
               },
-          .items = oneItem<CloudLayer>};
+          .items = oneItem<CloudLayer>,
+          .legend = lidarLegend};
 }
 
 template <>
@@ -400,7 +408,8 @@ LayerSpec layerSpec<Layer::NearbyRobots>() {
           .topics = {map::topicIndex<map::NearbyRobotsMessage>(),
                      map::topicIndex<map::NearbyFootprintsMessage>()},
           .traits = [] { return LayerTraits{.color = true}; },
-          .items = oneItem<NearbyRobotsLayer>};
+          .items = oneItem<NearbyRobotsLayer>,
+          .legend = nearbyRobotsLegend};
 }
 
 }  // namespace mapwright::scene

@@ -18,6 +18,7 @@
 #include "render/tile_renderer.h"
 #include "scene/drawn_waypoint.h"
 #include "scene/layer.h"
+#include "scene/legend_section.h"
 #include "scene/map_object.h"
 #include "scene/map_theme.h"
 #include "scene/repaint_pace.h"
@@ -152,6 +153,9 @@ class MapScene : public QGraphicsScene {
   geometry::WorldRect contentBounds() const;
   /// Bounds of what a layer holds, shown or not; empty: nothing, or nothing that has a place.
   geometry::WorldRect layerBounds(Layer layer) const;
+  /// What the visible layers show means, the top one first. Symbols are made for `pixel_ratio` device pixels
+  /// per pixel. (legend.cpp)
+  std::vector<LegendSection> legend(qreal pixel_ratio) const;
 
   /// The robot, and everything that belongs to it, is only drawn in the maps that it is in.
   const RobotPlace& robotPlace() const;

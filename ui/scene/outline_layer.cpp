@@ -6,6 +6,7 @@
 
 #include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
+#include "scene/legend.h"
 
 namespace mapwright::scene {
 namespace {
@@ -124,7 +125,8 @@ LayerSpec layerSpec<Layer::Outlines>() {
           .title = QT_TRANSLATE_NOOP("scene", "Outlines"),
           .shown = false,
           .why_empty = whyNoSubmaps,
-          .items = oneItem<OutlinesLayer>};
+          .items = oneItem<OutlinesLayer>,
+          .legend = outlinesLegend};
 }
 
 template <>
@@ -133,7 +135,8 @@ LayerSpec layerSpec<Layer::Ids>() {
           .title = QT_TRANSLATE_NOOP("scene", "Submap ids"),
           .shown = false,
           .why_empty = whyNoSubmaps,
-          .items = oneItem<IdsLayer>};
+          .items = oneItem<IdsLayer>,
+          .legend = idsLegend};
 }
 
 }  // namespace mapwright::scene

@@ -7,6 +7,7 @@
 
 #include "render/grid_palettes.h"
 #include "robot/robot.h"
+#include "scene/legend.h"
 #include "sentences/absence_sentence.h"
 
 namespace mapwright::scene {
@@ -47,17 +48,63 @@ render::GridPalette regionsPalette(const render::MapColors& colors) {
   return palette;
 }
 
-LayerSpec costmapSpec(const char* name, const char* title, map::Stream stream) {
+class RasterLegendText {
+  Q_DECLARE_TR_FUNCTIONS(RasterLegend)
+};
+
+/// The colours of some bytes of a palette.
+std::vector<QColor> cellColors(const render::GridPalette& palette, std::size_t from, std::size_t to) {
+  std::vector<QColor> colors;
+  for (std::size_t byte = from; byte <= to; ++byte) colors.push_back(cellColor(palette[byte]));
+  return colors;
+}
+
+void incrementalLegend(Legend& legend) {
+  legend.addCell(RasterLegendText::tr("Free"), QColor(legend.theme().map.incremental_free));
+  legend.addCell(RasterLegendText::tr("Occupied"), QColor(legend.theme().map.incremental_occupied));
+}
+
+void matchLegend(Legend& legend) {
+  legend.addScale(RasterLegendText::tr("differs"), RasterLegendText::tr("matches"),
+                  cellColors(render::matchPalette(0), 1, 255));
+}
+
+/// The colours depend on how this robot sends its costs: nothing is said before the first have come.
+template <GridKind kind>
+void costmapLegend(Legend& legend) {
+  const session::LayerGrid* const grid =
+      legend.session() ? legend.session()->layerGrids().find(kind) : nullptr;
+  if (!grid) return;
+  const QString low = RasterLegendText::tr("low"), high = RasterLegendText::tr("high cost");
+  const QString obstacle = RasterLegendText::tr("Obstacle");
+  if (!grid->picture.palette.empty()) {
+    const render::GridPalette own = render::ownPalette(grid->picture.palette);
+    legend.addScale({}, {}, cellColors(own, 0, std::min<std::size_t>(grid->picture.palette.size(), 256) - 1),
+                    RasterLegendText::tr("Colours of the robot"));
+  } else if (grid->picture.indices->code() == grids::CellCode::Occupancy) {
+    const render::GridPalette palette = render::occupancyCostPalette();
+    legend.addScale(low, high, cellColors(palette, 1, 98));
+    legend.addCell(RasterLegendText::tr("Too close for the robot's centre"), cellColor(palette[99]));
+    legend.addCell(obstacle, cellColor(palette[100]));
+  } else {
+    const render::GridPalette palette = render::costmapPalette(0);
+    legend.addScale(low, high, cellColors(palette, 1, 246));
+    legend.addCell(obstacle, cellColor(palette[255]));
+  }
+}
+
+LayerSpec costmapSpec(const char* name, const char* title, map::Stream stream, void (*legend)(Legend&)) {
   return {.name = name,
           .title = title,
           .group = LayerGroup::Environment,
           .shown = false,
           .streams = {stream},
-          .topic_chosen = true};
+          .topic_chosen = true,
+          .legend = legend};
 }
 
-LayerSpec gridSpec(const char* name, const char* title, map::Stream stream) {
-  return {.name = name, .title = title, .shown = false, .streams = {stream}};
+LayerSpec gridSpec(const char* name, const char* title, map::Stream stream, void (*legend)(Legend&)) {
+  return {.name = name, .title = title, .shown = false, .streams = {stream}, .legend = legend};
 }
 
 }  // namespace
@@ -272,32 +319,37 @@ LayerSpec layerSpec<Layer::WholeMap>() {
                            ? QString()
                            : sentences::whyAbsent(robot::Capability::WholeMaps,
                                                   robot.whyNot(robot::Capability::WholeMaps));
-              }};
+              },
+          .legend = [](Legend& legend) { addCells(legend, legend.theme().map); }};
 }
 
 template <>
 LayerSpec layerSpec<Layer::Incremental>() {
-  return gridSpec("incremental", QT_TRANSLATE_NOOP("scene", "Incremental"), map::Stream::Incremental);
+  return gridSpec("incremental", QT_TRANSLATE_NOOP("scene", "Incremental"), map::Stream::Incremental,
+                  incrementalLegend);
 }
 
 template <>
 LayerSpec layerSpec<Layer::EnvMatch>() {
-  return gridSpec("match", QT_TRANSLATE_NOOP("scene", "Match map"), map::Stream::EnvMatch);
+  return gridSpec("match", QT_TRANSLATE_NOOP("scene", "Match map"), map::Stream::EnvMatch, matchLegend);
 }
 
 template <>
 LayerSpec layerSpec<Layer::EnvSymmetry>() {
-  return gridSpec("symmetry", QT_TRANSLATE_NOOP("scene", "Symmetry map"), map::Stream::EnvSymmetry);
+  return gridSpec("symmetry", QT_TRANSLATE_NOOP("scene", "Symmetry map"), map::Stream::EnvSymmetry,
+                  matchLegend);
 }
 
 template <>
 LayerSpec layerSpec<Layer::CostmapLow>() {
-  return costmapSpec("costmap", QT_TRANSLATE_NOOP("scene", "Costmap, coarse"), map::Stream::CostmapLow);
+  return costmapSpec("costmap", QT_TRANSLATE_NOOP("scene", "Costmap, coarse"), map::Stream::CostmapLow,
+                     costmapLegend<GridKind::CostmapLow>);
 }
 
 template <>
 LayerSpec layerSpec<Layer::CostmapHigh>() {
-  return costmapSpec("costmap-high", QT_TRANSLATE_NOOP("scene", "Costmap, fine"), map::Stream::CostmapHigh);
+  return costmapSpec("costmap-high", QT_TRANSLATE_NOOP("scene", "Costmap, fine"), map::Stream::CostmapHigh,
+                     costmapLegend<GridKind::CostmapHigh>);
 }
 
 }  // namespace mapwright::scene

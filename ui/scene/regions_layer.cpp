@@ -7,6 +7,7 @@
 #include "robot/map_dispatch.h"
 #include "robot/robot.h"
 #include "scene/layer_item.h"
+#include "scene/legend.h"
 #include "sentences/absence_sentence.h"
 
 namespace mapwright::scene {
@@ -17,6 +18,26 @@ using regions::RegionState;
 constexpr int kHatchPx = 8;            // the pattern repeats after this
 constexpr double kLeastLabelPx = 120;  // a narrower region has no room for text
 constexpr int kHatchAlpha = 70, kQuietAlpha = 90, kExtentAlpha = 190;
+
+QBrush hatching(const MapTheme& theme) {
+  return QBrush(translucent(theme.text, kHatchAlpha), Qt::BDiagPattern);
+}
+QPen extentPen(const MapTheme& theme) { return QPen(translucent(theme.text, kExtentAlpha), 1); }
+
+enum class Mark { Quiet, Busy, Failed, Old };
+QPen regionPen(const MapTheme& theme, Mark mark) {
+  switch (mark) {
+    case Mark::Busy:
+      return QPen(theme.accent, 1);
+    case Mark::Failed:
+      return QPen(theme.bad, 1, Qt::DashLine);
+    case Mark::Old:
+      return QPen(theme.warn, 1, Qt::DashLine);
+    case Mark::Quiet:
+      break;
+  }
+  return QPen(translucent(theme.text, kQuietAlpha), 1, Qt::DotLine);
+}
 
 /// Marks the parts of a map by regions that have not been fetched: hatched wherever nothing is known, with a
 /// line around the reported extent, and outlines for regions being fetched and failed ones. Cells are drawn
@@ -86,7 +107,7 @@ void RegionGround::paintHatch(QPainter& painter) const {
   const QPointF zero = toPoint(view.pixelFromWorld({0, 0}));
   const auto phase = [](double at) { return std::isfinite(at) ? std::fmod(std::round(at), kHatchPx) : 0.0; };
   painter.setBrushOrigin(QPointF(phase(zero.x()), phase(zero.y())));
-  painter.fillPath(unknown, QBrush(translucent(context_.theme.text, kHatchAlpha), Qt::BDiagPattern));
+  painter.fillPath(unknown, hatching(context_.theme));
 }
 
 void RegionGround::paintExtent(QPainter& painter) const {
@@ -98,7 +119,7 @@ void RegionGround::paintExtent(QPainter& painter) const {
                                       Eigen::Vector2d(right, bottom), Eigen::Vector2d(0, bottom)})
     shape << toPoint(view.pixelFromWorld(context_.regions_of->worldFromCell(cell)));
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(translucent(context_.theme.text, kExtentAlpha), 1));
+  painter.setPen(extentPen(context_.theme));
   painter.drawPolygon(shape);
 }
 
@@ -112,10 +133,9 @@ void RegionGround::paintOutlines(QPainter& painter) const {
       const bool failed = !busy && region.trouble.kind != regions::RegionTrouble::Kind::None;
       const bool open = region.state == RegionState::NotAsked || region.state == RegionState::Nothing;
       if (quiet == (busy || failed) || (quiet && !open)) continue;
-      QPen pen(translucent(theme.text, kQuietAlpha), 1, Qt::DotLine);
-      if (busy) pen = QPen(theme.accent, 1);
-      if (failed) pen = QPen(region.state == RegionState::Failed ? theme.bad : theme.warn, 1, Qt::DashLine);
-      painter.setPen(pen);
+      Mark mark = busy ? Mark::Busy : Mark::Quiet;
+      if (failed) mark = region.state == RegionState::Failed ? Mark::Failed : Mark::Old;
+      painter.setPen(regionPen(theme, mark));
       const QPolygonF shape = onScreen(region.rect);
       painter.drawPolygon(shape);
       const QRectF box = shape.boundingRect();
@@ -131,6 +151,27 @@ void RegionGround::paintOutlines(QPainter& painter) const {
       drawLabel(painter, middle - QPointF(width / 2, 0), words, theme, failed ? theme.bad : theme.text);
     }
   }
+}
+
+void regionsLegend(Legend& legend) {
+  addCells(legend, legend.theme().map);
+  const MapTheme& theme = legend.theme();
+  const auto add = [&](const QString& text, const QPen& pen, const QBrush& brush = Qt::NoBrush) {
+    legend.add(text, [&](QPainter& painter, const QRectF& room) {
+      painter.fillRect(room, QColor(theme.map.unknown));
+      painter.setRenderHint(QPainter::Antialiasing, false);
+      painter.setPen(pen);
+      painter.setBrush(brush);
+      painter.drawRect(room.adjusted(5, 4, -6, -5));
+    });
+  };
+  add(QCoreApplication::translate("scene", "Not fetched yet"), Qt::NoPen, hatching(theme));
+  add(QCoreApplication::translate("scene", "Being fetched"), regionPen(theme, Mark::Busy));
+  add(QCoreApplication::translate("scene", "Fetch failed"), regionPen(theme, Mark::Failed));
+  add(QCoreApplication::translate("scene", "Old: could not be fetched again"), regionPen(theme, Mark::Old));
+  add(QCoreApplication::translate("scene", "Asked for; the map is empty here"),
+      regionPen(theme, Mark::Quiet));
+  add(QCoreApplication::translate("scene", "Edge of the map"), extentPen(theme));
 }
 
 }  // namespace
@@ -157,7 +198,8 @@ LayerSpec layerSpec<Layer::Regions>() {
                        ? QString()
                        : QCoreApplication::translate("scene", "This robot only sends its map as a whole.");
           },
-      .items = oneItem<RegionGround>};
+      .items = oneItem<RegionGround>,
+      .legend = regionsLegend};
 }
 
 }  // namespace mapwright::scene

@@ -7,6 +7,7 @@
 #include "map/live_state.h"
 #include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
+#include "scene/legend.h"
 
 namespace mapwright::scene {
 namespace {
@@ -131,7 +132,8 @@ LayerSpec layerSpec<Layer::Trail>() {
           .title = QT_TRANSLATE_NOOP("scene", "Trail"),
           .group = LayerGroup::Robot,
           .traits = thinLines,
-          .items = oneItem<TrailLayer>};
+          .items = oneItem<TrailLayer>,
+          .legend = trailLegend};
 }
 
 template <>
@@ -141,7 +143,8 @@ LayerSpec layerSpec<Layer::ExpandedFootprint>() {
           .group = LayerGroup::Robot,
           .shown = false,
           .traits = thinLines,
-          .items = oneItem<FootprintLayer<true>>};
+          .items = oneItem<FootprintLayer<true>>,
+          .legend = expandedFootprintLegend};
 }
 
 template <>
@@ -150,7 +153,8 @@ LayerSpec layerSpec<Layer::Footprint>() {
           .title = QT_TRANSLATE_NOOP("scene", "Footprint"),
           .group = LayerGroup::Robot,
           .traits = thinLines,
-          .items = oneItem<FootprintLayer<false>>};
+          .items = oneItem<FootprintLayer<false>>,
+          .legend = footprintLegend};
 }
 
 template <>
@@ -158,7 +162,8 @@ LayerSpec layerSpec<Layer::Robot>() {
   return {.name = "robot",
           .title = QT_TRANSLATE_NOOP("scene", "Robot"),
           .group = LayerGroup::Robot,
-          .items = oneItem<RobotLayer>};
+          .items = oneItem<RobotLayer>,
+          .legend = robotLegend};
 }
 
 }  // namespace mapwright::scene

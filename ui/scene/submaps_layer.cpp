@@ -4,7 +4,9 @@
 
 #include "render/tile_renderer.h"
 #include "scene/layer_bounds.h"
+#include "scene/layer_item.h"
 #include "scene/layer_objects.h"
+#include "scene/legend.h"
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
 
@@ -91,7 +93,8 @@ LayerSpec layerSpec<Layer::Submaps>() {
           .title = QT_TRANSLATE_NOOP("scene", "Submaps"),
           .in_all = false,  // --mode decides about them
           .why_empty = whyNoSubmaps,
-          .items = oneItem<SubmapsLayer>};
+          .items = oneItem<SubmapsLayer>,
+          .legend = submapsLegend};
 }
 
 }  // namespace mapwright::scene

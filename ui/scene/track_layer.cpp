@@ -8,6 +8,7 @@
 
 #include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
+#include "scene/legend.h"
 #include "scene/lengths.h"
 #include "scene/track.h"
 
@@ -234,7 +235,8 @@ LayerSpec layerSpec<Layer::Track>() {
                                   QCoreApplication::translate("scene", "By localization quality")};
                 return traits;
               },
-          .items = oneItem<TrackLayer>};
+          .items = oneItem<TrackLayer>,
+          .legend = trackLegend};
 }
 
 }  // namespace mapwright::scene

@@ -6,6 +6,7 @@
 #include "robot/robot.h"
 #include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
+#include "scene/legend.h"
 #include "sentences/absence_sentence.h"
 
 namespace mapwright::scene {
@@ -203,7 +204,8 @@ LayerSpec layerSpec<Layer::Waypoints>() {
                            : sentences::whyAbsent(robot::Capability::Waypoints,
                                                   robot.whyNot(robot::Capability::Waypoints));
               },
-          .items = itemForEachMap<WaypointsLayer>};
+          .items = itemForEachMap<WaypointsLayer>,
+          .legend = waypointsLegend};
 }
 
 }  // namespace mapwright::scene
