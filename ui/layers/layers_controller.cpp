@@ -5,6 +5,7 @@
 #include "sentences/absence_sentence.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/plain_label.h"
+#include "ui/layers/layer_settings.h"
 #include "ui/layers/layers_dock.h"
 #include "ui/shell/current_session.h"
 
