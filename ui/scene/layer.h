@@ -19,6 +19,7 @@ namespace mapwright::scene {
 /// Everything that can be shown, in the default order, bottom first. A new layer is a row here, and a file
 /// that defines its layerSpec(): docs/how-to/add-a-layer.md.
 #define MAPWRIGHT_LAYERS(ROW) \
+  ROW(Reference)              \
   ROW(WholeMap)               \
   ROW(Regions)                \
   ROW(Submaps)                \

@@ -217,7 +217,10 @@ void MapScene::setColorMode(render::ColorMode mode) {
 
 void MapScene::syncColors() {
   render::MapColors colors = theme().map;
-  colors.clear_unknown = items_->raster.whole()->isVisible() || items_->raster.overview()->grid().has_value();
+  const RasterLayer& reference = *items_->raster.reference();
+  colors.clear_unknown = items_->raster.whole()->isVisible() ||
+                         items_->raster.overview()->grid().has_value() ||
+                         (reference.isVisible() && reference.grid().has_value());
   if (colors == renderer_->colors() && color_mode_ == drawn_color_mode_) return;
   drawn_color_mode_ = color_mode_;
   renderer_->setColors(colors, color_mode_);
@@ -375,6 +378,14 @@ void MapScene::setMarker(std::optional<Eigen::Vector2d> world_m) {
 }
 
 const std::optional<Eigen::Vector2d>& MapScene::marker() const { return items_->context.marker; }
+
+void MapScene::setReference(std::optional<render::PlacedGrid> placed) {
+  items_->raster.setReference(std::move(placed));
+  syncColors();
+  update();
+}
+
+void MapScene::referenceRowsArrived() { items_->raster.reference()->renderer().rowsArrived(); }
 
 void MapScene::setMeasurement(std::vector<Eigen::Vector2d> points, bool closed) {
   items_->context.measured = std::move(points);

@@ -114,6 +114,11 @@ class MapScene : public QGraphicsScene {
   /// Some of them have changed.
   void editedCellsChanged(const geometry::WorldRect& where);
 
+  /// A map from elsewhere, laid under the others; nullopt = none.
+  void setReference(std::optional<render::PlacedGrid> placed);
+  /// More of its cells have been read.
+  void referenceRowsArrived();
+
   /// World metres; empty = none. `closed`: they are a ring.
   void setMeasurement(std::vector<Eigen::Vector2d> points, bool closed = false);
 

@@ -124,6 +124,7 @@ void RasterLayer::paintPixels(QPainter& painter, const QRectF& exposed) {
 
 RasterStack::RasterStack(const LayerContext& context)
     : context_(context),
+      reference_(new RasterLayer(context)),
       whole_(new RasterLayer(context)),
       overview_(new RasterLayer(context)),
       compared_(new RasterLayer(context)),
@@ -137,6 +138,7 @@ RasterStack::RasterStack(const LayerContext& context)
 }
 
 std::vector<RasterLayer*> RasterStack::itemsOf(Layer layer) const {
+  if (layer == Layer::Reference) return {reference_};
   if (layer == Layer::WholeMap) return {whole_};
   if (layer == Layer::Regions) return {region_sheets_.begin(), region_sheets_.end()};
   for (const auto& [raster, kind] : kGridLayers) {
@@ -187,6 +189,12 @@ std::optional<render::PlacedGrid> RasterStack::placedOf(const session::MapSlot& 
                       edited_->width() == cells.width() && edited_->height() == cells.height() &&
                       edited_->code() == cells.code();
   return render::PlacedGrid{edited ? edited_ : slot.cells(), slot.reference()};
+}
+
+void RasterStack::setReference(std::optional<render::PlacedGrid> placed) {
+  if (placed)
+    reference_->renderer().setPalette(render::wholeMapPalette(context_.theme.map, placed->cells->code()));
+  reference_->renderer().setGrid(std::move(placed));
 }
 
 void RasterStack::setEdited(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells) {
@@ -284,6 +292,7 @@ std::optional<int> RasterStack::regionOccupancyAt(const Eigen::Vector2d& world_m
 
 void RasterStack::themeChanged() {
   for (RasterLayer* sheet : region_sheets_) sheet->renderer().setPalette(regionsPalette(context_.theme.map));
+  setReference(reference_->grid());
   if (!session_) return;
   syncSlot(session_->wholeMap(), *whole_);
   syncSlot(session_->overview(), *overview_);
@@ -296,6 +305,15 @@ bool RasterStack::read() const {
   if (!session_) return true;
   if (whole_->isVisible() && !session_->wholeMap().settled()) return false;
   return !(compared_->isVisible() || difference_->isVisible()) || session_->comparedMap().settled();
+}
+
+template <>
+LayerSpec layerSpec<Layer::Reference>() {
+  return {.name = "reference",
+          .title = QT_TRANSLATE_NOOP("scene", "Reference map"),
+          .follows_robot = false,
+          .in_all = false,  // it lies in the window alone
+          .why_empty = neverEmpty};
 }
 
 template <>

@@ -43,6 +43,7 @@ class RasterStack : public QObject {
 
   /// The rasters of a layer; those of a map by regions: one for each possible cell lattice.
   std::vector<RasterLayer*> itemsOf(Layer layer) const;
+  RasterLayer* reference() const { return reference_; }
   RasterLayer* whole() const { return whole_; }
   RasterLayer* overview() const { return overview_; }
   RasterLayer* compared() const { return compared_; }
@@ -54,6 +55,8 @@ class RasterStack : public QObject {
 
   /// Every visible map is completely read.
   bool read() const;
+  /// A map from elsewhere, as it was laid; it does not belong to the session. nullopt = none.
+  void setReference(std::optional<render::PlacedGrid> placed);
   /// Shown instead of the cells of the whole map while that is the map `map`; null = none.
   void setEdited(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells);
   void editedChanged(const geometry::WorldRect& where);
@@ -75,7 +78,7 @@ class RasterStack : public QObject {
 
   const LayerContext& context_;
   session::Session* session_ = nullptr;
-  RasterLayer *const whole_, *const overview_, *const compared_, *const difference_;
+  RasterLayer *const reference_, *const whole_, *const overview_, *const compared_, *const difference_;
   std::map<map::GridKind, RasterLayer*> grids_;
   std::array<RasterLayer*, regions::RegionCells::kMostSheets> region_sheets_;
   map::MapKey edited_map_;

@@ -22,6 +22,7 @@
 #include "ui/maps/files_controller.h"
 #include "ui/maps/maps_controller.h"
 #include "ui/maps/maps_dock.h"
+#include "ui/maps/reference_controller.h"
 #include "ui/objects/objects_controller.h"
 #include "ui/picture/picture_controller.h"
 #include "ui/plots/messages_controller.h"
@@ -169,6 +170,8 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(problems_);
   make(maps_);
   make(administration_);
+  make(reference_, *placing_,
+       [connect = dependencies.connect](const QString& address) { return connect(address, {}); });
   make(robot_);
   make(messages_);
   make(files_, *placing_);

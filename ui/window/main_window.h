@@ -48,6 +48,7 @@ class PlotsController;
 class ProblemsController;
 class ProjectionsController;
 class RecordingsController;
+class ReferenceController;
 class RegionsController;
 class ReplayController;
 class RecordingController;
@@ -146,6 +147,7 @@ class MainWindow : public QMainWindow {
   RecordingsController* recordings_ = nullptr;
   ReplayController* replay_ = nullptr;
   RecordingController* recording_ = nullptr;
+  ReferenceController* reference_ = nullptr;
   RegionsController* regions_ = nullptr;
   RobotController* robot_ = nullptr;
   ViewController* view_control_ = nullptr;

@@ -1,0 +1,188 @@
+// A map file under what a robot shows: laid by hand, by numbers, by pairs of points, and remembered.
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QTableView>
+#include <QtTest>
+
+#include "test_program.h"
+#include "ui/maps/reference_controller.h"
+#include "ui/maps/reference_dock.h"
+#include "ui/view/map_view.h"
+#include "window_bench.h"
+#include "window_parts.h"
+
+namespace test_window_reference {
+
+using namespace mapwright;
+using namespace mapwright::window;
+using test::Bench;
+using test::kAddress;
+
+namespace {
+
+const QString kFile = QStringLiteral("file:/maps/plan.yaml");
+
+struct ReferenceBench : Bench {
+  ReferenceBench() {
+    prepare = [](test::FakeRobot& made) { made.has_catalogue = true; };
+  }
+  /// Looks at 40 x 30 m around the origin, 5 cm a pixel.
+  MainWindow& openOnRobot() {
+    MainWindow& opened = open();
+    (void)opened.connectTo(kAddress);
+    robot->goOnline();
+    say("Hall");
+    look();
+    return opened;
+  }
+  void say(const char* uid) {
+    map::MapInfo info;
+    info.name = info.uid = uid;
+    robot->say(info);
+  }
+  void look() {
+    geometry::ViewTransform view = window->mapScene()->view();
+    view.center_m = {0, 0};
+    view.scale_m_per_px = 0.05;
+    view.rotation_rad = 0;
+    window->view()->moveTo(view, false);
+  }
+  ReferenceController* reference() { return part<ReferenceController>(*window); }
+  void lay() {
+    test::FakeRobot* const live = robot;  // the reader of the file is one, too
+    reference()->lay(kFile);
+    robot = live;
+    QTRY_VERIFY(part<ReferenceDock>(*window)->moveButton()->isEnabled());
+    part<ReferenceDock>(*window)->show();
+    look();
+  }
+  QPoint at(double x_m, double y_m) const {
+    const Eigen::Vector2d px = window->mapScene()->view().pixelFromWorld({x_m, y_m});
+    return QPoint(int(std::lround(px.x())), int(std::lround(px.y())));
+  }
+  void click(double x_m, double y_m) {
+    QTest::mouseClick(window->view()->viewport(), Qt::LeftButton, {}, at(x_m, y_m));
+  }
+  void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {}) {
+    QWidget* const map = window->view()->viewport();
+    QTest::mousePress(map, Qt::LeftButton, modifiers, from);
+    for (int step = 1; step <= 4; ++step) {
+      QMouseEvent move(QEvent::MouseMove, from + (to - from) * step / 4, QPoint(), Qt::NoButton,
+                       Qt::LeftButton, modifiers);
+      QApplication::sendEvent(map, &move);
+    }
+    QTest::mouseRelease(map, Qt::LeftButton, modifiers, to);
+  }
+};
+
+bool near(const geometry::Pose2& a, const geometry::Pose2& b, double within) {
+  return std::abs(a.x_m - b.x_m) <= within && std::abs(a.y_m - b.y_m) <= within &&
+         std::abs(geometry::normalizeAngle(a.yaw_rad - b.yaw_rad)) <= within;
+}
+
+}  // namespace
+
+class TestWindowReference : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void isMovedAndTurnedByTheMouse() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();
+    QTest::mouseClick(part<ReferenceDock>(window)->moveButton(), Qt::LeftButton);
+    bench.look();
+    bench.drag(bench.at(0, 0), bench.at(2, 1));
+    QVERIFY(near(bench.reference()->pose(), {2, 1, 0}, 0.06));
+    QVERIFY(std::abs(part<ReferenceDock>(window)->xBox()->value() - 2) < 0.06);
+    bench.drag(bench.at(5, 0), bench.at(0, 5), Qt::ShiftModifier);
+    // A quarter around the middle of the view.
+    QVERIFY(near(bench.reference()->pose(), {-1, 2, geometry::radiansFromDegrees(90)}, 0.06));
+  }
+
+  void isLaidByPairsOfPointsWithTheirResiduals() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();
+    auto* const dock = part<ReferenceDock>(window);
+    QTest::mouseClick(dock->pairsButton(), Qt::LeftButton);
+    bench.look();
+    bench.click(0, 0);
+    bench.click(3, 0);
+    QVERIFY(near(bench.reference()->pose(), {3, 0, 0}, 0.06));
+    // What lies at (5, 0) now belongs at (3, 2): a quarter around (3, 0).
+    bench.click(5, 0);
+    bench.click(3, 2);
+    QCOMPARE(dock->table()->model()->rowCount(), 2);
+    QVERIFY(near(bench.reference()->pose(), {3, 0, geometry::radiansFromDegrees(90)}, 0.06));
+    QVERIFY2(dock->told().startsWith(QLatin1String("2 pairs")), qPrintable(dock->told()));
+    dock->table()->selectRow(1);
+    QTest::keyClick(dock->table(), Qt::Key_Delete);
+    QCOMPARE(dock->table()->model()->rowCount(), 1);
+  }
+
+  void numbersAreTyped() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();
+    auto* const dock = part<ReferenceDock>(window);
+    dock->yawBox()->setValue(90);
+    dock->xBox()->setValue(-4);
+    QVERIFY(near(bench.reference()->pose(), {-4, 0, geometry::radiansFromDegrees(90)}, 1e-9));
+  }
+
+  void isRememberedForTheRobotAndItsMap() {
+    ReferenceBench bench;
+    bench.openOnRobot();
+    bench.lay();
+    part<ReferenceDock>(*bench.window)->xBox()->setValue(7);
+    bench.say("Other hall");
+    // Nothing is remembered there: it stays, and is remembered there from now on.
+    QVERIFY(near(bench.reference()->pose(), {7, 0, 0}, 1e-9));
+    part<ReferenceDock>(*bench.window)->xBox()->setValue(9);
+    test::FakeRobot* const live = bench.robot;
+    bench.say("Hall");
+    bench.robot = live;
+    QVERIFY(near(bench.reference()->pose(), {7, 0, 0}, 1e-9));
+    bench.say("Other hall");
+    bench.robot = live;
+    QVERIFY(near(bench.reference()->pose(), {9, 0, 0}, 1e-9));
+    QTest::mouseClick(part<ReferenceDock>(*bench.window)->removeButton(), Qt::LeftButton);
+    QVERIFY(!part<ReferenceDock>(*bench.window)->moveButton()->isEnabled());
+  }
+
+  void garbageThatIsRememberedIsNothing() {
+    ReferenceBench bench;
+    bench.openOnRobot();
+    bench.lay();
+    bench.settings.beginGroup(QStringLiteral("reference"));
+    for (const QString& key : bench.settings.allKeys())
+      bench.settings.setValue(key, QStringLiteral("{\"map\":7,\"pose\":[1],\"pairs\":[[1,2],{}]}"));
+    bench.settings.endGroup();
+    test::FakeRobot* const live = bench.robot;
+    bench.say("Other hall");
+    bench.robot = live;
+    bench.say("Hall");
+    bench.robot = live;
+    QVERIFY(std::isfinite(bench.reference()->pose().x_m));
+  }
+
+  void escTakesTheFirstPointBackThenLeaves() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();
+    auto* const dock = part<ReferenceDock>(window);
+    QTest::mouseClick(dock->pairsButton(), Qt::LeftButton);
+    bench.look();
+    bench.click(0, 0);
+    bench.key(Qt::Key_Escape);
+    QVERIFY(dock->pairsButton()->isChecked());
+    bench.key(Qt::Key_Escape);
+    QVERIFY(!dock->pairsButton()->isChecked());
+    QCOMPARE(dock->table()->model()->rowCount(), 0);
+  }
+};
+
+}  // namespace test_window_reference
+
+MAPWRIGHT_TEST(test_window_reference, TestWindowReference, Widgets)
+#include "test_window_reference.moc"

@@ -1,0 +1,263 @@
+#include "ui/maps/reference_controller.h"
+
+#include <cmath>
+
+#include <QCryptographicHash>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QPushButton>
+
+#include "sentences/failure_sentence.h"
+#include "sentences/problem_sentence.h"
+#include "ui/kit/folders.h"
+#include "ui/kit/panels.h"
+#include "ui/kit/status_text.h"
+#include "ui/maps/reference_dock.h"
+#include "ui/maps/reference_tool.h"
+#include "ui/shell/current_session.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/toast_stack.h"
+#include "ui/view/tool_choice.h"
+
+namespace mapwright::window {
+
+namespace {
+
+constexpr std::size_t kMostPairs = 200;
+
+QString keyOf(const QString& place) {
+  const QByteArray digest =
+      QCryptographicHash::hash(place.toUtf8(), QCryptographicHash::Sha256).toHex().left(32);
+  return QStringLiteral("reference/") + QString::fromLatin1(digest);
+}
+
+QJsonArray numbers(std::initializer_list<double> values) {
+  QJsonArray array;
+  for (const double value : values) array << value;
+  return array;
+}
+
+std::optional<placing::PointPair> pairFrom(const QJsonArray& array) {
+  if (array.size() != 4) return std::nullopt;
+  const placing::PointPair pair{{array[0].toDouble(NAN), array[1].toDouble(NAN)},
+                                {array[2].toDouble(NAN), array[3].toDouble(NAN)}};
+  const bool sound = pair.on_map_m.allFinite() && pair.in_world_m.allFinite();
+  return sound ? std::optional(pair) : std::nullopt;
+}
+
+}  // namespace
+
+ReferenceController::ReferenceController(WindowContext& context, PicturePlacing& placing, Read read,
+                                         QObject* parent)
+    : Controller(parent),
+      context_(context),
+      placing_(placing),
+      read_(std::move(read)),
+      dock_(new ReferenceDock(&context.window)),
+      tool_(new ReferenceTool(&context.scene, this)),
+      slot_({}, {context.workers, nullptr}) {
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 70, .menu_rank = 36, .open = false});
+  context_.actions.add({.id = "referenceMap",
+                        .text = tr("Re&ference map…"),
+                        .icon = "layers",
+                        .tip = tr("Lay a map file under what the robot shows"),
+                        .needs_session = true,
+                        .menu = {MenuGroup::WholeMap, 20}},
+                       this, [this] {
+                         context_.panels.open(dock_);
+                         if (address_.isEmpty()) choose();
+                       });
+  tool_action_ = context_.actions.add({.id = "referenceTool",
+                                       .text = tr("Move the refere&nce map"),
+                                       .tip = tr("Drag or turn the reference map, or add pairs of points"),
+                                       .toggle = true,
+                                       .menu = {MenuGroup::Tools, 60}});
+  tool_action_->setEnabled(false);
+  context_.tools.add(tool_, tool_action_);
+  connect(tool_action_, &QAction::toggled, this, [this](bool on) {
+    if (!on) dock_->setTool(false, false);
+    if (on && !dock_->pairsButton()->isChecked()) dock_->setTool(true, false);
+  });
+  connect(tool_, &MapTool::finished, this, [this] { useTool(false, false); });
+  connect(tool_, &ReferenceTool::moved, this, [this](const geometry::Pose2& pose) { setPose(pose); });
+  connect(tool_, &ReferenceTool::paired, this, [this](const placing::PointPair& pair) {
+    std::vector<placing::PointPair> pairs = pairs_;
+    pairs.push_back(pair);
+    setPairs(std::move(pairs));
+  });
+  connect(dock_, &ReferenceDock::chooseWanted, this, &ReferenceController::choose);
+  connect(dock_, &ReferenceDock::removeWanted, this, &ReferenceController::removeMap);
+  connect(dock_, &ReferenceDock::moveWanted, this, [this](bool on) { useTool(on, false); });
+  connect(dock_, &ReferenceDock::pairsWanted, this, [this](bool on) { useTool(on, true); });
+  connect(dock_, &ReferenceDock::typed, this, &ReferenceController::setPose);
+  connect(dock_, &ReferenceDock::pairsUnwanted, this, [this] { setPairs({}); });
+  connect(dock_, &ReferenceDock::pairUnwanted, this, [this](int index) {
+    std::vector<placing::PointPair> pairs = pairs_;
+    if (index < 0 || std::size_t(index) >= pairs.size()) return;
+    pairs.erase(pairs.begin() + index);
+    setPairs(std::move(pairs));
+  });
+  connect(&slot_, &session::MapSlot::changed, this, &ReferenceController::show);
+  connect(&slot_, &session::MapSlot::rowsArrived, this, [this] { context_.scene.referenceRowsArrived(); });
+}
+
+ReferenceController::~ReferenceController() { slot_.disconnect(this); }
+
+void ReferenceController::setSession(session::Session* session) {
+  load({});
+  place_.clear();
+  if (!session) return;
+  connect(session, &session::Session::liveChanged, this, [this](int what) {
+    if (what == map::topicIndex<map::MapInfo>()) placeChanged();
+  });
+  connect(&session->wholeMap(), &session::MapSlot::changed, this, &ReferenceController::placeChanged);
+  placeChanged();
+}
+
+QString ReferenceController::place() const {
+  const session::Session* const session = context_.current.session();
+  if (!session) return {};
+  QString map;
+  if (const auto& info = session->live().map_info) {
+    map = QString::fromStdString(info->uid.empty() ? info->name : info->uid);
+  } else if (session->wholeMap().cells()) {
+    map = QString::fromStdString(map::toText(session->wholeMap().shown().key));
+  }
+  return QStringLiteral("%1\n%2").arg(session->robot().address(), map);
+}
+
+void ReferenceController::placeChanged() {
+  const QString now = place();
+  if (now == place_) return;
+  place_ = now;
+  const QJsonObject kept =
+      QJsonDocument::fromJson(context_.settings.value(keyOf(place_)).toString().toUtf8()).object();
+  const QString address = kept.value(QLatin1String("map")).toString();
+  // What was laid before it was known where the robot is stays, unless something is remembered for here.
+  if (address.isEmpty() && !address_.isEmpty()) return remember();
+  const QJsonArray pose = kept.value(QLatin1String("pose")).toArray();
+  pose_ = {};
+  pairs_.clear();
+  if (pose.size() == 3) pose_ = {pose[0].toDouble(), pose[1].toDouble(), pose[2].toDouble()};
+  for (const QJsonValue& each : kept.value(QLatin1String("pairs")).toArray()) {
+    const auto pair = pairFrom(each.toArray());
+    if (pair && pairs_.size() < kMostPairs) pairs_.push_back(*pair);
+  }
+  load(address);
+}
+
+void ReferenceController::remember() {
+  if (place_.isEmpty()) return;
+  if (address_.isEmpty()) return context_.settings.remove(keyOf(place_));
+  QJsonArray pairs;
+  for (const placing::PointPair& pair : pairs_)
+    pairs << numbers({pair.on_map_m.x(), pair.on_map_m.y(), pair.in_world_m.x(), pair.in_world_m.y()});
+  const QJsonObject kept{{QStringLiteral("map"), address_},
+                         {QStringLiteral("pose"), numbers({pose_.x_m, pose_.y_m, pose_.yaw_rad})},
+                         {QStringLiteral("pairs"), pairs}};
+  context_.settings.setValue(keyOf(place_),
+                             QString::fromUtf8(QJsonDocument(kept).toJson(QJsonDocument::Compact)));
+}
+
+void ReferenceController::choose() {
+  const QString path = QFileDialog::getOpenFileName(&context_.window, tr("Choose a reference map"),
+                                                    lastMapFolder(context_.settings), mapFileFilter());
+  if (path.isEmpty()) return;
+  rememberMapFolder(context_.settings, QFileInfo(path).absolutePath());
+  if (isBarePicture(path)) {
+    placing_.place(path, tr("Lay it"), [this](const QString& address) { lay(address); });
+  } else {
+    lay(fileAddress(path));
+  }
+}
+
+void ReferenceController::lay(const QString& address) {
+  pose_ = {};
+  pairs_.clear();
+  load(address);
+  remember();
+}
+
+void ReferenceController::removeMap() {
+  load({});
+  remember();
+}
+
+void ReferenceController::load(const QString& address) {
+  address_ = address;
+  reader_.reset();
+  slot_.clear();
+  if (address.isEmpty()) {
+    useTool(false, false);
+    return show();
+  }
+  auto reader = read_(address);
+  robot::WholeMapSource* const source = reader && *reader ? (*reader)->wholeMapSource() : nullptr;
+  if (!source) {
+    context_.overlay.toasts()->add(Mark::Bad, reader ? tr("This is not a map file.") : reader.error());
+    address_.clear();
+    return show();
+  }
+  reader_ = std::move(*reader);
+  reader_->connectToRobot();
+  slot_.expect({map::MapKind::File, {}}, {});
+  source->fetch({map::MapKind::File, {}}, [this, address](robot::Outcome<map::WholeMap> answer) {
+    if (address != address_) return;
+    if (answer) return slot_.show(std::move(*answer));
+    const QString sentence = QString::fromStdString(sentences::sentenceOf(answer.error()));
+    context_.overlay.toasts()->add(Mark::Bad, tr("The reference map: %1").arg(sentence));
+    slot_.clear();
+    // It stays remembered: a folder that is away today may be there tomorrow.
+    address_.clear();
+    show();
+  });
+  show();
+}
+
+void ReferenceController::show() {
+  const bool there = slot_.cells() != nullptr;
+  std::optional<render::PlacedGrid> placed;
+  if (there) {
+    placed = render::PlacedGrid{slot_.cells(), slot_.reference()};
+    placed->reference.origin = pose_ * placed->reference.origin;
+  }
+  context_.scene.setReference(placed);
+  QString said = tr("No reference map");
+  if (there) said = mapShownText(slot_);
+  if (!there && !address_.isEmpty()) said = mapProgressText(slot_);
+  if (slot_.phase() == session::MapSlot::Phase::Failed) said = sentences::sentenceOf(slot_.remark());
+  dock_->setMap(said, there);
+  dock_->setState(pose_, pairs_);
+  tool_->setState(pose_, pairs_);
+  tool_action_->setEnabled(there);
+  if (!there && context_.tools.chosen() == tool_) context_.tools.putAway();
+}
+
+void ReferenceController::setPose(const geometry::Pose2& world_from_map) {
+  pose_ = world_from_map;
+  show();
+  remember();
+}
+
+void ReferenceController::setPairs(std::vector<placing::PointPair> pairs) {
+  if (pairs.size() > kMostPairs) return;
+  pairs_ = std::move(pairs);
+  setPose(placing::alignedBy(pairs_, pose_));
+}
+
+void ReferenceController::useTool(bool on, bool pairing) {
+  tool_->setPairing(on && pairing);
+  dock_->setTool(on && !pairing, on && pairing);
+  if (on) {
+    context_.tools.choose(tool_);
+  } else if (context_.tools.chosen() == tool_) {
+    context_.tools.putAway();
+  }
+}
+
+}  // namespace mapwright::window
+
+#include "moc_reference_controller.cpp"

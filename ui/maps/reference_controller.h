@@ -1,0 +1,69 @@
+// A local map as a layer under what a robot shows: chosen, laid by hand or by pairs of points, and remembered
+// for that robot and map.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "placing/align.h"
+#include "robot/robot.h"
+#include "session/map_slot.h"
+#include "ui/kit/controller.h"
+#include "ui/maps/map_files.h"
+#include "ui/shell/window_context.h"
+
+class QAction;
+
+namespace mapwright::window {
+
+class ReferenceDock;
+class ReferenceTool;
+
+class ReferenceController : public Controller {
+  Q_OBJECT
+ public:
+  /// `read`: returns a reader for the map at an address; the error is a sentence.
+  using Read = std::function<tl::expected<std::unique_ptr<robot::Robot>, QString>(const QString& address)>;
+
+  ReferenceController(WindowContext& context, PicturePlacing& placing, Read read, QObject* parent = nullptr);
+  ~ReferenceController() override;
+
+  ReferenceDock* dock() const { return dock_; }
+  /// Lays the map at this address ("file:/maps/a.yaml").
+  void lay(const QString& address);
+  void removeMap();
+  const geometry::Pose2& pose() const { return pose_; }
+
+  void setSession(session::Session* session) override;
+
+ private:
+  void choose();
+  void setPose(const geometry::Pose2& world_from_map);
+  void setPairs(std::vector<placing::PointPair> pairs);
+  void useTool(bool on, bool pairing);
+  void load(const QString& address);
+  void show();
+  /// The robot and the map that it is on; empty = not known.
+  QString place() const;
+  void placeChanged();
+  void remember();
+
+  WindowContext& context_;
+  PicturePlacing& placing_;
+  Read read_;
+  ReferenceDock* dock_;
+  ReferenceTool* tool_;
+  QAction* tool_action_;
+  std::unique_ptr<robot::Robot> reader_;
+  session::MapSlot slot_;
+  QString address_;  // of the reference map; empty = none
+  QString place_;    // where it is remembered
+  geometry::Pose2 pose_;
+  std::vector<placing::PointPair> pairs_;
+};
+
+}  // namespace mapwright::window

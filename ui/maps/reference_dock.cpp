@@ -1,0 +1,147 @@
+#include "ui/maps/reference_dock.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QStandardItemModel>
+#include <QTableView>
+
+#include "scene/lengths.h"
+#include "sentences/plural.h"
+#include "ui/kit/forms.h"
+#include "ui/kit/icons.h"
+#include "ui/kit/plain_label.h"
+#include "ui/kit/status_text.h"
+#include "ui/kit/tree_view.h"
+
+namespace mapwright::window {
+
+ReferenceDock::ReferenceDock(QWidget* parent)
+    : QDockWidget(tr("Reference map"), parent),
+      map_(new PlainLabel(this)),
+      told_(new PlainLabel(this)),
+      choose_(compactButton(tr("Choose…"), this, tr("Choose a map file to lay under what the robot shows"))),
+      remove_(compactButton(tr("Remove"), this, tr("Remove the reference map; its file stays"))),
+      move_(compactButton(tr("Move"), this, tr("Drag the reference map; with Shift turn it"))),
+      pair_(compactButton(tr("Add points"), this,
+                          tr("Click a point of the reference map, then where it really is"))),
+      remove_pair_(compactButton(tr("Remove point"), this)),
+      clear_(compactButton(tr("Remove all"), this)),
+      model_(new QStandardItemModel(0, 3, this)),
+      table_(new QuietTableView(this)) {
+  setObjectName(QStringLiteral("reference"));
+  map_->setMostLines(2);
+  told_->setSecondary(true);
+  const auto field = [this](const QString& name, double most, const QString& unit) {
+    QDoubleSpinBox* const box = numberField(this, {-most, most, 3, 0.05, unit, name, 90});
+    box->setKeyboardTracking(false);
+    connect(box, &QDoubleSpinBox::valueChanged, this, &ReferenceDock::takeTyped);
+    return box;
+  };
+  constexpr double kFarthestM = 1e7;
+  x_ = field(tr("Moved along x"), kFarthestM, QStringLiteral(" m"));
+  y_ = field(tr("Moved along y"), kFarthestM, QStringLiteral(" m"));
+  yaw_ = field(tr("Turned by"), 360, QStringLiteral("°"));
+  model_->setHorizontalHeaderLabels({tr("Point"), tr("Where it is"), tr("Off by")});
+  showRows(*table_, model_, tr("Pairs of points"));
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->installEventFilter(this);
+  for (QPushButton* const button : {move_, pair_}) button->setCheckable(true);
+  auto* const body = new QWidget(this);
+  auto* const form = new QFormLayout;
+  form->addRow(tr("&x"), x_);
+  form->addRow(tr("&y"), y_);
+  form->addRow(tr("&Turned by"), yaw_);
+  body->setLayout(columnOf({map_,
+                            rowOf({choose_, remove_, LayoutItem::rest()}, 8),
+                            rowOf({move_, pair_, LayoutItem::rest()}, 8),
+                            form,
+                            {table_, 1},
+                            told_,
+                            rowOf({remove_pair_, clear_, LayoutItem::rest()}, 8)},
+                           6, QMargins(8, 6, 8, 6)));
+  setWidget(body);
+  connect(choose_, &QPushButton::clicked, this, &ReferenceDock::chooseWanted);
+  connect(remove_, &QPushButton::clicked, this, &ReferenceDock::removeWanted);
+  connect(move_, &QPushButton::clicked, this, &ReferenceDock::moveWanted);
+  connect(pair_, &QPushButton::clicked, this, &ReferenceDock::pairsWanted);
+  connect(remove_pair_, &QPushButton::clicked, this, &ReferenceDock::removeSelected);
+  connect(clear_, &QPushButton::clicked, this, &ReferenceDock::pairsUnwanted);
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          [this] { remove_pair_->setEnabled(table_->selectionModel()->hasSelection()); });
+  setMap(tr("No reference map"), false);
+  setState({}, {});
+}
+
+ReferenceDock::~ReferenceDock() {
+  table_->selectionModel()->disconnect(this);
+  table_->removeEventFilter(this);
+}
+
+void ReferenceDock::setMap(const QString& said, bool there) {
+  map_->setText(said);
+  for (QWidget* const of_map : std::initializer_list<QWidget*>{remove_, move_, pair_, x_, y_, yaw_})
+    of_map->setEnabled(there);
+}
+
+void ReferenceDock::setState(const geometry::Pose2& world_from_map,
+                             const std::vector<placing::PointPair>& pairs) {
+  const QScopedValueRollback quiet(setting_, true);
+  x_->setValue(world_from_map.x_m);
+  y_->setValue(world_from_map.y_m);
+  yaw_->setValue(geometry::degreesFromRadians(world_from_map.yaw_rad));
+  const std::vector<double> residuals = placing::residualsOf(pairs, world_from_map);
+  model_->setRowCount(int(pairs.size()));
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const QString texts[] = {coordinatesForClipboard(pairs[i].on_map_m),
+                             coordinatesForClipboard(pairs[i].in_world_m), scene::lengthText(residuals[i])};
+    for (int column = 0; column < 3; ++column) {
+      auto* const item = new QStandardItem(texts[column]);
+      item->setEditable(false);
+      model_->setItem(int(i), column, item);
+    }
+  }
+  clear_->setEnabled(!pairs.empty());
+  remove_pair_->setEnabled(table_->selectionModel()->hasSelection());
+  const int count = int(pairs.size());
+  told_->setText(count == 0 ? tr("Two pairs of points or more turn the map, too.")
+                 : count == 1
+                     ? tr("One pair moves the map; a second one turns it, too.")
+                     : sentences::counted(tr("%1 pairs, off by %2 (root mean square)", nullptr, count), count)
+                           .arg(scene::lengthText(placing::rootMeanSquare(residuals))));
+}
+
+void ReferenceDock::setTool(bool moving, bool pairing) {
+  move_->setChecked(moving);
+  pair_->setChecked(pairing);
+}
+
+QString ReferenceDock::told() const { return told_->text(); }
+
+void ReferenceDock::takeTyped() {
+  if (setting_) return;
+  Q_EMIT typed(
+      {x_->value(), y_->value(), geometry::normalizeAngle(geometry::radiansFromDegrees(yaw_->value()))});
+}
+
+void ReferenceDock::removeSelected() {
+  const QModelIndexList rows = table_->selectionModel()->selectedRows();
+  if (!rows.isEmpty()) Q_EMIT pairUnwanted(rows.front().row());
+}
+
+bool ReferenceDock::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_ && event->type() == QEvent::KeyPress &&
+      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+    removeSelected();
+    return true;
+  }
+  return QDockWidget::eventFilter(watched, event);
+}
+
+}  // namespace mapwright::window
+
+#include "moc_reference_dock.cpp"
