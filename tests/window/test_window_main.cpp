@@ -297,7 +297,8 @@ class TestWindowMain : public QObject {
         "connect", "demo", "openFile", "quit", "about", "diagnostics", "palette", "shortcuts",
         // How maps are to look, and how the window does: remembered, whoever comes next.
         "modeSubmaps", "modeWhole", "modeBoth", "grid", "showIds", "showOutlines", "colorsNormal",
-        "colorsIncremental", "colorsActive", "furniture", "pan", "replayReadAll", "fullScreen", "resetLayout",
+        "colorsIncremental", "colorsActive", "layersNavigation", "layersMapping", "layersMapOnly",
+        "layersAll", "saveLayerPreset", "furniture", "pan", "replayReadAll", "fullScreen", "resetLayout",
         "focusMap", "nextPane", "previousPane", "layoutOperate", "layoutInspect", "layoutReplay",
         "showRecordings"};
     Bench bench;

@@ -155,16 +155,16 @@ class TestWindowParts : public QObject {
                  "compare export refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot - "
                  "copyCoordinates "
                  "screenshotCopy screenshotSave"));
-    QCOMPARE(
-        idsOf(menuCalled(bar, "&View")->actions()).mid(0, 14).join(QLatin1Char(' ')),
-        QStringLiteral("modeSubmaps modeWhole modeBoth - grid showIds showOutlines furniture - * * * - *"));
+    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(0, 15).join(QLatin1Char(' ')),
+             QStringLiteral("modeSubmaps modeWhole modeBoth - grid showIds showOutlines furniture "
+                            "layerPresetsMenu - * * * - *"));
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Colours of submaps")->actions()),
              words("colorsNormal colorsIncremental colorsActive"));
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Theme")->actions()),
              words("themeLight themeDark themeSystem"));
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Layout")->actions()),
              words("layoutOperate layoutInspect layoutReplay"));
-    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(29).join(QLatin1Char(' ')),
+    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(30).join(QLatin1Char(' ')),
              QStringLiteral("- filter focusMap nextPane previousPane fullScreen resetLayout"));
     QCOMPARE(idsOf(menuCalled(bar, "&Help")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("palette shortcuts - diagnostics about"));

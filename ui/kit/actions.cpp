@@ -121,6 +121,11 @@ QAction* Actions::addToggle(const QString& menu, const QString& id, const QStrin
   return action;
 }
 
+void Actions::remove(QAction* action) {
+  std::erase_if(entries_, [action](const Entry& entry) { return entry.action == action; });
+  delete action;
+}
+
 QAction* Actions::find(const QString& id) const {
   for (const Entry& entry : entries_) {
     if (entry.action->objectName() == id) return entry.action;

@@ -132,6 +132,8 @@ class Actions : public QObject {
                const QList<QKeySequence>& shortcuts, Reach reach, const QString& tip);
   QAction* addToggle(const QString& menu, const QString& id, const QString& text, const QString& icon_name,
                      const QList<QKeySequence>& shortcuts, Reach reach, const QString& tip);
+  /// Deletes an action outside of menus.
+  void remove(QAction* action);
   /// An action owned by someone else, without shortcuts: added to its menu and to the lists.
   void list(const MenuPlace& place, QAction* action);
   /// The same, but only in its menu, for example a submenu.

@@ -12,7 +12,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QSignalBlocker>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/kit/icons.h"
@@ -43,7 +42,7 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
     : QFrame(parent),
       scene_(scene),
       layer_(layer),
-      eye_(new QToolButton(this)),
+      eye_(new EyeButton(this)),
       name_(new PlainLabel(scene::layerTitle(layer), this)),
       opacity_(new OpacitySlider(this)) {
   const QString title = scene::layerTitle(layer);
@@ -57,6 +56,9 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
   eye_->setIconSize({16, 16});
   eye_->setFixedSize(kLayerRowPx, kLayerRowPx);
   eye_->setFocusPolicy(Qt::TabFocus);
+  QSizePolicy eye_place = eye_->sizePolicy();
+  eye_place.setRetainSizeWhenHidden(true);
+  eye_->setSizePolicy(eye_place);
   eye_->setAccessibleName(tr("Show %1").arg(title));
   name_->setFixedHeight(kLayerRowPx);
   name_->setSample(QStringLiteral("xxxx"));  // the row must not determine the dock's width
@@ -83,10 +85,10 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
     QSizePolicy place = settings_->sizePolicy();
     place.setRetainSizeWhenHidden(true);
     settings_->setSizePolicy(place);
-    settings_->setVisible(scene::layerTraits(layer).any());
     settings_->setAccessibleName(tr("Settings of %1").arg(title));
     head->addWidget(settings_);
     connect(settings_, &QToolButton::toggled, this, &LayerRow::fold);
+    syncSettings();
   } else {
     head->addSpacing(25);
   }
@@ -95,6 +97,7 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
   column->setSpacing(0);
   column->addLayout(head);
   connect(eye_, &QToolButton::toggled, this, [this](bool on) { scene_->setLayerVisible(layer_, on); });
+  connect(eye_, &EyeButton::soloWanted, this, &LayerRow::soloWanted);
   connect(opacity_, &QSlider::valueChanged, this,
           [this](int value) { scene_->setLayerOpacity(layer_, value / 100.0); });
   sync();
@@ -107,7 +110,8 @@ void LayerRow::sync() {
     shown_ = visible;
     eye_->setChecked(visible);
     eye_->setIcon(themedIcon(visible ? QStringLiteral("eye") : QStringLiteral("eye-off")));
-    eye_->setToolTip(visible ? tr("Hide this layer") : tr("Show this layer"));
+    eye_->setToolTip(visible ? tr("Hide this layer. Alt+click: show only this layer")
+                             : tr("Show this layer. Alt+click: show only this layer"));
     name_->setSecondary(!visible);
   }
   opacity_->setValue(qRound(scene_->layerOpacity(layer_) * 100));
@@ -122,7 +126,9 @@ void LayerRow::setUnavailable(const QString& reason) {
   eye_->setEnabled(fine);
   name_->setEnabled(fine);
   name_->setHint(reason);
-  if (settings_) settings_->setEnabled(fine);
+  for (QWidget* const part : {static_cast<QWidget*>(eye_), static_cast<QWidget*>(opacity_)})
+    part->setVisible(fine);
+  syncSettings();
   setToolTip(plainToolTip(reason));
   setAccessibleDescription(reason);
   opacity_->setEnabled(fine && shown_.value_or(true));
@@ -133,10 +139,16 @@ void LayerRow::setTopics(const QStringList& choices, const QString& chosen, cons
   topics_ = choices;
   topic_ = chosen;
   usual_topic_ = usual;
-  const bool any = scene::layerTraits(layer_).any() || !choices.isEmpty() || !chosen.isEmpty();
-  if (!any) settings_->setChecked(false);
-  settings_->setVisible(any);
+  syncSettings();
   if (editor_) editor_->setTopics(choices, chosen, usual);
+}
+
+void LayerRow::syncSettings() {
+  if (!settings_) return;
+  const bool any = scene::layerTraits(layer_).any() || !topics_.isEmpty() || !topic_.isEmpty();
+  const bool offered = any && reason_.isEmpty();
+  if (!offered) settings_->setChecked(false);
+  settings_->setVisible(offered);
 }
 
 void LayerRow::fold(bool out) {
@@ -157,7 +169,9 @@ void LayerRow::mousePressEvent(QMouseEvent* event) {
 }
 
 void LayerRow::mouseMoveEvent(QMouseEvent* event) {
-  if (!press_ || !(event->buttons() & Qt::LeftButton) || scene::specOf(layer_).order_fixed) return;
+  if (!press_ || !(event->buttons() & Qt::LeftButton) || scene::specOf(layer_).order_fixed ||
+      !reason_.isEmpty())
+    return;
   const QPoint at = event->position().toPoint();
   if (!dragging_ && (at - *press_).manhattanLength() >= QApplication::startDragDistance()) {
     dragging_ = true;
@@ -200,6 +214,14 @@ void LayerRow::paintEvent(QPaintEvent*) {
   const QRect head(0, 0, width(), kLayerRowPx);
   painter.fillRect(head, dragging_ ? colors.selection : colors.hover);
   painter.fillRect(QRect(0, 0, 2, kLayerRowPx), colors.accent);
+}
+
+void EyeButton::mouseReleaseEvent(QMouseEvent* event) {
+  const bool alone = event->button() == Qt::LeftButton && event->modifiers() & Qt::AltModifier && isDown() &&
+                     hitButton(event->position().toPoint());
+  if (!alone) return QToolButton::mouseReleaseEvent(event);
+  setDown(false);
+  Q_EMIT soloWanted();
 }
 
 OpacitySlider::OpacitySlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {

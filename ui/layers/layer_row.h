@@ -4,13 +4,13 @@
 #include <QFrame>
 #include <QPointer>
 #include <QSlider>
+#include <QToolButton>
 
 #include "scene/map_scene.h"
 
 class QColorDialog;
 class QComboBox;
 class QDoubleSpinBox;
-class QToolButton;
 
 namespace mapwright::window {
 
@@ -31,6 +31,19 @@ class OpacitySlider : public QSlider {
 
  private:
   void follow(const QPointF& at);
+};
+
+/// Shows or hides a layer; with Alt held it asks for that layer alone.
+class EyeButton : public QToolButton {
+  Q_OBJECT
+ public:
+  using QToolButton::QToolButton;
+
+ Q_SIGNALS:
+  void soloWanted();
+
+ protected:
+  void mouseReleaseEvent(QMouseEvent* event) override;
 };
 
 /// The settings of one layer: colour, size and choice, if it has them.
@@ -76,7 +89,7 @@ class LayerRow : public QFrame {
   LayerStyleEditor* editor() const { return editor_; }  // null until expanded
   /// Shows what the scene says.
   void sync();
-  /// A reason greys the row; empty = it is available.
+  /// With a reason there is nothing to set; empty = it is available.
   void setUnavailable(const QString& reason);
   QString unavailable() const { return reason_; }
   /// See LayerStyleEditor.
@@ -90,6 +103,8 @@ class LayerRow : public QFrame {
   void moveWanted(int rows);
   void focusWanted(int rows);
   void topicChosen(const QString& topic);
+  /// This layer alone, or what was there before.
+  void soloWanted();
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
@@ -100,10 +115,11 @@ class LayerRow : public QFrame {
 
  private:
   void fold(bool out);
+  void syncSettings();
 
   scene::MapScene* scene_;
   scene::Layer layer_;
-  QToolButton* eye_;
+  EyeButton* eye_;
   PlainLabel* name_;
   QSlider* opacity_;
   QToolButton* settings_ = nullptr;

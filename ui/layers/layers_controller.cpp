@@ -7,7 +7,9 @@
 #include "ui/kit/plain_label.h"
 #include "ui/layers/layer_settings.h"
 #include "ui/layers/layers_dock.h"
+#include "ui/layers/preset_menu.h"
 #include "ui/shell/current_session.h"
+#include "ui/view/map_view.h"
 
 namespace mapwright::window {
 
@@ -31,9 +33,11 @@ LayersController::LayersController(WindowContext& context, QObject* parent)
     : Controller(parent),
       context_(context),
       dock_(new LayersDock(&context.scene, &context.window)),
+      presets_(new PresetMenu(context.scene, context.settings, context.actions, context.window, this)),
       modes_(new QActionGroup(this)),
       colors_(new QActionGroup(this)) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Left, .tab = 20, .menu_rank = 20});
+  dock_->setPresets(presets_->menu());
   addModes();
   addSwitch({.id = "grid",
              .text = tr("&Grid"),
@@ -68,6 +72,8 @@ LayersController::LayersController(WindowContext& context, QObject* parent)
     if (const session::Session* const session = context_.current.session())
       saveTopics(choices, session->robot().address(), context_.settings);
   });
+  connect(presets_, &PresetMenu::chosen, this, &LayersController::takePreset);
+  connect(dock_, &LayersDock::zoomWanted, this, &LayersController::zoomTo);
   connect(&context_.current, &CurrentSession::stateChanged, this, [this] {
     if (!context_.current.session()) endMode();
     syncModes();
@@ -152,12 +158,14 @@ void LayersController::setColorMode(render::ColorMode mode) {
 void LayersController::setSession(session::Session* session) {
   if (robot::OffersTopics* const of = session ? robot::topicsOfferedBy(session->robot()) : nullptr)
     of->choose(savedTopics(session->robot().address(), context_.settings));
+  dock_->endSolo();
   dock_->setSession(session);
   if (session) beginMode(*session);
 }
 
 void LayersController::recall(const QSettings& settings) {
   restoreLayers(context_.scene, settings);
+  dock_->restoreFolds(settings);
   const QString colors = settings.value(QStringLiteral("view/colors")).toString();
   for (const auto mode :
        {render::ColorMode::Normal, render::ColorMode::Incremental, render::ColorMode::Active}) {
@@ -168,6 +176,8 @@ void LayersController::recall(const QSettings& settings) {
 
 void LayersController::remember(QSettings& settings) {
   settings.setValue(QStringLiteral("view/colors"), colorModeName(context_.scene.colorMode()));
+  dock_->saveFolds(settings);
+  dock_->endSolo();  // nobody could end it at the next start
   // A robot without submaps must not determine what the next one shows.
   const bool forced = mode_before_.has_value();
   endMode();
@@ -176,6 +186,8 @@ void LayersController::remember(QSettings& settings) {
 }
 
 void LayersController::reset() {
+  dock_->forgetSolo();
+  dock_->resetFolds();
   resetOrderAndStyles(context_.scene);
   resetVisibility(context_.scene);
   if (mode_before_) setMode(ViewMode::Whole);
@@ -201,6 +213,20 @@ void LayersController::syncModes() {
                  : plainToolTip(sentences::whyAbsent(robot::Capability::Submaps,
                                                      session->robot().whyNot(robot::Capability::Submaps))));
   }
+}
+
+void LayersController::takePreset() {
+  dock_->forgetSolo();
+  // A preset made with another robot may show submaps that this one does not have.
+  session::Session* const session = context_.current.session();
+  if (session && !session->robot().submapSource() && !context_.scene.layerVisible(scene::Layer::WholeMap))
+    setMode(ViewMode::Whole);
+}
+
+void LayersController::zoomTo(scene::Layer layer) {
+  constexpr double kAroundM = 0.5, kClosestMPerPx = 0.02;
+  const geometry::WorldRect bounds = context_.scene.layerBounds(layer);
+  if (!bounds.empty()) context_.view.fit(bounds.grown(kAroundM), true, kClosestMPerPx);
 }
 
 void LayersController::beginMode(session::Session& session) {

@@ -12,6 +12,7 @@ class QActionGroup;
 namespace mapwright::window {
 
 class LayersDock;
+class PresetMenu;
 
 class LayersController : public Controller {
   Q_OBJECT
@@ -19,6 +20,7 @@ class LayersController : public Controller {
   explicit LayersController(WindowContext& context, QObject* parent = nullptr);
 
   LayersDock* dock() const { return dock_; }
+  PresetMenu* presets() const { return presets_; }
   void setMode(ViewMode mode);
   void setColorMode(render::ColorMode mode);
 
@@ -36,6 +38,8 @@ class LayersController : public Controller {
   void addColors();
   void sync();
   void syncModes();
+  void takePreset();
+  void zoomTo(scene::Layer layer);
   void beginMode(session::Session& session);
   void endMode();
 
@@ -45,6 +49,7 @@ class LayersController : public Controller {
   };
   WindowContext& context_;
   LayersDock* dock_;
+  PresetMenu* presets_;
   std::vector<Switch> switches_;
   QActionGroup *modes_, *colors_;
   /// The mode before a robot without submaps left no choice.

@@ -62,6 +62,13 @@ QImage Legend::painted(const QSize& size, const Paint& paint) const {
   painter.setClipPath(plate);
   painter.setOpacity(source_.opacity);
   paint(painter, room);
+  // White stands out from a white dock.
+  painter.setClipping(false);
+  painter.setOpacity(1);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(theme().grid_major, 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRoundedRect(room.adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
   return image;
 }
 

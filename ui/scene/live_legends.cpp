@@ -142,6 +142,7 @@ void lidarLegend(Legend& legend) {
 }
 
 void trackLegend(Legend& legend) {
+  if (!legend.context().track) return;
   const auto way = [](int quality, int steps) {
     return [quality, steps](LegendSample& sample) {
       const double half = sample.context.view.width_px / 2.0 - 4;

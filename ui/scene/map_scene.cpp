@@ -608,8 +608,10 @@ bool MapScene::showsClouds() const {
 
 void MapScene::setTrack(std::shared_ptr<const Track> track) {
   if (track == items_->context.track) return;
-  items_->context.track = std::move(track);
+  const bool had_one = std::exchange(items_->context.track, std::move(track)) != nullptr;
   items_->update(Layer::Track);
+  // The legend has words about it only while there is one.
+  if (had_one != (items_->context.track != nullptr)) Q_EMIT layersChanged();
 }
 
 void MapScene::setPoseBetween(const std::optional<geometry::Pose2>& pose) {

@@ -1,0 +1,103 @@
+#include "ui/layers/layer_presets.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <set>
+
+#include <QCoreApplication>
+
+namespace mapwright::window {
+
+using scene::Layer;
+
+namespace {
+
+class LayerPresetsText {
+  Q_DECLARE_TR_FUNCTIONS(LayerPresets)
+};
+
+const QString kPresetsKey = QStringLiteral("layerPresets");
+const QString kNameKey = QStringLiteral("name");
+
+LayerPreset builtIn(const QString& name, std::initializer_list<Layer> shown,
+                    std::initializer_list<Layer> left_alone) {
+  LayerPreset preset{name, true, {}};
+  for (const Layer layer : scene::allLayers()) {
+    if (std::find(left_alone.begin(), left_alone.end(), layer) != left_alone.end()) continue;
+    preset.layers[layer].shown = std::find(shown.begin(), shown.end(), layer) != shown.end();
+  }
+  return preset;
+}
+
+}  // namespace
+
+std::vector<LayerPreset> builtInPresets() {
+  using enum Layer;
+  std::vector<LayerPreset> presets{
+      builtIn(LayerPresetsText::tr("Navigation"),
+              {CostmapLow, Grid, Overlays, Waypoints, Landmarks, Doors, Boxes, Path, LocalPath, Target, Cloud,
+               NearbyRobots, Trail, ExpandedFootprint, Footprint, Robot, ScaleBar},
+              {WholeMap, Submaps, Regions, DispatchedCloud, Track}),
+      builtIn(LayerPresetsText::tr("Mapping"),
+              {Incremental, Grid, Landmarks, Constraints, Outlines, Ids, Trajectory, Cloud, Trail, Footprint,
+               Robot, ScaleBar},
+              {WholeMap, Submaps, Regions, DispatchedCloud, Track}),
+      builtIn(LayerPresetsText::tr("Map only"), {ScaleBar}, {WholeMap, Submaps, Regions, DispatchedCloud}),
+      builtIn(LayerPresetsText::tr("All"), {}, {})};
+  for (auto& [layer, look] : presets.back().layers) look.shown = true;
+  return presets;
+}
+
+LayerPreset presetOf(const scene::MapScene& scene, const QString& name) {
+  LayerPreset preset{name, false, {}};
+  for (const Layer layer : scene::allLayers()) preset.layers[layer] = lookOf(scene, layer);
+  return preset;
+}
+
+void apply(scene::MapScene& scene, const LayerPreset& preset) {
+  std::set<Layer> shown;
+  for (const Layer layer : scene::allLayers()) {
+    const auto look = preset.layers.find(layer);
+    if (look == preset.layers.end() ? scene.layerVisible(layer) : look->second.shown) shown.insert(layer);
+  }
+  if (!preset.built_in) {
+    for (const auto& [layer, look] : preset.layers) setStyles(scene, layer, look);
+  }
+  scene.setLayersVisible(shown);
+}
+
+bool matches(const scene::MapScene& scene, const LayerPreset& preset) {
+  return std::all_of(preset.layers.begin(), preset.layers.end(), [&](const auto& wanted) {
+    const LayerLook look = lookOf(scene, wanted.first);
+    return preset.built_in ? look.shown == wanted.second.shown : look == wanted.second;
+  });
+}
+
+void savePresets(const std::vector<LayerPreset>& presets, QSettings& settings) {
+  settings.remove(kPresetsKey);
+  settings.beginWriteArray(kPresetsKey, int(presets.size()));
+  for (std::size_t i = 0; i < presets.size(); ++i) {
+    settings.setArrayIndex(int(i));
+    settings.setValue(kNameKey, presets[i].name);
+    for (const auto& [layer, look] : presets[i].layers) writeLook(settings, layer, look);
+  }
+  settings.endArray();
+}
+
+std::vector<LayerPreset> savedPresets(QSettings& settings) {
+  constexpr int kMost = 1000;  // of a broken file
+  std::vector<LayerPreset> presets;
+  const int count = std::min(settings.beginReadArray(kPresetsKey), kMost);
+  for (int i = 0; i < count; ++i) {
+    settings.setArrayIndex(i);
+    LayerPreset preset{settings.value(kNameKey).toString().simplified(), false, {}};
+    for (const Layer layer : scene::allLayers()) {
+      if (holdsLook(settings, layer)) preset.layers[layer] = readLook(settings, layer);
+    }
+    if (!preset.name.isEmpty()) presets.push_back(std::move(preset));
+  }
+  settings.endArray();
+  return presets;
+}
+
+}  // namespace mapwright::window
