@@ -164,7 +164,7 @@ class TestWindowParts : public QObject {
              words("themeLight themeDark themeSystem"));
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Layout")->actions()),
              words("layoutOperate layoutInspect layoutReplay"));
-    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(30).join(QLatin1Char(' ')),
+    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(31).join(QLatin1Char(' ')),
              QStringLiteral("- filter focusMap nextPane previousPane fullScreen resetLayout"));
     QCOMPARE(idsOf(menuCalled(bar, "&Help")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("palette shortcuts - diagnostics about"));

@@ -7,6 +7,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/layers/layer_settings.h"
 #include "ui/layers/layers_dock.h"
+#include "ui/layers/legend_dock.h"
 #include "ui/layers/preset_menu.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_view.h"
@@ -33,10 +34,12 @@ LayersController::LayersController(WindowContext& context, QObject* parent)
     : Controller(parent),
       context_(context),
       dock_(new LayersDock(&context.scene, &context.window)),
+      legend_(new LegendDock(&context.scene, &context.window)),
       presets_(new PresetMenu(context.scene, context.settings, context.actions, context.window, this)),
       modes_(new QActionGroup(this)),
       colors_(new QActionGroup(this)) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Left, .tab = 20, .menu_rank = 20});
+  context_.panels.add(legend_, {.side = PanelPlace::Side::Left, .tab = 30, .menu_rank = 25, .open = false});
   dock_->setPresets(presets_->menu());
   addModes();
   addSwitch({.id = "grid",
@@ -160,6 +163,7 @@ void LayersController::setSession(session::Session* session) {
     of->choose(savedTopics(session->robot().address(), context_.settings));
   dock_->endSolo();
   dock_->setSession(session);
+  legend_->setSession(session);
   if (session) beginMode(*session);
 }
 

@@ -12,6 +12,7 @@ class QActionGroup;
 namespace mapwright::window {
 
 class LayersDock;
+class LegendDock;
 class PresetMenu;
 
 class LayersController : public Controller {
@@ -20,6 +21,7 @@ class LayersController : public Controller {
   explicit LayersController(WindowContext& context, QObject* parent = nullptr);
 
   LayersDock* dock() const { return dock_; }
+  LegendDock* legend() const { return legend_; }
   PresetMenu* presets() const { return presets_; }
   void setMode(ViewMode mode);
   void setColorMode(render::ColorMode mode);
@@ -49,6 +51,7 @@ class LayersController : public Controller {
   };
   WindowContext& context_;
   LayersDock* dock_;
+  LegendDock* legend_;
   PresetMenu* presets_;
   std::vector<Switch> switches_;
   QActionGroup *modes_, *colors_;
