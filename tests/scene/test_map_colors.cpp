@@ -32,7 +32,7 @@ QColor differenceColor(render::Difference what, bool dark) {
   return QColor(QRgb(render::differencePalette(dark)[std::size_t(what)]));
 }
 
-/// The robot's ways and plans, sensor data, places.
+/// The robot's ways and plans, sensor data, places, what is measured.
 std::vector<Named> thingsOf(const MapTheme& theme) {
   return {{QStringLiteral("trail"), theme.trail},
           {QStringLiteral("path"), theme.path},
@@ -41,7 +41,8 @@ std::vector<Named> thingsOf(const MapTheme& theme) {
           {QStringLiteral("lidar points"), theme.cloud},
           {QStringLiteral("waypoints"), theme.place},
           {QStringLiteral("other robots"), theme.other_robot},
-          {QStringLiteral("landmarks"), theme.constraint}};
+          {QStringLiteral("landmarks"), theme.constraint},
+          {QStringLiteral("measured line"), theme.measure}};
 }
 
 /// The same, and what Difference shows.

@@ -15,7 +15,7 @@ constexpr ColorRow kColorRows[] = {
     {&MapTheme::text_halo, 0xdcffffff, 0xdc0a0e14},      {&MapTheme::accent, 0xff1f6feb, 0xff1f6feb},
     {&MapTheme::robot, 0xff1f6feb, 0xff1f6feb},          {&MapTheme::robot_outline, 0xffffffff, 0xffffffff},
     {&MapTheme::trail, 0xff68abfd, 0xff1c57ac},          {&MapTheme::outline, 0xc8b35c00, 0xdcffb454},
-    {&MapTheme::outline_frozen, 0x96334458, 0xaa8da2bb}, {&MapTheme::measure, 0xffa81e7a, 0xffff6ad5},
+    {&MapTheme::outline_frozen, 0x96334458, 0xaa8da2bb}, {&MapTheme::measure, 0xff6d0714, 0xfffaea93},
     {&MapTheme::stale_veil, 0x82e6e9ee, 0x8214181e},     {&MapTheme::cloud, 0xffa43472, 0xffd58eb0},
     {&MapTheme::path, 0xff277aff, 0xff5c9bff},           {&MapTheme::trajectory, 0xff7fad75, 0xff42deb3},
     {&MapTheme::target, 0xff7b0367, 0xffc75292},         {&MapTheme::other_robot, 0xff2f00fa, 0xffa97cbc},
