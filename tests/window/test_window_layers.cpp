@@ -425,6 +425,9 @@ class TestWindowLayers : public QObject {
       part<LayersDock>(window)->opacity(Layer::Path)->setValue(40);
       part<LayersDock>(window)->eye(Layer::CostmapLow)->click();
       window.mapScene()->setLayerStyle(Layer::Cloud, style);
+      QTest::mouseClick(part<LayersDock>(window)->findChild<QToolButton*>(QStringLiteral("layersInOrder")),
+                        Qt::LeftButton);
+      QVERIFY(!part<LayersDock>(window)->header(scene::LayerGroup::Map)->isVisible());
       window.close();
     }
     MainWindow& again = bench.open();
@@ -432,7 +435,9 @@ class TestWindowLayers : public QObject {
     QCOMPARE(again.mapScene()->layerOpacity(Layer::Path), 0.4);
     QVERIFY(again.mapScene()->layerVisible(Layer::CostmapLow));
     QCOMPARE(again.mapScene()->layerStyle(Layer::Cloud), style);
+    QVERIFY(!part<LayersDock>(again)->grouped());
     bench.action("resetLayout")->trigger();
+    QVERIFY(part<LayersDock>(again)->grouped());
     QCOMPARE(again.mapScene()->layerOrder(), scene::allLayers());
     QCOMPARE(again.mapScene()->layerStyle(Layer::Cloud), scene::LayerStyle{});
   }
