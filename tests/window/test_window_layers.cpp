@@ -343,7 +343,10 @@ class TestWindowLayers : public QObject {
     QVERIFY(!entry(*presets.menu(), listed));
     QMenu* const removing = entry(*presets.menu(), QStringLiteral("Delete"))->menu();
     QVERIFY(removing);
-    entry(*removing, QStringLiteral("Lift"))->trigger();
+    removing->popup(window.mapToGlobal(QPoint(100, 100)));
+    QTest::mouseClick(removing, Qt::LeftButton, {},
+                      removing->actionGeometry(entry(*removing, QStringLiteral("Lift"))).center());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     QVERIFY(presets.own().empty() && !entry(*presets.menu(), QStringLiteral("Layers: Lift")));
     QVERIFY(!bench.action("layerPreset-Lift"));
     QCOMPARE(scene.layerStyle(Layer::Cloud), style);  // the layers stay
