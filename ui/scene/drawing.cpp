@@ -68,10 +68,16 @@ void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& t
 
 std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
                                     std::span<const Eigen::Vector2d> world, double margin_px) {
+  return visibleLines(view, world, margin_px, QRectF(0, 0, view.width_px, view.height_px));
+}
+
+std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
+                                    std::span<const Eigen::Vector2d> world, double margin_px,
+                                    const QRectF& exposed) {
   std::vector<QPolygonF> lines;
   QPolygonF line;
-  const QRectF seen =
-      QRectF(0, 0, view.width_px, view.height_px).adjusted(-margin_px, -margin_px, margin_px, margin_px);
+  const QRectF seen = (exposed & QRectF(0, 0, view.width_px, view.height_px))
+                          .adjusted(-margin_px, -margin_px, margin_px, margin_px);
   const auto end = [&] {
     if (line.size() > 1) lines.push_back(line);
     line.clear();

@@ -30,9 +30,13 @@ void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& t
 QPolygonF toPolygon(const geometry::ViewTransform& view, const std::vector<Eigen::Vector2d>& world);
 bool inView(const geometry::ViewTransform& view, const QRectF& rect, double margin_px = 20);
 /// The viewport polyline of world points without invisible parts: points within two pixels of the previous
-/// one, and parts outside the viewport grown by `margin_px` (which gives several polylines).
+/// one, and parts outside the viewport grown by `margin_px` (which gives several polylines). `exposed`: the
+/// part of the viewport that is painted; the lines are the same, only fewer.
 std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
                                     std::span<const Eigen::Vector2d> world, double margin_px);
+std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
+                                    std::span<const Eigen::Vector2d> world, double margin_px,
+                                    const QRectF& exposed);
 
 /// Draws the tiles that touch `exposed`, both in device pixels.
 void drawTiles(QPainter& painter, const QRectF& exposed, std::span<const render::DrawnTile> tiles);

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <QCoreApplication>
-#include <QFontMetricsF>
 #include <QPainterPath>
 
 #include "map/live_topics.h"
@@ -51,8 +50,7 @@ class Brush {
         drawPoints();
         break;
       case Kind::Text:
-        drawText();
-        break;
+        break;  // a label
     }
   }
 
@@ -102,15 +100,6 @@ class Brush {
     }
   }
 
-  void drawText() {
-    if (drawing_.points.empty()) return;
-    const QString text = shortName(drawing_.text, kLongestText);
-    const QRectF mark(at(0) - QPointF(1, 1), QSizeF(2, 2));
-    // Readable like any other label, and dropped if there is no room.
-    if (inView(context_.view, mark, 0))
-      drawName(painter_, context_, mark, text, readable(own_, context_.theme));
-  }
-
   QPainter& painter_;
   const LayerContext& context_;
   const map::GroundDrawing& drawing_;
@@ -155,6 +144,12 @@ QColor pointColor(const MapTheme& theme, int type) {
   }
 }
 
+/// A small area is a symbol; a large one is ground on which something lies.
+void keepSmallClear(LabelCollector& labels, const QRectF& area) {
+  constexpr double kLargestPx = 120;
+  if (std::max(area.width(), area.height()) <= kLargestPx) labels.symbol(area);
+}
+
 /// Doors with their state, as shape and colour.
 class DoorsLayer : public LayerItem {
  public:
@@ -170,12 +165,19 @@ class DoorsLayer : public LayerItem {
       painter->setBrush(closed ? QBrush(translucent(color, 110)) : QBrush(translucent(color, 30)));
       painter->setPen(QPen(color, 2, open || closed ? Qt::SolidLine : Qt::DashLine));
       painter->drawPolygon(polygon);
+    }
+  }
+  LabelUse labelUse() const override { return LabelUse::Names; }
+  void collectLabels(LabelCollector& labels) const override {
+    for (std::size_t i = 0; i < context_.live->doors.size(); ++i) {
+      const map::AutoDoor& door = context_.live->doors[i];
+      const QRectF mark = toPolygon(context_.view, door.polygon).boundingRect();
+      keepSmallClear(labels, mark);
+      if (!labels.namesShown() || door.polygon.size() < 3) continue;
       const QString state = shortName(door.state.empty() ? "unknown" : door.state);
-      if (context_.view.scale_m_per_px <= kNameFromMPerPx) {
-        drawName(*painter, context_, polygon.boundingRect(),
+      labels.add(LabelWish::Place::Beside, LabelRank::Door, mark, i,
                  door.name.empty() ? state : shortName(door.name) + QStringLiteral(": ") + state,
                  context_.theme.text);
-      }
     }
   }
   geometry::WorldRect contentBounds() const override {
@@ -186,34 +188,88 @@ class DoorsLayer : public LayerItem {
 };
 
 /// Pallets, racks, detected objects, and the robot's other drawings.
-class BoxesLayer : public LayerItem {
+class BoxesLayer : public SmallLayer {
  public:
-  using LayerItem::LayerItem;
+  using SmallLayer::SmallLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    const map::LiveState& live = *context_.live;
+    notePainted();
     const QColor common = colorOr(context_.theme.place);
     painter->setRenderHint(QPainter::Antialiasing);
-    for (const map::GroundDrawing& drawing : live.drawings) Brush(*painter, context_, drawing, common).draw();
-    for (const auto* boxes : {&live.pallets, &live.racks, &live.seen_objects}) {
-      for (const map::GroundBox& box : *boxes) {
-        const auto robot = context_.robotPose();
-        if (box.in_robot_frame && !robot) continue;
-        const geometry::Pose2 pose = box.in_robot_frame ? *robot * box.pose : box.pose;
-        // The user's choice takes precedence over the robot's.
-        const QColor color =
-            box.rgba && !style().color.isValid() ? translucent(colorFrom(*box.rgba), 255) : common;
-        const double a = box.length_m / 2, b = box.width_m / 2;
-        if (a > 0 && b > 0) {
-          const QPolygonF polygon = toPolygon(context_.view, {pose.apply({a, b}), pose.apply({-a, b}),
-                                                              pose.apply({-a, -b}), pose.apply({a, -b})});
-          if (!inView(context_.view, polygon.boundingRect())) continue;
-          painter->setBrush(translucent(color, 50));
-          painter->setPen(QPen(color, 2));
-          painter->drawPolygon(polygon);
-        }
-        drawPlace(*painter, context_, {pose.x_m, pose.y_m}, pose.yaw_rad, color, shortName(box.label));
+    for (const map::GroundDrawing& drawing : context_.live->drawings)
+      Brush(*painter, context_, drawing, common).draw();
+    for (const Box& box : boxes()) {
+      // The user's choice takes precedence over the robot's.
+      const QColor color =
+          box.of->rgba && !style().color.isValid() ? translucent(colorFrom(*box.of->rgba), 255) : common;
+      if (const QPolygonF polygon = outlineOf(box); !polygon.isEmpty()) {
+        if (!inView(context_.view, polygon.boundingRect())) continue;
+        painter->setBrush(translucent(color, 50));
+        painter->setPen(QPen(color, 2));
+        painter->drawPolygon(polygon);
+      }
+      drawPlace(*painter, context_, {box.pose.x_m, box.pose.y_m}, box.pose.yaw_rad, color);
+    }
+  }
+  LabelUse labelUse() const override { return LabelUse::Names; }
+  void collectLabels(LabelCollector& labels) const override {
+    std::uint64_t id = 0;
+    for (const Box& box : boxes()) {
+      labelPlace(labels, context_, {box.pose.x_m, box.pose.y_m}, box.pose.yaw_rad, LabelRank::Thing, ++id,
+                 shortName(box.of->label));
+      keepSmallClear(labels, outlineOf(box).boundingRect());
+    }
+    for (const map::GroundDrawing& drawing : context_.live->drawings) {
+      ++id;
+      if (drawing.kind != Kind::Text || drawing.points.empty()) continue;
+      const QColor color = drawing.rgba ? colorFrom(*drawing.rgba) : colorOr(context_.theme.place);
+      const QPointF at = toPoint(context_.view.pixelFromWorld(drawing.points[0]));
+      // Readable like any other label.
+      labels.add(LabelWish::Place::Beside, LabelRank::Thing, QRectF(at - QPointF(1, 1), QSizeF(2, 2)), id,
+                 shortName(drawing.text, kLongestText), readable(color, context_.theme));
+    }
+  }
+
+ protected:
+  QRectF reach() const override {
+    std::vector<Eigen::Vector2d> points;
+    double widest_m = 0;
+    for (const map::GroundDrawing& drawing : context_.live->drawings) {
+      points.insert(points.end(), drawing.points.begin(), drawing.points.end());
+      widest_m = std::max(widest_m, drawing.size_m);
+    }
+    for (const Box& box : boxes()) {
+      const double half_m = std::hypot(box.of->length_m, box.of->width_m) / 2;
+      for (const double x : {-half_m, half_m}) {
+        for (const double y : {-half_m, half_m}) points.emplace_back(box.pose.x_m + x, box.pose.y_m + y);
       }
     }
+    return reachOf(points, 20 + pixelsOf(context_, widest_m, kThinnestPx));
+  }
+
+ private:
+  struct Box {
+    const map::GroundBox* of;
+    geometry::Pose2 pose;
+  };
+  std::vector<Box> boxes() const {
+    const map::LiveState& live = *context_.live;
+    const auto robot = context_.robotPose();
+    std::vector<Box> boxes;
+    for (const auto* group : {&live.pallets, &live.racks, &live.seen_objects}) {
+      for (const map::GroundBox& box : *group) {
+        if (box.in_robot_frame && !robot) continue;
+        boxes.push_back({&box, box.in_robot_frame ? *robot * box.pose : box.pose});
+      }
+    }
+    return boxes;
+  }
+  /// Empty: it has no size.
+  QPolygonF outlineOf(const Box& box) const {
+    const double a = box.of->length_m / 2, b = box.of->width_m / 2;
+    if (!(a > 0 && b > 0)) return {};
+    const geometry::Pose2& pose = box.pose;
+    return toPolygon(context_.view,
+                     {pose.apply({a, b}), pose.apply({-a, b}), pose.apply({-a, -b}), pose.apply({a, -b})});
   }
   geometry::WorldRect contentBounds() const override {
     const map::LiveState& live = *context_.live;
@@ -238,19 +294,14 @@ class LandmarksLayer : public LayerItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
     const QColor color = colorOr(context_.theme.constraint);
     painter->setRenderHint(QPainter::Antialiasing);
-    const bool robots = of() == FeaturesOf::Robot;
-    for (const map::Landmark& landmark : robots ? context_.live->landmarks : context_.of(*of()).landmarks) {
-      const QPointF at = toPoint(context_.view.pixelFromWorld(landmark.position_m));
-      if (!inView(context_.view, QRectF(at, QSizeF(1, 1)))) continue;
-      QPolygonF diamond{at + QPointF(0, -7), at + QPointF(7, 0), at + QPointF(0, 7), at + QPointF(-7, 0)};
+    for (const map::Landmark& landmark : landmarks()) {
+      const QPolygonF diamond = diamondOf(landmark);
+      if (!inView(context_.view, diamond.boundingRect())) continue;
       painter->setPen(QPen(context_.theme.text_halo, 1.5));
       // One that is not in use is hollow.
       painter->setBrush(landmark.in_use.value_or(true) ? QBrush(color) : QBrush(Qt::NoBrush));
       if (!landmark.in_use.value_or(true)) painter->setPen(QPen(color, 2));
       painter->drawPolygon(diamond);
-      if (context_.view.scale_m_per_px <= kNameFromMPerPx) {
-        drawName(*painter, context_, diamond.boundingRect(), shortName(landmark.id), context_.theme.text);
-      }
     }
   }
   geometry::WorldRect contentBounds() const override {
@@ -259,6 +310,25 @@ class LandmarksLayer : public LayerItem {
     for (const map::Landmark& landmark : robots ? context_.live->landmarks : context_.of(*of()).landmarks)
       extendBy(bounds, landmark.position_m);
     return bounds;
+  }
+  LabelUse labelUse() const override { return LabelUse::Names; }
+  void collectLabels(LabelCollector& labels) const override {
+    for (const map::Landmark& landmark : landmarks()) {
+      const QRectF mark = diamondOf(landmark).boundingRect();
+      labels.symbol(mark);
+      if (!labels.namesShown() || !labels.area().intersects(mark)) continue;
+      labels.add(LabelWish::Place::Beside, LabelRank::Landmark, mark, qHash(QByteArrayView(landmark.id)),
+                 shortName(landmark.id), context_.theme.text);
+    }
+  }
+
+ private:
+  const std::vector<map::Landmark>& landmarks() const {
+    return of() == FeaturesOf::Robot ? context_.live->landmarks : context_.of(*of()).landmarks;
+  }
+  QPolygonF diamondOf(const map::Landmark& landmark) const {
+    const QPointF at = toPoint(context_.view.pixelFromWorld(landmark.position_m));
+    return {at + QPointF(0, -7), at + QPointF(7, 0), at + QPointF(0, 7), at + QPointF(-7, 0)};
   }
 };
 
@@ -275,10 +345,8 @@ class OverlaysLayer : public LayerItem {
         if (shape == OverlayShape::Polygon) paintRegion(*painter, feature);
         if (shape == OverlayShape::Line) paintLine(*painter, feature);
         if (shape == OverlayShape::Point && !feature.parts.empty() && !feature.parts[0].empty()) {
-          const QString name =
-              feature.name.empty() ? sentences::nameOf(feature.shape, feature.type) : shortName(feature.name);
           drawPlace(*painter, context_, feature.parts[0][0], feature.yaw_rad,
-                    overlayColor(context_.theme, feature), name);
+                    overlayColor(context_.theme, feature));
         }
       }
     }
@@ -290,8 +358,32 @@ class OverlaysLayer : public LayerItem {
     }
     return bounds;
   }
+  LabelUse labelUse() const override { return LabelUse::Names; }
+  void collectLabels(LabelCollector& labels) const override {
+    using map::OverlayShape;
+    std::uint64_t index = 0;
+    for (const map::OverlayFeature& feature : context_.of(*of()).overlays) {
+      ++index;
+      const std::uint64_t id = feature.id.empty() ? index : qHash(QByteArrayView(feature.id));
+      if (feature.shape == OverlayShape::Line || feature.parts.empty() || feature.parts[0].empty()) continue;
+      if (feature.shape == OverlayShape::Point) {
+        labelPlace(labels, context_, feature.parts[0][0], feature.yaw_rad, LabelRank::Waypoint, id,
+                   nameOf(feature));
+        continue;
+      }
+      // The first ring is the outer one.
+      const QRectF bounds = toPolygon(context_.view, feature.parts[0]).boundingRect();
+      if (!labels.namesShown() || !labels.area().intersects(bounds)) continue;
+      labels.add(LabelWish::Place::Within, LabelRank::Region, bounds, id, nameOf(feature),
+                 regionColor(context_.theme, feature.type));
+    }
+  }
 
  private:
+  static QString nameOf(const map::OverlayFeature& feature) {
+    return feature.name.empty() ? sentences::nameOf(feature.shape, feature.type) : shortName(feature.name);
+  }
+
   void paintRegion(QPainter& painter, const map::OverlayFeature& feature) const {
     QPainterPath path;
     for (const auto& ring : feature.parts) path.addPolygon(toPolygon(context_.view, ring));
@@ -307,16 +399,6 @@ class OverlaysLayer : public LayerItem {
       painter.setPen(Qt::NoPen);
       painter.setBrush(QBrush(translucent(color, 110), Qt::BDiagPattern));
       painter.drawPath(path);
-    }
-    const QString name =
-        feature.name.empty() ? sentences::nameOf(feature.shape, feature.type) : shortName(feature.name);
-    if (context_.view.scale_m_per_px <= kNameFromMPerPx && bounds.width() > 60) {
-      const QFontMetricsF metrics(context_.theme.label_font);
-      QRectF spot(0, 0, metrics.horizontalAdvance(name), metrics.height());
-      spot.moveCenter(bounds.center());
-      if (context_.labels.take({&spot, 1})) {
-        drawLabel(painter, {spot.left(), spot.top() + metrics.ascent()}, name, context_.theme, color);
-      }
     }
   }
 

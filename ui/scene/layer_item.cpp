@@ -1,10 +1,9 @@
 #include "scene/layer_item.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 
-#include <QFontMetricsF>
 #include <QPainterPath>
 
 #include "words/qt_plain.h"
@@ -12,30 +11,14 @@
 namespace mapwright::scene {
 namespace {
 
-constexpr double kBandPx = 32;
+constexpr double kPlacePx = 5, kHeadingPx = 13;
 
-// An invalid position goes into the first band: a robot may send one.
-int bandOf(double y) { return y > -1e6 ? int(std::floor(std::min(y, 1e6) / kBandPx)) : int(-1e6 / kBandPx); }
+QPointF headingTip(const LayerContext& context, double yaw_rad) {
+  const double heading = yaw_rad + context.view.rotation_rad;
+  return QPointF(std::cos(heading), -std::sin(heading)) * kHeadingPx;
+}
 
 }  // namespace
-
-bool LabelSpace::free(const QRectF& spot) const {
-  for (int band = bandOf(spot.top()); band <= bandOf(spot.bottom()); ++band) {
-    const auto taken = bands_.find(band);
-    if (taken == bands_.end()) continue;
-    for (const QRectF& other : taken->second) {
-      if (other.intersects(spot)) return false;
-    }
-  }
-  return true;
-}
-
-std::optional<QRectF> LabelSpace::take(std::span<const QRectF> spots) {
-  const auto spot = std::find_if(spots.begin(), spots.end(), [this](const QRectF& s) { return free(s); });
-  if (spot == spots.end()) return std::nullopt;
-  for (int band = bandOf(spot->top()); band <= bandOf(spot->bottom()); ++band) bands_[band].push_back(*spot);
-  return *spot;
-}
 
 void LineSheet::paint(QPainter& painter, const QSizeF& viewport, double opacity,
                       const std::function<void(QPainter&)>& draw) {
@@ -59,32 +42,9 @@ QString shortName(const std::string& name, qsizetype longest) {
   return text.size() > longest ? text.left(longest - 1) + QChar(0x2026) : text;
 }
 
-void drawName(QPainter& painter, const LayerContext& context, const QRectF& mark, const QString& name,
-              const QColor& color) {
-  if (name.isEmpty()) return;
-  const QFontMetricsF metrics(context.theme.label_font);
-  const QSizeF size(metrics.horizontalAdvance(name), metrics.height());
-  const auto spot = [&](double center_x, double center_y) {
-    return QRectF(QPointF(center_x - size.width() / 2, center_y - size.height() / 2), size);
-  };
-  const double aside = mark.width() / 2 + 5 + size.width() / 2,
-               over = mark.height() / 2 + 3 + size.height() / 2;
-  const double x = mark.center().x(), y = mark.center().y();
-  const std::array spots{spot(x + aside, y - over / 2),
-                         spot(x + aside, y + over / 2),
-                         spot(x - aside, y - over / 2),
-                         spot(x - aside, y + over / 2),
-                         spot(x, y + over),
-                         spot(x, y - over)};
-  if (const auto taken = context.labels.take(spots)) {
-    drawLabel(painter, {taken->left(), taken->top() + metrics.ascent()}, name, context.theme, color);
-  }
-}
-
 void drawHeading(QPainter& painter, const LayerContext& context, const QPointF& at, double yaw_rad,
                  const QColor& color) {
-  const double heading = yaw_rad + context.view.rotation_rad;
-  const QPointF tip = at + QPointF(std::cos(heading), -std::sin(heading)) * 13;
+  const QPointF tip = at + headingTip(context, yaw_rad);
   painter.setPen(QPen(context.theme.text_halo, 5, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(at, tip);
   painter.setPen(QPen(color, 2.5, Qt::SolidLine, Qt::RoundCap));
@@ -92,17 +52,30 @@ void drawHeading(QPainter& painter, const LayerContext& context, const QPointF& 
 }
 
 void drawPlace(QPainter& painter, const LayerContext& context, const Eigen::Vector2d& world_m,
-               std::optional<double> yaw_rad, const QColor& color, const QString& name) {
+               std::optional<double> yaw_rad, const QColor& color) {
   const QPointF at = toPoint(context.view.pixelFromWorld(world_m));
-  if (!inView(context.view, QRectF(at, QSizeF(1, 1)).adjusted(-200, 0, 0, 0))) return;
+  if (!inView(context.view, QRectF(at, QSizeF(1, 1)))) return;
   painter.setRenderHint(QPainter::Antialiasing);
   if (yaw_rad) drawHeading(painter, context, at, *yaw_rad, color);
   painter.setPen(QPen(context.theme.text_halo, 1.5));
   painter.setBrush(color);
-  painter.drawEllipse(at, 5, 5);
-  if (!name.isEmpty() && context.view.scale_m_per_px <= kNameFromMPerPx) {
-    drawName(painter, context, QRectF(at - QPointF(5, 5), QSizeF(10, 10)), name, context.theme.text);
-  }
+  painter.drawEllipse(at, kPlacePx, kPlacePx);
+}
+
+void keepClear(LabelCollector& labels, const LayerContext& context, const QRectF& mark,
+               std::optional<double> yaw_rad) {
+  labels.symbol(mark);
+  if (!yaw_rad) return;
+  const QPointF tip = mark.center() + headingTip(context, *yaw_rad);
+  labels.symbol(QRectF(mark.center(), tip).normalized().adjusted(-2, -2, 2, 2));
+}
+
+void labelPlace(LabelCollector& labels, const LayerContext& context, const Eigen::Vector2d& world_m,
+                std::optional<double> yaw_rad, LabelRank rank, std::uint64_t id, const QString& name) {
+  const QRectF mark = QRectF(-kPlacePx, -kPlacePx, 2 * kPlacePx, 2 * kPlacePx)
+                          .translated(toPoint(context.view.pixelFromWorld(world_m)));
+  keepClear(labels, context, mark, yaw_rad);
+  if (labels.namesShown()) labels.add(LabelWish::Place::Beside, rank, mark, id, name, context.theme.text);
 }
 
 LayerItem::LayerItem(const LayerContext& context, std::optional<FeaturesOf> of) : context_(context), of_(of) {
@@ -118,6 +91,44 @@ QPainterPath LayerItem::shape() const {
   QPainterPath path;
   path.addRect(part_ ? *part_ & boundingRect() : boundingRect());
   return path;
+}
+
+void LayerItem::update(const QRectF& rect) {
+  QGraphicsItem::update(rect);
+  if (context_.changed) context_.changed(*this, rect.isNull() ? boundingRect() : rect);
+}
+
+QVariant LayerItem::itemChange(GraphicsItemChange change, const QVariant& value) {
+  // The scene is told by QGraphicsItem, but not the picture that the GroundItem keeps.
+  if (change == ItemVisibleHasChanged || change == ItemOpacityHasChanged) update();
+  return QGraphicsItem::itemChange(change, value);
+}
+
+void SmallLayer::liveChanged() {
+  const QRectF before = painted_;
+  notePainted();
+  for (const QRectF& rect : {before, painted_}) {
+    if (!rect.isEmpty()) update(rect);
+  }
+  // Its labels, though it had none before, and has none now.
+  if (before.isEmpty() && painted_.isEmpty() && context_.changed) context_.changed(*this, QRectF());
+}
+
+QRectF SmallLayer::reachOf(std::span<const Eigen::Vector2d> world_m, double margin_px) const {
+  if (world_m.empty()) return {};
+  const geometry::ViewTransform& view = context_.view;
+  double left = std::numeric_limits<double>::infinity(), top = left, right = -left, bottom = -left;
+  for (const Eigen::Vector2d& point : world_m) {
+    const Eigen::Vector2d at = view.pixelFromWorld(point);
+    if (!at.allFinite()) continue;
+    left = std::min(left, at.x());
+    right = std::max(right, at.x());
+    top = std::min(top, at.y());
+    bottom = std::max(bottom, at.y());
+  }
+  if (!(left <= right)) return {};
+  const QRectF reach(QPointF(left, top), QPointF(right, bottom));
+  return reach.adjusted(-margin_px, -margin_px, margin_px, margin_px) & boundingRect();
 }
 
 void LayerItem::setStyle(const LayerStyle& style) {

@@ -25,26 +25,13 @@
 #include "render/raster_tiles.h"
 #include "scene/drawing.h"
 #include "scene/drawn_waypoint.h"
+#include "scene/labels.h"
 #include "scene/layer.h"
 #include "scene/map_object.h"
 #include "scene/map_theme.h"
 #include "scene/track.h"
 
 namespace mapwright::scene {
-
-/// Places the labels of one frame without overlaps, in viewport pixels.
-class LabelSpace {
- public:
-  /// Starts a new frame.
-  void clear() { bands_.clear(); }
-  /// Takes the first of `spots` that overlaps no label of this frame; nullopt = there is no room.
-  std::optional<QRectF> take(std::span<const QRectF> spots);
-
- private:
-  bool free(const QRectF& spot) const;
-
-  std::map<int, std::vector<QRectF>> bands_;  // by the horizontal stripes that a label touches
-};
 
 /// Draws many thin lines quickly, on a transparent sheet of the viewport's size. Lines drawn directly onto a
 /// view go through the rasteriser one by one (0.2 ms and a round of thread hand-overs each, measured with
@@ -101,7 +88,9 @@ struct LayerContext {
   render::TileRenderer* submaps = nullptr;       // never null while items exist
   render::RasterTiles::Options rasters;          // of all rasters: they have one budget
   std::function<void()> settled_changed;         // an item calls it when settled() has changed
-  mutable LabelSpace labels;                     // empty at the start of a frame
+  LabelInk* ink = nullptr;                       // never null while items exist
+  /// An item looks different in this part of the viewport.
+  std::function<void(const LayerItem&, const QRectF&)> changed;
 
   /// Where the robot is drawn.
   std::optional<geometry::Pose2> robotPose() const {
@@ -111,10 +100,6 @@ struct LayerContext {
   const MapFeatures& of(FeaturesOf which) const { return features[std::size_t(which)]; }
 };
 
-/// A label next to its object: right, otherwise left, below or above, or not at all if there is no room.
-/// `mark` is the object's area in viewport pixels.
-void drawName(QPainter& painter, const LayerContext& context, const QRectF& mark, const QString& name,
-              const QColor& color);
 /// Names appear when a pixel is no larger than this.
 inline constexpr double kNameFromMPerPx = 0.12;
 /// A name as one line, no markup, not too long.
@@ -123,9 +108,22 @@ QString shortName(const std::string& name, qsizetype longest = 40);
 /// The tick of a heading, starting at a position in viewport pixels.
 void drawHeading(QPainter& painter, const LayerContext& context, const QPointF& at, double yaw_rad,
                  const QColor& color);
-/// A place: a dot with a tick along its heading, and its name if there is room.
+/// A place: a dot with a tick along its heading.
 void drawPlace(QPainter& painter, const LayerContext& context, const Eigen::Vector2d& world_m,
-               std::optional<double> yaw_rad, const QColor& color, const QString& name);
+               std::optional<double> yaw_rad, const QColor& color);
+/// The area of a round symbol, and of its tick, if it has one.
+void keepClear(LabelCollector& labels, const LayerContext& context, const QRectF& mark,
+               std::optional<double> yaw_rad);
+/// The name of such a place; empty = none.
+void labelPlace(LabelCollector& labels, const LayerContext& context, const Eigen::Vector2d& world_m,
+                std::optional<double> yaw_rad, LabelRank rank, std::uint64_t id, const QString& name);
+
+/// What a layer means to the labels.
+enum class LabelUse {
+  None,
+  Symbols,  // it has symbols that no label may cover
+  Names,    // it has labels, too
+};
 
 /// An item as large as the viewport that draws itself in viewport pixels.
 class LayerItem : public QGraphicsItem {
@@ -134,6 +132,8 @@ class LayerItem : public QGraphicsItem {
   QRectF boundingRect() const override;
   QPainterPath shape() const override;  // the area that it paints, for clipping
   void viewportResized() { prepareGeometryChange(); }
+  /// Hides that of QGraphicsItem: lower layers are drawn by the GroundItem, which keeps a picture of them.
+  void update(const QRectF& rect = {});
 
   const LayerStyle& style() const { return style_; }
   void setStyle(const LayerStyle& style);
@@ -151,8 +151,13 @@ class LayerItem : public QGraphicsItem {
   virtual std::size_t cacheBytes() const { return 0; }
   /// What belongs into the view besides maps.
   virtual geometry::WorldRect contentBounds() const { return {}; }
+  virtual LabelUse labelUse() const { return LabelUse::None; }
+  /// Called when it has changed, or the view.
+  virtual void collectLabels(LabelCollector& /*labels*/) const {}
 
  protected:
+  QVariant itemChange(GraphicsItemChange change, const QVariant& value) override;
+
   /// The style's colour, or `otherwise`; the same for the size.
   QColor colorOr(const QColor& otherwise) const { return style_.color.isValid() ? style_.color : otherwise; }
   double sizeOr(double otherwise) const { return style_.size > 0 ? style_.size : otherwise; }
@@ -163,6 +168,24 @@ class LayerItem : public QGraphicsItem {
   std::optional<FeaturesOf> of_;
   LayerStyle style_;
   std::optional<QRectF> part_;
+};
+
+/// One whose messages change a small part of the picture.
+class SmallLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void liveChanged() override;
+
+ protected:
+  /// The part of the viewport that it paints now; empty = nothing.
+  virtual QRectF reach() const = 0;
+  /// To be called by paint().
+  void notePainted() { painted_ = reach(); }
+  /// The part of these points in view, with a margin.
+  QRectF reachOf(std::span<const Eigen::Vector2d> world_m, double margin_px) const;
+
+ private:
+  QRectF painted_;
 };
 
 /// For LayerSpec::items: one item.
@@ -199,6 +222,8 @@ class HighlightItem : public LayerItem {
  public:
   using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+  LabelUse labelUse() const override { return LabelUse::Names; }
+  void collectLabels(LabelCollector& labels) const override;
 };
 
 /// Frames the chosen object, and marks the place that the user went to.

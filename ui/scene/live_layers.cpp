@@ -129,16 +129,16 @@ void CloudLayer::splat() {
 }
 
 /// Lines through the world.
-class LinesLayer : public LayerItem {
+class LinesLayer : public SmallLayer {
  public:
-  using LayerItem::LayerItem;
+  using SmallLayer::SmallLayer;
 
  protected:
   void paintLines(QPainter& painter, const QColor& color, double width,
-                  std::span<const Eigen::Vector2d> world) const {
+                  std::span<const Eigen::Vector2d> world, const QRectF& exposed) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    for (const QPolygonF& line : visibleLines(context_.view, world, width + 2)) {
+    for (const QPolygonF& line : visibleLines(context_.view, world, width + 2, exposed)) {
       painter.setPen(QPen(context_.theme.text_halo, width + 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
       painter.drawPolyline(line);
       painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
@@ -150,19 +150,26 @@ class LinesLayer : public LayerItem {
 class PathLayer : public LinesLayer {
  public:
   using LinesLayer::LinesLayer;
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    paintLines(*painter, colorOr(context_.theme.path), sizeOr(kPathPx), context_.live->path);
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
+    notePainted();
+    paintLines(*painter, colorOr(context_.theme.path), sizeOr(kPathPx), context_.live->path,
+               option->exposedRect);
   }
   geometry::WorldRect contentBounds() const override { return boundsOf(context_.live->path); }
+
+ protected:
+  QRectF reach() const override { return reachOf(context_.live->path, sizeOr(kPathPx) + 2); }
 };
 
 /// Of the robot, or of an opened map.
 class TrajectoryLayer : public LinesLayer {
  public:
   using LinesLayer::LinesLayer;
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
+    notePainted();
     const auto paint_one = [&](std::span<const Eigen::Vector2d> line) {
-      paintLines(*painter, colorOr(context_.theme.trajectory), sizeOr(kTrajectoryPx), line);
+      paintLines(*painter, colorOr(context_.theme.trajectory), sizeOr(kTrajectoryPx), line,
+                 option->exposedRect);
     };
     if (of() == FeaturesOf::Robot) return paint_one(context_.live->trajectory);
     for (const auto& line : context_.of(*of()).trajectories) paint_one(line);
@@ -172,6 +179,15 @@ class TrajectoryLayer : public LinesLayer {
     geometry::WorldRect bounds;
     for (const auto& line : context_.of(*of()).trajectories) bounds.extend(boundsOf(line));
     return bounds;
+  }
+
+ protected:
+  QRectF reach() const override {
+    const double margin = sizeOr(kTrajectoryPx) + 2;
+    if (of() == FeaturesOf::Robot) return reachOf(context_.live->trajectory, margin);
+    QRectF reach;
+    for (const auto& line : context_.of(*of()).trajectories) reach |= reachOf(line, margin);
+    return reach;
   }
 };
 
@@ -216,10 +232,11 @@ class ConstraintsLayer : public LayerItem {
 };
 
 /// The local path as a band of the robot's width.
-class LocalPathLayer : public LayerItem {
+class LocalPathLayer : public SmallLayer {
  public:
-  using LayerItem::LayerItem;
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+  using SmallLayer::SmallLayer;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
+    notePainted();
     const map::LocalPathMessage& path = context_.live->local_path;
     if (path.points.size() < 2) return;
     QColor color = translucent(colorOr(context_.theme.path), 90);
@@ -227,24 +244,32 @@ class LocalPathLayer : public LayerItem {
       color = QColor(int(*path.rgba >> 24 & 255), int(*path.rgba >> 16 & 255), int(*path.rgba >> 8 & 255),
                      std::max(60, int(*path.rgba & 255)));
     }
-    const double width = std::clamp(path.width_m / context_.view.scale_m_per_px, 3.0, 4000.0);
+    const double width = widthPx();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setBrush(Qt::NoBrush);
     painter->setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
-    for (const QPolygonF& line : visibleLines(context_.view, path.points, width)) painter->drawPolyline(line);
+    for (const QPolygonF& line : visibleLines(context_.view, path.points, width, option->exposedRect))
+      painter->drawPolyline(line);
+  }
+
+ protected:
+  QRectF reach() const override { return reachOf(context_.live->local_path.points, widthPx()); }
+
+ private:
+  double widthPx() const {
+    return std::clamp(context_.live->local_path.width_m / context_.view.scale_m_per_px, 3.0, 4000.0);
   }
   geometry::WorldRect contentBounds() const override { return boundsOf(context_.live->local_path.points); }
 };
 
 /// The robot's goal.
-class TargetLayer : public LayerItem {
+class TargetLayer : public SmallLayer {
  public:
-  using LayerItem::LayerItem;
+  using SmallLayer::SmallLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    notePainted();
     const auto& planning = context_.live->planning;
     if (!planning) return;
-    constexpr std::size_t kFew = 50;
-    constexpr double kReachPx = 20;
     const QColor color = colorOr(context_.theme.target);
     const QRectF near_view(-kReachPx, -kReachPx, context_.view.width_px + 2 * kReachPx,
                            context_.view.height_px + 2 * kReachPx);
@@ -276,13 +301,36 @@ class TargetLayer : public LayerItem {
       extendBy(bounds, {target.x_m, target.y_m});
     return bounds;
   }
+  LabelUse labelUse() const override { return LabelUse::Symbols; }
+  void collectLabels(LabelCollector& labels) const override {
+    const auto& planning = context_.live->planning;
+    if (!planning || planning->targets.size() > kFew) return;
+    for (const geometry::Pose2& target : planning->targets) {
+      const QPointF at = toPoint(context_.view.pixelFromWorld({target.x_m, target.y_m}));
+      keepClear(labels, context_, QRectF(at - QPointF(11, 11), QSizeF(22, 22)), target.yaw_rad);
+    }
+  }
+
+ protected:
+  QRectF reach() const override {
+    std::vector<Eigen::Vector2d> points;
+    if (const auto& planning = context_.live->planning) {
+      for (const geometry::Pose2& target : planning->targets) points.emplace_back(target.x_m, target.y_m);
+    }
+    return reachOf(points, kReachPx);
+  }
+
+ private:
+  static constexpr std::size_t kFew = 50;
+  static constexpr double kReachPx = 20;
 };
 
 /// Other robots, with their footprints and where they are headed.
-class NearbyRobotsLayer : public LayerItem {
+class NearbyRobotsLayer : public SmallLayer {
  public:
-  using LayerItem::LayerItem;
+  using SmallLayer::SmallLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    notePainted();
     const QColor color = colorOr(context_.theme.other_robot);
     painter->setRenderHint(QPainter::Antialiasing);
     for (const map::NearbyRobot& other : context_.live->nearby_robots) {
@@ -299,8 +347,7 @@ class NearbyRobotsLayer : public LayerItem {
         painter->setPen(QPen(color, 1.5));
         painter->drawPolygon(polygon);
       }
-      drawPlace(*painter, context_, {other.pose.x_m, other.pose.y_m}, other.pose.yaw_rad, color,
-                QString::fromStdString(other.uid));
+      drawPlace(*painter, context_, {other.pose.x_m, other.pose.y_m}, other.pose.yaw_rad, color);
     }
   }
   geometry::WorldRect contentBounds() const override {
@@ -308,6 +355,26 @@ class NearbyRobotsLayer : public LayerItem {
     for (const map::NearbyRobot& other : context_.live->nearby_robots)
       extendBy(bounds, {other.pose.x_m, other.pose.y_m});
     return bounds;
+  }
+  LabelUse labelUse() const override { return LabelUse::Names; }
+  void collectLabels(LabelCollector& labels) const override {
+    for (const map::NearbyRobot& other : context_.live->nearby_robots) {
+      labelPlace(labels, context_, {other.pose.x_m, other.pose.y_m}, other.pose.yaw_rad, LabelRank::Robot,
+                 qHash(QByteArrayView(other.uid)), shortName(other.uid));
+    }
+  }
+
+ protected:
+  QRectF reach() const override {
+    std::vector<Eigen::Vector2d> points;
+    for (const map::NearbyRobot& other : context_.live->nearby_robots) {
+      points.insert(points.end(), other.trend.begin(), other.trend.end());
+      points.emplace_back(other.pose.x_m, other.pose.y_m);
+      const auto outline = context_.live->nearby_footprints.find(other.footprint_digest);
+      if (outline == context_.live->nearby_footprints.end()) continue;
+      for (const Eigen::Vector2d& corner : outline->second) points.push_back(other.pose.apply(corner));
+    }
+    return reachOf(points, 20);
   }
 };
 

@@ -23,9 +23,12 @@ MapScene::MapScene(render::TileRenderer::Options renderer_options, std::shared_p
     : QGraphicsScene(parent), renderer_(std::make_unique<render::TileRenderer>(renderer_options)) {
   setItemIndexMethod(NoIndex);
   if (!clouds) clouds = std::make_shared<clouds::CloudStore>(renderer_options.workers);
-  items_ = std::make_unique<SceneItems>(*this, *renderer_, renderer_options, std::move(clouds), [this] {
-    if (items_) noteSettled();
-  });
+  items_ = std::make_unique<SceneItems>(
+      *this, *renderer_, renderer_options, std::move(clouds),
+      [this] {
+        if (items_) noteSettled();
+      },
+      [this] { placeLabelsSoon(); });
   setBackgroundBrush(QColor(theme().map.unknown));
   connect(&items_->raster, &RasterStack::contentChanged, this, [this] {
     syncColors();
@@ -45,9 +48,20 @@ MapScene::MapScene(render::TileRenderer::Options renderer_options, std::shared_p
 }
 
 void MapScene::drawBackground(QPainter* painter, const QRectF& rect) {
-  items_->context.labels.clear();
   began_ms_ = nowMs();
-  QGraphicsScene::drawBackground(painter, rect);
+  items_->placeLabels();
+  // The GroundItem fills the viewport.
+  if (!sceneRect().contains(rect)) QGraphicsScene::drawBackground(painter, rect);
+}
+
+void MapScene::placeLabelsSoon() {
+  QMetaObject::invokeMethod(
+      this, [this] { items_->placeLabels(); }, Qt::QueuedConnection);
+}
+
+void MapScene::repaintAll() {
+  items_->allChanged();
+  update();
 }
 
 void MapScene::drawForeground(QPainter* painter, const QRectF& rect) {
@@ -112,13 +126,13 @@ void MapScene::setSession(session::Session* session) {
     connect(session_, &Session::submapsRemoved, this, [this](const std::vector<map::SubmapId>& ids) {
       renderer_->remove(ids);
       for (const map::SubmapId id : ids) items_->context.outlines.erase(id);
-      update();
+      repaintAll();
     });
     connect(session_, &Session::sessionRestarted, this, [this] {
       renderer_->clear();
       items_->context.outlines.clear();
       items_->context.highlighted.clear();
-      update();
+      repaintAll();
     });
     connect(session_, &Session::sliceChanged, this, &MapScene::syncAll);
     connect(session_, &Session::liveChanged, this, &MapScene::takeLive);
@@ -148,7 +162,7 @@ void MapScene::syncAll() {
   renderer_->clear();
   items_->context.outlines.clear();
   syncPlaced(ids);
-  update();
+  repaintAll();
 }
 
 void MapScene::syncPlaced(const std::vector<map::SubmapId>& ids) {
@@ -188,11 +202,12 @@ void MapScene::setView(const geometry::ViewTransform& view) {
   view_ = view;
   items_->context.view = view;
   if (resized) {
-    for (LayerItem* item : items_->all) item->viewportResized();
+    items_->viewportResized();
     setSceneRect(0, 0, view.width_px, view.height_px);
     items_->applyVisibility();
   }
   for (LayerItem* item : items_->all) item->viewMoved();
+  items_->labels.viewMoved();
   items_->robot_rect = robotRect(items_->context);
   if (session_) session_->setView(view_.visibleWorld(), view_.center_m);
   update();
@@ -205,13 +220,13 @@ void MapScene::setTheme(const MapTheme& theme) {
   for (LayerItem* item : items_->all) item->lookChanged();
   setBackgroundBrush(QColor(theme.map.unknown));
   syncColors();
-  update();
+  repaintAll();
 }
 
 void MapScene::setColorMode(render::ColorMode mode) {
   color_mode_ = mode;
   syncColors();
-  update();
+  repaintAll();
   Q_EMIT layersChanged();
 }
 
@@ -241,7 +256,14 @@ void MapScene::takeLive(int what) {
     const std::size_t length = items.context.live->trail.size();
     if (length != std::exchange(items.trail_length, length))
       items.first(Layer::Trail).update(items.robot_rect);
-    if (!items.context.live->racks.empty()) items.update(Layer::Boxes);
+    const map::LiveState& live = *items.context.live;
+    for (const auto* boxes : {&live.pallets, &live.racks, &live.seen_objects}) {
+      if (!std::any_of(boxes->begin(), boxes->end(),
+                       [](const map::GroundBox& box) { return box.in_robot_frame; }))
+        continue;
+      items.first(Layer::Boxes).liveChanged();
+      break;
+    }
   } else if (what == topicIndex<map::MapInfo>()) {
     syncPlace();
   } else if (what == topicIndex<map::SlamStatus>()) {
@@ -260,7 +282,7 @@ void MapScene::takeFrame() {
   items_->robot_rect = robotRect(items_->context);
   items_->robot_pose = items_->context.live->robot_pose;
   syncFeatures();
-  update();
+  repaintAll();
 }
 
 void MapScene::syncFeatures() {
@@ -506,7 +528,7 @@ void MapScene::setLayerOrder(const std::vector<Layer>& order) {
   next.insert(next.end(), fixed.begin(), fixed.end());
   items_->order = std::move(next);
   items_->stack();
-  update();
+  repaintAll();
   Q_EMIT layersChanged();
 }
 
@@ -517,7 +539,7 @@ void MapScene::setCompareMode(CompareMode mode) {
   items_->compare = mode;
   syncPlace();
   sendWants();
-  update();
+  repaintAll();
   Q_EMIT layersChanged();
 }
 
@@ -539,7 +561,7 @@ void MapScene::showPlaced() {
   items_->applyVisibility();
   syncColors();
   syncFeatures();
-  update();
+  repaintAll();
   Q_EMIT robotPlaceChanged();
 }
 

@@ -197,6 +197,8 @@ class MapScene : public QGraphicsScene {
   void paintContentSoon();
   void paintContent();
   void syncAll();
+  void repaintAll();
+  void placeLabelsSoon();
   double nowMs() const { return double(clock_.nsecsElapsed()) * 1e-6; }
 
   session::Session* session_ = nullptr;

@@ -1,8 +1,6 @@
 // Where the submaps lie: their outlines, their ids, the highlighted ones.
-#include <set>
-#include <utility>
-
-#include <QFontMetricsF>
+#include <cstdint>
+#include <unordered_set>
 
 #include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
@@ -50,32 +48,24 @@ class OutlinesLayer : public LayerItem {
 class IdsLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    painter->setRenderHint(QPainter::Antialiasing);
-    const QFontMetricsF metrics(context_.theme.label_font);
-    const double cell_w = metrics.horizontalAdvance(QStringLiteral("000-0000")) + 4,
-                 cell_h = metrics.height() + 2;
-    std::set<std::pair<int, int>> taken;
-    // Newest first: if labels collide, the older one is dropped.
+  void paint(QPainter*, const QStyleOptionGraphicsItem*, QWidget*) override {}  // only labels
+  LabelUse labelUse() const override { return LabelUse::Names; }
+  void collectLabels(LabelCollector& labels) const override {
+    // Zoomed out there are more of them than can be told apart: one in each square, the newest.
+    constexpr double kSquarePx = 24;
+    std::unordered_set<std::uint64_t> squares;
     for (auto it = context_.outlines.rbegin(); it != context_.outlines.rend(); ++it) {
-      const QPointF center = toPoint(context_.view.pixelFromWorld(it->second.center));
-      if (center.x() < -50 || center.y() < -20 || center.x() > context_.view.width_px + 50 ||
-          center.y() > context_.view.height_px + 20) {
-        continue;
-      }
-      const int column = int(center.x() / cell_w + 1000), row = int(center.y() / cell_h + 1000);
-      bool free = true;
-      for (int dx = -1; dx <= 1; ++dx) {
-        for (int dy = -1; dy <= 1; ++dy) free &= !taken.contains({column + dx, row + dy});
-      }
-      if (!free) continue;
-      taken.insert({column, row});
-      const QString text = QString::fromStdString(map::toText(it->first));
-      QColor color = context_.theme.text;
-      if (!it->second.visible) color.setAlpha(170);
-      drawLabel(*painter,
-                {center.x() - metrics.horizontalAdvance(text) / 2, center.y() + metrics.ascent() / 2}, text,
-                context_.theme, color, !it->second.visible);
+      const auto& [id, outline] = *it;
+      if (context_.highlighted.contains(id)) continue;  // labelled by its frame
+      const QPointF center = toPoint(context_.view.pixelFromWorld(outline.center));
+      if (!labels.area().contains(center)) continue;
+      const auto square = [](double px) {
+        return std::uint64_t(std::uint32_t(std::int32_t(px / kSquarePx)));
+      };
+      if (!squares.insert(square(center.x()) << 32 | square(center.y())).second) continue;
+      labels.add(LabelWish::Place::Over, LabelRank::Id, QRectF(center - QPointF(1, 1), QSizeF(2, 2)),
+                 std::hash<map::SubmapId>()(id), QString::fromStdString(map::toText(id)),
+                 translucent(context_.theme.text, outline.visible ? 255 : 170), !outline.visible);
     }
   }
   geometry::WorldRect contentBounds() const override { return boundsOf(context_.outlines); }
@@ -96,7 +86,6 @@ bool Outline::contains(const Eigen::Vector2d& p) const {
 
 void HighlightItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setRenderHint(QPainter::Antialiasing);
-  constexpr std::size_t kMostLabels = 20;  // more would only overlap
   const geometry::WorldRect visible = context_.view.visibleWorld();
   for (const map::SubmapId id : context_.highlighted) {
     const auto it = context_.outlines.find(id);
@@ -113,9 +102,20 @@ void HighlightItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
     painter->drawPolygon(polygon);
     painter->setPen(QPen(context_.theme.accent, 2));
     painter->drawPolygon(polygon);
-    if (context_.highlighted.size() > kMostLabels) continue;
-    drawLabel(*painter, polygon.boundingRect().center(), QString::fromStdString(map::toText(id)),
-              context_.theme, context_.theme.accent);
+  }
+}
+
+void HighlightItem::collectLabels(LabelCollector& labels) const {
+  constexpr std::size_t kMostLabels = 100;  // with more, none is looked for
+  if (context_.highlighted.size() > kMostLabels) return;
+  for (const map::SubmapId id : context_.highlighted) {
+    const auto it = context_.outlines.find(id);
+    if (it == context_.outlines.end()) continue;
+    const auto& corners = it->second.corners;
+    labels.add(LabelWish::Place::Within, LabelRank::Chosen,
+               toPolygon(context_.view, {corners.begin(), corners.end()}).boundingRect(),
+               std::hash<map::SubmapId>()(id), QString::fromStdString(map::toText(id)),
+               context_.theme.accent);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <QCoreApplication>
+#include <QHashFunctions>
 #include <QPainterPath>
 
 #include "robot/map_dispatch.h"
@@ -39,6 +40,13 @@ QPen regionPen(const MapTheme& theme, Mark mark) {
   return QPen(translucent(theme.text, kQuietAlpha), 1, Qt::DotLine);
 }
 
+bool isBusy(const regions::RegionView& region) {
+  return region.state == RegionState::Fetching || region.refreshing;
+}
+bool hasFailed(const regions::RegionView& region) {
+  return !isBusy(region) && region.trouble.kind != regions::RegionTrouble::Kind::None;
+}
+
 /// Marks the parts of a map by regions that have not been fetched: hatched wherever nothing is known, with a
 /// line around the reported extent, and outlines for regions being fetched and failed ones. Cells are drawn
 /// over it. Draws nothing without a map by regions.
@@ -49,6 +57,8 @@ class RegionGround : public LayerItem {
   geometry::WorldRect contentBounds() const override {
     return context_.regions && context_.regions_of ? context_.regions_of->bounds() : geometry::WorldRect();
   }
+  LabelUse labelUse() const override { return LabelUse::Names; }
+  void collectLabels(LabelCollector& labels) const override;
 
  private:
   QPolygonF onScreen(const geometry::WorldRect& rect) const;
@@ -129,8 +139,7 @@ void RegionGround::paintOutlines(QPainter& painter) const {
   // Prominent ones are drawn over the others.
   for (const bool quiet : {true, false}) {
     for (const regions::RegionView& region : context_.regions->regions().inView()) {
-      const bool busy = region.state == RegionState::Fetching || region.refreshing;
-      const bool failed = !busy && region.trouble.kind != regions::RegionTrouble::Kind::None;
+      const bool busy = isBusy(region), failed = hasFailed(region);
       const bool open = region.state == RegionState::NotAsked || region.state == RegionState::Nothing;
       if (quiet == (busy || failed) || (quiet && !open)) continue;
       Mark mark = busy ? Mark::Busy : Mark::Quiet;
@@ -138,17 +147,6 @@ void RegionGround::paintOutlines(QPainter& painter) const {
       painter.setPen(regionPen(theme, mark));
       const QPolygonF shape = onScreen(region.rect);
       painter.drawPolygon(shape);
-      const QRectF box = shape.boundingRect();
-      if (box.width() < kLeastLabelPx || region.state == RegionState::Held) continue;
-      QString words;
-      if (region.state == RegionState::Nothing) words = QCoreApplication::translate("scene", "empty");
-      if (busy) words = QCoreApplication::translate("scene", "being fetched…");
-      if (failed) words = QCoreApplication::translate("scene", "fetch failed");
-      if (words.isEmpty()) continue;
-      const QPointF middle = box.center();
-      const double width = QFontMetricsF(theme.label_font).horizontalAdvance(words);
-      painter.setFont(theme.label_font);
-      drawLabel(painter, middle - QPointF(width / 2, 0), words, theme, failed ? theme.bad : theme.text);
     }
   }
 }
@@ -172,6 +170,20 @@ void regionsLegend(Legend& legend) {
   add(QCoreApplication::translate("scene", "Asked for; the map is empty here"),
       regionPen(theme, Mark::Quiet));
   add(QCoreApplication::translate("scene", "Edge of the map"), extentPen(theme));
+}
+
+void RegionGround::collectLabels(LabelCollector& labels) const {
+  if (!context_.regions) return;
+  for (const regions::RegionView& region : context_.regions->regions().inView()) {
+    const QRectF box = onScreen(region.rect).boundingRect();
+    if (box.width() < kLeastLabelPx || region.state == RegionState::Held) continue;
+    QString words;
+    if (region.state == RegionState::Nothing) words = QCoreApplication::translate("scene", "empty");
+    if (isBusy(region)) words = QCoreApplication::translate("scene", "being fetched…");
+    if (hasFailed(region)) words = QCoreApplication::translate("scene", "fetch failed");
+    labels.add(LabelWish::Place::Within, LabelRank::Id, box, qHashMulti(0, region.key.x, region.key.y), words,
+               hasFailed(region) ? context_.theme.bad : context_.theme.text);
+  }
 }
 
 }  // namespace

@@ -28,10 +28,8 @@ class TrailLayer : public LayerItem {
     std::vector<Eigen::Vector2d> points;
     points.reserve(trail.size());
     const auto drawPiece = [&] {
-      for (const QPolygonF& line : visibleLines(context_.view, points, width)) {
-        const QRectF stroke = line.boundingRect().adjusted(-width, -width, width, width);
-        if (stroke.intersects(option->exposedRect)) painter->drawPolyline(line);
-      }
+      for (const QPolygonF& line : visibleLines(context_.view, points, width, option->exposedRect))
+        painter->drawPolyline(line);
       points.clear();
     };
     for (std::size_t i = 0; i < trail.size(); ++i) {
@@ -76,6 +74,18 @@ class FootprintLayer : public LayerItem {
       extendBy(bounds, pose->apply(corner));
     return bounds;
   }
+  LabelUse labelUse() const override { return LabelUse::Symbols; }
+  void collectLabels(LabelCollector& labels) const override {
+    constexpr double kLargestPx = 120;  // a larger one is not a symbol, but ground on which something lies
+    const map::LiveState& live = *context_.live;
+    const auto pose = context_.robotPose();
+    if (!pose) return;
+    QPolygonF outline;
+    for (const Eigen::Vector2d& corner : expanded_ ? live.model.expanded_footprint : live.model.footprint)
+      outline << toPoint(context_.view.pixelFromWorld(pose->apply(corner)));
+    const QRectF area = outline.boundingRect();
+    if (std::max(area.width(), area.height()) <= kLargestPx) labels.symbol(area);
+  }
 };
 
 /// A mark of constant size with the robot's heading.
@@ -106,6 +116,13 @@ class RobotLayer : public LayerItem {
     geometry::WorldRect bounds;
     if (const auto pose = context_.robotPose()) extendBy(bounds, {pose->x_m, pose->y_m});
     return bounds;
+  }
+  LabelUse labelUse() const override { return LabelUse::Symbols; }
+  void collectLabels(LabelCollector& labels) const override {
+    const auto pose = context_.robotPose();
+    if (!pose) return;
+    const QPointF center = toPoint(context_.view.pixelFromWorld({pose->x_m, pose->y_m}));
+    labels.symbol(QRectF(center - QPointF(kMarkPx, kMarkPx), QSizeF(2 * kMarkPx, 2 * kMarkPx)));
   }
 };
 

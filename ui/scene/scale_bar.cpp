@@ -30,8 +30,9 @@ class ScaleBarLayer : public LayerItem {
     painter->setRenderHint(QPainter::Antialiasing, false);
     painter->setPen(QPen(context_.theme.text, 2));
     painter->drawPolyline(QPolygonF{{kLeft, y - 6}, {kLeft, y}, {kLeft + width, y}, {kLeft + width, y - 6}});
-    drawLabel(*painter, {kLeft + (width - metrics.horizontalAdvance(text)) / 2, y - 8}, text, context_.theme,
-              context_.theme.text);
+    context_.ink->draw(*painter,
+                       {kLeft + (width - metrics.horizontalAdvance(text)) / 2, y - 8 - metrics.ascent()},
+                       text, context_.theme, context_.theme.text);
   }
 };
 

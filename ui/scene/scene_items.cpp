@@ -1,6 +1,7 @@
 #include "scene/scene_items.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <QFontMetricsF>
@@ -47,31 +48,42 @@ class MeasureItem : public LayerItem {
     painter->drawPolyline(line);
     painter->setBrush(context_.theme.measure);
     for (const QPointF& point : line) painter->drawEllipse(point, 3.5, 3.5);
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const QPointF middle = (line[qsizetype(i)] + line[qsizetype(i) - 1]) / 2;
-      if (points.size() > 2) {
-        drawLabel(*painter, middle + QPointF(6, -6), lengthText((points[i] - points[i - 1]).norm()),
-                  context_.theme, context_.theme.text);
-      }
-      if (i + 1 < points.size())
-        drawAngle(*painter, line[qsizetype(i)], points[i], points[i - 1], points[i + 1]);
-    }
-    if (ring) {
-      drawAngle(*painter, line[0], points[0], points[points.size() - 2], points[1]);
-      drawLabel(*painter, line.boundingRect().center(), areaText(std::abs(geometry::signedAreaOf(points))),
-                context_.theme, context_.theme.measure);
-    } else if (points.size() > 1) {
-      drawLabel(*painter, line.last() + QPointF(10, 4), lengthText(geometry::lengthOf(points)),
-                context_.theme, context_.theme.measure);
-    }
   }
 
- private:
-  void drawAngle(QPainter& painter, const QPointF& at, const Eigen::Vector2d& corner,
-                 const Eigen::Vector2d& before, const Eigen::Vector2d& after) const {
-    const double degrees = geometry::degreesFromRadians(geometry::angleAt(corner, before, after));
-    drawLabel(painter, at + QPointF(7, 15), QStringLiteral("%1°").arg(degrees, 0, 'f', 1), context_.theme,
+  LabelUse labelUse() const override { return LabelUse::Names; }
+  void collectLabels(LabelCollector& labels) const override {
+    constexpr double kPointPx = 3.5;
+    const std::vector<Eigen::Vector2d>& points = context_.measured;
+    const std::size_t count = points.size();
+    const bool ring = context_.measured_ring && count > 2;
+    const auto pixel = [&](std::size_t i) { return toPoint(context_.view.pixelFromWorld(points[i % count])); };
+    const auto add = [&](const QRectF& beside, std::size_t id, const QString& text, const QColor& color) {
+      labels.add(LabelWish::Place::Beside, LabelRank::Chosen, beside, id, text, color);
+    };
+    QRectF all;
+    for (std::size_t i = 0; i < count; ++i) {
+      const QRectF mark(pixel(i) - QPointF(kPointPx, kPointPx), QSizeF(2 * kPointPx, 2 * kPointPx));
+      labels.symbol(mark);
+      all |= mark;
+      // The leg that ends here, and the angle between it and the next.
+      if (count > 2 && (i > 0 || ring)) {
+        const std::size_t before = (i + count - 1) % count;
+        const QRectF middle((pixel(i) + pixel(before)) / 2, QSizeF(0, 0));
+        add(middle.adjusted(-1, -1, 1, 1), 3 * i, lengthText((points[i] - points[before]).norm()),
+            context_.theme.text);
+        if (i + 1 < count || ring) {
+          const double rad = geometry::angleAt(points[i], points[before], points[(i + 1) % count]);
+          add(mark, 3 * i + 2, QStringLiteral("%1°").arg(geometry::degreesFromRadians(rad), 0, 'f', 1),
               context_.theme.text);
+        }
+      }
+      if (!ring && i > 0 && i + 1 == count)
+        add(mark, 1, lengthText(geometry::lengthOf(points)), context_.theme.measure);
+    }
+    if (ring) {
+      labels.add(LabelWish::Place::Within, LabelRank::Chosen, all, 1,
+                 areaText(std::abs(geometry::signedAreaOf(points))), context_.theme.measure);
+    }
   }
 };
 
@@ -107,6 +119,11 @@ class SwipeItem : public LayerItem {
   }
 };
 
+/// Layers that change many times a second: from the lowest of them that is shown, all draw themselves.
+constexpr std::array kLively{Layer::LocalPath, Layer::Cloud,     Layer::NearbyRobots,
+                             Layer::Trail,     Layer::Footprint, Layer::ExpandedFootprint,
+                             Layer::Robot};
+
 LayerContext contextOf(render::TileRenderer& renderer, const render::TileRenderer::Options& options,
                        std::shared_ptr<clouds::CloudStore> clouds, std::function<void()> settled_changed) {
   LayerContext context;
@@ -125,16 +142,23 @@ LayerContext contextOf(render::TileRenderer& renderer, const render::TileRendere
 
 SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
                        const render::TileRenderer::Options& options,
-                       std::shared_ptr<clouds::CloudStore> clouds, std::function<void()> settled_changed)
+                       std::shared_ptr<clouds::CloudStore> clouds, std::function<void()> settled_changed,
+                       std::function<void()> labels_due)
     : context(contextOf(renderer, options, std::move(clouds), std::move(settled_changed))),
       order(allLayers()),
+      labels(options.previews),
       raster(context),
       highlight(new HighlightItem(context)),
       measure(new MeasureItem(context)),
       stale(new StaleItem(context)),
       swipe(new SwipeItem(context)),
-      mark(new MarkItem(context)) {
+      mark(new MarkItem(context)),
+      ground_(new GroundItem(context)),
+      labels_below_(new LabelsItem(context, labels, false)),
+      labels_above_(new LabelsItem(context, labels, true)),
+      labels_due_(std::move(labels_due)) {
   context.live = &nothing_live;
+  context.ink = &labels.ink();
   for (const Layer layer : allLayers()) {
     const LayerSpec& spec = specOf(layer);
     std::vector<LayerItem*>& items = by_layer[layer];
@@ -151,13 +175,67 @@ SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
   all.insert(all.end(), {raster.overview(), raster.compared(), raster.difference(), highlight, stale, measure,
                          swipe, mark});
   for (LayerItem* item : all) scene.addItem(item);
+  for (QGraphicsItem* item :
+       {static_cast<QGraphicsItem*>(ground_), static_cast<QGraphicsItem*>(labels_below_),
+        static_cast<QGraphicsItem*>(labels_above_)})
+    scene.addItem(item);
   stale->setVisible(false);
+  context.changed = [this](const LayerItem& item, const QRectF& rect) { noteChange(item, rect); };
   stack();
   applyVisibility();
 }
 
 void SceneItems::update(Layer layer) const {
   for (LayerItem* item : itemsOf(layer)) item->update();
+}
+
+void SceneItems::allChanged() {
+  ground_->changed(ground_->boundingRect());
+  labels.changed(nullptr);
+}
+
+void SceneItems::viewportResized() {
+  for (LayerItem* item : all) item->viewportResized();
+  ground_->viewportResized();
+  for (LabelsItem* item : {labels_below_, labels_above_}) item->viewportResized();
+}
+
+void SceneItems::noteChange(const LayerItem& item, const QRectF& rect) {
+  if (!rect.isEmpty() && ground_->holds(&item)) ground_->changed(rect);
+  if (item.labelUse() == LabelUse::None) return;
+  const bool was_due = labels.due();
+  labels.changed(&item);
+  if (!was_due) labels_due_();
+}
+
+void SceneItems::placeLabels() {
+  if (!labels.due()) return;
+  // The topmost first.
+  std::vector<LayerItem*> items(all);
+  std::stable_sort(items.begin(), items.end(),
+                   [](const LayerItem* a, const LayerItem* b) { return a->zValue() > b->zValue(); });
+  std::erase(items, measure);
+  for (const QRectF& rect : labels.place(context, items, {measure})) {
+    labels_below_->update(rect);
+    labels_above_->update(rect);
+  }
+}
+
+void SceneItems::layGround() {
+  std::vector<LayerItem*> layers(all);
+  std::stable_sort(layers.begin(), layers.end(),
+                   [](const LayerItem* a, const LayerItem* b) { return a->zValue() < b->zValue(); });
+  std::vector<const LayerItem*> above{highlight, measure, stale, swipe};
+  for (const Layer layer : kLively) {
+    for (const LayerItem* item : itemsOf(layer)) {
+      if (item->isVisible()) above.push_back(item);
+    }
+  }
+  const auto first = std::find_if(layers.begin(), layers.end(), [&above](const LayerItem* item) {
+    return std::find(above.begin(), above.end(), item) != above.end();
+  });
+  layers.erase(first, layers.end());
+  ground_->take(std::move(layers));
 }
 
 void SceneItems::stack() {
@@ -171,8 +249,12 @@ void SceneItems::stack() {
   raster.compared()->setZValue(std::max(submaps, first(Layer::WholeMap).zValue()) + 1);
   raster.difference()->setZValue(raster.compared()->zValue() + 1);
   highlight->setZValue(first(Layer::Ids).zValue() + 1);
-  for (LayerItem* item : {stale, static_cast<LayerItem*>(mark), measure, swipe, &first(Layer::ScaleBar)})
-    item->setZValue(z += 10);
+  labels_below_->setZValue(z += 10);
+  for (LayerItem* item : {stale, static_cast<LayerItem*>(mark), measure}) item->setZValue(z += 10);
+  labels_above_->setZValue(z += 10);
+  for (LayerItem* item : {swipe, &first(Layer::ScaleBar)}) item->setZValue(z += 10);
+  labels.changed(nullptr);
+  layGround();
 }
 
 MapsOnScreen SceneItems::onScreen() const {
@@ -236,6 +318,7 @@ void SceneItems::applyVisibility() {
   swipe->setVisible(swiping);
   swipe->update();
   for (LayerItem* item : all) item->setActive(item->isVisible());
+  layGround();
 }
 
 bool SceneItems::placeRobot(session::Session* session) {

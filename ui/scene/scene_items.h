@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "scene/ground_item.h"
+#include "scene/labels.h"
 #include "scene/layer_item.h"
 #include "scene/raster_stack.h"
 #include "scene/robot_place.h"
@@ -17,9 +19,10 @@ namespace mapwright::scene {
 class SceneItems {
  public:
   /// The scene owns the items; this must outlive them.
+  /// `labels_due` is called when labels must be placed anew.
   SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
              const render::TileRenderer::Options& options, std::shared_ptr<clouds::CloudStore> clouds,
-             std::function<void()> settled_changed);
+             std::function<void()> settled_changed, std::function<void()> labels_due);
 
   /// Gives every item its place in `order`.
   void stack();
@@ -37,6 +40,11 @@ class SceneItems {
   /// The first of them.
   LayerItem& first(Layer layer) const { return *by_layer.at(layer).front(); }
   void update(Layer layer) const;
+  /// Everything looks different.
+  void allChanged();
+  void viewportResized();
+  /// Places the labels that are due. Repaints those that have moved.
+  void placeLabels();
 
   map::LiveState nothing_live;
   LayerContext context;
@@ -53,6 +61,7 @@ class SceneItems {
   bool has_submaps = false;   // the robot has some
   bool wants_second = false;  // a second map is compared, or loading
   bool has_compared = false;  // it is there
+  Labels labels;
   RasterStack raster;
   std::map<Layer, std::vector<LayerItem*>> by_layer;
   std::vector<LayerItem*> all;
@@ -61,6 +70,13 @@ class SceneItems {
   MarkItem* mark;
 
  private:
+  void layGround();
+  void noteChange(const LayerItem& item, const QRectF& rect);
+
+  GroundItem* ground_;
+  LabelsItem *labels_below_, *labels_above_;  // the veil
+  std::function<void()> labels_due_;
+
   MapsOnScreen onScreen() const;
   std::optional<QRectF> rectOf(ScreenPart part) const;
 };

@@ -193,7 +193,10 @@ void TrackLayer::paintLegend(QPainter& painter, const QRectF& exposed) const {
   painter.setPen(Qt::NoPen);
   painter.setBrush(plate);
   painter.drawRoundedRect(frame, 4, 4);
-  const double left = frame.left() + kPad, base = frame.top() + kPad + std::ceil(metrics.ascent());
+  const double left = frame.left() + kPad;
+  const auto write = [&](double x, const QString& name) {
+    context_.ink->draw(painter, {x, frame.top() + kPad}, name, context_.theme, context_.theme.text);
+  };
   if (qualities) {
     double x = left;
     for (qsizetype i = 0; i < names.size(); ++i) {
@@ -201,14 +204,13 @@ void TrackLayer::paintLegend(QPainter& painter, const QRectF& exposed) const {
       painter.setBrush(colors[std::size_t(i)]);
       painter.drawRect(QRectF(x, frame.center().y() - kBarHeight / 2, kBarHeight, kBarHeight));
       x += swatch;
-      drawLabel(painter, {x, base}, names[i], context_.theme, context_.theme.text);
+      write(x, names[i]);
       x += std::ceil(metrics.horizontalAdvance(names[i])) + 12;
     }
     return;
   }
-  drawLabel(painter, {left, base}, names.front(), context_.theme, context_.theme.text);
-  drawLabel(painter, {left + width - metrics.horizontalAdvance(names.back()), base}, names.back(),
-            context_.theme, context_.theme.text);
+  write(left, names.front());
+  write(left + width - metrics.horizontalAdvance(names.back()), names.back());
   const QRectF bar(left, frame.bottom() - kPad - kBarHeight, width, kBarHeight);
   QLinearGradient gradient(bar.topLeft(), bar.topRight());
   for (std::size_t i = 0; i < colors.size(); ++i)

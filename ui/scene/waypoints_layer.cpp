@@ -1,4 +1,5 @@
 // Waypoints: saved and unsaved ones, selected ones, ten thousand of them.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <unordered_set>
@@ -25,6 +26,10 @@ void paintWarning(QPainter& painter, const MapTheme& theme, const QPointF& at) {
     painter.drawLine(foot + QPointF(0, -4.2), foot + QPointF(0, -9));
     painter.drawPoint(foot);
   }
+}
+
+QRectF warningArea(const QPointF& at) {
+  return QRectF(at + QPointF(kRadiusPx, -kRadiusPx - 14), QSizeF(6, 16));
 }
 
 void paintRing(QPainter& painter, const MapTheme& theme, const QPointF& at) {
@@ -119,11 +124,6 @@ class WaypointsLayer : public LayerItem {
           drawHeading(*painter, context_, at, *point.yaw_rad, color);
         paintWaypointMark(*painter, at, kRadiusPx, point.mark, color, theme.text_halo);
         if (point.warned) paintWarning(*painter, theme, at);
-        if (view.scale_m_per_px <= kNameFromMPerPx) {
-          const double reach = point.selected ? 11 : kRadiusPx;
-          drawName(*painter, context_, QRectF(at - QPointF(reach, reach), QSizeF(2 * reach, 2 * reach)),
-                   shortName(point.name), theme.text);
-        }
       }
     }
   }
@@ -132,6 +132,29 @@ class WaypointsLayer : public LayerItem {
     for (const DrawnWaypoint& point : context_.of(*of()).waypoints) extendBy(bounds, point.position_m);
     return bounds;
   }
+  LabelUse labelUse() const override { return LabelUse::Names; }
+  void collectLabels(LabelCollector& labels) const override {
+    const std::vector<DrawnWaypoint>& points = context_.of(*of()).waypoints;
+    const auto selected = std::count_if(points.begin(), points.end(),
+                                        [](const DrawnWaypoint& point) { return point.selected; });
+    for (const DrawnWaypoint& point : points) {
+      const QPointF at = toPoint(context_.view.pixelFromWorld(point.position_m));
+      if (!labels.area().contains(at)) continue;
+      const double reach = point.selected ? 11 : kRadiusPx;
+      const QRectF mark(at - QPointF(reach, reach), QSizeF(2 * reach, 2 * reach));
+      const bool headed = point.yaw_rad && std::isfinite(*point.yaw_rad);
+      keepClear(labels, context_, mark, headed ? point.yaw_rad : std::nullopt);
+      if (point.warned) labels.symbol(warningArea(at));
+      // The selected ones are named from far away, too, while they are few.
+      const bool chosen = point.selected && std::size_t(selected) <= kMostChosen;
+      if (!chosen && !labels.namesShown()) continue;
+      labels.add(LabelWish::Place::Beside, chosen ? LabelRank::Chosen : LabelRank::Waypoint, mark,
+                 qHash(QByteArrayView(point.name)), shortName(point.name), context_.theme.text);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kMostChosen = 50;
 };
 
 }  // namespace
