@@ -151,6 +151,13 @@
 <context>
     <name>axbot</name>
     <message numerus="yes">
+        <source>%1 features of its overlays cannot be read.</source>
+        <translation>
+            <numerusform>%1 feature of its overlays cannot be read.</numerusform>
+            <numerusform>%1 features of its overlays cannot be read.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>The robot&apos;s answer (%1 bytes) is cut off or is not a submap.</source>
         <translation>
             <numerusform>The robot&apos;s answer (%1 byte) is cut off or is not a submap.</numerusform>

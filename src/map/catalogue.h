@@ -92,6 +92,7 @@ struct WholeMap {
   std::vector<Problem> notes;                              // what is odd about it
   std::vector<std::vector<Eigen::Vector2d>> trajectories;  // of a mapping, world metres
   std::vector<OverlayFeature> overlays;
+  std::vector<BrokenOverlay> broken_overlays;  // left out of them
   struct Landmark {
     std::string id;
     Eigen::Vector2d position_m{0, 0};

@@ -120,6 +120,7 @@ struct MapInfo {
   std::string name, uid;
   std::optional<int> map_version, overlays_version;
   std::vector<OverlayFeature> overlays;
+  std::vector<BrokenOverlay> broken_overlays = {};  // left out of them
   bool operator==(const MapInfo&) const = default;
 };
 

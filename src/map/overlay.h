@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "fault/fault.h"
+
 namespace mapwright::map {
 
 enum class OverlayShape { Point, Line, Polygon };
@@ -21,6 +23,14 @@ struct OverlayFeature {
   std::vector<std::vector<Eigen::Vector2d>>
       parts;  // point: one with one element; line: one; polygon: its rings
   bool operator==(const OverlayFeature&) const = default;
+};
+
+/// A feature that cannot be read. `at_m`: one of its points, if any of them can be.
+struct BrokenOverlay {
+  std::string id, name;
+  Fault reason;
+  std::optional<Eigen::Vector2d> at_m;
+  bool operator==(const BrokenOverlay&) const = default;
 };
 
 }  // namespace mapwright::map

@@ -73,6 +73,27 @@ class AxbotOverlaysTest : public QObject {
     QVERIFY(one(R"({"type":"Circle","coordinates":[0,0]})").empty());
   }
 
+  void whatCannotBeReadIsToldWithAPlaceIfItHasOne() {
+    std::vector<map::BrokenOverlay> broken;
+    const auto features = parseOverlays(
+        R"({"features":[
+          {"id":"a","geometry":{"type":"Point","coordinates":[1,2]}},
+          {"id":"b","properties":{"name":"Hall"},"geometry":{"type":"Polygon","coordinates":[[[3,4],[5]]]}},
+          {"id":"c","geometry":{"type":"Circle","coordinates":[5,6]}},
+          {"id":"d","geometry":{"type":"Point","coordinates":["x",1]}},
+          {"id":"e","geometry":{"type":"LineString"}},
+          {"id":"f","geometry":null}]})",
+        &broken);
+    QCOMPARE(features->size(), std::size_t(1));
+    QCOMPARE(broken.size(), std::size_t(4));
+    QCOMPARE(broken[0].id, std::string("b"));
+    QCOMPARE(broken[0].name, std::string("Hall"));
+    QCOMPARE(*broken[0].at_m, Eigen::Vector2d(3, 4));
+    QVERIFY(inEnglish(broken[1].reason).find("Circle") != std::string::npos);
+    QCOMPARE(*broken[1].at_m, Eigen::Vector2d(5, 6));
+    QVERIFY(!broken[2].at_m && !broken[3].at_m);
+  }
+
   void unknownAndMissingTypesAreZero() {
     QCOMPARE(one(R"({"type":"Point","coordinates":[1,2]})", "null")[0].type, 0);
     QCOMPARE(one(R"({"type":"Point","coordinates":[1,2]})", R"({"type":"charger"})")[0].type, 0);

@@ -66,7 +66,7 @@ Absence AxbotRobot::whyNot(Capability capability) const {
 void AxbotRobot::takeTopic(const map::StampedMessage& stamped) {
   bool other_map = false;
   if (const auto* info = std::get_if<map::MapInfo>(&stamped.message)) {
-    const map::MapInfo known{info->name, info->uid, info->map_version, info->overlays_version, {}};
+    const map::MapInfo known{info->name, info->uid, info->map_version, info->overlays_version, {}, {}};
     other_map = last_map_info_ && *last_map_info_ != known;
     last_map_info_ = known;
   }

@@ -56,6 +56,14 @@ inline constexpr FaultCode PoseWithoutNumbers{
 /// member
 inline constexpr FaultCode MemberIsNoList{"axbot",
                                           QT_TRANSLATE_NOOP("axbot", "Its \"%1\" member is not a list.")};
+/// type
+inline constexpr FaultCode GeometryUnknown{"axbot",
+                                           QT_TRANSLATE_NOOP("axbot", "Its geometry \"%1\" is not known.")};
+inline constexpr FaultCode GeometryUnreadable{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "Its coordinates are missing, too few, or not numbers.")};
+/// how many
+inline constexpr FaultCode FeaturesUnreadable{
+    "axbot", QT_TRANSLATE_N_NOOP("axbot", "%1 features of its overlays cannot be read.")};
 inline constexpr FaultCode PictureInMessageNotBase64{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The picture in the message is not valid base64, or too large.")};
 inline constexpr FaultCode NoPictureNorAddress{

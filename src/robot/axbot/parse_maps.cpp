@@ -57,13 +57,28 @@ OverlayFeature described(const Json& feature, const Json& properties) {
   return described;
 }
 
+/// The first point in coordinates of any depth.
+std::optional<Eigen::Vector2d> somePoint(const Json& coordinates, int depth) {
+  constexpr int kMostTries = 1'000;
+  if (const auto point = wire::asPoint(coordinates)) return point;
+  wire::JsonList parts;
+  if (depth == 0 || coordinates.get(parts)) return std::nullopt;
+  int tries = 0;
+  for (const Json part : parts) {
+    if (const auto point = somePoint(part, depth - 1)) return point;
+    if (++tries == kMostTries) break;
+  }
+  return std::nullopt;
+}
+
 class Reader {
  public:
-  explicit Reader(std::vector<OverlayFeature>& out) : out_(out) {}
+  Reader(std::vector<OverlayFeature>& out, std::vector<map::BrokenOverlay>* broken)
+      : out_(out), broken_(broken) {}
 
   void readFeature(const Json& feature) {
     const auto geometry = wire::member(feature, {"geometry"});
-    if (!geometry) return;
+    if (!geometry || geometry->is_null()) return;  // it has no place, which is allowed
     Json properties = feature;
     if (const auto given = wire::member(feature, {"properties"})) properties = *given;
     readGeometry(*geometry, described(feature, properties), properties, kDeepest);
@@ -79,21 +94,22 @@ class Reader {
       return;
     }
     const auto coordinates = wire::member(geometry, {"coordinates"});
-    if (!coordinates) return;
-    if (!type.starts_with(kMulti)) {
-      add(type, *coordinates, model, properties);
-      return;
-    }
+    if (!coordinates) return note(model, fault::GeometryUnreadable, std::nullopt);
+    if (!type.starts_with(kMulti)) return add(type, *coordinates, model, properties);
     type.remove_prefix(kMulti.size());
     wire::JsonList parts;
-    if (coordinates->get(parts)) return;
+    if (coordinates->get(parts)) return note(model, fault::GeometryUnreadable, std::nullopt);
     for (const Json part : parts) add(type, part, model, properties);
+  }
+
+  void note(const OverlayFeature& feature, Fault reason, std::optional<Eigen::Vector2d> at_m) {
+    if (broken_) broken_->push_back({feature.id, feature.name, std::move(reason), at_m});
   }
 
   void add(std::string_view type, const Json& coordinates, OverlayFeature feature, const Json& properties) {
     if (type == "Point") {
       const auto at = wire::asPoint(coordinates);
-      if (!at) return;
+      if (!at) return note(feature, fault::GeometryUnreadable, std::nullopt);
       feature.shape = OverlayShape::Point;
       feature.type = wire::smallInteger(properties, {"type"}).value_or(0);
       if (const auto yaw = wire::number(properties, {"yaw"}))
@@ -103,16 +119,19 @@ class Reader {
       feature.shape = OverlayShape::Line;
       feature.type = wire::smallInteger(properties, {"lineType"}).value_or(0);
       feature.parts.push_back(wire::asPolyline(coordinates));
-      if (feature.parts[0].size() < 2) return;
+      if (feature.parts[0].size() < 2)
+        return note(feature, fault::GeometryUnreadable, somePoint(coordinates, kDeepest));
     } else if (type == "Polygon") {
       feature.shape = OverlayShape::Polygon;
       feature.type = wire::smallInteger(properties, {"regionType"}).value_or(0);
       wire::JsonList rings;
-      if (coordinates.get(rings)) return;
-      for (const Json ring : rings) addRing(wire::asPolyline(ring), feature);
-      if (feature.parts.empty()) return;
+      if (!coordinates.get(rings)) {
+        for (const Json ring : rings) addRing(wire::asPolyline(ring), feature);
+      }
+      if (feature.parts.empty())
+        return note(feature, fault::GeometryUnreadable, somePoint(coordinates, kDeepest));
     } else {
-      return;
+      return note(feature, {fault::GeometryUnknown, {std::string(type)}}, somePoint(coordinates, kDeepest));
     }
     out_.push_back(std::move(feature));
   }
@@ -124,11 +143,13 @@ class Reader {
   }
 
   std::vector<OverlayFeature>& out_;
+  std::vector<map::BrokenOverlay>* broken_;
 };
 
-std::optional<std::vector<OverlayFeature>> featuresOf(const Json& overlays) {
+std::optional<std::vector<OverlayFeature>> featuresOf(const Json& overlays,
+                                                      std::vector<map::BrokenOverlay>* broken) {
   std::vector<OverlayFeature> features;
-  Reader reader(features);
+  Reader reader(features, broken);
   wire::JsonList rows;
   if (!overlays.get(rows)) {  // the features without their collection
     for (const Json row : rows) reader.readFeature(row);
@@ -190,7 +211,7 @@ tl::expected<MapDetail, Fault> parseMapDetail(std::string_view body, const map::
   detail.trajectories_url = wire::text(*root, {"trajectories_url", "trajectory_url"});
   detail.landmarks_url = wire::text(*root, {"landmark_url", "landmarks_url"});
   if (const auto overlays = wire::member(*root, {"overlays"})) {
-    auto features = parseOverlays(*overlays);
+    auto features = parseOverlays(*overlays, &detail.broken_overlays);
     detail.overlays_readable = features.has_value();
     if (features) detail.overlays = std::move(*features);
   }
@@ -260,16 +281,18 @@ tl::expected<map::WholeMap, Fault> parseOverview(std::string_view body, double a
   return whole;
 }
 
-std::optional<std::vector<OverlayFeature>> parseOverlays(const Json& overlays) {
+std::optional<std::vector<OverlayFeature>> parseOverlays(const Json& overlays,
+                                                         std::vector<map::BrokenOverlay>* broken) {
   std::string_view text;
-  return overlays.get(text) ? featuresOf(overlays) : parseOverlays(text);
+  return overlays.get(text) ? featuresOf(overlays, broken) : parseOverlays(text, broken);
 }
 
-std::optional<std::vector<OverlayFeature>> parseOverlays(std::string_view geo_json) {
+std::optional<std::vector<OverlayFeature>> parseOverlays(std::string_view geo_json,
+                                                         std::vector<map::BrokenOverlay>* broken) {
   if (geo_json.find_first_not_of(" \t\r\n") == std::string_view::npos) return std::vector<OverlayFeature>();
   wire::JsonReader reader;
   const auto root = reader.read(geo_json);
-  return root ? featuresOf(*root) : std::nullopt;  // a text inside a text is not parsed
+  return root ? featuresOf(*root, broken) : std::nullopt;  // a text inside a text is not parsed
 }
 
 map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_view body) {

@@ -34,6 +34,7 @@ struct MapDetail {
   map::GridReference grid;  // as stated: NaN if missing
   std::string image_url, trajectories_url, landmarks_url;
   std::vector<map::OverlayFeature> overlays;
+  std::vector<map::BrokenOverlay> broken_overlays;
   bool overlays_readable = true;
 };
 tl::expected<MapDetail, Fault> parseMapDetail(std::string_view body, const map::MapKey& key);
@@ -53,10 +54,13 @@ std::vector<map::WholeMap::Landmark> parseLandmarks(std::string_view body);
 tl::expected<map::WholeMap, Fault> parseOverview(std::string_view body, double asked_resolution_m);
 
 /// The features of a FeatureCollection, a Feature, a list of features, or a text containing one of these, in
-/// the robot's order. Undrawable ones are skipped; open rings are closed; each part of a Multi... geometry
-/// becomes a feature. nullopt: it is not GeoJSON. Nothing at all (null, a blank text) has no features.
-std::optional<std::vector<map::OverlayFeature>> parseOverlays(const wire::Json& overlays);
-std::optional<std::vector<map::OverlayFeature>> parseOverlays(std::string_view geo_json);
+/// the robot's order. Undrawable ones are skipped, and added to `broken`; open rings are closed; each part of
+/// a Multi... geometry becomes a feature. nullopt: it is not GeoJSON. Nothing at all (null, a blank text) has
+/// no features.
+std::optional<std::vector<map::OverlayFeature>> parseOverlays(
+    const wire::Json& overlays, std::vector<map::BrokenOverlay>* broken = nullptr);
+std::optional<std::vector<map::OverlayFeature>> parseOverlays(
+    std::string_view geo_json, std::vector<map::BrokenOverlay>* broken = nullptr);
 
 /// Reads a SubmapQueryV2Response. Never throws: garbage becomes Outcome::Failed with a reason.
 map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_view body);

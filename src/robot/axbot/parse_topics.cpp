@@ -156,6 +156,12 @@ TextFrame readFrame(const Json& root, const std::string& of_topic) {
     const auto overlays = of_the_map ? wire::member(root, {"overlays"}) : std::nullopt;
     if (overlays && !parseOverlays(*overlays))
       frame.left_out = map::UnreadableMessage{frame.topic, {fault::MemberIsNoList, {"overlays"}}};
+    if (of_the_map) {
+      const auto& broken = std::get<map::MapInfo>(*frame.message).broken_overlays;
+      if (!broken.empty())
+        frame.left_out =
+            map::UnreadableMessage{frame.topic, {fault::FeaturesUnreadable, {std::int64_t(broken.size())}}};
+    }
     return frame;
   }
   if (const auto topics = wire::list(root, {"enabled_topics"})) {

@@ -208,7 +208,8 @@ map::TopicMessage mapInfo(const Json& message) {
   info.map_version = wire::smallInteger(message, {"map_version"});
   info.overlays_version = wire::smallInteger(message, {"overlays_version"});
   if (const auto overlays = wire::member(message, {"overlays"}))
-    info.overlays = parseOverlays(*overlays).value_or(std::vector<map::OverlayFeature>());
+    info.overlays =
+        parseOverlays(*overlays, &info.broken_overlays).value_or(std::vector<map::OverlayFeature>());
   return info;
 }
 
