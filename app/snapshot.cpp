@@ -107,7 +107,8 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& args, r
   using scene::Layer;
   // The layers that do not change from run to run.
   if (args.isEmpty())
-    return std::set{Layer::Grid, Layer::Trail, Layer::Footprint, Layer::Robot, Layer::ScaleBar};
+    return std::set{Layer::Problems,  Layer::Grid,  Layer::Trail,
+                    Layer::Footprint, Layer::Robot, Layer::ScaleBar};
   const auto every = scene::allLayers();
   std::set<Layer> chosen;
   if (args == QLatin1String("all")) {

@@ -181,7 +181,7 @@ class MapSceneTest : public QObject {
     QCOMPARE(names.join(QLatin1Char(',')),
              QStringLiteral(
                  "reference,whole,regions,submaps,incremental,match,symmetry,costmap,costmap-high,dispatched-cloud,"
-                 "grid,overlays,"
+                 "problems,grid,overlays,"
                  "waypoints,landmarks,doors,boxes,constraints,outlines,ids,trajectory,path,"
                  "local-path,target,cloud,robots,trail,track,expanded-footprint,footprint,robot,scalebar"));
   }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include <QPainterPath>
-
 namespace mapwright::scene {
 
 QPointF toPoint(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
@@ -23,6 +21,13 @@ QPolygonF toPolygon(const geometry::ViewTransform& view, const std::vector<Eigen
   QPolygonF polygon;
   for (const Eigen::Vector2d& corner : world) polygon << toPoint(view.pixelFromWorld(corner));
   return polygon;
+}
+
+QPointF hatchOrigin(const geometry::ViewTransform& view) {
+  constexpr int kHatchPx = 8;  // Qt's patterns repeat after this
+  const QPointF zero = toPoint(view.pixelFromWorld({0, 0}));
+  const auto phase = [](double at) { return std::isfinite(at) ? std::fmod(std::round(at), kHatchPx) : 0.0; };
+  return {phase(zero.x()), phase(zero.y())};
 }
 
 bool inView(const geometry::ViewTransform& view, const QRectF& rect, double margin_px) {
@@ -109,6 +114,12 @@ std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
   }
   end();
   return lines;
+}
+
+QPainterPath pathOf(const std::vector<QPolygonF>& lines) {
+  QPainterPath path;
+  for (const QPolygonF& line : lines) path.addPolygon(line);
+  return path;
 }
 
 void drawRaster(QPainter& painter, const QRectF& exposed, const render::RasterTiles::Drawing& drawing) {

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <QColor>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPolygonF>
 
 #include "geometry/view_transform.h"
@@ -28,6 +29,8 @@ QColor readable(const QColor& color, const MapTheme& theme);
 void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
                const QColor& color, bool struck_through = false);
 QPolygonF toPolygon(const geometry::ViewTransform& view, const std::vector<Eigen::Vector2d>& world);
+/// For hatching that moves with the map.
+QPointF hatchOrigin(const geometry::ViewTransform& view);
 bool inView(const geometry::ViewTransform& view, const QRectF& rect, double margin_px = 20);
 /// The viewport polyline of world points without invisible parts: points within two pixels of the previous
 /// one, and parts outside the viewport grown by `margin_px` (which gives several polylines). `exposed`: the
@@ -37,6 +40,9 @@ std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
 std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
                                     std::span<const Eigen::Vector2d> world, double margin_px,
                                     const QRectF& exposed);
+
+/// The same lines as one path: where they cross, a translucent one is not drawn twice.
+QPainterPath pathOf(const std::vector<QPolygonF>& lines);
 
 /// Draws the tiles that touch `exposed`, both in device pixels.
 void drawTiles(QPainter& painter, const QRectF& exposed, std::span<const render::DrawnTile> tiles);

@@ -29,6 +29,7 @@ namespace mapwright::scene {
   ROW(CostmapLow)             \
   ROW(CostmapHigh)            \
   ROW(DispatchedCloud)        \
+  ROW(Problems)               \
   ROW(Grid)                   \
   ROW(Overlays)               \
   ROW(Waypoints)              \

@@ -29,6 +29,7 @@
 #include "scene/layer.h"
 #include "scene/map_object.h"
 #include "scene/map_theme.h"
+#include "scene/problem_marks.h"
 #include "scene/track.h"
 
 namespace mapwright::scene {
@@ -57,12 +58,21 @@ struct Outline {
 };
 using Outlines = std::map<map::SubmapId, Outline>;
 
+/// A map that could not be loaded, or not completely.
+struct MapTrouble {
+  std::array<Eigen::Vector2d, 4> corners;
+  bool nothing_shown = true;  // nothing of it could be read
+  QString title, reason;
+};
+
 /// The features that belong to a map.
 struct MapFeatures {
   std::vector<map::OverlayFeature> overlays;
   std::vector<std::vector<Eigen::Vector2d>> trajectories;
   std::vector<map::Landmark> landmarks;
   std::vector<DrawnWaypoint> waypoints;
+  std::vector<map::BrokenOverlay> broken_overlays;
+  std::optional<MapTrouble> trouble;
 };
 
 /// Everything that layers paint with. Owned by the scene, outlives its items.
@@ -77,6 +87,8 @@ struct LayerContext {
   std::array<MapFeatures, 3> features;     // by FeaturesOf
   Outlines outlines;
   std::set<map::SubmapId> highlighted;
+  std::unique_ptr<SubmapMarks> submap_marks = std::make_unique<SubmapMarks>();
+  bool overlays_shown = true;
   std::vector<Eigen::Vector2d> measured;
   bool measured_ring = false;
   std::optional<MapObject> marked;               // framed: what the user has chosen

@@ -138,11 +138,11 @@ class LinesLayer : public SmallLayer {
                   std::span<const Eigen::Vector2d> world, const QRectF& exposed) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    for (const QPolygonF& line : visibleLines(context_.view, world, width + 2, exposed)) {
-      painter.setPen(QPen(context_.theme.text_halo, width + 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-      painter.drawPolyline(line);
-      painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-      painter.drawPolyline(line);
+    const QPainterPath lines = pathOf(visibleLines(context_.view, world, width + 2, exposed));
+    for (const auto& [pen_color, pen_width] :
+         {std::pair(context_.theme.text_halo, width + 2), std::pair(color, width)}) {
+      painter.setPen(QPen(pen_color, pen_width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      painter.drawPath(lines);
     }
   }
 };
@@ -248,8 +248,7 @@ class LocalPathLayer : public SmallLayer {
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setBrush(Qt::NoBrush);
     painter->setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
-    for (const QPolygonF& line : visibleLines(context_.view, path.points, width, option->exposedRect))
-      painter->drawPolyline(line);
+    painter->drawPath(pathOf(visibleLines(context_.view, path.points, width, option->exposedRect)));
   }
 
  protected:

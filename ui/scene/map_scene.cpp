@@ -7,6 +7,8 @@
 
 #include "scene/layer_objects.h"
 #include "scene/scene_items.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/subject_name.h"
 
 namespace mapwright::scene {
 namespace {
@@ -14,6 +16,13 @@ namespace {
 std::uint8_t pixelFlags(const map::SubmapEntry& entry) {
   return std::uint8_t((entry.is_incremental ? render::kIncremental : 0) |
                       (entry.is_frozen ? 0 : render::kActive) | (entry.is_nearby ? render::kNearby : 0));
+}
+
+std::array<Eigen::Vector2d, 4> cornersOf(const submap::Placement& placement) {
+  const double along = -placement.texture->height() * placement.texture->resolutionM();
+  const double across = -placement.texture->width() * placement.texture->resolutionM();
+  const geometry::Pose2& pose = placement.world_from_texture;
+  return {pose.apply({0, 0}), pose.apply({0, across}), pose.apply({along, across}), pose.apply({along, 0})};
 }
 
 }  // namespace
@@ -82,7 +91,8 @@ void MapScene::paintContentSoon() {
 }
 
 void MapScene::paintContent() {
-  for (const Layer layer : {Layer::Submaps, Layer::Outlines, Layer::Ids}) items_->update(layer);
+  for (const Layer layer : {Layer::Submaps, Layer::Problems, Layer::Outlines, Layer::Ids})
+    items_->update(layer);
   if (!items_->context.highlighted.empty()) items_->highlight->update();
 }
 
@@ -132,9 +142,11 @@ void MapScene::setSession(session::Session* session) {
       renderer_->clear();
       items_->context.outlines.clear();
       items_->context.highlighted.clear();
+      items_->context.submap_marks->clear();
       repaintAll();
     });
     connect(session_, &Session::sliceChanged, this, &MapScene::syncAll);
+    connect(session_, &Session::rowsTouched, this, &MapScene::syncMarks);
     connect(session_, &Session::liveChanged, this, &MapScene::takeLive);
     connect(session_, &Session::frameChanged, this, &MapScene::takeFrame);
     for (const session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()}) {
@@ -162,7 +174,104 @@ void MapScene::syncAll() {
   renderer_->clear();
   items_->context.outlines.clear();
   syncPlaced(ids);
+  syncMarks({.all = true, .ids = {}});
   repaintAll();
+}
+
+void MapScene::syncMarks(const session::TouchedRows& rows) {
+  bool changed = rows.all;
+  if (rows.all) {
+    items_->context.submap_marks->clear();
+    if (session_) {
+      for (const auto& [id, row] : session_->submaps().rows()) syncMark(id);
+    }
+  } else {
+    for (const map::SubmapId id : rows.ids) changed |= syncMark(id);
+  }
+  if (changed) paintContentSoon();
+}
+
+bool MapScene::syncMark(map::SubmapId id) {
+  using session::SubmapStatus;
+  SubmapMarks& marks = *items_->context.submap_marks;
+  const submap::SubmapRow* const row = session_->submaps().find(id);
+  if (!row || !row->pose_usable || !row->visible) return marks.remove(id);
+  PlacedMark mark;
+  switch (session_->status(id)) {
+    case SubmapStatus::Missing:
+      mark.kind = MarkKind::Missing;
+      break;
+    case SubmapStatus::Waiting:
+      // An older version may be on screen.
+      if (row->drawable(session_->slice())) return marks.remove(id);
+      mark.kind = MarkKind::Failed;
+      break;
+    case SubmapStatus::Corrupt:
+      mark.kind = MarkKind::Corrupt;
+      break;
+    case SubmapStatus::NoSlice:
+      if (!slices_marked_) return marks.remove(id);
+      mark.kind = MarkKind::NoSlice;
+      break;
+    default:
+      return marks.remove(id);
+  }
+  mark.at_m = {row->entry.pose.x, row->entry.pose.y};
+  // Another slice tells how large it is.
+  for (std::size_t slice = 0; slice < row->slices.size() && !mark.corners; ++slice) {
+    const auto placement = session_->submaps().placement(id, int(slice));
+    if (!placement) continue;
+    mark.corners = cornersOf(*placement);
+    mark.at_m = ((*mark.corners)[0] + (*mark.corners)[2]) / 2;
+  }
+  return marks.put(id, mark);
+}
+
+void MapScene::setSlicesMarked(bool marked) {
+  if (std::exchange(slices_marked_, marked) != marked) syncMarks({.all = true, .ids = {}});
+}
+
+std::vector<ProblemMark> MapScene::problemMarksAt(const Eigen::Vector2d& world_m, double reach_px) const {
+  std::vector<ProblemMark> found;
+  const QPointF at(view_.pixelFromWorld(world_m).x(), view_.pixelFromWorld(world_m).y());
+  const double reach_m = reach_px * view_.scale_m_per_px;
+  const geometry::WorldRect around =
+      geometry::WorldRect{world_m.x(), world_m.y(), world_m.x(), world_m.y()}.grown(reach_m);
+  const auto isNear = [&](const Eigen::Vector2d& point) { return (point - world_m).norm() <= reach_m; };
+  const auto isIn = [&](const std::array<Eigen::Vector2d, 4>& corners) {
+    Outline outline;
+    outline.corners = corners;
+    return outline.contains(world_m);
+  };
+  const std::vector<LayerItem*>& items = items_->itemsOf(Layer::Problems);
+  for (const LayerItem* item : items) {
+    if (!item->isVisible() || (item->part() && !item->part()->contains(at))) continue;
+    if (!item->of()) {
+      constexpr std::size_t kMost = 100;
+      for (const auto& [id, mark] :
+           items_->context.submap_marks->within(around, kMost).value_or(std::vector<SubmapMarks::Entry>())) {
+        if (!isNear(mark.at_m) && !(mark.corners && isIn(*mark.corners))) continue;
+        found.push_back({sentences::nameOf(map::subjectOf(id)), reasonOf(id, mark.kind), mark.at_m, id});
+      }
+      continue;
+    }
+    const MapFeatures& features = items_->context.of(*item->of());
+    for (const map::BrokenOverlay& feature : features.broken_overlays) {
+      if (!items_->context.overlays_shown || !feature.at_m || !isNear(*feature.at_m)) continue;
+      const QString name = shortName(feature.name.empty() ? feature.id : feature.name);
+      found.push_back({name.isEmpty() ? tr("A feature of the overlays") : tr("Feature %1").arg(name),
+                       sentences::sentenceOf(feature.reason), *feature.at_m});
+    }
+    if (const auto& trouble = features.trouble; trouble && isIn(trouble->corners))
+      found.push_back({trouble->title, trouble->reason, (trouble->corners[0] + trouble->corners[2]) / 2});
+  }
+  return found;
+}
+
+QString MapScene::reasonOf(map::SubmapId id, MarkKind kind) const {
+  if (kind == MarkKind::NoSlice) return tr("It has no slice %1.").arg(session_->slice());
+  const QString reason = sentences::sentenceOf(session_->reason(id));
+  return reason.isEmpty() ? tr("Its picture could not be had.") : reason;
 }
 
 void MapScene::syncPlaced(const std::vector<map::SubmapId>& ids) {
@@ -177,12 +286,9 @@ void MapScene::syncPlaced(const std::vector<map::SubmapId>& ids) {
       continue;
     }
     Outline& outline = items_->context.outlines[id];
-    const double along = -placement->texture->height() * placement->texture->resolutionM();
-    const double across = -placement->texture->width() * placement->texture->resolutionM();
     const geometry::Pose2& pose = placement->world_from_texture;
-    outline.corners = {pose.apply({0, 0}), pose.apply({0, across}), pose.apply({along, across}),
-                       pose.apply({along, 0})};
-    outline.center = pose.apply({along / 2, across / 2});
+    outline.corners = cornersOf(*placement);
+    outline.center = (outline.corners[0] + outline.corners[2]) / 2;
     outline.frozen = row->entry.is_frozen;
     outline.visible = row->visible;
     if (row->visible) {
@@ -287,7 +393,8 @@ void MapScene::takeFrame() {
 
 void MapScene::syncFeatures() {
   items_->takeFeatures(session_);
-  for (const Layer layer : {Layer::Overlays, Layer::Waypoints, Layer::Landmarks, Layer::Trajectory}) {
+  for (const Layer layer :
+       {Layer::Overlays, Layer::Waypoints, Layer::Landmarks, Layer::Trajectory, Layer::Problems}) {
     items_->update(layer);
   }
 }

@@ -21,6 +21,7 @@
 #include "scene/legend_section.h"
 #include "scene/map_object.h"
 #include "scene/map_theme.h"
+#include "scene/problem_marks.h"
 #include "scene/repaint_pace.h"
 #include "scene/robot_place.h"
 #include "scene/track.h"
@@ -104,6 +105,12 @@ class MapScene : public QGraphicsScene {
   /// Marks a place, world metres; nullopt = none.
   void setMarker(std::optional<Eigen::Vector2d> world_m);
   const std::optional<Eigen::Vector2d>& marker() const;
+
+  /// What is missing within `reach_px` of the point, and why: only while the marks of the layer Problems are
+  /// shown there.
+  std::vector<ProblemMark> problemMarksAt(const Eigen::Vector2d& world_m, double reach_px) const;
+  /// Submaps that only lack the chosen slice are marked, too (default).
+  void setSlicesMarked(bool marked);
 
   /// The edited waypoints, shown instead of the robot's waypoints of that map; nullopt = none.
   void setWaypoints(std::optional<DrawnWaypoints> waypoints);
@@ -197,6 +204,10 @@ class MapScene : public QGraphicsScene {
   void paintContentSoon();
   void paintContent();
   void syncAll();
+  /// The marks of submaps without a picture; true if one has changed.
+  bool syncMark(map::SubmapId id);
+  void syncMarks(const session::TouchedRows& rows);
+  QString reasonOf(map::SubmapId id, MarkKind kind) const;
   void repaintAll();
   void placeLabelsSoon();
   double nowMs() const { return double(clock_.nsecsElapsed()) * 1e-6; }
@@ -210,7 +221,8 @@ class MapScene : public QGraphicsScene {
   RepaintPace pace_;
   QElapsedTimer clock_;
   QTimer repaint_timer_;  // runs while new tiles wait to be painted
-  double began_ms_ = 0;   // of the painting in progress
+  bool slices_marked_ = true;
+  double began_ms_ = 0;  // of the painting in progress
 };
 
 }  // namespace mapwright::scene

@@ -16,7 +16,6 @@ namespace {
 
 using regions::RegionState;
 
-constexpr int kHatchPx = 8;            // the pattern repeats after this
 constexpr double kLeastLabelPx = 120;  // a narrower region has no room for text
 constexpr int kHatchAlpha = 70, kQuietAlpha = 90, kExtentAlpha = 190;
 
@@ -113,10 +112,7 @@ void RegionGround::paintHatch(QPainter& painter) const {
   QPainterPath screen;
   screen.addRect(0, 0, view.width_px, view.height_px);
   painter.setClipPath(screen, Qt::IntersectClip);
-  // The hatching moves with the map.
-  const QPointF zero = toPoint(view.pixelFromWorld({0, 0}));
-  const auto phase = [](double at) { return std::isfinite(at) ? std::fmod(std::round(at), kHatchPx) : 0.0; };
-  painter.setBrushOrigin(QPointF(phase(zero.x()), phase(zero.y())));
+  painter.setBrushOrigin(hatchOrigin(view));
   painter.fillPath(unknown, hatching(context_.theme));
 }
 

@@ -28,8 +28,7 @@ class TrailLayer : public LayerItem {
     std::vector<Eigen::Vector2d> points;
     points.reserve(trail.size());
     const auto drawPiece = [&] {
-      for (const QPolygonF& line : visibleLines(context_.view, points, width, option->exposedRect))
-        painter->drawPolyline(line);
+      painter->drawPath(pathOf(visibleLines(context_.view, points, width, option->exposedRect)));
       points.clear();
     };
     for (std::size_t i = 0; i < trail.size(); ++i) {

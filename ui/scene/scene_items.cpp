@@ -9,6 +9,9 @@
 
 #include "geometry/polyline.h"
 #include "scene/lengths.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/problem_sentence.h"
+#include "sentences/subject_name.h"
 #include "session/lacks_picture.h"
 
 namespace mapwright::scene {
@@ -124,6 +127,27 @@ constexpr std::array kLively{Layer::LocalPath, Layer::Cloud,     Layer::NearbyRo
                              Layer::Trail,     Layer::Footprint, Layer::ExpandedFootprint,
                              Layer::Robot};
 
+/// nullopt: all is well, or its place is not known.
+std::optional<MapTrouble> troubleOf(const session::Session& session, const session::MapSlot& slot) {
+  const bool nothing = slot.phase() == session::MapSlot::Phase::Failed && !slot.cells();
+  if (!nothing && !(slot.cells() && slot.broken())) return std::nullopt;
+  const map::CatalogueEntry* const entry = map::entryOf(session.catalogue().entries(), slot.key());
+  const std::optional<map::GridReference> grid = !nothing ? std::optional(slot.reference())
+                                                 : entry  ? entry->grid
+                                                          : std::nullopt;
+  if (!grid) return std::nullopt;
+  const double right = grid->width, bottom = grid->height;
+  MapTrouble trouble;
+  trouble.corners = {grid->worldFromCell({0, 0}), grid->worldFromCell({right, 0}),
+                     grid->worldFromCell({right, bottom}), grid->worldFromCell({0, bottom})};
+  trouble.nothing_shown = nothing;
+  trouble.title = sentences::nameOf(map::subjectOf(slot.key(), slot.name().toStdString()));
+  trouble.reason = sentences::sentenceOf(slot.remark());
+  if (trouble.reason.isEmpty() && slot.cells())
+    trouble.reason = sentences::sentenceOf(slot.cells()->trouble());
+  return trouble;
+}
+
 LayerContext contextOf(render::TileRenderer& renderer, const render::TileRenderer::Options& options,
                        std::shared_ptr<clouds::CloudStore> clouds, std::function<void()> settled_changed) {
   LayerContext context;
@@ -225,7 +249,7 @@ void SceneItems::layGround() {
   std::vector<LayerItem*> layers(all);
   std::stable_sort(layers.begin(), layers.end(),
                    [](const LayerItem* a, const LayerItem* b) { return a->zValue() < b->zValue(); });
-  std::vector<const LayerItem*> above{highlight, measure, stale, swipe};
+  std::vector<const LayerItem*> above{measure, stale, swipe};
   for (const Layer layer : kLively) {
     for (const LayerItem* item : itemsOf(layer)) {
       if (item->isVisible()) above.push_back(item);
@@ -311,6 +335,9 @@ void SceneItems::applyVisibility() {
     for (LayerItem* item : robots_own) item->setVisible(false);
     submaps.setVisible(false);
   }
+  context.overlays_shown = shown.at(Layer::Overlays);
+  first(Layer::Problems).setPart(submaps.part());
+  first(Layer::Problems).setVisible(shown.at(Layer::Problems) && submaps.isVisible());
   raster.overview()->setPart(submaps.part());
   raster.overview()->setVisible(submaps.isVisible());
   raster.overview()->setOpacity(submaps.opacity());
@@ -374,6 +401,7 @@ void SceneItems::takeFeatures(const session::Session* session) {
   const auto take = [](const session::MapSlot& slot, MapFeatures& features) {
     if (!slot.cells() || slot.shown().key.kind == map::MapKind::Live) return false;
     features.overlays = slot.shown().overlays;
+    features.broken_overlays = slot.shown().broken_overlays;
     features.trajectories = slot.shown().trajectories;
     for (const auto& landmark : slot.shown().landmarks)
       features.landmarks.push_back({landmark.id, landmark.position_m, std::nullopt});
@@ -381,10 +409,16 @@ void SceneItems::takeFeatures(const session::Session* session) {
   };
   const bool opened = on_screen.whole && take(session->wholeMap(), context.of(FeaturesOf::WholeMap));
   if (on_screen.compared) take(session->comparedMap(), context.of(FeaturesOf::ComparedMap));
+  if (on_screen.whole) context.of(FeaturesOf::WholeMap).trouble = troubleOf(*session, session->wholeMap());
+  if (on_screen.compared)
+    context.of(FeaturesOf::ComparedMap).trouble = troubleOf(*session, session->comparedMap());
   // Next to an opened map the robot's own overlays only belong on the half of the submaps.
   const bool beside = on_screen.submaps_left && place.drawn == ScreenPart::Left;
-  if (place.overlays_fit && context.live->map_info && (!opened || beside))
-    context.of(FeaturesOf::Robot).overlays = context.live->map_info->overlays;
+  if (place.overlays_fit && context.live->map_info && (!opened || beside)) {
+    MapFeatures& robots = context.of(FeaturesOf::Robot);
+    robots.overlays = context.live->map_info->overlays;
+    robots.broken_overlays = context.live->map_info->broken_overlays;
+  }
 }
 
 }  // namespace mapwright::scene

@@ -1,0 +1,238 @@
+// Marks where something should be on the map and is not: submaps without a picture, features of overlays that
+// cannot be read, maps that could not be loaded.
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+
+#include "scene/layer_item.h"
+
+namespace mapwright::scene {
+namespace {
+
+constexpr double kBadgePx = 7.5;         // radius of the disc with the sign
+constexpr double kLeastOutlinePx = 24;   // a smaller outline is drawn as a mark of fixed size
+constexpr double kFixedPx = 10;          // half of its edge
+constexpr std::size_t kMostMarks = 400;  // more in view are summed up in squares
+constexpr double kSquarePx = 24;         // the least edge of those
+constexpr int kHatchLines = 110, kTint = 26;
+
+QColor markColor(const MapTheme& theme, MarkKind kind) {
+  return kind == MarkKind::NoSlice ? theme.warn : theme.bad;
+}
+
+/// Not by colour alone.
+QString signOf(MarkKind kind) {
+  switch (kind) {
+    case MarkKind::Missing:
+      return QStringLiteral("?");
+    case MarkKind::Corrupt:
+      return QString(QChar(0xd7));
+    case MarkKind::NoSlice:
+      return QString(QChar(0x2013));
+    case MarkKind::Failed:
+    case MarkKind::Unreadable:
+      break;
+  }
+  return QStringLiteral("!");
+}
+
+QString wordOf(MarkKind kind) {
+  switch (kind) {
+    case MarkKind::Missing:
+      return QCoreApplication::translate("scene", "missing");
+    case MarkKind::Failed:
+      return QCoreApplication::translate("scene", "fetch failed");
+    case MarkKind::Corrupt:
+      return QCoreApplication::translate("scene", "corrupt");
+    case MarkKind::NoSlice:
+      return QCoreApplication::translate("scene", "no slice");
+    case MarkKind::Unreadable:
+      break;
+  }
+  return QCoreApplication::translate("scene", "unreadable");
+}
+
+/// Draws the marks of one painting.
+class MarkBrush {
+ public:
+  MarkBrush(QPainter& painter, const LayerContext& context) : painter_(painter), context_(context) {
+    painter_.setRenderHint(QPainter::Antialiasing);
+    painter_.setBrushOrigin(hatchOrigin(context.view));
+  }
+
+  void area(const QPolygonF& shape, const QColor& color) {
+    painter_.setPen(Qt::NoPen);
+    painter_.setBrush(translucent(color, kTint));
+    painter_.drawPolygon(shape);
+    painter_.setBrush(QBrush(translucent(color, kHatchLines), Qt::BDiagPattern));
+    painter_.drawPolygon(shape);
+  }
+  void outline(const QPolygonF& shape, const QColor& color) {
+    painter_.setBrush(Qt::NoBrush);
+    painter_.setPen(QPen(context_.theme.text_halo, 3, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter_.drawPolygon(shape);
+    painter_.setPen(QPen(color, 1.5, Qt::DashLine, Qt::FlatCap, Qt::MiterJoin));
+    painter_.drawPolygon(shape);
+  }
+  void badge(const QPointF& at, MarkKind kind) {
+    const QColor color = markColor(context_.theme, kind);
+    QColor ground = context_.theme.text_halo;
+    ground.setAlpha(255);
+    painter_.setBrush(ground);
+    painter_.setPen(QPen(color, 1.5));
+    painter_.drawEllipse(at, kBadgePx, kBadgePx);
+    const QString sign = signOf(kind);
+    const QSizeF size = context_.ink->sizeOf(sign, context_.theme);
+    context_.ink->draw(painter_, at - QPointF(size.width(), size.height()) / 2, sign, context_.theme,
+                       readable(color, context_.theme));
+  }
+  void mark(const QPolygonF& shape, const QPointF& at, MarkKind kind) {
+    const QColor color = markColor(context_.theme, kind);
+    area(shape, color);
+    outline(shape, color);
+    badge(at, kind);
+  }
+
+ private:
+  QPainter& painter_;
+  const LayerContext& context_;
+};
+
+/// Its outline, or a square of fixed size around its middle.
+QPolygonF shapeOf(const LayerContext& context, const PlacedMark& mark) {
+  QPolygonF shape;
+  if (mark.corners) {
+    for (const Eigen::Vector2d& corner : *mark.corners) shape << toPoint(context.view.pixelFromWorld(corner));
+    const QRectF box = shape.boundingRect();
+    if (std::min(box.width(), box.height()) >= kLeastOutlinePx) return shape;
+  }
+  const QPointF at = toPoint(context.view.pixelFromWorld(mark.at_m));
+  return QPolygonF(QRectF(at - QPointF(kFixedPx, kFixedPx), QSizeF(2 * kFixedPx, 2 * kFixedPx)));
+}
+
+QRectF badgeArea(const QPointF& at) {
+  return QRectF(at - QPointF(kBadgePx + 1, kBadgePx + 1), QSizeF(2 * kBadgePx + 2, 2 * kBadgePx + 2));
+}
+
+/// Submaps whose picture is missing, failed, corrupt, or without the chosen slice.
+class SubmapProblems : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
+    if (context_.submap_marks->size() == 0) return;
+    painter->save();
+    MarkBrush brush(*painter, context_);
+    if (const auto marks = inView()) {
+      for (const auto& [id, mark] : *marks) {
+        const QPolygonF shape = shapeOf(context_, mark);
+        if (!shape.boundingRect().adjusted(-20, -20, 20, 20).intersects(option->exposedRect)) continue;
+        brush.mark(shape, toPoint(context_.view.pixelFromWorld(mark.at_m)), mark.kind);
+      }
+    } else {
+      for (const QPolygonF& square : squares()) {
+        brush.area(square, context_.theme.bad);
+        painter->setBrush(Qt::NoBrush);
+        painter->setPen(QPen(translucent(context_.theme.bad, 160), 1));
+        painter->drawPolygon(square);
+      }
+    }
+    painter->restore();
+  }
+  LabelUse labelUse() const override { return LabelUse::Names; }
+  void collectLabels(LabelCollector& labels) const override {
+    const auto marks = inView();
+    if (!marks) return;
+    for (const auto& [id, mark] : *marks) {
+      const QRectF box = shapeOf(context_, mark).boundingRect();
+      labels.symbol(badgeArea(toPoint(context_.view.pixelFromWorld(mark.at_m))));
+      const bool sized = box.width() > 3 * kFixedPx;
+      if (!sized && !labels.namesShown()) continue;
+      labels.add(sized ? LabelWish::Place::Within : LabelWish::Place::Beside, LabelRank::Thing, box,
+                 std::hash<map::SubmapId>()(id),
+                 QStringLiteral("%1: %2").arg(QString::fromStdString(map::toText(id)), wordOf(mark.kind)),
+                 readable(markColor(context_.theme, mark.kind), context_.theme));
+    }
+  }
+
+ private:
+  std::optional<std::vector<SubmapMarks::Entry>> inView() const {
+    const geometry::ViewTransform& view = context_.view;
+    return context_.submap_marks->within(view.visibleWorld().grown(2 * kFixedPx * view.scale_m_per_px),
+                                         kMostMarks);
+  }
+  /// Those of a coarse grid of the world in which there are some.
+  std::vector<QPolygonF> squares() const {
+    const geometry::ViewTransform& view = context_.view;
+    const double edge_m = std::exp2(std::ceil(std::log2(kSquarePx * view.scale_m_per_px)));
+    const geometry::WorldRect seen = view.visibleWorld();
+    std::vector<QPolygonF> squares;
+    for (double y = std::floor(seen.min_y / edge_m) * edge_m; y < seen.max_y; y += edge_m) {
+      for (double x = std::floor(seen.min_x / edge_m) * edge_m; x < seen.max_x; x += edge_m) {
+        if (!context_.submap_marks->any({x, y, x + edge_m, y + edge_m})) continue;
+        squares.push_back(
+            toPolygon(view, {{x, y}, {x + edge_m, y}, {x + edge_m, y + edge_m}, {x, y + edge_m}}));
+      }
+    }
+    return squares;
+  }
+};
+
+/// Of a whole map, or of the robot's present one.
+class MapProblems : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    const MapFeatures& features = context_.of(*of());
+    painter->save();
+    MarkBrush brush(*painter, context_);
+    if (const auto& trouble = features.trouble) {
+      const QPolygonF shape = toPolygon(context_.view, {trouble->corners.begin(), trouble->corners.end()});
+      if (inView(context_.view, shape.boundingRect())) {
+        if (trouble->nothing_shown) brush.area(shape, context_.theme.bad);
+        brush.outline(shape, context_.theme.bad);
+        brush.badge(trouble->nothing_shown ? shape.boundingRect().center() : shape[0], MarkKind::Unreadable);
+      }
+    }
+    for (const map::BrokenOverlay& feature : brokenShown()) {
+      if (!feature.at_m) continue;
+      const PlacedMark mark{MarkKind::Unreadable, *feature.at_m};
+      const QPolygonF shape = shapeOf(context_, mark);
+      if (inView(context_.view, shape.boundingRect()))
+        brush.mark(shape, shape.boundingRect().center(), mark.kind);
+    }
+    painter->restore();
+  }
+  LabelUse labelUse() const override { return LabelUse::Symbols; }
+  void collectLabels(LabelCollector& labels) const override {
+    for (const map::BrokenOverlay& feature : brokenShown()) {
+      if (feature.at_m) labels.symbol(badgeArea(toPoint(context_.view.pixelFromWorld(*feature.at_m))));
+    }
+  }
+
+ private:
+  std::span<const map::BrokenOverlay> brokenShown() const {
+    if (!context_.overlays_shown) return {};
+    return context_.of(*of()).broken_overlays;
+  }
+};
+
+std::vector<LayerItem*> problemItems(const LayerContext& context) {
+  // That of the submaps is the first one: the scene puts it on their side of a comparison.
+  std::vector<LayerItem*> items = itemForEachMap<MapProblems>(context);
+  items.insert(items.begin(), new SubmapProblems(context));
+  return items;
+}
+
+}  // namespace
+
+template <>
+LayerSpec layerSpec<Layer::Problems>() {
+  return {.name = "problems",
+          .title = QT_TRANSLATE_NOOP("scene", "What is missing"),
+          .follows_robot = false,
+          .why_empty = neverEmpty,
+          .items = problemItems};
+}
+
+}  // namespace mapwright::scene
