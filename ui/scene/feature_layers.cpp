@@ -151,10 +151,11 @@ void keepSmallClear(LabelCollector& labels, const QRectF& area) {
 }
 
 /// Doors with their state, as shape and colour.
-class DoorsLayer : public LayerItem {
+class DoorsLayer : public SmallLayer {
  public:
-  using LayerItem::LayerItem;
+  using SmallLayer::SmallLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    notePainted();
     painter->setRenderHint(QPainter::Antialiasing);
     for (const map::AutoDoor& door : context_.live->doors) {
       const QPolygonF polygon = toPolygon(context_.view, door.polygon);
@@ -184,6 +185,14 @@ class DoorsLayer : public LayerItem {
     geometry::WorldRect bounds;
     for (const map::AutoDoor& door : context_.live->doors) bounds.extend(boundsOf(door.polygon));
     return bounds;
+  }
+
+ protected:
+  QRectF reach() const override {
+    std::vector<Eigen::Vector2d> points;
+    for (const map::AutoDoor& door : context_.live->doors)
+      points.insert(points.end(), door.polygon.begin(), door.polygon.end());
+    return reachOf(points, 3);
   }
 };
 
@@ -288,10 +297,11 @@ class BoxesLayer : public SmallLayer {
 };
 
 /// Landmarks seen by the robot, or those of an opened map.
-class LandmarksLayer : public LayerItem {
+class LandmarksLayer : public SmallLayer {
  public:
-  using LayerItem::LayerItem;
+  using SmallLayer::SmallLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    notePainted();
     const QColor color = colorOr(context_.theme.constraint);
     painter->setRenderHint(QPainter::Antialiasing);
     for (const map::Landmark& landmark : landmarks()) {
@@ -320,6 +330,13 @@ class LandmarksLayer : public LayerItem {
       labels.add(LabelWish::Place::Beside, LabelRank::Landmark, mark, qHash(QByteArrayView(landmark.id)),
                  shortName(landmark.id), context_.theme.text);
     }
+  }
+
+ protected:
+  QRectF reach() const override {
+    std::vector<Eigen::Vector2d> points;
+    for (const map::Landmark& landmark : landmarks()) points.push_back(landmark.position_m);
+    return reachOf(points, 10);
   }
 
  private:

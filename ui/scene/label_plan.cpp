@@ -123,16 +123,17 @@ class Placing {
         before_(before),
         area_(task.view.adjusted(-kLabelMarginPx, -kLabelMarginPx, kLabelMarginPx, kLabelMarginPx)),
         symbols_(area_),
-        labels_(area_) {
-    for (const QRectF& symbol : task_.symbols) {
-      if (isFinite(symbol) && area_.intersects(symbol)) symbols_.add(symbol);
-    }
-  }
+        labels_(area_) {}
 
   LabelPlan made() {
     LabelPlan plan;
+    const std::vector<std::size_t> indices = order();
+    if (indices.empty()) return plan;
+    for (const QRectF& symbol : task_.symbols) {
+      if (isFinite(symbol) && area_.intersects(symbol)) symbols_.add(symbol);
+    }
     std::size_t tried = 0;
-    for (const std::size_t index : order()) {
+    for (const std::size_t index : indices) {
       if (tried++ == kMostLabels) break;
       const LabelWish& wish = task_.wishes[index];
       const int spot = spotFor(wish);

@@ -1,5 +1,7 @@
 #include "scene/labels.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <QStyleOptionGraphicsItem>
@@ -7,6 +9,7 @@
 #include "scene/layer_item.h"
 
 namespace mapwright::scene {
+
 LabelCollector::LabelCollector(LabelInk& ink, const MapTheme& theme, const geometry::ViewTransform& view,
                                std::uint64_t owner)
     : ink_(ink),
@@ -80,9 +83,15 @@ std::vector<QRectF> Labels::place(const LayerContext& context, const std::vector
       asked.emplace(ink_, context.theme, context.view, owner);
       item->collectLabels(*asked);
     }
-    task.wishes.insert(task.wishes.end(), asked->wishes_.begin(), asked->wishes_.end());
-    task.symbols.insert(task.symbols.end(), asked->symbols_.begin(), asked->symbols_.end());
-    for (const LabelCollector::Look& look : asked->looks_) origins.push_back({item, &look, is_over});
+    // What lies on the other half of a comparison is not drawn.
+    const auto& part = item->part();
+    for (std::size_t i = 0; i < asked->wishes_.size(); ++i) {
+      if (part && !part->contains(asked->wishes_[i].mark.center())) continue;
+      task.wishes.push_back(asked->wishes_[i]);
+      origins.push_back({item, &asked->looks_[i], is_over});
+    }
+    std::copy_if(asked->symbols_.begin(), asked->symbols_.end(), std::back_inserter(task.symbols),
+                 [&part](const QRectF& symbol) { return !part || part->intersects(symbol); });
   };
   for (const LayerItem* item : items) ask(item, false);
   for (const LayerItem* item : over) ask(item, true);

@@ -1,6 +1,9 @@
 // Where the submaps lie: their outlines, their ids, the highlighted ones.
+#include <cmath>
 #include <cstdint>
 #include <unordered_set>
+
+#include <QHashFunctions>
 
 #include "scene/layer_bounds.h"
 #include "scene/layer_item.h"
@@ -51,18 +54,18 @@ class IdsLayer : public LayerItem {
   void paint(QPainter*, const QStyleOptionGraphicsItem*, QWidget*) override {}  // only labels
   LabelUse labelUse() const override { return LabelUse::Names; }
   void collectLabels(LabelCollector& labels) const override {
-    // Zoomed out there are more of them than can be told apart: one in each square, the newest.
+    // Zoomed out there are more of them than can be told apart: the newest in each square of the map.
     constexpr double kSquarePx = 24;
     std::unordered_set<std::uint64_t> squares;
+    const QPointF zero = toPoint(context_.view.pixelFromWorld({0, 0}));
     for (auto it = context_.outlines.rbegin(); it != context_.outlines.rend(); ++it) {
       const auto& [id, outline] = *it;
       if (context_.highlighted.contains(id)) continue;  // labelled by its frame
       const QPointF center = toPoint(context_.view.pixelFromWorld(outline.center));
       if (!labels.area().contains(center)) continue;
-      const auto square = [](double px) {
-        return std::uint64_t(std::uint32_t(std::int32_t(px / kSquarePx)));
-      };
-      if (!squares.insert(square(center.x()) << 32 | square(center.y())).second) continue;
+      const auto square = [](double px) { return std::uint64_t(std::int64_t(std::floor(px / kSquarePx))); };
+      const QPointF at = center - zero;
+      if (!squares.insert(qHashMulti(0, square(at.x()), square(at.y()))).second) continue;
       labels.add(LabelWish::Place::Over, LabelRank::Id, QRectF(center - QPointF(1, 1), QSizeF(2, 2)),
                  std::hash<map::SubmapId>()(id), QString::fromStdString(map::toText(id)),
                  translucent(context_.theme.text, outline.visible ? 255 : 170), !outline.visible);

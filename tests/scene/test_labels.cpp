@@ -1,0 +1,119 @@
+// The labels of a scene, in pixels.
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+
+#include <QImage>
+#include <QPainter>
+#include <QTest>
+
+#include "fake_robot.h"
+#include "scene/map_scene.h"
+#include "test_program.h"
+
+namespace test_labels {
+
+using namespace mapwright;
+using scene::Layer;
+using scene::MapScene;
+using session::Session;
+using test::FakeRobot;
+
+namespace {
+
+constexpr int kWidth = 500, kHeight = 400;
+
+/// Several in a small room: most have a label that had to move aside.
+map::LandmarksMessage landmarks() {
+  std::mt19937 random{7};
+  std::uniform_real_distribution<double> at(-6, 6);
+  map::LandmarksMessage message;
+  for (int i = 0; i < 120; ++i)
+    message.landmarks.push_back({"landmark " + std::to_string(i), {at(random), at(random)}, i % 3 > 0});
+  return message;
+}
+
+/// But for the soft edges of lines, which are rounded otherwise where they are cut off.
+bool alike(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) return false;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb one = a.pixel(x, y), other = b.pixel(x, y);
+      if (std::max({std::abs(qRed(one) - qRed(other)), std::abs(qGreen(one) - qGreen(other)),
+                    std::abs(qBlue(one) - qBlue(other))}) > 4)
+        return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+class LabelsTest : public QObject {
+  Q_OBJECT
+  FakeRobot* robot_ = nullptr;
+  std::unique_ptr<Session> session_;
+
+  std::unique_ptr<MapScene> sceneOf(bool previews, const geometry::ViewTransform& view) {
+    render::TileRenderer::Options options;
+    options.previews = previews;
+    auto scene = std::make_unique<MapScene>(options);
+    for (const Layer layer : scene::allLayers()) {
+      scene->setLayerVisible(layer, layer == Layer::Landmarks || layer == Layer::Doors);
+    }
+    scene->setView(view);
+    scene->setSession(session_.get());
+    return scene;
+  }
+  static QImage painted(MapScene& scene) {
+    QImage image(kWidth, kHeight, QImage::Format_RGB32);
+    QPainter painter(&image);
+    scene.render(&painter, QRectF(0, 0, kWidth, kHeight), QRectF(0, 0, kWidth, kHeight));
+    return image;
+  }
+
+ private Q_SLOTS:
+  void init() {
+    auto robot = std::make_unique<FakeRobot>();
+    robot_ = robot.get();
+    robot_->has_topics = true;
+    session_ = std::make_unique<Session>(std::move(robot), Session::Options{});
+    robot_->setPhase(robot::ConnectionPhase::Online);
+    robot_->say(landmarks());
+  }
+  void cleanup() { session_.reset(); }
+
+  void theyMoveWithTheMapAsOnePicture() {
+    geometry::ViewTransform view{{0, 0}, 0.015625, 0, kWidth, kHeight};
+    const auto scene = sceneOf(true, view);
+    QImage before = painted(*scene);
+    for (int step = 0; step < 25; ++step) {
+      const QPoint by(step % 2 ? 13 : 9, step % 3 ? -7 : 4);
+      view = view.pannedBy({double(by.x()), double(by.y())});
+      scene->setView(view);
+      const QImage now = painted(*scene);
+      const QRect both = now.rect() & now.rect().translated(by);
+      QVERIFY2(alike(now.copy(both), before.copy(both.translated(-by))), qPrintable(QString::number(step)));
+      before = now;
+    }
+  }
+
+  void aSnapshotDoesNotDependOnWhatWasBefore() {
+    const geometry::ViewTransform view{{0.3, 0.1}, 0.02, 0, kWidth, kHeight};
+    const auto fresh = sceneOf(false, view);
+    const auto used = sceneOf(false, {{5, 3}, 0.01, 0.4, kWidth, kHeight});
+    painted(*used);
+    for (int step = 0; step < 5; ++step) {
+      used->setView({{0.3 * step, 0.2}, 0.01 + 0.004 * step, 0.1 * step, kWidth, kHeight});
+      painted(*used);
+    }
+    used->setView(view);
+    QVERIFY(painted(*used) == painted(*fresh));
+    QVERIFY(painted(*used) == painted(*used));
+  }
+};
+
+}  // namespace test_labels
+
+MAPWRIGHT_TEST(test_labels, LabelsTest, Widgets)
+#include "test_labels.moc"
