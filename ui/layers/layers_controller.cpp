@@ -1,6 +1,7 @@
 #include "ui/layers/layers_controller.h"
 
 #include <QActionGroup>
+#include <QLineEdit>
 
 #include "sentences/absence_sentence.h"
 #include "ui/kit/panels.h"
@@ -41,6 +42,17 @@ LayersController::LayersController(WindowContext& context, QObject* parent)
   context_.panels.add(dock_, {.side = PanelPlace::Side::Left, .tab = 20, .menu_rank = 20});
   context_.panels.add(legend_, {.side = PanelPlace::Side::Left, .tab = 30, .menu_rank = 25, .open = false});
   dock_->setPresets(presets_->menu());
+  context_.findings.add([this]() -> Findings::Search {
+    return [this](const QString&, const Findings::See& see) {
+      for (const scene::Layer layer : scene::allLayers()) {
+        see({scene::layerTitle(layer), tr("Layer"), QStringLiteral("layers"), [this, layer] {
+               context_.panels.open(dock_);
+               dock_->filterField()->setText(scene::layerTitle(layer));
+               dock_->filterField()->setFocus();
+             }});
+      }
+    };
+  });
   addModes();
   addSwitch({.id = "grid",
              .text = tr("&Grid"),

@@ -701,6 +701,32 @@ std::optional<MapObject> objectOf(const SceneItems& items, const session::Sessio
   return findObject(items.context, id);
 }
 
+ObjectId idOf(const ProblemMark& mark) {
+  const QString key =
+      QStringLiteral("%1 %2 %3")
+          .arg(QString::number(mark.at_m.x(), 'g', 17), QString::number(mark.at_m.y(), 'g', 17), mark.title);
+  return {Layer::Problems, FeaturesOf::Robot, key.toStdString(), 0};
+}
+
+std::optional<Eigen::Vector2d> placeOfMark(const ObjectId& id) {
+  if (id.layer != Layer::Problems) return std::nullopt;
+  const QStringList words = QString::fromStdString(id.key).split(QLatin1Char(' '));
+  return words.size() < 3 ? std::nullopt
+                          : std::optional(Eigen::Vector2d(words[0].toDouble(), words[1].toDouble()));
+}
+
+MapObject problemObject(const LayerContext& context, const ProblemMark& mark) {
+  MapObject object;
+  object.id = idOf(mark);
+  object.kind = ObjectText::tr("Missing");
+  object.name = mark.title;
+  object.at_m = mark.at_m;
+  object.color = context.theme.bad;
+  object.properties = Properties().add(ObjectText::tr("Why"), mark.reason);
+  if (mark.submap) object.topic = map::topicIndex<map::SubmapList>();
+  return object;
+}
+
 std::vector<MapObject> allObjects(const SceneItems& items, std::size_t most) {
   std::vector<MapObject> all;
   forEachSource(items, [&](Layer layer, const LayerItem&, const LayerObjects& things, FeaturesOf of) {

@@ -7,6 +7,7 @@
 
 #include "scene/layer_item.h"
 #include "scene/map_object.h"
+#include "scene/problem_marks.h"
 
 namespace mapwright::session {
 class Session;
@@ -38,6 +39,11 @@ std::vector<ObjectId> objectsAt(const SceneItems& items, const Eigen::Vector2d& 
 std::optional<MapObject> objectOf(const SceneItems& items, const session::Session& session,
                                   const ObjectId& id);
 std::vector<MapObject> allObjects(const SceneItems& items, std::size_t most);
+/// A mark of what is missing as a thing. Its key says where it is, and what: marks have no order.
+ObjectId idOf(const ProblemMark& mark);
+/// Where the mark with this id was; nullopt: it is no id of a mark.
+std::optional<Eigen::Vector2d> placeOfMark(const ObjectId& id);
+MapObject problemObject(const LayerContext& context, const ProblemMark& mark);
 /// nullopt: it is not on screen.
 std::optional<MapObject> submapObject(const LayerContext& context, const session::Session& session,
                                       const std::string& key);

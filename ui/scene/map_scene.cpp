@@ -485,11 +485,26 @@ std::optional<map::SubmapId> MapScene::submapAt(const Eigen::Vector2d& world_m) 
 }
 
 std::vector<ObjectId> MapScene::objectsAt(const Eigen::Vector2d& world_m, double reach_px) const {
-  return scene::objectsAt(*items_, world_m, reach_px);
+  std::vector<ObjectId> ids = scene::objectsAt(*items_, world_m, reach_px);
+  const std::vector<ProblemMark> marks = problemMarksAt(world_m, reach_px);
+  // What is missing comes before the ground on which it is missing, and after what lies on it.
+  const auto ground = std::find_if(ids.begin(), ids.end(), [](const ObjectId& id) {
+    return id.layer == Layer::Submaps || id.layer == Layer::WholeMap;
+  });
+  std::vector<ObjectId> missing;
+  for (const ProblemMark& mark : marks) missing.push_back(idOf(mark));
+  ids.insert(ground, missing.begin(), missing.end());
+  return ids;
 }
 
 std::optional<MapObject> MapScene::object(const ObjectId& id) const {
-  return session_ ? scene::objectOf(*items_, *session_, id) : std::nullopt;
+  if (!session_) return std::nullopt;
+  const auto mark_at = placeOfMark(id);
+  if (!mark_at) return scene::objectOf(*items_, *session_, id);
+  for (const ProblemMark& mark : problemMarksAt(*mark_at, 1)) {
+    if (idOf(mark).sameAs(id)) return problemObject(items_->context, mark);
+  }
+  return std::nullopt;
 }
 
 std::vector<MapObject> MapScene::objects(std::size_t most) const { return scene::allObjects(*items_, most); }

@@ -59,7 +59,9 @@ class MeasureItem : public LayerItem {
     const std::vector<Eigen::Vector2d>& points = context_.measured;
     const std::size_t count = points.size();
     const bool ring = context_.measured_ring && count > 2;
-    const auto pixel = [&](std::size_t i) { return toPoint(context_.view.pixelFromWorld(points[i % count])); };
+    const auto pixel = [&](std::size_t i) {
+      return toPoint(context_.view.pixelFromWorld(points[i % count]));
+    };
     const auto add = [&](const QRectF& beside, std::size_t id, const QString& text, const QColor& color) {
       labels.add(LabelWish::Place::Beside, LabelRank::Chosen, beside, id, text, color);
     };
