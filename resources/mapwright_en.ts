@@ -405,17 +405,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 would not be unique.</source>
+        <source>%1 names would not be unique.</source>
         <translation>
-            <numerusform>%1 would not be unique.</numerusform>
-            <numerusform>%1 would not be unique.</numerusform>
+            <numerusform>%1 name would not be unique.</numerusform>
+            <numerusform>%1 names would not be unique.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 would be empty.</source>
+        <source>%1 names would be empty.</source>
         <translation>
-            <numerusform>%1 would be empty.</numerusform>
-            <numerusform>%1 would be empty.</numerusform>
+            <numerusform>%1 name would be empty.</numerusform>
+            <numerusform>%1 names would be empty.</numerusform>
         </translation>
     </message>
 </context>

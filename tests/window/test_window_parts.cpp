@@ -143,11 +143,12 @@ class TestWindowParts : public QObject {
     QCOMPARE(idsOf(menuCalled(bar, "&Robot")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("connect openFile * demo - retry disconnect record showRecordings * - "
                             "startMapping stopMapping saveNewMap - quit"));
-    QCOMPARE(
-        idsOf(menuCalled(bar, "&Edit")->actions()).join(QLatin1Char(' ')),
-        QStringLiteral("undo redo - save - waypointTool * snap * * duplicateWaypoints selectAllWaypoints "
-                       "invertWaypoints nextWarning revertWaypoints pictureTool copyWaypoints pasteWaypoints "
-                       "importWaypoints exportWaypoints"));
+    QCOMPARE(idsOf(menuCalled(bar, "&Edit")->actions()).join(QLatin1Char(' ')),
+             QStringLiteral("undo redo - save - waypointTool * snap * * renameWaypoints duplicateWaypoints "
+                            "selectAllWaypoints "
+                            "invertWaypoints nextWarning revertWaypoints pictureTool pictureCopies "
+                            "copyWaypoints pasteWaypoints "
+                            "importWaypoints exportWaypoints"));
     QCOMPARE(idsOf(menuCalled(bar, "&Map")->actions()).join(QLatin1Char(' ')),
              QStringLiteral(
                  "zoomIn zoomOut native fit - follow goTo - northUp robotTurn rotateLeft rotateRight - pan "

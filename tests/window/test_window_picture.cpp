@@ -284,6 +284,9 @@ class TestWindowPicture : public QObject {
     QVERIFY(!desk.editing().preview());
     const int across = desk.editing().across();
     desk.dock().modeButton(PaintMode::Brush)->setFocus();
+    for (int i = 0; i < 2; ++i) QTest::keyClick(QApplication::focusWidget(), Qt::Key_B);  // away, and back
+    QVERIFY(desk.window->view()->hasFocus());
+    desk.dock().modeButton(PaintMode::Brush)->setFocus();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Period);
     QVERIFY(desk.editing().across() > across);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Comma);

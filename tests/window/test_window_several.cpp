@@ -196,8 +196,9 @@ class TestWindowSeveral : public QObject {
     QCOMPARE(desk.row(1, NewNamesModel::TroubleColumn), QStringLiteral("stays"));
     QCOMPARE(desk.dialog()->renameButton()->isEnabled(), may_double);
     QCOMPARE(desk.dialog()->statusShown(),
-             may_double ? QStringLiteral("1 name changes. 1 would not be unique.")
-                        : QStringLiteral("1 name changes. 1 would not be unique. This robot refuses that."));
+             may_double
+                 ? QStringLiteral("1 name changes. 1 name would not be unique.")
+                 : QStringLiteral("1 name changes. 1 name would not be unique. This robot refuses that."));
     desk.dialog()->replacementEdit()->clear();
     QVERIFY(!desk.dialog()->renameButton()->isEnabled());  // no name is left
     QCOMPARE(desk.undo().count(), 0);

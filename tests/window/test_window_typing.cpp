@@ -251,6 +251,7 @@ class TestWindowTyping : public QObject {
     QTest::newRow("F6") << 3;
     QTest::newRow("a field of a panel") << 4;
     QTest::newRow("saving") << 5;
+    QTest::newRow("a button") << 6;
   }
   void whoeverGoesElsewhereHasNamedIt() {
     QFETCH(int, way);
@@ -264,6 +265,15 @@ class TestWindowTyping : public QObject {
     if (way == 3) Desk::type(Qt::Key_F6);
     if (way == 4) QTest::mouseClick(desk.dock().filterEdit(), Qt::LeftButton);
     if (way == 5) desk.key(Qt::Key_S, Qt::ControlModifier);
+    if (way == 6) {
+      // What it does takes the focus, as the tools and a menu's "Focus the map" do.
+      auto* const button = new QPushButton(desk.window.get());
+      button->setFocusPolicy(Qt::NoFocus);
+      button->show();
+      MapView* const map = desk.window->view();
+      QObject::connect(button, &QPushButton::clicked, map, [map] { map->setFocus(); });
+      QTest::mouseClick(button, Qt::LeftButton);
+    }
     QCoreApplication::processEvents();
     QCOMPARE(desk.editing().find(key)->name, std::string("Corr 2"));
     // Where another has been made its own name is asked for.

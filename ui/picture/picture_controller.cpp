@@ -118,6 +118,9 @@ void PictureController::addActions() {
                                        .menu = {MenuGroup::Waypoints, 30},
                                        .bar = {BarGroup::Tools, 40}});
   context_.tools.add(tool_, tool_action_);
+  connect(tool_action_, &QAction::triggered, this, [this](bool chosen) {
+    if (chosen) context_.view.setFocus();  // its keys are those of the map
+  });
   QAction* const copies = context_.actions.add(
       {.id = "pictureCopies",
        .text = tr("Cop&ies of overwritten maps…"),

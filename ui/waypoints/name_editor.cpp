@@ -112,7 +112,8 @@ bool NameEditor::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::ShortcutOverride:
       noteHand();
       break;
-    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonRelease:  // of a menu or a button: what it does may take the focus
+      noteHand();
       if (watched == parentWidget() && std::exchange(back_after_it_, false))
         QMetaObject::invokeMethod(this, &NameEditor::takeBack, Qt::QueuedConnection);
       break;

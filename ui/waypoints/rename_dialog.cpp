@@ -251,10 +251,11 @@ void RenameDialog::refreshStatus() {
   const bool may_double = editing_->keeps().name_twice;
   QStringList texts{sentences::counted(tr("%1 names change.", nullptr, sentences::formOf(changed)), changed)};
   if (doubled > 0)
-    texts << sentences::counted(tr("%1 would not be unique.", nullptr, sentences::formOf(doubled)), doubled) +
+    texts << sentences::counted(tr("%1 names would not be unique.", nullptr, sentences::formOf(doubled)),
+                                doubled) +
                  (may_double ? QString() : QLatin1Char(' ') + tr("This robot refuses that."));
   if (empty > 0)
-    texts << sentences::counted(tr("%1 would be empty.", nullptr, sentences::formOf(empty)), empty);
+    texts << sentences::counted(tr("%1 names would be empty.", nullptr, sentences::formOf(empty)), empty);
   status_->setText(texts.join(QLatin1Char(' ')));
   const bool bad = empty > 0 || (doubled > 0 && !may_double);
   setTextColor(*status_, bad           ? appColors().error_text
