@@ -81,7 +81,7 @@ int NameColumn::wanted() const { return std::max(view_->sizeHintForColumn(column
 
 void NameColumn::fit() {
   soon_.stop();
-  if (view_->model()->columnCount() == 0) return;
+  if (fitting_ || view_->model()->columnCount() == 0) return;
   const int room = view_->viewport()->width();
   const int names = std::max(wanted(), header_->isHidden() ? 0 : header_->sectionSizeHint(column_));
   std::vector<int> widths(beside_.size());
@@ -95,7 +95,8 @@ void NameColumn::fit() {
   };
   for (std::size_t i = 0; i < beside_.size(); ++i) {
     if (!shown[i] || beside_[i].least_px == 0) continue;
-    const int contents = contentsOf(beside_[i].column), lack = missing(names);
+    // What is hidden is not measured.
+    const int contents = std::max(contentsOf(beside_[i].column), beside_[i].least_px), lack = missing(names);
     widths[i] +=
         lack > 0 ? -std::clamp(widths[i] - contents, 0, lack) : std::clamp(contents - widths[i], 0, -lack);
   }
@@ -113,6 +114,7 @@ void NameColumn::fit() {
   for (std::size_t i = 0; i < beside_.size(); ++i) {
     const bool wants = gone_[i] || !header_->isSectionHidden(beside_[i].column);
     if (!wants) continue;  // hidden by someone else
+    if (gone_[i] && shown[i]) soon_.start();
     gone_[i] = !shown[i];
     if (header_->isSectionHidden(beside_[i].column) == shown[i])
       header_->setSectionHidden(beside_[i].column, !shown[i]);
