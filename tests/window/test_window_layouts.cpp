@@ -164,10 +164,10 @@ class TestWindowLayouts : public QObject {
       showAnew(bench, layout);
       for (QDockWidget* dock : docksOf(window)) {
         QAction* const toggle = dock->toggleViewAction();
-        if (toggle->isChecked()) toggle->trigger();
-        toggle->trigger();
+        if (!inFront(dock)) toggle->trigger();  // also if it is open, behind another
         QTRY_VERIFY2(inFront(dock), qPrintable(QLatin1String(layout) + dock->objectName()));
         toggle->trigger();
+        QVERIFY2(!dock->isVisible(), qPrintable(dock->objectName()));
       }
     }
   }
@@ -373,7 +373,12 @@ class TestWindowLayouts : public QObject {
             [&](const auto& beside) { return header.isSectionHidden(beside.column) || !beside.may_go; });
         const bool usual =
             header.sectionSize(columns->column()) >= 32 * table->fontMetrics().averageCharWidth();
-        QVERIFY2(all || alone || usual, qPrintable(table->accessibleName() + QString::number(width)));
+        QStringList sizes;
+        for (int i = 0; i < header.count(); ++i) sizes << QString::number(header.sectionSize(i));
+        QVERIFY2(all || alone || usual,
+                 qPrintable(QStringLiteral("%1 in %2: %3, wanted %4")
+                                .arg(table->accessibleName(), QString::number(table->viewport()->width()),
+                                     sizes.join(QLatin1Char(' ')), QString::number(columns->wanted()))));
         QVERIFY2(header.length() <= table->viewport()->width() || alone, qPrintable(table->accessibleName()));
       }
     }
@@ -472,6 +477,8 @@ class TestWindowLayouts : public QObject {
       QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(window.view()));
       QVERIFY(seen.contains(part<InspectorDock>(window)->filterEdit()));
       QVERIFY(seen.contains(part<ConnectionChip>(window)));
+      QVERIFY(std::any_of(seen.begin(), seen.end(),
+                          [](const QWidget* widget) { return qobject_cast<const QTabBar*>(widget); }));
     }
   }
 

@@ -283,9 +283,9 @@ class TestWindowMain : public QObject {
     MainWindow& window = bench.open();
     for (QDockWidget* dock : {static_cast<QDockWidget*>(part<ProblemsDock>(window)),
                               static_cast<QDockWidget*>(part<MessagesDock>(window)),
+                              static_cast<QDockWidget*>(part<RobotDock>(window)),
                               static_cast<QDockWidget*>(part<ProblemsDock>(window))}) {
-      if (dock->toggleViewAction()->isChecked()) dock->toggleViewAction()->trigger();
-      dock->toggleViewAction()->trigger();
+      dock->toggleViewAction()->trigger();  // also where it is open, behind another
       QTRY_VERIFY(!dock->visibleRegion().isEmpty());
     }
   }

@@ -15,6 +15,7 @@
 #include "ui/layers/layers_dock.h"
 #include "ui/maps/export_controller.h"
 #include "ui/maps/maps_dock.h"
+#include "ui/plots/messages_dock.h"
 #include "ui/robot/problems_dock.h"
 #include "ui/shell/window_status_bar.h"
 #include "ui/slam/inspector_dock.h"
@@ -274,6 +275,8 @@ class TestWindowMap : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.load();
+    window.addDockWidget(Qt::LeftDockWidgetArea, part<LayersDock>(window));
+    QCoreApplication::processEvents();
     window.view()->lookAt({3, 4});
     const auto world = [&] {  // of a place on the screen
       const QPoint global = window.mapToGlobal(QPoint(600, 250));
@@ -281,14 +284,14 @@ class TestWindowMap : public QObject {
     };
     const Eigen::Vector2d before = world();
     const QSize size = window.view()->size();
-    part<ProblemsDock>(window)->show();
+    part<MessagesDock>(window)->show();
     QTRY_VERIFY(window.view()->size() != size);
     QVERIFY((world() - before).norm() < 1e-6);
     part<LayersDock>(window)->hide();
     part<MapsDock>(window)->hide();
     QCoreApplication::processEvents();
     QVERIFY((world() - before).norm() < 1e-6);
-    part<ProblemsDock>(window)->hide();
+    part<MessagesDock>(window)->hide();
     QTRY_VERIFY(window.view()->height() >= size.height());
     QVERIFY((world() - before).norm() < 1e-6);
     // With the window it grows around the middle.

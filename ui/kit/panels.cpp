@@ -1,6 +1,7 @@
 #include "ui/kit/panels.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QAction>
 #include <QChildEvent>
@@ -62,10 +63,16 @@ void Panels::add(QDockWidget* dock, const PanelPlace& place) {
   if (dock->widget()) orderTabsAsLaidOut(*dock->widget());
   QAction* const toggle = dock->toggleViewAction();
   actions_.list({MenuGroup::Panels, place.menu_rank}, toggle);
-  // The user wants to see the opened panel, not the tab in front of it; Qt places it only once it is laid
-  // out.
-  connect(toggle, &QAction::triggered, dock, [dock](bool on) {
-    if (on) QMetaObject::invokeMethod(dock, &QDockWidget::raise, Qt::QueuedConnection);
+  // The user wants to see the panel, not the tab in front of it: also if it was open, behind that. Before
+  // QDockWidget is triggered, which closes it.
+  connect(toggle, &QAction::toggled, dock, [this, dock](bool on) {
+    behind_ = !on && dock->isVisible() && dock->visibleRegion().isEmpty() ? dock : nullptr;
+  });
+  // Qt places it only once it is laid out.
+  connect(toggle, &QAction::triggered, dock, [this, dock](bool on) {
+    if (!on && std::exchange(behind_, nullptr) != dock) return;
+    dock->show();
+    QMetaObject::invokeMethod(dock, &QDockWidget::raise, Qt::QueuedConnection);
   });
   const auto at = std::upper_bound(panels_.begin(), panels_.end(), place.menu_rank,
                                    [](int rank, const Panel& panel) { return rank < panel.place.menu_rank; });

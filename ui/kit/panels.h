@@ -88,6 +88,7 @@ class Panels : public QObject {
   Actions& actions_;
   std::vector<Panel> panels_;
   Layout layout_;
+  const QDockWidget* behind_ = nullptr;  // the one that is being closed, which nobody sees
   bool restored_ = false;
 };
 
