@@ -221,7 +221,7 @@ class TestWindowInspector : public QObject {
     QFETCH(QString, what);
     QFETCH(bool, stays);
     Bench bench;
-    MainWindow& window = bench.open();
+    MainWindow& window = bench.open({1366, 1000});
     QVERIFY(!window.connectTo(kAddress));
     bench.load();
     QTreeView* tree = part<InspectorDock>(window)->tree();

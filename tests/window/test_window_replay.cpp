@@ -35,6 +35,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/toast_stack.h"
+#include "window/layout_controller.h"
 #include "window/main_window.h"
 #include "window_parts.h"
 
@@ -57,11 +58,8 @@ struct Desk {
     MainWindow::Dependencies wanted{
         [this](const QString& to,
                const QByteArray& secret) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
-          robot::axbot::LinkOptions link;
-          link.base = QUrl(QStringLiteral("http://127.0.0.1:%1").arg(sim.port()));
-          link.cache_folder = folder.filePath(QStringLiteral("cache"));
           secrets << secret;
-          return std::make_unique<robot::axbot::AxbotRobot>(to, link);
+          return makeRobot(to);
         },
         settings};
     wanted.addresses = robot::Addresses({robot::axbot::addressScheme()});
@@ -70,6 +68,12 @@ struct Desk {
     window->show();
     window->view()->setAnimationMs(0);
     (void)QTest::qWaitForWindowActive(window.get());
+  }
+  std::unique_ptr<robot::Robot> makeRobot(const QString& to = {}) {
+    robot::axbot::LinkOptions link;
+    link.base = QUrl(QStringLiteral("http://127.0.0.1:%1").arg(sim.port()));
+    link.cache_folder = folder.filePath(QStringLiteral("cache"));
+    return std::make_unique<robot::axbot::AxbotRobot>(to.isEmpty() ? address : to, link);
   }
   static simulator::Options options() {
     simulator::Options options;
@@ -586,11 +590,34 @@ class TestWindowReplay : public QObject {
     QVERIFY(lines.front().contains(eventText(events.front())));
     QVERIFY(lines.front().contains(clockText(events.front().at_s)));
 
-    // It goes with the replay, and comes with the next one.
+    // Without the replay it is empty, and stays where the user has it.
     QTest::mouseClick(desk.timeline().backButton(), Qt::LeftButton);
     QTRY_VERIFY(!desk.isReplay());
-    QVERIFY(!list.isVisible());
+    QVERIFY(list.isVisible());
     QCOMPARE(list.model()->rowCount(), 0);
+  }
+
+  void offersItsLayoutAndForcesNone() {
+    Desk desk;
+    desk.replay(kWhole);
+    QCOMPARE(part<LayoutController>(*desk.window)->role(), Role::Inspect);
+    const auto* const toasts = part<MapOverlay>(*desk.window)->toasts();
+    QPushButton* use = nullptr;
+    for (QPushButton* button : toasts->findChildren<QPushButton*>())
+      if (button->text() == QLatin1String("Use it")) use = button;
+    QVERIFY(use);
+    QTest::mouseClick(use, Qt::LeftButton);
+    QCOMPARE(part<LayoutController>(*desk.window)->role(), Role::Replay);
+    QTRY_VERIFY(!part<ReplayController>(*desk.window)->eventsDock()->visibleRegion().isEmpty());
+    QVERIFY(!desk.timeline().visibleRegion().isEmpty());
+    QVERIFY(desk.timeline().width() == desk.window->width());
+  }
+
+  void isWhatTheFirstStartIsLaidOutFor() {
+    Desk desk;
+    part<ReplayController>(*desk.window)->open(desk.makeRobot(), kWhole);
+    QTRY_VERIFY(desk.isReplay());
+    QCOMPARE(part<LayoutController>(*desk.window)->role(), Role::Replay);
   }
 
   void theListOfEventsIsFilteredByKindAndWords() {

@@ -35,6 +35,10 @@
 
 namespace mapwright::window {
 
+namespace {
+constexpr int kLowPx = 460;
+}
+
 QString slamStateText(const session::Session& session) {
   QString text = QString::fromStdString(session.live().slam.state);
   if (text.isEmpty() && session.submaps().listReceived()) {
@@ -156,6 +160,11 @@ QWidget* InspectorDock::buildSummary() {
   cache_ = addRow(grid, tr("Memory"));
   fetches_ = addRow(grid, tr("Fetches"));
   transferred_ = addRow(grid, tr("Received"));
+  for (QWidget* value : {cache_, fetches_, transferred_}) {
+    int row = 0, column = 0, rows = 0, columns = 0;
+    grid->getItemPosition(grid->indexOf(value), &row, &column, &rows, &columns);
+    where_high_.insert(where_high_.end(), {grid->itemAtPosition(row, 0)->widget(), value});
+  }
   connect(copy_, &QToolButton::clicked, this,
           [this] { Q_EMIT copyWanted(uuid_->text(), tr("Session uuid copied")); });
   return box;
@@ -373,6 +382,12 @@ void InspectorDock::setSession(session::Session* session) {
     });
   }
   refresh();
+}
+
+void InspectorDock::resizeEvent(QResizeEvent* event) {
+  QDockWidget::resizeEvent(event);
+  // The tree needs the room more.
+  for (QWidget* widget : where_high_) widget->setVisible(height() >= kLowPx);
 }
 
 void InspectorDock::showEvent(QShowEvent* event) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <set>
+#include <vector>
 
 #include <QDockWidget>
 #include <QPointer>
@@ -53,6 +54,7 @@ class InspectorDock : public QDockWidget {
   void counted();
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -84,6 +86,7 @@ class InspectorDock : public QDockWidget {
   SubmapTreeModel* model_;
   SubmapFilterModel* filtered_;
   PlainLabel *state_, *uuid_, *submaps_, *cache_, *fetches_, *transferred_;
+  std::vector<QWidget*> where_high_;  // what a low panel has no room for
   QToolButton* copy_;
   QLineEdit* filter_;
   QCheckBox *nearby_, *incremental_;
