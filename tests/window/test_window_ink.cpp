@@ -207,7 +207,8 @@ class TestWindowInk : public QObject {
     map::WheelState wheels;
     wheels.emergency_stop = true;
     bench.robot->say(wheels);
-    QTRY_VERIFY(part<ConnectionChip>(window)->width() > before.width() + 80);
+    QTRY_VERIFY(part<ConnectionChip>(window)->safety().mark == Mark::Bad);
+    QCOMPARE(part<ConnectionChip>(window)->size(), before);  // the tools beside it stay where they are
     QVERIFY(ink(part<ConnectionChip>(window)) > kSomeInk);
     verifyPainted(part<WindowStatusBar>(window)->safety());
     verifyPainted(part<MapOverlay>(window)->safetyNotice()->findChild<PlainLabel*>());
