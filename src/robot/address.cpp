@@ -74,6 +74,40 @@ std::string Addresses::kindOf(const QString& typed) const {
   return scheme.toStdString();
 }
 
+QString Addresses::titleOf(const QString& typed) const {
+  const auto parsed = parse(typed);
+  for (const AddressScheme& scheme : schemes_) {
+    if (parsed && scheme.prefix == parsed->scheme) return scheme.title;
+  }
+  return {};
+}
+
+std::optional<Host> Addresses::bareHost(const QString& typed) const {
+  QString text = typed.trimmed();
+  static const QRegularExpression browser(QStringLiteral("^https?://(.*?)/?$"),
+                                          QRegularExpression::CaseInsensitiveOption);
+  const QRegularExpressionMatch copied = browser.match(text);
+  if (!copied.hasMatch() && (isAddress(text) || std::any_of(schemes_.begin(), schemes_.end(), [&](auto& one) {
+                               return one.claims && one.claims(text);
+                             })))
+    return std::nullopt;
+  if (copied.hasMatch()) text = copied.captured(1);
+  static const QRegularExpression like(
+      QRegularExpression::anchoredPattern(QStringLiteral("(?:\\[([0-9A-Fa-f:.%a-z]+)\\]|([^\\s:/?#@\\[\\]]+))"
+                                                         "(?::([0-9]{1,5}))?")));
+  // Of an IPv6 address without brackets everything is the host.
+  static const QRegularExpression bare_v6(QRegularExpression::anchoredPattern(
+      QStringLiteral("[0-9A-Fa-f]*:[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]*(?:%\\w+)?")));
+  if (bare_v6.match(text).hasMatch()) return Host{text, std::nullopt};
+  const QRegularExpressionMatch match = like.match(text);
+  if (!match.hasMatch()) return std::nullopt;
+  Host host{match.captured(1).isEmpty() ? match.captured(2) : match.captured(1), std::nullopt};
+  if (!match.captured(3).isEmpty()) host.port = match.captured(3).toInt();
+  const bool possible = !host.port || (*host.port > 0 && *host.port < 65'536);
+  return possible && serverAt(QStringLiteral("http"), host, 80).isValid() ? std::optional(host)
+                                                                          : std::nullopt;
+}
+
 QStringList Addresses::examples() const {
   QStringList all;
   for (const AddressScheme& scheme : schemes_) all << scheme.like;
@@ -86,6 +120,18 @@ bool Addresses::isAddress(const QString& typed) const {
          std::any_of(schemes_.begin(), schemes_.end(), [&](const AddressScheme& scheme) {
            return text.startsWith(scheme.prefix, Qt::CaseInsensitive);
          });
+}
+
+QUrl serverAt(const QString& scheme, const Host& host, int usual_port) {
+  QUrl url;
+  url.setScheme(scheme);
+  url.setHost(host.name, QUrl::DecodedMode);
+  url.setPort(host.port.value_or(usual_port));
+  return url;
+}
+
+QString addressAt(const AddressScheme& scheme, const Host& host, bool encrypted) {
+  return scheme.prefix + serverAt(encrypted ? scheme.encrypted : scheme.plain, host, scheme.port).toString();
 }
 
 tl::expected<QUrl, QString> webAddress(const QString& typed, const QString& example, int port) {

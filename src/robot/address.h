@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,13 @@ struct Address {
   QUrlQuery options;  // the part after the ?, as defined by its scheme
 };
 
+/// A server where people believe a robot to be.
+struct Host {
+  QString name;             // "192.0.2.7", "dock-3.local", "fe80::1"
+  std::optional<int> port;  // nullopt = the usual one of each kind
+  bool operator==(const Host&) const = default;
+};
+
 /// The error is a sentence.
 using ParsedAddress = tl::expected<Address, QString>;
 
@@ -34,6 +42,11 @@ struct AddressScheme {
   /// Whether text without a prefix can only be one of its addresses; null: never.
   std::function<bool(const QString& typed)> claims = {};
   bool on_network = true;  // of a server: an @ in it means a user name
+  /// For forms; without a title this kind is not offered there.
+  QString title = {};                      // "Autoxing"
+  int port = 0;                            // the usual one
+  QString plain = QStringLiteral("http");  // the scheme of its URLs
+  QString encrypted = QStringLiteral("https");
 };
 
 /// The addresses that this program understands. A value.
@@ -49,12 +62,21 @@ class Addresses {
   bool isAddress(const QString& typed) const;
   /// The kind of robot that it names, "axbot"; empty where it is no address.
   std::string kindOf(const QString& typed) const;
+  /// The title of that kind; empty where it has none.
+  QString titleOf(const QString& typed) const;
   /// An example address for each kind, the one that needs no prefix first.
   QStringList examples() const;
+  const std::vector<AddressScheme>& schemes() const { return schemes_; }
+  /// A host, perhaps with a port or copied from a browser: it does not say which kind of robot is there.
+  /// nullopt: anything else, such as a complete address or a file.
+  std::optional<Host> bareHost(const QString& typed) const;
 
  private:
   std::vector<AddressScheme> schemes_;
 };
+
+/// `scheme`://host:port, for an IPv6 address with brackets.
+QUrl serverAt(const QString& scheme, const Host& host, int usual_port);
 
 /// An http or https address of a host with a port (by default `port`). No password, path or other scheme.
 /// `example`: a complete address for the error.
@@ -62,6 +84,9 @@ tl::expected<QUrl, QString> webAddress(const QString& rest, const QString& examp
 
 /// "192.0.2.7:8090": its server on the network; empty for local ones.
 QString hostOf(const Address& address);
+
+/// The address of a robot of that kind there.
+QString addressAt(const AddressScheme& scheme, const Host& host, bool encrypted);
 
 /// The files that a map at `address` is read from: the file itself, or `id` in the folder, and the map's
 /// picture (if they exist). None for a robot.

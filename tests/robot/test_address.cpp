@@ -178,6 +178,53 @@ class AddressTest : public QObject {
     QVERIFY(address.error().contains(QStringLiteral("--secret-file")));
   }
 
+  void aHostAloneDoesNotSayWhichRobotIsThere_data() {
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("port");  // 0 = none, -1 = it is no host
+    const auto row = [](const char* typed, const char* name, int port) {
+      QTest::newRow(typed) << QString::fromLatin1(typed) << QString::fromLatin1(name) << port;
+    };
+    row("192.0.2.7", "192.0.2.7", 0);
+    row(" dock-3.local ", "dock-3.local", 0);
+    row("dock-3.local:9090", "dock-3.local", 9090);
+    row("http://192.0.2.7/", "192.0.2.7", 0);
+    row("HTTPS://192.0.2.7:8443", "192.0.2.7", 8443);
+    row("[fe80::1]:9090", "fe80::1", 9090);
+    row("fe80::1", "fe80::1", 0);
+    row("", "", -1);
+    row("192.0.2.7:0", "", -1);
+    row("192.0.2.7:99999", "", -1);
+    row("192.0.2.7/path", "", -1);
+    row("user:pw@192.0.2.7", "", -1);
+    row("two words", "", -1);
+    row("axbot+http://192.0.2.7", "", -1);
+    row("kabam+ws://192.0.2.7", "", -1);
+    row("/maps/office.yaml", "", -1);
+    row("office.yaml", "", -1);
+  }
+  void aHostAloneDoesNotSayWhichRobotIsThere() {
+    QFETCH(QString, typed);
+    QFETCH(QString, name);
+    QFETCH(int, port);
+    const auto host = known().bareHost(typed);
+    QCOMPARE(host.has_value(), port >= 0);
+    if (!host) return;
+    QCOMPARE(host->name, name);
+    QCOMPARE(host->port.value_or(0), port);
+  }
+
+  void anAddressIsMadeOfAKindAndAHost() {
+    const AddressScheme agibot = aimdk::addressScheme();
+    QCOMPARE(agibot.title, QStringLiteral("Agibot"));
+    const QString usual = addressAt(agibot, {QStringLiteral("dock-3"), {}}, false);
+    QCOMPARE(usual, QStringLiteral("aimdk+http://dock-3:50807"));
+    QCOMPARE(parse(usual)->text, usual);
+    QCOMPARE(addressAt(axbot::addressScheme(), {QStringLiteral("fe80::1"), 8443}, true),
+             QStringLiteral("axbot+https://[fe80::1]:8443"));
+    QCOMPARE(known().titleOf(usual), agibot.title);
+  }
+
   void aFileMayHaveAnAtSignInItsName() {
     QCOMPARE(parse(QStringLiteral("/maps/a:b@c.png"))->path, QStringLiteral("/maps/a:b@c.png"));
     QCOMPARE(parse(QStringLiteral("file:/maps/a:b@c.png"))->path, QStringLiteral("/maps/a:b@c.png"));

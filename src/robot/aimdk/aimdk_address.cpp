@@ -48,7 +48,10 @@ ParsedAddress parse(const QString& rest) {
 }  // namespace
 
 AddressScheme addressScheme() {
-  return {QStringLiteral("aimdk+"), QStringLiteral("aimdk+http://HOST:50807"), parse};
+  AddressScheme scheme{QStringLiteral("aimdk+"), QStringLiteral("aimdk+http://HOST:50807"), parse};
+  scheme.title = AimdkAddressText::tr("Agibot");
+  scheme.port = kPort;
+  return scheme;
 }
 
 QUrl tfOf(const Address& address) {

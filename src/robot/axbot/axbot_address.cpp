@@ -27,7 +27,10 @@ ParsedAddress parse(const QString& rest) {
 }  // namespace
 
 AddressScheme addressScheme() {
-  return {QStringLiteral("axbot+"), QStringLiteral("axbot+http://192.168.25.25:8090"), parse};
+  AddressScheme scheme{QStringLiteral("axbot+"), QStringLiteral("axbot+http://192.168.25.25:8090"), parse};
+  scheme.title = AxbotAddressText::tr("Autoxing");
+  scheme.port = kPort;
+  return scheme;
 }
 
 }  // namespace mapwright::robot::axbot

@@ -99,19 +99,24 @@ ParsedAddress parse(const QString& rest, const QString& prefix) {
   return address;
 }
 
-AddressScheme schemeOf(const char* prefix) {
+AddressScheme schemeOf(const char* prefix, const QString& title) {
   const QString text = QLatin1String(prefix);
-  return {text, text + QStringLiteral("ws://HOST:9090"),
-          [text](const QString& rest) { return parse(rest, text); }};
+  AddressScheme scheme{text, text + QStringLiteral("ws://HOST:9090"),
+                       [text](const QString& rest) { return parse(rest, text); }};
+  scheme.title = title;
+  scheme.port = kPort;
+  scheme.plain = QStringLiteral("ws");
+  scheme.encrypted = QStringLiteral("wss");
+  return scheme;
 }
 
 }  // namespace
 
-AddressScheme rosAddressScheme() { return schemeOf("ros+"); }
+AddressScheme rosAddressScheme() { return schemeOf("ros+", RosAddressText::tr("ROS")); }
 
-AddressScheme kabamAddressScheme() { return schemeOf("kabam+"); }
+AddressScheme kabamAddressScheme() { return schemeOf("kabam+", RosAddressText::tr("KABAM")); }
 
-AddressScheme rep130AddressScheme() { return schemeOf("rep130+"); }
+AddressScheme rep130AddressScheme() { return schemeOf("rep130+", RosAddressText::tr("REP 130")); }
 
 std::string namespaceOf(const Address& address) {
   return withoutLastSlashes(address.options.queryItemValue(QStringLiteral("ns"), QUrl::FullyDecoded))
