@@ -12,4 +12,8 @@ using namespace mapwright::fault;  // what all rooms share
 inline constexpr FaultCode PictureNotEncoded{
     "jobs", QT_TRANSLATE_NOOP("jobs", "The picture for %1 cannot be encoded: %2.")};
 
+// Looking for robots.
+/// seconds, as text
+inline constexpr FaultCode NothingWithin{"jobs", QT_TRANSLATE_NOOP("jobs", "no answer within %1 s")};
+
 }  // namespace mapwright::jobs::fault

@@ -59,5 +59,7 @@ inline constexpr FaultCode NoAgibotRobotThere{
     "aimdk", QT_TRANSLATE_NOOP("aimdk",
                                "a web server answers there, but it does not know the requests of Agibot "
                                "robots (%1): check the address and the port")};
+inline constexpr FaultCode NoAgibotRobotAnswers{
+    "aimdk", QT_TRANSLATE_NOOP("aimdk", "a web server answers there, but it is no Agibot robot")};
 
 }  // namespace mapwright::robot::aimdk::fault

@@ -3,9 +3,8 @@
 #include <algorithm>
 
 #include <QDateTime>
-#include <QJsonDocument>
-#include <QJsonObject>
 
+#include "robot/axbot/device_info.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_maps.h"
 #include "robot/faults.h"
@@ -21,30 +20,6 @@ constexpr std::chrono::milliseconds kListExpectedWithin{10'000};  // before it i
 constexpr qint64 kCacheBudgetBytes = qint64(2) << 30;
 constexpr std::chrono::milliseconds kLongestAskAgain{60'000};
 constexpr int kSubmapsAtOnce = 4;  // network requests in parallel; those from disk are additional
-
-/// A member under any of its names, here and one level down: firmware versions nest them differently.
-QJsonValue findMember(const QJsonObject& object, std::initializer_list<const char*> names) {
-  for (const char* name : names) {
-    if (const auto value = object.value(QLatin1String(name)); !value.isUndefined() && !value.isNull())
-      return value;
-  }
-  for (const QJsonValue& child : object) {
-    if (!child.isObject()) continue;
-    const QJsonObject inner = child.toObject();
-    for (const char* name : names) {
-      if (const auto value = inner.value(QLatin1String(name)); !value.isUndefined() && !value.isNull())
-        return value;
-    }
-  }
-  return QJsonValue::Undefined;
-}
-
-QString memberText(const QJsonObject& object, std::initializer_list<const char*> names) {
-  const QJsonValue value = findMember(object, names);
-  return value.isString()   ? value.toString().left(200)
-         : value.isDouble() ? value.toVariant().toString()
-                            : QString();
-}
 
 QUrl socketUrl(const QUrl& base, bool binary) {
   QUrl url = base;
@@ -175,13 +150,9 @@ void AxbotLink::askDeviceInfo() {
 void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
   device_info_asked_ = false;
   if (answer.ok()) {
-    const QJsonObject info = QJsonDocument::fromJson(answer.body).object();
-    RobotIdentity identity;
-    identity.model = memberText(info, {"model"});
-    identity.serial = memberText(info, {"sn", "serial", "serial_number"});
-    identity.name = memberText(info, {"nickname", "name"});
-    identity.version = memberText(info, {"axbot_version", "version", "software_version"});
-    subscriptions_.setTakesLists(findMember(info, {"supportsEnableTopicList"}).toBool(false));
+    const DeviceInfo info = deviceInfoIn(answer.body);
+    const RobotIdentity& identity = info.identity;
+    subscriptions_.setTakesLists(info.takes_topic_lists);
     qCInfo(lcAxbot, "model \"%s\", firmware \"%s\", takes lists of topics: %s",
            qUtf8Printable(identity.model), qUtf8Printable(identity.version),
            subscriptions_.takesLists() ? "yes" : "no");

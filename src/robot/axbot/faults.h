@@ -7,6 +7,13 @@ namespace mapwright::robot::axbot::fault {
 
 using namespace mapwright::fault;  // what all rooms share
 
+// Who answers at an address.
+/// because: how it answers
+inline constexpr FaultCode NoAutoxingRobotAnswers{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "a web server answers there, but not as an Autoxing robot does: %1")};
+inline constexpr FaultCode AnotherServerAnswers{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "a web server answers there, but it is no Autoxing robot")};
+
 // The list of submaps.
 /// position in the list
 inline constexpr FaultCode RowWithoutNumbers{

@@ -7,6 +7,11 @@ namespace mapwright::robot::ros::fault {
 
 using namespace mapwright::fault;  // what all rooms share
 
+// Who answers at an address.
+inline constexpr FaultCode NoRosbridgeAnswers{
+    "ros",
+    QT_TRANSLATE_NOOP("ros", "a WebSocket opens there, but nothing answers the requests of rosbridge")};
+
 // Messages of ROS.
 /// field
 inline constexpr FaultCode RosFieldMissing{
