@@ -153,7 +153,7 @@ int runCommand(int argc, char** argv) {
   play->add_option("file", operand, help(Text::tr("MCAP or ROS 1 bag")))->required();
   Commands commands(cli);
   for (const auto add : {addSimulate, addSnapshot, addMaps, addProjections, addWaypoints, addBags, addRecord,
-                         addClouds, addTopics})
+                         addClouds, addTopics, addProbe})
     add(commands);
   addLog(cli, log_rules);
   CLI::App* bench = cli.add_subcommand(

@@ -111,5 +111,6 @@ void addBags(Commands& commands);
 void addRecord(Commands& commands);
 void addClouds(Commands& commands);
 void addTopics(Commands& commands);
+void addProbe(Commands& commands);
 
 }  // namespace mapwright::app

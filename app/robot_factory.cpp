@@ -12,14 +12,17 @@
 #include "jobs/export_map.h"
 #include "robot/address.h"
 #include "robot/aimdk/aimdk_address.h"
+#include "robot/aimdk/aimdk_probe.h"
 #include "robot/aimdk/aimdk_robot.h"
 #include "robot/axbot/axbot_address.h"
+#include "robot/axbot/axbot_probe.h"
 #include "robot/axbot/axbot_robot.h"
 #include "robot/files/file_address.h"
 #include "robot/files/file_robot.h"
 #include "robot/files/local_maps.h"
 #include "robot/recorded/recorded_robot.h"
 #include "robot/ros/ros_address.h"
+#include "robot/ros/ros_probe.h"
 #include "robot/ros/ros_robot.h"
 
 namespace mapwright::app {
@@ -235,6 +238,14 @@ robot::Addresses knownAddresses() {
   std::vector<robot::AddressScheme> schemes;
   for (Kind& kind : kinds()) schemes.push_back(std::move(kind.scheme));
   return robot::Addresses(std::move(schemes));
+}
+
+std::vector<robot::Probe> probesOf(const robot::Host& host) {
+  std::vector<robot::Probe> all;
+  for (std::vector<robot::Probe> some :
+       {robot::axbot::probesOf(host), robot::aimdk::probesOf(host), robot::ros::probesOf(host)})
+    all.insert(all.end(), some.begin(), some.end());
+  return all;
 }
 
 std::optional<QString> whyNoPlace(const QString& address, const std::string& resolution,

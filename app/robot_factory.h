@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <QString>
 #include <QUrlQuery>
@@ -11,6 +12,7 @@
 
 #include "app/robot_access.h"
 #include "robot/address.h"
+#include "robot/probe.h"
 #include "robot/robot.h"
 #include "session/session.h"
 #include "simulator/simulator.h"
@@ -22,6 +24,9 @@ enum class DemoTime { Running, Frozen };
 
 /// The address schemes of all kinds of robots that this program supports.
 robot::Addresses knownAddresses();
+
+/// The questions that tell which kinds of robots answer there.
+std::vector<robot::Probe> probesOf(const robot::Host& host);
 
 /// Makes the robot that `address` names, not yet connected. `access` is for this address. The error is a
 /// sentence.

@@ -95,6 +95,23 @@
     </message>
 </context>
 <context>
+    <name>FoundRobot</name>
+    <message numerus="yes">
+        <source>%1 topics</source>
+        <translation>
+            <numerusform>%1 topic</numerusform>
+            <numerusform>%1 topics</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 services</source>
+        <translation>
+            <numerusform>%1 service</numerusform>
+            <numerusform>%1 services</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ProblemLog</name>
     <message numerus="yes">
         <source>%1 older problems are no longer listed.</source>
