@@ -67,14 +67,14 @@ foreach(entry ${entries})
 endforeach()
 file(WRITE ${root}/DEBIAN/md5sums "${sums}")
 # Qt's plugins for X11, offscreen, SVG and TLS come with its libraries. Beside them: the fonts of every snapshot;
-# authorities for encrypted links, windows under Wayland; films of bags.
+# authorities for encrypted links, windows under Wayland, a key ring for secrets; films of bags.
 file(WRITE ${root}/DEBIAN/control "Package: mapwright
 Version: ${version}
 Architecture: ${architecture}
 Maintainer: ${maintainer}
 Installed-Size: ${kib}
 Depends: ${libraries}, fonts-dejavu-core
-Recommends: ca-certificates, qt6-wayland
+Recommends: ca-certificates, qt6-wayland, gnome-keyring | kwalletmanager
 Suggests: ffmpeg
 Section: science
 Priority: optional
