@@ -39,6 +39,9 @@ struct Result {
   QMap<QString, QString> reasons;
 };
 
+/// These servers are silent where they are greeted by TLS: nobody waits for that.
+constexpr auto kShort = std::chrono::milliseconds(1500);
+
 Result search(int port, std::chrono::milliseconds within = std::chrono::seconds(20)) {
   jobs::RobotSearch looking(app::probesOf({QStringLiteral("127.0.0.1"), port}), within);
   QEventLoop loop;
@@ -162,7 +165,7 @@ class TestProbeCommand : public QObject {
     QFETCH(int, status);
     QFETCH(QByteArray, body);
     ScriptedServer server([&](const SeenRequest&) { return ScriptedServer::reply(status, {}, body); });
-    const Result result = search(server.port());
+    const Result result = search(server.port(), kShort);
     QVERIFY(result.found.empty());
     QCOMPARE(result.reasons.size(), 6);
     QVERIFY2(result.reasons[QStringLiteral("Autoxing http")].contains(QLatin1String("Autoxing")),
@@ -186,7 +189,7 @@ class TestProbeCommand : public QObject {
 
   void anUntrustedCertificateIsAReason() {
     SecureServer server(QStringLiteral("self_signed"));
-    const Result result = search(server.port());
+    const Result result = search(server.port(), kShort);
     QVERIFY(result.found.empty());
     QVERIFY2(result.reasons[QStringLiteral("Autoxing https")].contains(QLatin1String("certificate")),
              qPrintable(result.reasons[QStringLiteral("Autoxing https")]));
@@ -203,12 +206,14 @@ class TestProbeCommand : public QObject {
                  : ScriptedServer::reply(404, {}, "{}");
     });
     const QString host = QStringLiteral("127.0.0.1:%1").arg(server.port());
-    const Outcome table = run({QStringLiteral("probe"), host});
+    const Outcome table =
+        run({QStringLiteral("probe"), QStringLiteral("--timeout"), QStringLiteral("2"), host});
     QCOMPARE(table.code, 0);
     QVERIFY2(table.out.contains(QStringLiteral("axbot+http://") + host), qPrintable(table.out));
     QVERIFY(table.out.contains(QLatin1String("dock-3")) && !table.out.contains(QLatin1Char('\x1b')));
     QVERIFY2(table.err.isEmpty(), qPrintable(table.err));
-    const Outcome json = run({QStringLiteral("probe"), host, QStringLiteral("--json")});
+    const Outcome json = run({QStringLiteral("probe"), QStringLiteral("--timeout"), QStringLiteral("2"), host,
+                              QStringLiteral("--json")});
     const QJsonObject told = QJsonDocument::fromJson(json.out.toUtf8()).object();
     QCOMPARE(told[QStringLiteral("host")].toString(), host);
     const QJsonArray found = told[QStringLiteral("found")].toArray();
@@ -223,11 +228,13 @@ class TestProbeCommand : public QObject {
   void saysWhyThereIsNone() {
     ScriptedServer server([](const SeenRequest&) { return ScriptedServer::reply(404, {}, "Not Found"); });
     const QString host = QStringLiteral("127.0.0.1:%1").arg(server.port());
-    const Outcome brief = run({QStringLiteral("probe"), host});
+    const Outcome brief =
+        run({QStringLiteral("probe"), QStringLiteral("--timeout"), QStringLiteral("2"), host});
     QCOMPARE(brief.code, 3);
     QCOMPARE(brief.err.count(QLatin1Char('\n')), 1);
     QVERIFY(brief.out.isEmpty());
-    const Outcome full = run({QStringLiteral("probe"), host, QStringLiteral("--details")});
+    const Outcome full = run({QStringLiteral("probe"), QStringLiteral("--timeout"), QStringLiteral("2"), host,
+                              QStringLiteral("--details")});
     QCOMPARE(full.code, 3);
     QVERIFY2(full.err.count(QLatin1Char('\n')) == 7, qPrintable(full.err));
     const Outcome wrong = run({QStringLiteral("probe"), QStringLiteral("axbot+http://192.0.2.7")});

@@ -15,9 +15,9 @@ constexpr qint64 kLongestAnswer = qint64(4) << 20;
 
 ProbeAnswer answerOf(const QUrl& server, const net::HttpAnswer& answer) {
   if (answer.ok()) {
-    const auto maps = parseMapNames(wire::view(answer.body));
-    // An error of its own is an answer, too.
-    if (maps || maps.error().refused) return {{{.address = addressScheme().prefix + server.toString()}}, {}};
+    // An error in JSON may be anybody's.
+    if (parseMapNames(wire::view(answer.body)))
+      return {{{.address = addressScheme().prefix + server.toString()}}, {}};
     return {{}, {fault::NoAgibotRobotAnswers}};
   }
   if (answer.kind == net::HttpAnswer::Kind::Answered)
