@@ -265,6 +265,16 @@
     </message>
 </context>
 <context>
+    <name>mapwright::window::FoundRobots</name>
+    <message numerus="yes">
+        <source>%1 ways to connect to %2</source>
+        <translation>
+            <numerusform>%1 way to connect to %2</numerusform>
+            <numerusform>%1 ways to connect to %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::window::InspectorDock</name>
     <message numerus="yes">
         <source>%1 submaps are selected.</source>

@@ -3,12 +3,48 @@
 #include <algorithm>
 #include <utility>
 
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QSettings>
+
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
 namespace {
+
 constexpr int kNameLimit = 80;
+
+/// The one that is missed least: the oldest that has no name of the user's.
+qsizetype leastMissed(const QVector<RecentRobot>& robots) {
+  for (qsizetype i = robots.size() - 1; i > 0; --i) {
+    if (robots[i].look == RobotLook()) return i;
+  }
+  return robots.size() - 1;
+}
+
+}  // namespace
+
+RecentWords wordsOf(const RecentRobot& robot, const robot::Addresses& addresses) {
+  const auto parsed = addresses.parse(robot.address);
+  RecentWords words;
+  words.file = parsed && !parsed->path.isEmpty();
+  const QString own = words::plainName(robot.look.called.isEmpty() ? robot.name : robot.look.called);
+  if (words.file) {
+    const QFileInfo info(parsed->path);
+    words.title = robot.look.called.isEmpty() ? words::plainName(info.fileName()) : own;
+    words.detail = words::plainName(QDir::toNativeSeparators(info.absolutePath()));
+    return words;
+  }
+  QString host = parsed ? robot::hostOf(*parsed) : QString();
+  if (host.isEmpty()) host = robot.address;
+  const QString kind = addresses.titleOf(robot.address);
+  words.title = own.isEmpty() ? host : own;
+  words.detail = own.isEmpty()    ? kind
+                 : kind.isEmpty() ? host
+                                  : QCoreApplication::translate("window", "%1, %2").arg(kind, host);
+  return words;
 }
 
 RecentRobots::RecentRobots(QSettings& settings, robot::Addresses addresses)
@@ -21,6 +57,8 @@ QVector<RecentRobot> RecentRobots::list() const {
     settings_.setArrayIndex(i);
     RecentRobot robot{settings_.value(QStringLiteral("address")).toString(),
                       settings_.value(QStringLiteral("name")).toString().left(kNameLimit),
+                      {settings_.value(QStringLiteral("called")).toString().left(kNameLimit),
+                       settings_.value(QStringLiteral("color")).toString()},
                       settings_.value(QStringLiteral("last")).toDateTime()};
     // The file may have been edited: invalid addresses are skipped.
     if (addresses_.parse(robot.address)) robots << robot;
@@ -33,13 +71,33 @@ void RecentRobots::add(const QString& address, const QDateTime& now) {
   const auto parsed = addresses_.parse(address);
   if (!parsed) return;
   QVector<RecentRobot> robots = list();
-  RecentRobot robot{parsed->text, {}, now};
+  RecentRobot robot{parsed->text, {}, {}, now};
   for (const RecentRobot& old : robots) {
-    if (old.address == robot.address) robot.name = old.name;
+    if (old.address != robot.address) continue;
+    robot.name = old.name;
+    robot.look = old.look;
   }
   robots.removeIf([&robot](const RecentRobot& old) { return old.address == robot.address; });
   robots.prepend(robot);
-  if (robots.size() > kLimit) robots.resize(kLimit);
+  while (robots.size() > kLimit) {
+    const QString gone = robots.takeAt(leastMissed(robots)).address;
+    if (forgotten_) forgotten_(gone);
+  }
+  save(robots);
+}
+
+RobotLook RecentRobots::look(const QString& address) const {
+  for (const RecentRobot& robot : list()) {
+    if (robot.address == address) return robot.look;
+  }
+  return {};
+}
+
+void RecentRobots::setLook(const QString& address, const RobotLook& look) {
+  QVector<RecentRobot> robots = list();
+  for (RecentRobot& robot : robots) {
+    if (robot.address == address) robot.look = {look.called.left(kNameLimit), look.color};
+  }
   save(robots);
 }
 
@@ -55,6 +113,7 @@ void RecentRobots::remove(const QString& address) {
   QVector<RecentRobot> robots = list();
   robots.removeIf([&address](const RecentRobot& robot) { return robot.address == address; });
   save(robots);
+  if (forgotten_) forgotten_(address);
   // A forgotten robot is no longer trusted.
   if (const auto parsed = addresses_.parse(address)) {
     TrustedCertificates(settings_).forget(robot::hostOf(*parsed));
@@ -68,6 +127,8 @@ void RecentRobots::save(const QVector<RecentRobot>& robots) {
     settings_.setArrayIndex(i);
     settings_.setValue(QStringLiteral("address"), robots[i].address);
     settings_.setValue(QStringLiteral("name"), robots[i].name);
+    settings_.setValue(QStringLiteral("called"), robots[i].look.called);
+    settings_.setValue(QStringLiteral("color"), robots[i].look.color);
     settings_.setValue(QStringLiteral("last"), robots[i].last);
   }
   settings_.endArray();

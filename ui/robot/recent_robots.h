@@ -1,11 +1,14 @@
-// The recently used robots. Only addresses: secrets are never stored.
+// The robots and files that were used lately, and what people call them. Secrets are never stored here.
 #pragma once
+
+#include <functional>
 
 #include <QDateTime>
 #include <QString>
 #include <QVector>
 
 #include "robot/address.h"
+#include "ui/robot/robot_look.h"
 
 class QSettings;
 
@@ -14,8 +17,17 @@ namespace mapwright::window {
 struct RecentRobot {
   QString address;  // normalised, never with a secret
   QString name;     // the robot's own name; may be empty. Untrusted plain text
+  RobotLook look;   // the user's
   QDateTime last;
 };
+
+/// How a list leads with one, and what stands behind it.
+struct RecentWords {
+  QString title;   // the user's name for it, else its own, else its host; of a file its name
+  QString detail;  // kind and host, or the folder of a file
+  bool file = false;
+};
+RecentWords wordsOf(const RecentRobot& robot, const robot::Addresses& addresses);
 
 class RecentRobots {
  public:
@@ -25,14 +37,21 @@ class RecentRobots {
   /// The supported ones.
   const robot::Addresses& addresses() const { return addresses_; }
   QVector<RecentRobot> list() const;  // newest first
+  /// For those that worked: an address that was only tried is not kept.
   void add(const QString& address, const QDateTime& now);
   void setName(const QString& address, const QString& name);
+  /// Nothing for an address that is not listed.
+  RobotLook look(const QString& address) const;
+  void setLook(const QString& address, const RobotLook& look);
   void remove(const QString& address);
+  /// Told of each that leaves the list.
+  void whenForgotten(std::function<void(const QString& address)> tell) { forgotten_ = std::move(tell); }
 
  private:
   void save(const QVector<RecentRobot>& robots);
   QSettings& settings_;
   robot::Addresses addresses_;
+  std::function<void(const QString&)> forgotten_;
 };
 
 /// By "host:port", as SHA-256 ("AB:CD:…"): fingerprints are not secret.
