@@ -142,6 +142,7 @@ void Actions::attach(QWidget* window, QWidget* map) {
 }
 
 Menu menuOf(MenuGroup group) {
+  if (group < MenuGroup::Places) return Menu::File;
   if (group < MenuGroup::Undo) return Menu::Robot;
   if (group < MenuGroup::Zoom) return Menu::Edit;
   if (group < MenuGroup::Maps) return Menu::Map;
@@ -150,6 +151,8 @@ Menu menuOf(MenuGroup group) {
 
 QString menuTitle(Menu menu) {
   switch (menu) {
+    case Menu::File:
+      return QCoreApplication::translate("window", "&File");
     case Menu::Robot:
       return QCoreApplication::translate("window", "&Robot");
     case Menu::Edit:

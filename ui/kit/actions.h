@@ -27,15 +27,18 @@ enum class Reach {
 };
 
 /// The menus of the menu bar, from left to right.
-enum class Menu { Robot, Edit, Map, View, Help };
+enum class Menu { File, Robot, Edit, Map, View, Help };
 
 /// The groups of all menus, from top to bottom, separated by lines.
 enum class MenuGroup {
+  // File
+  Files,
+  Exports,
+  Quit,
   // Robot
   Places,
   Link,
   Mapping,
-  Quit,
   // Edit
   Undo,
   Save,

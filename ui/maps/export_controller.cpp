@@ -332,7 +332,7 @@ ExportController::ExportController(WindowContext& context, jobs::YamlsNaming yam
                         .keys = {"Ctrl+E"},
                         .tip = tr("Write the map on screen to a file"),
                         .needs_session = true,
-                        .menu = {MenuGroup::WholeMap, 20},
+                        .menu = {MenuGroup::Exports, 10},
                         .map_menu = {MapMenuGroup::Copies, 30}},
                        this, &ExportController::exportMap);
   context_.actions.add({.id = "screenshotCopy",

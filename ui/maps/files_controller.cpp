@@ -20,7 +20,7 @@ FilesController::FilesController(WindowContext& context, PicturePlacing& placing
                         .icon = "open",
                         .keys = {"Ctrl+Shift+O"},
                         .tip = tr("Open a map.yaml, a picture of a map or a recording from this computer"),
-                        .menu = {MenuGroup::Places, 20}},
+                        .menu = {MenuGroup::Files, 10}},
                        this, &FilesController::choose);
   // Drops on the map are handled by the window.
   context_.window.setAcceptDrops(true);

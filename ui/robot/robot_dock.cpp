@@ -15,6 +15,7 @@
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/shell/window_status_bar.h"
+#include "ui/view/replay_state.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -110,7 +111,7 @@ void RobotDock::refresh() {
   const auto silent = session_ ? silentOnline(*session_) : std::nullopt;
   if (silent && !tick_.isActive()) tick_.start();
   if (!silent) tick_.stop();
-  link_->setState(session_ ? linkText(session_->connection(), silent)
+  link_->setState(session_ ? sourceText(session_).value_or(linkText(session_->connection(), silent))
                            : StateText{Mark::Neutral, tr("No robot connected")});
   const auto since = session_ ? valuesAsOf(*session_) : std::nullopt;
   greyed_ = since.has_value();

@@ -194,7 +194,7 @@ void WindowStatusBar::refreshConnection() {
 
 void WindowStatusBar::refreshCountdown() {
   connection_->setState(
-      replayText(session_).value_or(linkText(read_, silentOnline(*session_), read_clock_.elapsed())));
+      sourceText(session_).value_or(linkText(read_, silentOnline(*session_), read_clock_.elapsed())));
   const bool counts =
       (read_.phase == robot::ConnectionPhase::Interrupted && read_.retry_in_ms) || silentOnline(*session_);
   if (counts && !countdown_.isActive()) countdown_.start();

@@ -54,6 +54,17 @@ EmptyState cloudsInstead() {
   return state;
 }
 
+/// Of files nobody is connected to.
+void sayOfFile(EmptyState& state) {
+  if (state.kind == EmptyState::Kind::Connecting)
+    state.title = QCoreApplication::translate("window", "Opening…");
+  if (state.kind == EmptyState::Kind::NoMap)
+    state.text = QCoreApplication::translate("window", "Double-click one under Maps.");
+  if (state.kind != EmptyState::Kind::Failed) return;
+  state.title = QCoreApplication::translate("window", "This cannot be opened");
+  state.offers = {CardOffer::Retry, CardOffer::File};
+}
+
 }  // namespace
 
 std::optional<EmptyState> emptyState(session::Session* session, const MapsInView& in_view) {
@@ -66,7 +77,8 @@ std::optional<EmptyState> emptyState(session::Session* session, const MapsInView
   if (in_view.regions && session->connection().phase == ConnectionPhase::Online) return std::nullopt;
   // Its waypoints are visible: the notice says what is missing.
   if (in_view.whole && session::lacksPicture(slot) && session->robot().waypointStore()) return std::nullopt;
-  const auto of_submaps = emptyState(session->robot().address(), session->connection(), &counts);
+  auto of_submaps = emptyState(session->robot().address(), session->connection(), &counts);
+  if (of_submaps && session->robot().isLocal()) sayOfFile(*of_submaps);
   const bool has_submaps = session->robot().submapSource() != nullptr;
   if (in_view.submaps && has_submaps) return of_submaps;
   if (!in_view.whole) return std::nullopt;  // nothing is requested
@@ -78,7 +90,9 @@ std::optional<EmptyState> emptyState(session::Session* session, const MapsInView
   }
   const bool none_chosen = slot.phase() == Phase::Empty || slot.key().kind == map::MapKind::Live;
   if (online && none_chosen && givesCloudsOnly(session->robot())) return cloudsInstead();
-  return wholeMapState(slot, storesMaps(session->catalogue()), robot::sendsItsMap(session->robot()));
+  auto of_map = wholeMapState(slot, storesMaps(session->catalogue()), robot::sendsItsMap(session->robot()));
+  if (of_map && session->robot().isLocal()) sayOfFile(*of_map);
+  return of_map;
 }
 
 std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool stored, bool live) {

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "robot/sends_map.h"
+#include "sentences/fault_sentence.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -37,6 +38,27 @@ std::optional<StateText> replayText(const session::Session* session) {
   const replay::ReplayRobot* const robot = replayOf(session);
   if (!robot || robot->connection().phase != robot::ConnectionPhase::Online) return std::nullopt;
   return StateText{Mark::Busy, QCoreApplication::translate("window", "replay, not live")};
+}
+
+std::optional<StateText> sourceText(const session::Session* session) {
+  if (auto replay = replayText(session)) return replay;
+  if (!session || !session->robot().isLocal()) return std::nullopt;
+  const robot::ConnectionState state = session->connection();
+  const QString why = state.reason.any() ? sentences::wordsOf(state.reason) : QString();
+  switch (state.phase) {
+    case robot::ConnectionPhase::Online:
+      return StateText{Mark::Neutral, QCoreApplication::translate("window", "open")};
+    case robot::ConnectionPhase::Connecting:
+      return StateText{Mark::Busy, QCoreApplication::translate("window", "opening…")};
+    case robot::ConnectionPhase::Offline:
+      return StateText{Mark::Neutral, QCoreApplication::translate("window", "closed")};
+    case robot::ConnectionPhase::Interrupted:
+    case robot::ConnectionPhase::Refused:
+      break;
+  }
+  return StateText{Mark::Bad, why.isEmpty()
+                                  ? QCoreApplication::translate("window", "cannot be opened")
+                                  : QCoreApplication::translate("window", "cannot be opened: %1").arg(why)};
 }
 
 }  // namespace mapwright::window

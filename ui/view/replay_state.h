@@ -22,5 +22,7 @@ QString bagCalled(const replay::ReplayRobot& robot, int limit = 60);
 bool hasToldNoMap(session::Session* session, const MapsInView& in_view);
 /// Shown instead of the connection state; nullopt: it is not a replay, or the bag is not open.
 std::optional<StateText> replayText(const session::Session* session);
+/// The same for everything that is no connection: a replay, an open file. nullopt: a live robot.
+std::optional<StateText> sourceText(const session::Session* session);
 
 }  // namespace mapwright::window
