@@ -156,4 +156,9 @@ inline constexpr FaultCode MapsNotKept{
     "grids", QT_TRANSLATE_NOOP("grids", "Temporary files of large maps cannot be kept in %1")};
 inline constexpr FaultCode DiskMayBeFull{"grids", QT_TRANSLATE_NOOP("grids", "the disk may be full")};
 
+// Small pictures for lists.
+/// how many cells
+inline constexpr FaultCode TooLargeForThumbnail{
+    "grids", QT_TRANSLATE_NOOP("grids", "it has %1 cells, too many for a preview in a list")};
+
 }  // namespace mapwright::grids::fault

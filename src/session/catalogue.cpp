@@ -9,7 +9,7 @@
 namespace mapwright::session {
 namespace {
 
-constexpr int kThumbnailsAtOnce = 2;  // the map itself goes first
+constexpr std::size_t kThumbnailsAtOnce = 2;  // the map itself goes first
 
 }  // namespace
 
@@ -58,9 +58,13 @@ void Catalogue::take(robot::Outcome<std::vector<map::CatalogueEntry>> answer) {
     for (const map::CatalogueEntry& row : *answer) {
       // A new version has a new picture.
       const map::CatalogueEntry* const before = find(row.key);
-      if (before && (before->map_version != row.map_version || before->modified_s != row.modified_s)) {
-        thumbnails_.erase(row.key);
+      const bool changed =
+          before && (before->map_version != row.map_version || before->modified_s != row.modified_s);
+      if (changed) thumbnails_.erase(row.key);
+      // Some robots have one only of the map in use.
+      if (changed || (before && before->is_current != row.is_current)) {
         asked_.erase(row.key);
+        no_thumbnail_.erase(row.key);
       }
     }
     entries_ = std::move(*answer);
@@ -91,21 +95,39 @@ void Catalogue::discardThumbnail(const map::MapKey& key) {
   if (source_ && thumbnails_.erase(key) > 0) source_->discardThumbnail(key);
 }
 
+const map::Failure* Catalogue::whyNoThumbnail(const map::MapKey& key) const {
+  const auto found = no_thumbnail_.find(key);
+  return found == no_thumbnail_.end() || thumbnails_.contains(key) ? nullptr : &found->second;
+}
+
+void Catalogue::releaseThumbnails() {
+  for (const map::MapKey& key : std::exchange(wanted_, {})) asked_.erase(key);
+  const auto calls = thumbnails_under_way_;  // a cancelled one changes the list
+  for (const auto& [key, call] : calls) call.cancel();
+}
+
 void Catalogue::askForThumbnails() {
-  while (!wanted_.empty() && thumbnails_under_way_ < kThumbnailsAtOnce) {
+  while (source_ && !wanted_.empty() && thumbnails_under_way_.size() < kThumbnailsAtOnce) {
     const map::MapKey key = wanted_.front();
     wanted_.erase(wanted_.begin());
-    ++thumbnails_under_way_;
-    source_->thumbnail(key, [self = QPointer<Catalogue>(this), key](robot::Outcome<std::string> answer) {
-      if (!self) return;
-      --self->thumbnails_under_way_;
-      if (answer) {
-        self->thumbnails_[key] = QByteArray::fromStdString(*answer);
-        Q_EMIT self->thumbnailArrived(key);
-      }
-      self->askForThumbnails();
-    });
+    thumbnails_under_way_[key] =
+        source_->thumbnail(key, [self = QPointer<Catalogue>(this), key](robot::Outcome<std::string> answer) {
+          if (self) self->takeThumbnail(key, std::move(answer));
+        });
   }
+}
+
+void Catalogue::takeThumbnail(const map::MapKey& key, robot::Outcome<std::string> answer) {
+  thumbnails_under_way_.erase(key);
+  if (answer) {
+    thumbnails_[key] = QByteArray::fromStdString(*answer);
+  } else if (answer.error().kind == map::FailureKind::Cancelled) {
+    asked_.erase(key);
+  } else {
+    no_thumbnail_[key] = std::move(answer.error());
+  }
+  if (thumbnails_.contains(key) || no_thumbnail_.contains(key)) Q_EMIT thumbnailArrived(key);
+  askForThumbnails();
 }
 
 }  // namespace mapwright::session

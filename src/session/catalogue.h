@@ -42,16 +42,22 @@ class Catalogue : public QObject {
   /// The thumbnail (PNG bytes), or empty: then it is requested, and thumbnailArrived() follows. A failed one
   /// is not requested again until its row changes.
   QByteArray thumbnail(const map::MapKey& key);
+  bool hasThumbnail(const map::MapKey& key) const { return thumbnails_.contains(key); }
   /// It cannot be decoded: do not cache it.
   void discardThumbnail(const map::MapKey& key);
+  /// Why there is none, as far as that is known; nullptr: there is one, or it was not asked for.
+  const map::Failure* whyNoThumbnail(const map::MapKey& key) const;
+  /// Nobody looks at them now: those that are on their way are asked for again when they are wanted.
+  void releaseThumbnails();
 
  Q_SIGNALS:
   void changed();
-  void thumbnailArrived(const mapwright::map::MapKey& key);
+  void thumbnailArrived(const mapwright::map::MapKey& key);  // or there is none
 
  private:
   void take(robot::Outcome<std::vector<map::CatalogueEntry>> answer);
   void askForThumbnails();
+  void takeThumbnail(const map::MapKey& key, robot::Outcome<std::string> answer);
 
   robot::MapCatalogue* source_;
   bool loading_ = false, again_ = false, asked_once_ = false;
@@ -61,7 +67,8 @@ class Catalogue : public QObject {
   std::map<map::MapKey, QByteArray> thumbnails_;
   std::set<map::MapKey> asked_;
   std::vector<map::MapKey> wanted_;
-  int thumbnails_under_way_ = 0;
+  std::map<map::MapKey, robot::Call> thumbnails_under_way_;
+  std::map<map::MapKey, map::Failure> no_thumbnail_;
 };
 
 }  // namespace mapwright::session

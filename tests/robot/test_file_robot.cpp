@@ -92,6 +92,27 @@ class FileRobotTest : public QObject {
     QVERIFY(list->at(0).grid.has_value());
   }
 
+  void mapsHaveThumbnailsThatAreMadeHere() {
+    write(QStringLiteral("office.yaml"), kYaml);
+    write(QStringLiteral("office.pgm"), QByteArray("P5 4 2 255\n") + QByteArray(8, char(254)));
+    write(QStringLiteral("broken.png"), "no picture");
+    const auto robot = open({});
+    const auto thumbnail = [&](const char* id) {
+      return answerTo<std::string>([&](auto reply) {
+        robot->mapCatalogue()->thumbnail({map::MapKind::File, id}, reply);
+      });
+    };
+    const auto list =
+        answerTo<std::vector<map::CatalogueEntry>>([&](auto reply) { robot->mapCatalogue()->list(reply); });
+    for (const map::CatalogueEntry& entry : *list) QVERIFY2(entry.has_thumbnail, entry.name.c_str());
+    const auto picture = thumbnail("office.yaml");
+    QVERIFY2(picture && picture->starts_with("P5\n4 2\n"), picture ? picture->c_str() : "none");
+    const auto none = thumbnail("broken.png");
+    QVERIFY(!none);
+    QVERIFY2(sentences::sentenceOf(none.error()).ends_with('.'), sentences::sentenceOf(none.error()).c_str());
+    QVERIFY(!thumbnail("gone.png"));
+  }
+
   void filesComeInTheOrderOfTheirNamesAndNumbers() {
     for (const char* name : {"floor10.png", "Floor2.png", "annex.png", "floor1.png"})
       write(QLatin1String(name), "no picture");

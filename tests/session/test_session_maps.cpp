@@ -791,10 +791,49 @@ class SessionMapsTest : public QObject {
     }
     QCOMPARE(robot_->thumbnails.size(), std::size_t(2));
     robot_->thumbnails[0].second(std::string("png"));
-    robot_->thumbnails[1].second(tl::make_unexpected(test::failed("")));
-    QCOMPARE(arrived.size(), 1);
+    robot_->thumbnails[1].second(tl::make_unexpected(test::failed("too large")));
+    QCOMPARE(arrived.size(), 2);
     QCOMPARE(robot_->thumbnails.size(), std::size_t(4));
     QCOMPARE(catalogue.thumbnail(rows[0].key), QByteArray("png"));
+    QVERIFY(!catalogue.whyNoThumbnail(rows[0].key) && !catalogue.whyNoThumbnail(rows[2].key));
+    QVERIFY(catalogue.whyNoThumbnail(rows[1].key));
+    QCOMPARE(catalogue.whyNoThumbnail(rows[1].key)->detail, std::string("too large"));
+  }
+
+  void thumbnailsThatNobodyLooksAtAreNotFetched() {
+    make(true, true);
+    goOnline();
+    std::vector<map::CatalogueEntry> rows;
+    for (int i = 0; i < 4; ++i) rows.push_back(FakeRobot::entry(std::to_string(i)));
+    robot_->answerList(rows);
+    session::Catalogue& catalogue = session_->catalogue();
+    for (const auto& row : rows) QVERIFY(catalogue.thumbnail(row.key).isEmpty());
+    catalogue.releaseThumbnails();
+    for (int i = 0; i < 2; ++i) {
+      robot_->thumbnails[std::size_t(i)].second(
+          tl::make_unexpected(map::Failure{.kind = map::FailureKind::Cancelled}));
+    }
+    QCOMPARE(robot_->thumbnails.size(), std::size_t(2));  // the others have not been asked for
+    QVERIFY(!catalogue.whyNoThumbnail(rows[0].key));
+    QVERIFY(catalogue.thumbnail(rows[0].key).isEmpty());  // seen again: asked for again
+    QCOMPARE(robot_->thumbnails.size(), std::size_t(3));
+  }
+
+  void aMapThatIsTakenIntoUseIsAskedForAgain() {
+    make(true, true);
+    goOnline();
+    auto row = FakeRobot::entry("1");
+    robot_->answerList({row});
+    session::Catalogue& catalogue = session_->catalogue();
+    QVERIFY(catalogue.thumbnail(row.key).isEmpty());
+    robot_->thumbnails[0].second(tl::make_unexpected(test::failed("not in use")));
+    QVERIFY(catalogue.thumbnail(row.key).isEmpty());
+    QCOMPARE(robot_->thumbnails.size(), std::size_t(1));
+    row.is_current = !row.is_current;
+    catalogue.refresh();
+    robot_->answerList({row});
+    QVERIFY(catalogue.thumbnail(row.key).isEmpty());
+    QCOMPARE(robot_->thumbnails.size(), std::size_t(2));
   }
 
   void aFailedListKeepsTheRowsAndSaysWhy() {

@@ -226,6 +226,9 @@ MapsDock::MapsDock(QWidget* parent)
     if (const auto key = model_->key(index)) Q_EMIT openWanted(*key);
   });
   connect(list_, &QListView::customContextMenuRequested, this, &MapsDock::showMenu);
+  connect(this, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+    if (!visible && session_) session_->catalogue().releaseThumbnails();
+  });
   list_->installEventFilter(this);
   search_->installEventFilter(this);
   refresh();

@@ -9,6 +9,7 @@
 #include <QImageReader>
 
 #include "robot/sends_map.h"
+#include "sentences/failure_sentence.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
@@ -121,8 +122,9 @@ std::vector<MapsModel::Row> MapsModel::build() {
   std::optional<Section> section;
   for (const map::CatalogueEntry& entry : session_->catalogue().entries()) {
     ++maps_;
-    Row row{RowKind::Map,       entry.key,        mapTitle(entry.name), mapDetail(entry),
-            entry.name.empty(), entry.is_current, open(entry.key)};
+    Row row{RowKind::Map,     entry.key,          mapTitle(entry.name),
+            mapDetail(entry), entry.name.empty(), entry.is_current && !local(),
+            open(entry.key)};
     if (!passes(QString::fromStdString(entry.name) + QLatin1Char(' ') + row.detail)) continue;
     ++found_;
     if (section != Section(entry.key.kind, entry.is_archived)) {
@@ -139,6 +141,10 @@ std::vector<MapsModel::Row> MapsModel::build() {
 }
 
 void MapsModel::sync() {
+  // What has changed has another picture.
+  std::erase_if(thumbnails_, [this](const auto& one) {
+    return !session_ || !session_->catalogue().hasThumbnail(one.first);
+  });
   std::vector<Row> fresh = build();
   if (fresh == rows_) return;
   const bool same_places =
@@ -173,6 +179,17 @@ QPixmap MapsModel::thumbnail(const map::MapKey& key) const {
   return pixmap;
 }
 
+bool MapsModel::local() const { return session_ && session_->robot().isLocal(); }
+
+QString MapsModel::whyNoPicture(const Row& row) const {
+  if (row.kind != RowKind::Map || !session_) return {};
+  const session::Catalogue& catalogue = session_->catalogue();
+  const map::CatalogueEntry* const entry = catalogue.find(row.key);
+  if (entry && !entry->has_thumbnail) return QLatin1Char('\n') + tr("This robot sends no preview of it.");
+  const map::Failure* const why = catalogue.whyNoThumbnail(row.key);
+  return why ? QLatin1Char('\n') + QString::fromStdString(sentences::sentenceOf(*why)) : QString();
+}
+
 int MapsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(rows_.size()); }
 
 QVariant MapsModel::data(const QModelIndex& index, int role) const {
@@ -187,8 +204,10 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
         return plainToolTip(tr("%1\n%2\nKept until another map is shown. Double-click to preview it.")
                                 .arg(row.title, row.detail));
       return plainToolTip(
-          tr("%1\n%2\nDouble-click to open it here. This loads and changes nothing on the robot.")
-              .arg(row.title, row.detail));
+          (local() ? tr("%1\n%2\nDouble-click to open it.")
+                   : tr("%1\n%2\nDouble-click to open it here. This loads and changes nothing on the robot."))
+              .arg(row.title, row.detail) +
+          whyNoPicture(row));
     case Qt::AccessibleTextRole:
       return QStringLiteral("%1, %2%3%4")
           .arg(row.title, row.detail, row.current ? tr(", current") : QString(),

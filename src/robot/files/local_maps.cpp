@@ -182,6 +182,7 @@ map::CatalogueEntry entryOf(const map::MapKey& key, const QString& path, const P
   entry.bytes = std::uint64_t(QFileInfo(path).size());
   if (const auto whole = readLocalMap(path, place, yamls, beside)) {
     entry.grid = whole->grid;
+    entry.has_thumbnail = true;
     entry.bytes = std::uint64_t(QFileInfo(QString::fromStdString(whole->path)).size());
   }
   return entry;

@@ -10,6 +10,7 @@
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "grids/rewrite_picture.h"
+#include "grids/thumbnail.h"
 #include "robot/files/faults.h"
 #include "robot/files/waypoint_file.h"
 
@@ -152,9 +153,13 @@ Outcome<map::CatalogueEntry> MapFiles::describe(const map::MapKey& key) {
 }
 
 Outcome<std::string> MapFiles::thumbnail(const map::MapKey& key) {
-  map::Failure none = failure(key, map::FailureKind::Unsupported);
+  auto whole = fetch(key);
+  const auto picture = whole ? grids::thumbnailOf(*whole, isWantedNoMore) : tl::make_unexpected(Fault());
+  if (picture) return *picture;
+  map::Failure none = whole ? failure(key, map::FailureKind::MalformedAnswer) : whole.error();
   none.asked_for = map::AskedFor::SmallPicture;
-  none.reason = map::FailureReason::NotOffered;
+  none.reason = map::FailureReason::Unfit;
+  if (whole) none.cause = picture.error();
   return fail(std::move(none));
 }
 

@@ -34,7 +34,8 @@ class MapFiles : public QObject {
 
   Outcome<std::vector<map::CatalogueEntry>> list();
   Outcome<map::CatalogueEntry> describe(const map::MapKey& key);
-  Outcome<std::string> thumbnail(const map::MapKey& key);  // there is none
+  /// Of a map that is not too large.
+  Outcome<std::string> thumbnail(const map::MapKey& key);
   Outcome<map::WholeMap> fetch(const map::MapKey& key);
   /// Its picture, written anew so that it says the right thing: the map.yaml is not touched.
   Outcome<PictureReceipt> writePicture(const PictureChange& change);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "grids/thumbnail.h"
 #include "robot/ros/faults.h"
 #include "robot/ros/map_values.h"
 #include "robot/ros/ros_calls.h"
@@ -109,6 +110,8 @@ void RosMaps::listKept(const wire::TaskPtr& task, OutcomeTo<Entries> reply) {
 void RosMaps::list(const wire::TaskPtr& task, OutcomeTo<Entries> reply) {
   const auto with_projected = withValue<Entries>(reply, [this, reply](Entries entries) {
     for (const auto& [index, part] : of_.dispatch.projected()) entries.push_back(entryOf(*part));
+    // Why one has none is told when it is asked for.
+    for (map::CatalogueEntry& entry : entries) entry.has_thumbnail = true;
     reply(std::move(entries));
   });
   const auto shown = withValue<Projections>(
@@ -155,6 +158,20 @@ void RosMaps::fetch(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo
                return reply(fail(unsupported(map::subjectOf(key))));
              of_.live_map.fetch(task, key, entry.name, reply);
            }));
+}
+
+void RosMaps::thumbnail(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<std::string> reply) {
+  fetch(task, key, [key, reply = std::move(reply)](Outcome<map::WholeMap> whole) {
+    const auto picture = whole ? grids::thumbnailOf(*whole) : tl::make_unexpected(Fault());
+    if (picture) return reply(*picture);
+    map::Failure none = whole ? map::Failure{.kind = map::FailureKind::MalformedAnswer,
+                                             .subject = map::subjectOf(key),
+                                             .reason = map::FailureReason::Unfit,
+                                             .cause = picture.error()}
+                              : std::move(whole.error());
+    none.asked_for = map::AskedFor::SmallPicture;
+    reply(fail(std::move(none)));
+  });
 }
 
 }  // namespace mapwright::robot::ros

@@ -32,6 +32,9 @@ class RosMaps {
   /// The map that the robot works with, or a projected one; of others it sends nothing.
   void fetch(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
 
+  /// Of the same maps; nothing is asked for that does not come anyway.
+  void thumbnail(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<std::string> reply);
+
  private:
   std::optional<map::CatalogueEntry> liveEntry() const;
   std::shared_ptr<const ProjectedPart> findProjected(const map::MapKey& key) const;
