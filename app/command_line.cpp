@@ -22,6 +22,7 @@
 #include "app/robot_factory.h"
 #include "app/settings_file.h"
 #include "app/snapshot.h"
+#include "keyring/key_ring.h"
 #include "replay/replay_robot.h"
 #include "robot/address.h"
 #include "robot/files/local_maps.h"
@@ -89,6 +90,10 @@ int showWindow(const QString& address, const RobotAccess& known) {
   wanted.edit.drafts_folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
                               QStringLiteral("/mapwright/drafts");
   wanted.addresses = addresses;
+  const std::unique_ptr<keyring::KeyRing> keys = keyring::systemKeyRing();
+  wanted.keys = keys.get();
+  wanted.probes = probesOf;
+  wanted.has_secret = [&](const QString& to) { return !known.forAddress(to).secret.isEmpty(); };
   wanted.workers = std::make_shared<work::Workers>(kept.settings.threads);
   wanted.budgets = kept.settings.budgets();
   window::MainWindow main_window(std::move(wanted));

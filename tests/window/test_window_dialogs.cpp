@@ -1,10 +1,14 @@
 // Connect dialog, recent robots, command palette, shortcut sheet.
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSettings>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
@@ -22,6 +26,7 @@
 namespace test_window_dialogs {
 
 using namespace mapwright::window;
+namespace robot = mapwright::robot;
 
 namespace {
 
@@ -48,6 +53,37 @@ struct Bench {
   RecentRobots recents;
 };
 
+/// A dialog that looks for robots: the test answers.
+struct Looking {
+  Bench bench;
+  std::vector<robot::Host> hosts;
+  std::vector<robot::Probe::Reply> replies;
+  ConnectDialog::Wish wish;
+  std::unique_ptr<ConnectDialog> dialog = std::make_unique<ConnectDialog>(
+      bench.recents,
+      [this](const ConnectDialog::Wish& made) {
+        wish = made;
+        return std::optional<QString>();
+      },
+      [this](const robot::Host& host) {
+        hosts.push_back(host);
+        const auto probe = [&](const char* title) {
+          return robot::Probe{QLatin1String(title), QUrl(QStringLiteral("http://") + host.name),
+                              [this](QObject*, std::chrono::milliseconds, robot::Probe::Reply reply) {
+                                replies.push_back(std::move(reply));
+                              }};
+        };
+        return std::vector{probe("Autoxing"), probe("Agibot")};
+      });
+  QPushButton* main() { return dialog->findChild<QPushButton*>(QStringLiteral("primary")); }
+  QString state() { return dialog->findChild<QLabel*>(QStringLiteral("foundState"))->text(); }
+  QListWidget* found() { return dialog->findChild<QListWidget*>(QStringLiteral("found")); }
+  void type(const char* host) {
+    dialog->show();
+    QTest::keyClicks(dialog->findChild<QLineEdit*>(QStringLiteral("address")), QLatin1String(host));
+  }
+};
+
 }  // namespace
 
 class TestWindowDialogs : public QObject {
@@ -56,7 +92,7 @@ class TestWindowDialogs : public QObject {
   void refusesABadAddressInPlace() {
     Bench bench;
     int attempts = 0;
-    ConnectDialog dialog(bench.recents, [&](const QString&, const QByteArray&) {
+    ConnectDialog dialog(bench.recents, [&](const ConnectDialog::Wish&) {
       ++attempts;
       return std::optional<QString>();
     });
@@ -75,7 +111,7 @@ class TestWindowDialogs : public QObject {
 
   void showsWhyItCouldNotStart() {
     Bench bench;
-    ConnectDialog dialog(bench.recents, [](const QString&, const QByteArray&) {
+    ConnectDialog dialog(bench.recents, [](const ConnectDialog::Wish&) {
       return std::optional(QStringLiteral("<b>No</b> port is free."));
     });
     dialog.show();
@@ -88,10 +124,10 @@ class TestWindowDialogs : public QObject {
     Bench bench;
     QString got_address;
     QByteArray got_secret;
-    ConnectDialog dialog(bench.recents, [&](const QString& address, const QByteArray& secret) {
-      got_address = address;
-      got_secret = secret;
-      bench.recents.add(address, QDateTime::currentDateTime());
+    ConnectDialog dialog(bench.recents, [&](const ConnectDialog::Wish& wish) {
+      got_address = wish.address;
+      got_secret = wish.secret;
+      bench.recents.add(wish.address, QDateTime::currentDateTime());
       return std::optional<QString>();
     });
     dialog.show();
@@ -121,6 +157,15 @@ class TestWindowDialogs : public QObject {
     QCOMPARE(again.list()[1].name, QStringLiteral("dock-3"));
     again.remove(list[0].address);
     QCOMPARE(again.list()[0].name, QStringLiteral("dock-3"));
+    // A name of the user's leads, and outlasts robots without one.
+    const QString oldest = again.list().back().address;
+    again.setLook(oldest, {QStringLiteral("Old friend"), QStringLiteral("green")});
+    for (int i = 0; i < 20; ++i) again.add(QStringLiteral("198.51.100.%1").arg(i + 1), now.addDays(i + 1));
+    QCOMPARE(again.look(oldest).called, QStringLiteral("Old friend"));
+    const RecentWords words = wordsOf(again.list().back(), again.addresses());
+    QCOMPARE(words.title, QStringLiteral("Old friend"));
+    QVERIFY2(words.detail.startsWith(QLatin1String("Autoxing, 192.0.2.")), qPrintable(words.detail));
+    QVERIFY(wordsOf(again.list().front(), again.addresses()).title.startsWith(QLatin1String("198.51.100.")));
     bench.recents.add(QStringLiteral("http://user:pw@192.0.2.99"), now);  // never with a password
     QVERIFY(!bench.stored().contains("pw@"));
   }
@@ -131,8 +176,8 @@ class TestWindowDialogs : public QObject {
     bench.recents.add(QStringLiteral("192.0.2.1"), now);
     bench.recents.setName(QStringLiteral("axbot+http://192.0.2.1:8090"), QStringLiteral("<i>evil</i>"));
     QString got;
-    ConnectDialog dialog(bench.recents, [&](const QString& address, const QByteArray&) {
-      got = address;
+    ConnectDialog dialog(bench.recents, [&](const ConnectDialog::Wish& wish) {
+      got = wish.address;
       return std::optional<QString>();
     });
     dialog.show();
@@ -153,14 +198,87 @@ class TestWindowDialogs : public QObject {
     Bench bench;
     const QDateTime now(QDate(2024, 5, 1), QTime(12, 0));
     bench.recents.add(QStringLiteral("192.0.2.1"), now);
-    ConnectDialog dialog(bench.recents,
-                         [](const QString&, const QByteArray&) { return std::optional<QString>(); });
+    ConnectDialog dialog(bench.recents, [](const ConnectDialog::Wish&) { return std::optional<QString>(); });
     dialog.show();
     dialog.askForSecret(QStringLiteral("axbot+http://192.0.2.7:8090"), {});
     auto* secret = dialog.findChild<QLineEdit*>(QStringLiteral("secret"));
     QTest::keyClicks(secret, QStringLiteral("hunter2"));
     dialog.findChild<QListWidget*>(QStringLiteral("recents"))->setCurrentRow(0);
     QVERIFY(secret->text().isEmpty());
+  }
+
+  void anAddressIsMadeOfTheKindHostAndPort() {
+    Bench bench;
+    QString got;
+    ConnectDialog dialog(bench.recents, [&](const ConnectDialog::Wish& wish) {
+      got = wish.address;
+      return std::optional<QString>();
+    });
+    dialog.show();
+    auto* kind = dialog.findChild<QComboBox*>(QStringLiteral("kind"));
+    auto* port = dialog.findChild<QSpinBox*>(QStringLiteral("port"));
+    auto* made = dialog.findChild<QLabel*>(QStringLiteral("made"));
+    QVERIFY(port->isHidden());
+    kind->setCurrentIndex(kind->findText(QStringLiteral("Agibot")));
+    QVERIFY(port->isVisible());
+    QCOMPARE(port->value(), 50807);
+    QTest::keyClicks(dialog.findChild<QLineEdit*>(QStringLiteral("address")), QStringLiteral("dock-3.local"));
+    QVERIFY2(made->text().contains(QLatin1String("aimdk+http://dock-3.local:50807")),
+             qPrintable(made->text()));
+    port->setValue(443);
+    dialog.findChild<QCheckBox*>(QStringLiteral("encrypted"))->setChecked(true);
+    QTest::mouseClick(button(dialog, "Connect"), Qt::LeftButton);
+    QCOMPARE(got, QStringLiteral("aimdk+https://dock-3.local:443"));
+  }
+
+  void looksForRobotsAtAHostAndConnectsToTheChosenOne() {
+    Looking test;
+    test.type("192.0.2.7:9000");
+    QCOMPARE(test.main()->text(), QStringLiteral("Search"));
+    QTest::keyClick(test.dialog->findChild<QLineEdit*>(QStringLiteral("address")), Qt::Key_Return);
+    QCOMPARE(test.hosts.size(), std::size_t(1));
+    QCOMPARE(test.hosts[0].port, std::optional(9000));
+    QCOMPARE(test.main()->text(), QStringLiteral("Stop"));
+    QVERIFY(test.wish.address.isEmpty());  // nothing is connected to before somebody has chosen
+    test.replies[0]({{{.address = QStringLiteral("axbot+http://192.0.2.7:9000"), .wants_secret = true}}, {}});
+    test.replies[1]({{}, mapwright::fault::said("not here")});
+    QCOMPARE(test.found()->count(), 1);
+    QCOMPARE(test.main()->text(), QStringLiteral("Connect"));
+    QVERIFY(test.dialog->findChild<QLineEdit*>(QStringLiteral("secret"))
+                ->placeholderText()
+                .contains(QLatin1String("asks")));
+    auto* reasons = test.dialog->findChild<QPlainTextEdit*>(QStringLiteral("foundReasons"));
+    QVERIFY(reasons->isHidden());
+    QTest::mouseClick(test.dialog->findChild<QToolButton*>(QStringLiteral("foundDetails")), Qt::LeftButton);
+    QVERIFY(reasons->isVisible() && reasons->toPlainText().contains(QLatin1String("not here")));
+    test.dialog->findChild<QLineEdit*>(QStringLiteral("calledName"))->setText(QStringLiteral("Dock 3"));
+    QTest::mouseClick(test.main(), Qt::LeftButton);
+    QCOMPARE(test.wish.address, QStringLiteral("axbot+http://192.0.2.7:9000"));
+    QCOMPARE(test.wish.look.called, QStringLiteral("Dock 3"));
+  }
+
+  void saysThatThereIsNoRobot() {
+    Looking test;
+    test.type("192.0.2.7");
+    test.main()->click();
+    for (auto& reply : test.replies) reply({{}, mapwright::fault::said("not here")});
+    QVERIFY2(test.state().contains(QLatin1String("No robot answers at 192.0.2.7")), qPrintable(test.state()));
+    QCOMPARE(test.main()->text(), QStringLiteral("Search"));
+    test.main()->click();  // once more
+    QCOMPARE(test.hosts.size(), std::size_t(2));
+  }
+
+  void aSearchIsStoppedByHandByTypingAndByClosing() {
+    Looking test;
+    test.type("192.0.2.7");
+    test.main()->click();
+    test.main()->click();
+    QVERIFY2(test.state().contains(QLatin1String("Stopped")), qPrintable(test.state()));
+    test.main()->click();
+    test.type("1");
+    QVERIFY(test.found()->isHidden() || !test.found()->isVisible());
+    test.main()->click();
+    test.dialog.reset();  // what answers later finds nobody: sanitizers would tell
   }
 
   void goToShowsItsWholeError() {

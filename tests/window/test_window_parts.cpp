@@ -141,8 +141,10 @@ class TestWindowParts : public QObject {
     Bench bench;
     const QMenuBar& bar = *bench.open().menuBar();
     QCOMPARE(idsOf(menuCalled(bar, "&Robot")->actions()).join(QLatin1Char(' ')),
-             QStringLiteral("connect openFile * demo - retry disconnect record showRecordings * - "
-                            "startMapping stopMapping saveNewMap - quit"));
+             QStringLiteral("connect demo - retry disconnect robotLook record showRecordings * - "
+                            "startMapping stopMapping saveNewMap"));
+    QCOMPARE(idsOf(menuCalled(bar, "&File")->actions()).join(QLatin1Char(' ')),
+             QStringLiteral("openFile * - export - quit"));
     QCOMPARE(idsOf(menuCalled(bar, "&Edit")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("undo redo - save - waypointTool * snap * * renameWaypoints duplicateWaypoints "
                             "selectAllWaypoints "
@@ -153,7 +155,7 @@ class TestWindowParts : public QObject {
              QStringLiteral(
                  "zoomIn zoomOut native fit - follow goTo - northUp robotTurn rotateLeft rotateRight - pan "
                  "measure fetchRegion cloudRegion cloudSection projections - "
-                 "compare export refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot - "
+                 "compare refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot - "
                  "copyCoordinates "
                  "screenshotCopy screenshotSave"));
     QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(0, 15).join(QLatin1Char(' ')),

@@ -44,6 +44,7 @@ struct Bench {
     wanted.workers = workers;
     wanted.budgets = budgets;
     wanted.addresses = knownAddresses();
+    wanted.keys = keys;
     window = std::make_unique<MainWindow>(std::move(wanted));
     window->resize(size);
     window->show();
@@ -86,6 +87,7 @@ struct Bench {
   edit::EditOptions edit;
   std::shared_ptr<work::Workers> workers = std::make_shared<work::Workers>();
   work::Budgets budgets = work::budgetsFrom();
+  keyring::KeyRing* keys = nullptr;
 };
 
 }  // namespace mapwright::test

@@ -20,9 +20,9 @@
 #include "ui/picture/copies_dialog.h"
 #include "ui/picture/picture_dock.h"
 #include "ui/picture/picture_drafts.h"
+#include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
-#include "ui/view/on_screen.h"
 #include "ui/view/toast_stack.h"
 #include "ui/view/tool_choice.h"
 
@@ -372,7 +372,7 @@ void PictureController::askToSend() {
   if (sending_question_) return sending_question_->raise();
   sending_question_ =
       new QMessageBox(QMessageBox::Question, tr("Send the map to the robot"),
-                      tr("Overwrite %1 on the robot %2?").arg(mapName(), robotCalled(session_->robot())),
+                      tr("Overwrite %1 on the robot %2?").arg(mapName(), context_.current.called()),
                       QMessageBox::Cancel, &context_.window);
   sending_question_->setTextFormat(Qt::PlainText);
   const QString copies = copiesHere();

@@ -1,11 +1,16 @@
 #include "ui/robot/connect_dialog.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QLocale>
+#include <QPainter>
 #include <QPushButton>
+#include <QSpinBox>
+#include <QStackedWidget>
 #include <QToolButton>
 
 #include "robot/address.h"
@@ -13,33 +18,64 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/robot/found_robots.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
 
 namespace {
 
-/// What may be typed: just a host, or an address of each kind.
-QString examplesText(const QStringList& examples) {
-  const QString host = ConnectDialog::tr("For example 192.0.2.7 or robot.local:8090.");
-  if (examples.isEmpty()) return host;
-  return host + QLatin1Char(' ') +
-         ConnectDialog::tr("A full address looks like %1.").arg(examples.join(QStringLiteral(", ")));
+constexpr int kLargestPort = 65'535;
+
+/// The user's colour, or the icon of a robot or file, in front of a row.
+class RowMark : public QWidget {
+ public:
+  RowMark(const RecentRobot& robot, bool file, QWidget* parent)
+      : QWidget(parent), color_(robotColor(robot.look.color)), file_(file) {
+    setFixedSize(16, 16);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    if (color_.isValid()) return paintRobotColor(painter, QRectF(rect()).adjusted(2, 2, -2, -2), color_);
+    paintIcon(&painter, QRectF(rect()), file_ ? QStringLiteral("map") : QStringLiteral("robot"),
+              appColors().neutral);
+  }
+
+ private:
+  QColor color_;
+  bool file_;
+};
+
+/// Of a field that shares its row with others.
+QLabel* labelFor(QWidget& field, const QString& text) {
+  auto* const label = new QLabel(text, field.parentWidget());
+  label->setBuddy(&field);
+  return label;
 }
 
 }  // namespace
 
-ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, QWidget* parent)
+ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, Probes probes, QWidget* parent)
     : QDialog(parent),
       recents_(recents),
       attempt_(std::move(attempt)),
+      probes_(std::move(probes)),
+      kind_(new QComboBox(this)),
       address_(new QLineEdit(this)),
+      port_(new QSpinBox(this)),
+      encrypted_(new QCheckBox(tr("Encr&ypted (TLS)"), this)),
+      made_(wrappedLabel({}, this)),
       secret_(new QLineEdit(this)),
       error_(wrappedLabel({}, this)),
+      look_(this),
+      below_(new QStackedWidget(this)),
       list_(new QListWidget(this)),
+      found_(new FoundRobots(recents.addresses(), this)),
       connect_(new QPushButton(tr("Connect"), this)) {
   setWindowTitle(tr("Connect to a robot"));
-  setMinimumWidth(580);
+  setMinimumWidth(640);
   auto* demo = new QPushButton(themedIcon(QStringLiteral("demo")), tr("Try the demo robot"), this);
   demo->setObjectName(QStringLiteral("secondary"));
   demo->setAutoDefault(false);
@@ -48,18 +84,38 @@ ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, QWidget* pa
   cancel->setAutoDefault(false);
   connect_->setObjectName(QStringLiteral("primary"));
   connect_->setDefault(true);
-  setLayout(
-      columnOf({buildForm(), {buildRecents(), 1}, rowOf({demo, LayoutItem::rest(), cancel, connect_}, 8)}, 12,
-               QMargins(16, 16, 16, 16)));
+  QWidget* const form = buildForm();
+  recents_page_ = buildRecents();
+  below_->addWidget(recents_page_);
+  below_->addWidget(found_);
+  setLayout(columnOf({form, {below_, 1}, rowOf({demo, LayoutItem::rest(), cancel, connect_}, 8)}, 12,
+                     QMargins(16, 16, 16, 16)));
 
+  connect(kind_, &QComboBox::currentIndexChanged, this, &ConnectDialog::chooseKind);
   connect(address_, &QLineEdit::textChanged, this, &ConnectDialog::check);
-  connect(secret_, &QLineEdit::textEdited, this, &ConnectDialog::check);
-  connect(connect_, &QPushButton::clicked, this,
-          [this] { start(address_->text().trimmed(), secret_->text().toUtf8()); });
+  connect(port_, &QSpinBox::valueChanged, this, &ConnectDialog::check);
+  connect(encrypted_, &QCheckBox::toggled, this, &ConnectDialog::check);
+  connect(secret_, &QLineEdit::textEdited, this, [this] { setError({}); });
+  connect(look_.name, &QLineEdit::editingFinished, this, &ConnectDialog::noteLook);
+  connect(look_.color, &QComboBox::activated, this, &ConnectDialog::noteLook);
+  connect(found_, &FoundRobots::changed, this, [this] {
+    const auto found = found_->chosen();
+    const bool looking = found_->looking();
+    connect_->setText(found           ? tr("Connect")
+                      : looking       ? tr("Stop")
+                      : unknownHost() ? tr("Search")
+                                      : tr("Connect"));
+    if (found)
+      secret_->setPlaceholderText(found->wants_secret ? tr("This robot asks for one")
+                                                      : tr("Only if the robot asks for one"));
+  });
+  connect(found_, &FoundRobots::wanted, this,
+          [this](const robot::FoundRobot& robot) { start(robot.address, secret_->text().toUtf8()); });
+  connect(connect_, &QPushButton::clicked, this, &ConnectDialog::go);
   connect(demo, &QPushButton::clicked, this, [this] { start(QStringLiteral("demo:"), {}); });
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   fillRecents();
-  check();
+  chooseKind();
   address_->setFocus();
 }
 
@@ -70,24 +126,34 @@ QWidget* ConnectDialog::buildForm() {
   form->setHorizontalSpacing(12);
   form->setVerticalSpacing(4);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  kind_->setObjectName(QStringLiteral("kind"));
+  kind_->addItem(probes_ ? tr("Find out what answers there") : tr("As its address says"), QString());
+  for (const robot::AddressScheme& scheme : recents_.addresses().schemes()) {
+    if (!scheme.title.isEmpty()) kind_->addItem(scheme.title, scheme.prefix);
+  }
   address_->setObjectName(QStringLiteral("address"));
   address_->setPlaceholderText(QStringLiteral("192.0.2.7"));
-  auto* examples = wrappedLabel(examplesText(recents_.addresses().examples()), form_box);
-  setTextColor(*examples, appColors().secondary_text);
+  port_->setObjectName(QStringLiteral("port"));
+  port_->setRange(1, kLargestPort);
+  port_->setAccessibleName(tr("Port"));
+  port_->setPrefix(tr("Port "));
+  port_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  encrypted_->setObjectName(QStringLiteral("encrypted"));
+  made_->setObjectName(QStringLiteral("made"));
+  made_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  setTextColor(*made_, appColors().secondary_text);
   secret_->setObjectName(QStringLiteral("secret"));
   secret_->setEchoMode(QLineEdit::Password);
   secret_->setPlaceholderText(tr("Only if the robot asks for one"));
-  auto* note =
-      wrappedLabel(tr("Used for this connection only. This version never stores secrets."), form_box);
-  setTextColor(*note, appColors().secondary_text);
   error_->setObjectName(QStringLiteral("error"));
   setTextColor(*error_, appColors().error_text);
   error_->hide();
-  form->addRow(tr("&Address"), address_);
-  form->addRow(QString(), error_);
-  form->addRow(QString(), examples);
+  look_.name->setPlaceholderText(tr("What you call it, for example Dock 3"));
+  form->addRow(tr("&Robot"), kind_);
+  form->addRow(labelFor(*address_, tr("&Address")), rowOf({{address_, 1}, port_, encrypted_}, 8));
+  form->addRow(QString(), columnOf({error_, made_}, 0));
   form->addRow(tr("&Secret"), secret_);
-  form->addRow(QString(), note);
+  form->addRow(labelFor(*look_.name, tr("&Name")), rowOf({{look_.name, 1}, look_.color}, 8));
   return form_box;
 }
 
@@ -99,9 +165,7 @@ QWidget* ConnectDialog::buildRecents() {
   list_->setAccessibleName(tr("Recent robots"));
   box->setLayout(columnOf({wrappedLabel(tr("Recent robots and files"), box), {list_, 1}}, 4, QMargins()));
   connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
-    if (!item || item->data(Qt::UserRole).toString() == address_->text()) return;
-    address_->setText(item->data(Qt::UserRole).toString());
-    secret_->clear();  // it was typed for another robot
+    if (item) showRecent(item->data(Qt::UserRole).toString());
   });
   connect(list_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
     if (item->data(Qt::UserRole).isValid())
@@ -110,27 +174,37 @@ QWidget* ConnectDialog::buildRecents() {
   return box;
 }
 
+void ConnectDialog::showRecent(const QString& address) {
+  if (address.isEmpty() || address == address_->text()) return;
+  kind_->setCurrentIndex(0);
+  address_->setText(address);
+  look_.setLook(recents_.look(address));
+  secret_->clear();  // it was typed for another robot
+}
+
 void ConnectDialog::fillRecents() {
   list_->clear();
   const QVector<RecentRobot> robots = recents_.list();
   for (const RecentRobot& robot : robots) {
+    const RecentWords words = wordsOf(robot, recents_.addresses());
     auto* item = new QListWidgetItem(list_);
     item->setData(Qt::UserRole, robot.address);
-    item->setData(Qt::AccessibleTextRole, robot.address);
+    item->setData(Qt::AccessibleTextRole, QStringLiteral("%1, %2").arg(words.title, words.detail));
     item->setSizeHint({0, 28});
+    item->setToolTip(plainToolTip(robot.address));
     auto* row = new QWidget(list_);
-    auto* address = new PlainLabel(robot.address, row);
-    auto* name = new PlainLabel(robot.name, row);
-    name->setSecondary(true);
+    auto* title = new PlainLabel(words.title, row);
+    auto* detail = new PlainLabel(words.detail, row);
+    detail->setSecondary(true);
+    detail->setElideMode(Qt::ElideMiddle);
     auto* when = new PlainLabel(QLocale::c().toString(robot.last, QStringLiteral("yyyy-MM-dd HH:mm")), row);
     when->setSecondary(true);
     when->setAlignment(Qt::AlignRight);
-    QToolButton* remove = iconButton(QStringLiteral("remove"), 14, tr("Forget this robot"), row,
-                                     tr("Forget %1").arg(robot.address));
-    address->setElideMode(Qt::ElideMiddle);
-    name->setMaximumWidth(200);
-    row->setLayout(rowOf({{address, 1}, name, when, remove}, 8, QMargins(8, 0, 4, 0)));
-    name->setVisible(!robot.name.isEmpty());
+    QToolButton* remove = iconButton(QStringLiteral("remove"), 14,
+                                     words.file ? tr("Forget this file") : tr("Forget this robot"), row,
+                                     tr("Forget %1").arg(words.title));
+    row->setLayout(rowOf({new RowMark(robot, words.file, row), {title, 1}, {detail, 1}, when, remove}, 8,
+                         QMargins(8, 0, 4, 0)));
     list_->setItemWidget(item, row);
     connect(remove, &QToolButton::clicked, this, [this, gone = robot.address] {
       recents_.remove(gone);
@@ -139,18 +213,21 @@ void ConnectDialog::fillRecents() {
     });
   }
   if (robots.isEmpty()) {
-    auto* item = new QListWidgetItem(tr("None yet. Robots that you connect to are listed here."), list_);
+    auto* item = new QListWidgetItem(tr("None yet. What you connect to or open is listed here."), list_);
     item->setFlags(Qt::NoItemFlags);
   }
 }
 
 void ConnectDialog::setAddress(const QString& address) {
   address_->setText(address);
+  look_.setLook(recents_.look(address));
   address_->selectAll();
 }
 
 void ConnectDialog::askForSecret(const QString& address, const QString& why) {
+  kind_->setCurrentIndex(0);
   address_->setText(address);
+  look_.setLook(recents_.look(address));
   setError(why.isEmpty() ? QString() : why.left(1).toUpper() + why.mid(1));
   secret_->clear();
   secret_->setFocus();
@@ -158,9 +235,81 @@ void ConnectDialog::askForSecret(const QString& address, const QString& why) {
 
 QString ConnectDialog::errorText() const { return error_->isHidden() ? QString() : error_->text(); }
 
+const robot::AddressScheme* ConnectDialog::kind() const {
+  const QString prefix = kind_->currentData().toString();
+  for (const robot::AddressScheme& scheme : recents_.addresses().schemes()) {
+    if (!prefix.isEmpty() && scheme.prefix == prefix) return &scheme;
+  }
+  return nullptr;
+}
+
+QString ConnectDialog::address() const {
+  const QString typed = address_->text().trimmed();
+  const robot::AddressScheme* const scheme = kind();
+  if (!scheme || typed.isEmpty()) return typed;
+  // A complete address says more than the fields beside it.
+  auto host = recents_.addresses().bareHost(typed);
+  if (!host) return typed;
+  if (!host->port) host->port = port_->value();
+  return robot::addressAt(*scheme, *host, encrypted_->isChecked());
+}
+
+std::optional<robot::Host> ConnectDialog::unknownHost() const {
+  return probes_ && !kind() ? recents_.addresses().bareHost(address_->text()) : std::nullopt;
+}
+
+void ConnectDialog::chooseKind() {
+  const robot::AddressScheme* const scheme = kind();
+  port_->setVisible(scheme != nullptr);
+  encrypted_->setVisible(scheme != nullptr);
+  if (scheme) port_->setValue(scheme->port);
+  check();
+}
+
+QString ConnectDialog::hint(const QString& made, const std::optional<robot::Host>& host) const {
+  if (host) return tr("Every kind of robot is looked for at %1. No secret is sent.").arg(host->name);
+  if (made.isEmpty())
+    return kind() ? tr("The name or address of the robot's computer.")
+                  : tr("A host such as 192.0.2.7 or dock-3.local:9090, or a full address such as %1.")
+                        .arg(recents_.addresses().examples().value(0));
+  const auto parsed = recents_.addresses().parse(made);
+  if (!parsed) return {};
+  return parsed->path.isEmpty() ? tr("Connects to %1").arg(parsed->text) : tr("Opens %1").arg(parsed->path);
+}
+
 void ConnectDialog::check() {
-  connect_->setEnabled(!address_->text().trimmed().isEmpty());
+  if (found_->looking()) found_->stop();
+  below_->setCurrentWidget(recents_page_);
+  const QString made = address();
+  const auto host = unknownHost();
+  connect_->setEnabled(!made.isEmpty());
+  connect_->setText(host ? tr("Search") : tr("Connect"));
+  secret_->setPlaceholderText(tr("Only if the robot asks for one"));
+  made_->setText(words::plainText(hint(made, host)));
   setError({});
+}
+
+void ConnectDialog::go() {
+  if (below_->currentWidget() == found_) {
+    if (const auto robot = found_->chosen()) return start(robot->address, secret_->text().toUtf8());
+    if (found_->looking()) return found_->stop();
+  }
+  if (const auto host = unknownHost()) return search(*host);
+  start(address(), secret_->text().toUtf8());
+}
+
+void ConnectDialog::search(const robot::Host& host) {
+  setError({});
+  below_->setCurrentWidget(found_);
+  found_->look(address_->text().trimmed(), probes_(host));
+}
+
+void ConnectDialog::noteLook() {
+  // A robot that is known keeps it at once; another one when it is connected to.
+  const auto parsed = recents_.addresses().parse(address());
+  if (unknownHost() || !parsed || look_.look() == recents_.look(parsed->text)) return;
+  recents_.setLook(parsed->text, look_.look());
+  fillRecents();
 }
 
 void ConnectDialog::start(const QString& address, const QByteArray& secret) {
@@ -169,7 +318,8 @@ void ConnectDialog::start(const QString& address, const QByteArray& secret) {
     setError(parsed.error());
     return;
   }
-  if (const auto refusal = attempt_(parsed->text, secret)) {
+  const bool demo = address == QLatin1String("demo:");
+  if (const auto refusal = attempt_({parsed->text, secret, demo ? RobotLook() : look_.look()})) {
     setError(*refusal);
     return;
   }
@@ -179,6 +329,7 @@ void ConnectDialog::start(const QString& address, const QByteArray& secret) {
 void ConnectDialog::setError(const QString& sentence) {
   error_->setText(words::plainText(sentence));
   error_->setVisible(!sentence.isEmpty());
+  made_->setVisible(sentence.isEmpty());
   if (!sentence.isEmpty()) {
     address_->setFocus();
     address_->selectAll();

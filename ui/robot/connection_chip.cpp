@@ -8,13 +8,14 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/safety_badge.h"
 #include "ui/kit/state_mark.h"
+#include "ui/robot/robot_look.h"
 
 namespace mapwright::window {
 
 namespace {
 constexpr int kBeforeTextPx = 30, kAfterTextPx = 28;  // the mark, the arrow
 constexpr int kNameLetters = 22, kLeastNameLetters = 8;
-constexpr int kSafetyGapPx = 8, kWordGapPx = 8;
+constexpr int kSafetyGapPx = 8, kWordGapPx = 8, kColorPx = 12, kColorGapPx = 6;
 }  // namespace
 
 ConnectionChip::ConnectionChip(QWidget* parent) : QToolButton(parent) {
@@ -33,6 +34,15 @@ void ConnectionChip::setRobot(const QString& name, Mark mark, const QString& wor
   if (!same) update();
 }
 
+void ConnectionChip::setColor(const QColor& color) {
+  if (color == color_) return;
+  color_ = color;
+  updateGeometry();
+  update();
+}
+
+int ConnectionChip::colorRoom() const { return color_.isValid() ? kColorPx + kColorGapPx : 0; }
+
 void ConnectionChip::setSafety(const SafetyText& text) {
   if (text == safety_) return;
   safety_ = text;
@@ -43,7 +53,7 @@ void ConnectionChip::setSafety(const SafetyText& text) {
 void ConnectionChip::describe() {
   const QString tip = safety_.detail.isEmpty() ? detail_ : safety_.detail + QStringLiteral("\n\n") + detail_;
   setToolTip(plainToolTip(tip));
-  QString called = tr("Robot %1, %2").arg(name_, word_);
+  QString called = word_.isEmpty() ? name_ : tr("%1, %2").arg(name_, word_);
   if (!safety_.badge.isEmpty()) called += QStringLiteral(", ") + safety_.badge;
   setAccessibleName(called);
 }
@@ -51,7 +61,7 @@ void ConnectionChip::describe() {
 QSize ConnectionChip::sizeHint() const {
   // The same whatever it shows: the tools next to it never move.
   const QFontMetrics metrics = fontMetrics();
-  return {kBeforeTextPx + kNameLetters * metrics.averageCharWidth() + kWordGapPx +
+  return {kBeforeTextPx + kColorPx + kColorGapPx + kNameLetters * metrics.averageCharWidth() + kWordGapPx +
               metrics.horizontalAdvance(QStringLiteral("reconnecting")) + kAfterTextPx,
           30};
 }
@@ -65,7 +75,9 @@ void ConnectionChip::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 6, 6);
   paintMark(&painter, QRectF(10, height() / 2.0 - 6, 12, 12), mark_, colors);
   const QFontMetrics metrics = fontMetrics();
-  QRect area = rect().adjusted(kBeforeTextPx, 0, -kAfterTextPx, 0);
+  paintRobotColor(painter, QRectF(kBeforeTextPx, height() / 2.0 - kColorPx / 2.0, kColorPx, kColorPx),
+                  color_);
+  QRect area = rect().adjusted(kBeforeTextPx + colorRoom(), 0, -kAfterTextPx, 0);
   if (const int wanted = safetyWidth(safety_, font()); wanted > 0) {
     // An alert stands where the word was, which the mark and the status bar tell, too.
     const int least_name = kLeastNameLetters * metrics.averageCharWidth();

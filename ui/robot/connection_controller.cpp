@@ -3,8 +3,9 @@
 #include <utility>
 
 #include <QDir>
-#include <QFileInfo>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 
 #include "robot/second_server.h"
 #include "sentences/absence_sentence.h"
@@ -14,7 +15,7 @@
 #include "ui/robot/certificate_dialog.h"
 #include "ui/robot/connect_dialog.h"
 #include "ui/robot/connection_chip.h"
-#include "ui/robot/recent_robots.h"
+#include "ui/robot/robot_look.h"
 #include "ui/shell/current_session.h"
 #include "ui/shell/notices.h"
 #include "ui/shell/unsaved_changes.h"
@@ -44,19 +45,21 @@ void addGroup(QMenu& menu, const Actions& actions, MenuGroup group) {
 
 }  // namespace
 
-ConnectionController::ConnectionController(WindowContext& context, Connect make_robot, QObject* parent)
+ConnectionController::ConnectionController(WindowContext& context, Means means, QObject* parent)
     : Controller(parent),
       context_(context),
-      make_robot_(std::move(make_robot)),
-      recents_(context.settings, context.addresses) {
-  auto* const files = new QMenu(tr("Recent &files"), &context_.window);
+      means_(std::move(means)),
+      recents_(context.settings, context.addresses),
+      secrets_(context.settings, context.addresses, means_.keys) {
+  recents_.whenForgotten([this](const QString& address) { forget(address); });
+  auto* const files = new QMenu(tr("Open &recent"), &context_.window);
   files->setToolTipsVisible(true);
   connect(files, &QMenu::aboutToShow, this, [this, files] {
     files->clear();
     addRecents(*files, true, {});
     if (files->isEmpty()) files->addAction(tr("None yet"))->setEnabled(false);
   });
-  context_.actions.place({MenuGroup::Places, 30}, files->menuAction());
+  context_.actions.place({MenuGroup::Files, 20}, files->menuAction());
   addActions();
   connect(context_.overlay.card(), &EmptyStateCard::wanted, this, &ConnectionController::takeOffer);
   connect(&context_.current, &CurrentSession::stateChanged, this, &ConnectionController::refresh);
@@ -102,13 +105,22 @@ void ConnectionController::addActions() {
                                       .tip = tr("Disconnect from this robot"),
                                       .menu = {MenuGroup::Link, 20}},
                                      this, &ConnectionController::leave);
+  look_action_ = context_.actions.add({.id = "robotLook",
+                                       .text = tr("&Name and colour…"),
+                                       .icon = "robot",
+                                       .tip = tr("What you call this robot, and a colour to tell it by"),
+                                       .needs_session = true,
+                                       .menu = {MenuGroup::Link, 25}},
+                                      this, &ConnectionController::editLook);
 }
 
 void ConnectionController::fillChipMenu(QMenu& menu) {
   menu.clear();
   addGroup(menu, context_.actions, MenuGroup::Places);
   addRecents(menu, false, tr("Recent robots"));
-  addRecents(menu, true, tr("Recent files"));
+  menu.addSection(tr("Files"));
+  addGroup(menu, context_.actions, MenuGroup::Files);
+  addRecents(menu, true, {});
   if (!context_.current.session()) return;
   menu.addSeparator();
   addGroup(menu, context_.actions, MenuGroup::Link);
@@ -117,18 +129,17 @@ void ConnectionController::fillChipMenu(QMenu& menu) {
 void ConnectionController::addRecents(QMenu& menu, bool files, const QString& title) {
   bool first = true;
   for (const RecentRobot& robot : recents_.list()) {
-    const auto parsed = recents_.addresses().parse(robot.address);
-    const QString path = parsed ? parsed->path : QString();
-    if (robot.address == context_.current.address() || path.isEmpty() == files) continue;
+    const RecentWords words = wordsOf(robot, recents_.addresses());
+    if (robot.address == context_.current.address() || words.file != files) continue;
     if (first && !title.isEmpty()) menu.addSection(title);
     first = false;
     QString label =
-        files ? QStringLiteral("%1  %2").arg(QFileInfo(path).fileName(), QFileInfo(path).absolutePath())
-        : robot.name.isEmpty() ? robot.address
-                               : QStringLiteral("%1  %2").arg(words::plainName(robot.name), robot.address);
+        words.detail.isEmpty() ? words.title : QStringLiteral("%1  %2").arg(words.title, words.detail);
     label.replace(QLatin1Char('&'), QLatin1String("&&"));  // no mnemonics from robots
     QAction* const action = menu.addAction(label.left(120));
     action->setToolTip(plainToolTip(robot.address));
+    if (const QColor color = robotColor(robot.look.color); color.isValid())
+      action->setIcon(robotColorIcon(color));
     connect(action, &QAction::triggered, this, [this, address = robot.address] { goTo(address); });
   }
 }
@@ -155,31 +166,130 @@ void ConnectionController::takeOffer(CardOffer offer) {
 }
 
 std::optional<QString> ConnectionController::connectTo(const QString& address, const QByteArray& secret) {
-  auto robot = make_robot_(address, secret);
+  const auto parsed = recents_.addresses().parse(address);
+  return connectAs({address, secret, recents_.look(parsed ? parsed->text : address)});
+}
+
+std::optional<QString> ConnectionController::connectAs(const ConnectDialog::Wish& wish) {
+  const int attempt = ++attempts_;
+  const bool given = means_.has_secret && means_.has_secret(wish.address);
+  typed_secret_ = !wish.secret.isEmpty();
+  if (typed_secret_ || given || !secrets_.kept(wish.address))
+    return connectWith(wish.address, wish.secret, wish.look);
+  secrets_.read(wish.address, [this, attempt, wish](const keyring::KeyRingAnswer& answer) {
+    if (attempt != attempts_) return;  // somebody wanted another robot meanwhile
+    if (answer.reason.any())
+      context_.overlay.toasts()->add(
+          Mark::Warning, tr("The kept secret cannot be had: %1.").arg(sentences::wordsOf(answer.reason)));
+    if (const auto error = connectWith(wish.address, answer.secret, wish.look))
+      context_.overlay.toasts()->add(Mark::Bad, *error);
+  });
+  return std::nullopt;
+}
+
+std::optional<QString> ConnectionController::connectWith(const QString& address, const QByteArray& secret,
+                                                         const RobotLook& look) {
+  auto robot = means_.connect(address, secret);
   if (!robot) return robot.error();
   if (!*robot) return tr("No robot supports this address.");
   secret_of_ = (*robot)->address();
   secret_ = secret;
   // Shared, because the callback has to be copyable.
   context_.unsaved.whenMayLeaveRobot(
-      [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot)), address] {
-        begin(std::move(*made), address);
+      [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot)), look] {
+        begin(std::move(*made), look);
       });
   return std::nullopt;
 }
 
 tl::expected<std::unique_ptr<robot::Robot>, QString> ConnectionController::another(
     const QString& address) const {
-  auto robot = make_robot_(address, address == secret_of_ ? secret_ : QByteArray());
+  auto robot = means_.connect(address, address == secret_of_ ? secret_ : QByteArray());
   if (robot && !*robot) return tl::make_unexpected(tr("No robot supports this address."));
   return robot;
 }
 
-void ConnectionController::begin(std::unique_ptr<robot::Robot> robot, const QString& address) {
-  recents_.add(address, QDateTime::currentDateTime());
-  noteSettings();
+void ConnectionController::begin(std::unique_ptr<robot::Robot> robot, const RobotLook& look) {
+  unproven_ = robot->address();
+  look_ = look;
   context_.current.begin(std::move(robot));
+  showLook();
+  noteWorks();
   context_.view.setFocus();
+}
+
+void ConnectionController::noteWorks() {
+  const session::Session* const session = context_.current.session();
+  if (!session || unproven_.isEmpty() || session->connection().phase != ConnectionPhase::Online) return;
+  const QString address = std::exchange(unproven_, QString());
+  recents_.add(address, QDateTime::currentDateTime());
+  if (look_ != recents_.look(address)) recents_.setLook(address, look_);
+  noteIdentity();
+  noteSettings();
+  if (typed_secret_ && secrets_.kept(address)) {
+    // It was agreed to, and this one works.
+    secrets_.keep(address, secret_, [](const keyring::KeyRingAnswer&) {});
+  } else if (typed_secret_ && secrets_.mayAsk(address)) {
+    askToKeepSecret(address);
+  }
+}
+
+void ConnectionController::askToKeepSecret(const QString& address) {
+  auto* const question = new QMessageBox(
+      QMessageBox::Question, tr("Keep the secret?"),
+      tr("Keep the secret of %1 in the key ring of this computer?").arg(context_.current.called()),
+      QMessageBox::NoButton, &context_.window);
+  question->setTextFormat(Qt::PlainText);
+  question->setInformativeText(
+      tr("The next time it is taken from there. It is never kept anywhere else, and "
+         "goes when you forget the robot."));
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  question->setObjectName(QStringLiteral("keepSecret"));
+  QPushButton* const keep = question->addButton(tr("Keep"), QMessageBox::AcceptRole);
+  QPushButton* const never = question->addButton(tr("Never for this robot"), QMessageBox::DestructiveRole);
+  QPushButton* const not_now = question->addButton(tr("Not now"), QMessageBox::RejectRole);
+  question->setDefaultButton(keep);
+  question->setEscapeButton(not_now);
+  connect(never, &QPushButton::clicked, this, [this, address] { secrets_.neverAsk(address); });
+  connect(keep, &QPushButton::clicked, this, [this, address, secret = secret_] {
+    secrets_.keep(address, secret, [this](const keyring::KeyRingAnswer& answer) {
+      const bool kept = !answer.reason.any();
+      context_.overlay.toasts()->add(
+          kept ? Mark::Good : Mark::Warning,
+          kept ? tr("The secret is in the key ring.")
+               : tr("The secret was not kept: %1.").arg(sentences::wordsOf(answer.reason)));
+    });
+  });
+  question->open();
+}
+
+void ConnectionController::forget(const QString& address) {
+  secrets_.forget(address, [this](const keyring::KeyRingAnswer& answer) {
+    if (answer.reason.any())
+      context_.overlay.toasts()->add(Mark::Warning,
+                                     tr("The secret could not be removed from the key ring: %1.")
+                                         .arg(sentences::wordsOf(answer.reason)));
+  });
+}
+
+void ConnectionController::editLook() {
+  const session::Session* const session = context_.current.session();
+  if (!session) return;
+  auto* const dialog = new RobotLookDialog(look_, robotCalled(session->robot()), &context_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, address = context_.current.address()] {
+    recents_.setLook(address, dialog->look());
+    noteSettings();
+    if (address != context_.current.address()) return;
+    look_ = dialog->look();
+    showLook();
+  });
+  dialog->open();
+}
+
+void ConnectionController::showLook() {
+  context_.current.setCalled(look_.called);
+  if (chip_) refreshChip();
 }
 
 void ConnectionController::leave() {
@@ -208,12 +318,19 @@ void ConnectionController::retry() {
 
 void ConnectionController::openDialog() {
   ConnectDialog dialog(
-      recents_,
-      [this](const QString& address, const QByteArray& secret) { return connectTo(address, secret); },
+      recents_, [this](const ConnectDialog::Wish& wish) { return connectAs(wish); }, means_.probes,
       &context_.window);
+  // Not a file: who connects wants a robot.
+  const session::Session* const session = context_.current.session();
   const QString address = context_.current.address();
-  if (!address.isEmpty() && !address.startsWith(QLatin1String("demo"))) dialog.setAddress(address);
+  if (session && !session->robot().isLocal() && !address.startsWith(QLatin1String("demo")))
+    dialog.setAddress(address);
   dialog.exec();
+  // Its name may have been changed there.
+  if (session && session == context_.current.session() && unproven_.isEmpty()) {
+    look_ = recents_.look(context_.current.address());
+    showLook();
+  }
 }
 
 ConnectDialog* ConnectionController::secretDialog() const {
@@ -224,8 +341,7 @@ void ConnectionController::enterSecret() {
   const session::Session* const session = context_.current.session();
   if (!session || secretDialog()) return;
   auto* const dialog = new ConnectDialog(
-      recents_,
-      [this](const QString& address, const QByteArray& secret) { return connectTo(address, secret); },
+      recents_, [this](const ConnectDialog::Wish& wish) { return connectAs(wish); }, means_.probes,
       &context_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
@@ -300,9 +416,14 @@ void ConnectionController::setSafety(const SafetyText& text) {
 }
 
 void ConnectionController::refresh() {
+  noteWorks();
   const session::Session* const session = context_.current.session();
+  const bool local = session && session->robot().isLocal();
   retry_->setEnabled(session != nullptr);
+  retry_->setText(local ? tr("&Read again") : tr("&Retry now"));
   disconnect_->setEnabled(session != nullptr);
+  disconnect_->setText(local ? tr("&Close file") : tr("D&isconnect"));
+  look_action_->setVisible(!local);
   const bool stale = session && session->staleSince().has_value();
   context_.scene.setStale(stale);
   // Updates the elapsed time.
@@ -315,6 +436,7 @@ void ConnectionController::refresh() {
 
 void ConnectionController::refreshChip() {
   const session::Session* const session = context_.current.session();
+  chip_->setColor(session ? robotColor(look_.color) : QColor());
   if (!session) {
     chip_->setRobot(tr("No robot"), Mark::Neutral, {}, tr("Connect to a robot"));
     return;
@@ -325,17 +447,23 @@ void ConnectionController::refreshChip() {
   if (!identity.model.isEmpty()) detail << tr("Model %1").arg(identity.model);
   if (!identity.serial.isEmpty()) detail << tr("Serial number %1").arg(identity.serial);
   if (!identity.version.isEmpty()) detail << tr("Version %1").arg(identity.version);
-  const StateText state = replayText(session).value_or(linkText(connection, silentOnline(*session)));
+  const StateText state = sourceText(session).value_or(linkText(connection, silentOnline(*session)));
   detail << state.text;
   if (replayText(session)) {
     chip_->setRobot(bagCalled(*replayOf(session)), state.mark, tr("replay"), detail.join(QLatin1Char('\n')));
+    return;
+  }
+  if (session->robot().isLocal()) {
+    const bool open = connection.phase == ConnectionPhase::Online;
+    chip_->setRobot(context_.current.called(), state.mark, open ? tr("file") : tr("file, not open"),
+                    detail.join(QLatin1Char('\n')));
     return;
   }
   if (const auto since = session->staleSince())
     detail << tr("No connection since %1, %2")
                   .arg(QLocale::c().toString(*since, QStringLiteral("HH:mm:ss")),
                        lengthText(since->secsTo(QDateTime::currentDateTime())));
-  chip_->setRobot(robotCalled(session->robot()), state.mark, linkWord(connection, silentOnline(*session)),
+  chip_->setRobot(context_.current.called(), state.mark, linkWord(connection, silentOnline(*session)),
                   detail.join(QLatin1Char('\n')));
 }
 

@@ -13,6 +13,8 @@
 #include "robot/robot.h"
 #include "ui/kit/controller.h"
 #include "ui/kit/safety_badge.h"
+#include "ui/robot/connect_dialog.h"
+#include "ui/robot/kept_secrets.h"
 #include "ui/robot/recent_robots.h"
 #include "ui/shell/window_context.h"
 
@@ -20,7 +22,6 @@ class QMenu;
 
 namespace mapwright::window {
 
-class ConnectDialog;
 class ConnectionChip;
 enum class CardOffer;
 
@@ -30,8 +31,16 @@ class ConnectionController : public Controller {
   /// Makes a robot, not yet connected, from an address (also "demo:"). The error is a sentence.
   using Connect = std::function<tl::expected<std::unique_ptr<robot::Robot>, QString>(
       const QString& address, const QByteArray& secret)>;
+  /// What it is done with. Everything outlives this.
+  struct Means {
+    Connect connect;
+    ConnectDialog::Probes probes = {};  // null: nobody is looked for
+    keyring::KeyRing* keys = nullptr;   // null: secrets are not kept
+    /// A secret for this address came with the program's start: it goes before a kept one.
+    std::function<bool(const QString& address)> has_secret = {};
+  };
 
-  ConnectionController(WindowContext& context, Connect make_robot, QObject* parent = nullptr);
+  ConnectionController(WindowContext& context, Means means, QObject* parent = nullptr);
 
   /// Switches to another robot after unsaved changes are saved or discarded; the error is a sentence, and
   /// then nothing has changed.
@@ -58,7 +67,15 @@ class ConnectionController : public Controller {
   void addActions();
   void fillChipMenu(QMenu& menu);
   void addRecents(QMenu& menu, bool files, const QString& title);
-  void begin(std::unique_ptr<robot::Robot> robot, const QString& address);
+  std::optional<QString> connectAs(const ConnectDialog::Wish& wish);
+  std::optional<QString> connectWith(const QString& address, const QByteArray& secret, const RobotLook& look);
+  void begin(std::unique_ptr<robot::Robot> robot, const RobotLook& look);
+  /// Keeps what has worked: the address, its name and colour, perhaps its secret.
+  void noteWorks();
+  void askToKeepSecret(const QString& address);
+  void forget(const QString& address);
+  void editLook();
+  void showLook();
   void leave();
   void takeOffer(CardOffer offer);
   void openDialog();
@@ -74,10 +91,15 @@ class ConnectionController : public Controller {
   void refreshNotices();
 
   WindowContext& context_;
-  Connect make_robot_;
+  Means means_;
   RecentRobots recents_;
+  KeptSecrets secrets_;
+  QString unproven_;  // an address that has not worked yet
+  RobotLook look_;    // the user's, of the present one
+  bool typed_secret_ = false;
+  int attempts_ = 0;  // to connect: a late answer of the key ring belongs to an earlier one
   ConnectionChip* chip_ = nullptr;
-  QAction *retry_ = nullptr, *disconnect_ = nullptr;
+  QAction *retry_ = nullptr, *disconnect_ = nullptr, *look_action_ = nullptr;
   QTimer stale_tick_;  // while the connection is lost
   SafetyText safety_;
   QString last_uuid_;

@@ -34,7 +34,7 @@ void StatusController::refresh() {
 }
 
 void StatusController::refreshTitle() {
-  const QString title = windowTitle(context_.current.session(), context_.scene);
+  const QString title = windowTitle(context_.current.session(), context_.scene, context_.current.called());
   context_.window.setWindowTitle(context_.unsaved.any() ? QStringLiteral("• %1").arg(title) : title);
 }
 

@@ -6,6 +6,7 @@
 
 #include "replay/replay_robot.h"
 #include "scene/map_scene.h"
+#include "ui/view/on_screen.h"
 
 namespace mapwright::window {
 
@@ -38,8 +39,20 @@ CurrentSession::~CurrentSession() { leave(); }
 
 QString CurrentSession::address() const { return session_ ? session_->robot().address() : QString(); }
 
+QString CurrentSession::called() const {
+  if (!session_) return {};
+  return called_.isEmpty() ? robotCalled(session_->robot()) : called_;
+}
+
+void CurrentSession::setCalled(const QString& by_user) {
+  if (by_user == called_) return;
+  called_ = by_user;
+  Q_EMIT stateChanged();
+}
+
 void CurrentSession::begin(std::unique_ptr<robot::Robot> robot) {
   leave();
+  called_.clear();
   const session::Session::Options options = optionsOf(*robot, options_);
   session_ = std::make_unique<session::Session>(std::move(robot), options);
   scene_.setSession(session_.get());

@@ -24,6 +24,10 @@ class CurrentSession : public QObject {
   /// null = none.
   session::Session* session() const { return session_.get(); }
   QString address() const;  // empty = none
+  /// By the user's name, if there is one, else as it calls itself. Empty = none; one line of plain text.
+  QString called() const;
+  /// The user's name for it; empty = none. Until another one begins.
+  void setCalled(const QString& by_user);
 
   /// Leaves the present robot, shows this one and connects to it.
   void begin(std::unique_ptr<robot::Robot> robot);
@@ -42,6 +46,7 @@ class CurrentSession : public QObject {
   scene::MapScene& scene_;
   session::Session::Options options_;
   std::unique_ptr<session::Session> session_;
+  QString called_;
 };
 
 }  // namespace mapwright::window

@@ -103,10 +103,10 @@ HalfNames halfNames(session::Session* session, const scene::MapScene& scene) {
   return {called(halves.left), called(halves.right)};
 }
 
-QString windowTitle(session::Session* session, const scene::MapScene& scene) {
+QString windowTitle(session::Session* session, const scene::MapScene& scene, const QString& called) {
   if (!session) return QStringLiteral("mapwright");
   const replay::ReplayRobot* const replayed = replayOf(session);
-  const QString robot = robotCalled(session->robot()).left(80);
+  const QString robot = called.left(80);
   const QString name =
       replayed ? QCoreApplication::translate("window", "Replay of %1 – %2").arg(bagCalled(*replayed), robot)
                : robot;

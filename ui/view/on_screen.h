@@ -28,8 +28,8 @@ struct HalfNames {
 HalfNames halfNames(session::Session* session, const scene::MapScene& scene);
 /// The same for the open map and the one that it is compared with.
 HalfNames comparedNames(const session::Session& session);
-/// "Ground floor – dock-3 – mapwright". Null: no robot.
-QString windowTitle(session::Session* session, const scene::MapScene& scene);
+/// "Ground floor – dock-3 – mapwright", `called`: dock-3. Null: no robot.
+QString windowTitle(session::Session* session, const scene::MapScene& scene, const QString& called);
 
 enum class ViewMode { Submaps, Whole, Both };
 

@@ -176,7 +176,8 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(messages_);
   make(files_, *placing_);
   make(export_, dependencies.yamls_naming);
-  make(connection_, dependencies.connect);
+  make(connection_, ConnectionController::Means{dependencies.connect, dependencies.probes, dependencies.keys,
+                                                dependencies.has_secret});
   make(recording_);
   controllers_.push_back(new StatusController(context, this));
   controllers_.push_back(new HelpController(context, this));

@@ -16,6 +16,7 @@
 
 #include "clouds/cloud_store.h"
 #include "edit/open_waypoints.h"
+#include "robot/probe.h"
 #include "robot/robot.h"
 #include "scene/map_scene.h"
 #include "session/session.h"
@@ -23,6 +24,10 @@
 #include "ui/shell/window_context.h"
 #include "ui/view/hit_list.h"
 #include "work/workers.h"
+
+namespace mapwright::keyring {
+class KeyRing;
+}
 
 namespace mapwright::window {
 
@@ -77,6 +82,11 @@ class MainWindow : public QMainWindow {
     robot::Addresses addresses = {};  // the supported kinds
     /// Shared background threads; null = a thread pool of its own.
     std::shared_ptr<work::Workers> workers = {};
+    /// The questions that tell which robots answer at a host; null: nobody is looked for.
+    std::function<std::vector<robot::Probe>(const robot::Host& host)> probes = {};
+    keyring::KeyRing* keys = nullptr;  // null: secrets are not kept
+    /// Whether the program was started with a secret for this address.
+    std::function<bool(const QString& address)> has_secret = {};
     work::Budgets budgets = work::budgetsFrom();  // of all caches
   };
 
