@@ -20,11 +20,28 @@ namespace {
 // there.
 constexpr char kFallback[] = "offscreen:";
 
+// Whatever else is installed: these alone, that of Noto in the version of Debian 12 (fonts-noto-cjk). One
+// family of Noto has all of Chinese, Japanese and Korean; of several the language of the user would choose.
+// Emoji stay boxes: labels are outlines, and the glyphs of colour fonts have none.
 constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
 <!DOCTYPE fontconfig SYSTEM "fonts.dtd">
 <fontconfig>
   <dir>/usr/share/fonts</dir>
   <cachedir prefix="xdg">fontconfig</cachedir>
+  <selectfont>
+    <rejectfont><pattern><patelt name="scalable"><bool>true</bool></patelt></pattern></rejectfont>
+    <rejectfont><pattern><patelt name="scalable"><bool>false</bool></patelt></pattern></rejectfont>
+    <acceptfont><pattern>
+      <patelt name="family"><string>DejaVu Sans</string></patelt>
+    </pattern></acceptfont>
+    <acceptfont><pattern>
+      <patelt name="family"><string>DejaVu Sans Mono</string></patelt>
+    </pattern></acceptfont>
+    <acceptfont><pattern>
+      <patelt name="family"><string>Noto Sans CJK SC</string></patelt>
+      <patelt name="fontversion"><int>131334</int></patelt>
+    </pattern></acceptfont>
+  </selectfont>
   <match target="font">
     <edit name="antialias" mode="assign"><bool>true</bool></edit>
     <edit name="hinting" mode="assign"><bool>false</bool></edit>

@@ -67,14 +67,15 @@ foreach(entry ${entries})
 endforeach()
 file(WRITE ${root}/DEBIAN/md5sums "${sums}")
 # Qt's plugins for X11, offscreen, SVG and TLS come with its libraries. Beside them: the fonts of every snapshot;
-# authorities for encrypted links, windows under Wayland, a key ring for secrets; films of bags.
+# authorities for encrypted links, windows under Wayland, a key ring for secrets, names in
+# Chinese, Japanese and Korean and emoji; films of bags.
 file(WRITE ${root}/DEBIAN/control "Package: mapwright
 Version: ${version}
 Architecture: ${architecture}
 Maintainer: ${maintainer}
 Installed-Size: ${kib}
 Depends: ${libraries}, fonts-dejavu-core
-Recommends: ca-certificates, qt6-wayland, gnome-keyring | kwalletmanager
+Recommends: ca-certificates, qt6-wayland, gnome-keyring | kwalletmanager, fonts-noto-cjk, fonts-noto-color-emoji
 Suggests: ffmpeg
 Section: science
 Priority: optional
