@@ -306,6 +306,23 @@
     </message>
 </context>
 <context>
+    <name>mapwright::window::LayersDock</name>
+    <message numerus="yes">
+        <source>%1 layers that these files have no data for</source>
+        <translation>
+            <numerusform>%1 layer that these files have no data for</numerusform>
+            <numerusform>%1 layers that these files have no data for</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 layers that this robot has no data for</source>
+        <translation>
+            <numerusform>%1 layer that this robot has no data for</numerusform>
+            <numerusform>%1 layers that this robot has no data for</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::window::LineBar</name>
     <message numerus="yes">
         <source>; %1 names are taken and left out</source>
@@ -419,6 +436,16 @@
         <translation>
             <numerusform>%1 recording</numerusform>
             <numerusform>%1 recordings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::ReferenceDock</name>
+    <message numerus="yes">
+        <source>%1 pairs, off by %2 (root mean square)</source>
+        <translation>
+            <numerusform>%1 pair, off by %2 (root mean square)</numerusform>
+            <numerusform>%1 pairs, off by %2 (root mean square)</numerusform>
         </translation>
     </message>
 </context>
