@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QCoreApplication>
+#include <QPainterPath>
 
 #include "scene/layer_item.h"
 
@@ -61,17 +62,18 @@ class MarkBrush {
     painter_.setBrushOrigin(hatchOrigin(context.view));
   }
 
-  void area(const QPolygonF& shape, const QColor& color) {
-    painter_.setPen(Qt::NoPen);
-    painter_.setBrush(translucent(color, kTint));
-    painter_.drawPolygon(shape);
-    painter_.setBrush(QBrush(translucent(color, kHatchLines), Qt::BDiagPattern));
-    painter_.drawPolygon(shape);
+  /// Several at once: where they overlap, hatching lies on them once.
+  void areas(const std::vector<QPolygonF>& shapes, const QColor& color) {
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
+    for (const QPolygonF& shape : shapes) path.addPolygon(turnedAlike(shape));
+    painter_.fillPath(path, translucent(color, kTint));
+    painter_.fillPath(path, QBrush(translucent(color, kHatchLines), Qt::BDiagPattern));
   }
-  void outline(const QPolygonF& shape, const QColor& color) {
+  void outline(const QPolygonF& shape, const QColor& color, bool halo = true) {
     painter_.setBrush(Qt::NoBrush);
     painter_.setPen(QPen(context_.theme.text_halo, 3, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
-    painter_.drawPolygon(shape);
+    if (halo) painter_.drawPolygon(shape);
     painter_.setPen(QPen(color, 1.5, Qt::DashLine, Qt::FlatCap, Qt::MiterJoin));
     painter_.drawPolygon(shape);
   }
@@ -87,14 +89,38 @@ class MarkBrush {
     context_.ink->draw(painter_, at - QPointF(size.width(), size.height()) / 2, sign, context_.theme,
                        readable(color, context_.theme));
   }
-  void mark(const QPolygonF& shape, const QPointF& at, MarkKind kind) {
-    const QColor color = markColor(context_.theme, kind);
-    area(shape, color);
-    outline(shape, color);
-    badge(at, kind);
+  struct Mark {
+    QPolygonF shape;
+    QPointF at;
+    MarkKind kind;
+  };
+  void marks(const std::vector<Mark>& marks) {
+    constexpr std::size_t kFew = 40;  // the halos of more would hide the map
+    for (const bool only_slice : {true, false}) {
+      std::vector<QPolygonF> shapes;
+      for (const Mark& mark : marks) {
+        if ((mark.kind == MarkKind::NoSlice) == only_slice) shapes.push_back(mark.shape);
+      }
+      areas(shapes, only_slice ? context_.theme.warn : context_.theme.bad);
+    }
+    for (const Mark& mark : marks)
+      outline(mark.shape, markColor(context_.theme, mark.kind), marks.size() <= kFew);
+    for (const Mark& mark : marks) badge(mark.at, mark.kind);
   }
 
  private:
+  /// For one path: two that turn in opposite ways would cancel each other out.
+  static QPolygonF turnedAlike(QPolygonF shape) {
+    double twice_area = 0;
+    for (qsizetype i = 0; i < shape.size(); ++i) {
+      const QPointF &a = shape[i], &b = shape[(i + 1) % shape.size()];
+      twice_area += a.x() * b.y() - b.x() * a.y();
+    }
+    if (twice_area < 0) std::reverse(shape.begin(), shape.end());
+    if (!shape.isClosed()) shape << shape.front();
+    return shape;
+  }
+
   QPainter& painter_;
   const LayerContext& context_;
 };
@@ -119,23 +145,19 @@ QRectF badgeArea(const QPointF& at) {
 class SubmapProblems : public LayerItem {
  public:
   using LayerItem::LayerItem;
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
     if (context_.submap_marks->size() == 0) return;
     painter->save();
     MarkBrush brush(*painter, context_);
     if (const auto marks = inView()) {
+      std::vector<MarkBrush::Mark> drawn;
       for (const auto& [id, mark] : *marks) {
-        const QPolygonF shape = shapeOf(context_, mark);
-        if (!shape.boundingRect().adjusted(-20, -20, 20, 20).intersects(option->exposedRect)) continue;
-        brush.mark(shape, toPoint(context_.view.pixelFromWorld(mark.at_m)), mark.kind);
+        drawn.push_back(
+            {shapeOf(context_, mark), toPoint(context_.view.pixelFromWorld(mark.at_m)), mark.kind});
       }
+      brush.marks(drawn);
     } else {
-      for (const QPolygonF& square : squares()) {
-        brush.area(square, context_.theme.bad);
-        painter->setBrush(Qt::NoBrush);
-        painter->setPen(QPen(translucent(context_.theme.bad, 160), 1));
-        painter->drawPolygon(square);
-      }
+      brush.areas(squares(), context_.theme.bad);
     }
     painter->restore();
   }
@@ -144,12 +166,10 @@ class SubmapProblems : public LayerItem {
     const auto marks = inView();
     if (!marks) return;
     for (const auto& [id, mark] : *marks) {
-      const QRectF box = shapeOf(context_, mark).boundingRect();
-      labels.symbol(badgeArea(toPoint(context_.view.pixelFromWorld(mark.at_m))));
-      const bool sized = box.width() > 3 * kFixedPx;
-      if (!sized && !labels.namesShown()) continue;
-      labels.add(sized ? LabelWish::Place::Within : LabelWish::Place::Beside, LabelRank::Thing, box,
-                 std::hash<map::SubmapId>()(id),
+      const QRectF badge = badgeArea(toPoint(context_.view.pixelFromWorld(mark.at_m)));
+      labels.symbol(badge);
+      if (!labels.namesShown()) continue;
+      labels.add(LabelWish::Place::Beside, LabelRank::Thing, badge, std::hash<map::SubmapId>()(id),
                  QStringLiteral("%1: %2").arg(QString::fromStdString(map::toText(id)), wordOf(mark.kind)),
                  readable(markColor(context_.theme, mark.kind), context_.theme));
     }
@@ -189,18 +209,19 @@ class MapProblems : public LayerItem {
     if (const auto& trouble = features.trouble) {
       const QPolygonF shape = toPolygon(context_.view, {trouble->corners.begin(), trouble->corners.end()});
       if (inView(context_.view, shape.boundingRect())) {
-        if (trouble->nothing_shown) brush.area(shape, context_.theme.bad);
+        if (trouble->nothing_shown) brush.areas({shape}, context_.theme.bad);
         brush.outline(shape, context_.theme.bad);
         brush.badge(trouble->nothing_shown ? shape.boundingRect().center() : shape[0], MarkKind::Unreadable);
       }
     }
+    std::vector<MarkBrush::Mark> drawn;
     for (const map::BrokenOverlay& feature : brokenShown()) {
       if (!feature.at_m) continue;
-      const PlacedMark mark{MarkKind::Unreadable, *feature.at_m};
-      const QPolygonF shape = shapeOf(context_, mark);
+      const QPolygonF shape = shapeOf(context_, {MarkKind::Unreadable, *feature.at_m});
       if (inView(context_.view, shape.boundingRect()))
-        brush.mark(shape, shape.boundingRect().center(), mark.kind);
+        drawn.push_back({shape, shape.boundingRect().center(), MarkKind::Unreadable});
     }
+    brush.marks(drawn);
     painter->restore();
   }
   LabelUse labelUse() const override { return LabelUse::Symbols; }
