@@ -216,12 +216,6 @@ void MapRequests::fetchParts(const std::shared_ptr<Fetch>& fetch, const MapDetai
   fetch->map.grid = detail.grid;
   fetch->map.overlays = detail.overlays;
   fetch->map.broken_overlays = detail.broken_overlays;
-  if (const std::size_t broken = detail.broken_overlays.size(); broken > 0) {
-    fetch->map.notes.push_back({map::Severity::Warning,
-                                map::subjectOf(fetch->map.key),
-                                {fault::FeaturesUnreadable, {std::int64_t(broken)}},
-                                map::ProblemCode::Odd});
-  }
   if (!detail.overlays_readable) {
     fetch->map.notes.push_back({map::Severity::Warning,
                                 map::subjectOf(fetch->map.key),
