@@ -63,7 +63,8 @@ class ScenePicture : public SnapshotPicture {
     scene_.setLayerVisible(scene::Layer::Submaps, content_.submaps && !options_.without_submaps);
     scene_.setLayerVisible(scene::Layer::WholeMap, content_.whole);
     scene_.setLayerVisible(scene::Layer::Regions, content_.regions != nullptr);
-    // A submap without the chosen slice is complete: its picture stays the same unless the marks are asked for.
+    // A submap without the chosen slice is complete: its picture stays the same unless the marks are asked
+    // for.
     scene_.setSlicesMarked(options_.named.contains(scene::Layer::Problems));
     scene_.setView(content_.view);
     scene_.setSession(&session_);
