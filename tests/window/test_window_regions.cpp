@@ -351,6 +351,7 @@ class TestWindowRegions : public QObject {
     view.center_m = {3000, 3000};
     window_->mapScene()->setView(view);
     QTRY_VERIFY2(tip().contains(QStringLiteral("has nothing")), qPrintable(tip()));
+    view.center_m = {-3000, 3000};  // where nothing was fetched before
     view.scale_m_per_px = 5;
     window_->mapScene()->setView(view);
     QTRY_VERIFY2(tip().contains(QStringLiteral("Zoom in")), qPrintable(tip()));
