@@ -257,6 +257,19 @@ class TestWindowDialogs : public QObject {
     QCOMPARE(test.wish.look.called, QStringLiteral("Dock 3"));
   }
 
+  void theNameOfARobotDoesNotGoAlongToAnother() {
+    Looking test;
+    const QString known = QStringLiteral("axbot+http://192.0.2.7:8090");
+    test.bench.recents.add(known, QDateTime(QDate(2024, 5, 1), QTime(12, 0)));
+    test.bench.recents.setLook(known, {QStringLiteral("Dock 3"), QStringLiteral("green")});
+    auto* name = test.dialog->findChild<QLineEdit*>(QStringLiteral("calledName"));
+    test.dialog->setAddress(known);
+    QCOMPARE(name->text(), QStringLiteral("Dock 3"));
+    test.type("192.0.2.8");  // over the selected one
+    QVERIFY(name->text().isEmpty());
+    QCOMPARE(test.bench.recents.look(known).called, QStringLiteral("Dock 3"));
+  }
+
   void saysThatThereIsNoRobot() {
     Looking test;
     test.type("192.0.2.7");

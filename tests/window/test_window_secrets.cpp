@@ -150,7 +150,7 @@ class TestWindowSecrets : public QObject {
     QVERIFY(!bench.window->connectTo(kAddress, "hunter2"));
     QTRY_VERIFY(bench.question());
     bench.answer("Keep");
-    QTRY_VERIFY(bench.ring.secrets.contains(kServer));
+    QTRY_VERIFY(bench.ring.secrets.contains(kServer) && bench.told("in the key ring"));
     bench.ring.trouble = Fault(keyring::fault::KeyRingDenied);
     bench.secret = "not asked";
     QVERIFY(!bench.window->connectTo(kAddress));

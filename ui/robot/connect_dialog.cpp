@@ -1,5 +1,7 @@
 #include "ui/robot/connect_dialog.h"
 
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
@@ -93,6 +95,14 @@ ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, Probes prob
 
   connect(kind_, &QComboBox::currentIndexChanged, this, &ConnectDialog::chooseKind);
   connect(address_, &QLineEdit::textChanged, this, &ConnectDialog::check);
+  connect(address_, &QLineEdit::textEdited, this, [this] {
+    // A look that belongs to a robot does not go along to another one.
+    const QVector<RecentRobot> known = recents_.list();
+    const bool of_a_robot = std::any_of(known.begin(), known.end(),
+                                        [&](const RecentRobot& robot) { return robot.look == look_.look(); });
+    const auto parsed = recents_.addresses().parse(address());
+    if (of_a_robot) look_.setLook(parsed && !unknownHost() ? recents_.look(parsed->text) : RobotLook());
+  });
   connect(port_, &QSpinBox::valueChanged, this, &ConnectDialog::check);
   connect(encrypted_, &QCheckBox::toggled, this, &ConnectDialog::check);
   connect(secret_, &QLineEdit::textEdited, this, [this] { setError({}); });

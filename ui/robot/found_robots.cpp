@@ -52,7 +52,9 @@ FoundRobots::FoundRobots(const robot::Addresses& addresses, QWidget* parent)
   reasons_->setTabChangesFocus(true);
   reasons_->setMinimumHeight(96);
   reasons_->hide();
-  setLayout(columnOf({rowOf({{state_, 1}, details_}, 8), {list_, 1}, {reasons_, 1}}, 4, QMargins()));
+  setLayout(columnOf(
+      {rowOf({{state_, 1, Qt::AlignTop}, {details_, 0, Qt::AlignTop}}, 8), {list_, 1}, {reasons_, 1}}, 4,
+      QMargins()));
   connect(details_, &QToolButton::toggled, reasons_, &QWidget::setVisible);
   connect(list_, &QListWidget::currentRowChanged, this, &FoundRobots::changed);
   connect(list_, &QListWidget::itemActivated, this, [this] {

@@ -58,6 +58,8 @@ EmptyState cloudsInstead() {
 void sayOfFile(EmptyState& state) {
   if (state.kind == EmptyState::Kind::Connecting)
     state.title = QCoreApplication::translate("window", "Opening…");
+  if (state.kind == EmptyState::Kind::WaitingForList)
+    state.text = QCoreApplication::translate("window", "It has not told of any yet.");
   if (state.kind == EmptyState::Kind::NoMap)
     state.text = QCoreApplication::translate("window", "Double-click one under Maps.");
   if (state.kind != EmptyState::Kind::Failed) return;
