@@ -34,7 +34,7 @@ const QString kServer = QStringLiteral("http://192.0.2.7:8090");
 class FakeKeyRing : public keyring::KeyRing {
  public:
   void read(const QString& name, Reply reply) override {
-    later(std::move(reply), {secrets.value(name), trouble});
+    later(std::move(reply), {trouble.any() ? QByteArray() : secrets.value(name), trouble});
   }
   void write(const QString& name, const QByteArray& secret, Reply reply) override {
     if (!trouble.any()) secrets[name] = secret;
