@@ -85,7 +85,9 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
     refresh();
   });
   connect(&context_.current, &CurrentSession::stateChanged, this, &ReplayController::refresh);
-  new TrackOnMap(*clock_, context_.scene, this);
+  auto* const track = new TrackOnMap(*clock_, context_.scene, this);
+  connect(track, &TrackOnMap::shown, this, &ReplayController::fitTrack);
+  connect(&context_.view, &MapView::movedByHand, this, [this] { fits_track_ = false; });
   context_.view.installEventFilter(this);
   context_.view.viewport()->installEventFilter(this);
 }
@@ -263,6 +265,7 @@ void ReplayController::setSession(session::Session* session) {
   }
   if (!robot) dock_->setOpening({});
   maps_chosen_ = false;
+  fits_track_ = robot != nullptr;
   if (session && mode_before_ && viewMode(context_.scene) == ViewMode::Whole)
     setViewMode(context_.scene, *mode_before_);
   if (session) mode_before_.reset();
@@ -314,6 +317,14 @@ void ReplayController::fitAtFirst() {
   // The map arrives during playback: it must not move the view.
   context_.viewpoint.choose();
   context_.viewpoint.fitOnce(bounds.grown(kRoomAroundTrackM));
+}
+
+void ReplayController::fitTrack(geometry::WorldRect track) {
+  if (!fits_track_ || context_.view.following()) return;
+  if (const auto robot = context_.scene.robotPose()) track.extend(Eigen::Vector2d(robot->x_m, robot->y_m));
+  context_.viewpoint.choose();
+  context_.viewpoint.fitOnce(track.grown(kRoomAroundTrackM));
+  fits_track_ = clock_->readShare() < 1;
 }
 
 void ReplayController::chooseMode() {

@@ -78,6 +78,8 @@ class ReplayController : public Controller {
   void chooseMaps();
   void chooseMode();
   void fitAtFirst();
+  /// A bag is seen with the whole path of its robot, until the user moves the map.
+  void fitTrack(geometry::WorldRect track);
   void connectEvents();
   void saveEvents();
   void refresh();
@@ -96,6 +98,7 @@ class ReplayController : public Controller {
   bool space_pressed_ = false;  // on the map, without other input since
   bool dock_was_open_ = true;
   bool maps_chosen_ = false;
+  bool fits_track_ = false;  // the user has not moved the map since the bag was opened
   bool away_ = false;                    // disconnected at this time of the recording
   std::optional<ViewMode> mode_before_;  // a bag without submaps
 };

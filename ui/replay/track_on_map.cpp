@@ -56,7 +56,11 @@ void TrackOnMap::show() {
   if (due_ || !clock_.reading()) return;
   QElapsedTimer took;
   took.start();
-  scene_.setTrack(trackOfBag(*clock_.reading()));
+  const std::shared_ptr<const scene::Track> track = trackOfBag(*clock_.reading());
+  scene_.setTrack(track);
+  geometry::WorldRect bounds;
+  for (const scene::TrackSample& sample : *track) bounds.extend(sample.position_m);
+  if (!bounds.empty()) Q_EMIT shown(bounds);
   soon_.setInterval(std::clamp(int(took.elapsed()) * kTimesAsLong, kSoonMs, kAtMostMs));
 }
 

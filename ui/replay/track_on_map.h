@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "geometry/rect.h"
 #include "replay/reading.h"
 #include "scene/map_scene.h"
 
@@ -21,6 +22,10 @@ class TrackOnMap : public QObject {
  public:
   /// Both outlive it.
   TrackOnMap(ReplayClock& clock, scene::MapScene& scene, QObject* parent = nullptr);
+
+ Q_SIGNALS:
+  /// Of the path as it is shown now; never empty.
+  void shown(const mapwright::geometry::WorldRect& bounds);
 
  private:
   void showSoon();
