@@ -296,7 +296,7 @@ class TestWindowLayers : public QObject {
     scene.setLayerVisible(Layer::Ids, false);
     QVERIFY(!bench.action("layersAll")->isChecked());
     // They are where commands are looked for.
-    CommandPalette palette(window.actionList(), nullptr);
+    CommandPalette palette(window.actionList(), Findings(), nullptr);
     QTest::keyClicks(palette.field(), QStringLiteral("layers: map only"));
     QCOMPARE(palette.list()->item(0)->text(), QStringLiteral("Layers: Map only"));
   }
@@ -324,7 +324,7 @@ class TestWindowLayers : public QObject {
       bench.action("resetLayout")->trigger();
       QVERIFY(scene.layerStyle(Layer::Cloud) == scene::LayerStyle{} && scene.layerVisible(Layer::Path));
       QCOMPARE(presets.own().size(), std::size_t(1));  // resetting deletes none
-      CommandPalette palette(window.actionList(), nullptr);
+      CommandPalette palette(window.actionList(), Findings(), nullptr);
       QTest::keyClicks(palette.field(), QStringLiteral("dock lift"));
       QCOMPARE(palette.list()->item(0)->text(), listed);
       window.close();

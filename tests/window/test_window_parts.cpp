@@ -153,9 +153,10 @@ class TestWindowParts : public QObject {
                             "importWaypoints exportWaypoints"));
     QCOMPARE(idsOf(menuCalled(bar, "&Map")->actions()).join(QLatin1Char(' ')),
              QStringLiteral(
-                 "zoomIn zoomOut native fit - follow goTo - northUp robotTurn rotateLeft rotateRight - pan "
-                 "measure fetchRegion cloudRegion cloudSection projections - "
-                 "compare refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot - "
+                 "zoomIn zoomOut native fit - follow goTo identify - northUp robotTurn rotateLeft rotateRight - pan "
+                 "measure fetchRegion cloudRegion cloudSection projections referenceTool - "
+                 "compare referenceMap refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot "
+                 "mapProperties - "
                  "copyCoordinates "
                  "screenshotCopy screenshotSave"));
     QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(0, 15).join(QLatin1Char(' ')),
@@ -167,8 +168,8 @@ class TestWindowParts : public QObject {
              words("themeLight themeDark themeSystem"));
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Layout")->actions()),
              words("layoutOperate layoutInspect layoutReplay"));
-    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(31).join(QLatin1Char(' ')),
-             QStringLiteral("- filter focusMap nextPane previousPane fullScreen resetLayout"));
+    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(34).join(QLatin1Char(' ')),
+             QStringLiteral("- filter findObject focusMap nextPane previousPane fullScreen resetLayout"));
     QCOMPARE(idsOf(menuCalled(bar, "&Help")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("palette shortcuts - diagnostics about"));
   }

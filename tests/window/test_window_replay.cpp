@@ -249,6 +249,22 @@ class TestWindowReplay : public QObject {
     QCOMPARE(shown(), clockText(desk.clock().start() + 100));
   }
 
+  void aBagOpensWithTheWholePathOfItsRobotInView() {
+    Desk desk;
+    desk.replay(kWhole);
+    QTRY_COMPARE(desk.clock().readShare(), 1.0);
+    const auto all_in_view = [&] {
+      const geometry::WorldRect seen = desk.window->mapScene()->view().visibleWorld();
+      for (const auto& [from, digest] : desk.clock().reading()->index().digests()) {
+        for (const replay::Digest::Pose& pose : digest.poses) {
+          if (!seen.contains(replay::placeOf(pose).position_m)) return false;
+        }
+      }
+      return desk.window->mapScene()->robotPose().has_value();
+    };
+    QTRY_VERIFY(all_in_view());
+  }
+
   void aTimeBeforeTheFirstMapSaysSoHoweverOneCameThere() {
     Desk desk;
     desk.replay(kWhole);

@@ -19,6 +19,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
+#include "ui/kit/tab_order.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/layers/fold_header.h"
 #include "ui/layers/layer_row.h"
@@ -225,11 +226,7 @@ void LayersDock::place() {
   for (const auto& [group, header] : headers_) header->setVisible(placed_.contains(header));
   unavailable_->setVisible(placed_.contains(unavailable_));
   nothing_->setVisible(placed_.contains(nothing_));
-  QWidget* before = presets_;
-  for (QWidget* const step : steps_) {
-    setTabOrder(before, step);
-    before = step;
-  }
+  orderTabsAsLaidOut(*widget());
 }
 
 void LayersDock::placeUnavailable() {

@@ -74,7 +74,7 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
                                        .text = tr("Move the refere&nce map"),
                                        .tip = tr("Drag or turn the reference map, or add pairs of points"),
                                        .toggle = true,
-                                       .menu = {MenuGroup::Tools, 60}});
+                                       .menu = {MenuGroup::Tools, 200}});
   tool_action_->setEnabled(false);
   context_.tools.add(tool_, tool_action_);
   connect(tool_action_, &QAction::toggled, this, [this](bool on) {

@@ -10,6 +10,7 @@
 #include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
+#include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/tree_view.h"
@@ -44,9 +45,11 @@ ObjectsDock::ObjectsDock(QWidget* parent)
   table_->sortByColumn(ObjectsModel::NameColumn, Qt::AscendingOrder);
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
-  header->setSectionResizeMode(ObjectsModel::NameColumn, QHeaderView::Stretch);
-  header->resizeSection(ObjectsModel::KindColumn, kColumnLetters * fontMetrics().averageCharWidth());
-  header->resizeSection(ObjectsModel::LayerColumn, kColumnLetters * fontMetrics().averageCharWidth());
+  const int letters_px = kColumnLetters * fontMetrics().averageCharWidth();
+  for (const int column : {ObjectsModel::KindColumn, ObjectsModel::LayerColumn})
+    header->resizeSection(column, letters_px);
+  new NameColumn(table_, header, ObjectsModel::NameColumn,
+                 {{ObjectsModel::LayerColumn}, {ObjectsModel::KindColumn, letters_px / 2}});
   table_->installEventFilter(this);
   count_->setSecondary(true);
   auto* const body = new QWidget(this);

@@ -9,6 +9,7 @@
 
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
+#include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/tree_view.h"
 #include "ui/objects/object_facts.h"
@@ -16,7 +17,7 @@
 namespace mapwright::window {
 namespace {
 
-constexpr int kSymbolPx = 20;
+constexpr int kSymbolPx = 20, kNameLetters = 18, kLeastNameLetters = 8;
 
 QStandardItem* cell(const QString& text) {
   auto* const item = new QStandardItem(text);
@@ -40,9 +41,10 @@ PropertiesDock::PropertiesDock(QWidget* parent)
   model_->setHorizontalHeaderLabels({tr("Property"), tr("Value")});
   showRows(*table_, model_, tr("Properties"));
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  table_->horizontalHeader()->setStretchLastSection(true);
   table_->horizontalHeader()->setHighlightSections(false);
-  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->resizeSection(0, kNameLetters * fontMetrics().averageCharWidth());
+  new NameColumn(table_, table_->horizontalHeader(), 1,
+                 {{0, kLeastNameLetters * fontMetrics().averageCharWidth()}});
   table_->installEventFilter(this);
   symbol_->setFixedSize(kSymbolPx, kSymbolPx);
   makeHeading(*title_);

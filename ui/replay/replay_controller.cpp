@@ -266,6 +266,7 @@ void ReplayController::setSession(session::Session* session) {
   if (!robot) dock_->setOpening({});
   maps_chosen_ = false;
   fits_track_ = robot != nullptr;
+  opened_at_s_.reset();
   if (session && mode_before_ && viewMode(context_.scene) == ViewMode::Whole)
     setViewMode(context_.scene, *mode_before_);
   if (session) mode_before_.reset();
@@ -302,6 +303,7 @@ void ReplayController::chooseMaps() {
   if (maps_chosen_ || !session || !clock_->isOpen() || clock_->knowledge() != replay::Knowledge::Exact)
     return;
   maps_chosen_ = true;
+  opened_at_s_ = clock_->at();
   chooseMode();
   fitAtFirst();
 }
@@ -320,6 +322,8 @@ void ReplayController::fitAtFirst() {
 }
 
 void ReplayController::fitTrack(geometry::WorldRect track) {
+  const double at_s = clock_->at();
+  fits_track_ = fits_track_ && opened_at_s_.value_or(at_s) == at_s;
   if (!fits_track_ || context_.view.following()) return;
   if (const auto robot = context_.scene.robotPose()) track.extend(Eigen::Vector2d(robot->x_m, robot->y_m));
   context_.viewpoint.choose();

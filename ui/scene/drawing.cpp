@@ -68,10 +68,9 @@ void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& t
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(theme.text_halo, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(path);
-  painter.fillPath(path, color);
   // Emoji are pictures in their font, not outlines.
   const bool pictures = std::any_of(text.begin(), text.end(), [](QChar unit) { return unit.isSurrogate(); });
-  if (!pictures) return;
+  if (!pictures) return painter.fillPath(path, color);
   painter.setFont(font);
   painter.setPen(color);
   painter.drawText(baseline_left, text);

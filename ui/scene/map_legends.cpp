@@ -1,5 +1,6 @@
 // What maps, submaps and clouds look like in the legend.
 #include <QCoreApplication>
+#include <QFontMetricsF>
 
 #include "clouds/draw_cloud.h"
 #include "render/compositor.h"
@@ -45,9 +46,14 @@ void outlinesLegend(Legend& legend) {
 }
 
 void idsLegend(Legend& legend) {
+  // Labels are drawn above all layers: the sample is one of them.
   const auto add = [&](const QString& text, bool visible) {
-    legend.addSample(text, [visible](LegendSample& sample) {
-      sample.context.outlines[{0, 12}].visible = visible;
+    legend.add(text, [&, visible](QPainter& painter, const QRectF& room) {
+      const QString id = QString::fromStdString(map::toText(map::SubmapId{0, 12}));
+      const QFontMetricsF metrics(legend.theme().label_font);
+      const QPointF corner = room.center() - QPointF(metrics.horizontalAdvance(id), metrics.height()) / 2;
+      drawLabel(painter, corner + QPointF(0, metrics.ascent()), id, legend.theme(),
+                translucent(legend.theme().text, visible ? 255 : 170), !visible);
     });
   };
   add(MapLegendText::tr("Trajectory and number of a submap"), true);
