@@ -180,7 +180,8 @@ class MapSceneTest : public QObject {
     for (const Layer layer : scene::allLayers()) names << scene::layerName(layer);
     QCOMPARE(names.join(QLatin1Char(',')),
              QStringLiteral(
-                 "reference,whole,regions,submaps,incremental,match,symmetry,costmap,costmap-high,dispatched-cloud,"
+                 "reference,whole,regions,submaps,incremental,match,symmetry,costmap,costmap-high,dispatched-"
+                 "cloud,"
                  "problems,grid,overlays,"
                  "waypoints,landmarks,doors,boxes,constraints,outlines,ids,trajectory,path,"
                  "local-path,target,cloud,robots,trail,track,expanded-footprint,footprint,robot,scalebar"));

@@ -151,14 +151,15 @@ class TestWindowParts : public QObject {
                             "invertWaypoints nextWarning revertWaypoints pictureTool pictureCopies "
                             "copyWaypoints pasteWaypoints "
                             "importWaypoints exportWaypoints"));
-    QCOMPARE(idsOf(menuCalled(bar, "&Map")->actions()).join(QLatin1Char(' ')),
-             QStringLiteral(
-                 "zoomIn zoomOut native fit - follow goTo identify - northUp robotTurn rotateLeft rotateRight - pan "
-                 "measure fetchRegion cloudRegion cloudSection projections referenceTool - "
-                 "compare referenceMap refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot "
-                 "mapProperties - "
-                 "copyCoordinates "
-                 "screenshotCopy screenshotSave"));
+    QCOMPARE(
+        idsOf(menuCalled(bar, "&Map")->actions()).join(QLatin1Char(' ')),
+        QStringLiteral("zoomIn zoomOut native fit - follow goTo identify - northUp robotTurn rotateLeft "
+                       "rotateRight - pan "
+                       "measure fetchRegion cloudRegion cloudSection projections referenceTool - "
+                       "compare referenceMap refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot "
+                       "mapProperties - "
+                       "copyCoordinates "
+                       "screenshotCopy screenshotSave"));
     QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(0, 15).join(QLatin1Char(' ')),
              QStringLiteral("modeSubmaps modeWhole modeBoth - grid showIds showOutlines furniture "
                             "layerPresetsMenu - * * * - *"));

@@ -98,9 +98,9 @@ class ReplayController : public Controller {
   bool space_pressed_ = false;  // on the map, without other input since
   bool dock_was_open_ = true;
   bool maps_chosen_ = false;
-  bool fits_track_ = false;  // neither the map nor the time has been moved since the bag was opened
+  bool fits_track_ = false;            // neither the map nor the time has been moved since the bag was opened
   std::optional<double> opened_at_s_;  // the time shown first
-  bool away_ = false;                    // disconnected at this time of the recording
+  bool away_ = false;                  // disconnected at this time of the recording
   std::optional<ViewMode> mode_before_;  // a bag without submaps
 };
 
