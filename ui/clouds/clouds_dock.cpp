@@ -25,7 +25,7 @@ QLabel* cloudHeading(const QString& text, QWidget* parent) {
 }
 
 QDoubleSpinBox* metresBox(double low, double high, int decimals, const QString& name, QWidget* parent) {
-  auto* box = new QDoubleSpinBox(parent);
+  auto* box = new DecimalBox(parent);
   box->setRange(low, high);
   box->setDecimals(decimals);
   box->setSingleStep(0.1);
@@ -125,7 +125,7 @@ void CloudsDock::buildLook(QVBoxLayout* column) {
   form->addRow(tr("Colour"), color_);
   scale_ = new ColorScale(body_);
   form->addRow(scale_);
-  size_ = new QDoubleSpinBox(body_);
+  size_ = new DecimalBox(body_);
   size_->setRange(traits.size_px->first, traits.size_px->second);
   size_->setDecimals(0);
   size_->setSuffix(tr(" px"));

@@ -25,7 +25,7 @@ class NumberDelegate : public QStyledItemDelegate {
     if (index.column() == ProjectionsModel::Frame) {
       return QStyledItemDelegate::createEditor(parent, option, index);
     }
-    auto* const box = new QDoubleSpinBox(parent);
+    auto* const box = new DecimalBox(parent);
     box->setFrame(false);
     box->setRange(-1e7, 1e7);
     box->setDecimals(3);

@@ -11,7 +11,7 @@ namespace mapwright::window {
 SectionDock::SectionDock(std::shared_ptr<work::Workers> workers, QWidget* parent)
     : QDockWidget(tr("Section"), parent),
       view_(new SectionView(std::move(workers), this)),
-      width_(new QDoubleSpinBox(this)),
+      width_(new DecimalBox(this)),
       told_(new PlainLabel(this)) {
   setObjectName(QStringLiteral("cloudSectionDock"));
   auto* const body = new QWidget(this);

@@ -98,9 +98,20 @@ QToolButton* iconButton(const QString& icon, int icon_px, const QString& tip, QW
   return button;
 }
 
+DecimalBox::DecimalBox(QWidget* parent) : QDoubleSpinBox(parent) { setLocale(QLocale::c()); }
+
+QValidator::State DecimalBox::validate(QString& input, int& pos) const {
+  input.replace(QLatin1Char(','), QLatin1Char('.'));
+  return QDoubleSpinBox::validate(input, pos);
+}
+
+double DecimalBox::valueFromText(const QString& text) const {
+  QString plain = text;
+  return QDoubleSpinBox::valueFromText(plain.replace(QLatin1Char(','), QLatin1Char('.')));
+}
+
 QDoubleSpinBox* numberField(QWidget* parent, const NumberField& field) {
-  auto* const box = new QDoubleSpinBox(parent);
-  box->setLocale(QLocale::c());
+  auto* const box = new DecimalBox(parent);
   box->setRange(field.least, field.most);
   box->setDecimals(field.decimals);
   box->setSingleStep(field.step);

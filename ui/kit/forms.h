@@ -6,12 +6,12 @@
 #include <optional>
 
 #include <QBoxLayout>
+#include <QDoubleSpinBox>
 #include <QMargins>
 #include <QString>
 
 class QAction;
 class QDockWidget;
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -58,6 +58,17 @@ QPushButton* compactButton(const QString& text, QWidget* parent, const QString& 
 /// `name`: for assistive technology; empty = the tip.
 QToolButton* iconButton(const QString& icon, int icon_px, const QString& tip, QWidget* parent,
                         const QString& name = {});
+
+/// Writes a decimal point in any locale; a comma that is typed is one, too. (Qt would take it for a separator
+/// of thousands and drop it: 3,5 became 35.)
+class DecimalBox : public QDoubleSpinBox {
+ public:
+  explicit DecimalBox(QWidget* parent = nullptr);
+
+ protected:
+  QValidator::State validate(QString& input, int& pos) const override;
+  double valueFromText(const QString& text) const override;
+};
 
 struct NumberField {
   double least = 0, most = 0;

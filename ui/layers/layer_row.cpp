@@ -14,6 +14,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
@@ -296,7 +297,7 @@ LayerStyleEditor::LayerStyleEditor(scene::MapScene* scene, scene::Layer layer, Q
     connect(color_reset_, &QToolButton::clicked, this, [this] { setColor({}); });
   }
   if (traits.size_px) {
-    size_ = new QDoubleSpinBox(this);
+    size_ = new DecimalBox(this);
     size_->setRange(traits.size_px->first, traits.size_px->second);
     size_->setDecimals(1);
     size_->setSingleStep(0.5);

@@ -30,6 +30,7 @@
 #include "sentences/fault_sentence.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/folders.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/shell/current_session.h"
@@ -47,7 +48,7 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
       map_server_(new QRadioButton(tr("&ROS map (PGM and YAML, for map_server)"), this)),
       view_picture_(new QRadioButton(tr("Picture of the current &view (PNG)"), this)),
       source_(new QComboBox(this)),
-      resolution_(new QDoubleSpinBox(this)),
+      resolution_(new DecimalBox(this)),
       hidden_(new QCheckBox(this)),
       world_file_(new QCheckBox(tr("With a &world file (.pgw) that gives its position"), this)),
       path_(new QLineEdit(this)),
@@ -459,3 +460,4 @@ void ExportController::exportMap() {
 }  // namespace mapwright::window
 
 #include "moc_export_controller.cpp"
+#include "ui/kit/forms.h"
