@@ -7,7 +7,9 @@
 #include "test_program.h"
 #include "ui/maps/reference_controller.h"
 #include "ui/maps/reference_dock.h"
+#include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
+#include "ui/view/toast_stack.h"
 #include "window_bench.h"
 #include "window_parts.h"
 
@@ -148,6 +150,54 @@ class TestWindowReference : public QObject {
     QVERIFY(near(bench.reference()->pose(), {9, 0, 0}, 1e-9));
     QTest::mouseClick(part<ReferenceDock>(*bench.window)->removeButton(), Qt::LeftButton);
     QVERIFY(!part<ReferenceDock>(*bench.window)->moveButton()->isEnabled());
+  }
+
+  void theSameFileKeepsItsPlaceAndAnotherHasItsOwn() {
+    ReferenceBench bench;
+    bench.openOnRobot();
+    bench.lay();
+    part<ReferenceDock>(*bench.window)->xBox()->setValue(7);
+    test::FakeRobot* const live = bench.robot;
+    bench.reference()->lay(kFile);
+    QCOMPARE(bench.reference()->pose().x_m, 7.0);
+    bench.reference()->lay(QStringLiteral("file:/maps/other.yaml"));
+    QTRY_COMPARE(bench.reference()->pose().x_m, 0.0);
+    bench.reference()->lay(kFile);
+    QTRY_COMPARE(bench.reference()->pose().x_m, 7.0);
+    bench.robot = live;
+  }
+
+  void aFileThatCannotBeReadLeavesWhatIsLaid() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();
+    part<ReferenceDock>(window)->xBox()->setValue(7);
+    test::FakeRobot* const live = bench.robot;
+    bench.reference()->lay(QStringLiteral("bad"));
+    QVERIFY(part<ReferenceDock>(window)->moveButton()->isEnabled());
+    bench.prepare = [](test::FakeRobot& made) {
+      made.has_catalogue = true;
+      made.maps.map_error = "There is no such map.";
+    };
+    bench.reference()->lay(QStringLiteral("file:/maps/gone.yaml"));
+    QTRY_VERIFY(!part<MapOverlay>(window)->toasts()->texts().isEmpty());
+    QVERIFY(part<ReferenceDock>(window)->moveButton()->isEnabled());
+    QCOMPARE(bench.reference()->pose().x_m, 7.0);
+    bench.robot = live;
+  }
+
+  void pairsLayTheMapAgainAfterItWasMoved() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();
+    auto* const dock = part<ReferenceDock>(window);
+    QTest::mouseClick(dock->pairsButton(), Qt::LeftButton);
+    bench.look();
+    bench.click(0, 0);
+    bench.click(3, 0);
+    dock->xBox()->setValue(20);
+    QMetaObject::invokeMethod(dock, "fitWanted");
+    QVERIFY(near(bench.reference()->pose(), {3, 0, 0}, 0.06));
   }
 
   void garbageThatIsRememberedIsNothing() {

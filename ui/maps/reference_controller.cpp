@@ -93,6 +93,7 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
   connect(dock_, &ReferenceDock::moveWanted, this, [this](bool on) { useTool(on, false); });
   connect(dock_, &ReferenceDock::pairsWanted, this, [this](bool on) { useTool(on, true); });
   connect(dock_, &ReferenceDock::typed, this, &ReferenceController::setPose);
+  connect(dock_, &ReferenceDock::fitWanted, this, &ReferenceController::fitPairs);
   connect(dock_, &ReferenceDock::pairsUnwanted, this, [this] { setPairs({}); });
   connect(dock_, &ReferenceDock::pairUnwanted, this, [this](int index) {
     std::vector<placing::PointPair> pairs = pairs_;
@@ -133,38 +134,35 @@ void ReferenceController::placeChanged() {
   const QString now = place();
   if (now == place_) return;
   place_ = now;
-  const QJsonObject kept =
-      QJsonDocument::fromJson(context_.settings.value(keyOf(place_)).toString().toUtf8()).object();
-  const QString address = kept.value(QLatin1String("map")).toString();
+  const QString address = kept().value(QLatin1String("map")).toString();
   // What was laid before it was known where the robot is stays, unless something is remembered for here.
   if (address.isEmpty() && !address_.isEmpty()) return remember();
-  const QJsonArray pose = kept.value(QLatin1String("pose")).toArray();
-  pose_ = {};
-  pairs_.clear();
-  if (pose.size() == 3) pose_ = {pose[0].toDouble(), pose[1].toDouble(), pose[2].toDouble()};
-  for (const QJsonValue& each : kept.value(QLatin1String("pairs")).toArray()) {
-    const auto pair = pairFrom(each.toArray());
-    if (pair && pairs_.size() < kMostPairs) pairs_.push_back(*pair);
-  }
+  takeLaid(kept().value(QLatin1String("laid")).toObject().value(address).toObject());
   load(address);
 }
 
 void ReferenceController::remember() {
   if (place_.isEmpty()) return;
-  if (address_.isEmpty()) return context_.settings.remove(keyOf(place_));
-  QJsonArray pairs;
-  for (const placing::PointPair& pair : pairs_)
-    pairs << numbers({pair.on_map_m.x(), pair.on_map_m.y(), pair.in_world_m.x(), pair.in_world_m.y()});
-  const QJsonObject kept{{QStringLiteral("map"), address_},
-                         {QStringLiteral("pose"), numbers({pose_.x_m, pose_.y_m, pose_.yaw_rad})},
-                         {QStringLiteral("pairs"), pairs}};
+  QJsonObject all = kept();
+  // How each map lay, so that it lies there again when it is chosen again.
+  QJsonObject laid = all.value(QLatin1String("laid")).toObject();
+  if (!address_.isEmpty()) {
+    QJsonArray pairs;
+    for (const placing::PointPair& pair : pairs_)
+      pairs << numbers({pair.on_map_m.x(), pair.on_map_m.y(), pair.in_world_m.x(), pair.in_world_m.y()});
+    laid[address_] = QJsonObject{{QStringLiteral("pose"), numbers({pose_.x_m, pose_.y_m, pose_.yaw_rad})},
+                                 {QStringLiteral("pairs"), pairs}};
+  }
+  all[QStringLiteral("map")] = address_;
+  all[QStringLiteral("laid")] = laid;
   context_.settings.setValue(keyOf(place_),
-                             QString::fromUtf8(QJsonDocument(kept).toJson(QJsonDocument::Compact)));
+                             QString::fromUtf8(QJsonDocument(all).toJson(QJsonDocument::Compact)));
 }
 
 void ReferenceController::choose() {
   const QString path = QFileDialog::getOpenFileName(&context_.window, tr("Choose a reference map"),
-                                                    lastMapFolder(context_.settings), mapFileFilter());
+                                                    lastMapFolder(context_.settings),
+                                                    tr("Maps (*.yaml *.yml *.png *.pgm *.bmp)"));
   if (path.isEmpty()) return;
   rememberMapFolder(context_.settings, QFileInfo(path).absolutePath());
   if (isBarePicture(path)) {
@@ -175,10 +173,43 @@ void ReferenceController::choose() {
 }
 
 void ReferenceController::lay(const QString& address) {
+  if (address == address_) return;
+  // What is laid stays until another map is there.
+  auto reader = read_(address);
+  robot::WholeMapSource* const source = reader && *reader ? (*reader)->wholeMapSource() : nullptr;
+  if (!source)
+    return context_.overlay.toasts()->add(Mark::Bad, reader ? tr("This is not a map file.") : reader.error());
+  coming_ = std::move(*reader);
+  coming_->connectToRobot();
+  source->fetch({map::MapKind::File, {}}, [this, address](robot::Outcome<map::WholeMap> answer) {
+    if (!answer) return tell(answer.error());
+    takeLaid(kept().value(QLatin1String("laid")).toObject().value(address).toObject());
+    address_ = address;
+    reader_ = std::move(coming_);
+    slot_.clear();
+    slot_.show(std::move(*answer));
+    remember();
+  });
+}
+
+void ReferenceController::tell(const map::Failure& failure) {
+  const QString sentence = QString::fromStdString(sentences::sentenceOf(failure));
+  context_.overlay.toasts()->add(Mark::Bad, tr("The reference map: %1").arg(sentence));
+}
+
+QJsonObject ReferenceController::kept() const {
+  return QJsonDocument::fromJson(context_.settings.value(keyOf(place_)).toString().toUtf8()).object();
+}
+
+void ReferenceController::takeLaid(const QJsonObject& laid) {
+  const QJsonArray pose = laid.value(QLatin1String("pose")).toArray();
   pose_ = {};
   pairs_.clear();
-  load(address);
-  remember();
+  if (pose.size() == 3) pose_ = {pose[0].toDouble(), pose[1].toDouble(), pose[2].toDouble()};
+  for (const QJsonValue& each : laid.value(QLatin1String("pairs")).toArray()) {
+    const auto pair = pairFrom(each.toArray());
+    if (pair && pairs_.size() < kMostPairs) pairs_.push_back(*pair);
+  }
 }
 
 void ReferenceController::removeMap() {
@@ -189,6 +220,7 @@ void ReferenceController::removeMap() {
 void ReferenceController::load(const QString& address) {
   address_ = address;
   reader_.reset();
+  coming_.reset();
   slot_.clear();
   if (address.isEmpty()) {
     useTool(false, false);
@@ -207,8 +239,7 @@ void ReferenceController::load(const QString& address) {
   source->fetch({map::MapKind::File, {}}, [this, address](robot::Outcome<map::WholeMap> answer) {
     if (address != address_) return;
     if (answer) return slot_.show(std::move(*answer));
-    const QString sentence = QString::fromStdString(sentences::sentenceOf(answer.error()));
-    context_.overlay.toasts()->add(Mark::Bad, tr("The reference map: %1").arg(sentence));
+    tell(answer.error());
     slot_.clear();
     // It stays remembered: a folder that is away today may be there tomorrow.
     address_.clear();
@@ -227,6 +258,7 @@ void ReferenceController::show() {
   context_.scene.setReference(placed);
   QString said = tr("No reference map");
   if (there) said = mapShownText(slot_);
+  if (there && slot_.remark()) said += QStringLiteral(": ") + sentences::sentenceOf(slot_.remark());
   if (!there && !address_.isEmpty()) said = mapProgressText(slot_);
   if (slot_.phase() == session::MapSlot::Phase::Failed) said = sentences::sentenceOf(slot_.remark());
   dock_->setMap(said, there);
@@ -242,10 +274,12 @@ void ReferenceController::setPose(const geometry::Pose2& world_from_map) {
   remember();
 }
 
+void ReferenceController::fitPairs() { setPose(placing::alignedBy(pairs_, pose_)); }
+
 void ReferenceController::setPairs(std::vector<placing::PointPair> pairs) {
   if (pairs.size() > kMostPairs) return;
   pairs_ = std::move(pairs);
-  setPose(placing::alignedBy(pairs_, pose_));
+  fitPairs();
 }
 
 void ReferenceController::useTool(bool on, bool pairing) {

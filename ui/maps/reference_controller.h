@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include <QJsonObject>
 #include <tl/expected.hpp>
 
 #include "placing/align.h"
@@ -51,6 +52,11 @@ class ReferenceController : public Controller {
   QString place() const;
   void placeChanged();
   void remember();
+  /// Lays it by the pairs again.
+  void fitPairs();
+  QJsonObject kept() const;  // what is remembered for this place
+  void takeLaid(const QJsonObject& laid);
+  void tell(const map::Failure& failure);
 
   WindowContext& context_;
   PicturePlacing& placing_;
@@ -58,7 +64,7 @@ class ReferenceController : public Controller {
   ReferenceDock* dock_;
   ReferenceTool* tool_;
   QAction* tool_action_;
-  std::unique_ptr<robot::Robot> reader_;
+  std::unique_ptr<robot::Robot> reader_, coming_;
   session::MapSlot slot_;
   QString address_;  // of the reference map; empty = none
   QString place_;    // where it is remembered

@@ -28,6 +28,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
       move_(compactButton(tr("Move"), this, tr("Drag the reference map; with Shift turn it"))),
       pair_(compactButton(tr("Add points"), this,
                           tr("Click a point of the reference map, then where it really is"))),
+      fit_(compactButton(tr("Fit again"), this, tr("Lay the map by its pairs of points again"))),
       remove_pair_(compactButton(tr("Remove point"), this)),
       clear_(compactButton(tr("Remove all"), this)),
       model_(new QStandardItemModel(0, 3, this)),
@@ -62,7 +63,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
                             form,
                             {table_, 1},
                             told_,
-                            rowOf({remove_pair_, clear_, LayoutItem::rest()}, 8)},
+                            rowOf({fit_, remove_pair_, clear_, LayoutItem::rest()}, 8)},
                            6, QMargins(8, 6, 8, 6)));
   setWidget(body);
   connect(choose_, &QPushButton::clicked, this, &ReferenceDock::chooseWanted);
@@ -70,6 +71,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   connect(move_, &QPushButton::clicked, this, &ReferenceDock::moveWanted);
   connect(pair_, &QPushButton::clicked, this, &ReferenceDock::pairsWanted);
   connect(remove_pair_, &QPushButton::clicked, this, &ReferenceDock::removeSelected);
+  connect(fit_, &QPushButton::clicked, this, &ReferenceDock::fitWanted);
   connect(clear_, &QPushButton::clicked, this, &ReferenceDock::pairsUnwanted);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           [this] { remove_pair_->setEnabled(table_->selectionModel()->hasSelection()); });
@@ -106,6 +108,7 @@ void ReferenceDock::setState(const geometry::Pose2& world_from_map,
     }
   }
   clear_->setEnabled(!pairs.empty());
+  fit_->setEnabled(!pairs.empty());
   remove_pair_->setEnabled(table_->selectionModel()->hasSelection());
   const int count = int(pairs.size());
   told_->setText(count == 0 ? tr("Two pairs of points or more turn the map, too.")

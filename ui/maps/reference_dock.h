@@ -47,6 +47,7 @@ class ReferenceDock : public QDockWidget {
   void typed(const mapwright::geometry::Pose2& world_from_map);
   void pairUnwanted(int index);
   void pairsUnwanted();
+  void fitWanted();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -56,7 +57,7 @@ class ReferenceDock : public QDockWidget {
   void removeSelected();
 
   PlainLabel *map_, *told_;
-  QPushButton *choose_, *remove_, *move_, *pair_, *remove_pair_, *clear_;
+  QPushButton *choose_, *remove_, *move_, *pair_, *fit_, *remove_pair_, *clear_;
   QDoubleSpinBox *x_, *y_, *yaw_;
   QStandardItemModel* model_;
   QTableView* table_;
