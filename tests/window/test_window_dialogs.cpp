@@ -200,7 +200,7 @@ class TestWindowDialogs : public QObject {
     bench.recents.add(QStringLiteral("192.0.2.1"), now);
     ConnectDialog dialog(bench.recents, [](const ConnectDialog::Wish&) { return std::optional<QString>(); });
     dialog.show();
-    dialog.askForSecret(QStringLiteral("axbot+http://192.0.2.7:8090"), {});
+    dialog.askForSecret(QStringLiteral("axbot+http://192.0.2.7:8090"), {}, {});
     auto* secret = dialog.findChild<QLineEdit*>(QStringLiteral("secret"));
     QTest::keyClicks(secret, QStringLiteral("hunter2"));
     dialog.findChild<QListWidget*>(QStringLiteral("recents"))->setCurrentRow(0);

@@ -234,10 +234,10 @@ void ConnectDialog::setAddress(const QString& address) {
   address_->selectAll();
 }
 
-void ConnectDialog::askForSecret(const QString& address, const QString& why) {
+void ConnectDialog::askForSecret(const QString& address, const QString& why, const RobotLook& look) {
   kind_->setCurrentIndex(0);
   address_->setText(address);
-  look_.setLook(recents_.look(address));
+  look_.setLook(look);
   setError(why.isEmpty() ? QString() : why.left(1).toUpper() + why.mid(1));
   secret_->clear();
   secret_->setFocus();
@@ -329,7 +329,10 @@ void ConnectDialog::start(const QString& address, const QByteArray& secret) {
     return;
   }
   const bool demo = address == QLatin1String("demo:");
-  if (const auto refusal = attempt_({parsed->text, secret, demo ? RobotLook() : look_.look()})) {
+  // Fields that were left empty take nothing away from a robot that is known.
+  const RobotLook typed = look_.look();
+  const RobotLook look = typed == RobotLook() ? recents_.look(parsed->text) : typed;
+  if (const auto refusal = attempt_({parsed->text, secret, demo ? RobotLook() : look})) {
     setError(*refusal);
     return;
   }

@@ -43,7 +43,8 @@ class ConnectDialog : public QDialog {
 
   void setAddress(const QString& address);
   /// For a robot that refused: shows its address with `why`, and puts the cursor into the secret field.
-  void askForSecret(const QString& address, const QString& why);
+  /// `look`: what the user called it when it refused.
+  void askForSecret(const QString& address, const QString& why, const RobotLook& look);
   QString errorText() const;
 
  private:

@@ -346,7 +346,7 @@ void ConnectionController::enterSecret() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
   // After showing it, so that the focus stays.
-  dialog->askForSecret(context_.current.address(), sentences::wordsOf(session->connection().reason));
+  dialog->askForSecret(context_.current.address(), sentences::wordsOf(session->connection().reason), look_);
 }
 
 std::optional<robot::UntrustedCertificate> ConnectionController::certificateBeside() const {
