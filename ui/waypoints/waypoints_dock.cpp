@@ -102,6 +102,8 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   connect(save_, &QPushButton::clicked, this, &WaypointsDock::saveWanted);
   connect(cancel_, &QPushButton::clicked, this, &WaypointsDock::cancelWanted);
   connect(retry_, &QPushButton::clicked, this, &WaypointsDock::retryWanted);
+  // Enter ends the name: what is typed next is for the map and the list again.
+  connect(form_->nameEdit(), &QLineEdit::returnPressed, this, [this] { table_->setFocus(); });
   connect(conflicts_, &ConflictBox::decided, this, &WaypointsDock::decided);
   connect(conflicts_, &ConflictBox::locateWanted, this, &WaypointsDock::locateWanted);
   // When all rows are rebuilt, restores the selection.
@@ -297,7 +299,10 @@ void WaypointsDock::refresh() {
   status_->setVisible(!status_->text().isEmpty());
   setTextColor(*status_, status_bad_ ? appColors().error_text : appColors().secondary_text);
 
+  const bool deciding = conflicts_->isAncestorOf(QApplication::focusWidget());
   conflicts_->refresh(document, editing_->selected());
+  // Not on to the next field: a key that is meant for the map would be typed into it.
+  if (deciding && conflicts_->isHidden()) table_->setFocus();
 }
 
 QString WaypointsDock::statusText() const {
