@@ -19,6 +19,7 @@ PlotsController::PlotsController(WindowContext& context, ReplayClock& clock, QOb
       clock_(&clock),
       feed_(new PlotFeed(context.workers, {}, this)),
       dock_(new PlotsDock(*feed_, &context.window)) {
+  feed_->setParent(dock_);  // which shows it as long as it lives
   context.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 60, .menu_rank = 49, .open = false});
   connect(&clock, &ReplayClock::opened, this, [this] {
     feed_->setReading(clock_->reading());
