@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "test_program.h"
+#include "ui/kit/forms.h"
 #include "ui/objects/object_card.h"
 #include "ui/objects/object_facts.h"
 #include "ui/objects/objects_dock.h"
@@ -224,6 +225,27 @@ class TestWindowObjects : public QObject {
     QCOMPARE(palette->list()->item(0)->text(), QStringLiteral("Submap 1-0"));
     QTest::keyClick(palette->field(), Qt::Key_Return);
     QVERIFY(window.mapScene()->highlighted().contains({1, 0}));
+  }
+
+  void theWholeNameIsFoundBeforeThoseThatBeginLikeIt() {
+    ObjectBench bench;
+    MainWindow& window = bench.openOnRobot();
+    map::LandmarksMessage many;
+    for (int i = 290; i > 0; --i) many.landmarks.push_back({"Rack " + std::to_string(i), {i * 0.1, 0}, true});
+    bench.robot->say(many);
+    bench.action("palette")->trigger();
+    auto* const palette = window.findChild<CommandPalette*>();
+    QTest::keyClicks(palette->field(), QStringLiteral("rack 29"));
+    QCOMPARE(palette->list()->item(0)->text(), QStringLiteral("Landmark Rack 29"));
+  }
+
+  void aCommaIsADecimalPoint() {
+    QWidget parent;
+    QDoubleSpinBox* const box = numberField(&parent, {-100, 100, 3, 0.05, QStringLiteral(" m")});
+    box->selectAll();
+    QTest::keyClicks(box, QStringLiteral("-1,25"));
+    QTest::keyClick(box, Qt::Key_Return);
+    QCOMPARE(box->value(), -1.25);
   }
 
   void tenThousandThingsAreFoundAtOnce() {

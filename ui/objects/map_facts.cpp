@@ -34,13 +34,14 @@ std::vector<scene::ObjectProperty> mapFacts(const session::MapSlot& slot, const 
   const map::WholeMap& shown = slot.shown();
   const map::GridReference& grid = slot.reference();
   const map::CatalogueEntry* const entry = map::entryOf(session.catalogue().entries(), shown.key);
-  add(MapText::tr("Id"), plainWords(map::toText(shown.key), 200));
+  const bool file = shown.key.kind == map::MapKind::File;
+  if (!file) add(MapText::tr("Id"), plainWords(map::toText(shown.key), 200));
   if (entry) {
     add(MapText::tr("Uid"), plainWords(entry->uid, 200));
     if (entry->map_version) add(MapText::tr("Version"), QString::number(*entry->map_version));
     if (entry->overlays_version)
       add(MapText::tr("Overlays version"), QString::number(*entry->overlays_version));
-    if (entry->is_current) add(MapText::tr("Used by the robot"), MapText::tr("yes"));
+    if (entry->is_current && !file) add(MapText::tr("Used by the robot"), MapText::tr("yes"));
     if (entry->modified_s)
       add(MapText::tr("Changed"), QDateTime::fromSecsSinceEpoch(qint64(*entry->modified_s))
                                       .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));

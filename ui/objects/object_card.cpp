@@ -96,9 +96,12 @@ void ObjectCard::show(const scene::MapObject& object, const std::vector<scene::O
   next_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   hint_->setVisible(!stays_ && beneath > 0);
   hint_->setText(sentences::counted(tr("%1 other things here: Alt+click", nullptr, beneath), beneath));
-  layout()->invalidate();
-  adjustSize();
   QFrame::show();
+  // Rows have come and gone: their room is reckoned anew at once, not with the next event.
+  for (PlainLabel* const label : labels_) label->updateGeometry();
+  layout()->invalidate();
+  layout()->activate();
+  resize(layout()->totalSizeHint());
   raise();
 }
 

@@ -99,7 +99,10 @@ std::vector<scene::ObjectProperty> factsOf(const scene::MapObject& object, const
 }
 
 QString calledInFull(const scene::MapObject& object) {
-  return object.name.isEmpty() ? object.kind : QStringLiteral("%1 %2").arg(object.kind, object.name);
+  if (object.name.isEmpty()) return object.kind;
+  // "Waypoint 29" is one already.
+  if (object.name.startsWith(object.kind + QLatin1Char(' '), Qt::CaseInsensitive)) return object.name;
+  return QStringLiteral("%1 %2").arg(object.kind, object.name);
 }
 
 QString asText(const scene::MapObject& object, const std::vector<scene::ObjectProperty>& facts) {

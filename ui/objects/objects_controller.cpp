@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include <QElapsedTimer>
 #include <QMenu>
 
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/status_text.h"
@@ -88,6 +90,8 @@ ObjectsController::ObjectsController(WindowContext& context, QObject* parent, st
   addActions();
   addToMapMenu();
   addFindings();
+  connect(&context_.current, &CurrentSession::stateChanged, this, &ObjectsController::allowMap);
+  allowMap();
 }
 
 void ObjectsController::addActions() {
@@ -99,13 +103,12 @@ void ObjectsController::addActions() {
                         .needs_session = true,
                         .menu = {MenuGroup::Look, 30}},
                        this, &ObjectsController::identify);
-  context_.actions.add({.id = "mapProperties",
-                        .text = tr("P&roperties of the map"),
-                        .icon = "map",
-                        .tip = tr("Name, size, resolution, origin and cells of the whole map"),
-                        .needs_session = true,
-                        .menu = {MenuGroup::WholeMap, 90}},
-                       this, &ObjectsController::showMap);
+  map_action_ = context_.actions.add({.id = "mapProperties",
+                                      .text = tr("P&roperties of the map"),
+                                      .icon = "map",
+                                      .tip = tr("Name, size, resolution, origin and cells of the whole map"),
+                                      .menu = {MenuGroup::WholeMap, 90}},
+                                     this, &ObjectsController::showMap);
   context_.actions.add({.id = "findObject",
                         .text = tr("Find an &object…"),
                         .icon = "search",
@@ -118,6 +121,11 @@ void ObjectsController::addActions() {
                          dock_->filterEdit()->setFocus();
                          dock_->filterEdit()->selectAll();
                        });
+}
+
+void ObjectsController::allowMap() {
+  const session::Session* const session = context_.current.session();
+  allow(map_action_, session && session->wholeMap().cells(), tr("There is no whole map on screen."));
 }
 
 void ObjectsController::showMap() {
@@ -287,6 +295,8 @@ void ObjectsController::cursorMoved() {
     const bool rests = world && near(*hovered_px_, toPixel(context_.scene, *world), MapTool::kReachPx / 2);
     if (rests) return;
     hovered_px_.reset();
+    hovered_.reset();
+    if (!chosen_) age_timer_.stop();
     // What was chosen is told again.
     if (chosen_) {
       showCard(*chosen_, card_at_m_, card_beneath_, true);
@@ -314,6 +324,9 @@ void ObjectsController::hover() {
   const auto object = context_.scene.object(ids.front());
   if (!object) return;
   hovered_px_ = toPixel(context_.scene, *world);
+  hovered_ = object;
+  hovered_beneath_ = int(ids.size()) - 1;
+  if (object->topic >= 0) age_timer_.start();
   const Eigen::Vector2d kept = card_at_m_;
   const int kept_beneath = card_beneath_;
   showCard(*object, *world, int(ids.size()) - 1, false);
@@ -354,7 +367,16 @@ void ObjectsController::refreshSoon() {
 
 void ObjectsController::refresh() {
   const session::Session* const session = context_.current.session();
-  if (!chosen_ || !session) return age_timer_.stop();
+  if (session && hovered_px_ && hovered_) {
+    const auto now = context_.scene.object(hovered_->id);
+    if (now) hovered_ = now;
+    card_->show(*hovered_, facts(*hovered_), hovered_beneath_);
+    placeCard();
+  }
+  if (!chosen_ || !session) {
+    if (!hovered_px_) age_timer_.stop();
+    return;
+  }
   const auto now = context_.scene.object(chosen_->id);
   if (now) {
     chosen_ = now;
@@ -372,7 +394,7 @@ void ObjectsController::refresh() {
   }
   // Ages grow; what is not looked at needs no clock.
   const bool looked_at = chosen_->topic >= 0 && (card_->isVisible() || properties_->isVisible());
-  if (!looked_at) {
+  if (!looked_at && !hovered_px_) {
     age_timer_.stop();
   } else if (!age_timer_.isActive()) {
     age_timer_.start();
@@ -381,12 +403,17 @@ void ObjectsController::refresh() {
 
 void ObjectsController::list() {
   if (!dock_->isVisible()) return;
+  QElapsedTimer took;
+  took.start();
   std::vector<scene::MapObject> all;
   if (context_.current.session()) all = context_.scene.objects(kMostListed + 1);
   const bool more = all.size() > kMostListed;
   if (more) all.pop_back();
   dock_->setObjects(std::move(all), more);
   dock_->point(chosen_ ? std::optional(chosen_->id) : std::nullopt);
+  // The longer the list, the less often it is made: a fiftieth of the time.
+  constexpr qint64 kTimesAsLong = 50;
+  list_timer_.setInterval(int(std::max<qint64>(kListMs, took.elapsed() * kTimesAsLong)));
 }
 
 void ObjectsController::copyChosen() {

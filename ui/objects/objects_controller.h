@@ -60,12 +60,14 @@ class ObjectsController : public Controller {
   void placeCard();
   void copyChosen();
   void showMap();
+  void allowMap();
   /// The cells of the whole map that is chosen, in the background.
   void count();
   std::vector<scene::ObjectProperty> facts(const scene::MapObject& object) const;
 
   WindowContext& context_;
   std::function<QDateTime()> wall_;
+  QAction* map_action_ = nullptr;
   ObjectCard* card_;
   PropertiesDock* properties_;
   ObjectsDock* dock_;
@@ -76,6 +78,8 @@ class ObjectsController : public Controller {
   Eigen::Vector2d card_at_m_{0, 0};
   int card_beneath_ = 0;
   std::optional<QPointF> hovered_px_;  // where the card of the cursor was made
+  std::optional<scene::MapObject> hovered_;
+  int hovered_beneath_ = 0;
   QTimer hover_timer_, refresh_timer_, list_timer_, age_timer_;
   /// Which map is being counted, or was.
   std::shared_ptr<const grids::GridPyramid> counted_;

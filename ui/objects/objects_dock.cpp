@@ -1,5 +1,6 @@
 #include "ui/objects/objects_dock.h"
 
+#include <QCollator>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -19,21 +20,35 @@
 namespace mapwright::window {
 
 namespace {
+
 constexpr int kColumnLetters = 15;
-}
+
+/// "Rack 3" before "Rack 10".
+class NumericOrder : public QSortFilterProxyModel {
+ public:
+  explicit NumericOrder(QObject* parent) : QSortFilterProxyModel(parent) { collator_.setNumericMode(true); }
+
+ protected:
+  bool lessThan(const QModelIndex& a, const QModelIndex& b) const override {
+    return collator_.compare(a.data().toString(), b.data().toString()) < 0;
+  }
+
+ private:
+  QCollator collator_;
+};
+
+}  // namespace
 
 ObjectsDock::ObjectsDock(QWidget* parent)
     : QDockWidget(tr("Objects"), parent),
       model_(new ObjectsModel(this)),
-      filtered_(new QSortFilterProxyModel(this)),
+      filtered_(new NumericOrder(this)),
       filter_(new QLineEdit(this)),
       table_(new QuietTableView(this)),
       count_(new PlainLabel(this)) {
   setObjectName(QStringLiteral("objects"));
   filtered_->setSourceModel(model_);
   filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
-  filtered_->setSortCaseSensitivity(Qt::CaseInsensitive);
-  filtered_->setSortLocaleAware(true);
   filtered_->setFilterKeyColumn(-1);
   filter_->setPlaceholderText(tr("Search by name, kind or layer"));
   filter_->setAccessibleName(tr("Search objects"));
@@ -48,9 +63,10 @@ ObjectsDock::ObjectsDock(QWidget* parent)
   const int letters_px = kColumnLetters * fontMetrics().averageCharWidth();
   for (const int column : {ObjectsModel::KindColumn, ObjectsModel::LayerColumn})
     header->resizeSection(column, letters_px);
-  new NameColumn(table_, header, ObjectsModel::NameColumn,
-                 {{ObjectsModel::LayerColumn}, {ObjectsModel::KindColumn, letters_px / 2}});
+  columns_ = new NameColumn(table_, header, ObjectsModel::NameColumn,
+                            {{ObjectsModel::LayerColumn}, {ObjectsModel::KindColumn, letters_px / 2}});
   table_->installEventFilter(this);
+  filter_->installEventFilter(this);
   count_->setSecondary(true);
   auto* const body = new QWidget(this);
   body->setLayout(columnOf({rowOf({{filter_, 1}}, 0, QMargins(8, 6, 8, 0)),
@@ -86,6 +102,7 @@ void ObjectsDock::setObjects(std::vector<scene::MapObject> objects, bool more) {
     model_->take(std::move(objects));
   }
   more_ = more;
+  columns_->fit();
   point(id);
   count();
 }
@@ -114,6 +131,17 @@ void ObjectsDock::showEvent(QShowEvent* event) {
 }
 
 bool ObjectsDock::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == filter_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    // From the search to what was found.
+    if (key == Qt::Key_Down || key == Qt::Key_Return || key == Qt::Key_Enter) {
+      table_->setFocus();
+      if (filtered_->rowCount() > 0) table_->setCurrentIndex(filtered_->index(0, 0));
+      if (key != Qt::Key_Down && table_->currentIndex().isValid())
+        Q_EMIT locateWanted(model_->object(filtered_->mapToSource(table_->currentIndex()).row()).id);
+      return true;
+    }
+  }
   if (watched == table_ && event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if ((key == Qt::Key_Return || key == Qt::Key_Enter) && table_->currentIndex().isValid()) {

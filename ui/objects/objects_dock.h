@@ -13,6 +13,7 @@ class QTableView;
 
 namespace mapwright::window {
 
+class NameColumn;
 class ObjectsModel;
 class PlainLabel;
 
@@ -46,6 +47,7 @@ class ObjectsDock : public QDockWidget {
   QLineEdit* filter_;
   QTableView* table_;
   PlainLabel* count_;
+  NameColumn* columns_ = nullptr;
   bool more_ = false, pointing_ = false;
 };
 

@@ -43,8 +43,8 @@ PropertiesDock::PropertiesDock(QWidget* parent)
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->resizeSection(0, kNameLetters * fontMetrics().averageCharWidth());
-  new NameColumn(table_, table_->horizontalHeader(), 1,
-                 {{0, kLeastNameLetters * fontMetrics().averageCharWidth()}});
+  columns_ = new NameColumn(table_, table_->horizontalHeader(), 1,
+                            {{0, kLeastNameLetters * fontMetrics().averageCharWidth()}});
   table_->installEventFilter(this);
   symbol_->setFixedSize(kSymbolPx, kSymbolPx);
   makeHeading(*title_);
@@ -101,8 +101,10 @@ void PropertiesDock::setObject(const scene::MapObject& object,
       model_->item(row, 1)->setToolTip(plainToolTip(facts[i].value));
     }
   }
+  const bool other = model_->rowCount() != int(facts.size());
   model_->setRowCount(int(facts.size()));
   facts_ = facts;
+  if (other) columns_->fit();
 }
 
 void PropertiesDock::copySelected() {

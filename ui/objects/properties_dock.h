@@ -15,6 +15,7 @@ class QTableView;
 
 namespace mapwright::window {
 
+class NameColumn;
 class PlainLabel;
 
 class PropertiesDock : public QDockWidget {
@@ -43,6 +44,7 @@ class PropertiesDock : public QDockWidget {
   QStandardItemModel* model_;
   QTableView* table_;
   QPushButton *copy_, *locate_;
+  NameColumn* columns_ = nullptr;
   std::optional<scene::MapObject> object_;
   std::vector<scene::ObjectProperty> facts_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QApplication>
+#include <QCollator>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
@@ -138,11 +139,20 @@ void CommandPalette::fill() {
                finding.where.contains(word, Qt::CaseInsensitive);
       };
       if (!std::all_of(words.begin(), words.end(), has)) return;
-      findings.emplace_back(fuzzyScore(typed, finding.text).value_or(-100), std::move(finding));
+      // The whole name, or its end as a whole word, is meant before what only begins like it.
+      constexpr int kExact = 2000, kEnds = 1000;
+      const bool exact = finding.text.compare(typed, Qt::CaseInsensitive) == 0;
+      const bool ends = finding.text.endsWith(QLatin1Char(' ') + typed, Qt::CaseInsensitive);
+      const int score = fuzzyScore(typed, finding.text).value_or(-100) + (exact ? kExact : ends ? kEnds : 0);
+      findings.emplace_back(score, std::move(finding));
     };
     for (const Findings::Search& search : searches_) search(typed, see);
-    std::stable_sort(findings.begin(), findings.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    QCollator as_people_count;
+    as_people_count.setNumericMode(true);
+    std::stable_sort(findings.begin(), findings.end(), [&](const auto& a, const auto& b) {
+      if (a.first != b.first) return a.first > b.first;
+      return as_people_count.compare(a.second.text, b.second.text) < 0;
+    });
     if (findings.size() > kMostFound) findings.resize(kMostFound);
     for (auto& [score, finding] : findings) {
       hits.push_back({score, nullptr, found_.size()});
