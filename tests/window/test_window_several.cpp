@@ -14,6 +14,8 @@
 #include "ui/waypoints/line_tool.h"
 #include "ui/waypoints/mirror_tool.h"
 #include "ui/waypoints/rename_dialog.h"
+#include "ui/waypoints/waypoints_model.h"
+#include "ui/waypoints/waypoints_dock.h"
 #include "ui/waypoints/waypoint_arranging.h"
 #include "ui/waypoints/waypoint_forms.h"
 #include "ui/waypoints/waypoint_placing.h"
@@ -202,6 +204,23 @@ class TestWindowSeveral : public QObject {
     desk.dialog()->replacementEdit()->clear();
     QVERIFY(!desk.dialog()->renameButton()->isEnabled());  // no name is left
     QCOMPARE(desk.undo().count(), 0);
+  }
+
+  void theListIsInOrderAfterSeveralWereRenamed() {
+    Desk desk;
+    desk.store.points = {waypoint("a", 1, 1, "Cafe"), waypoint("b", 2, 1, "Dock"), waypoint("c", 3, 1, "Lift"),
+                         waypoint("d", 4, 1, "Start")};
+    desk.start();
+    desk.editing().renameAll({{"a", QStringLiteral("Z 1")}, {"b", QStringLiteral("Z 2")}});
+    const auto listed = [&] {
+      const QAbstractItemModel* rows = part<WaypointsDock>(*desk.window)->table()->model();
+      QStringList names;
+      for (int row = 0; row < rows->rowCount(); ++row)
+        names << rows->index(row, WaypointsModel::NameColumn).data().toString();
+      return names;
+    };
+    QCOMPARE(listed(), QStringList({QStringLiteral("Lift"), QStringLiteral("Start"), QStringLiteral("Z 1"),
+                                    QStringLiteral("Z 2")}));
   }
 
   void anotherOperatorRenamesMeanwhile() {
