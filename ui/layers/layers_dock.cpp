@@ -68,7 +68,7 @@ LayersDock::LayersDock(scene::MapScene* scene, QWidget* parent)
   scroll_->setFocusPolicy(Qt::NoFocus);
   auto* const whole = new QWidget(this);
   whole->setLayout(columnOf(
-      {rowOf({{filter_, 1}, in_order_, presets_}, 4, QMargins(6, 6, 6, 2)), solo_strip_, {scroll_, 1}}, 0,
+      {rowOf({{filter_, 1}, in_order_, presets_}, 4, QMargins(6, 6, 6, 2)), {scroll_, 1}, solo_strip_}, 0,
       QMargins(0, 0, 0, 0)));
   setWidget(whole);
   place();

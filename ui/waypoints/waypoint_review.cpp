@@ -425,7 +425,7 @@ QString WaypointReview::statusText() const {
     case SubmissionPhase::LookingAgain:
       return tr("Everything was sent. Checking the result…");
     case SubmissionPhase::Done:
-      return tr("All requests succeeded.");
+      return tr("All requests that were sent succeeded.");
     default:
       break;
   }
