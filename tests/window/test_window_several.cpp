@@ -14,11 +14,11 @@
 #include "ui/waypoints/line_tool.h"
 #include "ui/waypoints/mirror_tool.h"
 #include "ui/waypoints/rename_dialog.h"
-#include "ui/waypoints/waypoints_model.h"
-#include "ui/waypoints/waypoints_dock.h"
 #include "ui/waypoints/waypoint_arranging.h"
 #include "ui/waypoints/waypoint_forms.h"
 #include "ui/waypoints/waypoint_placing.h"
+#include "ui/waypoints/waypoints_dock.h"
+#include "ui/waypoints/waypoints_model.h"
 #include "waypoints_desk.h"
 
 namespace test_window_several {
@@ -208,8 +208,8 @@ class TestWindowSeveral : public QObject {
 
   void theListIsInOrderAfterSeveralWereRenamed() {
     Desk desk;
-    desk.store.points = {waypoint("a", 1, 1, "Cafe"), waypoint("b", 2, 1, "Dock"), waypoint("c", 3, 1, "Lift"),
-                         waypoint("d", 4, 1, "Start")};
+    desk.store.points = {waypoint("a", 1, 1, "Cafe"), waypoint("b", 2, 1, "Dock"),
+                         waypoint("c", 3, 1, "Lift"), waypoint("d", 4, 1, "Start")};
     desk.start();
     desk.editing().renameAll({{"a", QStringLiteral("Z 1")}, {"b", QStringLiteral("Z 2")}});
     const auto listed = [&] {

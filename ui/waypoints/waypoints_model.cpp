@@ -130,8 +130,8 @@ void WaypointsModel::take(const edit::DocumentChange& change) {
   }
   if (come.size() + go.size() > kManyRows) return begin();
   if (others > 1) {
-    // One signal for all of them: told one by one, a sorted list would place each among others that are not in
-    // their places yet. Without unchanged columns, as one of these may be the sort column.
+    // One signal for all of them: told one by one, a sorted list would place each among others that are not
+    // in their places yet. Without unchanged columns, as one of these may be the sort column.
     using namespace edit::waypoint_field;
     const auto tell = [&](edit::FieldMask field, int from, int to) {
       if (change.fields & field || !change.added.empty() || !change.removed.empty())
