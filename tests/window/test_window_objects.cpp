@@ -130,6 +130,21 @@ class TestWindowObjects : public QObject {
     QVERIFY(!bench.card()->isVisible());
   }
 
+  void theCardOfARestingCursorKeepsUpAndHasRoomForItsRows() {
+    ObjectBench bench;
+    bench.openOnRobot();
+    bench.robot->say(map::LandmarksMessage{{{"L1", {-4, 4}, true}}});
+    bench.robot->say(map::AutoDoorsMessage{{door("Gate", 4, "closed")}});
+    bench.click(-4, 4);  // a card with fewer rows before
+    bench.key(Qt::Key_Escape);
+    bench.rest(5, 0.5);
+    QTRY_VERIFY(bench.card()->isVisible());
+    QVERIFY(bench.card()->lines().contains(QStringLiteral("State: closed")));
+    QVERIFY(bench.card()->height() >= bench.card()->minimumSizeHint().height());
+    bench.robot->say(map::AutoDoorsMessage{{door("Gate", 4, "open")}});
+    QTRY_VERIFY(bench.card()->lines().contains(QStringLiteral("State: open")));
+  }
+
   void theKeyboardAlonePointsAtTheMiddleOfTheMap() {
     ObjectBench bench;
     bench.openOnRobot();
@@ -206,7 +221,7 @@ class TestWindowObjects : public QObject {
     bool told = false;
     for (const auto& fact : factsOf(*object, *window.session(), later))
       told = told || (fact.name == QLatin1String("Last message") &&
-                      fact.value.endsWith(QLatin1String("(2 min ago)")));
+                      fact.value.endsWith(QLatin1String("(2 min 10 s ago)")));
     QVERIFY(told);
   }
 

@@ -118,7 +118,7 @@ class TestWindowSecrets : public QObject {
     bench.answer("Never for this robot");
     QTRY_VERIFY(!bench.question());
     QVERIFY(!bench.window->connectTo(kAddress, "one"));
-    QTest::qWait(0);
+    QCoreApplication::processEvents();
     QVERIFY(!bench.question());
     QVERIFY(bench.ring.secrets.isEmpty());
   }

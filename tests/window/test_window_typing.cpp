@@ -310,6 +310,19 @@ class TestWindowTyping : public QObject {
     QVERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()));
   }
 
+  void enterEndsTheNameInTheForm() {
+    Desk desk;
+    desk.start();
+    desk.bringUp();
+    desk.editing().select({"a"});
+    desk.dock().table()->setFocus();
+    Desk::type(Qt::Key_F2);
+    Desk::type(QStringLiteral("CCC"));
+    Desk::type(Qt::Key_Return);
+    Desk::type(QStringLiteral("2"));
+    QCOMPARE(desk.editing().find("a")->name, std::string("CCC"));
+  }
+
   void whoseWaypointIsDeletedElsewhereTypesIntoNothing() {
     Desk desk;
     desk.start();

@@ -268,8 +268,13 @@ class TestWindowWaypointsTable : public QObject {
     QTest::mouseClick(desk.dock().conflicts()->theirsButton(), Qt::LeftButton);
     QVERIFY(desk.near("b", 3.5, 1));
     QVERIFY(desk.dock().conflicts()->shown().contains(QLatin1String("Dock was changed here and elsewhere.")));
-    QTest::mouseClick(desk.dock().conflicts()->mineButton(), Qt::LeftButton);
+    desk.editing().select({"a"});
+    desk.dock().conflicts()->mineButton()->setFocus();
+    QTest::keyClick(desk.dock().conflicts()->mineButton(), Qt::Key_Space);
     QVERIFY(desk.dock().conflicts()->shown().isEmpty());
+    // A key that is meant for the map is not typed into the name.
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F);
+    QCOMPARE(desk.editing().find("a")->name, std::string("Dock"));
   }
 
   void theHistoryGoesBackByAClick() {

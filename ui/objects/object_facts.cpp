@@ -10,6 +10,7 @@
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/objects/map_facts.h"
+#include "ui/view/notice_bar.h"
 #include "ui/view/replay_state.h"
 
 namespace mapwright::window {
@@ -20,13 +21,6 @@ class FactText {
 };
 
 constexpr double kMillimetres = 0.001;  // a scale that shows them
-
-QString agoText(double seconds) {
-  if (seconds < 10) return FactText::tr("%1 s").arg(std::max(0.0, seconds), 0, 'f', 1);
-  if (seconds < 120) return FactText::tr("%1 s").arg(std::lround(seconds));
-  if (seconds < 7200) return FactText::tr("%1 min").arg(std::lround(seconds / 60));
-  return FactText::tr("%1 h").arg(std::lround(seconds / 3600));
-}
 
 QString clockText(double at_s, bool utc) {
   const auto at = QDateTime::fromMSecsSinceEpoch(std::llround(at_s * 1000), utc ? Qt::UTC : Qt::LocalTime);
@@ -53,9 +47,9 @@ std::vector<scene::ObjectProperty> withSource(std::vector<scene::ObjectProperty>
   const double now_s = replay ? session.world().at_s : double(now.toMSecsSinceEpoch()) / 1000;
   if (!heard->topic.isEmpty())
     facts.push_back({FactText::tr("Topic"), plainWords(heard->topic.toStdString(), 120)});
-  facts.push_back(
-      {FactText::tr("Last message"),
-       FactText::tr("%1 (%2 ago)").arg(clockText(heard->last_s, replay), agoText(now_s - heard->last_s))});
+  facts.push_back({FactText::tr("Last message"),
+                   FactText::tr("%1 (%2 ago)")
+                       .arg(clockText(heard->last_s, replay), lengthText(qint64(now_s - heard->last_s)))});
   if (heard->unchanged_s < heard->last_s)
     facts.push_back({FactText::tr("The same since"), clockText(heard->unchanged_s, replay)});
   return facts;
@@ -76,13 +70,8 @@ std::vector<scene::ObjectProperty> factsOf(const scene::MapObject& object, const
     facts = mapFacts(compared ? session.comparedMap() : session.wholeMap(), session, counts);
     return withSource(std::move(facts), object, session, now);
   }
-  if (object.id.layer == scene::Layer::Submaps) {
-    for (const auto& [id, row] : session.submaps().rows()) {
-      if (map::toText(id) != object.id.key) continue;
-      add(FactText::tr("Status"), statusWord(session.status(id)));
-      break;
-    }
-  }
+  if (const auto submap = scene::submapOf(object.id); submap && session.submaps().find(*submap))
+    add(FactText::tr("Status"), statusWord(session.status(*submap)));
   add(object.form == scene::ObjectForm::Point ? FactText::tr("Position") : FactText::tr("Middle"),
       coordinatesText(object.at_m, kMillimetres));
   if (object.yaw_rad && std::isfinite(*object.yaw_rad))

@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QMenu>
 
+#include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
@@ -148,7 +149,15 @@ void ObjectsController::addToMapMenu() {
     int shown = 0;
     for (const scene::ObjectId& id : ids) {
       const auto object = context_.scene.object(id);
-      if (!object || ++shown > kMostInMenu) break;
+      if (!object) continue;
+      if (++shown > kMostInMenu) {
+        const qint64 more = qint64(ids.size()) - kMostInMenu;
+        menu
+            .addAction(sentences::counted(
+                ObjectCard::tr("%1 other things here: Alt+click", nullptr, sentences::formOf(more)), more))
+            ->setEnabled(false);
+        break;
+      }
       QString text = calledInFull(*object);
       menu.addAction(QIcon(symbolOf(*object, 16, 2)), text.replace(QLatin1Char('&'), QStringLiteral("&&")),
                      this, [this, id, world] { choose(id, world, 0); });

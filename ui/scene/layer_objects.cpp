@@ -696,7 +696,7 @@ std::optional<MapObject> wholeMapObject(const SceneItems& items, const session::
 std::optional<MapObject> objectOf(const SceneItems& items, const session::Session& session,
                                   const ObjectId& id) {
   if (!items.shown.at(id.layer)) return std::nullopt;
-  if (id.layer == Layer::Submaps) return submapObject(items.context, session, id.key);
+  if (id.layer == Layer::Submaps) return submapObject(items.context, session, id);
   if (id.layer == Layer::WholeMap) return wholeMapObject(items, session, id);
   return findObject(items.context, id);
 }

@@ -46,7 +46,7 @@ std::optional<Eigen::Vector2d> placeOfMark(const ObjectId& id);
 MapObject problemObject(const LayerContext& context, const ProblemMark& mark);
 /// nullopt: it is not on screen.
 std::optional<MapObject> submapObject(const LayerContext& context, const session::Session& session,
-                                      const std::string& key);
+                                      const ObjectId& id);
 
 /// How well something fits a click: the nearer and the smaller, the better.
 struct ObjectFit {

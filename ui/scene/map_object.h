@@ -31,6 +31,9 @@ struct ObjectId {
   }
 };
 
+/// The submap with this id; nullopt: it is another thing.
+std::optional<map::SubmapId> submapOf(const ObjectId& id);
+
 enum class ObjectForm { Point, Line, Area };
 
 /// A row of what is known. Plain text.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 
 #include <QCoreApplication>
 
@@ -54,19 +55,32 @@ class SubmapText {
 
 }  // namespace
 
+std::optional<map::SubmapId> submapOf(const ObjectId& id) {
+  if (id.layer != Layer::Submaps) return std::nullopt;
+  // "12-3"; a trajectory may be negative.
+  const std::size_t dash = id.key.find('-', 1);
+  if (dash == std::string::npos) return std::nullopt;
+  const char* const end = id.key.data() + id.key.size();
+  map::SubmapId submap;
+  const auto first = std::from_chars(id.key.data(), id.key.data() + dash, submap.trajectory);
+  const auto second = std::from_chars(id.key.data() + dash + 1, end, submap.index);
+  const bool whole = first.ec == std::errc() && second.ec == std::errc() && second.ptr == end;
+  return whole ? std::optional(submap) : std::nullopt;
+}
+
 std::optional<MapObject> submapObject(const LayerContext& context, const session::Session& session,
-                                      const std::string& key) {
-  const auto found = std::find_if(context.outlines.begin(), context.outlines.end(),
-                                  [&](const auto& outline) { return map::toText(outline.first) == key; });
+                                      const ObjectId& id) {
+  const auto wanted = submapOf(id);
+  const auto found = wanted ? context.outlines.find(*wanted) : context.outlines.end();
   if (found == context.outlines.end()) return std::nullopt;
   const auto& [submap, outline] = *found;
   const submap::SubmapRow* const row = session.submaps().find(submap);
   if (!row) return std::nullopt;
   MapObject object;
-  object.id = {Layer::Submaps, FeaturesOf::Robot, key, 0};
+  object.id = id;
   object.form = ObjectForm::Area;
   object.kind = SubmapText::tr("Submap");
-  object.name = QString::fromStdString(key);
+  object.name = QString::fromStdString(map::toText(submap));
   object.at_m = outline.center;
   object.parts = {{outline.corners.begin(), outline.corners.end()}};
   object.color = outline.frozen ? context.theme.outline_frozen : context.theme.outline;
