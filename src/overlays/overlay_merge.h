@@ -1,0 +1,59 @@
+// What one version of a document of overlays changes against another, and the three-way merge. Each member of
+// a feature is merged on its own, and each of its properties; a geometry only as a whole. Pure functions.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "overlays/overlay_document.h"
+
+namespace mapwright::overlays {
+
+/// A member of a feature or of the collection, one of its properties, or all of it.
+struct Part {
+  enum class Of { Whole, Member, Property };
+  Of of = Of::Whole;
+  std::string name;
+  /// "geometry", "properties.name"; empty for all of it.
+  std::string text() const { return of == Of::Property ? "properties." + name : name; }
+  auto operator<=>(const Part&) const = default;
+};
+
+/// A part before and after, as JSON; nullopt: it is not there.
+struct PartChange {
+  Part part;
+  std::optional<std::string> before, after;
+};
+
+enum class ChangeKind { Add, Change, Remove };
+
+/// A changed feature, or what is changed of the collection.
+struct OverlayChange {
+  ChangeKind kind = ChangeKind::Change;
+  bool collection = false;
+  std::string id, name;                 // empty: none. Untrusted plain text
+  std::vector<PartChange> parts;        // of Change
+  std::optional<std::size_t> from, to;  // its indices in the two documents
+};
+
+/// Features are the same by id; those without one by what they contain, by name and type, or by where they
+/// lie. Only another order is no change, nor is another notation of the same values.
+std::vector<OverlayChange> changesBetween(const OverlayDocument& before, const OverlayDocument& after);
+
+/// Both changed the same part in different ways. JSON; nullopt: it is not there.
+struct OverlayConflict {
+  std::string id, name;
+  Part part;  // Whole: one of them removed the feature
+  std::optional<std::string> base, mine, theirs;
+};
+
+struct OverlayMerge {
+  OverlayDocument document;           // theirs, with my changes that are not in conflict
+  std::vector<OverlayChange> mine;    // all that I changed against the base
+  std::vector<OverlayChange> theirs;  // all that they did
+  std::vector<OverlayConflict> conflicts;
+};
+OverlayMerge merge(const OverlayDocument& base, const OverlayDocument& mine, const OverlayDocument& theirs);
+
+}  // namespace mapwright::overlays
