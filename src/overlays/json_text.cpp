@@ -56,7 +56,6 @@ void appendUtf8(std::string& out, char32_t code) {
 /// What stands between the quotes, decoded. It is known to be valid.
 std::string decoded(std::string_view inner) {
   if (inner.find('\\') == std::string_view::npos) return std::string(inner);
-  constexpr char32_t kReplacement = 0xFFFD;
   std::string out;
   out.reserve(inner.size());
   for (std::size_t i = 0; i < inner.size(); ++i) {
@@ -83,17 +82,11 @@ std::string decoded(std::string_view inner) {
       case 'u': {
         char32_t code = char32_t(codeUnit(inner.substr(i + 1)));
         i += 4;
-        if (code >= 0xD800 && code < 0xDC00) {
-          const bool paired = inner.substr(i + 1, 2) == "\\u";
-          const int low = paired ? codeUnit(inner.substr(i + 3)) : -1;
-          if (low >= 0xDC00 && low < 0xE000) {
-            code = 0x10000 + ((code - 0xD800) << 10) + (char32_t(low) - 0xDC00);
-            i += 6;
-          } else {
-            code = kReplacement;
-          }
-        } else if (code >= 0xDC00 && code < 0xE000) {
-          code = kReplacement;
+        const bool paired = code >= 0xD800 && code < 0xDC00 && inner.substr(i + 1, 2) == "\\u";
+        const int low = paired ? codeUnit(inner.substr(i + 3)) : -1;
+        if (low >= 0xDC00 && low < 0xE000) {
+          code = 0x10000 + ((code - 0xD800) << 10) + (char32_t(low) - 0xDC00);
+          i += 6;
         }
         appendUtf8(out, code);
         break;
