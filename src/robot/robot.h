@@ -43,6 +43,7 @@ enum class Capability {
   Live,             // LiveTopics
   Administration,   // MapAdministration
   PictureEditing,   // PictureStore
+  OverlayEditing,   // OverlayStore
   Bags,             // BagLibrary
   Dispatch,         // MapDispatch
 };
@@ -210,6 +211,7 @@ class LiveTopics {
 class BagLibrary;         // robot/bag_library.h
 class MapAdministration;  // robot/map_administration.h
 class MapDispatch;        // robot/map_dispatch.h
+class OverlayStore;       // robot/overlay_store.h
 class PictureStore;       // robot/picture_store.h
 class WaypointStore;      // robot/waypoint_store.h
 
@@ -243,6 +245,7 @@ class Robot : public QObject {
   virtual LiveTopics* liveTopics() { return nullptr; }
   virtual MapAdministration* mapAdministration() { return nullptr; }
   virtual PictureStore* pictureStore() { return nullptr; }
+  virtual OverlayStore* overlayStore() { return nullptr; }
   virtual BagLibrary* bagLibrary() { return nullptr; }
   virtual MapDispatch* mapDispatch() { return nullptr; }
 

@@ -39,6 +39,8 @@ constexpr Lack kLacks[] = {
      QT_TRANSLATE_NOOP("Absence", "The maps of this robot cannot be changed from here.")},
     {Capability::PictureEditing,
      QT_TRANSLATE_NOOP("Absence", "The pictures of this robot's maps are read-only.")},
+    {Capability::OverlayEditing,
+     QT_TRANSLATE_NOOP("Absence", "This robot keeps no overlays that can be edited.")},
     {Capability::Bags, QT_TRANSLATE_NOOP("Absence", "This robot has no bags that can be replayed.")},
     {Capability::Dispatch,
      QT_TRANSLATE_NOOP("Absence",

@@ -263,7 +263,8 @@ class SentencesTest : public QObject {
     QCOMPARE(sentences::whyAbsent(Capability::Submaps, {Absence::Reason::LocalFiles, {}}),
              QStringLiteral("There are no submaps here, only whole maps."));
     for (const Capability changing :
-         {Capability::WaypointEditing, Capability::Administration, Capability::PictureEditing})
+         {Capability::WaypointEditing, Capability::Administration, Capability::PictureEditing,
+          Capability::OverlayEditing})
       QCOMPARE(sentences::whyAbsent(changing, {Absence::Reason::LocalFiles, {"drive.bag"}}),
                QStringLiteral("This is a replay of drive.bag: nothing can be changed."));
   }

@@ -40,6 +40,7 @@ AxbotLink::AxbotLink(LinkOptions options)
       http_(options_.base, options_.secret, cache_.get()),
       maps_(server()),
       bags_(server()),
+      overlays_(server()),
       grids_(server()),
       // Old firmware does not know the query; if the handshake is refused for it, it is left out.
       socket_({socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret,

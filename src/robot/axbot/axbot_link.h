@@ -20,6 +20,7 @@
 #include "net/web_socket_link.h"
 #include "robot/axbot/bag_requests.h"
 #include "robot/axbot/map_requests.h"
+#include "robot/axbot/overlay_requests.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/topic_subscriptions.h"
 #include "robot/wire/robot_link.h"
@@ -60,6 +61,7 @@ class AxbotLink : public wire::RobotLink {
   void setBasics(const LiveTopics::Basics& basics);
   MapRequests& maps() { return maps_; }
   BagRequests& bags() { return bags_; }
+  OverlayRequests& overlays() { return overlays_; }
   /// A request for the overview; also notes if the robot does not support it.
   void fetchOverview(const wire::TaskPtr& task, double resolution_m, OutcomeTo<map::WholeMap> reply);
 
@@ -100,6 +102,7 @@ class AxbotLink : public wire::RobotLink {
   net::HttpClient http_;
   MapRequests maps_;
   BagRequests bags_;
+  OverlayRequests overlays_;
   GridFetcher grids_;
   net::WebSocketLink socket_;
   QTimer list_timer_, subscribe_timer_, older_timer_, again_timer_;

@@ -37,7 +37,8 @@ AxbotRobot::AxbotRobot(QString address, wire::StartedLink<AxbotLink> started, QO
       overview_(started.link),
       topics_(started.link),
       administration_(started.link, [this] { Q_EMIT mapsChanged(); }),
-      bags_(started.link, &AxbotLink::bags) {
+      bags_(started.link, &AxbotLink::bags),
+      overlays_(started.link, [this] { Q_EMIT mapsChanged(); }) {
   qRegisterMetaType<RobotIdentity>();
   connect(started.link, &AxbotLink::identityChanged, this, [this](const RobotIdentity& identity) {
     if (identity == identity_) return;

@@ -6,6 +6,7 @@
 
 #include "robot/axbot/axbot_link.h"
 #include "robot/map_administration.h"
+#include "robot/overlay_store.h"
 #include "robot/wire/forwarded.h"
 #include "robot/wire/network_robot.h"
 
@@ -39,6 +40,24 @@ class Administration : public MapAdministration {
   std::function<void()> changed_;
 };
 
+class Overlays : public OverlayStore {
+ public:
+  /// `changed`: as for Administration.
+  Overlays(AxbotLink* link, std::function<void()> changed)
+      : overlays_(link, &AxbotLink::overlays), changed_(std::move(changed)) {}
+  Call read(const map::MapKey& key, OutcomeTo<OverlayText> reply) override {
+    return overlays_.ask(map::subjectOf(key), std::move(reply), &OverlayRequests::read, key);
+  }
+  Call write(const map::MapKey& key, const std::string& text, OutcomeTo<OverlayText> reply) override {
+    return overlays_.change(map::subjectOf(key), overlays_.telling(changed_, std::move(reply)),
+                            &OverlayRequests::write, key, text);
+  }
+
+ private:
+  wire::LinkRef<OverlayRequests> overlays_;
+  std::function<void()> changed_;
+};
+
 class Topics : public wire::TopicsOf<AxbotLink> {
  public:
   using TopicsOf::TopicsOf;
@@ -63,6 +82,7 @@ class AxbotRobot : public wire::NetworkRobot {
   LiveTopics* liveTopics() override { return &topics_; }
   MapAdministration* mapAdministration() override { return &administration_; }
   BagLibrary* bagLibrary() override { return &bags_; }
+  OverlayStore* overlayStore() override { return &overlays_; }
   Absence whyNot(Capability capability) const override;
 
  private:
@@ -77,6 +97,7 @@ class AxbotRobot : public wire::NetworkRobot {
   Topics topics_;
   Administration administration_;
   wire::BagsOf<BagRequests> bags_;
+  Overlays overlays_;
   RobotIdentity identity_;
   std::optional<QString> overview_unknown_;    // its answer to a request for one
   std::optional<map::MapInfo> last_map_info_;  // without overlays

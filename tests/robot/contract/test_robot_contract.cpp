@@ -317,6 +317,7 @@ class RobotContractTest : public QObject {
         {Capability::Live, robot.liveTopics() != nullptr},
         {Capability::Administration, robot.mapAdministration() != nullptr},
         {Capability::PictureEditing, robot.pictureStore() != nullptr},
+        {Capability::OverlayEditing, robot.overlayStore() != nullptr},
         {Capability::Bags, robot.bagLibrary() != nullptr},
         {Capability::Dispatch, robot.mapDispatch() != nullptr}};
     for (const auto& [capability, there] : all) {

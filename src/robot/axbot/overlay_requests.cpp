@@ -1,0 +1,161 @@
+#include "robot/axbot/overlay_requests.h"
+
+#include <charconv>
+#include <utility>
+
+#include "overlays/json_text.h"
+#include "robot/axbot/faults.h"
+#include "robot/wire/failures.h"
+#include "robot/wire/faults.h"
+#include "robot/wire/net_results.h"
+
+namespace mapwright::robot::axbot {
+namespace {
+
+using overlays::JsonKind;
+using overlays::JsonText;
+using overlays::JsonValue;
+
+const QString kLivePath = QStringLiteral("/ros/map/overlays");
+const QString kInUsePath = QStringLiteral("/chassis/current-map");
+
+QString mapPath(const map::MapKey& key) { return QStringLiteral("/maps/") + pathSegment(key.id); }
+
+/// A string, or a number as written.
+std::string plainText(const std::optional<JsonValue>& value) {
+  if (!value) return {};
+  return value->kind() == JsonKind::String   ? value->string()
+         : value->kind() == JsonKind::Number ? std::string(value->text())
+                                             : std::string();
+}
+
+OverlayText aboutMap(const JsonValue& map) {
+  OverlayText about;
+  about.map_uid = plainText(map.member(map.member("uid") ? "uid" : "map_uid"));
+  about.map_name = plainText(map.member(map.member("map_name") ? "map_name" : "name"));
+  const std::string version = plainText(map.member("overlays_version"));
+  int number = 0;
+  if (std::from_chars(version.data(), version.data() + version.size(), number).ec == std::errc())
+    about.version = number;
+  return about;
+}
+
+map::Failure noStoredMap(const map::MapKey& key, map::AskedFor asked_for) {
+  return {.kind = map::FailureKind::Unsupported,
+          .subject = map::subjectOf(key),
+          .arguments = {"12"},
+          .asked_for = asked_for,
+          .reason = map::FailureReason::NoSuchId};
+}
+
+bool hasOverlays(const map::MapKey& key) {
+  return key.kind == map::MapKind::Live || (key.kind == map::MapKind::Stored && !key.id.empty());
+}
+
+/// Why an answer with 200 is a refusal: {"success": false, "message": "…"}.
+std::optional<std::string> refusalIn(const net::HttpAnswer& answer) {
+  const auto json = JsonText::read(answer.body.toStdString());
+  const auto success = json ? json->root().member("success") : std::nullopt;
+  if (!success || success->kind() != JsonKind::False) return std::nullopt;
+  return plainText(json->root().member("message"));
+}
+
+}  // namespace
+
+tl::expected<OverlayText, Fault> parseOverlayText(std::string_view map) {
+  const auto json = JsonText::read(std::string(map));
+  if (!json || !json->root().isObject()) return refused(robot::wire::fault::AnswerIsNoMap);
+  JsonValue root = json->root();
+  if (!root.member("id") && !root.member("overlays")) {
+    if (const auto inner = root.member("data"); inner && inner->isObject()) root = *inner;
+  }
+  OverlayText found = aboutMap(root);
+  if (const auto overlays = root.member("overlays")) {
+    switch (overlays->kind()) {
+      case JsonKind::String:
+        found.text = overlays->string();
+        break;
+      case JsonKind::Null:
+        break;
+      default:
+        found.text = overlays->text();
+    }
+  }
+  return found;
+}
+
+void OverlayRequests::read(const Task& task, const map::MapKey& key, OutcomeTo<OverlayText> reply) {
+  if (!hasOverlays(key)) return reply(fail(noStoredMap(key, map::AskedFor::All)));
+  key.kind == map::MapKind::Live ? readLive(task, std::move(reply)) : readStored(task, key, std::move(reply));
+}
+
+void OverlayRequests::readStored(const Task& task, const map::MapKey& key, OutcomeTo<OverlayText> reply) {
+  wire::send(task, server_.http, server_.request(mapPath(key)),
+             [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
+               reply(wire::outcomeOf(answer, map::subjectOf(key), parseOverlayText));
+             });
+}
+
+void OverlayRequests::readLive(const Task& task, OutcomeTo<OverlayText> reply) {
+  wire::send(
+      task, server_.http, server_.request(kInUsePath),
+      [this, task, reply = std::move(reply)](const net::HttpAnswer& current) {
+        OverlayText about;
+        if (current.ok()) {
+          const auto json = JsonText::read(current.body.toStdString());
+          if (json && json->root().isObject()) about = aboutMap(json->root());
+        }
+        wire::send(
+            task, server_.http, server_.request(kLivePath), [about, reply](const net::HttpAnswer& answer) {
+              reply(wire::outcomeOf(answer, map::subjectOf({map::MapKind::Live, {}}),
+                                    [&about](std::string_view body) -> tl::expected<OverlayText, Fault> {
+                                      OverlayText found = about;
+                                      found.text = body;
+                                      return found;
+                                    }));
+            });
+      });
+}
+
+void OverlayRequests::write(const Task& task, const map::MapKey& key, const std::string& text,
+                            OutcomeTo<OverlayText> reply) {
+  if (!hasOverlays(key)) return reply(fail(noStoredMap(key, map::AskedFor::Change)));
+  const bool live = key.kind == map::MapKind::Live;
+  net::HttpRequest request = server_.request(live ? kLivePath : mapPath(key));
+  request.method = live ? net::HttpMethod::Put : net::HttpMethod::Patch;
+  request.body = QByteArray::fromStdString(live ? text : R"({"overlays":)" + overlays::quoted(text) + '}');
+  wire::send(task, server_.http, request,
+             [this, task, key, text, reply = std::move(reply)](const net::HttpAnswer& answer) {
+               takeWritten(task, key, text, answer, reply);
+             });
+}
+
+void OverlayRequests::takeWritten(const Task& task, const map::MapKey& key, const std::string& text,
+                                  const net::HttpAnswer& answer, OutcomeTo<OverlayText> reply) {
+  if (answer.ok()) {
+    if (const auto why = refusalIn(answer)) {
+      map::Failure failure{.kind = map::FailureKind::RejectedByRobot,
+                           .subject = map::subjectOf(key),
+                           .detail = *why,
+                           .asked_for = map::AskedFor::Change};
+      return reply(fail(std::move(failure)));
+    }
+    return read(task, key, [reply](Outcome<OverlayText> now) {
+      if (!now) {
+        now.error().asked_for = map::AskedFor::Change;
+        now.error().applied = map::Applied::Yes;
+      }
+      reply(std::move(now));
+    });
+  }
+  const map::Failure failure = wire::failed(answer, map::subjectOf(key), map::AskedFor::Change);
+  if (failure.applied != map::Applied::Maybe || failure.kind == map::FailureKind::Cancelled)
+    return reply(fail(failure));
+  // What the robot holds may replace the lost answer. That it does not hold it yet proves nothing.
+  read(task, key, [text, failure, reply](Outcome<OverlayText> now) {
+    if (now && now->text == text) return reply(std::move(now));
+    reply(fail(failure));
+  });
+}
+
+}  // namespace mapwright::robot::axbot
