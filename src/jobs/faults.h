@@ -12,6 +12,11 @@ using namespace mapwright::fault;  // what all rooms share
 inline constexpr FaultCode PictureNotEncoded{
     "jobs", QT_TRANSLATE_NOOP("jobs", "The picture for %1 cannot be encoded: %2.")};
 
+// Changing overlays.
+/// because: what is wrong with them
+inline constexpr FaultCode OverlaysNotRead{
+    "jobs", QT_TRANSLATE_NOOP("jobs", "The overlays that the robot holds cannot be read")};
+
 // Looking for robots.
 /// seconds, as text
 inline constexpr FaultCode NothingWithin{"jobs", QT_TRANSLATE_NOOP("jobs", "no answer within %1 s")};

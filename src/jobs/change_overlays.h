@@ -1,0 +1,48 @@
+// Changes the overlays of a map on a robot: looks at what it holds now, merges, sends all of it once, reads
+// it back.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "overlays/overlay_merge.h"
+#include "robot/overlay_store.h"
+
+namespace mapwright::jobs {
+
+/// What is to become of the overlays.
+struct OverlayOrder {
+  map::MapKey map;
+  overlays::OverlayDocument mine;
+  /// What `mine` was made from; nullopt: `mine` replaces everything.
+  std::optional<overlays::OverlayDocument> base;
+  bool send = true;  // false: only looks and merges
+};
+
+struct OverlayOutcome {
+  overlays::OverlayMerge merge;  // with what the robot held
+  /// Nothing was sent: there are conflicts, nothing to change, or it was not wanted.
+  bool sent = false;
+  std::optional<int> version_before, version;  // of the robot
+  std::string before;                          // what the robot held, to the byte
+
+  // After sending:
+  /// What differs between what was sent and what the robot holds now.
+  std::vector<overlays::OverlayChange> differs;
+  enum class Between {
+    None,  // nobody else changed them between the look and the request
+    Somebody,
+    Unknown,  // the robot tells no version, or does not count
+  };
+  Between between = Between::None;
+
+  /// It holds what was sent, and nobody came between.
+  bool certain() const { return !sent || (differs.empty() && between == Between::None); }
+};
+
+/// The error of an unreadable answer of the robot is MalformedAnswer. No result if the store is destroyed
+/// first.
+robot::Call changeOverlays(robot::OverlayStore& store, OverlayOrder order,
+                           robot::OutcomeTo<OverlayOutcome> reply);
+
+}  // namespace mapwright::jobs

@@ -1,0 +1,157 @@
+// Changing the overlays of a map on a robot: what is sent, and what is said when others change them, too.
+#include <deque>
+
+#include <QtTest>
+
+#include "jobs/change_overlays.h"
+#include "test_program.h"
+
+namespace test_change_overlays {
+
+using namespace mapwright;
+using overlays::OverlayDocument;
+using robot::Outcome;
+using robot::OverlayText;
+
+namespace {
+
+OverlayDocument document(const std::string& text) { return *OverlayDocument::read(text); }
+
+std::string features(const std::string& list) { return R"({"features":[)" + list + "]}"; }
+
+const std::string kWall = R"({"id":"w","geometry":{"type":"LineString","coordinates":[[0,0],[1,1.50]]}})";
+const std::string kPoint = R"({"id":"p","properties":{"name":"A"}})";
+
+/// Holds one text, and does with a change what the test wants.
+class Store : public robot::OverlayStore {
+ public:
+  robot::Call read(const map::MapKey&, robot::OutcomeTo<OverlayText> reply) override {
+    ++reads;
+    reply(held);
+    return {};
+  }
+  robot::Call write(const map::MapKey&, const std::string& text,
+                    robot::OutcomeTo<OverlayText> reply) override {
+    sent.push_back(text);
+    reply(stores(text));
+    return {};
+  }
+
+  OverlayText held{features(kWall), 5, "uid", "Hall"};
+  std::function<Outcome<OverlayText>(const std::string&)> stores = [this](const std::string& text) {
+    held.text = text;
+    held.version = held.version.value_or(0) + 1;
+    return held;
+  };
+  std::vector<std::string> sent;
+  int reads = 0;
+};
+
+Outcome<jobs::OverlayOutcome> change(Store& store, const std::string& mine, const std::string& base,
+                                     bool send = true) {
+  std::optional<Outcome<jobs::OverlayOutcome>> outcome;
+  jobs::OverlayOrder order{{map::MapKind::Stored, "1"}, document(mine), std::nullopt, send};
+  if (!base.empty()) order.base = document(base);
+  jobs::changeOverlays(store, std::move(order), [&](auto came) { outcome = std::move(came); });
+  return std::move(*outcome);
+}
+
+using Between = jobs::OverlayOutcome::Between;
+
+}  // namespace
+
+class TestChangeOverlays : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void whatIsMergedIsSentOnceAndReadBack() {
+    Store store;
+    store.held.text = features(kWall + " , " + kPoint);
+    const auto outcome = change(store, features(R"({"id":"w","geometry":null})"), features(kWall));
+    QVERIFY(outcome && outcome->sent && outcome->certain());
+    QCOMPARE(store.sent, std::vector<std::string>{features(R"({"id":"w","geometry":null} , )" + kPoint)});
+    QCOMPARE(outcome->version, std::optional(6));
+    QCOMPARE(outcome->merge.mine.size(), std::size_t(1));
+    QCOMPARE(outcome->merge.theirs.size(), std::size_t(1));
+  }
+
+  void nothingIsSentForNothing() {
+    Store store;
+    const auto same = change(store, features(kWall), features(kWall));
+    QVERIFY(same && !same->sent && same->certain());
+    const auto dry = change(store, features(""), features(kWall), false);
+    QVERIFY(dry && !dry->sent && dry->merge.mine.size() == 1);
+    QVERIFY(store.sent.empty());
+  }
+
+  void aConflictSendsNothing() {
+    Store store;
+    store.held.text = features(R"({"id":"p","properties":{"name":"theirs"}})");
+    const auto outcome =
+        change(store, features(R"({"id":"p","properties":{"name":"mine"}})"), features(kPoint));
+    QVERIFY(outcome && !outcome->sent);
+    QCOMPARE(outcome->merge.conflicts.size(), std::size_t(1));
+    QVERIFY(store.sent.empty());
+  }
+
+  void withoutABaseEverythingIsReplaced() {
+    Store store;
+    store.held.text = "no JSON";
+    const auto outcome = change(store, features(kPoint), "");
+    QVERIFY(outcome && outcome->sent && outcome->certain());
+    QCOMPARE(store.sent, std::vector<std::string>{features(kPoint)});
+    // But what cannot be read is not merged with.
+    store.held.text = "no JSON";
+    QVERIFY(!change(store, features(kPoint), features(kWall)));
+    QCOMPARE(store.sent.size(), std::size_t(1));
+  }
+
+  void whoCameBetweenIsSeenByTheVersion() {
+    Store store;
+    store.stores = [&](const std::string& text) -> Outcome<OverlayText> {
+      return OverlayText{text, 7, {}, {}};
+    };
+    const auto overwritten = change(store, features(kPoint), features(kWall));
+    QVERIFY(overwritten && overwritten->between == Between::Somebody && overwritten->differs.empty());
+    store.stores = [&](const std::string&) -> Outcome<OverlayText> {
+      return OverlayText{features(kPoint + "," + kWall), 7, {}, {}};
+    };
+    const auto after = change(store, features(kPoint), features(kWall));
+    QVERIFY(after && after->between == Between::Somebody && after->differs.size() == 1 && !after->certain());
+  }
+
+  void aRobotThatIgnoresItOrTellsNoVersionIsNotBelieved() {
+    Store store;
+    store.stores = [&](const std::string&) -> Outcome<OverlayText> { return store.held; };
+    const auto ignored = change(store, features(kPoint), features(kWall));
+    QVERIFY(ignored && ignored->between == Between::None && !ignored->differs.empty() && !ignored->certain());
+    store.held.version.reset();
+    store.stores = [&](const std::string& text) -> Outcome<OverlayText> {
+      return OverlayText{text, {}, {}, {}};
+    };
+    const auto untold = change(store, features(kPoint), features(kWall));
+    QVERIFY(untold && untold->between == Between::Unknown && untold->differs.empty() && !untold->certain());
+  }
+
+  void idsThatTheRobotGivesAreNoDifference() {
+    Store store;
+    store.stores = [&](const std::string&) -> Outcome<OverlayText> {
+      return OverlayText{features(R"({"properties":{"name":"A"},"id":77})"), 6, {}, {}};
+    };
+    const auto outcome = change(store, features(R"({"properties":{"name":"A"}})"), features(kWall));
+    QVERIFY(outcome && outcome->certain());
+  }
+
+  void aRefusalComesThrough() {
+    Store store;
+    store.stores = [&](const std::string&) -> Outcome<OverlayText> {
+      return robot::fail(map::Failure{.kind = map::FailureKind::TimedOut, .applied = map::Applied::Maybe});
+    };
+    const auto outcome = change(store, features(kPoint), features(kWall));
+    QVERIFY(!outcome && outcome.error().applied == map::Applied::Maybe);
+  }
+};
+
+}  // namespace test_change_overlays
+
+MAPWRIGHT_TEST(test_change_overlays, TestChangeOverlays, Core)
+#include "test_change_overlays.moc"
