@@ -12,9 +12,13 @@
 #include <Eigen/Core>
 #include <tl/expected.hpp>
 
-#include "overlays/json_text.h"
+#include "json/json_text.h"
 
 namespace mapwright::overlays {
+
+using json::JsonKind;
+using json::JsonText;
+using json::JsonValue;
 
 enum class Shape { None, Point, Line, Polygon, Other };
 

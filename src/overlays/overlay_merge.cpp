@@ -61,7 +61,7 @@ std::string withPart(const JsonValue& object, const Part& part, const std::optio
   const auto properties = object.member(kProperties);
   if (!properties || !properties->isObject()) {
     if (!value) return std::string(object.text());
-    return withMember(object, kProperties, '{' + quoted(part.name) + ": " + *value + '}');
+    return withMember(object, kProperties, '{' + json::quoted(part.name) + ": " + *value + '}');
   }
   return withMember(
       object, kProperties,
@@ -74,7 +74,7 @@ std::string contentOf(const Feature& feature) {
   std::string content;
   for (const auto& [part, value] : partsOf(root)) {
     if (!(part == Part{Part::Of::Member, "id"} || part == Part{Part::Of::Property, "id"}))
-      content += quoted(part.text()) + ':' + canonical(value) + ',';
+      content += json::quoted(part.text()) + ':' + canonical(value) + ',';
   }
   return content;
 }

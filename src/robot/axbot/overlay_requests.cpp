@@ -3,7 +3,7 @@
 #include <charconv>
 #include <utility>
 
-#include "overlays/json_text.h"
+#include "json/json_text.h"
 #include "robot/axbot/faults.h"
 #include "robot/wire/failures.h"
 #include "robot/wire/faults.h"
@@ -12,9 +12,9 @@
 namespace mapwright::robot::axbot {
 namespace {
 
-using overlays::JsonKind;
-using overlays::JsonText;
-using overlays::JsonValue;
+using json::JsonKind;
+using json::JsonText;
+using json::JsonValue;
 
 const QString kLivePath = QStringLiteral("/ros/map/overlays");
 const QString kInUsePath = QStringLiteral("/chassis/current-map");
@@ -123,7 +123,7 @@ void OverlayRequests::write(const Task& task, const map::MapKey& key, const std:
   const bool live = key.kind == map::MapKind::Live;
   net::HttpRequest request = server_.request(live ? kLivePath : mapPath(key));
   request.method = live ? net::HttpMethod::Put : net::HttpMethod::Patch;
-  request.body = QByteArray::fromStdString(live ? text : R"({"overlays":)" + overlays::quoted(text) + '}');
+  request.body = QByteArray::fromStdString(live ? text : R"({"overlays":)" + json::quoted(text) + '}');
   wire::send(task, server_.http, request,
              [this, task, key, text, reply = std::move(reply)](const net::HttpAnswer& answer) {
                takeWritten(task, key, text, answer, reply);

@@ -1,4 +1,4 @@
-#include "overlays/json_text.h"
+#include "json/json_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,9 +8,9 @@
 #include <map>
 #include <utility>
 
-#include "overlays/faults.h"
+#include "json/faults.h"
 
-namespace mapwright::overlays {
+namespace mapwright::json {
 namespace {
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -460,4 +460,4 @@ std::string withoutMember(const JsonValue& object, std::string_view name) {
   return rest && rest->root().member(name) ? withoutMember(rest->root(), name) : text;
 }
 
-}  // namespace mapwright::overlays
+}  // namespace mapwright::json

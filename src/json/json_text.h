@@ -13,7 +13,7 @@
 
 #include "fault/fault.h"
 
-namespace mapwright::overlays {
+namespace mapwright::json {
 
 enum class JsonKind : std::uint8_t { Null, False, True, Number, String, Array, Object };
 
@@ -101,4 +101,4 @@ std::string withMember(const JsonValue& object, std::string_view name, std::stri
 /// The object without any member of that name.
 std::string withoutMember(const JsonValue& object, std::string_view name);
 
-}  // namespace mapwright::overlays
+}  // namespace mapwright::json

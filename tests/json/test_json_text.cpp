@@ -3,12 +3,12 @@
 
 #include <QTest>
 
-#include "overlays/json_text.h"
+#include "json/json_text.h"
 #include "test_program.h"
 
 namespace test_json_text {
 
-using namespace mapwright::overlays;
+using namespace mapwright::json;
 
 namespace {
 
