@@ -7,24 +7,38 @@ namespace mapwright::overlays::fault {
 
 using namespace mapwright::fault;  // what all rooms share
 
-/// line, column
-inline constexpr FaultCode NotJson{"overlays", QT_TRANSLATE_NOOP("overlays", "line %1, column %2")};
-inline constexpr FaultCode TextEnds{"overlays", QT_TRANSLATE_NOOP("overlays", "the text ends too early")};
-inline constexpr FaultCode TextGoesOn{"overlays",
-                                      QT_TRANSLATE_NOOP("overlays", "something follows the end of the JSON")};
-inline constexpr FaultCode NoValue{"overlays", QT_TRANSLATE_NOOP("overlays", "a value is expected here")};
-inline constexpr FaultCode NoName{
-    "overlays", QT_TRANSLATE_NOOP("overlays", "the name of a member is expected here, in quotes")};
-/// what is expected: ":"
-inline constexpr FaultCode NoSign{"overlays", QT_TRANSLATE_NOOP("overlays", "%1 is expected here")};
-inline constexpr FaultCode BadNumber{"overlays", QT_TRANSLATE_NOOP("overlays", "this is not a number")};
-inline constexpr FaultCode BadString{
-    "overlays", QT_TRANSLATE_NOOP("overlays", "this string has a control character or an unknown escape")};
-inline constexpr FaultCode TooDeep{"overlays",
-                                   QT_TRANSLATE_NOOP("overlays", "objects and lists are nested too deeply")};
-inline constexpr FaultCode TooLong{"overlays", QT_TRANSLATE_NOOP("overlays", "the text is too long")};
-inline constexpr FaultCode NotUtf8{"overlays", QT_TRANSLATE_NOOP("overlays", "the text is not UTF-8")};
 inline constexpr FaultCode NoCollection{
     "overlays", QT_TRANSLATE_NOOP("overlays", "it is not a GeoJSON FeatureCollection")};
+
+// Flaws of features; each is a sentence.
+/// the id
+inline constexpr FaultCode IdTwice{"overlays",
+                                   QT_TRANSLATE_NOOP("overlays", "Another feature has the same id, %1.")};
+/// the name
+inline constexpr FaultCode NameTwice{
+    "overlays", QT_TRANSLATE_NOOP("overlays", "Another feature of this kind has the same name, \"%1\".")};
+inline constexpr FaultCode OutlineCrossesItself{"overlays",
+                                                QT_TRANSLATE_NOOP("overlays", "Its outline crosses itself.")};
+inline constexpr FaultCode NoArea{"overlays", QT_TRANSLATE_NOOP("overlays", "Its outline encloses no area.")};
+inline constexpr FaultCode LineTooShort{
+    "overlays", QT_TRANSLATE_NOOP("overlays", "A line needs at least two different points.")};
+inline constexpr FaultCode OutlineTooShort{
+    "overlays", QT_TRANSLATE_NOOP("overlays", "An outline needs at least three different points.")};
+inline constexpr FaultCode BeyondMap{"overlays", QT_TRANSLATE_NOOP("overlays", "It lies outside the map.")};
+inline constexpr FaultCode InWall{"overlays", QT_TRANSLATE_NOOP("overlays", "It lies in a wall.")};
+inline constexpr FaultCode NoDock{"overlays",
+                                  QT_TRANSLATE_NOOP("overlays", "This charger names no docking point.")};
+/// the id of the docking point
+inline constexpr FaultCode DockMissing{
+    "overlays", QT_TRANSLATE_NOOP("overlays", "The docking point of this charger, %1, does not exist.")};
+inline constexpr FaultCode NoMac{"overlays", QT_TRANSLATE_NOOP("overlays", "This door has no MAC address.")};
+/// as written
+inline constexpr FaultCode CoordinateUnusable{
+    "overlays", QT_TRANSLATE_NOOP("overlays", "This is not a usable coordinate: %1")};
+/// as written
+inline constexpr FaultCode YawUnusable{"overlays",
+                                       QT_TRANSLATE_NOOP("overlays", "This is not a usable yaw: %1")};
+inline constexpr FaultCode NotReached{
+    "overlays", QT_TRANSLATE_NOOP("overlays", "The robot cannot get here from its charger.")};
 
 }  // namespace mapwright::overlays::fault
