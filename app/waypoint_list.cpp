@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QJsonObject>
 
+#include "app/command_map.h"
 #include "app/command_text.h"
 #include "app/output.h"
 #include "app/robot_factory.h"
@@ -29,28 +30,6 @@ namespace mapwright::app {
 namespace {
 
 using words::text;
-
-CommandResult<map::MapKey> mapOf(RobotReading& robot, const std::string& id) {
-  const map::MapKey named = map::mapKeyFromText(id);
-  if (!id.empty() && !robot.local()) {
-    if (named.kind == map::MapKind::Stored) return named;
-    return robot.failure(
-        kUsage, Text::tr("--map %1: pass the id of a stored map (see mapwright maps list).").arg(text(id)));
-  }
-  const auto rows = robot.catalogue();
-  if (!rows) return passOn(rows);
-  const session::Catalogue& catalogue = robot.session().catalogue();
-  const map::CatalogueEntry* entry = id.empty() ? catalogue.current() : catalogue.called(id);
-  if (!entry && id.empty() && (*rows)->size() == 1) entry = &(*rows)->front();
-  if (entry) return entry->key;
-  if (!id.empty())
-    return robot.failure(kUsage, Text::tr("There is no map %1 (see mapwright maps list).").arg(text(id)));
-  return (*rows)->empty()
-             ? robot.failure(kRobotError, Text::tr("There are no maps."))
-             : robot.failure(
-                   kRobotError,
-                   Text::tr("None of its maps is the current one. Pass --map ID (see mapwright maps list)."));
-}
 
 tl::expected<robot::StoredWaypoints, map::Failure> readAll(ListedWaypoints& list,
                                                            robot::WaypointSource* source) {
@@ -89,8 +68,6 @@ QString nameLeft(const exchange::TemporaryName& left) {
                             .arg(name, permanent);
 }
 
-constexpr const char* kStandardInput = "-";
-
 /// After a UTF-8 byte order mark and blanks.
 bool beginsLikeJson(std::string_view bytes) {
   constexpr std::string_view kMark = "\xef\xbb\xbf";
@@ -103,36 +80,6 @@ std::optional<WaypointFileKind> kindCalled(const QString& word) {
   if (word == QLatin1String("csv")) return WaypointFileKind::Csv;
   if (word == QLatin1String("geojson") || word == QLatin1String("json")) return WaypointFileKind::GeoJson;
   return std::nullopt;
-}
-
-constexpr double kMapWithinS = 20;   // the command waits at most this long for its picture
-constexpr double kModelWithinS = 2;  // for the robot's footprint
-
-struct Ground {
-  placing::PlacedMap map;
-  QString why_not;
-};
-
-Ground groundOf(RobotReading& reading, const map::MapKey& key) {
-  session::Session& session = reading.session();
-  const session::MapSlot& slot = session.wholeMap();
-  session.openMap(key);
-  const bool in_time = reading.waitUntil([&] { return slot.key() == key && slot.settled(); }, kMapWithinS);
-  if (slot.cells() && slot.shown().key == key && slot.cells()->complete())
-    return {{slot.cells(), slot.reference()}, {}};
-  if (slot.remark()) return {{}, sentences::sentenceOf(*slot.remark())};
-  return {{}, in_time ? QString() : Text::tr("It had not arrived in time.")};
-}
-
-double radiusOf(RobotReading& reading) {
-  session::Session& session = reading.session();
-  const auto told = [&] { return placing::radiusOf(session.live().model); };
-  robot::LiveTopics* const live = session.robot().liveTopics();
-  if (live && !live->topicsOf(map::Stream::Model).isEmpty()) {
-    session.want(QStringLiteral("waypoints"), {map::Stream::Model});
-    reading.waitUntil([&] { return told() > 0; }, kModelWithinS);
-  }
-  return told() > 0 ? told() : placing::kUsualRadiusM;
 }
 
 constexpr std::pair<placing::WarningKind, const char*> kWarningWords[] = {
@@ -213,7 +160,7 @@ CommandResult<ListedWaypoints> listWaypoints(RobotCommand& command, const std::s
   list.store = robot.waypointStore();
   if (!list.store && use == Use::Changing) return reading.lacks(robot::Capability::WaypointEditing);
   if (!list.store && !robot.waypointSource()) return reading.lacks(robot::Capability::Waypoints);
-  const auto key = mapOf(reading, map);
+  const auto key = storedMap(reading, map);
   if (!key) return passOn(key);
   list.map = *key;
   auto stored = readAll(list, robot.waypointSource());
@@ -258,17 +205,9 @@ tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path
           .arg(text(path)));
 }
 
-tl::expected<std::string, disk::FileError> bytesOf(const std::string& path, std::size_t most) {
-  return path == kStandardInput ? disk::readStandardInput(most + 1) : disk::readFile(path, most + 1);
-}
-
-QString inputCalled(const std::string& path) {
-  return path == kStandardInput ? Text::tr("The standard input") : text(path);
-}
-
 tl::expected<exchange::WantedList, QString> readWantedFile(const std::string& path,
                                                            const std::string& format) {
-  const bool by_content = path == kStandardInput && format.empty();
+  const bool by_content = isStandardInput(path) && format.empty();
   auto kind = by_content ? tl::expected<WaypointFileKind, QString>(WaypointFileKind::GeoJson)
                          : waypointFileKind(path, format);
   if (!kind) return passOn(kind);
@@ -293,21 +232,10 @@ std::vector<std::string> waypointSources(const std::string& address, const map::
   return sources;
 }
 
-tl::expected<std::optional<double>, QString> radiusFrom(const std::string& word) {
-  if (word.empty()) return std::nullopt;
-  bool ok = false;
-  const double metres = QString::fromStdString(word).toDouble(&ok);
-  if (ok && std::isfinite(metres) && metres >= 0 && metres <= placing::kMostRadiusM)
-    return std::optional(metres);
-  return tl::make_unexpected(Text::tr("--radius %1: give metres from 0 to %2, for example 0.3.")
-                                 .arg(QString::fromStdString(word))
-                                 .arg(placing::kMostRadiusM));
-}
-
 DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::Waypoint>& points,
                            std::optional<double> radius_m) {
-  const double radius = radius_m ? *radius_m : radiusOf(*list.robot);
-  const Ground ground = groundOf(*list.robot, list.map);
+  const double radius = radius_m ? *radius_m : robotRadius(*list.robot);
+  const MapBelow ground = mapBelow(*list.robot, list.map);
   std::vector<Eigen::Vector2d> places;
   places.reserve(points.size());
   std::vector<std::string> names;

@@ -64,20 +64,12 @@ enum class WaypointFileKind { GeoJson, Csv };
 /// By `format` ("csv", "geojson"), otherwise by the extension; "-" is GeoJSON. The error is a sentence.
 tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path, const std::string& format);
 
-/// The bytes of a file, or of the standard input ("-"); reads slightly more than `most` if there is more.
-tl::expected<std::string, disk::FileError> bytesOf(const std::string& path, std::size_t most);
-/// What messages call it.
-QString inputCalled(const std::string& path);
-
 /// Parses the file; "-" is the standard input, taken as GeoJSON if it begins with a brace. The error is a
 /// sentence with the name of the file.
 exchange::WantedFile readWantedFile(const std::string& path, const std::string& format);
 
 /// The local files that the map `key` and its waypoints are read from; none for a robot.
 std::vector<std::string> waypointSources(const std::string& address, const map::MapKey& key);
-
-/// `--radius` in metres; nullopt = not given. The error is a sentence.
-tl::expected<std::optional<double>, QString> radiusFrom(const std::string& word);
 
 struct DoubtfulWaypoints {
   std::vector<placing::Warnings> of;  // one entry per waypoint, in the same order

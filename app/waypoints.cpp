@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/command_map.h"
 #include "app/command_text.h"
 #include "app/output.h"
 #include "app/waypoint_list.h"
