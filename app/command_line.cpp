@@ -157,7 +157,7 @@ int runCommand(int argc, char** argv) {
   CLI::App* play = cli.add_subcommand("play", help(Text::tr("Open the window with a recording")));
   play->add_option("file", operand, help(Text::tr("MCAP or ROS 1 bag")))->required();
   Commands commands(cli);
-  for (const auto add : {addSimulate, addSnapshot, addMaps, addProjections, addWaypoints, addBags, addRecord,
+  for (const auto add : {addSimulate, addSnapshot, addMaps, addProjections, addWaypoints, addOverlays, addBags, addRecord,
                          addClouds, addTopics, addProbe})
     add(commands);
   addLog(cli, log_rules);

@@ -107,6 +107,7 @@ void addSnapshot(Commands& commands);
 void addMaps(Commands& commands);
 void addProjections(Commands& commands);
 void addWaypoints(Commands& commands);
+void addOverlays(Commands& commands);
 void addBags(Commands& commands);
 void addRecord(Commands& commands);
 void addClouds(Commands& commands);
