@@ -69,6 +69,20 @@
             <numerusform>%1 waypoints</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 features</source>
+        <translation>
+            <numerusform>%1 feature</numerusform>
+            <numerusform>%1 features</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Nothing was sent: %1 conflicts with what others changed since the base.</source>
+        <translation>
+            <numerusform>Nothing was sent: %1 conflict with what others changed since the base.</numerusform>
+            <numerusform>Nothing was sent: %1 conflicts with what others changed since the base.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FetchCloud</name>

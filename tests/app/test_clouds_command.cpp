@@ -1,22 +1,16 @@
 // `clouds export`: what is asked for, and what is refused before anybody is asked.
-#include <QDir>
-#include <QProcess>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "app/clouds.h"
+#include "program.h"
 #include "test_program.h"
 
 namespace test_clouds_command {
 
 using namespace mapwright;
+using Outcome = tests::Ended;
 
 namespace {
-
-struct Outcome {
-  int code = -1;
-  QString out, err;
-};
 
 app::CloudsArguments words(const std::string& box, const std::string& sphere = {}, bool all = false) {
   app::CloudsArguments made;
@@ -30,23 +24,9 @@ app::CloudsArguments words(const std::string& box, const std::string& sphere = {
 
 class CloudsCommandTest : public QObject {
   Q_OBJECT
-  QTemporaryDir folder_;
+  tests::Program program_;
 
-  Outcome run(const QStringList& arguments) const {
-    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
-    for (const char* name :
-         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
-      env.remove(QLatin1String(name));
-    env.insert(QStringLiteral("XDG_CACHE_HOME"), folder_.filePath(QStringLiteral("cache")));
-    env.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_.filePath(QStringLiteral("config")));
-    QProcess process;
-    process.setProcessEnvironment(env);
-    process.setWorkingDirectory(folder_.path());
-    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), arguments);
-    if (!process.waitForFinished(120'000)) return {};
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
-  }
+  Outcome run(const QStringList& arguments) const { return program_.run(arguments); }
 
  private Q_SLOTS:
   void aRegionIsABoxOrASphereOrAllOfIt() {
@@ -95,7 +75,7 @@ class CloudsCommandTest : public QObject {
     const Outcome odd = run(export_all + QStringList{QStringLiteral("a.las")});
     QCOMPARE(odd.code, 2);
     QVERIFY(odd.err.contains(QStringLiteral(".pcd, .ply or .csv")));
-    QFile there(folder_.filePath(QStringLiteral("there.ply")));
+    QFile there(program_.path("there.ply"));
     QVERIFY(there.open(QIODevice::WriteOnly));
     there.close();
     const Outcome kept = run(export_all + QStringList{there.fileName()});
@@ -110,7 +90,7 @@ class CloudsCommandTest : public QObject {
                                  QStringLiteral("-o"), QStringLiteral("a.pcd")});
     QCOMPARE(outcome.code, 4);
     QVERIFY(outcome.err.contains(QStringLiteral("no clouds")));
-    QVERIFY(!QDir(folder_.path()).exists(QStringLiteral("a.pcd")));
+    QVERIFY(!QFile::exists(program_.path("a.pcd")));
   }
 };
 

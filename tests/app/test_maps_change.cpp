@@ -1,43 +1,20 @@
 // `maps rename` and `maps load`: what a script sees of a change that was made, was not, or may have been.
-#include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
 
+#include "program.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 
 namespace test_maps_change {
 
 using namespace mapwright;
-
-namespace {
-
-struct Outcome {
-  int code = -1;
-  QString out, err;
-};
-
-}  // namespace
+using Outcome = tests::Ended;
 
 class MapsChangeTest : public QObject {
   Q_OBJECT
-  QTemporaryDir folder_;
+  tests::Program program_;
 
-  Outcome run(const QStringList& arguments) const {
-    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
-    for (const char* name :
-         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
-      env.remove(QLatin1String(name));
-    env.insert(QStringLiteral("XDG_CACHE_HOME"), folder_.filePath(QStringLiteral("cache")));
-    env.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_.filePath(QStringLiteral("config")));
-    QProcess process;
-    process.setProcessEnvironment(env);
-    process.setWorkingDirectory(folder_.path());
-    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), arguments);
-    if (!process.waitForFinished(120'000)) return {};
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
-  }
+  Outcome run(const QStringList& arguments) const { return program_.run(arguments); }
   Outcome run(const simulator::Simulator& robot, const QStringList& words, bool agibot = false) const {
     const std::string address = agibot ? robot.aimdkAddress() : robot.address();
     return run(QStringList{QStringLiteral("maps")} + words +

@@ -1,0 +1,183 @@
+// `overlays get|set|plan|validate`: what a script sees, and what the robot holds afterwards.
+#include <memory>
+
+#include <QTest>
+
+#include "program.h"
+#include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_overlays_command {
+
+using namespace mapwright;
+using tests::Ended;
+
+class OverlaysCommandTest : public QObject {
+  Q_OBJECT
+  std::unique_ptr<simulator::Simulator> robot_;
+  std::unique_ptr<tests::Program> program_;
+
+  void start(const simulator::Faults& faults = {}) {
+    simulator::Options options;
+    options.paused = true;
+    options.faults = faults;
+    robot_ = std::make_unique<simulator::Simulator>(options);
+    QVERIFY(!robot_->start());
+  }
+  /// Words without blanks in them.
+  Ended run(const char* words, const QByteArray& input = {}) const {
+    return program_->run(
+        QStringList{QStringLiteral("overlays")} + QString::fromLatin1(words).split(QLatin1Char(' ')) +
+            QStringList{QStringLiteral("--robot"), QString::fromStdString(robot_->address())},
+        input);
+  }
+  /// What the robot holds, edited.
+  QByteArray edited(const QByteArray& from, const QByteArray& to) const {
+    QByteArray text = program_->bytes("base.geojson");
+    if (!text.contains(from)) qFatal("%s is not in it", from.constData());
+    return text.replace(from, to);
+  }
+  QByteArray held() const { return run("get -o -").out.toUtf8(); }
+  int changes() const {
+    int changes = 0;
+    for (const auto& record : robot_->requestLog()) changes += record.method == "GET" ? 0 : 1;
+    return changes;
+  }
+
+ private Q_SLOTS:
+  void init() {
+    start();
+    program_ = std::make_unique<tests::Program>();
+    QCOMPARE(run("get -o base.geojson").code, 0);
+  }
+
+  void whatIsReadIsWhatTheRobotKeeps() {
+    const QByteArray text = program_->bytes("base.geojson");
+    QVERIFY(text.contains("FeatureCollection") && text == held());
+    const Ended again = run("get -o base.geojson");
+    QCOMPARE(again.code, 2);
+    QVERIFY(again.err.contains(QStringLiteral("--force")));
+    QCOMPARE(run("get -o base.geojson --force").code, 0);
+  }
+
+  void onlyWhatWasEditedIsChanged() {
+    program_->put("mine.geojson", edited("\"Virtual wall\"", "\"Wall <b>17</b> 😀\""));
+    const Ended plan = run("plan mine.geojson --base base.geojson --json");
+    QCOMPARE(plan.code, 0);
+    QCOMPARE(plan.object()[QStringLiteral("applied")], QJsonValue(false));
+    QCOMPARE(changes(), 0);
+    const Ended set = run("set mine.geojson --base base.geojson --json");
+    QVERIFY2(set.code == 0, qPrintable(set.err));
+    const QJsonObject done = set.object();
+    QCOMPARE(done[QStringLiteral("applied")], QJsonValue(true));
+    QCOMPARE(done[QStringLiteral("changes")].toArray().size(), 1);
+    QCOMPARE(done[QStringLiteral("changes")][0][QStringLiteral("kind")].toString(), QStringLiteral("change"));
+    QCOMPARE(done[QStringLiteral("version")].toInt(), 6);
+    QCOMPARE(held(), program_->bytes("mine.geojson"));
+    QCOMPARE(changes(), 1);
+    const Ended nothing = run("set mine.geojson --base base.geojson");
+    QCOMPARE(nothing.code, 0);
+    QCOMPARE(changes(), 1);
+  }
+
+  void whatOthersChangedStaysOrIsAConflict() {
+    program_->put("theirs.geojson", edited("\"Virtual wall\"", "\"Theirs\""));
+    QCOMPARE(run("set theirs.geojson --base base.geojson").code, 0);
+    program_->put("mine.geojson", edited("\"Charger\"", "\"Lader\""));
+    const Ended merged = run("set mine.geojson --base base.geojson --json");
+    QCOMPARE(merged.code, 0);
+    QCOMPARE(merged.object()[QStringLiteral("theirs")].toInt(), 1);
+    QVERIFY(held().contains("\"Theirs\"") && held().contains("\"Lader\""));
+    program_->put("clash.geojson", edited("\"Virtual wall\"", "\"Mine\""));
+    const int before = changes();
+    const Ended clash = run("set clash.geojson --base base.geojson --json");
+    QCOMPARE(clash.code, 4);
+    const QJsonObject conflict = clash.object()[QStringLiteral("conflicts")][0].toObject();
+    QCOMPARE(conflict[QStringLiteral("property")].toString(), QStringLiteral("properties.name"));
+    QCOMPARE(conflict[QStringLiteral("base")].toString(), QStringLiteral("Virtual wall"));
+    QCOMPARE(conflict[QStringLiteral("mine")].toString(), QStringLiteral("Mine"));
+    QCOMPARE(conflict[QStringLiteral("theirs")].toString(), QStringLiteral("Theirs"));
+    QVERIFY(clash.err.contains(QStringLiteral("1 conflict ")));
+    QCOMPARE(changes(), before);
+  }
+
+  void withoutABaseOnlyOnRequest() {
+    program_->put("mine.geojson", R"({"features":[]})");
+    QCOMPARE(run("set mine.geojson").code, 2);
+    QCOMPARE(run("set mine.geojson --base base.geojson --replace").code, 2);
+    QCOMPARE(run("set mine.geojson --replace --dry-run").code, 0);
+    QCOMPARE(changes(), 0);
+    const Ended set = run("set - --replace", R"({"features":[]})");
+    QCOMPARE(set.code, 0);
+    QVERIFY(set.out.contains(QStringLiteral("remove")) && set.out.contains(QStringLiteral("Charger")));
+    QCOMPARE(held(), QByteArray(R"({"features":[]})"));
+  }
+
+  void whatIsNoGeoJsonIsRefusedWithItsPlace() {
+    program_->put("mine.geojson", "{\"features\":[\n{]}");
+    for (const char* words : {"set mine.geojson --base base.geojson", "set base.geojson --base mine.geojson",
+                              "set mine.geojson --replace", "validate mine.geojson"}) {
+      const Ended ended = run(words);
+      QVERIFY2(ended.code == 2, words);
+      QVERIFY2(ended.err.contains(QStringLiteral("line 2, column 2"), Qt::CaseInsensitive),
+               qPrintable(ended.err));
+    }
+    QCOMPARE(changes(), 0);
+    QCOMPARE(run("set none.geojson --replace").code, 2);
+  }
+
+  void whatBecameOfALostChangeIsLookedFor() {
+    simulator::Faults faults;
+    faults.lose_write_answers = 1;
+    start(faults);
+    program_->put("mine.geojson", edited("\"Charger\"", "\"Lader\""));
+    const Ended lost = run("set mine.geojson --base base.geojson");
+    QVERIFY2(lost.code == 0, qPrintable(lost.err));
+    faults.lose_write_answers = 0;
+    faults.drop_writes = 1;
+    start(faults);
+    const Ended dropped = run("set mine.geojson --base base.geojson --timeout 10");
+    QVERIFY2(dropped.code == 1, qPrintable(dropped.err));
+    QVERIFY(held().contains("\"Charger\""));
+    faults.drop_writes = 0;
+    faults.write_error_rate = 1;
+    start(faults);
+    QCOMPARE(run("set mine.geojson --base base.geojson").code, 4);
+  }
+
+  void flawsAreFoundInAFileAndOnTheRobot() {
+    const Ended robot = run("validate --json");
+    QCOMPARE(robot.code, 1);
+    QCOMPARE(robot.array().size(), 1);  // a polygon without points is among the robot's oddities
+    QCOMPARE(robot.array()[0][QStringLiteral("rule")].toString(), QStringLiteral("too_few_points"));
+    QCOMPARE(run("validate --off too_few_points").code, 0);
+    QCOMPARE(run("validate --off nonsense").code, 2);
+    program_->put("mine.geojson", R"({"features":[{"id":"a","geometry":{"type":"Point","coordinates":[1e6,0]},
+                                                   "properties":{"type":25}},{"id":"a"}]})");
+    const QJsonArray flaws = run("validate mine.geojson --json").array();
+    QCOMPARE(flaws.size(), 2);
+    QCOMPARE(flaws[0][QStringLiteral("rule")].toString(), QStringLiteral("outside_map"));
+    QCOMPARE(flaws[0][QStringLiteral("at")][0].toDouble(), 1e6);
+    QCOMPARE(flaws[1][QStringLiteral("rule")].toString(), QStringLiteral("duplicate_id"));
+    const Ended alone = program_->run({QStringLiteral("overlays"), QStringLiteral("validate"),
+                                       QStringLiteral("mine.geojson"), QStringLiteral("--json")});
+    QCOMPARE(alone.code, 1);
+    QCOMPARE(alone.array().size(), 1);
+  }
+
+  void aMapThatIsNotThereIsSaid() {
+    QCOMPARE(run("get --map 99 -o x.geojson").code, 4);
+    QVERIFY(program_->bytes("x.geojson").isEmpty());
+    QCOMPARE(run("get --map mapping:1 -o x.geojson").code, 2);
+    const Ended other = program_->run(
+        {QStringLiteral("overlays"), QStringLiteral("get"), QStringLiteral("-o"), QStringLiteral("x.geojson"),
+         QStringLiteral("--robot"), QString::fromStdString(robot_->kabamAddress())});
+    QCOMPARE(other.code, 4);
+    QVERIFY2(other.err.contains(QStringLiteral("overlays")), qPrintable(other.err));
+  }
+};
+
+}  // namespace test_overlays_command
+
+MAPWRIGHT_TEST(test_overlays_command, OverlaysCommandTest, Core)
+#include "test_overlays_command.moc"
