@@ -13,7 +13,9 @@
 
 #include "app/command_map.h"
 #include "app/command_text.h"
+#include "app/kept_overlays.h"
 #include "app/output.h"
+#include "app/overlay_output.h"
 #include "disk/written_file.h"
 #include "jobs/change_overlays.h"
 #include "overlays/overlay_check.h"
@@ -25,9 +27,6 @@
 namespace mapwright::app {
 namespace {
 
-using overlays::ChangeKind;
-using overlays::OverlayChange;
-using overlays::OverlayConflict;
 using overlays::OverlayDocument;
 using words::text;
 
@@ -36,7 +35,8 @@ constexpr std::size_t kMostOverlayBytes = std::size_t(256) << 20;
 /// The options as typed; empty = not given.
 struct OverlaysArguments : RobotArguments {
   std::string map, file, base, output;
-  std::string off, radius;  // validate
+  std::string off, radius;      // validate
+  std::string number, against;  // history: as `history list` counts
   bool force = false, replace = false, dry_run = false;
 };
 
@@ -88,6 +88,14 @@ tl::unexpected<CommandFailure> failureOf(const OverlaysOf& of, const map::Failur
   return of.robot->failure(failed);
 }
 
+/// Kept in the history, too.
+robot::Outcome<robot::OverlayText> heldBy(const OverlaysOf& of) {
+  auto held = of.robot->ask<robot::OverlayText>(
+      [&](robot::OutcomeTo<robot::OverlayText> reply) { return of.store->read(of.map, std::move(reply)); });
+  if (held) KeptOverlays(*of.robot, of.map).keep(*held, false);
+  return held;
+}
+
 CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& args) {
   const QString output = text(args.output);
   const bool printed = isStandardOutput(output);
@@ -96,8 +104,7 @@ CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& a
   if (const auto why = whyNotTogether({output, text(args.report)})) return wrong(*why);
   const auto of = openOverlays(command, args);
   if (!of) return passOn(of);
-  const auto held = of->robot->ask<robot::OverlayText>(
-      [&](robot::OutcomeTo<robot::OverlayText> reply) { return of->store->read(of->map, std::move(reply)); });
+  const auto held = heldBy(*of);
   if (!held) return failureOf(*of, held.error());
   if (const auto trouble = disk::writeFile(args.output, held->text))
     return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
@@ -115,59 +122,6 @@ CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& a
   return kDone;
 }
 
-QJsonValue textOrNull(const std::string& plain) {
-  return plain.empty() ? QJsonValue() : QJsonValue(QString::fromStdString(plain));
-}
-
-/// JSON as a value; what Qt cannot read (NaN) as a text.
-QJsonValue valueOf(const std::optional<std::string>& json) {
-  if (!json) return {};
-  const QJsonDocument read = QJsonDocument::fromJson('[' + QByteArray::fromStdString(*json) + ']');
-  return read.isArray() && read.array().size() == 1 ? read.array().first()
-                                                    : QJsonValue(QString::fromStdString(*json));
-}
-
-/// For scripts, never changes (docs/command-line.md).
-const char* stableWordOf(ChangeKind kind) {
-  return kind == ChangeKind::Add ? "add" : kind == ChangeKind::Remove ? "remove" : "change";
-}
-
-QString wordOf(ChangeKind kind) {
-  return kind == ChangeKind::Add      ? Text::tr("add")
-         : kind == ChangeKind::Remove ? Text::tr("remove")
-                                      : Text::tr("change");
-}
-
-QStringList partsOf(const OverlayChange& change) {
-  QStringList parts;
-  for (const overlays::PartChange& part : change.parts) parts << words::plainName(part.part.text());
-  return parts;
-}
-
-QJsonArray changesJson(const std::vector<OverlayChange>& changes) {
-  QJsonArray rows;
-  for (const OverlayChange& change : changes) {
-    rows << QJsonObject{{QStringLiteral("id"), textOrNull(change.id)},
-                        {QStringLiteral("name"), textOrNull(change.name)},
-                        {QStringLiteral("kind"), QLatin1String(stableWordOf(change.kind))},
-                        {QStringLiteral("parts"), QJsonArray::fromStringList(partsOf(change))}};
-  }
-  return rows;
-}
-
-QJsonArray conflictsJson(const std::vector<OverlayConflict>& conflicts) {
-  QJsonArray rows;
-  for (const OverlayConflict& conflict : conflicts) {
-    rows << QJsonObject{{QStringLiteral("id"), textOrNull(conflict.id)},
-                        {QStringLiteral("name"), textOrNull(conflict.name)},
-                        {QStringLiteral("property"), textOrNull(conflict.part.text())},
-                        {QStringLiteral("base"), valueOf(conflict.base)},
-                        {QStringLiteral("mine"), valueOf(conflict.mine)},
-                        {QStringLiteral("theirs"), valueOf(conflict.theirs)}};
-  }
-  return rows;
-}
-
 /// Whether the robot holds what was wanted now; null: it cannot be told.
 QJsonValue appliedIn(const jobs::OverlayOutcome& outcome, bool wanted) {
   if (!wanted || !outcome.merge.conflicts.empty()) return false;
@@ -181,47 +135,6 @@ QJsonObject outcomeJson(const jobs::OverlayOutcome& outcome, bool wanted) {
           {QStringLiteral("conflicts"), conflictsJson(outcome.merge.conflicts)},
           {QStringLiteral("applied"), appliedIn(outcome, wanted)},
           {QStringLiteral("version"), outcome.version ? QJsonValue(*outcome.version) : QJsonValue()}};
-}
-
-QString featureCalled(const std::string& id, const std::string& name) {
-  return words::plainName(name.empty() ? id.empty() ? Text::tr("(no id)").toStdString() : id : name);
-}
-
-QString featuresCalled(const std::vector<OverlayChange>& changes) {
-  constexpr std::size_t kMost = 5;
-  QStringList names;
-  for (const OverlayChange& change : changes) {
-    if (names.size() == qsizetype(kMost)) break;
-    names << (change.collection ? Text::tr("the collection") : featureCalled(change.id, change.name));
-  }
-  if (changes.size() > kMost) names << QStringLiteral("…");
-  return names.join(QStringLiteral(", "));
-}
-
-void printTables(const jobs::OverlayOutcome& outcome) {
-  if (!outcome.merge.mine.empty()) {
-    std::vector<QStringList> table{{Text::tr("CHANGE"), Text::tr("ID"), Text::tr("PARTS"), Text::tr("NAME")}};
-    for (const OverlayChange& change : outcome.merge.mine) {
-      table.push_back(
-          {wordOf(change.kind), change.id.empty() ? QStringLiteral("-") : words::plainName(change.id),
-           change.parts.empty() ? QStringLiteral("-") : partsOf(change).join(QStringLiteral(", ")),
-           change.collection ? Text::tr("the collection") : words::plainName(change.name)});
-    }
-    printTable(table);
-  }
-  if (outcome.merge.conflicts.empty()) return;
-  const auto shown = [](const std::optional<std::string>& json) {
-    return json ? oneLine(words::plainName(*json), 60) : Text::tr("(not there)");
-  };
-  std::vector<QStringList> table{
-      {Text::tr("CONFLICT"), Text::tr("BASE"), Text::tr("MINE"), Text::tr("THEIRS"), Text::tr("NAME")}};
-  for (const OverlayConflict& conflict : outcome.merge.conflicts) {
-    table.push_back(
-        {conflict.part.text().empty() ? Text::tr("all of it") : words::plainName(conflict.part.text()),
-         shown(conflict.base), shown(conflict.mine), shown(conflict.theirs),
-         featureCalled(conflict.id, conflict.name)});
-  }
-  printTable(table);
 }
 
 /// What became of what was sent, if that is not certain; otherwise empty.
@@ -247,6 +160,65 @@ QString doubtOf(const jobs::OverlayOutcome& outcome) {
     sentences << Text::tr("The robot holds something else than was sent (%1).")
                      .arg(featuresCalled(outcome.differs));
   return sentences.join(QLatin1Char(' '));
+}
+
+/// What is told of a change that failed: which it was, and whether it may have been made.
+QJsonObject failureJson(const jobs::OverlayOrder& order, const map::Failure& failure) {
+  jobs::OverlayOutcome outcome;
+  if (order.base) outcome.merge.mine = overlays::changesBetween(*order.base, order.mine);
+  QJsonObject json = outcomeJson(outcome, order.send);
+  const bool change = failure.asked_for == map::AskedFor::Change;
+  json[QStringLiteral("applied")] = !change || failure.applied == map::Applied::No ? QJsonValue(false)
+                                    : failure.applied == map::Applied::Yes         ? QJsonValue(true)
+                                                                                   : QJsonValue();
+  return json;
+}
+
+/// Carries it out on the map of the options, and tells what came of it.
+CommandResult<int> carryOut(RobotCommand& command, const OverlaysArguments& args, jobs::OverlayOrder order) {
+  const auto of = openOverlays(command, args);
+  if (!of) return passOn(of);
+  order.map = of->map;
+  KeptOverlays kept(*of->robot, of->map);
+  order.seen = [&kept](const robot::OverlayText& text, bool saved) { kept.keep(text, saved); };
+  const auto outcome =
+      of->robot->ask<jobs::OverlayOutcome>([&](robot::OutcomeTo<jobs::OverlayOutcome> reply) {
+        return jobs::changeOverlays(*of->store, order, std::move(reply));
+      });
+  const QJsonObject json = outcome ? outcomeJson(*outcome, order.send) : failureJson(order, outcome.error());
+  command.report(QStringLiteral("overlays"), json);
+  const QString output = text(args.output);
+  if (!output.isEmpty()) {
+    if (const auto trouble = disk::writeFile(args.output, QJsonDocument(json).toJson().toStdString()))
+      return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
+  }
+  if (args.json) printJson(json);
+  if (!outcome) return failureOf(*of, outcome.error());
+  const bool quiet = args.json || isStandardOutput(output) || isStandardOutput(text(args.report));
+  if (!quiet) {
+    printChanges(outcome->merge.mine);
+    printConflicts(outcome->merge.conflicts);
+  }
+  if (!outcome->merge.conflicts.empty()) {
+    const auto count = qint64(outcome->merge.conflicts.size());
+    return of->robot->failure(
+        kRobotError,
+        sentences::counted(Text::tr("Nothing was sent: %1 conflicts with what others changed since the base.",
+                                    nullptr, sentences::formOf(count)),
+                           count));
+  }
+  if (const QString doubt = outcome->certain() ? QString() : doubtOf(*outcome); !doubt.isEmpty())
+    return of->robot->failure(kIncomplete, doubt);
+  if (quiet) return kDone;
+  if (outcome->merge.mine.empty() || (order.send && !outcome->sent)) {
+    printLine(outcome->merge.mine.empty() ? Text::tr("Nothing to change.")
+                                          : Text::tr("The robot holds this already."));
+  } else if (order.send) {
+    printLine(outcome->version
+                  ? Text::tr("Stored on the robot as version %1, and read back.").arg(*outcome->version)
+                  : Text::tr("Stored on the robot, and read back."));
+  }
+  return kDone;
 }
 
 CommandResult<int> changeIt(RobotCommand& command, const OverlaysArguments& args, bool send) {
@@ -277,43 +249,7 @@ CommandResult<int> changeIt(RobotCommand& command, const OverlaysArguments& args
     order.base = std::move(*base);
   }
   order.send = send;
-  const auto of = openOverlays(command, args);
-  if (!of) return passOn(of);
-  order.map = of->map;
-  const auto outcome =
-      of->robot->ask<jobs::OverlayOutcome>([&](robot::OutcomeTo<jobs::OverlayOutcome> reply) {
-        return jobs::changeOverlays(*of->store, order, std::move(reply));
-      });
-  if (!outcome) return failureOf(*of, outcome.error());
-  const QJsonObject json = outcomeJson(*outcome, send);
-  command.report(QStringLiteral("overlays"), json);
-  if (!output.isEmpty()) {
-    if (const auto trouble = disk::writeFile(args.output, QJsonDocument(json).toJson().toStdString()))
-      return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
-  }
-  if (args.json) printJson(json);
-  const bool quiet = args.json || isStandardOutput(output) || isStandardOutput(text(args.report));
-  if (!quiet) printTables(*outcome);
-  if (!outcome->merge.conflicts.empty()) {
-    const auto count = qint64(outcome->merge.conflicts.size());
-    return of->robot->failure(
-        kRobotError,
-        sentences::counted(Text::tr("Nothing was sent: %1 conflicts with what others changed since the base.",
-                                    nullptr, sentences::formOf(count)),
-                           count));
-  }
-  if (const QString doubt = outcome->certain() ? QString() : doubtOf(*outcome); !doubt.isEmpty())
-    return of->robot->failure(kIncomplete, doubt);
-  if (quiet) return kDone;
-  if (outcome->merge.mine.empty() || (send && !outcome->sent)) {
-    printLine(outcome->merge.mine.empty() ? Text::tr("Nothing to change.")
-                                          : Text::tr("The robot holds this already."));
-  } else if (send) {
-    printLine(outcome->version
-                  ? Text::tr("Stored on the robot as version %1, and read back.").arg(*outcome->version)
-                  : Text::tr("Stored on the robot, and read back."));
-  }
-  return kDone;
+  return carryOut(command, args, std::move(order));
 }
 
 CommandResult<int> overlaysSet(RobotCommand& command, const OverlaysArguments& args) {
@@ -337,39 +273,6 @@ tl::expected<std::set<overlays::Rule>, QString> rulesFrom(const std::string& typ
     rules.insert(*rule);
   }
   return rules;
-}
-
-void printFlaws(const OverlayDocument& document, const std::vector<overlays::Flaw>& flaws, bool json) {
-  if (json) {
-    QJsonArray rows;
-    for (const overlays::Flaw& flaw : flaws) {
-      const overlays::Feature& feature = document.features()[flaw.feature];
-      rows << QJsonObject{{QStringLiteral("rule"), text(std::string(overlays::nameOf(flaw.rule)))},
-                          {QStringLiteral("id"), textOrNull(feature.id())},
-                          {QStringLiteral("name"), textOrNull(feature.name())},
-                          {QStringLiteral("at"),
-                           flaw.at_m ? QJsonValue(QJsonArray{flaw.at_m->x(), flaw.at_m->y()}) : QJsonValue()},
-                          {QStringLiteral("sentence"), sentences::sentenceOf(flaw.why)}};
-    }
-    printJson(rows);
-    return;
-  }
-  if (flaws.empty()) {
-    printLine(Text::tr("No flaws."));
-    return;
-  }
-  const auto metres = [](double value) { return QString::number(value, 'f', 2); };
-  std::vector<QStringList> table{
-      {Text::tr("RULE"), Text::tr("X (m)"), Text::tr("Y (m)"), Text::tr("FEATURE"), Text::tr("FLAW")}};
-  for (const overlays::Flaw& flaw : flaws) {
-    const overlays::Feature& feature = document.features()[flaw.feature];
-    table.push_back({text(std::string(overlays::nameOf(flaw.rule))),
-                     flaw.at_m ? metres(flaw.at_m->x()) : QStringLiteral("-"),
-                     flaw.at_m ? metres(flaw.at_m->y()) : QStringLiteral("-"),
-                     oneLine(featureCalled(feature.id(), feature.name()), 40),
-                     words::plainName(sentences::sentenceOf(flaw.why))});
-  }
-  printTable(table);
 }
 
 /// The cells of the map below them, and the robot's radius. True if the map could be had.
@@ -403,9 +306,7 @@ CommandResult<int> overlaysValidate(RobotCommand& command, const OverlaysArgumen
   if (args.file.empty()) {
     const auto of = openOverlays(command, args);
     if (!of) return passOn(of);
-    const auto held = of->robot->ask<robot::OverlayText>([&](robot::OutcomeTo<robot::OverlayText> reply) {
-      return of->store->read(of->map, std::move(reply));
-    });
+    const auto held = heldBy(*of);
     if (!held) return failureOf(*of, held.error());
     auto read = OverlayDocument::read(held->text);
     if (!read)
@@ -432,6 +333,99 @@ CommandResult<int> overlaysValidate(RobotCommand& command, const OverlaysArgumen
   const std::vector<overlays::Flaw> flaws = overlays::flawsOf(document, options);
   printFlaws(document, flaws, args.json);
   return flaws.empty() && looked ? kDone : kIncomplete;
+}
+
+CommandResult<int> historyList(const OverlaysArguments& args) {
+  const auto versions = keptVersions(args.robot, args.map);
+  if (!versions) return wrong(versions.error());
+  printVersions(*versions, args.json);
+  return kDone;
+}
+
+CommandResult<int> historyShow(const OverlaysArguments& args) {
+  const QString output = text(args.output);
+  const bool printed = isStandardOutput(output);
+  if (!output.isEmpty()) {
+    if (const auto why = whyNotCreated(output, !printed && QFileInfo::exists(output), args.force))
+      return wrong(*why);
+  }
+  const auto version = keptVersion(args.number);
+  if (!version) return wrong(version.error());
+  if (!output.isEmpty()) {
+    if (const auto trouble = disk::writeFile(args.output, version->text))
+      return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
+    return kDone;
+  }
+  const auto against = args.against.empty() ? versionBefore(version->about) : keptVersion(args.against);
+  if (!against) return wrong(against.error());
+  const auto before = OverlayDocument::read(against->text), after = OverlayDocument::read(version->text);
+  if (!before || !after) return wrong(sentences::sentenceOf(before ? after.error() : before.error()));
+  const auto changes = overlays::changesBetween(*before, *after);
+  if (args.json) {
+    printJson(changesJson(changes));
+  } else if (changes.empty()) {
+    printLine(Text::tr("Nothing differs."));
+  } else {
+    printChanges(changes);
+  }
+  return kDone;
+}
+
+CommandResult<int> historyRestore(RobotCommand& command, const OverlaysArguments& args) {
+  const auto version = keptVersion(args.number);
+  if (!version) return wrong(version.error());
+  auto document = OverlayDocument::read(version->text);
+  if (!document) return wrong(sentences::sentenceOf(document.error()));
+  OverlaysArguments there = args;
+  if (there.map.empty()) there.map = version->about.map.id;
+  jobs::OverlayOrder order;
+  order.mine = std::move(*document);
+  order.send = !args.dry_run;
+  return carryOut(command, there, std::move(order));
+}
+
+void addHistory(Commands& commands, CLI::App& overlays, const std::shared_ptr<OverlaysArguments>& shared) {
+  OverlaysArguments& args = *shared;
+  CLI::App* const history = overlays.add_subcommand(
+      "history", help(Text::tr("Versions that were read or stored from this computer: list, show, restore")));
+  history->require_subcommand(1);
+  const auto addNumber = [&](CLI::App* command) {
+    command->add_option("number", args.number, help(Text::tr("Number of the version, see history list")))
+        ->required();
+  };
+  const auto addOffline = [&](const char* name, const QString& what, auto run) {
+    CLI::App* const command = history->add_subcommand(name, help(what));
+    addJson(*command, args.json);
+    commands.add(command, [shared, run](const Invocation& before) {
+      if (shared->robot.empty()) shared->robot = before.robot;
+      const CommandResult<int> result = run(*shared);
+      return result ? *result : refuse(result.error().exit_code, result.error().sentence);
+    });
+    return command;
+  };
+  CLI::App* const list =
+      addOffline("list", Text::tr("List them, the newest first; needs no connection"), historyList);
+  list->add_option("--robot", args.robot, help(Text::tr("Only of this robot (or MAPWRIGHT_ROBOT)")));
+  list->add_option("--map", args.map, help(Text::tr("Only of this map: its id, uid or name")));
+  CLI::App* const show =
+      addOffline("show", Text::tr("Show what a version changed, or write it to a file"), historyShow);
+  addNumber(show);
+  show->add_option("--against", args.against,
+                   help(Text::tr("Compare with this version, not with the one before it")));
+  show->add_option("-o,--output", args.output,
+                   help(Text::tr("Write the version as GeoJSON; - is the standard output")));
+  show->add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
+  CLI::App* const restore = history->add_subcommand(
+      "restore", help(Text::tr("Replace what the robot holds by a version, and say what changes")));
+  addRobot(*restore, args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
+  addTimeout(*restore, args.timeout_s);
+  addReport(*restore, args.report);
+  restore->add_option("--map", args.map,
+                      help(Text::tr("Id of a stored map; by default the one that it was of")));
+  restore->add_flag("--dry-run", args.dry_run, help(Text::tr("Print the changes, send nothing")));
+  addNumber(restore);
+  addJson(*restore, args.json);
+  addReading(commands, restore, shared, historyRestore);
 }
 
 }  // namespace
@@ -485,6 +479,7 @@ void addOverlays(Commands& commands) {
       "--radius", args.radius,
       help(Text::tr("Radius of the robot in metres; by default from its footprint, or 0.3")));
   addJson(*validate, args.json);
+  addHistory(commands, *overlays, shared);
 }
 
 }  // namespace mapwright::app

@@ -63,6 +63,8 @@ class RobotReading {
   CommandTime time() const { return time_; }
   /// The same failure, but because of the time limit.
   map::Failure tooLate(map::Failure failure) const;
+  /// Without secrets.
+  const QString& address() const { return address_; }
   /// "ADDRESS: sentence".
   QString about(const QString& sentence) const;
   /// A sentence about this robot, and its exit code.

@@ -15,12 +15,12 @@ constexpr int kBusyMs = 5'000;  // another program may be writing
 
 constexpr const char* kMake = R"(
   CREATE TABLE IF NOT EXISTS versions (
-    number INTEGER PRIMARY KEY AUTOINCREMENT, robot TEXT NOT NULL, uid TEXT NOT NULL, name TEXT NOT NULL,
+    number INTEGER PRIMARY KEY AUTOINCREMENT, robot TEXT NOT NULL, uid TEXT NOT NULL, id TEXT NOT NULL, name TEXT NOT NULL,
     version INTEGER, saved INTEGER NOT NULL, kept REAL NOT NULL, text BLOB NOT NULL);
   CREATE INDEX IF NOT EXISTS versions_of_map ON versions (robot, uid, number);
 )";
 constexpr const char* kColumns =
-    "SELECT number, robot, uid, name, version, saved, kept, length(text) FROM versions ";
+    "SELECT number, robot, uid, id, name, version, saved, kept, length(text) FROM versions ";
 
 }  // namespace
 
@@ -71,11 +71,11 @@ class VersionStore::Question {
   }
   KeptVersion row() {
     return {number(0),
-            {text(1), text(2), text(3)},
-            none(4) ? std::nullopt : std::optional(int(number(4))),
-            number(5) ? Origin::Saved : Origin::Read,
-            real(6),
-            number(7)};
+            {text(1), text(2), text(3), text(4)},
+            none(5) ? std::nullopt : std::optional(int(number(5))),
+            number(6) ? Origin::Saved : Origin::Read,
+            real(7),
+            number(8)};
   }
 
  private:
@@ -125,10 +125,11 @@ std::optional<Fault> VersionStore::keep(const MapName& map, std::optional<int> v
     if (found == SQLITE_ROW && newest.text(0) == text) return undone(std::nullopt);
     if (found != SQLITE_ROW && found != SQLITE_DONE) return undone(problem());
   }
-  Question put(
-      database_.get(),
-      "INSERT INTO versions (robot, uid, name, version, saved, kept, text) VALUES (?, ?, ?, ?, ?, ?, ?)");
-  put.with(map.robot).with(map.uid).with(map.name).with(version).with(std::int64_t(origin == Origin::Saved));
+  Question put(database_.get(),
+               "INSERT INTO versions (robot, uid, id, name, version, saved, kept, text) VALUES (?, ?, ?, ?, "
+               "?, ?, ?, ?)");
+  put.with(map.robot).with(map.uid).with(map.id).with(map.name).with(version).with(
+      std::int64_t(origin == Origin::Saved));
   if (put.with(now_s).withBytes(text).step() != SQLITE_DONE) return undone(problem());
   if (auto why = forget(map, sqlite3_last_insert_rowid(database_.get()))) return undone(std::move(why));
   if (auto why = run("COMMIT")) return undone(std::move(why));

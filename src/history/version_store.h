@@ -24,6 +24,7 @@ enum class Origin {
 struct MapName {
   std::string robot;  // its address, without secrets
   std::string uid;    // of the map; or its id, if the robot tells no uid
+  std::string id;     // of the map on that robot
   std::string name;   // for people, may be empty
 };
 

@@ -54,6 +54,7 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
 
   void look(Outcome<OverlayText> now) {
     if (!now) return end(robot::fail(std::move(now.error())));
+    if (order_.seen) order_.seen(*now, false);
     auto theirs = OverlayDocument::read(now->text);
     if (!theirs && order_.base)
       return end(robot::fail(unreadable(order_.map, theirs.error(), map::Applied::No)));
@@ -77,6 +78,7 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
 
   void compare(Outcome<OverlayText> stored) {
     if (!stored) return end(robot::fail(std::move(stored.error())));
+    if (order_.seen) order_.seen(*stored, true);
     const auto now = OverlayDocument::read(stored->text);
     if (!now) return end(robot::fail(unreadable(order_.map, now.error(), map::Applied::Maybe)));
     outcome_.differs = overlays::changesBetween(outcome_.merge.document, *now);

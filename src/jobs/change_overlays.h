@@ -2,6 +2,7 @@
 // it back.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,8 @@ struct OverlayOrder {
   /// What `mine` was made from; nullopt: `mine` replaces everything.
   std::optional<overlays::OverlayDocument> base;
   bool send = true;  // false: only looks and merges
+  /// Gets what the robot held, and what it holds after a change (`saved`); may be empty.
+  std::function<void(const robot::OverlayText&, bool saved)> seen = {};
 };
 
 struct OverlayOutcome {

@@ -1,6 +1,7 @@
 // `overlays get|set|plan|validate`: what a script sees, and what the robot holds afterwards.
 #include <memory>
 
+#include <QDir>
 #include <QTest>
 
 #include "program.h"
@@ -163,6 +164,50 @@ class OverlaysCommandTest : public QObject {
                                        QStringLiteral("mine.geojson"), QStringLiteral("--json")});
     QCOMPARE(alone.code, 1);
     QCOMPARE(alone.array().size(), 1);
+  }
+
+  void versionsAreKeptShownAndBroughtBack() {
+    program_->put("mine.geojson", edited("\"Charger\"", "\"Lader\""));
+    QCOMPARE(run("set mine.geojson --base base.geojson").code, 0);
+    const QJsonArray kept = run("history list --json").array();
+    QCOMPARE(kept.size(), 2);  // read and saved; what was read twice is kept once
+    QCOMPARE(kept[0][QStringLiteral("kept")].toString(), QStringLiteral("saved"));
+    QCOMPARE(kept[0][QStringLiteral("version")].toInt(), 6);
+    QCOMPARE(kept[1][QStringLiteral("version")].toInt(), 5);
+    robot_->stop();  // all of this needs no robot
+    const auto history = [&](const char* words) {
+      return program_->run(QStringList{QStringLiteral("overlays"), QStringLiteral("history")} +
+                           QString::fromLatin1(words).split(QLatin1Char(' ')));
+    };
+    QCOMPARE(history("list --json").array().size(), 2);
+    QCOMPARE(history("list --map 1 --json").array().size(), 2);
+    QCOMPARE(history("list --map 99 --json").array().size(), 0);
+    QCOMPARE(history("list --robot axbot+http://10.0.0.1:8090 --json").array().size(), 0);
+    const Ended shown = history("show 2");
+    QVERIFY2(shown.out.contains(QStringLiteral("Lader")) && !shown.out.contains(QStringLiteral("Table")),
+             qPrintable(shown.out));
+    QCOMPARE(history("show 1 -o first.geojson").code, 0);
+    QCOMPARE(program_->bytes("first.geojson"), program_->bytes("base.geojson"));
+    QCOMPARE(history("show 1 -o first.geojson").code, 2);
+    for (const char* number : {"show 3", "show x", "show -1"}) QCOMPARE(history(number).code, 2);
+    start();
+    QCOMPARE(run("set mine.geojson --base base.geojson").code, 0);
+    const Ended dry = run("history restore 1 --dry-run --json");
+    QCOMPARE(dry.object()[QStringLiteral("changes")].toArray().size(), 1);
+    QVERIFY(held().contains("\"Lader\""));
+    const Ended back = run("history restore 1");
+    QVERIFY2(back.code == 0, qPrintable(back.err));
+    QCOMPARE(held(), program_->bytes("base.geojson"));
+  }
+
+  void whatCannotBeKeptIsSaidAndStopsNothing() {
+    QFile::remove(program_->path("data/mapwright/overlays.sqlite"));
+    program_->put("data/mapwright/overlays.sqlite",
+                  "no database, but quite long enough to be looked at as one");
+    const Ended read = run("get -o again.geojson");
+    QCOMPARE(read.code, 0);
+    QVERIFY2(read.err.contains(QStringLiteral("overlays.sqlite")), qPrintable(read.err));
+    QCOMPARE(program_->bytes("again.geojson"), program_->bytes("base.geojson"));
   }
 
   void aMapThatIsNotThereIsSaid() {

@@ -14,8 +14,8 @@ using history::VersionStore;
 
 namespace {
 
-const history::MapName kHall{"axbot+http://10.0.0.7:8090", "uid-1", "Hall <b>1</b> 😀"};
-const history::MapName kYard{"axbot+http://10.0.0.7:8090", "uid-2", "Yard"};
+const history::MapName kHall{"axbot+http://10.0.0.7:8090", "uid-1", "1", "Hall <b>1</b> 😀"};
+const history::MapName kYard{"axbot+http://10.0.0.7:8090", "uid-2", "2", "Yard"};
 
 }  // namespace
 
@@ -45,6 +45,7 @@ class VersionStoreTest : public QObject {
     QCOMPARE((*hall)[1].version, std::optional(5));
     QCOMPARE((*hall)[1].kept_s, 1000.5);
     QCOMPARE((*hall)[1].map.name, kHall.name);
+    QCOMPARE((*hall)[1].map.id, kHall.id);
     QCOMPARE(again.text((*hall)[1].number).value(), text);
     QCOMPARE(again.text((*hall)[0].number).value(), std::string());
     QCOMPARE(again.list("", "")->size(), std::size_t(3));
