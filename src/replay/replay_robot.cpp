@@ -179,8 +179,8 @@ void ReplayRobot::takeMapInfo(const std::optional<map::MapInfo>& info) {
 robot::Absence ReplayRobot::whyNot(robot::Capability capability) const {
   using robot::Capability;
   const bool changes = capability == Capability::WaypointEditing ||
-                       capability == Capability::Administration ||
-                       capability == Capability::PictureEditing || capability == Capability::OverlayEditing;
+                       capability == Capability::Administration || capability == Capability::PictureEditing ||
+                       capability == Capability::OverlayEditing;
   // There is no robot: the data comes from the bag.
   return changes ? robot::Absence{robot::Absence::Reason::LocalFiles, {name_}} : origin_->whyNot(capability);
 }

@@ -262,9 +262,8 @@ class SentencesTest : public QObject {
              QStringLiteral("Local maps are named after their files, and no robot uses them."));
     QCOMPARE(sentences::whyAbsent(Capability::Submaps, {Absence::Reason::LocalFiles, {}}),
              QStringLiteral("There are no submaps here, only whole maps."));
-    for (const Capability changing :
-         {Capability::WaypointEditing, Capability::Administration, Capability::PictureEditing,
-          Capability::OverlayEditing})
+    for (const Capability changing : {Capability::WaypointEditing, Capability::Administration,
+                                      Capability::PictureEditing, Capability::OverlayEditing})
       QCOMPARE(sentences::whyAbsent(changing, {Absence::Reason::LocalFiles, {"drive.bag"}}),
                QStringLiteral("This is a replay of drive.bag: nothing can be changed."));
   }
