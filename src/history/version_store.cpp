@@ -20,7 +20,7 @@ constexpr const char* kMake = R"(
   CREATE INDEX IF NOT EXISTS versions_of_map ON versions (robot, uid, number);
 )";
 constexpr const char* kColumns =
-    "SELECT number, robot, uid, id, name, version, saved, kept, length(text) FROM versions ";
+    "SELECT number,robot,uid,id,name,version,saved,kept,length(text) FROM versions ";
 
 }  // namespace
 
@@ -126,8 +126,7 @@ std::optional<Fault> VersionStore::keep(const MapName& map, std::optional<int> v
     if (found != SQLITE_ROW && found != SQLITE_DONE) return undone(problem());
   }
   Question put(database_.get(),
-               "INSERT INTO versions (robot, uid, id, name, version, saved, kept, text) VALUES (?, ?, ?, ?, "
-               "?, ?, ?, ?)");
+               "INSERT INTO versions (robot,uid,id,name,version,saved,kept,text) VALUES (?,?,?,?,?,?,?,?)");
   put.with(map.robot).with(map.uid).with(map.id).with(map.name).with(version).with(
       std::int64_t(origin == Origin::Saved));
   if (put.with(now_s).withBytes(text).step() != SQLITE_DONE) return undone(problem());
