@@ -15,6 +15,8 @@ class AddressText {
 
 auto error(const QString& why) { return tl::make_unexpected(why); }
 
+bool isPort(int port) { return port > 0 && port < 65'536; }
+
 /// "kabam+" of "kabam+ws://robot"; empty where there is none.
 QString networkPrefix(const QString& text) {
   static const QRegularExpression like(QStringLiteral("^([a-z][a-z0-9]*\\+)[a-z]+:"),
@@ -49,6 +51,8 @@ ParsedAddress Addresses::parse(const QString& typed) const {
     if (scheme.on_network && rest.contains(QLatin1Char('@'))) {
       return ParsedAddress(error(leaveOutUser(text.chopped(rest.size()) + withoutUser(rest))));
     }
+    if (const auto why = scheme.on_network ? whyNoPort(text) : std::nullopt)
+      return ParsedAddress(error(*why));
     ParsedAddress address = scheme.parse(rest);
     if (address) address->scheme = scheme.prefix;
     return address;
@@ -82,16 +86,27 @@ QString Addresses::titleOf(const QString& typed) const {
   return {};
 }
 
+QString Addresses::hostShown(const QString& typed) const {
+  const auto parsed = parse(typed);
+  if (!parsed || parsed->url.host().isEmpty()) return {};
+  QString host = hostOf(*parsed);
+  for (const AddressScheme& scheme : schemes_) {
+    if (scheme.prefix == parsed->scheme && scheme.port == parsed->url.port())
+      host.truncate(host.lastIndexOf(QLatin1Char(':')));
+  }
+  return host + parsed->url.path();
+}
+
 std::optional<Host> Addresses::bareHost(const QString& typed) const {
   QString text = typed.trimmed();
-  static const QRegularExpression browser(QStringLiteral("^https?://(.*?)/?$"),
+  static const QRegularExpression browser(QStringLiteral("^http(s?)://([^/?#]*)([^?#]*)"),
                                           QRegularExpression::CaseInsensitiveOption);
   const QRegularExpressionMatch copied = browser.match(text);
   if (!copied.hasMatch() && (isAddress(text) || std::any_of(schemes_.begin(), schemes_.end(), [&](auto& one) {
                                return one.claims && one.claims(text);
                              })))
     return std::nullopt;
-  if (copied.hasMatch()) text = copied.captured(1);
+  if (copied.hasMatch()) text = copied.captured(2);
   static const QRegularExpression like(
       QRegularExpression::anchoredPattern(QStringLiteral("(?:\\[([0-9A-Fa-f:.%a-z]+)\\]|([^\\s:/?#@\\[\\]]+))"
                                                          "(?::([0-9]{1,5}))?")));
@@ -101,9 +116,11 @@ std::optional<Host> Addresses::bareHost(const QString& typed) const {
   if (bare_v6.match(text).hasMatch()) return Host{text, std::nullopt};
   const QRegularExpressionMatch match = like.match(text);
   if (!match.hasMatch()) return std::nullopt;
-  Host host{match.captured(1).isEmpty() ? match.captured(2) : match.captured(1), std::nullopt};
+  Host host{match.captured(1).isEmpty() ? match.captured(2) : match.captured(1), std::nullopt,
+            copied.captured(3), !copied.captured(1).isEmpty()};
+  while (host.path.endsWith(QLatin1Char('/'))) host.path.chop(1);
   if (!match.captured(3).isEmpty()) host.port = match.captured(3).toInt();
-  const bool possible = !host.port || (*host.port > 0 && *host.port < 65'536);
+  const bool possible = !host.port || isPort(*host.port);
   return possible && serverAt(QStringLiteral("http"), host, 80).isValid() ? std::optional(host)
                                                                           : std::nullopt;
 }
@@ -131,7 +148,22 @@ QUrl serverAt(const QString& scheme, const Host& host, int usual_port) {
 }
 
 QString addressAt(const AddressScheme& scheme, const Host& host, bool encrypted) {
-  return scheme.prefix + serverAt(encrypted ? scheme.encrypted : scheme.plain, host, scheme.port).toString();
+  QUrl url = serverAt(encrypted ? scheme.encrypted : scheme.plain, host, scheme.port);
+  url.setPath(host.path);
+  return scheme.prefix + url.toString();
+}
+
+std::optional<QString> whyNoPort(const QString& typed) {
+  // Host and port, of which the former may be an IPv6 address in brackets.
+  static const QRegularExpression like(
+      QStringLiteral("^(?:[a-z0-9+.-]*://)?(?:\\[[^\\]]*\\]|[^:/?#\\[\\]]+):([0-9]+)(?:[/?#]|$)"),
+      QRegularExpression::CaseInsensitiveOption);
+  const QRegularExpressionMatch match = like.match(typed.trimmed());
+  bool number = false;
+  const int port = match.captured(1).toInt(&number);
+  if (!match.hasMatch() || (number && isPort(port))) return std::nullopt;
+  return AddressText::tr("\"%1\" has port %2. A port is a number from 1 to 65535.")
+      .arg(typed.trimmed(), match.captured(1));
 }
 
 tl::expected<QUrl, QString> webAddress(const QString& typed, const QString& example, int port) {
@@ -149,7 +181,6 @@ tl::expected<QUrl, QString> webAddress(const QString& typed, const QString& exam
         AddressText::tr("\"%1\" does not begin with a known scheme. For example: %2.").arg(typed, example));
   }
   if (url.port() == -1) url.setPort(port);
-  if (url.port() == 0) return error(AddressText::tr("Port 0 is not valid in a robot address."));
   QString path = url.path();
   while (path.endsWith(QLatin1Char('/'))) path.chop(1);
   url.setPath(path);

@@ -28,6 +28,8 @@ struct Address {
 struct Host {
   QString name;             // "192.0.2.7", "dock-3.local", "fe80::1"
   std::optional<int> port;  // nullopt = the usual one of each kind
+  QString path = {};        // of what a browser showed: "/robots/7"
+  bool encrypted = false;   // it began with https
   bool operator==(const Host&) const = default;
 };
 
@@ -64,6 +66,9 @@ class Addresses {
   std::string kindOf(const QString& typed) const;
   /// The title of that kind; empty where it has none.
   QString titleOf(const QString& typed) const;
+  /// "192.0.2.7", with the port where it is not the usual one of its kind; empty for what is not on a
+  /// network.
+  QString hostShown(const QString& typed) const;
   /// An example address for each kind, the one that needs no prefix first.
   QStringList examples() const;
   const std::vector<AddressScheme>& schemes() const { return schemes_; }
@@ -77,6 +82,9 @@ class Addresses {
 
 /// `scheme`://host:port, for an IPv6 address with brackets.
 QUrl serverAt(const QString& scheme, const Host& host, int usual_port);
+
+/// A sentence if a port in it is none; the first one counts.
+std::optional<QString> whyNoPort(const QString& typed);
 
 /// An http or https address of a host with a port (by default `port`). No password, path or other scheme.
 /// `example`: a complete address for the error.

@@ -196,6 +196,8 @@ class AddressTest : public QObject {
     row("192.0.2.7:0", "", -1);
     row("192.0.2.7:99999", "", -1);
     row("192.0.2.7/path", "", -1);
+    row("http://192.0.2.7:8090/maps/?a=b#c", "192.0.2.7", 8090);
+    row("http://user:pw@192.0.2.7/maps", "", -1);
     row("user:pw@192.0.2.7", "", -1);
     row("two words", "", -1);
     row("axbot+http://192.0.2.7", "", -1);
@@ -212,6 +214,37 @@ class AddressTest : public QObject {
     if (!host) return;
     QCOMPARE(host->name, name);
     QCOMPARE(host->port.value_or(0), port);
+  }
+
+  void aPortThatIsNoneIsNamed_data() {
+    QTest::addColumn<QString>("typed");
+    for (const char* typed :
+         {"192.0.2.7:99999", "192.0.2.7:0", "http://192.0.2.7:70000/", "dock-3:123456789012",
+          "axbot+http://dock-3:0", "aimdk+http://[fe80::1]:65536/x", "aimdk+http://h?tf=ws://h:65536"})
+      QTest::newRow(typed) << QString::fromLatin1(typed);
+  }
+  void aPortThatIsNoneIsNamed() {
+    QFETCH(QString, typed);
+    const auto address = parse(typed);
+    QVERIFY(!address);
+    QVERIFY2(address.error().contains(QLatin1String("from 1 to 65535")), qPrintable(address.error()));
+    QVERIFY2(address.error().contains(typed.section(QLatin1Char('='), -1)), qPrintable(address.error()));
+  }
+
+  void aHostIsShownWithThePortWhereItIsNotTheUsualOne() {
+    const auto shown = [](const char* typed) { return known().hostShown(QLatin1String(typed)); };
+    QCOMPARE(shown("axbot+http://192.0.2.7:8090"), QStringLiteral("192.0.2.7"));
+    QCOMPARE(shown("axbot+http://192.0.2.7:9000"), QStringLiteral("192.0.2.7:9000"));
+    QCOMPARE(shown("aimdk+http://[fe80::1]"), QStringLiteral("[fe80::1]"));
+    QCOMPARE(shown("axbot+http://proxy/robots/7"), QStringLiteral("proxy/robots/7"));
+    QVERIFY(shown("file:/maps/a.yaml").isEmpty() && shown("demo:").isEmpty());
+  }
+
+  void whatABrowserShowedIsKeptForAKind() {
+    const auto host = known().bareHost(QStringLiteral("https://proxy/robots/7/"));
+    QVERIFY(host && host->encrypted);
+    QCOMPARE(addressAt(axbot::addressScheme(), *host, host->encrypted),
+             QStringLiteral("axbot+https://proxy:8090/robots/7"));
   }
 
   void anAddressIsMadeOfAKindAndAHost() {
