@@ -1,5 +1,7 @@
 #include "jobs/robot_search.h"
 
+#include <map>
+#include <string>
 #include <utility>
 
 #include "jobs/faults.h"
@@ -24,6 +26,22 @@ std::vector<robot::FoundRobot> RobotSearch::found() const {
     if (row.answer) all.insert(all.end(), row.answer->found.begin(), row.answer->found.end());
   }
   return all;
+}
+
+const RobotSearch::Row* RobotSearch::mostTelling() const {
+  const Row* best = nullptr;
+  std::map<std::string, int> as_often;
+  const auto weight = [&](const Row& row) {
+    return row.answer->somebody ? int(rows_.size()) + 1 : as_often[patternOf(row.answer->reason)];
+  };
+  const auto says = [](const Row& row) { return row.answer && row.answer->reason.any(); };
+  for (const Row& row : rows_) {
+    if (says(row)) ++as_often[patternOf(row.answer->reason)];
+  }
+  for (const Row& row : rows_) {
+    if (says(row) && (!best || weight(row) > weight(*best))) best = &row;
+  }
+  return best;
 }
 
 void RobotSearch::take(std::size_t row, robot::ProbeAnswer answer) {

@@ -30,6 +30,9 @@ class RobotSearch : public QObject {
   bool over() const { return waits_for_ == 0; }
   /// In the order in which kinds were asked for, not in that of their answers.
   std::vector<robot::FoundRobot> found() const;
+  /// Of those where there is no robot, the one that says most: something else answers there, or else the
+  /// reason that most have. Null: nothing has said why.
+  const Row* mostTelling() const;
 
  Q_SIGNALS:
   void changed();  // something answered

@@ -31,6 +31,7 @@ struct FoundRobot {
 struct ProbeAnswer {
   std::vector<FoundRobot> found = {};
   Fault reason = {};
+  bool somebody = false;  // something answers there, only not as such a robot does
 };
 
 struct Probe {

@@ -62,6 +62,23 @@ class TestRobotSearch : public QObject {
              QStringLiteral("no answer within 0.05 s"));
   }
 
+  void theReasonThatSaysMostIsTold() {
+    Asked first, second, third;
+    RobotSearch search({question("A", first), question("B", second), question("C", third)},
+                       std::chrono::hours(1));
+    QVERIFY(!search.mostTelling());
+    first.reply({{}, fault::said("silence")});
+    second.reply({{}, fault::said("refused by host:1")});
+    QCOMPARE(search.mostTelling()->title, QStringLiteral("A"));
+    third.reply({{}, fault::said("refused by host:2")});
+    QCOMPARE(search.mostTelling()->title, QStringLiteral("B"));  // ports make no other reason
+    Asked one, other;
+    RobotSearch again({question("A", one), question("B", other)}, std::chrono::hours(1));
+    one.reply({{}, fault::said("refused")});
+    other.reply({{}, fault::said("a web server"), true});
+    QCOMPARE(again.mostTelling()->title, QStringLiteral("B"));
+  }
+
   void endsWithoutAWordWhenItIsDestroyed() {
     Asked asked;
     auto search = std::make_unique<RobotSearch>(std::vector{question("A", asked)}, std::chrono::hours(1));

@@ -104,15 +104,24 @@ void FoundRobots::refresh() {
     text = sentences::counted(tr("%1 ways to connect to %2", nullptr, sentences::formOf(count)), count)
                .replace(QLatin1String("%2"), words::plainName(called_));
   } else {
-    text = stopped_ ? tr("Stopped. Nothing has answered at %1 yet.").arg(words::plainName(called_))
-                    : tr("No robot answers at %1. Is it switched on, and in this network?")
-                          .arg(words::plainName(called_));
+    text =
+        stopped_ ? tr("Stopped. Nothing has answered at %1 yet.").arg(words::plainName(called_)) : whyNone();
   }
   state_->setText(text);
   setTextColor(*state_,
                !looking() && count == 0 && !stopped_ ? appColors().error_text : appColors().secondary_text);
   list_->setVisible(count > 0 || looking());
   Q_EMIT changed();
+}
+
+QString FoundRobots::whyNone() const {
+  const QString called = words::plainName(called_);
+  const auto* const row = search_ ? search_->mostTelling() : nullptr;
+  if (!row) return tr("No robot answers at %1. Is it switched on, and in this network?").arg(called);
+  const QString reason = words::plainText(sentences::wordsOf(row->answer->reason));
+  return row->answer->somebody
+             ? tr("No robot answers at %1. %2: %3.").arg(called, row->server.toString(), reason)
+             : tr("No robot answers at %1: %2. Is it switched on, and in this network?").arg(called, reason);
 }
 
 void FoundRobots::fill() {

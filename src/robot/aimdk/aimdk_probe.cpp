@@ -18,10 +18,10 @@ ProbeAnswer answerOf(const QUrl& server, const net::HttpAnswer& answer) {
     // An error in JSON may be anybody's.
     if (parseMapNames(wire::view(answer.body)))
       return {{{.address = addressScheme().prefix + server.toString()}}, {}};
-    return {{}, {fault::NoAgibotRobotAnswers}};
+    return {{}, {fault::NoAgibotRobotAnswers}, true};
   }
   if (answer.kind == net::HttpAnswer::Kind::Answered)
-    return {{}, {fault::NoAgibotRobotThere, {}, {answer.reason}}};
+    return {{}, {fault::NoAgibotRobotThere, {}, {answer.reason}}, true};
   return {{}, answer.reason};
 }
 
