@@ -135,8 +135,11 @@ Outcome<std::vector<map::CatalogueEntry>> MapFiles::list() {
     const PictureYamls beside(options_.path, yamls_);
     for (const QString& name : mapFilesIn(options_.path)) {
       if (isWantedNoMore()) break;
-      entries.push_back(entryOf({map::MapKind::File, name.toStdString()},
-                                options_.path + QLatin1Char('/') + name, options_.place, yamls_, &beside));
+      const QString path = options_.path + QLatin1Char('/') + name;
+      // A picture and the map.yaml that names it are one map.
+      if (isPicture(name) && !beside.naming(path).isEmpty()) continue;
+      entries.push_back(
+          entryOf({map::MapKind::File, name.toStdString()}, path, options_.place, yamls_, &beside));
       entries.back().index = int(entries.size()) - 1;
     }
   } else if (QFileInfo::exists(options_.path)) {
