@@ -3,13 +3,16 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
+#include <QToolTip>
 
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
+#include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {
 
@@ -98,11 +101,33 @@ QToolButton* iconButton(const QString& icon, int icon_px, const QString& tip, QW
   return button;
 }
 
-DecimalBox::DecimalBox(QWidget* parent) : QDoubleSpinBox(parent) { setLocale(QLocale::c()); }
+void markBeyond(QAbstractSpinBox& box, bool beyond, const QString& range) {
+  if (box.property("beyond").toBool() == beyond) return;
+  box.setProperty("beyond", beyond);
+  QPalette palette = box.palette();
+  if (beyond)
+    palette.setColor(QPalette::Text, appColors().error_text);
+  else
+    palette = {};
+  box.setPalette(palette);
+  box.setAccessibleDescription(beyond ? range : QString());
+  if (!box.hasFocus()) return;
+  beyond ? QToolTip::showText(box.mapToGlobal(QPoint(0, box.height() / 2)), range, &box)
+         : QToolTip::hideText();
+}
+
+bool isUndoOfOthers(const QEvent& event, const QLineEdit& text) {
+  if (event.type() != QEvent::ShortcutOverride) return false;
+  const auto& key = static_cast<const QKeyEvent&>(event);
+  return (key.matches(QKeySequence::Undo) && !text.isUndoAvailable()) ||
+         (key.matches(QKeySequence::Redo) && !text.isRedoAvailable());
+}
+
+DecimalBox::DecimalBox(QWidget* parent) : BoundedBox(parent) { setLocale(QLocale::c()); }
 
 QValidator::State DecimalBox::validate(QString& input, int& pos) const {
   input.replace(QLatin1Char(','), QLatin1Char('.'));
-  return QDoubleSpinBox::validate(input, pos);
+  return BoundedBox::validate(input, pos);
 }
 
 double DecimalBox::valueFromText(const QString& text) const {

@@ -4,10 +4,14 @@
 
 #include <initializer_list>
 #include <optional>
+#include <utility>
 
 #include <QBoxLayout>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QLocale>
 #include <QMargins>
+#include <QSpinBox>
 #include <QString>
 
 class QAction;
@@ -59,9 +63,71 @@ QPushButton* compactButton(const QString& text, QWidget* parent, const QString& 
 QToolButton* iconButton(const QString& icon, int icon_px, const QString& tip, QWidget* parent,
                         const QString& name = {});
 
+/// Marks a field whose number is out of its range, with the range beside it.
+void markBeyond(QAbstractSpinBox& box, bool beyond, const QString& range);
+
+/// Whether the key is one of undo or redo that the text has no use for: then it is the window's.
+bool isUndoOfOthers(const QEvent& event, const QLineEdit& text);
+
+/// Shows every digit that is typed: what is out of range is marked, and becomes the nearest bound when the
+/// field is left. (Qt would drop the digit that is too much: 1234 became 123.)
+template <class Box>
+class BoundedBox : public Box {
+ public:
+  explicit BoundedBox(QWidget* parent = nullptr) : Box(parent) {
+    const auto mark = [this] {
+      QString written = Box::text();
+      int at = 0;
+      // What more digits would bring into the range is not finished.
+      const bool beyond = Box::validate(written, at) == QValidator::Invalid && boundOf(written).has_value();
+      const QString range =
+          QStringLiteral("%1 – %2%3")
+              .arg(this->textFromValue(Box::minimum()), this->textFromValue(Box::maximum()), Box::suffix());
+      markBeyond(*this, beyond, range);
+    };
+    QObject::connect(Box::lineEdit(), &QLineEdit::textChanged, this, mark);
+    // What the box itself writes is not told by its text.
+    QObject::connect(this, &Box::valueChanged, this, mark);
+    QObject::connect(this, &Box::editingFinished, this, mark);
+  }
+
+ protected:
+  bool event(QEvent* event) override {
+    if (!isUndoOfOthers(*event, *Box::lineEdit())) return Box::event(event);
+    event->ignore();
+    return false;
+  }
+  QValidator::State validate(QString& input, int& pos) const override {
+    const QValidator::State state = Box::validate(input, pos);
+    return state == QValidator::Invalid && boundOf(input) ? QValidator::Intermediate : state;
+  }
+  void fixup(QString& input) const override {
+    const auto bound = boundOf(input);
+    if (!bound) return Box::fixup(input);
+    input = Box::prefix() + this->textFromValue(*bound) + Box::suffix();
+  }
+
+ private:
+  using Number = decltype(std::declval<Box>().value());
+  /// The nearest one of a number that is out of range.
+  std::optional<Number> boundOf(const QString& input) const {
+    constexpr qsizetype kLongest = 24;
+    QString text = input;
+    if (text.startsWith(Box::prefix())) text.remove(0, Box::prefix().size());
+    if (text.endsWith(Box::suffix())) text.chop(Box::suffix().size());
+    bool number = false;
+    const double value = QLocale::c().toDouble(text.trimmed(), &number);
+    if (!number || text.size() > kLongest) return std::nullopt;
+    if (value > double(Box::maximum())) return Box::maximum();
+    return value < double(Box::minimum()) ? std::optional(Box::minimum()) : std::nullopt;
+  }
+};
+
+using WholeBox = BoundedBox<QSpinBox>;
+
 /// Writes a decimal point in any locale; a comma that is typed is one, too. (Qt would take it for a separator
 /// of thousands and drop it: 3,5 became 35.)
-class DecimalBox : public QDoubleSpinBox {
+class DecimalBox : public BoundedBox<QDoubleSpinBox> {
  public:
   explicit DecimalBox(QWidget* parent = nullptr);
 

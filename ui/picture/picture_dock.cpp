@@ -156,7 +156,7 @@ void PictureDock::buildKinds(QVBoxLayout* column) {
     kinds_[i] = button;
     connect(button, &QToolButton::clicked, this, [this, i] { editing_->setKind(picture::Kind(i)); });
   }
-  size_ = new QSpinBox(body_);
+  size_ = new WholeBox(body_);
   size_->setRange(1, picture::kWidestBrush);
   size_->setSuffix(tr(" cells"));
   size_->setAccessibleName(tr("Size of the brush"));
@@ -198,7 +198,7 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
   grid->setHorizontalSpacing(8);
   for (int i = 0; i < int(texts.size()); ++i) {
     const auto& [name, tip, most, usual] = texts[std::size_t(i)];
-    auto* spin = new QSpinBox(body_);
+    auto* spin = new WholeBox(body_);
     spin->setRange(1, most);
     spin->setValue(usual);
     spin->setSuffix(tr(" cells"));

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "ui/kit/dialog_look.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {
@@ -24,7 +25,7 @@ constexpr int kSuffixLength = 60;
 RecordDialog::RecordDialog(QWidget* parent)
     : QDialog(parent),
       suffix_(new QLineEdit(this)),
-      duration_(new QSpinBox(this)),
+      duration_(new WholeBox(this)),
       record_(new QPushButton(tr("Record"), this)),
       said_(new QLabel(this)) {
   setWindowTitle(tr("Record on the robot"));

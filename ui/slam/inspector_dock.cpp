@@ -228,7 +228,7 @@ QWidget* InspectorDock::buildControls(QAction* show_ids, QAction* show_outlines)
   nearby_ = addGroup(tr("Nearby"), tr("Show or hide the submaps of nearby maps"), &SubmapFacts::nearby);
   incremental_ =
       addGroup(tr("Incremental"), tr("Show or hide the incremental submaps"), &SubmapFacts::incremental);
-  slice_ = new QSpinBox(box);
+  slice_ = new WholeBox(box);
   colors_ = new QComboBox(box);
   filter_->setPlaceholderText(tr("Filter: 12-3, v70, frozen, failed…"));
   filter_->setClearButtonEnabled(true);

@@ -210,7 +210,7 @@ LineBar::LineBar(LineTool* tool, WaypointEditing* editing, QWidget* map)
                                   .name = tr("Distance between two waypoints")})),
       prefix_(new QLineEdit(tr("Waypoint "), this)),
       first_(new QLineEdit(this)),
-      step_(new QSpinBox(this)),
+      step_(new WholeBox(this)),
       count_(new PlainLabel(this)),
       names_(new PlainLabel(this)),
       create_(new QPushButton(tr("Create"), this)),

@@ -101,8 +101,8 @@ DiagnosticsDialog::DiagnosticsDialog(std::function<Diagnostics()> look, QSetting
     : QDialog(parent),
       look_(std::move(look)),
       settings_(settings),
-      threads_(new QSpinBox(this)),
-      memory_(new QSpinBox(this)),
+      threads_(new WholeBox(this)),
+      memory_(new WholeBox(this)),
       copy_(new QPushButton(tr("&Copy"), this)) {
   setObjectName(QStringLiteral("diagnostics"));
   setWindowTitle(tr("Diagnostics"));
