@@ -274,11 +274,94 @@ class TestWindowDialogs : public QObject {
     Looking test;
     test.type("192.0.2.7");
     test.main()->click();
-    for (auto& reply : test.replies) reply({{}, mapwright::fault::said("not here")});
+    for (auto& reply : test.replies) reply({{}, mapwright::fault::said("it is not here")});
+    QVERIFY2(test.state().contains(QLatin1String("it is not here")), qPrintable(test.state()));
     QVERIFY2(test.state().contains(QLatin1String("No robot answers at 192.0.2.7")), qPrintable(test.state()));
     QCOMPARE(test.main()->text(), QStringLiteral("Search"));
     test.main()->click();  // once more
     QCOMPARE(test.hosts.size(), std::size_t(2));
+  }
+
+  void saysWhatElseAnswers() {
+    Looking test;
+    test.type("http://192.0.2.7/dashboard");
+    QCOMPARE(test.main()->text(), QStringLiteral("Search"));
+    test.main()->click();
+    QCOMPARE(test.hosts.at(0).name, QStringLiteral("192.0.2.7"));
+    test.replies[0]({{}, mapwright::fault::said("refused")});
+    test.replies[1]({{}, mapwright::fault::said("<b>a printer</b>"), true});
+    QVERIFY2(test.state().contains(QLatin1String("http://192.0.2.7: <b>a printer</b>")),
+             qPrintable(test.state()));
+  }
+
+  void aKindThatIsChosenChangesAWholeAddress() {
+    Looking test;
+    test.dialog->setAddress(QStringLiteral("axbot+https://192.0.2.7:8090"));
+    test.dialog->show();
+    auto* const kind = test.dialog->findChild<QComboBox*>(QStringLiteral("kind"));
+    auto* const made = test.dialog->findChild<QLabel*>(QStringLiteral("made"));
+    auto* const address = test.dialog->findChild<QLineEdit*>(QStringLiteral("address"));
+    QTest::keyClick(kind, Qt::Key_Down);  // Autoxing, as the address says
+    QCOMPARE(address->text(), QStringLiteral("axbot+https://192.0.2.7:8090"));
+    QTest::keyClick(kind, Qt::Key_Down);
+    QCOMPARE(address->text(), QStringLiteral("192.0.2.7"));
+    QVERIFY2(made->text().contains(QLatin1String("aimdk+https://192.0.2.7:50807")), qPrintable(made->text()));
+    // What is typed afterwards counts, and that is said.
+    address->selectAll();
+    test.type("axbot+http://192.0.2.9:9000/robots/7");
+    QVERIFY2(made->text().contains(QLatin1String("The address counts")), qPrintable(made->text()));
+    QVERIFY(!test.dialog->findChild<QSpinBox*>(QStringLiteral("port"))->isEnabled());
+    // Back to looking for any kind.
+    QTest::keyClick(kind, Qt::Key_Home);
+    QCOMPARE(address->text(), QStringLiteral("http://192.0.2.9:9000/robots/7"));
+    QCOMPARE(test.main()->text(), QStringLiteral("Search"));
+    address->selectAll();
+    test.type("/maps/office.yaml");
+    QTest::keyClick(kind, Qt::Key_Down);
+    QVERIFY2(made->text().contains(QLatin1String("The address counts")), qPrintable(made->text()));
+  }
+
+  void aPortThatIsNoneIsNamed() {
+    Looking test;
+    test.type("192.0.2.7:99999");
+    test.main()->click();
+    QVERIFY2(test.dialog->errorText().contains(QLatin1String("from 1 to 65535")),
+             qPrintable(test.dialog->errorText()));
+    QVERIFY(test.hosts.empty() && test.wish.address.isEmpty());
+  }
+
+  void aPortBeyondTheRangeIsMarkedAndBecomesTheLast() {
+    Looking test;
+    test.dialog->show();
+    QVERIFY(QTest::qWaitForWindowActive(test.dialog.get()));
+    auto* const kind = test.dialog->findChild<QComboBox*>(QStringLiteral("kind"));
+    kind->setCurrentIndex(kind->findText(QStringLiteral("Agibot")));
+    auto* const port = test.dialog->findChild<QSpinBox*>(QStringLiteral("port"));
+    port->setFocus();
+    port->selectAll();
+    QTest::keyClicks(port, QStringLiteral("99999"));
+    QVERIFY2(port->text().endsWith(QLatin1String("99999")), qPrintable(port->text()));
+    QVERIFY(port->property("beyond").toBool());
+    QTest::keyClick(port, Qt::Key_Tab);
+    QCOMPARE(port->value(), 65535);
+    port->setFocus();
+    port->selectAll();
+    QTest::keyClicks(port, QStringLiteral("0"));
+    QTest::keyClick(port, Qt::Key_Tab);
+    QCOMPARE(port->value(), 1);
+  }
+
+  void aRobotWithoutANameLeadsWithItsHost() {
+    Bench bench;
+    const QDateTime now(QDate(2024, 5, 1), QTime(12, 0));
+    const auto words = [&](const char* address) {
+      bench.recents.add(QLatin1String(address), now);
+      return wordsOf(bench.recents.list().front(), bench.recents.addresses());
+    };
+    const RecentWords usual = words("192.0.2.7");
+    QCOMPARE(usual.title, QStringLiteral("192.0.2.7"));
+    QCOMPARE(usual.detail, QStringLiteral("axbot+http://192.0.2.7:8090"));
+    QCOMPARE(words("192.0.2.7:9000").title, QStringLiteral("192.0.2.7:9000"));
   }
 
   void aSearchIsStoppedByHandByTypingAndByClosing() {

@@ -185,6 +185,84 @@ class TestWindowSecrets : public QObject {
     QCOMPARE(chip->name(), QStringLiteral("Dock 3"));
   }
 
+  void aRobotThatRefusesHasItsNameAtOnceAndIsNotKept() {
+    SecretsBench bench;
+    bench.prepare = [](test::FakeRobot& robot) { robot.auto_online = false; };
+    bench.open();
+    const auto inDialog = [&](const std::function<void(QDialog&)>& then) {
+      QTimer::singleShot(0, [&] {
+        auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        then(*dialog);
+        dialog->reject();
+      });
+      bench.action("connect")->trigger();
+    };
+    inDialog([](QDialog& dialog) {
+      dialog.findChild<QLineEdit*>(QStringLiteral("address"))->setText(kAddress);
+      QTest::keyClicks(dialog.findChild<QLineEdit*>(QStringLiteral("calledName")), QStringLiteral("Dock 3"));
+      dialog.findChild<QPushButton*>(QStringLiteral("primary"))->click();
+    });
+    robot::ConnectionState refused;
+    refused.phase = robot::ConnectionPhase::Refused;
+    refused.failure = map::FailureKind::Refused;
+    auto* const chip = part<ConnectionChip>(*bench.window);
+    QCOMPARE(chip->name(), QStringLiteral("Dock 3"));
+    bench.robot->setState(refused);
+    QCOMPARE(chip->name(), QStringLiteral("Dock 3"));
+    const auto nameShown = [](QDialog& dialog) {
+      return dialog.findChild<QLineEdit*>(QStringLiteral("calledName"))->text();
+    };
+    QString shown;
+    inDialog([&](QDialog& dialog) { shown = nameShown(dialog); });
+    QCOMPARE(shown, QStringLiteral("Dock 3"));
+    QCOMPARE(chip->name(), QStringLiteral("Dock 3"));
+    // Also once it was left, and not for another one.
+    bench.window->leaveRobot();
+    inDialog([&](QDialog& dialog) {
+      auto* const address = dialog.findChild<QLineEdit*>(QStringLiteral("address"));
+      QTest::keyClicks(address, kAddress);
+      shown = nameShown(dialog);
+      QTest::keyClick(address, Qt::Key_Backspace);
+      QVERIFY(nameShown(dialog).isEmpty());
+    });
+    QCOMPARE(shown, QStringLiteral("Dock 3"));
+    QVERIFY(RecentRobots(bench.settings, test::knownAddresses()).list().isEmpty());
+    QVERIFY(!bench.stored().contains("Dock 3"));
+    // It works: now it is kept.
+    bench.prepare = {};
+    QVERIFY(!bench.window->connectTo(kAddress));
+    QCOMPARE(chip->name(), QStringLiteral("Dock 3"));
+    QCOMPARE(RecentRobots(bench.settings, test::knownAddresses()).list().front().look.called,
+             QStringLiteral("Dock 3"));
+  }
+
+  void aRobotKeepsItsNameWhenItIsConnectedToAgain() {
+    SecretsBench bench;
+    bench.open();
+    QVERIFY(!bench.window->connectTo(kAddress));
+    auto* const chip = part<ConnectionChip>(*bench.window);
+    QCOMPARE(chip->name(), QStringLiteral("192.0.2.7"));  // it tells no name
+    RecentRobots(bench.settings, test::knownAddresses()).setLook(kAddress, {QStringLiteral("Dock 3"), {}});
+    // By the dialog with the fields left as they are, and with the name left out.
+    for (const bool emptied : {false, true}) {
+      QTimer::singleShot(0, [&] {
+        auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (emptied) dialog->findChild<QLineEdit*>(QStringLiteral("calledName"))->clear();
+        dialog->findChild<QPushButton*>(QStringLiteral("primary"))->click();
+        dialog->reject();
+      });
+      bench.action("connect")->trigger();
+      QCOMPARE(chip->name(), QStringLiteral("Dock 3"));
+      QVERIFY(bench.window->windowTitle().contains(QLatin1String("Dock 3")));
+    }
+    bench.robot->goAway(QStringLiteral("gone"));
+    QCOMPARE(chip->name(), QStringLiteral("Dock 3"));
+    bench.robot->goOnline();
+    QCOMPARE(chip->name(), QStringLiteral("Dock 3"));
+    QCOMPARE(RecentRobots(bench.settings, test::knownAddresses()).look(kAddress).called,
+             QStringLiteral("Dock 3"));
+  }
+
   void everyColourHasAnIdANameAndALookOfItsOwn() {
     QSet<QString> ids, names;
     QSet<QRgb> looks;

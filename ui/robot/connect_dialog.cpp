@@ -66,7 +66,7 @@ ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, Probes prob
       probes_(std::move(probes)),
       kind_(new QComboBox(this)),
       address_(new QLineEdit(this)),
-      port_(new QSpinBox(this)),
+      port_(new WholeBox(this)),
       encrypted_(new QCheckBox(tr("Encr&ypted (TLS)"), this)),
       made_(wrappedLabel({}, this)),
       secret_(new QLineEdit(this)),
@@ -94,14 +94,13 @@ ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, Probes prob
                      QMargins(16, 16, 16, 16)));
 
   connect(kind_, &QComboBox::currentIndexChanged, this, &ConnectDialog::chooseKind);
+  connect(kind_, &QComboBox::activated, this, &ConnectDialog::takeApart);
   connect(address_, &QLineEdit::textChanged, this, &ConnectDialog::check);
   connect(address_, &QLineEdit::textEdited, this, [this] {
     // A look that belongs to a robot does not go along to another one.
-    const QVector<RecentRobot> known = recents_.list();
-    const bool of_a_robot = std::any_of(known.begin(), known.end(),
-                                        [&](const RecentRobot& robot) { return robot.look == look_.look(); });
     const auto parsed = recents_.addresses().parse(address());
-    if (of_a_robot) look_.setLook(parsed && !unknownHost() ? recents_.look(parsed->text) : RobotLook());
+    if (look_.look() == RobotLook() || recents_.isLookOfOne(look_.look()))
+      look_.setLook(parsed && !unknownHost() ? recents_.look(parsed->text) : RobotLook());
   });
   connect(port_, &QSpinBox::valueChanged, this, &ConnectDialog::check);
   connect(encrypted_, &QCheckBox::toggled, this, &ConnectDialog::check);
@@ -261,7 +260,7 @@ QString ConnectDialog::address() const {
   auto host = recents_.addresses().bareHost(typed);
   if (!host) return typed;
   if (!host->port) host->port = port_->value();
-  return robot::addressAt(*scheme, *host, encrypted_->isChecked());
+  return robot::addressAt(*scheme, *host, host->encrypted || encrypted_->isChecked());
 }
 
 std::optional<robot::Host> ConnectDialog::unknownHost() const {
@@ -276,6 +275,18 @@ void ConnectDialog::chooseKind() {
   check();
 }
 
+void ConnectDialog::takeApart() {
+  const robot::AddressScheme* const scheme = kind();
+  const robot::Addresses& addresses = recents_.addresses();
+  const auto parsed = addresses.parse(address_->text());
+  const bool whole = addresses.isAddress(address_->text()) && parsed && !parsed->url.host().isEmpty();
+  if (!whole || (scheme ? scheme->prefix == parsed->scheme : !probes_)) return;
+  // The usual port of another kind is not meant for this one.
+  const QString host = addresses.hostShown(parsed->text);
+  address_->setText(parsed->url.path().isEmpty() ? host : QStringLiteral("http://") + host);
+  encrypted_->setChecked(parsed->url.scheme().endsWith(QLatin1Char('s')));
+}
+
 QString ConnectDialog::hint(const QString& made, const std::optional<robot::Host>& host) const {
   if (host) return tr("Every kind of robot is looked for at %1. No secret is sent.").arg(host->name);
   if (made.isEmpty())
@@ -284,7 +295,11 @@ QString ConnectDialog::hint(const QString& made, const std::optional<robot::Host
                         .arg(recents_.addresses().examples().value(0));
   const auto parsed = recents_.addresses().parse(made);
   if (!parsed) return {};
-  return parsed->path.isEmpty() ? tr("Connects to %1").arg(parsed->text) : tr("Opens %1").arg(parsed->path);
+  const QString does =
+      parsed->path.isEmpty() ? tr("Connects to %1").arg(parsed->text) : tr("Opens %1").arg(parsed->path);
+  return kind() && kind()->prefix != parsed->scheme
+             ? tr("%1. The address counts, not the kind chosen above.").arg(does)
+             : does;
 }
 
 void ConnectDialog::check() {
@@ -292,6 +307,11 @@ void ConnectDialog::check() {
   below_->setCurrentWidget(recents_page_);
   const QString made = address();
   const auto host = unknownHost();
+  // What the address says itself is not asked for.
+  const auto bare = recents_.addresses().bareHost(address_->text());
+  const bool nothing = address_->text().trimmed().isEmpty();
+  port_->setEnabled(nothing || (bare && !bare->port));
+  encrypted_->setEnabled(nothing || (bare && !bare->encrypted));
   connect_->setEnabled(!made.isEmpty());
   connect_->setText(host ? tr("Search") : tr("Connect"));
   secret_->setPlaceholderText(tr("Only if the robot asks for one"));

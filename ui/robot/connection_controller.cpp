@@ -212,6 +212,7 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> ConnectionController::anoth
 void ConnectionController::begin(std::unique_ptr<robot::Robot> robot, const RobotLook& look) {
   unproven_ = robot->address();
   look_ = look;
+  recents_.tried(unproven_, look);
   context_.current.begin(std::move(robot));
   showLook();
   noteWorks();
@@ -223,7 +224,6 @@ void ConnectionController::noteWorks() {
   if (!session || unproven_.isEmpty() || session->connection().phase != ConnectionPhase::Online) return;
   const QString address = std::exchange(unproven_, QString());
   recents_.add(address, QDateTime::currentDateTime());
-  if (look_ != recents_.look(address)) recents_.setLook(address, look_);
   noteIdentity();
   noteSettings();
   if (typed_secret_ && secrets_.kept(address)) {
@@ -275,7 +275,8 @@ void ConnectionController::forget(const QString& address) {
 void ConnectionController::editLook() {
   const session::Session* const session = context_.current.session();
   if (!session) return;
-  auto* const dialog = new RobotLookDialog(look_, robotCalled(session->robot()), &context_.window);
+  auto* const dialog =
+      new RobotLookDialog(look_, robotCalled(session->robot(), recents_.addresses()), &context_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, address = context_.current.address()] {
     recents_.setLook(address, dialog->look());
@@ -327,7 +328,7 @@ void ConnectionController::openDialog() {
     dialog.setAddress(address);
   dialog.exec();
   // Its name may have been changed there.
-  if (session && session == context_.current.session() && unproven_.isEmpty()) {
+  if (session && session == context_.current.session()) {
     look_ = recents_.look(context_.current.address());
     showLook();
   }

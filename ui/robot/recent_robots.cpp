@@ -37,11 +37,11 @@ RecentWords wordsOf(const RecentRobot& robot, const robot::Addresses& addresses)
     words.detail = words::plainName(QDir::toNativeSeparators(info.absolutePath()));
     return words;
   }
-  QString host = parsed ? robot::hostOf(*parsed) : QString();
-  if (host.isEmpty()) host = robot.address;
+  const QString shown = addresses.hostShown(robot.address);
+  const QString host = shown.isEmpty() ? robot.address : shown;
   const QString kind = addresses.titleOf(robot.address);
   words.title = own.isEmpty() ? host : own;
-  words.detail = own.isEmpty()    ? kind
+  words.detail = own.isEmpty()    ? (shown.isEmpty() ? kind : robot.address)
                  : kind.isEmpty() ? host
                                   : QCoreApplication::translate("window", "%1, %2").arg(kind, host);
   return words;
@@ -71,7 +71,7 @@ void RecentRobots::add(const QString& address, const QDateTime& now) {
   const auto parsed = addresses_.parse(address);
   if (!parsed) return;
   QVector<RecentRobot> robots = list();
-  RecentRobot robot{parsed->text, {}, {}, now};
+  RecentRobot robot{parsed->text, {}, tried_.take(parsed->text), now};
   for (const RecentRobot& old : robots) {
     if (old.address != robot.address) continue;
     robot.name = old.name;
@@ -90,10 +90,25 @@ RobotLook RecentRobots::look(const QString& address) const {
   for (const RecentRobot& robot : list()) {
     if (robot.address == address) return robot.look;
   }
-  return {};
+  return tried_.value(address);
+}
+
+void RecentRobots::tried(const QString& address, const RobotLook& look) {
+  const QVector<RecentRobot> robots = list();
+  const bool listed = std::any_of(robots.begin(), robots.end(),
+                                  [&](const RecentRobot& robot) { return robot.address == address; });
+  listed ? setLook(address, look) : (void)tried_.insert(address, look);
+}
+
+bool RecentRobots::isLookOfOne(const RobotLook& look) const {
+  const QVector<RecentRobot> robots = list();
+  return tried_.values().contains(look) ||
+         std::any_of(robots.begin(), robots.end(),
+                     [&](const RecentRobot& robot) { return robot.look == look; });
 }
 
 void RecentRobots::setLook(const QString& address, const RobotLook& look) {
+  if (const auto one = tried_.find(address); one != tried_.end()) *one = look;
   QVector<RecentRobot> robots = list();
   for (RecentRobot& robot : robots) {
     if (robot.address == address) robot.look = {look.called.left(kNameLimit), look.color};
@@ -110,6 +125,7 @@ void RecentRobots::setName(const QString& address, const QString& name) {
 }
 
 void RecentRobots::remove(const QString& address) {
+  tried_.remove(address);
   QVector<RecentRobot> robots = list();
   robots.removeIf([&address](const RecentRobot& robot) { return robot.address == address; });
   save(robots);

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include <QDateTime>
+#include <QHash>
 #include <QString>
 #include <QVector>
 
@@ -24,7 +25,7 @@ struct RecentRobot {
 /// How a list leads with one, and what stands behind it.
 struct RecentWords {
   QString title;   // the user's name for it, else its own, else its host; of a file its name
-  QString detail;  // kind and host, or the folder of a file
+  QString detail;  // kind and host, the address of one without a name, or the folder of a file
   bool file = false;
 };
 RecentWords wordsOf(const RecentRobot& robot, const robot::Addresses& addresses);
@@ -40,9 +41,13 @@ class RecentRobots {
   /// For those that worked: an address that was only tried is not kept.
   void add(const QString& address, const QDateTime& now);
   void setName(const QString& address, const QString& name);
-  /// Nothing for an address that is not listed.
+  /// What an address that has not worked yet is called: known until the program ends, kept once it works.
+  void tried(const QString& address, const RobotLook& look);
+  /// Nothing for an address that is neither listed nor was tried.
   RobotLook look(const QString& address) const;
   void setLook(const QString& address, const RobotLook& look);
+  /// Whether one of those is called so.
+  bool isLookOfOne(const RobotLook& look) const;
   void remove(const QString& address);
   /// Told of each that leaves the list.
   void whenForgotten(std::function<void(const QString& address)> tell) { forgotten_ = std::move(tell); }
@@ -51,6 +56,7 @@ class RecentRobots {
   void save(const QVector<RecentRobot>& robots);
   QSettings& settings_;
   robot::Addresses addresses_;
+  QHash<QString, RobotLook> tried_;
   std::function<void(const QString&)> forgotten_;
 };
 

@@ -29,8 +29,9 @@ session::Session::Options optionsOf(robot::Robot& robot, session::Session::Optio
 
 }  // namespace
 
-CurrentSession::CurrentSession(scene::MapScene& scene, session::Session::Options options, QObject* parent)
-    : QObject(parent), scene_(scene), options_(std::move(options)) {
+CurrentSession::CurrentSession(scene::MapScene& scene, session::Session::Options options,
+                               robot::Addresses addresses, QObject* parent)
+    : QObject(parent), scene_(scene), options_(std::move(options)), addresses_(std::move(addresses)) {
   options_.log_safety = true;
   connect(&scene_, &scene::MapScene::layersChanged, this, &CurrentSession::stateChanged);
 }
@@ -41,7 +42,7 @@ QString CurrentSession::address() const { return session_ ? session_->robot().ad
 
 QString CurrentSession::called() const {
   if (!session_) return {};
-  return called_.isEmpty() ? robotCalled(session_->robot()) : called_;
+  return called_.isEmpty() ? robotCalled(session_->robot(), addresses_) : called_;
 }
 
 void CurrentSession::setCalled(const QString& by_user) {

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QString>
 
+#include "robot/address.h"
 #include "session/session.h"
 
 namespace mapwright::scene {
@@ -18,13 +19,15 @@ class CurrentSession : public QObject {
   Q_OBJECT
  public:
   /// The scene must outlive this.
-  CurrentSession(scene::MapScene& scene, session::Session::Options options, QObject* parent = nullptr);
+  CurrentSession(scene::MapScene& scene, session::Session::Options options, robot::Addresses addresses = {},
+                 QObject* parent = nullptr);
   ~CurrentSession() override;
 
   /// null = none.
   session::Session* session() const { return session_.get(); }
   QString address() const;  // empty = none
-  /// By the user's name, if there is one, else as it calls itself. Empty = none; one line of plain text.
+  /// By the user's name, if there is one, else as it calls itself, else its host. Empty = none; one line of
+  /// plain text.
   QString called() const;
   /// The user's name for it; empty = none. Until another one begins.
   void setCalled(const QString& by_user);
@@ -45,6 +48,7 @@ class CurrentSession : public QObject {
 
   scene::MapScene& scene_;
   session::Session::Options options_;
+  robot::Addresses addresses_;
   std::unique_ptr<session::Session> session_;
   QString called_;
 };

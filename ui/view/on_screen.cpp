@@ -65,10 +65,11 @@ MapsInView mapsInView(const scene::MapScene& scene) {
           scansInView(scene)};
 }
 
-QString robotCalled(const robot::Robot& robot) {
+QString robotCalled(const robot::Robot& robot, const robot::Addresses& addresses) {
   const robot::RobotIdentity identity = robot.identity();
   QString name = identity.name.isEmpty() ? identity.serial : identity.name;
-  if (name.trimmed().isEmpty()) name = robot.address();
+  if (name.trimmed().isEmpty()) name = addresses.hostShown(robot.address());
+  if (name.isEmpty()) name = robot.address();
   return words::plainName(name);
 }
 

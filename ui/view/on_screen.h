@@ -6,6 +6,7 @@
 
 #include <QString>
 
+#include "robot/address.h"
 #include "scene/map_scene.h"
 #include "session/session.h"
 #include "ui/view/empty_state.h"
@@ -17,7 +18,7 @@ bool comparing(const scene::MapScene& scene);
 bool scansInView(const scene::MapScene& scene);
 MapsInView mapsInView(const scene::MapScene& scene);
 /// Its name, or another distinguishing text.
-QString robotCalled(const robot::Robot& robot);
+QString robotCalled(const robot::Robot& robot, const robot::Addresses& addresses);
 /// The map that the submaps belong to; empty if unknown.
 QString submapsOf(session::Session* session, const scene::MapScene& scene);
 /// The labels of the halves of a swipe, distinguishable even if both have the same name; empty: there is no

@@ -92,7 +92,8 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   setStatusBar(bar_);
   addCameraActions(actions_, *view_);
   overlay_ = new MapOverlay(view_, new MapFurniture(actions_, view_));
-  current_ = new CurrentSession(*scene_, with(workers_, dependencies.budgets, dependencies.session), this);
+  current_ = new CurrentSession(*scene_, with(workers_, dependencies.budgets, dependencies.session),
+                                dependencies.addresses, this);
   context_.emplace(WindowContext{.window = *this,
                                  .view = *view_,
                                  .scene = *scene_,
