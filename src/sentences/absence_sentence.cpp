@@ -108,6 +108,8 @@ QString whyAbsent(Capability capability, const Absence& absence) {
             .arg(words::plainName(absence.arguments.front()));
       if (capability == Capability::Live)
         return AbsenceText::tr("This is a local map: there is no robot, so nothing moves on it.");
+      if (capability == Capability::Dispatch)
+        return AbsenceText::tr("This is a file: there is no robot to fetch from.");
       if (capability == Capability::Administration)
         return AbsenceText::tr("Local maps are named after their files, and no robot uses them.");
       break;

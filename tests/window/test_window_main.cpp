@@ -326,6 +326,39 @@ class TestWindowMain : public QObject {
     QCOMPARE(window.mapScene()->view(), camera);
   }
 
+  void whatIsOfARobotIsDisabledWhileAFileIsOpenAndSaysWhy() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    const std::vector<const char*> of_robot{"retry",       "disconnect",   "record",        "showRecordings",
+                                            "follow",      "fetchRegion",  "fetchWholeMap", "saveMapOnRobot",
+                                            "cloudRegion", "cloudSection", "projections",   "refreshRegions"};
+    QVERIFY(!window.connectTo(QStringLiteral("file:/maps/office.yaml")));
+    for (const char* id : of_robot) {
+      QVERIFY2(!bench.action(id)->isEnabled(), id);
+      const QString tip = bench.action(id)->toolTip();
+      QVERIFY2(tip.contains(QLatin1String("file")) || tip.contains(QLatin1String("no ")) ||
+                   tip.contains(QLatin1String("not")),
+               qPrintable(QLatin1String(id) + QLatin1String(": ") + tip));
+    }
+    QVERIFY(bench.action("closeFile")->isEnabled() && bench.action("readAgain")->isEnabled());
+    bench.robot->goAway(QStringLiteral("gone"));
+    const int before = bench.robot->connects;
+    bench.key(Qt::Key_F5);
+    QCOMPARE(bench.robot->connects, before + 1);
+    bench.action("closeFile")->trigger();
+    QVERIFY(!window.session());
+    QVERIFY(!window.connectTo(kAddress));
+    QVERIFY(!bench.action("closeFile")->isEnabled() && !bench.action("readAgain")->isEnabled());
+    for (const char* id : {"retry", "disconnect", "follow", "cloudRegion"}) {
+      QVERIFY2(bench.action(id)->isEnabled(), id);
+      QVERIFY2(!bench.action(id)->toolTip().contains(QLatin1String("file")), id);
+    }
+    bench.robot->goAway(QStringLiteral("gone"));
+    const int again = bench.robot->connects;
+    bench.key(Qt::Key_F5);
+    QCOMPARE(bench.robot->connects, again + 1);
+  }
+
   void leavesTheProblemsAsTheyWereLeft_data() {
     QTest::addColumn<bool>("open");
     QTest::newRow("open") << true;

@@ -55,7 +55,7 @@ CloudsController::CloudsController(WindowContext& context, clouds::CloudStore& c
                                                          .icon = "rectangle",
                                                          .tip = tr("Draw a region and fetch its cloud"),
                                                          .toggle = true,
-                                                         .needs_session = true,
+                                                         .needs_of_robot = robot::Capability::Dispatch,
                                                          .menu = {MenuGroup::Tools, 60}}));
   context_.tools.add(section_tool_,
                      context_.actions.add({.id = "cloudSection",
@@ -63,7 +63,7 @@ CloudsController::CloudsController(WindowContext& context, clouds::CloudStore& c
                                            .icon = "line",
                                            .tip = tr("Drag a line to see a cross-section of a cloud"),
                                            .toggle = true,
-                                           .needs_session = true,
+                                           .needs_of_robot = robot::Capability::Dispatch,
                                            .menu = {MenuGroup::Tools, 70}}));
   connect(region_tool_, &RegionTool::boxDrawn, this, &CloudsController::fetchBox);
   connect(region_tool_, &RegionTool::sphereDrawn, this, [this](const Eigen::Vector2d& centre, double radius) {

@@ -45,7 +45,7 @@ ProjectionsController::ProjectionsController(WindowContext& context, QObject* pa
                             .icon = "rectangle",
                             .tip = tr("Draw the regions that the robot projects to 2D maps"),
                             .toggle = true,
-                            .needs_session = true,
+                            .needs_of_robot = robot::Capability::Dispatch,
                             .menu = {MenuGroup::Tools, 80}});
   context_.tools.add(tool_, action);
   connect(action, &QAction::toggled, this, [this](bool on) {

@@ -12,6 +12,8 @@
 #include <QToolBar>
 #include <QWidget>
 
+#include "sentences/absence_sentence.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 
@@ -44,6 +46,13 @@ QString withoutMnemonic(const QString& text) {
   return plain;
 }
 
+/// Of those that actions need.
+bool has(robot::Robot& robot, robot::Capability capability) {
+  return capability == robot::Capability::Live       ? robot.liveTopics() != nullptr
+         : capability == robot::Capability::Dispatch ? robot.mapDispatch() != nullptr
+                                                     : true;
+}
+
 void makeToggle(QAction& action) {
   action.setCheckable(true);
   action.setIconVisibleInMenu(false);  // a check mark is clearer there than a tinted icon
@@ -65,6 +74,7 @@ QAction* Actions::add(const ActionSpec& spec) {
       make(QLatin1String(spec.id), spec.text, QLatin1String(spec.icon), keys, spec.reach, spec.tip);
   if (spec.toggle) makeToggle(*action);
   if (spec.needs_session) need_session_.push_back(action);
+  if (spec.needs_of_robot) need_of_robot_.emplace_back(action, *spec.needs_of_robot);
   const bool in_menu = spec.menu.rank != 0;
   enter({in_menu ? withoutMnemonic(menuTitle(menuOf(spec.menu.group))) : QString(), action, spec.reach,
          spec.menu, spec.name});
@@ -133,8 +143,17 @@ QAction* Actions::find(const QString& id) const {
   return nullptr;
 }
 
-void Actions::setSessionOpen(bool open) {
-  for (QAction* action : need_session_) action->setEnabled(open);
+void Actions::setSession(robot::Robot* robot) {
+  for (QAction* action : need_session_) action->setEnabled(robot != nullptr);
+  noteCapabilities(robot);
+}
+
+void Actions::noteCapabilities(robot::Robot* robot) {
+  for (const auto& [action, capability] : need_of_robot_) {
+    const bool lacks = robot && robot->isLocal() && !has(*robot, capability);
+    allow(action, robot && !lacks,
+          lacks ? sentences::whyAbsent(capability, robot->whyNot(capability)) : QString());
+  }
 }
 
 void Actions::attach(QWidget* window, QWidget* map) {
@@ -175,6 +194,8 @@ QString submenuTitle(MenuGroup group) {
       return QCoreApplication::translate("window", "Theme");
     case MenuGroup::Layouts:
       return QCoreApplication::translate("window", "Layout");
+    case MenuGroup::Panels:
+      return QCoreApplication::translate("window", "Panels");
     default:
       return {};
   }

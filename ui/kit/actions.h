@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #include <QKeySequence>
 #include <QList>
 #include <QString>
+
+#include "robot/robot.h"
 
 class QMenu;
 class QWidget;
@@ -91,6 +94,8 @@ struct ActionSpec {
   QString tip = {};            // the keys are appended
   bool toggle = false;         // on or off
   bool needs_session = false;  // disabled while no robot or file is open
+  /// The same, and while files are open that lack this, with the reason.
+  std::optional<robot::Capability> needs_of_robot = {};
   MenuPlace menu = {};
   BarPlace bar = {};
   MapMenuPlace map_menu = {};
@@ -152,8 +157,10 @@ class Actions : public QObject {
   const std::vector<Placed<BarGroup, BarItem>>& onBar() const { return on_bar_; }
   const std::vector<Placed<MapMenuGroup, MapMenuFiller>>& onMapMenu() const { return on_map_menu_; }
 
-  /// Disables actions that need a session while there is none.
-  void setSessionOpen(bool open);
+  /// Disables actions that need a session while there is none. Null: nothing is open.
+  void setSession(robot::Robot* robot);
+  /// It may have gained or lost a capability.
+  void noteCapabilities(robot::Robot* robot);
 
   /// Activates the shortcuts: those of Reach::Map on `map`, the others on `window`.
   void attach(QWidget* window, QWidget* map);
@@ -165,6 +172,7 @@ class Actions : public QObject {
 
   std::vector<Entry> entries_;
   std::vector<QAction*> need_session_;
+  std::vector<std::pair<QAction*, robot::Capability>> need_of_robot_;
   // Each in the order of its places.
   std::vector<Placed<MenuGroup, QAction*>> in_menus_;
   std::vector<Placed<BarGroup, BarItem>> on_bar_;

@@ -16,8 +16,10 @@
 #include <QVBoxLayout>
 
 #include "jobs/change_map.h"
+#include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "ui/kit/dialog_look.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/regions/map_fetch.h"
 #include "ui/regions/rectangle_tool.h"
@@ -379,10 +381,15 @@ void RegionsController::tell() {
   context_.scene.setRegions(on_map ? map_.get() : nullptr);
   const bool whole = dispatch_ && dispatch_->offered(DispatchService::Grid);
   const bool busy = map_fetch_->busy();
-  refresh_->setEnabled(by_region);
-  fetch_whole_->setEnabled(whole && online() && !busy);
-  save_map_->setEnabled(dispatch_ && dispatch_->offered(DispatchService::Save) && online() && !save_dialog_);
-  fetch_region_->setEnabled(by_region && online() && !busy);
+  const session::Session* const session = context_.current.session();
+  const QString why = session && !dispatch_
+                          ? sentences::whyAbsent(robot::Capability::Dispatch,
+                                                 session->robot().whyNot(robot::Capability::Dispatch))
+                          : QString();
+  allow(refresh_, by_region, why);
+  allow(fetch_whole_, whole && online() && !busy, why);
+  allow(save_map_, dispatch_ && dispatch_->offered(DispatchService::Save) && online() && !save_dialog_, why);
+  allow(fetch_region_, by_region && online() && !busy, why);
   if (!fetch_region_->isEnabled() && context_.tools.chosen() == tool_) context_.tools.putAway();
   if (status_) {
     status_->setVisible(by_region || left);

@@ -221,7 +221,8 @@ void RecordingController::refresh() {
   // A recording in progress continues when the connection is lost; a new one cannot be started.
   const bool online = session_ && session_->connection().phase == robot::ConnectionPhase::Online;
   action_->setEnabled(can && (recorder_ ? !recorder_->stopped() : online));
-  action_->setToolTip(can && !online && !recorder_
+  action_->setToolTip(session_ && !can ? tr("There is no robot to record from.")
+                      : can && !online && !recorder_
                           ? tr("The robot cannot be reached at the moment.")
                           : tr("Record what the robot sends to a file; again to stop"));
   action_->setChecked(recording());

@@ -12,6 +12,7 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "ui/kit/folders.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/panels.h"
 #include "ui/replay/record_dialog.h"
 #include "ui/shell/current_session.h"
@@ -41,12 +42,20 @@ QString fileNameOf(const BagKey& key) {
 RecordingsController::RecordingsController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context), dock_(new RecordingsDock(&context.window)) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Bottom, .tab = 15, .menu_rank = 46, .open = false});
-  context_.actions.add({.id = "showRecordings",
-                        .text = tr("Reco&rdings…"),
-                        .icon = "recordings",
-                        .tip = tr("The robot's recordings, which can be replayed"),
-                        .menu = {MenuGroup::Link, 35}},
-                       this, [this] { context_.panels.open(dock_); });
+  QAction* const shows = context_.actions.add({.id = "showRecordings",
+                                               .text = tr("Reco&rdings…"),
+                                               .icon = "recordings",
+                                               .tip = tr("The robot's recordings, which can be replayed"),
+                                               .menu = {MenuGroup::Link, 35}},
+                                              this, [this] { context_.panels.open(dock_); });
+  connect(&context_.current, &CurrentSession::stateChanged, this, [this, shows] {
+    const session::Session* const session = context_.current.session();
+    const bool none = session && session->robot().isLocal() && !library();
+    allow(
+        shows, !none,
+        none ? sentences::whyAbsent(robot::Capability::Bags, session->robot().whyNot(robot::Capability::Bags))
+             : QString());
+  });
   connect(dock_, &RecordingsDock::refreshWanted, this, &RecordingsController::refresh);
   connect(dock_, &RecordingsDock::openWanted, this, &RecordingsController::open);
   connect(dock_, &RecordingsDock::downloadWanted, this, &RecordingsController::askWhereTo);

@@ -10,6 +10,7 @@
 #include "robot/second_server.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/robot/certificate_dialog.h"
@@ -105,6 +106,18 @@ void ConnectionController::addActions() {
                                       .tip = tr("Disconnect from this robot"),
                                       .menu = {MenuGroup::Link, 20}},
                                      this, &ConnectionController::leave);
+  close_file_ = context_.actions.add({.id = "closeFile",
+                                      .text = tr("&Close file"),
+                                      .icon = "disconnect",
+                                      .tip = tr("Close this file"),
+                                      .menu = {MenuGroup::Files, 30}},
+                                     this, &ConnectionController::leave);
+  read_again_ = context_.actions.add({.id = "readAgain",
+                                      .text = tr("&Read again"),
+                                      .icon = "retry",
+                                      .tip = tr("Read this file again"),
+                                      .menu = {MenuGroup::Files, 40}},
+                                     this, &ConnectionController::retry);
   look_action_ = context_.actions.add({.id = "robotLook",
                                        .text = tr("&Name and colour…"),
                                        .icon = "robot",
@@ -121,7 +134,8 @@ void ConnectionController::fillChipMenu(QMenu& menu) {
   menu.addSection(tr("Files"));
   addGroup(menu, context_.actions, MenuGroup::Files);
   addRecents(menu, true, {});
-  if (!context_.current.session()) return;
+  const session::Session* const session = context_.current.session();
+  if (!session || session->robot().isLocal()) return;
   menu.addSeparator();
   addGroup(menu, context_.actions, MenuGroup::Link);
 }
@@ -420,10 +434,16 @@ void ConnectionController::refresh() {
   noteWorks();
   const session::Session* const session = context_.current.session();
   const bool local = session && session->robot().isLocal();
-  retry_->setEnabled(session != nullptr);
-  retry_->setText(local ? tr("&Read again") : tr("&Retry now"));
-  disconnect_->setEnabled(session != nullptr);
-  disconnect_->setText(local ? tr("&Close file") : tr("D&isconnect"));
+  const QString no_robot =
+      local ? tr("A file is open, and no robot connected: see the menu File.") : QString();
+  allow(retry_, session && !local, no_robot);
+  allow(disconnect_, session && !local, no_robot);
+  close_file_->setEnabled(local);
+  read_again_->setEnabled(local);
+  // One key for both: that of what is there.
+  QAction* const has_key = local ? read_again_ : retry_;
+  (local ? retry_ : read_again_)->setShortcut({});
+  has_key->setShortcut(QKeySequence(Qt::Key_F5));
   look_action_->setVisible(!local);
   const bool stale = session && session->staleSince().has_value();
   context_.scene.setStale(stale);

@@ -100,6 +100,7 @@ class ConnectionController : public Controller {
   int attempts_ = 0;  // to connect: a late answer of the key ring belongs to an earlier one
   ConnectionChip* chip_ = nullptr;
   QAction *retry_ = nullptr, *disconnect_ = nullptr, *look_action_ = nullptr;
+  QAction *close_file_ = nullptr, *read_again_ = nullptr;
   QTimer stale_tick_;  // while the connection is lost
   SafetyText safety_;
   QString last_uuid_;

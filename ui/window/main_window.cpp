@@ -237,7 +237,7 @@ void MainWindow::createToolBar() {
 }
 
 void MainWindow::tellControllers(session::Session* session) {
-  actions_.setSessionOpen(session != nullptr);
+  actions_.setSession(session ? &session->robot() : nullptr);
   for (Controller* controller : controllers_) controller->setSession(session);
 }
 

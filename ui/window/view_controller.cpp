@@ -82,7 +82,7 @@ void ViewController::addRobotActions() {
                                   .reach = Reach::OutsideText,
                                   .tip = tr("Keep the robot in the centre; panning stops it"),
                                   .toggle = true,
-                                  .needs_session = true,
+                                  .needs_of_robot = robot::Capability::Live,
                                   .menu = {MenuGroup::Look, 10},
                                   .bar = {BarGroup::Look, 30}},
                                  this, &ViewController::follow);
