@@ -629,6 +629,46 @@ class TestWindowReplay : public QObject {
     QVERIFY(desk.timeline().width() == desk.window->width());
   }
 
+  void theOfferOfItsLayoutGoesOnceThatIsOnOrTheReplayIsOver() {
+    for (const bool by_key : {true, false}) {
+      Desk desk;
+      desk.replay(kWhole);
+      const auto* const toasts = part<MapOverlay>(*desk.window)->toasts();
+      const auto offered = [&] {
+        return !toasts->texts().filter(QStringLiteral("The layout Replay")).isEmpty();
+      };
+      QVERIFY(offered());
+      if (by_key) {
+        desk.action("layoutReplay")->trigger();
+      } else {
+        QTest::mouseClick(desk.timeline().backButton(), Qt::LeftButton);
+        QTRY_VERIFY(!desk.isReplay());
+      }
+      QVERIFY(!offered());
+    }
+  }
+
+  void theTimelineOfAReplayIsNoPartOfAnotherLayout() {
+    Desk desk;
+    desk.replay(kWhole);
+    QVERIFY(desk.timeline().isVisible());
+    desk.action("layoutReplay")->trigger();
+    QVERIFY(desk.timeline().isVisible());
+    // While it is played it goes along.
+    desk.action("layoutInspect")->trigger();
+    QVERIFY(desk.timeline().isVisible());
+    desk.action("layoutReplay")->trigger();
+    desk.window->leaveRobot();
+    QVERIFY(desk.timeline().isVisible());  // a part of this layout
+    desk.action("layoutInspect")->trigger();
+    QVERIFY(!desk.timeline().isVisible());
+    // Closed without a robot behind it.
+    desk.replay(kWhole);
+    QVERIFY(desk.timeline().isVisible());
+    desk.window->leaveRobot();
+    QVERIFY(!desk.timeline().isVisible());
+  }
+
   void isWhatTheFirstStartIsLaidOutFor() {
     Desk desk;
     part<ReplayController>(*desk.window)->open(desk.makeRobot(), kWhole);

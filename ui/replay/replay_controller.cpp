@@ -260,7 +260,7 @@ void ReplayController::setSession(session::Session* session) {
     dock_->setOpening(tr("Opening %1…").arg(bagCalled(*robot)));
     clock_->attach(*robot, *session);
     context_.panels.open(dock_);
-  } else if (session && was_replay && !std::exchange(dock_was_open_, true)) {
+  } else if (was_replay && !std::exchange(dock_was_open_, true)) {
     dock_->hide();
   }
   if (!robot) dock_->setOpening({});
@@ -271,6 +271,17 @@ void ReplayController::setSession(session::Session* session) {
     setViewMode(context_.scene, *mode_before_);
   if (session) mode_before_.reset();
   refresh();
+}
+
+void ReplayController::leaveLayout() {
+  shown_before_ = dock_->toggleViewAction()->isChecked();
+  if (replayOf(context_.current.session()) && !dock_was_open_) dock_->hide();
+}
+
+void ReplayController::takeLayout() {
+  if (!replayOf(context_.current.session())) return;
+  dock_was_open_ = dock_->toggleViewAction()->isChecked();
+  if (shown_before_) context_.panels.open(dock_);
 }
 
 void ReplayController::takeConnection() {

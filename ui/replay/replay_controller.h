@@ -54,6 +54,10 @@ class ReplayController : public Controller {
   /// A click on the robot's path goes to the time when it was there.
   void clickedOnMap(const Eigen::Vector2d& world_m);
 
+  /// The window's layout is about to change: a timeline that came with the bag is no part of it.
+  void leaveLayout();
+  void takeLayout();
+
   void setSession(session::Session* session) override;
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
@@ -96,7 +100,8 @@ class ReplayController : public Controller {
   QAction *read_all_ = nullptr, *end_loop_ = nullptr, *back_ = nullptr;
   QString live_address_;        // of the robot that was on screen before; empty = none
   bool space_pressed_ = false;  // on the map, without other input since
-  bool dock_was_open_ = true;
+  bool dock_was_open_ = true;   // the timeline, before there was a bag
+  bool shown_before_ = false;   // in the layout that was left
   bool maps_chosen_ = false;
   bool fits_track_ = false;            // neither the map nor the time has been moved since the bag was opened
   std::optional<double> opened_at_s_;  // the time shown first

@@ -135,6 +135,16 @@ void ToastStack::add(Mark mark, const QString& text, ToastOffer offer) {
   Q_EMIT changed();
 }
 
+void ToastStack::withdraw(const QString& text) {
+  for (int i = column_->count() - 1; i >= 0; --i) {
+    const QString says = column_->itemAt(i)->widget()->property("says").toString();
+    if (says.section(QLatin1Char('\n'), 2) == text) takeAway(*column_, i);
+  }
+  setVisible(column_->count() > 0);
+  adjustSize();
+  Q_EMIT changed();
+}
+
 QStringList ToastStack::texts() const {
   QStringList texts;
   for (int i = 0; i < column_->count(); ++i) {

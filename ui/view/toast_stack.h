@@ -26,6 +26,8 @@ class ToastStack : public QWidget {
   /// Plain text; repeated ones are counted. Good ones disappear after `lifetime_ms`, warnings, errors and
   /// those with an action after three times that, or on a click.
   void add(Mark mark, const QString& text, ToastOffer offer = {});
+  /// Takes it away before its time, if it is still there.
+  void withdraw(const QString& text);
   void setLifetimeMs(int ms) { lifetime_ms_ = ms; }
   /// The present messages, oldest first.
   QStringList texts() const;

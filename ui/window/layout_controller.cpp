@@ -64,8 +64,10 @@ void LayoutController::choose(Role role) {
 
 void LayoutController::show(Role role) {
   if (role == role_) return;
+  Q_EMIT leaving();
   states_[role_] = context_.panels.state();
   role_ = role;
+  if (role == Role::Replay) context_.overlay.toasts()->withdraw(offer());
   actions_[role]->setChecked(true);
   if (!context_.panels.restore(states_[role], fresh())) context_.panels.arrange(fresh());
   // What had the focus may be gone.
@@ -75,6 +77,7 @@ void LayoutController::show(Role role) {
 }
 
 void LayoutController::setSession(session::Session* session) {
+  if (!replayOf(session)) context_.overlay.toasts()->withdraw(offer());
   if (!session) return;
   if (!chosen_ && !std::exchange(opened_, true)) {
     // Robots tell what they can do once they are connected.
@@ -92,10 +95,12 @@ void LayoutController::pick(session::Session& session) {
   show(waypoints ? Role::Operate : Role::Inspect);
 }
 
+QString LayoutController::offer() {
+  return tr("The layout Replay has the timeline, events, messages and plots side by side.");
+}
+
 void LayoutController::offerReplay() {
-  context_.overlay.toasts()->add(
-      Mark::Neutral, tr("The layout Replay has the timeline, events, messages and plots side by side."),
-      {tr("Use it"), [this] { choose(Role::Replay); }});
+  context_.overlay.toasts()->add(Mark::Neutral, offer(), {tr("Use it"), [this] { choose(Role::Replay); }});
 }
 
 void LayoutController::recall(const QSettings& settings) {
@@ -113,6 +118,7 @@ void LayoutController::recall(const QSettings& settings) {
 }
 
 void LayoutController::remember(QSettings& settings) {
+  Q_EMIT leaving();
   states_[role_] = context_.panels.state();
   for (const auto& [role, state] : states_) settings.setValue(stateKey(role), state);
   if (chosen_) settings.setValue(kRoleKey, idOf(role_));

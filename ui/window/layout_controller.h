@@ -28,6 +28,8 @@ class LayoutController : public Controller {
   void reset() override;
 
  Q_SIGNALS:
+  /// The present one is left: what does not belong to it goes now.
+  void leaving();
   void shown(Role role);
 
  private:
@@ -35,6 +37,7 @@ class LayoutController : public Controller {
   /// As long as the user has not chosen: by what was opened.
   void pick(session::Session& session);
   void offerReplay();
+  static QString offer();
   Layout fresh() const;
 
   WindowContext& context_;

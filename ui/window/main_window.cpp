@@ -191,6 +191,11 @@ void MainWindow::connectControllers() {
   connect(view_control_, &ViewController::picked, objects_, &ObjectsController::clickedOnMap);
   connect(view_control_, &ViewController::clicked, replay_, &ReplayController::clickedOnMap);
   connect(recordings_, &RecordingsController::openWanted, replay_, &ReplayController::openBag);
+  connect(layout_, &LayoutController::leaving, replay_, &ReplayController::leaveLayout);
+  connect(layout_, &LayoutController::shown, replay_, &ReplayController::takeLayout);
+  connect(current_, &CurrentSession::stateChanged, &actions_, [this] {
+    if (session::Session* const session = current_->session()) actions_.noteCapabilities(&session->robot());
+  });
   connect(plots_, &PlotsController::rawWanted, messages_->dock(), &MessagesDock::setWantedElsewhere);
   connect(messages_->dock(), &MessagesDock::plotWanted, plots_, &PlotsController::plot);
   connect(inspector_, &InspectorController::colorModeWanted, layers_, &LayersController::setColorMode);
