@@ -175,6 +175,33 @@ class ProblemMarksTest : public QObject {
     QVERIFY2(found[0].reason.contains(QStringLiteral("No room")), qPrintable(found[0].reason));
   }
 
+  void aMapOfUnknownSizeIsMarkedWhereItsOriginLies() {
+    for (const Layer layer : {Layer::Submaps, Layer::WholeMap}) {
+      scene_->setLayerVisible(layer, layer == Layer::WholeMap);
+    }
+    map::CatalogueEntry entry = FakeRobot::entry("7");
+    entry.grid = map::GridReference{0, 0, 0.01, {0.3, 0.3, 0}};  // as of a file whose picture is broken
+    robot_->answerList({entry});
+    session_->openMap(entry.key);
+    robot_->map_fetches.back().second(tl::make_unexpected(test::failed("no picture")));
+    QTRY_VERIFY(isMarked({0.3, 0.3}));
+    QVERIFY(!isMarked({-0.3, -0.3}));
+    QCOMPARE(scene_->problemMarksAt({0.32, 0.3}, 9).size(), std::size_t(1));
+  }
+
+  void aReferenceMapThatIsBrokenIsMarked() {
+    QVERIFY(!isMarked({0.3, 0.3}));
+    const map::GridReference grid{60, 60, 0.01, {0.3, 0.3, 0}};
+    scene_->setReferenceTrouble(scene::MapTrouble{scene::gridCorners(grid), true, QStringLiteral("Plan"),
+                                                  QStringLiteral("It breaks off.")});
+    QVERIFY(isMarked({0.6, 0.6}));
+    const auto found = scene_->problemMarksAt({0.6, 0.6}, 9);
+    QCOMPARE(found.size(), std::size_t(1));
+    QCOMPARE(found[0].reason, QStringLiteral("It breaks off."));
+    scene_->setReferenceTrouble(std::nullopt);
+    QVERIFY(!isMarked({0.6, 0.6}) && scene_->problemMarksAt({0.6, 0.6}, 9).empty());
+  }
+
   void aHundredThousandOfThemAreFoundByTheirPlace() {
     scene::SubmapMarks marks;
     for (int i = 0; i < 100'000; ++i)

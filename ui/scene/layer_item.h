@@ -58,13 +58,6 @@ struct Outline {
 };
 using Outlines = std::map<map::SubmapId, Outline>;
 
-/// A map that could not be loaded, or not completely.
-struct MapTrouble {
-  std::array<Eigen::Vector2d, 4> corners;
-  bool nothing_shown = true;  // nothing of it could be read
-  QString title, reason;
-};
-
 /// The features that belong to a map.
 struct MapFeatures {
   std::vector<map::OverlayFeature> overlays;
@@ -89,6 +82,7 @@ struct LayerContext {
   std::set<map::SubmapId> highlighted;
   std::unique_ptr<SubmapMarks> submap_marks = std::make_unique<SubmapMarks>();
   bool overlays_shown = true;
+  std::optional<MapTrouble> reference_trouble;
   std::vector<Eigen::Vector2d> measured;
   bool measured_ring = false;
   std::optional<MapObject> marked;               // framed: what the user has chosen

@@ -243,10 +243,17 @@ std::vector<ProblemMark> MapScene::problemMarksAt(const Eigen::Vector2d& world_m
     outline.corners = corners;
     return outline.contains(world_m);
   };
+  const auto addTrouble = [&](const MapTrouble& trouble) {
+    const Eigen::Vector2d middle = (trouble.corners[0] + trouble.corners[2]) / 2;
+    if (isIn(trouble.corners) || isNear(middle)) found.push_back({trouble.title, trouble.reason, middle});
+  };
   const std::vector<LayerItem*>& items = items_->itemsOf(Layer::Problems);
   for (const LayerItem* item : items) {
     if (!item->isVisible() || (item->part() && !item->part()->contains(at))) continue;
     if (!item->of()) {
+      if (const auto& trouble = items_->context.reference_trouble; trouble && item == items.back())
+        addTrouble(*trouble);
+      if (item != items.front()) continue;
       constexpr std::size_t kMost = 100;
       for (const auto& [id, mark] :
            items_->context.submap_marks->within(around, kMost).value_or(std::vector<SubmapMarks::Entry>())) {
@@ -262,8 +269,7 @@ std::vector<ProblemMark> MapScene::problemMarksAt(const Eigen::Vector2d& world_m
       found.push_back({name.isEmpty() ? tr("A feature of the overlays") : tr("Feature %1").arg(name),
                        sentences::sentenceOf(feature.reason), *feature.at_m});
     }
-    if (const auto& trouble = features.trouble; trouble && isIn(trouble->corners))
-      found.push_back({trouble->title, trouble->reason, (trouble->corners[0] + trouble->corners[2]) / 2});
+    if (features.trouble) addTrouble(*features.trouble);
   }
   return found;
 }
@@ -527,6 +533,12 @@ void MapScene::setReference(std::optional<render::PlacedGrid> placed) {
   items_->raster.setReference(std::move(placed));
   syncColors();
   update();
+}
+
+void MapScene::setReferenceTrouble(std::optional<MapTrouble> trouble) {
+  if (!trouble && !items_->context.reference_trouble) return;
+  items_->context.reference_trouble = std::move(trouble);
+  repaintAll();
 }
 
 void MapScene::referenceRowsArrived() { items_->raster.reference()->renderer().rowsArrived(); }

@@ -123,6 +123,8 @@ class MapScene : public QGraphicsScene {
 
   /// A map from elsewhere, laid under the others; nullopt = none.
   void setReference(std::optional<render::PlacedGrid> placed);
+  /// What is wrong with it; nullopt = all is well.
+  void setReferenceTrouble(std::optional<MapTrouble> trouble);
   /// More of its cells have been read.
   void referenceRowsArrived();
 

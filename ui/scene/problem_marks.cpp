@@ -22,6 +22,12 @@ MarkBox boxOf(const geometry::WorldRect& rect) {
 
 }  // namespace
 
+std::array<Eigen::Vector2d, 4> gridCorners(const map::GridReference& grid) {
+  const double right = grid.width, bottom = grid.height;
+  return {grid.worldFromCell({0, 0}), grid.worldFromCell({right, 0}), grid.worldFromCell({right, bottom}),
+          grid.worldFromCell({0, bottom})};
+}
+
 struct SubmapMarks::Index {
   bg::index::rtree<MarkEntry, bg::index::quadratic<kMarkNodeSize>> tree;
   std::unordered_map<map::SubmapId, PlacedMark> marks;

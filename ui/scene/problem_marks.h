@@ -12,6 +12,7 @@
 #include <QString>
 
 #include "geometry/rect.h"
+#include "map/grid_reference.h"
 #include "map/submap.h"
 
 namespace mapwright::scene {
@@ -34,6 +35,14 @@ struct PlacedMark {
   bool operator==(const PlacedMark&) const = default;
   geometry::WorldRect bounds() const;
 };
+
+/// A map that could not be loaded, or not completely.
+struct MapTrouble {
+  std::array<Eigen::Vector2d, 4> corners;  // all the same where its size is not known
+  bool nothing_shown = true;               // nothing of it could be read
+  QString title, reason;
+};
+std::array<Eigen::Vector2d, 4> gridCorners(const map::GridReference& grid);
 
 /// A hundred thousand of them cost no more than those in view.
 class SubmapMarks {

@@ -198,6 +198,29 @@ class SubmapProblems : public LayerItem {
   }
 };
 
+/// At its outline, or where it lies if its size is not known.
+void paintTrouble(MarkBrush& brush, const LayerContext& context, const MapTrouble& trouble) {
+  const Eigen::Vector2d middle = (trouble.corners[0] + trouble.corners[2]) / 2;
+  const QPolygonF shape = shapeOf(context, {MarkKind::Unreadable, middle, trouble.corners});
+  if (!inView(context.view, shape.boundingRect())) return;
+  if (trouble.nothing_shown) brush.areas({shape}, context.theme.bad);
+  brush.outline(shape, context.theme.bad);
+  brush.badge(trouble.nothing_shown ? shape.boundingRect().center() : shape[0], MarkKind::Unreadable);
+}
+
+/// Of the map that is laid under the others.
+class ReferenceProblems : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    if (!context_.reference_trouble) return;
+    painter->save();
+    MarkBrush brush(*painter, context_);
+    paintTrouble(brush, context_, *context_.reference_trouble);
+    painter->restore();
+  }
+};
+
 /// Of a whole map, or of the robot's present one.
 class MapProblems : public LayerItem {
  public:
@@ -206,14 +229,7 @@ class MapProblems : public LayerItem {
     const MapFeatures& features = context_.of(*of());
     painter->save();
     MarkBrush brush(*painter, context_);
-    if (const auto& trouble = features.trouble) {
-      const QPolygonF shape = toPolygon(context_.view, {trouble->corners.begin(), trouble->corners.end()});
-      if (inView(context_.view, shape.boundingRect())) {
-        if (trouble->nothing_shown) brush.areas({shape}, context_.theme.bad);
-        brush.outline(shape, context_.theme.bad);
-        brush.badge(trouble->nothing_shown ? shape.boundingRect().center() : shape[0], MarkKind::Unreadable);
-      }
-    }
+    if (features.trouble) paintTrouble(brush, context_, *features.trouble);
     std::vector<MarkBrush::Mark> drawn;
     for (const map::BrokenOverlay& feature : brokenShown()) {
       if (!feature.at_m) continue;
@@ -242,6 +258,7 @@ std::vector<LayerItem*> problemItems(const LayerContext& context) {
   // That of the submaps is the first one: the scene puts it on their side of a comparison.
   std::vector<LayerItem*> items = itemForEachMap<MapProblems>(context);
   items.insert(items.begin(), new SubmapProblems(context));
+  items.push_back(new ReferenceProblems(context));
   return items;
 }
 

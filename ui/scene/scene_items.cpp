@@ -138,10 +138,8 @@ std::optional<MapTrouble> troubleOf(const session::Session& session, const sessi
                                                  : entry  ? entry->grid
                                                           : std::nullopt;
   if (!grid) return std::nullopt;
-  const double right = grid->width, bottom = grid->height;
   MapTrouble trouble;
-  trouble.corners = {grid->worldFromCell({0, 0}), grid->worldFromCell({right, 0}),
-                     grid->worldFromCell({right, bottom}), grid->worldFromCell({0, bottom})};
+  trouble.corners = gridCorners(*grid);
   trouble.nothing_shown = nothing;
   trouble.title = sentences::nameOf(map::subjectOf(slot.key(), slot.name().toStdString()));
   trouble.reason = sentences::sentenceOf(slot.remark());
