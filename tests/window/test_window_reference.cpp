@@ -216,6 +216,88 @@ class TestWindowReference : public QObject {
     QVERIFY(std::isfinite(bench.reference()->pose().x_m));
   }
 
+  void whatLaysItIsUndoneAndRedone() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();
+    auto* const dock = part<ReferenceDock>(window);
+    QVERIFY(!bench.action("undo")->isEnabled());
+    QTest::mouseClick(dock->moveButton(), Qt::LeftButton);
+    bench.look();
+    bench.drag(bench.at(0, 0), bench.at(2, 1));  // one step, however many moves
+    bench.drag(bench.at(5, 0), bench.at(0, 5), Qt::ShiftModifier);
+    QTest::mouseClick(dock->pairsButton(), Qt::LeftButton);
+    bench.look();
+    bench.click(0, 0);
+    bench.click(3, 0);
+    dock->xBox()->setValue(7);
+    const geometry::Pose2 last = bench.reference()->pose();
+    QCOMPARE(dock->table()->model()->rowCount(), 1);
+    bench.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(bench.reference()->pose().x_m != 7.0);
+    QVERIFY(bench.action("undo")->text().contains(QLatin1String("pair of points")));
+    bench.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(dock->table()->model()->rowCount(), 0);
+    QVERIFY(near(bench.reference()->pose(), {-1, 2, geometry::radiansFromDegrees(90)}, 0.06));
+    bench.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(near(bench.reference()->pose(), {2, 1, 0}, 0.06));
+    bench.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(near(bench.reference()->pose(), {0, 0, 0}, 1e-9));
+    QVERIFY(!bench.action("undo")->isEnabled());
+    for (int i = 0; i < 4; ++i) bench.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(near(bench.reference()->pose(), last, 1e-9));
+    QCOMPARE(dock->table()->model()->rowCount(), 1);
+    // A drag that is given up is no step.
+    QTest::mouseClick(dock->moveButton(), Qt::LeftButton);
+    const QString before = bench.action("undo")->text();
+    QTest::mousePress(window.view()->viewport(), Qt::LeftButton, {}, bench.at(0, 0));
+    QMouseEvent move(QEvent::MouseMove, bench.at(3, 3), QPoint(), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(window.view()->viewport(), &move);
+    bench.key(Qt::Key_Escape);
+    QTest::mouseRelease(window.view()->viewport(), Qt::LeftButton, {}, bench.at(0, 0));
+    QVERIFY(near(bench.reference()->pose(), last, 1e-9));
+    QCOMPARE(bench.action("undo")->text(), before);
+    // Steps go with the map.
+    QTest::mouseClick(dock->removeButton(), Qt::LeftButton);
+    QVERIFY(!bench.action("undo")->isEnabled());
+  }
+
+  void aTypedNumberIsUndoneFromItsField() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();
+    auto* const x = part<ReferenceDock>(window)->xBox();
+    x->setFocus();
+    x->selectAll();
+    QTest::keyClicks(x, QStringLiteral("7"));
+    QTest::keyClick(x, Qt::Key_Return);
+    QCOMPARE(bench.reference()->pose().x_m, 7.0);
+    QTest::keyClick(x, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(bench.reference()->pose().x_m, 0.0);
+  }
+
+  void aNumberThatIsTooLargeShowsItAndBecomesTheBound() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();
+    auto* const yaw = part<ReferenceDock>(window)->yawBox();
+    yaw->setFocus();
+    yaw->selectAll();
+    QTest::keyClicks(yaw, QStringLiteral("1234"));
+    QVERIFY2(yaw->text().startsWith(QLatin1String("1234")), qPrintable(yaw->text()));
+    QVERIFY(yaw->property("beyond").toBool());
+    QVERIFY(yaw->accessibleDescription().contains(QLatin1String("360")));
+    QTest::keyClick(yaw, Qt::Key_Return);
+    QCOMPARE(yaw->value(), 360.0);
+    QVERIFY(!yaw->property("beyond").toBool());
+    auto* const x = part<ReferenceDock>(window)->xBox();
+    x->setFocus();
+    x->selectAll();
+    QTest::keyClicks(x, QStringLiteral("-99999999"));
+    x->clearFocus();
+    QCOMPARE(x->value(), -1e7);
+  }
+
   void escTakesTheFirstPointBackThenLeaves() {
     ReferenceBench bench;
     MainWindow& window = bench.openOnRobot();

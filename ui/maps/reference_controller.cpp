@@ -9,12 +9,14 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QPushButton>
+#include <QUndoCommand>
 
 #include "sentences/failure_sentence.h"
 #include "sentences/problem_sentence.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/status_text.h"
+#include "ui/kit/undo_stacks.h"
 #include "ui/maps/reference_dock.h"
 #include "ui/maps/reference_tool.h"
 #include "ui/shell/current_session.h"
@@ -50,6 +52,29 @@ std::optional<placing::PointPair> pairFrom(const QJsonArray& array) {
 
 }  // namespace
 
+class ReferenceController::Step : public QUndoCommand {
+ public:
+  Step(ReferenceController& reference, const QString& what, Laid after, int drag)
+      : QUndoCommand(what),
+        reference_(reference),
+        before_(reference.laid_),
+        after_(std::move(after)),
+        drag_(drag) {}
+  void undo() override { reference_.take(before_); }
+  void redo() override { reference_.take(after_); }
+  int id() const override { return drag_ > 0 ? drag_ : -1; }
+  bool mergeWith(const QUndoCommand* later) override {
+    after_ = static_cast<const Step*>(later)->after_;
+    setObsolete(before_ == after_);
+    return true;
+  }
+
+ private:
+  ReferenceController& reference_;
+  Laid before_, after_;
+  int drag_;
+};
+
 ReferenceController::ReferenceController(WindowContext& context, PicturePlacing& placing, Read read,
                                          QObject* parent)
     : Controller(parent),
@@ -82,24 +107,35 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
     if (on && !dock_->pairsButton()->isChecked()) dock_->setTool(true, false);
   });
   connect(tool_, &MapTool::finished, this, [this] { useTool(false, false); });
-  connect(tool_, &ReferenceTool::moved, this, [this](const geometry::Pose2& pose) { setPose(pose); });
+  joinUndo(context_.undo, steps_);
+  connect(&context_.undo, &QUndoGroup::activeStackChanged, this, [this](QUndoStack* stack) {
+    if (stack != &steps_) other_steps_ = stack;
+  });
+  connect(tool_, &ReferenceTool::taken, this, [this] { ++drag_; });
+  connect(tool_, &ReferenceTool::moved, this, [this](const geometry::Pose2& pose) {
+    change(tr("move the reference map"), {pose, laid_.pairs}, drag_);
+  });
   connect(tool_, &ReferenceTool::paired, this, [this](const placing::PointPair& pair) {
-    std::vector<placing::PointPair> pairs = pairs_;
+    std::vector<placing::PointPair> pairs = laid_.pairs;
     pairs.push_back(pair);
-    setPairs(std::move(pairs));
+    setPairs(tr("add a pair of points"), std::move(pairs));
   });
   connect(dock_, &ReferenceDock::chooseWanted, this, &ReferenceController::choose);
   connect(dock_, &ReferenceDock::removeWanted, this, &ReferenceController::removeMap);
   connect(dock_, &ReferenceDock::moveWanted, this, [this](bool on) { useTool(on, false); });
   connect(dock_, &ReferenceDock::pairsWanted, this, [this](bool on) { useTool(on, true); });
-  connect(dock_, &ReferenceDock::typed, this, &ReferenceController::setPose);
-  connect(dock_, &ReferenceDock::fitWanted, this, &ReferenceController::fitPairs);
-  connect(dock_, &ReferenceDock::pairsUnwanted, this, [this] { setPairs({}); });
+  connect(dock_, &ReferenceDock::typed, this, [this](const geometry::Pose2& pose) {
+    change(tr("move the reference map"), {pose, laid_.pairs});
+  });
+  connect(dock_, &ReferenceDock::fitWanted, this,
+          [this] { setPairs(tr("fit the reference map"), laid_.pairs); });
+  connect(dock_, &ReferenceDock::pairsUnwanted, this,
+          [this] { setPairs(tr("remove all pairs of points"), {}); });
   connect(dock_, &ReferenceDock::pairUnwanted, this, [this](int index) {
-    std::vector<placing::PointPair> pairs = pairs_;
+    std::vector<placing::PointPair> pairs = laid_.pairs;
     if (index < 0 || std::size_t(index) >= pairs.size()) return;
     pairs.erase(pairs.begin() + index);
-    setPairs(std::move(pairs));
+    setPairs(tr("remove a pair of points"), std::move(pairs));
   });
   connect(&slot_, &session::MapSlot::changed, this, &ReferenceController::show);
   connect(&slot_, &session::MapSlot::rowsArrived, this, [this] { context_.scene.referenceRowsArrived(); });
@@ -148,10 +184,11 @@ void ReferenceController::remember() {
   QJsonObject laid = all.value(QLatin1String("laid")).toObject();
   if (!address_.isEmpty()) {
     QJsonArray pairs;
-    for (const placing::PointPair& pair : pairs_)
+    for (const placing::PointPair& pair : laid_.pairs)
       pairs << numbers({pair.on_map_m.x(), pair.on_map_m.y(), pair.in_world_m.x(), pair.in_world_m.y()});
-    laid[address_] = QJsonObject{{QStringLiteral("pose"), numbers({pose_.x_m, pose_.y_m, pose_.yaw_rad})},
-                                 {QStringLiteral("pairs"), pairs}};
+    laid[address_] =
+        QJsonObject{{QStringLiteral("pose"), numbers({laid_.pose.x_m, laid_.pose.y_m, laid_.pose.yaw_rad})},
+                    {QStringLiteral("pairs"), pairs}};
   }
   all[QStringLiteral("map")] = address_;
   all[QStringLiteral("laid")] = laid;
@@ -203,12 +240,12 @@ QJsonObject ReferenceController::kept() const {
 
 void ReferenceController::takeLaid(const QJsonObject& laid) {
   const QJsonArray pose = laid.value(QLatin1String("pose")).toArray();
-  pose_ = {};
-  pairs_.clear();
-  if (pose.size() == 3) pose_ = {pose[0].toDouble(), pose[1].toDouble(), pose[2].toDouble()};
+  laid_ = {};
+  forgetSteps();
+  if (pose.size() == 3) laid_.pose = {pose[0].toDouble(), pose[1].toDouble(), pose[2].toDouble()};
   for (const QJsonValue& each : laid.value(QLatin1String("pairs")).toArray()) {
     const auto pair = pairFrom(each.toArray());
-    if (pair && pairs_.size() < kMostPairs) pairs_.push_back(*pair);
+    if (pair && laid_.pairs.size() < kMostPairs) laid_.pairs.push_back(*pair);
   }
 }
 
@@ -218,6 +255,7 @@ void ReferenceController::removeMap() {
 }
 
 void ReferenceController::load(const QString& address) {
+  forgetSteps();
   address_ = address;
   reader_.reset();
   coming_.reset();
@@ -253,39 +291,57 @@ void ReferenceController::show() {
   std::optional<render::PlacedGrid> placed;
   if (there) {
     placed = render::PlacedGrid{slot_.cells(), slot_.reference()};
-    placed->reference.origin = pose_ * placed->reference.origin;
+    placed->reference.origin = laid_.pose * placed->reference.origin;
   }
   context_.scene.setReference(placed);
+  std::optional<scene::MapTrouble> trouble;
+  if (slot_.broken() || slot_.phase() == session::MapSlot::Phase::Failed) {
+    map::GridReference where;  // of one that could not be read at all: where its own origin lies
+    if (there) where = slot_.reference();
+    where.origin = laid_.pose * where.origin;
+    trouble = {scene::gridCorners(where), !there, tr("Reference map"), sentences::sentenceOf(slot_.remark())};
+  }
+  context_.scene.setReferenceTrouble(std::move(trouble));
   QString said = tr("No reference map");
   if (there) said = mapShownText(slot_);
   if (there && slot_.remark()) said += QStringLiteral(": ") + sentences::sentenceOf(slot_.remark());
   if (!there && !address_.isEmpty()) said = mapProgressText(slot_);
   if (slot_.phase() == session::MapSlot::Phase::Failed) said = sentences::sentenceOf(slot_.remark());
   dock_->setMap(said, there);
-  dock_->setState(pose_, pairs_);
-  tool_->setState(pose_, pairs_);
+  dock_->setState(laid_.pose, laid_.pairs);
+  tool_->setState(laid_.pose, laid_.pairs);
   tool_action_->setEnabled(there);
   if (!there && context_.tools.chosen() == tool_) context_.tools.putAway();
 }
 
-void ReferenceController::setPose(const geometry::Pose2& world_from_map) {
-  pose_ = world_from_map;
+void ReferenceController::take(Laid laid) {
+  laid_ = std::move(laid);
   show();
   remember();
 }
 
-void ReferenceController::fitPairs() { setPose(placing::alignedBy(pairs_, pose_)); }
+void ReferenceController::change(const QString& what, Laid laid, int drag) {
+  const bool goes_on = drag > 0 && steps_.index() > 0 && steps_.command(steps_.index() - 1)->id() == drag;
+  if (goes_on || !(laid == laid_)) steps_.push(new Step(*this, what, std::move(laid), drag));
+}
 
-void ReferenceController::setPairs(std::vector<placing::PointPair> pairs) {
+void ReferenceController::setPairs(const QString& what, std::vector<placing::PointPair> pairs) {
   if (pairs.size() > kMostPairs) return;
-  pairs_ = std::move(pairs);
-  fitPairs();
+  const geometry::Pose2 pose = placing::alignedBy(pairs, laid_.pose);
+  change(what, {pose, std::move(pairs)});
+}
+
+/// Of another map, or of one that is gone.
+void ReferenceController::forgetSteps() {
+  steps_.clear();
+  if (context_.undo.activeStack() == &steps_) context_.undo.setActiveStack(other_steps_);
 }
 
 void ReferenceController::useTool(bool on, bool pairing) {
   tool_->setPairing(on && pairing);
   dock_->setTool(on && !pairing, on && pairing);
   if (on) {
+    context_.undo.setActiveStack(&steps_);
     context_.tools.choose(tool_);
   } else if (context_.tools.chosen() == tool_) {
     context_.tools.putAway();

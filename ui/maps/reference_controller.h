@@ -8,6 +8,8 @@
 #include <vector>
 
 #include <QJsonObject>
+#include <QPointer>
+#include <QUndoStack>
 #include <tl/expected.hpp>
 
 #include "placing/align.h"
@@ -37,14 +39,25 @@ class ReferenceController : public Controller {
   /// Lays the map at this address ("file:/maps/a.yaml").
   void lay(const QString& address);
   void removeMap();
-  const geometry::Pose2& pose() const { return pose_; }
+  const geometry::Pose2& pose() const { return laid_.pose; }
 
   void setSession(session::Session* session) override;
 
  private:
+  /// How it lies.
+  struct Laid {
+    geometry::Pose2 pose;
+    std::vector<placing::PointPair> pairs;
+    bool operator==(const Laid&) const = default;
+  };
+  class Step;
+
   void choose();
-  void setPose(const geometry::Pose2& world_from_map);
-  void setPairs(std::vector<placing::PointPair> pairs);
+  /// One step that can be undone. `drag`: steps with the same number are one; 0 = a step of its own.
+  void change(const QString& what, Laid laid, int drag = 0);
+  void setPairs(const QString& what, std::vector<placing::PointPair> pairs);
+  void take(Laid laid);
+  void forgetSteps();
   void useTool(bool on, bool pairing);
   void load(const QString& address);
   void show();
@@ -52,8 +65,6 @@ class ReferenceController : public Controller {
   QString place() const;
   void placeChanged();
   void remember();
-  /// Lays it by the pairs again.
-  void fitPairs();
   QJsonObject kept() const;  // what is remembered for this place
   void takeLaid(const QJsonObject& laid);
   void tell(const map::Failure& failure);
@@ -68,8 +79,10 @@ class ReferenceController : public Controller {
   session::MapSlot slot_;
   QString address_;  // of the reference map; empty = none
   QString place_;    // where it is remembered
-  geometry::Pose2 pose_;
-  std::vector<placing::PointPair> pairs_;
+  Laid laid_;
+  QUndoStack steps_;
+  QPointer<QUndoStack> other_steps_;  // what Ctrl+Z was about before
+  int drag_ = 0;
 };
 
 }  // namespace mapwright::window

@@ -35,6 +35,7 @@ void ReferenceTool::deactivate() {
 
 bool ReferenceTool::pressed(const MapPoint& at) {
   if (pairing_) return false;
+  Q_EMIT taken();
   hold_ = Hold{pose_, at.world_m, scene_->view().center_m, at.modifiers.testFlag(Qt::ShiftModifier)};
   return true;
 }

@@ -37,6 +37,8 @@ class ReferenceTool : public MapTool {
   QString hint() const override;
 
  Q_SIGNALS:
+  /// A drag begins: what moves it until the next one is one step.
+  void taken();
   /// While it is dragged; the last one counts.
   void moved(const mapwright::geometry::Pose2& world_from_map);
   void paired(const mapwright::placing::PointPair& pair);
