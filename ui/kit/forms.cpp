@@ -7,12 +7,12 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStyle>
 #include <QToolButton>
 #include <QToolTip>
 
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
-#include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {
 
@@ -104,12 +104,9 @@ QToolButton* iconButton(const QString& icon, int icon_px, const QString& tip, QW
 void markBeyond(QAbstractSpinBox& box, bool beyond, const QString& range) {
   if (box.property("beyond").toBool() == beyond) return;
   box.setProperty("beyond", beyond);
-  QPalette palette = box.palette();
-  if (beyond)
-    palette.setColor(QPalette::Text, appColors().error_text);
-  else
-    palette = {};
-  box.setPalette(palette);
+  // Its look follows from that.
+  box.style()->unpolish(&box);
+  box.style()->polish(&box);
   box.setAccessibleDescription(beyond ? range : QString());
   if (!box.hasFocus()) return;
   beyond ? QToolTip::showText(box.mapToGlobal(QPoint(0, box.height() / 2)), range, &box)

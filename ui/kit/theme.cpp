@@ -48,6 +48,7 @@ QLineEdit:disabled { color: %disabled%; background: transparent; border-color: %
 QComboBox, QSpinBox, QDoubleSpinBox { border: 1px solid %outline%; border-radius: 4px; padding: 2px 6px; background: %base%;
   min-height: 18px; }
 QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border-color: %focus%; }
+QSpinBox[beyond="true"], QDoubleSpinBox[beyond="true"] { color: %error_text%; border-color: %error_text%; }
 QComboBox:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled { color: %disabled%; background: transparent; border-color: %border%; }
 QComboBox::drop-down { border: none; width: 20px; }
 QComboBox::down-arrow, QSpinBox::down-arrow, QDoubleSpinBox::down-arrow { image: url(:/controls/down.svg); width: 12px; height: 12px; }
@@ -131,6 +132,7 @@ QTabBar::tab:focus { color: %text%; border: 2px solid %focus%; padding: 2px 10px
   put("%neutral%", c.neutral);
   put("%focus%", c.focus);
   put("%outline%", c.outline);
+  put("%error_text%", c.error_text);
   put("%disabled%", c.disabled);
   put("%handle%", c.outline);
   put("%furniture%", furniture);

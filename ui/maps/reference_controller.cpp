@@ -14,6 +14,7 @@
 #include "sentences/failure_sentence.h"
 #include "sentences/problem_sentence.h"
 #include "ui/kit/folders.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/undo_stacks.h"
@@ -310,7 +311,7 @@ void ReferenceController::show() {
   dock_->setMap(said, there);
   dock_->setState(laid_.pose, laid_.pairs);
   tool_->setState(laid_.pose, laid_.pairs);
-  tool_action_->setEnabled(there);
+  allow(tool_action_, there, tr("There is no reference map."));
   if (!there && context_.tools.chosen() == tool_) context_.tools.putAway();
 }
 
