@@ -122,11 +122,8 @@ class MapsChangeTest : public QObject {
         robot, {QStringLiteral("rename"), QStringLiteral("1764059676131"), QStringLiteral("Lobby")}, true);
     QCOMPARE(agibot.code, 4);
     QVERIFY2(agibot.err.contains(QStringLiteral("offers no editing")), qPrintable(agibot.err));
-    for (const QStringList& words :
-         {QStringList{QStringLiteral("archive"), QStringLiteral("2")},
-          QStringList{QStringLiteral("delete"), QStringLiteral("2"), QStringLiteral("--yes")},
-          QStringList{QStringLiteral("start-mapping")},
-          QStringList{QStringLiteral("save"), QStringLiteral("Lobby")}}) {
+    for (const QStringList& words : {QStringList{QStringLiteral("archive"), QStringLiteral("2")},
+                                     QStringList{QStringLiteral("unarchive"), QStringLiteral("2")}}) {
       const Outcome not_offered = run(robot, words);
       QVERIFY2(not_offered.code == 4, qPrintable(not_offered.err));
       QCOMPARE(not_offered.err.count(QLatin1Char('\n')), 1);
@@ -138,10 +135,74 @@ class MapsChangeTest : public QObject {
           run(robot, {QStringLiteral("rename"), QString::fromLatin1(id), QStringLiteral("Lobby")});
       QVERIFY2(wrong.code == 2, qPrintable(wrong.err));
     }
+    // A DELETE without an id would delete every map.
+    for (const char* id : {"", " ", ".", "..", "../maps", "2/", "2?x", "%2e", "\t"}) {
+      const Outcome wrong =
+          run(robot, {QStringLiteral("delete"), QString::fromLatin1(id), QStringLiteral("--yes")});
+      QVERIFY2(wrong.code == 2, id);
+    }
     QCOMPARE(run(robot, {QStringLiteral("rename"), QStringLiteral("2"), QString()}).code, 2);
     QCOMPARE(run(robot, {QStringLiteral("rename"), QStringLiteral("2")}).code, 2);
     QCOMPARE(run(robot, {QStringLiteral("load")}).code, 2);
     QCOMPARE(changesIn(robot), 0);
+  }
+
+  void aMapIsDeletedOnce() {
+    simulator::Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const QStringList words{QStringLiteral("delete"), QStringLiteral("7"), QStringLiteral("--yes")};
+    const Outcome gone = run(robot, words);
+    QVERIFY2(gone.code == 0 && gone.out.startsWith(QStringLiteral("7  ")), qPrintable(gone.err));
+    QVERIFY(!run(robot, {QStringLiteral("list")}).out.contains(QStringLiteral("Lager")));
+    QCOMPARE(run(robot, words).code, 4);
+    QCOMPARE(changesIn(robot), 1);
+  }
+
+  void aMapIsMade() {
+    simulator::Simulator robot(paused());
+    QVERIFY(!robot.start());
+    QCOMPARE(run(robot, {QStringLiteral("stop-mapping")}).code, 4);
+    QCOMPARE(run(robot, {QStringLiteral("start-mapping")}).code, 0);
+    QCOMPARE(run(robot, {QStringLiteral("start-mapping")}).code, 4);
+    QCOMPARE(run(robot, {QStringLiteral("stop-mapping")}).code, 0);
+    const Outcome saved =
+        run(robot, {QStringLiteral("save"), QStringLiteral("Hall 😀"), QStringLiteral("--json")});
+    QVERIFY2(saved.code == 0, qPrintable(saved.err));
+    QCOMPARE(saved.object()[QStringLiteral("name")].toString(), QStringLiteral("Hall 😀"));
+    QVERIFY(run(robot, {QStringLiteral("list")}).out.contains(QStringLiteral("Hall 😀")));
+  }
+
+  void whatBecameOfAChangeIsLookedForWhenItsAnswerIsLost() {
+    simulator::Faults faults;
+    faults.lose_write_answers = 1;
+    simulator::Simulator robot(paused(faults));
+    QVERIFY(!robot.start());
+    const std::vector<QStringList> all{
+        {QStringLiteral("delete"), QStringLiteral("7"), QStringLiteral("--yes")},
+        {QStringLiteral("save"), QStringLiteral("Neu")},
+        {QStringLiteral("start-mapping")},
+        {QStringLiteral("stop-mapping")}};
+    for (const QStringList& words : all) {
+      const Outcome done = run(robot, words);
+      QVERIFY2(done.code == 0, qPrintable(words[0] + done.err));
+    }
+    QCOMPARE(changesIn(robot), int(all.size()));
+  }
+
+  void whatTheRobotDidNotDoIsNotClaimed() {
+    simulator::Faults faults;
+    faults.drop_writes = 1;
+    simulator::Simulator robot(paused(faults));
+    QVERIFY(!robot.start());
+    const std::vector<QStringList> all{
+        {QStringLiteral("delete"), QStringLiteral("7"), QStringLiteral("--yes")},
+        {QStringLiteral("save"), QStringLiteral("Neu")},
+        {QStringLiteral("start-mapping")}};
+    for (const QStringList& words : all) {
+      const Outcome unknown =
+          run(robot, words + QStringList{QStringLiteral("--timeout"), QStringLiteral("10")});
+      QVERIFY2(unknown.code == 1, qPrintable(words[0] + unknown.err));
+    }
   }
 };
 

@@ -62,10 +62,14 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       break;
     case MapChange::Load:
       ask(ChangeDialog::tr("Load on the robot"),
-          current
-              ? ChangeDialog::tr("The robot will switch from %2 to %1. Its current task may be aborted.")
-                    .arg(name, present)
-              : ChangeDialog::tr("The robot will switch to %1. Its current task may be aborted.").arg(name),
+          current ? ChangeDialog::tr("The robot will switch from %2 to %1. It may believe itself elsewhere "
+                                     "there, and its current task may be "
+                                     "aborted.")
+                        .arg(name, present)
+                  : ChangeDialog::tr("The robot will switch to %1. It may believe itself elsewhere there, "
+                                     "and its current task may be "
+                                     "aborted.")
+                        .arg(name),
           ChangeDialog::tr("Load"), ChangeDialog::tr("The robot now uses %1."));
       question.ends_something = true;
       break;
@@ -81,7 +85,7 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       break;
     case MapChange::Delete:
       ask(ChangeDialog::tr("Delete from the robot"),
-          ChangeDialog::tr("This deletes %1 and its waypoints from the robot. It cannot be undone.")
+          ChangeDialog::tr("This deletes %1 and everything on it from the robot. It cannot be undone.")
               .arg(name),
           ChangeDialog::tr("Delete"), ChangeDialog::tr("%1 was deleted."));
       question.ends_something = true;

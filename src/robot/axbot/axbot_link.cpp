@@ -39,6 +39,7 @@ AxbotLink::AxbotLink(LinkOptions options)
                  : std::make_unique<net::HttpCache>(options_.cache_folder, kCacheBudgetBytes)),
       http_(options_.base, options_.secret, cache_.get()),
       maps_(server()),
+      changes_(server(), maps_),
       bags_(server()),
       overlays_(server()),
       grids_(server()),

@@ -19,6 +19,7 @@
 #include "net/http_client.h"
 #include "net/web_socket_link.h"
 #include "robot/axbot/bag_requests.h"
+#include "robot/axbot/map_changes.h"
 #include "robot/axbot/map_requests.h"
 #include "robot/axbot/overlay_requests.h"
 #include "robot/axbot/parse_topics.h"
@@ -60,6 +61,7 @@ class AxbotLink : public wire::RobotLink {
   void setWanted(const map::Streams& streams, const QStringList& topics);
   void setBasics(const LiveTopics::Basics& basics);
   MapRequests& maps() { return maps_; }
+  MapChanges& changes() { return changes_; }
   BagRequests& bags() { return bags_; }
   OverlayRequests& overlays() { return overlays_; }
   /// A request for the overview; also notes if the robot does not support it.
@@ -101,6 +103,7 @@ class AxbotLink : public wire::RobotLink {
   const std::unique_ptr<net::HttpCache> cache_;  // null: nothing is kept on disk
   net::HttpClient http_;
   MapRequests maps_;
+  MapChanges changes_;
   BagRequests bags_;
   OverlayRequests overlays_;
   GridFetcher grids_;

@@ -7,22 +7,27 @@
 namespace mapwright::robot::axbot {
 
 std::optional<Obstacle> Administration::obstacle(MapChange change, const map::CatalogueEntry* map) const {
-  if (change != MapChange::Rename && change != MapChange::Load) return Obstacle::NotOffered;
-  if (!map || map->key.kind != map::MapKind::Stored) return Obstacle::NotOfThisMap;
-  return change == MapChange::Load && map->is_current ? std::optional(Obstacle::IsLoaded) : std::nullopt;
+  switch (change) {
+    case MapChange::Rename:
+    case MapChange::Load:
+    case MapChange::Delete:
+      if (!map || map->key.kind != map::MapKind::Stored) return Obstacle::NotOfThisMap;
+      if (change != MapChange::Load) return std::nullopt;
+      if (mapping_ == true) return Obstacle::WhileMapping;
+      return map->is_current ? std::optional(Obstacle::IsLoaded) : std::nullopt;
+    case MapChange::StartMapping:
+    case MapChange::Save:
+      return mapping_ == true ? std::optional(Obstacle::WhileMapping) : std::nullopt;
+    case MapChange::StopMapping:
+      return mapping_ == false ? std::optional(Obstacle::NotMapping) : std::nullopt;
+    default:
+      return Obstacle::NotOffered;
+  }
 }
 
 Call Administration::carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
-  const map::Subject subject = map::subjectOf(order.key);
-  switch (order.change) {
-    case MapChange::Rename:
-      return maps_.change(subject, maps_.telling(changed_, std::move(reply)), &MapRequests::rename, order.key,
-                          order.name);
-    case MapChange::Load:
-      return maps_.change(subject, maps_.telling(changed_, std::move(reply)), &MapRequests::load, order.key);
-    default:
-      return maps_.refuse(std::move(reply), wire::notOffered(subject, map::AskedFor::Change));
-  }
+  return changes_.change(order.key.id.empty() ? wire::kMapList : map::subjectOf(order.key),
+                         changes_.telling(changed_, std::move(reply)), &MapChanges::carryOut, order);
 }
 
 AxbotRobot::AxbotRobot(QString address, LinkOptions options, QObject* parent)
@@ -71,8 +76,12 @@ void AxbotRobot::takeTopic(const map::StampedMessage& stamped) {
     other_map = last_map_info_ && *last_map_info_ != known;
     last_map_info_ = known;
   }
+  bool other_state = false;
+  if (const auto* slam = std::get_if<map::SlamStatus>(&stamped.message))
+    other_state = administration_.noteMapping(slam->state == "slam");
   const QPointer<AxbotRobot> alive(this);
   Q_EMIT topicReceived(stamped);
+  if (alive && other_state) Q_EMIT capabilitiesChanged();
   if (alive && other_map) Q_EMIT mapsChanged();
 }
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "robot/axbot/axbot_link.h"
 #include "robot/map_administration.h"
@@ -31,13 +32,16 @@ class Administration : public MapAdministration {
   /// `changed` is called, on the thread of the robot, before the answer to a change that may have been
   /// applied.
   Administration(AxbotLink* link, std::function<void()> changed)
-      : maps_(link, &AxbotLink::maps), changed_(std::move(changed)) {}
+      : changes_(link, &AxbotLink::changes), changed_(std::move(changed)) {}
+  /// Whether the robot is mapping, as it says. True if that is news.
+  bool noteMapping(std::optional<bool> mapping) { return std::exchange(mapping_, mapping) != mapping; }
   std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
   Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) override;
 
  private:
-  wire::LinkRef<MapRequests> maps_;
+  wire::LinkRef<MapChanges> changes_;
   std::function<void()> changed_;
+  std::optional<bool> mapping_;  // nullopt: not known
 };
 
 class Overlays : public OverlayStore {

@@ -116,4 +116,12 @@ inline constexpr FaultCode NoAutoxingRobotThere{
     QT_TRANSLATE_NOOP(
         "axbot", "there is a server at %1, but not an Autoxing robot: %2. Check the address and the port.")};
 
+// Changing maps.
+inline constexpr FaultCode StillListed{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "the robot accepted the deletion, but still lists the map")};
+inline constexpr FaultCode NotListedYet{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "the robot accepted the new map, but does not list it")};
+inline constexpr FaultCode NothingMapped{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "There is no finished mapping that could be saved.")};
+
 }  // namespace mapwright::robot::axbot::fault

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include <QJsonObject>
 #include <QUrl>
 
 #include "map/catalogue.h"
@@ -32,9 +31,6 @@ class MapRequests {
   void thumbnail(const Task& task, const map::MapKey& key, OutcomeTo<std::string> reply);
   void fetch(const Task& task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
   void fetchOverview(const Task& task, double resolution_m, OutcomeTo<map::WholeMap> reply);
-  void rename(const Task& task, const map::MapKey& key, const std::string& name,
-              OutcomeTo<map::CatalogueEntry> reply);
-  void load(const Task& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
   void discardThumbnail(const map::MapKey& key);
   /// Does nothing if it is not one of its pictures.
   void discardPicture(const std::string& fingerprint);
@@ -48,12 +44,6 @@ class MapRequests {
   /// Requests "/maps/" and, if that does not exist, "/maps".
   void getList(const Task& task, const QString& path, Reply reply);
   void getPicture(const Task& task, const QUrl& url, Reply reply);
-  using Holds = std::function<bool(const map::CatalogueEntry&)>;
-  /// `holds`: whether the map is in the requested state, in case the answer is lost.
-  void change(const Task& task, net::HttpMethod method, const QString& path, const QJsonObject& body,
-              const map::MapKey& key, Holds holds, OutcomeTo<map::CatalogueEntry> reply);
-  /// The map as it is now, and whether it is the current one.
-  void lookAt(const Task& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
   void detail(const Task& task, const map::MapKey& key, OutcomeTo<MapDetail> reply);
   void finishPart(Listing& listing);
   void addRows(Listing& listing, const net::HttpAnswer& answer, map::MapKind kind);

@@ -373,10 +373,11 @@ class RobotContractTest : public QObject {
     QVERIFY(!maps.obstacle(MapChange::Load, &stored));
     QVERIFY(maps.obstacle(MapChange::Load, &loaded) == Obstacle::IsLoaded);
     QVERIFY(maps.obstacle(MapChange::Rename, &mapping) == Obstacle::NotOfThisMap);
-    QVERIFY(maps.obstacle(MapChange::Delete, &stored) == Obstacle::NotOffered);
-    QVERIFY(maps.obstacle(MapChange::StartMapping, nullptr) == Obstacle::NotOffered);
+    QVERIFY(!maps.obstacle(MapChange::Delete, &stored));
+    QVERIFY(maps.obstacle(MapChange::Delete, &mapping) == Obstacle::NotOfThisMap);
+    QVERIFY(maps.obstacle(MapChange::Archive, &stored) == Obstacle::NotOffered);
     std::optional<Outcome<map::CatalogueEntry>> ended;
-    bench.robot->mapAdministration()->carryOut({MapChange::Delete, bench.key},
+    bench.robot->mapAdministration()->carryOut({MapChange::Archive, bench.key},
                                                [&](auto outcome) { ended = std::move(outcome); });
     QVERIFY(!ended);
     QTRY_VERIFY_WITH_TIMEOUT(ended.has_value(), kPatienceMs);

@@ -1,0 +1,239 @@
+#include "robot/axbot/map_changes.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include <QJsonDocument>
+
+#include "robot/axbot/faults.h"
+#include "robot/axbot/parse_maps.h"
+#include "robot/wire/failures.h"
+#include "robot/wire/net_results.h"
+
+namespace mapwright::robot::axbot {
+namespace {
+
+const QString kUsedMapPath = QStringLiteral("/chassis/current-map");
+const QString kMapsPath = QStringLiteral("/maps/");
+const QString kMappingsPath = QStringLiteral("/mappings/");
+const QString kRunningPath = QStringLiteral("/mappings/current");
+
+QString pathOfMap(const map::MapKey& key) { return kMapsPath + pathSegment(key.id); }
+
+bool isOfOne(MapChange change) {
+  return change == MapChange::Rename || change == MapChange::Load || change == MapChange::Delete;
+}
+
+/// Ids are numbers: whoever gets one as text refuses it.
+QJsonValue idValue(const std::string& id) {
+  const QString text = QString::fromStdString(id);
+  bool whole = false;
+  const qlonglong number = text.toLongLong(&whole);
+  return whole ? QJsonValue(number) : QJsonValue(text);
+}
+
+}  // namespace
+
+bool isPlainId(const std::string& id) {
+  return !id.empty() && std::all_of(id.begin(), id.end(),
+                                    [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
+}
+
+struct MapChanges::Change {
+  Task task;
+  MapOrder order;
+  OutcomeTo<map::CatalogueEntry> reply;
+  map::CatalogueEntry before = {};
+  std::set<std::string> ids_before = {};  // Save: of the maps
+
+  map::Subject subject() const { return map::subjectOf(order.key); }
+};
+
+void MapChanges::carryOut(const Task& task, const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
+  const auto change = std::make_shared<Change>(Change{task, order, std::move(reply)});
+  const bool named = order.key.kind == map::MapKind::Stored && isPlainId(order.key.id);
+  if (isOfOne(order.change) && !named) {
+    return change->reply(fail(map::Failure{.kind = map::FailureKind::Unsupported,
+                                           .subject = change->subject(),
+                                           .arguments = {"12"},
+                                           .asked_for = map::AskedFor::Change,
+                                           .reason = map::FailureReason::NoSuchId}));
+  }
+  switch (order.change) {
+    case MapChange::Rename:
+      return rename(change);
+    case MapChange::Load:
+      return load(change);
+    case MapChange::Delete:
+      return remove(change);
+    case MapChange::StartMapping:
+      return startMapping(change);
+    case MapChange::StopMapping:
+      return stopMapping(change);
+    case MapChange::Save:
+      return save(change);
+    default:
+      change->reply(fail(wire::notOffered(change->subject(), map::AskedFor::Change)));
+  }
+}
+
+void MapChanges::send(const ChangePtr& change, net::HttpMethod method, const QString& path,
+                      const QJsonObject& body, Look look) {
+  net::HttpRequest request = server_.request(path);
+  request.method = method;
+  if (!body.isEmpty()) request.body = QJsonDocument(body).toJson(QJsonDocument::Compact);
+  wire::send(change->task, server_.http, request,
+             [change, look = std::move(look)](const net::HttpAnswer& answer) {
+               if (answer.ok()) {
+                 // Answers to a change depend on the firmware: look again.
+                 return look(change, [change](Outcome<map::CatalogueEntry> now, bool) {
+                   if (!now) {
+                     now.error().asked_for = map::AskedFor::Change;
+                     now.error().applied = map::Applied::Yes;
+                   }
+                   change->reply(std::move(now));
+                 });
+               }
+               const map::Failure failure = wire::failed(answer, change->subject(), map::AskedFor::Change);
+               if (failure.applied != map::Applied::Maybe || failure.kind == map::FailureKind::Cancelled)
+                 return change->reply(fail(failure));
+               // A look may replace the lost answer. If it is not so yet that proves nothing: the robot may
+               // still be working.
+               look(change, [change, failure](Outcome<map::CatalogueEntry> now, bool holds) {
+                 now&& holds ? change->reply(std::move(now)) : change->reply(fail(failure));
+               });
+             });
+}
+
+void MapChanges::rename(const ChangePtr& change) {
+  send(change, net::HttpMethod::Patch, pathOfMap(change->order.key),
+       {{QStringLiteral("map_name"), QString::fromStdString(change->order.name)}},
+       [this](const ChangePtr& of, Seen seen) {
+         lookAt(of->task, of->order.key, [of, seen = std::move(seen)](Outcome<map::CatalogueEntry> now) {
+           const bool holds = now && now->name == of->order.name;
+           seen(std::move(now), holds);
+         });
+       });
+}
+
+void MapChanges::load(const ChangePtr& change) {
+  send(change, net::HttpMethod::Post, kUsedMapPath,
+       {{QStringLiteral("map_id"), idValue(change->order.key.id)}}, [this](const ChangePtr& of, Seen seen) {
+         lookAt(of->task, of->order.key, [seen = std::move(seen)](Outcome<map::CatalogueEntry> now) {
+           const bool holds = now && now->is_current;
+           seen(std::move(now), holds);
+         });
+       });
+}
+
+void MapChanges::remove(const ChangePtr& change) {
+  maps_.describe(change->task, change->order.key, [this, change](Outcome<map::CatalogueEntry> before) {
+    if (!before) {
+      before.error().asked_for = map::AskedFor::Change;
+      return change->reply(fail(std::move(before.error())));
+    }
+    change->before = std::move(*before);
+    send(change, net::HttpMethod::Delete, pathOfMap(change->order.key), {},
+         [this](const ChangePtr& of, Seen seen) {
+           maps_.list(of->task, [of, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
+             if (!list) return seen(fail(std::move(list.error())), false);
+             const bool there =
+                 std::any_of(list->begin(), list->end(),
+                             [&](const map::CatalogueEntry& entry) { return entry.key == of->order.key; });
+             if (!there) return seen(std::move(of->before), true);
+             seen(fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                                    .subject = of->subject(),
+                                    .cause = fault::StillListed}),
+                  false);
+           });
+         });
+  });
+}
+
+MapChanges::Look MapChanges::lookForMapping(bool wanted) {
+  return [this, wanted](const ChangePtr& of, Seen seen) {
+    wire::send(of->task, server_.http, server_.request(kRunningPath),
+               [this, of, wanted, seen = std::move(seen)](const net::HttpAnswer& running) {
+                 const bool holds = wanted ? running.ok() : wire::isUnknownThere(running);
+                 maps_.list(of->task, [seen, holds](Outcome<std::vector<map::CatalogueEntry>> list) {
+                   if (!list) return seen(fail(std::move(list.error())), holds);
+                   const auto used =
+                       std::find_if(list->begin(), list->end(),
+                                    [](const map::CatalogueEntry& entry) { return entry.is_current; });
+                   seen(used == list->end() ? map::CatalogueEntry() : std::move(*used), holds);
+                 });
+               });
+  };
+}
+
+void MapChanges::startMapping(const ChangePtr& change) {
+  send(change, net::HttpMethod::Post, kMappingsPath,
+       {{QStringLiteral("continue_mapping"), false},
+        {QStringLiteral("start_pose_type"), QStringLiteral("zero")}},
+       lookForMapping(true));
+}
+
+void MapChanges::stopMapping(const ChangePtr& change) {
+  send(change, net::HttpMethod::Patch, kRunningPath, {{QStringLiteral("state"), QStringLiteral("finished")}},
+       lookForMapping(false));
+}
+
+/// The result of the latest mapping that was finished.
+void MapChanges::save(const ChangePtr& change) {
+  maps_.list(change->task, [this, change](Outcome<std::vector<map::CatalogueEntry>> list) {
+    if (!list) {
+      list.error().asked_for = map::AskedFor::Change;
+      return change->reply(fail(std::move(list.error())));
+    }
+    const map::CatalogueEntry* latest = nullptr;
+    for (const map::CatalogueEntry& entry : *list) {
+      if (entry.key.kind == map::MapKind::Stored) change->ids_before.insert(entry.key.id);
+      const bool whole = entry.key.kind == map::MapKind::Mapping && entry.state == "finished";
+      const auto end_s = [](const map::CatalogueEntry& one) { return one.modified_s.value_or(0); };
+      if (whole && (!latest || end_s(entry) >= end_s(*latest))) latest = &entry;
+    }
+    if (!latest) {
+      return change->reply(fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                                             .subject = change->subject(),
+                                             .asked_for = map::AskedFor::Change,
+                                             .reason = map::FailureReason::Unfit,
+                                             .cause = fault::NothingMapped}));
+    }
+    saveMapping(change, latest->key.id);
+  });
+}
+
+void MapChanges::saveMapping(const ChangePtr& change, const std::string& mapping) {
+  send(change, net::HttpMethod::Post, kMapsPath,
+       {{QStringLiteral("map_name"), QString::fromStdString(change->order.name)},
+        {QStringLiteral("mapping_id"), idValue(mapping)}},
+       [this](const ChangePtr& of, Seen seen) {
+         maps_.list(of->task, [of, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
+           if (!list) return seen(fail(std::move(list.error())), false);
+           const auto made = std::find_if(list->begin(), list->end(), [&](const map::CatalogueEntry& entry) {
+             return entry.key.kind == map::MapKind::Stored && entry.name == of->order.name &&
+                    !of->ids_before.contains(entry.key.id);
+           });
+           if (made != list->end()) return seen(std::move(*made), true);
+           seen(fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                                  .subject = of->subject(),
+                                  .cause = fault::NotListedYet}),
+                false);
+         });
+       });
+}
+
+void MapChanges::lookAt(const Task& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
+  wire::send(task, server_.http, server_.request(kUsedMapPath),
+             [this, task, key, reply = std::move(reply)](const net::HttpAnswer& current) {
+               const CurrentMap of_robot =
+                   current.ok() ? parseCurrentMap(wire::view(current.body)) : CurrentMap();
+               maps_.describe(task, key, [of_robot, reply](Outcome<map::CatalogueEntry> now) {
+                 if (now) now->is_current = of_robot.is(*now);
+                 reply(std::move(now));
+               });
+             });
+}
+
+}  // namespace mapwright::robot::axbot
