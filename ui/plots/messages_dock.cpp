@@ -332,11 +332,22 @@ QStringList MessagesDock::knownTopics() const {
 }
 
 void MessagesDock::chooseTopic(const QString& topic) {
+  refresh();
+  if (!log_.find(topic)) listenTo(topic);
   for (int row = 0; row < model_->rowCount(); ++row) {
     if (model_->topicAt(row) != topic) continue;
-    table_->setCurrentIndex(sorted_->mapFromSource(model_->index(row, 0)));
-    return;
+    const auto shown = [&] { return sorted_->mapFromSource(model_->index(row, 0)); };
+    if (!shown().isValid()) filter_->clear();
+    return table_->setCurrentIndex(shown());
   }
+}
+
+void MessagesDock::listenTo(const QString& topic) {
+  if (!session_) return;
+  if (!asked_.contains(topic)) asked_ << topic;
+  log_.setAskedFor(asked_);
+  session_->want(kOwner, {}, asked_);
+  refresh();
 }
 
 void MessagesDock::addTopic() {
@@ -344,10 +355,7 @@ void MessagesDock::addTopic() {
   if (topic.isEmpty() || !session_) return;
   if (!topic.startsWith(QLatin1Char('/'))) topic.prepend(QLatin1Char('/'));
   topic_->clear();
-  if (!asked_.contains(topic)) asked_ << topic;
-  log_.setAskedFor(asked_);
-  session_->want(kOwner, {}, asked_);
-  refresh();
+  listenTo(topic);
   chooseTopic(topic);
 }
 

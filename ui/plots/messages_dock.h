@@ -46,6 +46,7 @@ class MessagesDock : public QDockWidget {
   /// All that can be looked at: those that have come, and those that the robot offers.
   QStringList knownTopics() const;
   bool watching() const { return watching_; }
+  /// Listens to it if nothing else does.
   void chooseTopic(const QString& topic);
   /// Somebody else needs the raw messages, so they are subscribed even if this is not visible.
   void setWantedElsewhere(bool wanted);
@@ -63,6 +64,7 @@ class MessagesDock : public QDockWidget {
   QWidget* buildControls();
   void buildTable();
   void addTopic();
+  void listenTo(const QString& topic);
   void dropTopic(const QString& topic);
   void updateWatching();
   void showMessage(bool force);
