@@ -75,6 +75,24 @@ class TrackLayerTest : public QObject {
     QCOMPARE(desk.painted().pixel(200, 150), ground);
   }
 
+  void itsColoursAreSeenWhileItIsChosen() {
+    Desk desk;
+    const auto track = straight(16);
+    desk.scene.setTrack(track);
+    const QImage before = desk.painted();
+    scene::MapObject line;
+    line.form = scene::ObjectForm::Line;
+    line.parts.emplace_back();
+    for (const TrackSample& sample : *track) line.parts[0].push_back(sample.position_m);
+    desk.scene.setMarked(line);
+    const QImage chosen = desk.painted();
+    for (const int x : {100, 200, 300}) {
+      QCOMPARE(chosen.pixel(x, 150), before.pixel(x, 150));
+      QVERIFY(chosen.pixel(x, 145) != before.pixel(x, 145));
+      QVERIFY(chosen.pixel(x, 155) != before.pixel(x, 155));
+    }
+  }
+
   void acrossAPieceNothingIsDrawn() {
     Desk desk;
     const QRgb ground = desk.painted().pixel(200, 150);

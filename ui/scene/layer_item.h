@@ -239,6 +239,11 @@ class MarkItem : public LayerItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
   /// What paint() covers at present.
   QRectF covers() const;
+
+ private:
+  void paintCasing(QPainter& painter, const MapObject& object) const;
+
+  mutable LineSheet sheet_;
 };
 
 /// The colour of a place, line or region of an overlay.

@@ -35,17 +35,35 @@ QRectF MarkItem::covers() const {
   return covered;
 }
 
+/// On both sides of its lines: what they look like stays visible between them.
+void MarkItem::paintCasing(QPainter& painter, const MapObject& object) const {
+  constexpr double kBetweenPx = 7, kCasingPx = 2, kHaloPx = 1.25;
+  std::vector<QPolygonF> lines;
+  for (map::Polyline part : object.parts) {
+    if (object.form == ObjectForm::Area && !part.empty()) part.push_back(part.front());
+    for (QPolygonF& line : visibleLines(context_.view, part, 8)) lines.push_back(std::move(line));
+  }
+  sheet_.paint(painter, boundingRect().size(), 1, [&](QPainter& on_sheet) {
+    on_sheet.setRenderHint(QPainter::Antialiasing);
+    const auto stroke = [&](const QColor& color, double width) {
+      on_sheet.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      for (const QPolygonF& line : lines) on_sheet.drawPolyline(line);
+    };
+    stroke(context_.theme.text_halo, kBetweenPx + 2 * (kCasingPx + kHaloPx));
+    stroke(context_.theme.accent, kBetweenPx + 2 * kCasingPx);
+    on_sheet.setCompositionMode(QPainter::CompositionMode_DestinationOut);
+    stroke(Qt::black, kBetweenPx);
+  });
+}
+
 void MarkItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setRenderHint(QPainter::Antialiasing);
   if (const auto& object = context_.marked) {
     strokeTwice(*painter, context_.theme, 2.5, [&] {
-      if (object->form == ObjectForm::Point)
+      if (object->parts.empty())
         painter->drawEllipse(toPoint(context_.view.pixelFromWorld(object->at_m)), kRingPx, kRingPx);
-      for (map::Polyline part : object->parts) {
-        if (object->form == ObjectForm::Area && !part.empty()) part.push_back(part.front());
-        for (const QPolygonF& line : visibleLines(context_.view, part, 8)) painter->drawPolyline(line);
-      }
     });
+    if (!object->parts.empty()) paintCasing(*painter, *object);
   }
   if (context_.marker) {
     const QPointF at = toPoint(context_.view.pixelFromWorld(*context_.marker));
