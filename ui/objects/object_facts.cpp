@@ -83,7 +83,7 @@ std::vector<scene::ObjectProperty> factsOf(const scene::MapObject& object, const
       robot && object.id.layer != scene::Layer::Robot && object.form == scene::ObjectForm::Point)
     add(FactText::tr("From the robot"),
         scene::lengthText((object.at_m - Eigen::Vector2d(robot->x_m, robot->y_m)).norm()));
-  if (object.topic < 0) add(FactText::tr("Belongs to"), mapOf(object, session));
+  if (object.id.of != scene::FeaturesOf::Robot) add(FactText::tr("Belongs to"), mapOf(object, session));
   return withSource(std::move(facts), object, session, now);
 }
 

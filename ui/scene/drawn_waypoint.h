@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <QPainter>
+#include <QString>
 
 #include "map/catalogue.h"
 #include "map/waypoint.h"
@@ -22,9 +23,13 @@ struct DrawnWaypoint {
   std::optional<double> yaw_rad;
   WaypointMark mark = WaypointMark::Saved;
   bool selected = false;
-  bool warned = false;                         // it has a warning: an exclamation mark next to it
+  QString warnings = {};  // a sentence a line; with any, an exclamation mark stands next to it
   std::optional<Eigen::Vector2d> from_m = {};  // a line leads here from there: the stored position, or mine
+  QString type = {}, tags = {};  // plain text; shared when copied, unlike those of map::Waypoint
 };
+
+/// As it is stored.
+DrawnWaypoint drawnFrom(const map::Waypoint& point);
 
 /// The waypoints of one map.
 struct DrawnWaypoints {

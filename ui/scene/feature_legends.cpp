@@ -82,7 +82,7 @@ void waypointsLegend(Legend& legend) {
   point.selected = true;
   addWaypoint(legend, FeatureLegendText::tr("Selected"), point);
   point.selected = false;
-  point.warned = true;
+  point.warnings = QStringLiteral("!");
   addWaypoint(legend, FeatureLegendText::tr("With a warning"), point);
 }
 

@@ -255,7 +255,12 @@ MapObject describeWaypoint(const LayerContext& context, FeaturesOf of, std::size
   object.name = shortName(point.name);
   object.color = waypointColor(context.theme, point.mark);
   object.yaw_rad = point.yaw_rad;
-  object.properties = Properties().add(ObjectText::tr("State"), markText(point.mark));
+  Properties known;
+  for (const QString& warning : point.warnings.split(QLatin1Char('\n')))
+    known.add(ObjectText::tr("Warning"), warning);
+  object.properties = known.add(ObjectText::tr("State"), markText(point.mark))
+                          .add(ObjectText::tr("Type"), point.type)
+                          .add(ObjectText::tr("Tags"), point.tags);
   return object;
 }
 
@@ -426,8 +431,14 @@ void seeTrack(const LayerContext& context, FeaturesOf, const SeeObject& see) {
 }
 
 MapObject describeTrack(const LayerContext& context, FeaturesOf, std::size_t) {
-  return oneLine(ObjectText::tr("Track of the bag"), context.theme.trail,
-                 context.track ? context.track->size() : 0, map::topicIndex<map::TrackedPose>());
+  static const Track kNone;
+  const Track& track = context.track ? *context.track : kNone;
+  MapObject object = oneLine(ObjectText::tr("Track of the bag"), context.theme.trail, track.size(), -1);
+  if (!track.empty())
+    object.properties.push_back(
+        {ObjectText::tr("Time in the bag"),
+         ObjectText::tr("%1 to %2").arg(durationText(track.front().at_s), durationText(track.back().at_s))});
+  return object;
 }
 
 // Points of sensors.

@@ -378,13 +378,7 @@ void SceneItems::takeWaypoints(const session::Session* session) {
       return;
     }
     if (!slot.cells() && !session::lacksPicture(slot)) return;
-    for (const map::Waypoint& point : slot.waypoints().points) {
-      DrawnWaypoint drawn;
-      drawn.name = point.name.empty() ? point.id : point.name;
-      drawn.position_m = point.position_m;
-      drawn.yaw_rad = point.yaw_rad;
-      features.waypoints.push_back(std::move(drawn));
-    }
+    for (const map::Waypoint& point : slot.waypoints().points) features.waypoints.push_back(drawnFrom(point));
   };
   context.of(FeaturesOf::WholeMap).waypoints.clear();
   context.of(FeaturesOf::ComparedMap).waypoints.clear();

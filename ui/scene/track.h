@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <QString>
 
 #include "scene/layer.h"
 
@@ -26,6 +27,8 @@ struct TrackScale {
   double most = 0;  // seconds, metres per second; value of the last colour. 0 = no values
   bool operator==(const TrackScale&) const = default;
 };
+/// "1:02:03"
+QString durationText(double seconds);
 /// Speeds end at a round number.
 TrackScale scaleOf(const Track& track, TrackChoice choice);
 

@@ -44,7 +44,8 @@ double shareOf(const TrackSample& sample, const TrackScale& scale) {
   return (scale.choice == TrackChoice::Time ? sample.at_s : sample.speed_m_s) / scale.most;
 }
 
-/// "1:02:03"
+}  // namespace
+
 QString durationText(double seconds) {
   const auto whole = std::int64_t(std::llround(seconds));
   return QStringLiteral("%1:%2:%3")
@@ -52,8 +53,6 @@ QString durationText(double seconds) {
       .arg(whole / 60 % 60, 2, 10, QLatin1Char('0'))
       .arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
-
-}  // namespace
 
 TrackScale scaleOf(const Track& track, TrackChoice choice) {
   TrackScale scale{choice, 0};

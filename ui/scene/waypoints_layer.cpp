@@ -100,7 +100,7 @@ class WaypointsLayer : public LayerItem {
       if (special && !as_sprites && !warned) continue;  // already drawn, in their order
       for (const DrawnWaypoint& point : points) {
         if (isSpecial(point) != special) continue;
-        if ((!special || as_sprites) && point.warned != warned) continue;
+        if ((!special || as_sprites) && point.warnings.isEmpty() == warned) continue;
         const QPointF at = toPoint(view.pixelFromWorld(point.position_m));
         if (!seen.contains(at)) continue;
         if (as_sprites) {
@@ -111,7 +111,7 @@ class WaypointsLayer : public LayerItem {
           // Conflicts are never omitted.
           const bool alone = point.mark == WaypointMark::Conflict || point.mark == WaypointMark::Theirs;
           if (cells.insert(cell(at.x()) << 32 | cell(at.y())).second || alone)
-            sprites.draw(*painter, at, point.mark, point.selected, point.warned);
+            sprites.draw(*painter, at, point.mark, point.selected, warned);
           continue;
         }
         const QColor color = waypointColor(theme, point.mark);
@@ -123,7 +123,7 @@ class WaypointsLayer : public LayerItem {
         if (point.yaw_rad && std::isfinite(*point.yaw_rad))
           drawHeading(*painter, context_, at, *point.yaw_rad, color);
         paintWaypointMark(*painter, at, kRadiusPx, point.mark, color, theme.text_halo);
-        if (point.warned) paintWarning(*painter, theme, at);
+        if (!point.warnings.isEmpty()) paintWarning(*painter, theme, at);
       }
     }
   }
@@ -144,7 +144,7 @@ class WaypointsLayer : public LayerItem {
       const QRectF mark(at - QPointF(reach, reach), QSizeF(2 * reach, 2 * reach));
       const bool headed = point.yaw_rad && std::isfinite(*point.yaw_rad);
       keepClear(labels, context_, mark, headed ? point.yaw_rad : std::nullopt);
-      if (point.warned) labels.symbol(warningArea(at));
+      if (!point.warnings.isEmpty()) labels.symbol(warningArea(at));
       // The selected ones are named from far away, too, while they are few.
       const bool chosen = point.selected && std::size_t(selected) <= kMostChosen;
       if (!chosen && !labels.namesShown()) continue;
@@ -158,6 +158,19 @@ class WaypointsLayer : public LayerItem {
 };
 
 }  // namespace
+
+DrawnWaypoint drawnFrom(const map::Waypoint& point) {
+  constexpr qsizetype kLongest = 200;
+  DrawnWaypoint drawn;
+  drawn.name = point.name.empty() ? point.id : point.name;
+  drawn.position_m = point.position_m;
+  drawn.yaw_rad = point.yaw_rad;
+  drawn.type = shortName(point.type, kLongest);
+  QStringList tags;
+  for (const std::string& tag : point.tags) tags << shortName(tag);
+  drawn.tags = tags.join(QStringLiteral(", "));
+  return drawn;
+}
 
 QColor waypointColor(const MapTheme& theme, WaypointMark mark) {
   switch (mark) {

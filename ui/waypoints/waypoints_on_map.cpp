@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "map/waypoint.h"
+#include "sentences/placing_sentence.h"
 #include "ui/waypoints/waypoint_warnings.h"
 
 namespace mapwright::window {
@@ -36,7 +37,7 @@ void WaypointsOnMap::setWarnings(const WaypointWarnings* warnings) {
   connect(warnings, &WaypointWarnings::changed, this, [this](const std::vector<std::string>& keys) {
     for (const edit::Key& key : keys) {
       if (const auto known = at_.find(key); known != at_.end())
-        points_[known->second].warned = !warnings_->of(key).empty();
+        points_[known->second].warnings = sentences::sentencesOf(warnings_->of(key));
     }
     if (!keys.empty()) draw();
   });
@@ -117,30 +118,25 @@ void WaypointsOnMap::takePreview() {
 std::optional<scene::DrawnWaypoint> WaypointsOnMap::drawnOf(const edit::Key& key) const {
   using scene::WaypointMark;
   const edit::WaypointDocument& document = *editing_->document();
-  const map::Waypoint* point = document.find(key);
+  const map::Waypoint* const point = document.find(key);
   const map::Waypoint* const kept = document.findKept(key);
   const edit::ItemState state = document.state(key);
-  scene::DrawnWaypoint drawn;
-  drawn.mark = state.changed_elsewhere ? WaypointMark::Conflict
-               : state.sent            ? WaypointMark::Sent
-               : !state.unsaved        ? WaypointMark::Saved
-               : kept                  ? WaypointMark::Unsaved
-                                       : WaypointMark::New;
-  if (!point) {
-    // Still stored: it is removed by saving.
-    if (!kept || !state.unsaved) return std::nullopt;
-    point = kept;
-    if (!state.changed_elsewhere && !state.sent) drawn.mark = WaypointMark::Deleted;
-  }
-  drawn.name = point->name.empty() ? point->id : point->name;
-  drawn.position_m = point->position_m;
-  drawn.yaw_rad = point->yaw_rad;
+  const WaypointMark mark = state.changed_elsewhere ? WaypointMark::Conflict
+                            : state.sent            ? WaypointMark::Sent
+                            : !state.unsaved        ? WaypointMark::Saved
+                            : kept                  ? WaypointMark::Unsaved
+                                                    : WaypointMark::New;
+  if (!point && (!kept || !state.unsaved)) return std::nullopt;
+  scene::DrawnWaypoint drawn = scene::drawnFrom(point ? *point : *kept);
+  drawn.mark = mark;
+  // Still stored: it is removed by saving.
+  if (!point && !state.changed_elsewhere && !state.sent) drawn.mark = WaypointMark::Deleted;
   if (const auto moving = editing_->preview().find(key); moving != editing_->preview().end()) {
     drawn.position_m = moving->second.position_m;
     drawn.yaw_rad = moving->second.yaw_rad;
   }
   drawn.selected = selected_.contains(key);
-  drawn.warned = warnings_ && !warnings_->of(key).empty();
+  if (warnings_) drawn.warnings = sentences::sentencesOf(warnings_->of(key));
   if (kept && !map::samePlace(kept->position_m, drawn.position_m)) drawn.from_m = kept->position_m;
   return drawn;
 }
@@ -193,10 +189,7 @@ void WaypointsOnMap::draw() {
   // The version of others is shown next to mine.
   for (const auto& [key, conflict] : document->conflicts()) {
     if (!conflict.theirs) continue;
-    scene::DrawnWaypoint theirs;
-    theirs.name = conflict.theirs->name;
-    theirs.position_m = conflict.theirs->position_m;
-    theirs.yaw_rad = conflict.theirs->yaw_rad;
+    scene::DrawnWaypoint theirs = scene::drawnFrom(*conflict.theirs);
     theirs.mark = scene::WaypointMark::Theirs;
     if (const map::Waypoint* const mine = document->find(key)) theirs.from_m = mine->position_m;
     drawn.points.push_back(std::move(theirs));
