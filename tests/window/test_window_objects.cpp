@@ -10,7 +10,9 @@
 #include "ui/objects/object_facts.h"
 #include "ui/objects/objects_dock.h"
 #include "ui/objects/properties_dock.h"
+#include "ui/plots/messages_dock.h"
 #include "ui/view/map_view.h"
+#include "waypoints_desk.h"
 #include "window/command_palette.h"
 #include "window_bench.h"
 #include "window_parts.h"
@@ -145,6 +147,67 @@ class TestWindowObjects : public QObject {
     QTRY_VERIFY(bench.card()->lines().contains(QStringLiteral("State: open")));
   }
 
+  void theCardKeepsClearOfItsThing_data() {
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("large") << QSize(1600, 1000);
+    QTest::newRow("small") << QSize(700, 440);
+    QTest::newRow("flat") << QSize(1200, 340);
+  }
+  void theCardKeepsClearOfItsThing() {
+    QFETCH(QSize, size);
+    ObjectBench bench;
+    MainWindow& window = bench.openOnRobot();
+    for (QDockWidget* const dock : window.findChildren<QDockWidget*>()) dock->hide();
+    window.resize(size);
+    QCoreApplication::processEvents();
+    const geometry::ViewTransform view = window.mapScene()->view();
+    map::LandmarksMessage all;
+    std::vector<Eigen::Vector2d> places;
+    for (const double x : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+      for (const double y : {0.2, 0.5, 0.8})
+        places.push_back(view.worldFromPixel({x * view.width_px, y * view.height_px}));
+    }
+    for (const Eigen::Vector2d& place : places) all.landmarks.push_back({"L", place, true});
+    bench.robot->say(all);
+    for (const Eigen::Vector2d& place : places) {
+      bench.click(place.x(), place.y());
+      QVERIFY(bench.card()->isVisible());
+      const QRect card = bench.card()->geometry();
+      QVERIFY2(!card.contains(bench.at(place.x(), place.y())),
+               qPrintable(QStringLiteral("%1").arg(card.x())));
+      QVERIFY(window.view()->viewport()->rect().contains(card));
+    }
+  }
+
+  void whatHasLeftTheMapTakesItsCardAlong() {
+    ObjectBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.robot->say(map::LandmarksMessage{{{"L1", {4, 4}, true}}});
+    bench.click(4, 4);
+    const QRect map = window.view()->viewport()->rect();
+    geometry::ViewTransform view = window.mapScene()->view();
+    view.center_m = {400, 4};
+    window.view()->moveTo(view, false);
+    QVERIFY(!bench.card()->geometry().intersects(map));
+    view.center_m = {4, 4};
+    window.view()->moveTo(view, false);
+    QVERIFY(map.contains(bench.card()->geometry()));
+  }
+
+  void aWaypointTellsItsTagsAndWarnings() {
+    test::WaypointsDesk desk;
+    desk.store.points[0].type = "charger";
+    desk.store.points[0].tags = {"night", "wide <b>"};
+    desk.store.points.push_back(test::waypoint("c", 3, 1, "Dock"));
+    desk.start();
+    desk.click(desk.px(1, 1));
+    auto* const card = desk.window->findChild<ObjectCard*>();
+    QVERIFY(card->lines().contains(QStringLiteral("Type: charger")));
+    QVERIFY(card->lines().contains(QStringLiteral("Tags: night, wide <b>")));
+    QVERIFY2(card->lines().first().startsWith(QStringLiteral("Warning: ")),
+             qPrintable(card->lines().join(QLatin1Char('\n'))));
+  }
+
   void theKeyboardAlonePointsAtTheMiddleOfTheMap() {
     ObjectBench bench;
     bench.openOnRobot();
@@ -240,6 +303,36 @@ class TestWindowObjects : public QObject {
     QCOMPARE(palette->list()->item(0)->text(), QStringLiteral("Submap 1-0"));
     QTest::keyClick(palette->field(), Qt::Key_Return);
     QVERIFY(window.mapScene()->highlighted().contains({1, 0}));
+  }
+
+  void goingToASubmapLeavesNoOtherCard() {
+    ObjectBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.load();
+    bench.robot->say(map::LandmarksMessage{{{"Pillar 9", {4, 4}, true}}});
+    bench.click(4, 4);
+    QCOMPARE(bench.card()->title(), QStringLiteral("Landmark Pillar 9"));
+    bench.action("palette")->trigger();
+    auto* const palette = window.findChild<CommandPalette*>();
+    QTest::keyClicks(palette->field(), QStringLiteral("1-0"));
+    QTest::keyClick(palette->field(), Qt::Key_Return);
+    QVERIFY(!bench.card()->isVisible() || bench.card()->title() == QLatin1String("Submap 1-0"));
+  }
+
+  void aTopicIsSelectedTheFirstTime() {
+    ObjectBench bench;
+    bench.prepare = [](test::FakeRobot& made) { made.has_live = true; };
+    MainWindow& window = bench.openOnRobot();
+    auto* const messages = part<MessagesDock>(window);
+    messages->hide();
+    messages->filterEdit()->setText(QStringLiteral("something else"));
+    bench.action("palette")->trigger();
+    auto* const palette = window.findChild<CommandPalette*>();
+    QTest::keyClicks(palette->field(), QStringLiteral("/battery_state"));
+    QTest::keyClick(palette->field(), Qt::Key_Return);
+    QVERIFY(messages->isVisible());
+    QCOMPARE(messages->chosenTopic(), QStringLiteral("/battery_state"));
+    QVERIFY(messages->table()->currentIndex().isValid());
   }
 
   void theWholeNameIsFoundBeforeThoseThatBeginLikeIt() {

@@ -1,5 +1,7 @@
 #include "ui/objects/object_card.h"
 
+#include <utility>
+
 #include <QGridLayout>
 
 #include "sentences/plural.h"
@@ -82,11 +84,7 @@ void ObjectCard::show(const scene::MapObject& object, const std::vector<scene::O
     grid_->addWidget(value, row, 1);
     labels_.insert(labels_.end(), {name, value});
   }
-  for (std::size_t i = 0; i < labels_.size() / 2; ++i) {
-    const bool used = i < rows;
-    labels_[2 * i]->setVisible(used);
-    labels_[2 * i + 1]->setVisible(used);
-    if (!used) continue;
+  for (std::size_t i = 0; i < rows; ++i) {
     labels_[2 * i]->setText(facts[i].name);
     labels_[2 * i + 1]->setText(facts[i].value);
   }
@@ -97,12 +95,19 @@ void ObjectCard::show(const scene::MapObject& object, const std::vector<scene::O
   hint_->setVisible(!stays_ && beneath > 0);
   hint_->setText(sentences::counted(tr("%1 other things here: Alt+click", nullptr, beneath), beneath));
   QFrame::show();
+  rows_ = -1;
+  showRows(int(rows));
+  raise();
+}
+
+void ObjectCard::showRows(int rows) {
+  if (std::exchange(rows_, rows) == rows) return;
+  for (std::size_t i = 0; i < labels_.size(); ++i) labels_[i]->setVisible(int(i / 2) < rows);
   // Rows have come and gone: their room is reckoned anew at once, not with the next event.
   for (PlainLabel* const label : labels_) label->updateGeometry();
   layout()->invalidate();
   layout()->activate();
   resize(layout()->totalSizeHint());
-  raise();
 }
 
 QString ObjectCard::title() const {

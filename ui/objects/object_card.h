@@ -22,6 +22,9 @@ class ObjectCard : public QFrame {
 
   /// What the card says. `beneath`: how many other things lie at the same place.
   void show(const scene::MapObject& object, const std::vector<scene::ObjectProperty>& facts, int beneath);
+  /// As many rows as there are; fewer where there is no room.
+  int allRows() const { return int(shown_.size()); }
+  void showRows(int rows);
   /// One that stays has buttons; the other lets the mouse through.
   void setStaying(bool stays);
   bool staying() const { return stays_; }
@@ -40,6 +43,7 @@ class ObjectCard : public QFrame {
   QGridLayout* grid_;
   std::vector<PlainLabel*> labels_;  // name, value, name, value …
   std::vector<scene::ObjectProperty> shown_;
+  int rows_ = 0;  // of them
   QWidget* buttons_;
   QToolButton *copy_, *properties_, *next_, *close_;
   PlainLabel* hint_;

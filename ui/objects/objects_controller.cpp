@@ -38,6 +38,20 @@ bool near(const QPointF& a, const QPointF& b, double px) {
   return std::hypot(a.x() - b.x(), a.y() - b.y()) <= px;
 }
 
+/// Beside `thing` within `room`; nullopt: one would cover the other.
+std::optional<QPoint> placeBeside(const QRect& thing, const QSize& size, const QRect& room) {
+  const int right = room.right() + 1 - size.width(), bottom = room.bottom() + 1 - size.height();
+  if (right < room.left() || bottom < room.top()) return std::nullopt;
+  const int x = std::clamp(thing.right() + 1, room.left(), right);
+  const int y = std::clamp(thing.bottom() + 1, room.top(), bottom);
+  const QRect places(room.topLeft(), QPoint(right, bottom));
+  for (const QPoint& place : {QPoint(thing.right() + 1, y), QPoint(thing.left() - size.width(), y),
+                              QPoint(x, thing.bottom() + 1), QPoint(x, thing.top() - size.height())}) {
+    if (places.contains(place)) return place;
+  }
+  return std::nullopt;
+}
+
 QPointF toPixel(const scene::MapScene& scene, const Eigen::Vector2d& world_m) {
   const Eigen::Vector2d px = scene.view().pixelFromWorld(world_m);
   return {px.x(), px.y()};
@@ -281,6 +295,12 @@ void ObjectsController::locate(const scene::ObjectId& id) {
   choose(id, object->at_m, 0);
 }
 
+void ObjectsController::tellOf(map::SubmapId submap) {
+  const scene::ObjectId id{scene::Layer::Submaps, scene::FeaturesOf::Robot, map::toText(submap), 0};
+  const auto object = context_.scene.object(id);
+  object ? choose(id, object->at_m, 0) : letGo();
+}
+
 void ObjectsController::letGo() {
   chosen_.reset();
   if (count_cancelled_) *count_cancelled_ = true;
@@ -356,17 +376,35 @@ void ObjectsController::showCard(const scene::MapObject& object, const Eigen::Ve
 
 void ObjectsController::placeCard() {
   if (card_->isHidden()) return;
-  constexpr int kGapPx = 16, kMarginPx = 8;
+  constexpr double kGapPx = 16;
+  constexpr int kMarginPx = 8, kLargestPx = 160;
   const QPointF at = hovered_px_ ? *hovered_px_ : toPixel(context_.scene, card_at_m_);
-  const QSize size = card_->size(), area = context_.view.viewport()->size();
-  const int top = int(context_.scene.coveredTop()) + kMarginPx;
-  // Beside what it is about, never over it; on the other side where there is no room.
-  int x = int(at.x()) + kGapPx, y = int(at.y()) + kGapPx;
-  if (x + size.width() > area.width() - kMarginPx) x = int(at.x()) - kGapPx - size.width();
-  if (y + size.height() > area.height() - kMarginPx) y = int(at.y()) - kGapPx - size.height();
-  const QRect room(kMarginPx, top, std::max(1, area.width() - size.width() - 2 * kMarginPx),
-                   std::max(1, area.height() - size.height() - top - kMarginPx));
-  card_->move(std::clamp(x, room.left(), room.right()), std::clamp(y, room.top(), room.bottom()));
+  const QRect map = context_.view.viewport()->rect();
+  const QRect room =
+      map.adjusted(kMarginPx, int(context_.scene.coveredTop()) + kMarginPx, -kMarginPx, -kMarginPx);
+  // With what has left the map its card is gone; so it is with what was gone away from.
+  card_->setEnabled(QRectF(map).contains(at));
+  if (!card_->isEnabled()) return card_->move(map.bottomRight() + QPoint(1, 1));
+  QRectF clear = QRectF(at, QSizeF()).adjusted(-kGapPx, -kGapPx, kGapPx, kGapPx);
+  if (const auto& about = hovered_px_ ? hovered_ : chosen_) {
+    const geometry::WorldRect bounds = about->bounds();
+    QRectF all(toPixel(context_.scene, {bounds.min_x, bounds.min_y}), QSizeF());
+    for (const Eigen::Vector2d& corner :
+         {Eigen::Vector2d(bounds.max_x, bounds.min_y), Eigen::Vector2d(bounds.max_x, bounds.max_y),
+          Eigen::Vector2d(bounds.min_x, bounds.max_y)})
+      all |= QRectF(toPixel(context_.scene, corner), QSizeF(0.1, 0.1));
+    all.adjust(-kGapPx, -kGapPx, kGapPx, kGapPx);
+    if (std::max(all.width(), all.height()) <= kLargestPx && all.intersects(clear)) clear |= all;
+  }
+  // Where it does not fit beside the thing, it says less.
+  for (int rows = card_->allRows();; --rows) {
+    card_->showRows(rows);
+    const auto place = placeBeside(clear.toAlignedRect(), card_->size(), room);
+    if (place) return card_->move(*place);
+    if (rows == 0) break;
+  }
+  card_->move(at.x() < room.center().x() ? room.right() - card_->width() : room.left(),
+              at.y() < room.center().y() ? room.bottom() - card_->height() : room.top());
 }
 
 void ObjectsController::refreshSoon() {

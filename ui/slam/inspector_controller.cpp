@@ -106,7 +106,11 @@ void InspectorController::locate(map::SubmapId id) {
   session::Session* const session = context_.current.session();
   if (!session) return;
   const geometry::WorldRect bounds = session->submaps().bounds(id, session->slice());
-  if (!bounds.empty()) return context_.viewpoint.lookAt(bounds);
+  if (!bounds.empty()) {
+    context_.viewpoint.lookAt(bounds);
+    Q_EMIT located(id);
+    return;
+  }
   context_.overlay.toasts()->add(Mark::Warning,
                                  tr("Submap %1 has no valid pose, so it cannot be placed on the map.")
                                      .arg(QString::fromStdString(map::toText(id))));

@@ -24,6 +24,7 @@ class InspectorController : public Controller {
 
  Q_SIGNALS:
   void colorModeWanted(mapwright::render::ColorMode mode);
+  void located(mapwright::map::SubmapId id);
 
  private:
   void addToMapMenu();
