@@ -335,6 +335,25 @@ class TestWindowObjects : public QObject {
     QVERIFY(messages->table()->currentIndex().isValid());
   }
 
+  void thingsHaveTheSymbolsOfTheLegend() {
+    ObjectBench bench;
+    bench.prepare = [](test::FakeRobot& made) { made.has_live = true; };
+    MainWindow& window = bench.openOnRobot();
+    bench.robot->say(map::LandmarksMessage{{{"L1", {4, 4}, true}, {"L2", {6, 4}, false}}});
+    std::vector<QImage> legend;
+    for (const scene::LegendSection& section : window.mapScene()->legend(1)) {
+      if (section.title != scene::layerTitle(scene::Layer::Landmarks)) continue;
+      for (const scene::LegendRow& row : section.rows) legend.push_back(row.symbol);
+    }
+    QCOMPARE(legend.size(), 2U);
+    for (const auto& [x_m, row] : {std::pair(4, 0), std::pair(6, 1)}) {
+      const auto object = window.mapScene()->object(window.mapScene()->objectsAt({x_m, 4}, 5).at(0));
+      const QImage symbol = window.mapScene()->symbolOf(*object, 22, 1);
+      QCOMPARE(symbol.size(), QSize(22, 22));
+      QCOMPARE(symbol.copy(3, 3, 16, 16), legend[std::size_t(row)].copy(14, 3, 16, 16));
+    }
+  }
+
   void theWholeNameIsFoundBeforeThoseThatBeginLikeIt() {
     ObjectBench bench;
     MainWindow& window = bench.openOnRobot();

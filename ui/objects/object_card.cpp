@@ -4,6 +4,7 @@
 
 #include <QGridLayout>
 
+#include "scene/map_scene.h"
 #include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
@@ -28,8 +29,9 @@ QToolButton* cardButton(const QString& icon, const QString& text, const QString&
 
 }  // namespace
 
-ObjectCard::ObjectCard(QWidget* parent)
+ObjectCard::ObjectCard(const scene::MapScene& scene, QWidget* parent)
     : QFrame(parent),
+      scene_(scene),
       symbol_(new QLabel(this)),
       kind_(new PlainLabel(this)),
       name_(new PlainLabel(this)),
@@ -70,7 +72,7 @@ void ObjectCard::setStaying(bool stays) {
 
 void ObjectCard::show(const scene::MapObject& object, const std::vector<scene::ObjectProperty>& facts,
                       int beneath) {
-  symbol_->setPixmap(symbolOf(object, kCardSymbolPx, devicePixelRatioF()));
+  symbol_->setPixmap(QPixmap::fromImage(scene_.symbolOf(object, kCardSymbolPx, devicePixelRatioF())));
   kind_->setText(object.kind);
   name_->setText(object.name);
   const std::size_t rows = std::min(facts.size(), kMostRows);

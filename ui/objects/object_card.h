@@ -11,6 +11,10 @@
 
 class QGridLayout;
 
+namespace mapwright::scene {
+class MapScene;
+}
+
 namespace mapwright::window {
 
 class PlainLabel;
@@ -18,7 +22,7 @@ class PlainLabel;
 class ObjectCard : public QFrame {
   Q_OBJECT
  public:
-  explicit ObjectCard(QWidget* parent);
+  ObjectCard(const scene::MapScene& scene, QWidget* parent);
 
   /// What the card says. `beneath`: how many other things lie at the same place.
   void show(const scene::MapObject& object, const std::vector<scene::ObjectProperty>& facts, int beneath);
@@ -38,6 +42,7 @@ class ObjectCard : public QFrame {
   void closeWanted();
 
  private:
+  const scene::MapScene& scene_;
   QLabel* symbol_;
   PlainLabel *kind_, *name_;
   QGridLayout* grid_;

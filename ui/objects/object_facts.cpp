@@ -3,12 +3,10 @@
 #include <cmath>
 
 #include <QCoreApplication>
-#include <QPainter>
 #include <QTimeZone>
 
 #include "scene/lengths.h"
 #include "ui/kit/status_text.h"
-#include "ui/kit/ui_colors.h"
 #include "ui/objects/map_facts.h"
 #include "ui/view/notice_bar.h"
 #include "ui/view/replay_state.h"
@@ -99,35 +97,6 @@ QString asText(const scene::MapObject& object, const std::vector<scene::ObjectPr
   for (const scene::ObjectProperty& fact : facts)
     lines << QStringLiteral("%1: %2").arg(fact.name, fact.value);
   return lines.join(QLatin1Char('\n'));
-}
-
-QPixmap symbolOf(const scene::MapObject& object, int size_px, double device_pixel_ratio) {
-  QPixmap pixmap(QSize(size_px, size_px) * device_pixel_ratio);
-  pixmap.setDevicePixelRatio(device_pixel_ratio);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const double size = size_px;
-  QColor soft = object.color;
-  soft.setAlpha(90);
-  switch (object.form) {
-    case scene::ObjectForm::Point:
-      painter.setPen(QPen(appColors().outline, 1));
-      painter.setBrush(object.color);
-      painter.drawEllipse(QPointF(size / 2, size / 2), size * 0.34, size * 0.34);
-      break;
-    case scene::ObjectForm::Line:
-      painter.setPen(QPen(object.color, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-      painter.drawPolyline(
-          QPolygonF{{size * 0.15, size * 0.8}, {size * 0.45, size * 0.35}, {size * 0.85, size * 0.3}});
-      break;
-    case scene::ObjectForm::Area:
-      painter.setPen(QPen(object.color, 2));
-      painter.setBrush(soft);
-      painter.drawRect(QRectF(size * 0.15, size * 0.2, size * 0.7, size * 0.6));
-      break;
-  }
-  return pixmap;
 }
 
 }  // namespace mapwright::window

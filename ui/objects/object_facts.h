@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <QDateTime>
-#include <QPixmap>
 #include <QString>
 
 #include "grids/cell_counts.h"
@@ -23,7 +22,5 @@ std::vector<scene::ObjectProperty> factsOf(const scene::MapObject& object, const
 QString calledInFull(const scene::MapObject& object);
 /// The same with all facts, a line each, for the clipboard.
 QString asText(const scene::MapObject& object, const std::vector<scene::ObjectProperty>& facts);
-/// A dot, a stroke or a patch in its colour.
-QPixmap symbolOf(const scene::MapObject& object, int size_px, double device_pixel_ratio);
 
 }  // namespace mapwright::window

@@ -63,9 +63,9 @@ ObjectsController::ObjectsController(WindowContext& context, QObject* parent, st
     : Controller(parent),
       context_(context),
       wall_(std::move(wall)),
-      card_(new ObjectCard(&context.view)),
-      properties_(new PropertiesDock(&context.window)),
-      dock_(new ObjectsDock(&context.window)),
+      card_(new ObjectCard(context.scene, &context.view)),
+      properties_(new PropertiesDock(context.scene, &context.window)),
+      dock_(new ObjectsDock(context.scene, &context.window)),
       tasks_(context.workers) {
   context_.panels.add(properties_,
                       {.side = PanelPlace::Side::Right, .tab = 40, .menu_rank = 34, .open = false});
@@ -173,8 +173,9 @@ void ObjectsController::addToMapMenu() {
         break;
       }
       QString text = calledInFull(*object);
-      menu.addAction(QIcon(symbolOf(*object, 16, 2)), text.replace(QLatin1Char('&'), QStringLiteral("&&")),
-                     this, [this, id, world] { choose(id, world, 0); });
+      menu.addAction(QIcon(QPixmap::fromImage(context_.scene.symbolOf(*object, 16, 2))),
+                     text.replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                     [this, id, world] { choose(id, world, 0); });
     }
   });
 }

@@ -39,9 +39,9 @@ class NumericOrder : public QSortFilterProxyModel {
 
 }  // namespace
 
-ObjectsDock::ObjectsDock(QWidget* parent)
+ObjectsDock::ObjectsDock(const scene::MapScene& scene, QWidget* parent)
     : QDockWidget(tr("Objects"), parent),
-      model_(new ObjectsModel(this)),
+      model_(new ObjectsModel(scene, this)),
       filtered_(new NumericOrder(this)),
       filter_(new QLineEdit(this)),
       table_(new QuietTableView(this)),

@@ -11,6 +11,10 @@ class QLineEdit;
 class QSortFilterProxyModel;
 class QTableView;
 
+namespace mapwright::scene {
+class MapScene;
+}
+
 namespace mapwright::window {
 
 class NameColumn;
@@ -20,7 +24,7 @@ class PlainLabel;
 class ObjectsDock : public QDockWidget {
   Q_OBJECT
  public:
-  explicit ObjectsDock(QWidget* parent = nullptr);
+  ObjectsDock(const scene::MapScene& scene, QWidget* parent);
   ~ObjectsDock() override;
 
   /// `more`: there are others that are not listed.

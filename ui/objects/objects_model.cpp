@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <QPixmap>
+
 #include "ui/kit/plain_label.h"
 #include "ui/objects/object_facts.h"
 
@@ -30,7 +32,8 @@ int ObjectsModel::rowOf(const scene::ObjectId& id) const {
 QVariant ObjectsModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const scene::MapObject& object = objects_[std::size_t(index.row())];
-  if (role == Qt::DecorationRole && index.column() == NameColumn) return symbolOf(object, kRowSymbolPx, 2);
+  if (role == Qt::DecorationRole && index.column() == NameColumn)
+    return QPixmap::fromImage(scene_.symbolOf(object, kRowSymbolPx, 2));
   if (role == Qt::ToolTipRole) return plainToolTip(calledInFull(object));
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {

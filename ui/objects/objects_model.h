@@ -5,7 +5,7 @@
 
 #include <QAbstractTableModel>
 
-#include "scene/map_object.h"
+#include "scene/map_scene.h"
 
 namespace mapwright::window {
 
@@ -14,7 +14,8 @@ class ObjectsModel : public QAbstractTableModel {
  public:
   enum Column { NameColumn, KindColumn, LayerColumn, kColumns };
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit ObjectsModel(const scene::MapScene& scene, QObject* parent = nullptr)
+      : QAbstractTableModel(parent), scene_(scene) {}
   void take(std::vector<scene::MapObject> objects);
   const scene::MapObject& object(int row) const { return objects_[std::size_t(row)]; }
   /// -1 = not listed.
@@ -28,6 +29,7 @@ class ObjectsModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  const scene::MapScene& scene_;
   std::vector<scene::MapObject> objects_;
 };
 

@@ -7,6 +7,7 @@
 #include <QStandardItemModel>
 #include <QTableView>
 
+#include "scene/map_scene.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/name_column.h"
@@ -28,8 +29,9 @@ QStandardItem* cell(const QString& text) {
 
 }  // namespace
 
-PropertiesDock::PropertiesDock(QWidget* parent)
+PropertiesDock::PropertiesDock(const scene::MapScene& scene, QWidget* parent)
     : QDockWidget(tr("Properties"), parent),
+      scene_(scene),
       symbol_(new QLabel(this)),
       title_(new PlainLabel(this)),
       state_(new PlainLabel(this)),
@@ -83,7 +85,7 @@ void PropertiesDock::clear() {
 void PropertiesDock::setObject(const scene::MapObject& object,
                                const std::vector<scene::ObjectProperty>& facts, bool gone) {
   object_ = object;
-  symbol_->setPixmap(symbolOf(object, kSymbolPx, devicePixelRatioF()));
+  symbol_->setPixmap(QPixmap::fromImage(scene_.symbolOf(object, kSymbolPx, devicePixelRatioF())));
   symbol_->show();
   title_->setText(calledInFull(object));
   state_->setVisible(gone);

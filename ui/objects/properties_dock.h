@@ -13,6 +13,10 @@ class QPushButton;
 class QStandardItemModel;
 class QTableView;
 
+namespace mapwright::scene {
+class MapScene;
+}
+
 namespace mapwright::window {
 
 class NameColumn;
@@ -21,7 +25,7 @@ class PlainLabel;
 class PropertiesDock : public QDockWidget {
   Q_OBJECT
  public:
-  explicit PropertiesDock(QWidget* parent = nullptr);
+  PropertiesDock(const scene::MapScene& scene, QWidget* parent);
   ~PropertiesDock() override;
 
   /// `gone`: it is no longer on the map; this is what was known of it last.
@@ -39,6 +43,7 @@ class PropertiesDock : public QDockWidget {
  private:
   void copySelected();
 
+  const scene::MapScene& scene_;
   QLabel* symbol_;
   PlainLabel *title_, *state_;
   QStandardItemModel* model_;

@@ -10,6 +10,7 @@
 
 #include "geometry/polyline.h"
 #include "map/live_topics.h"
+#include "scene/legend.h"
 #include "scene/scene_items.h"
 #include "sentences/overlay_name.h"
 
@@ -64,10 +65,9 @@ void seeLine(std::span<const Eigen::Vector2d> line, const SeeObject& see) {
   if (line.size() > 1) seePart(see, 0, ObjectForm::Line, line);
 }
 
-MapObject oneLine(const QString& kind, const QColor& color, std::size_t points, int topic) {
+MapObject oneLine(const QString& kind, std::size_t points, int topic) {
   MapObject object;
   object.kind = kind;
-  object.color = color;
   object.topic = topic;
   object.properties = Properties().add(ObjectText::tr("Points"), QString::number(points));
   return object;
@@ -86,7 +86,6 @@ MapObject describeRobot(const LayerContext& context, FeaturesOf, std::size_t) {
   const map::LiveState& live = *context.live;
   MapObject object;
   object.kind = ObjectText::tr("Robot");
-  object.color = context.theme.robot;
   object.topic = map::topicIndex<map::TrackedPose>();
   const auto pose = context.robotPose().value_or(geometry::Pose2());
   object.yaw_rad = pose.yaw_rad;
@@ -117,7 +116,6 @@ MapObject describeNearby(const LayerContext& context, FeaturesOf, std::size_t nu
   MapObject object;
   object.kind = ObjectText::tr("Nearby robot");
   object.name = shortName(robot.uid);
-  object.color = context.theme.other_robot;
   object.yaw_rad = robot.pose.yaw_rad;
   object.topic = map::topicIndex<map::NearbyRobotsMessage>();
   return object;
@@ -139,11 +137,10 @@ std::string keyOfDoor(const LayerContext& context, FeaturesOf, std::size_t numbe
 
 MapObject describeDoor(const LayerContext& context, FeaturesOf, std::size_t number) {
   const map::AutoDoor& door = context.live->doors[number];
-  const MapTheme& theme = context.theme;
   MapObject object;
   object.kind = ObjectText::tr("Automatic door");
   object.name = shortName(door.name);
-  object.color = door.state == "open" ? theme.good : door.state == "closed" ? theme.bad : theme.warn;
+  object.look = whichLook(door);
   object.topic = map::topicIndex<map::AutoDoorsMessage>();
   object.properties =
       Properties().add(ObjectText::tr("State"), door.state).add(ObjectText::tr("MAC address"), door.mac);
@@ -169,7 +166,7 @@ MapObject describeLandmark(const LayerContext& context, FeaturesOf of, std::size
   MapObject object;
   object.kind = ObjectText::tr("Landmark");
   object.name = shortName(landmark.id);
-  object.color = context.theme.constraint;
+  object.look = landmark.in_use.value_or(true) ? 1 : 0;
   if (of == FeaturesOf::Robot) object.topic = map::topicIndex<map::LandmarksMessage>();
   object.properties = Properties().add(ObjectText::tr("In use"), landmark.in_use);
   return object;
@@ -200,7 +197,7 @@ MapObject describeOverlay(const LayerContext& context, FeaturesOf of, std::size_
   MapObject object;
   object.kind = sentences::nameOf(feature.shape, feature.type);
   object.name = shortName(feature.name);
-  object.color = overlayColor(context.theme, feature);
+  object.look = feature.type;
   object.yaw_rad = feature.yaw_rad;
   Properties known;
   known.add(ObjectText::tr("Id"), feature.id)
@@ -253,7 +250,7 @@ MapObject describeWaypoint(const LayerContext& context, FeaturesOf of, std::size
   MapObject object;
   object.kind = ObjectText::tr("Waypoint");
   object.name = shortName(point.name);
-  object.color = waypointColor(context.theme, point.mark);
+  object.look = whichLook(point);
   object.yaw_rad = point.yaw_rad;
   Properties known;
   for (const QString& warning : point.warnings.split(QLatin1Char('\n')))
@@ -316,7 +313,7 @@ MapObject describeBox(const LayerContext& context, FeaturesOf, std::size_t numbe
                  : rack ? map::topicIndex<map::RackMessage>()
                         : map::topicIndex<map::SeenObjectsMessage>();
   object.name = shortName(box.label);
-  object.color = box.rgba ? translucent(colorFrom(*box.rgba), 255) : context.theme.place;
+  object.look = whichLook(box);
   if (const auto pose = placeOf(context, box)) object.yaw_rad = pose->yaw_rad;
   if (box.length_m > 0 && box.width_m > 0)
     object.properties = Properties().add(
@@ -339,11 +336,11 @@ void seeConstraints(const LayerContext& context, FeaturesOf, const SeeObject& se
 MapObject describeConstraint(const LayerContext& context, FeaturesOf, std::size_t number) {
   MapObject object;
   object.kind = ObjectText::tr("Constraint");
-  object.color = context.theme.constraint;
   object.topic = map::topicIndex<map::ConstraintsMessage>();
   for (const auto& [name, segments] : context.live->constraints.by_name) {
     if (number < segments.size()) {
       object.name = shortName(name);
+      object.look = name.find("esidual") != std::string::npos ? 1 : 0;
       break;
     }
     number -= segments.size();
@@ -361,7 +358,7 @@ void seeTrajectories(const LayerContext& context, FeaturesOf of, const SeeObject
 
 MapObject describeTrajectory(const LayerContext& context, FeaturesOf of, std::size_t number) {
   const bool robots = of == FeaturesOf::Robot;
-  return oneLine(ObjectText::tr("Trajectory"), context.theme.trajectory,
+  return oneLine(ObjectText::tr("Trajectory"),
                  robots ? context.live->trajectory.size() : context.of(of).trajectories[number].size(),
                  robots ? map::topicIndex<map::TrajectoryMessage>() : -1);
 }
@@ -371,8 +368,7 @@ void seePath(const LayerContext& context, FeaturesOf, const SeeObject& see) {
 }
 
 MapObject describePath(const LayerContext& context, FeaturesOf, std::size_t) {
-  return oneLine(ObjectText::tr("Path"), context.theme.path, context.live->path.size(),
-                 map::topicIndex<map::PathMessage>());
+  return oneLine(ObjectText::tr("Path"), context.live->path.size(), map::topicIndex<map::PathMessage>());
 }
 
 void seeLocalPath(const LayerContext& context, FeaturesOf, const SeeObject& see) {
@@ -381,8 +377,8 @@ void seeLocalPath(const LayerContext& context, FeaturesOf, const SeeObject& see)
 
 MapObject describeLocalPath(const LayerContext& context, FeaturesOf, std::size_t) {
   const map::LocalPathMessage& path = context.live->local_path;
-  MapObject object = oneLine(ObjectText::tr("Local path"), context.theme.path, path.points.size(),
-                             map::topicIndex<map::LocalPathMessage>());
+  MapObject object =
+      oneLine(ObjectText::tr("Local path"), path.points.size(), map::topicIndex<map::LocalPathMessage>());
   if (path.width_m > 0) object.properties.push_back({ObjectText::tr("Width"), metres(path.width_m)});
   return object;
 }
@@ -397,7 +393,6 @@ MapObject describeTarget(const LayerContext& context, FeaturesOf, std::size_t nu
   const map::PlanningState& planning = *context.live->planning;
   MapObject object;
   object.kind = ObjectText::tr("Target");
-  object.color = context.theme.target;
   object.yaw_rad = planning.targets[number].yaw_rad;
   object.topic = map::topicIndex<map::PlanningState>();
   Properties known;
@@ -418,8 +413,7 @@ void seeTrail(const LayerContext& context, FeaturesOf, const SeeObject& see) {
 }
 
 MapObject describeTrail(const LayerContext& context, FeaturesOf, std::size_t) {
-  return oneLine(ObjectText::tr("Trail"), context.theme.trail, context.live->trail.size(),
-                 map::topicIndex<map::TrackedPose>());
+  return oneLine(ObjectText::tr("Trail"), context.live->trail.size(), map::topicIndex<map::TrackedPose>());
 }
 
 void seeTrack(const LayerContext& context, FeaturesOf, const SeeObject& see) {
@@ -433,7 +427,7 @@ void seeTrack(const LayerContext& context, FeaturesOf, const SeeObject& see) {
 MapObject describeTrack(const LayerContext& context, FeaturesOf, std::size_t) {
   static const Track kNone;
   const Track& track = context.track ? *context.track : kNone;
-  MapObject object = oneLine(ObjectText::tr("Track of the bag"), context.theme.trail, track.size(), -1);
+  MapObject object = oneLine(ObjectText::tr("Track of the bag"), track.size(), -1);
   if (!track.empty())
     object.properties.push_back(
         {ObjectText::tr("Time in the bag"),
@@ -454,7 +448,6 @@ void seeCloud(const LayerContext& context, FeaturesOf, const SeeObject& see) {
 MapObject describeCloudPoint(const LayerContext& context, FeaturesOf, std::size_t number) {
   MapObject object;
   object.kind = ObjectText::tr("Lidar point");
-  object.color = context.theme.cloud;
   for (const auto& [topic, cloud] : context.live->clouds) {
     if (!cloud) continue;
     if (number < cloud->size()) {
@@ -690,7 +683,6 @@ std::optional<MapObject> wholeMapObject(const SceneItems& items, const session::
   object.form = ObjectForm::Area;
   object.kind = ObjectText::tr("Map");
   object.name = shortName(slot.name().toStdString());
-  object.color = items.context.theme.outline;
   object.yaw_rad = reference.origin.yaw_rad;
   const double width = reference.width * reference.resolution_m,
                height = reference.height * reference.resolution_m;
@@ -726,13 +718,13 @@ std::optional<Eigen::Vector2d> placeOfMark(const ObjectId& id) {
                           : std::optional(Eigen::Vector2d(words[0].toDouble(), words[1].toDouble()));
 }
 
-MapObject problemObject(const LayerContext& context, const ProblemMark& mark) {
+MapObject problemObject(const ProblemMark& mark) {
   MapObject object;
   object.id = idOf(mark);
   object.kind = ObjectText::tr("Missing");
   object.name = mark.title;
   object.at_m = mark.at_m;
-  object.color = context.theme.bad;
+  object.look = std::int64_t(mark.kind);
   object.properties = Properties().add(ObjectText::tr("Why"), mark.reason);
   if (mark.submap) object.topic = map::topicIndex<map::SubmapList>();
   return object;

@@ -43,7 +43,7 @@ std::vector<MapObject> allObjects(const SceneItems& items, std::size_t most);
 ObjectId idOf(const ProblemMark& mark);
 /// Where the mark with this id was; nullopt: it is no id of a mark.
 std::optional<Eigen::Vector2d> placeOfMark(const ObjectId& id);
-MapObject problemObject(const LayerContext& context, const ProblemMark& mark);
+MapObject problemObject(const ProblemMark& mark);
 /// nullopt: it is not on screen.
 std::optional<MapObject> submapObject(const LayerContext& context, const session::Session& session,
                                       const ObjectId& id);

@@ -80,6 +80,7 @@ Legend::Paint Legend::bySample(const Fill& fill) const {
     sample.context.view.width_px = int(room.width());
     sample.context.view.height_px = int(room.height());
     sample.context.live = &sample.live;
+    sample.context.ink = context().ink;
     fill(sample);
     QStyleOptionGraphicsItem option;
     option.exposedRect = room;
@@ -117,7 +118,21 @@ void Legend::addScale(const QString& low, const QString& high, std::span<const Q
   rows_.push_back({text, painted(kScale, paint), low, high});
 }
 
-QImage Legend::lookOf(const Fill& fill) const { return painted(kSymbol, bySample(fill)); }
+Legend::Paint Legend::byThing(ObjectForm form, std::int64_t look) const {
+  return bySample([this, form, look](LegendSample& sample) { fillSample(sample, layer_, form, look); });
+}
+
+void Legend::addThing(const QString& text, ObjectForm form, std::int64_t look) {
+  add(text, byThing(form, look));
+}
+
+QImage Legend::lookOf(ObjectForm form, std::int64_t look, const QSize& size) const {
+  // The cells of a whole map are the ground of all samples.
+  if (layer_ != Layer::WholeMap) return painted(size, byThing(form, look));
+  return painted(size, [this](QPainter& painter, const QRectF& room) {
+    painter.fillRect(room.adjusted(room.width() / 2, 0, 0, 0), QColor(theme().map.occupied));
+  });
+}
 
 QColor cellColor(std::uint32_t premultiplied) { return QColor::fromRgba(qUnpremultiply(premultiplied)); }
 
@@ -125,6 +140,17 @@ void addCells(Legend& legend, const render::MapColors& colors) {
   legend.addCell(LegendText::tr("Free"), QColor(colors.free));
   legend.addCell(LegendText::tr("Occupied"), QColor(colors.occupied));
   legend.addCell(LegendText::tr("Unknown"), QColor(colors.unknown));
+}
+
+QImage MapScene::symbolOf(const MapObject& object, int size_px, qreal pixel_ratio) const {
+  constexpr int kSidePx = Legend::kSymbol.height();
+  // Submaps are told apart by their outlines.
+  const Layer layer = object.id.layer == Layer::Submaps ? Layer::Outlines : object.id.layer;
+  const Legend::Source source{items_->context, layerStyle(layer), 1,
+                              session_,        color_mode_,       pixel_ratio * size_px / kSidePx};
+  QImage symbol = Legend(layer, source).lookOf(object.form, object.look, QSize(kSidePx, kSidePx));
+  symbol.setDevicePixelRatio(pixel_ratio);
+  return symbol;
 }
 
 std::vector<LegendSection> MapScene::legend(qreal pixel_ratio) const {

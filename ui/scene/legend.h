@@ -20,13 +20,23 @@ namespace mapwright::scene {
 
 /// What a layer paints for its symbol: made-up data, in a view without rotation whose middle is (0, 0).
 struct LegendSample {
-  static constexpr double kMPerPx = 0.2;  // too far out for names
+  static constexpr double kMPerPx = 0.2;
   LayerContext context;
   map::LiveState live;
   /// The point so many pixels to the right of the middle and above it.
   static Eigen::Vector2d at(double right_px, double up_px) { return {right_px * kMPerPx, up_px * kMPerPx}; }
   static std::vector<Eigen::Vector2d> box(double half_width_px, double half_height_px);
+  /// From the middle to the left and right, with some air.
+  double reachPx() const;
 };
+
+// What of a thing tells how it looks: MapObject::look.
+inline constexpr std::int64_t kOpenDoor = 0, kClosedDoor = 1, kOtherDoor = 2;
+std::int64_t whichLook(const DrawnWaypoint& point);
+std::int64_t whichLook(const map::AutoDoor& door);
+std::int64_t whichLook(const map::GroundBox& box);
+/// A thing of the layer that looks as MapObject::look says.
+void fillSample(LegendSample& sample, Layer layer, ObjectForm form, std::int64_t look);
 
 /// Collects the rows of one layer.
 class Legend {
@@ -55,6 +65,7 @@ class Legend {
   void add(const QString& text, const Paint& paint);
   /// The same, painted by the layer.
   void addSample(const QString& text, const Fill& fill);
+  void addThing(const QString& text, ObjectForm form, std::int64_t look = 0);
   /// The whole symbol is a cell.
   void addCell(const QString& text, const QColor& color);
   /// A scale painted by the layer, from its left to its right end.
@@ -62,13 +73,14 @@ class Legend {
   void addScale(const QString& low, const QString& high, std::span<const QColor> colors,
                 const QString& text = {});
   /// What the layer would paint, to find samples that look the same.
-  QImage lookOf(const Fill& fill) const;
+  QImage lookOf(ObjectForm form, std::int64_t look, const QSize& size = kSymbol) const;
 
   const std::vector<LegendRow>& rows() const { return rows_; }
 
  private:
   QImage painted(const QSize& size, const Paint& paint) const;
   Paint bySample(const Fill& fill) const;
+  Paint byThing(ObjectForm form, std::int64_t look) const;
 
   Layer layer_;
   Source source_;

@@ -1,5 +1,4 @@
 // What the robot, its plans and its sensor data look like in the legend.
-#include <array>
 #include <cmath>
 #include <memory>
 
@@ -13,12 +12,6 @@ namespace {
 class LiveLegendText {
   Q_DECLARE_TR_FUNCTIONS(LiveLegend)
 };
-
-constexpr double kHalfLinePx = 18;
-
-std::vector<Eigen::Vector2d> sampleLine() {
-  return {LegendSample::at(-kHalfLinePx, 0), LegendSample::at(kHalfLinePx, 0)};
-}
 
 void footprints(Legend& legend, const QString& text) {
   legend.addSample(text, [](LegendSample& sample) {
@@ -47,8 +40,7 @@ void fillPoints(LegendSample& sample, double per_px, const Made& made) {
 }  // namespace
 
 void robotLegend(Legend& legend) {
-  legend.addSample(LiveLegendText::tr("Robot; the tip is its front"),
-                   [](LegendSample& sample) { sample.live.robot_pose = geometry::Pose2{}; });
+  legend.addThing(LiveLegendText::tr("Robot; the tip is its front"), ObjectForm::Point);
 }
 
 void footprintLegend(Legend& legend) { footprints(legend, LiveLegendText::tr("Outline of the robot")); }
@@ -58,58 +50,32 @@ void expandedFootprintLegend(Legend& legend) {
 }
 
 void trailLegend(Legend& legend) {
-  legend.addSample(LiveLegendText::tr("Where the robot was"), [](LegendSample& sample) {
-    for (double x = -kHalfLinePx; x <= kHalfLinePx; x += 2)
-      sample.live.trail.push_back({LegendSample::at(x, 0), x});
-  });
+  legend.addThing(LiveLegendText::tr("Where the robot was"), ObjectForm::Line);
 }
 
 void pathLegend(Legend& legend) {
-  legend.addSample(LiveLegendText::tr("Planned path to the target"),
-                   [](LegendSample& sample) { sample.live.path = sampleLine(); });
+  legend.addThing(LiveLegendText::tr("Planned path to the target"), ObjectForm::Line);
 }
 
 void localPathLegend(Legend& legend) {
-  legend.addSample(LiveLegendText::tr("Next part of the path, as wide as the robot"),
-                   [](LegendSample& sample) {
-                     sample.live.local_path.points = sampleLine();
-                     sample.live.local_path.width_m = 12 * LegendSample::kMPerPx;
-                   });
+  legend.addThing(LiveLegendText::tr("Next part of the path, as wide as the robot"), ObjectForm::Line);
 }
 
 void trajectoryLegend(Legend& legend) {
-  legend.addSample(LiveLegendText::tr("Way on which the map was made"),
-                   [](LegendSample& sample) { sample.live.trajectory = sampleLine(); });
+  legend.addThing(LiveLegendText::tr("Way on which the map was made"), ObjectForm::Line);
 }
 
 void targetLegend(Legend& legend) {
-  legend.addSample(LiveLegendText::tr("Target, with its heading"), [](LegendSample& sample) {
-    const Eigen::Vector2d at = LegendSample::at(-3, 0);
-    sample.live.planning.emplace().targets = {{at.x(), at.y(), 0}};
-  });
+  legend.addThing(LiveLegendText::tr("Target, with its heading"), ObjectForm::Point);
 }
 
 void nearbyRobotsLegend(Legend& legend) {
-  legend.addSample(LiveLegendText::tr("Other robot; dotted: where it is going"), [](LegendSample& sample) {
-    map::NearbyRobot other;
-    const Eigen::Vector2d at = LegendSample::at(-9, 0);
-    other.pose = {at.x(), at.y(), 0};
-    other.footprint_digest = "f";
-    other.trend = {at, LegendSample::at(kHalfLinePx, 0)};
-    sample.live.nearby_footprints["f"] = LegendSample::box(9, 7);
-    sample.live.nearby_robots = {other};
-  });
+  legend.addThing(LiveLegendText::tr("Other robot; dotted: where it is going"), ObjectForm::Point);
 }
 
 void constraintsLegend(Legend& legend) {
-  const auto add = [&](const QString& text, const char* name) {
-    legend.addSample(text, [name](LegendSample& sample) {
-      sample.live.constraints.by_name[name] = {{LegendSample::at(-kHalfLinePx, 3), LegendSample::at(0, -5)},
-                                               {LegendSample::at(0, -5), LegendSample::at(kHalfLinePx, 5)}};
-    });
-  };
-  add(LiveLegendText::tr("Constraint"), "constraints");
-  add(LiveLegendText::tr("Residual: the error that remains"), "residuals");
+  legend.addThing(LiveLegendText::tr("Constraint"), ObjectForm::Line, 0);
+  legend.addThing(LiveLegendText::tr("Residual: the error that remains"), ObjectForm::Line, 1);
 }
 
 void lidarLegend(Legend& legend) {
@@ -143,32 +109,22 @@ void lidarLegend(Legend& legend) {
 
 void trackLegend(Legend& legend) {
   if (!legend.context().track) return;
-  const auto way = [](int quality, int steps) {
-    return [quality, steps](LegendSample& sample) {
-      const double half = sample.context.view.width_px / 2.0 - 4;
-      auto track = std::make_shared<Track>();
-      for (int i = 0; i <= steps; ++i) {
-        const double share = double(i) / steps;
-        track->push_back({LegendSample::at(half * (2 * share - 1), 0), share, share, quality, i == 0});
-      }
-      sample.context.track = track;
-    };
+  const Legend::Fill whole = [](LegendSample& sample) {
+    fillSample(sample, Layer::Track, ObjectForm::Line, 0);
   };
-  constexpr int kFine = 200;
   switch (TrackChoice(legend.style().choice)) {
     case TrackChoice::Time:
-      return legend.addSampleScale(LiveLegendText::tr("start"), LiveLegendText::tr("end of the bag"),
-                                   way(0, kFine));
+      return legend.addSampleScale(LiveLegendText::tr("start"), LiveLegendText::tr("end of the bag"), whole);
     case TrackChoice::Speed:
-      return legend.addSampleScale(LiveLegendText::tr("standing"), LiveLegendText::tr("fastest"),
-                                   way(0, kFine));
+      return legend.addSampleScale(LiveLegendText::tr("standing"), LiveLegendText::tr("fastest"), whole);
     case TrackChoice::Quality:
       break;
   }
-  legend.addSample(LiveLegendText::tr("Localization: good"), way(10, 2));
-  legend.addSample(LiveLegendText::tr("Localization: fair"), way(5, 2));
-  legend.addSample(LiveLegendText::tr("Localization: poor or lost"), way(1, 2));
-  legend.addSample(LiveLegendText::tr("Localization: unknown"), way(0, 2));
+  constexpr int kGood = 10, kFair = 5, kPoor = 1, kUnknown = 0;
+  legend.addThing(LiveLegendText::tr("Localization: good"), ObjectForm::Line, kGood);
+  legend.addThing(LiveLegendText::tr("Localization: fair"), ObjectForm::Line, kFair);
+  legend.addThing(LiveLegendText::tr("Localization: poor or lost"), ObjectForm::Line, kPoor);
+  legend.addThing(LiveLegendText::tr("Localization: unknown"), ObjectForm::Line, kUnknown);
 }
 
 }  // namespace mapwright::scene

@@ -33,16 +33,8 @@ void submapsLegend(Legend& legend) {
 }
 
 void outlinesLegend(Legend& legend) {
-  const auto add = [&](const QString& text, bool frozen) {
-    legend.addSample(text, [frozen](LegendSample& sample) {
-      const auto box = LegendSample::box(17, 7);
-      Outline& outline = sample.context.outlines[{}];
-      std::copy(box.begin(), box.end(), outline.corners.begin());
-      outline.frozen = frozen;
-    });
-  };
-  add(MapLegendText::tr("Submap"), false);
-  add(MapLegendText::tr("Frozen submap"), true);
+  legend.addThing(MapLegendText::tr("Submap"), ObjectForm::Area, 0);
+  legend.addThing(MapLegendText::tr("Frozen submap"), ObjectForm::Area, 1);
 }
 
 void idsLegend(Legend& legend) {

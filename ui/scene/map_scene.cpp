@@ -258,7 +258,8 @@ std::vector<ProblemMark> MapScene::problemMarksAt(const Eigen::Vector2d& world_m
       for (const auto& [id, mark] :
            items_->context.submap_marks->within(around, kMost).value_or(std::vector<SubmapMarks::Entry>())) {
         if (!isNear(mark.at_m) && !(mark.corners && isIn(*mark.corners))) continue;
-        found.push_back({sentences::nameOf(map::subjectOf(id)), reasonOf(id, mark.kind), mark.at_m, id});
+        found.push_back(
+            {sentences::nameOf(map::subjectOf(id)), reasonOf(id, mark.kind), mark.at_m, mark.kind, id});
       }
       continue;
     }
@@ -508,7 +509,7 @@ std::optional<MapObject> MapScene::object(const ObjectId& id) const {
   const auto mark_at = placeOfMark(id);
   if (!mark_at) return scene::objectOf(*items_, *session_, id);
   for (const ProblemMark& mark : problemMarksAt(*mark_at, 1)) {
-    if (idOf(mark).sameAs(id)) return problemObject(items_->context, mark);
+    if (idOf(mark).sameAs(id)) return problemObject(mark);
   }
   return std::nullopt;
 }

@@ -10,6 +10,7 @@
 
 #include <QElapsedTimer>
 #include <QGraphicsScene>
+#include <QImage>
 #include <QTimer>
 
 #include "geometry/view_transform.h"
@@ -100,6 +101,8 @@ class MapScene : public QGraphicsScene {
   std::optional<MapObject> object(const ObjectId& id) const;
   /// All things that visible layers show, except submaps and the points of sensors; at most `most`.
   std::vector<MapObject> objects(std::size_t most) const;
+  /// What it looks like on the map, as in the legend.
+  QImage symbolOf(const MapObject& object, int size_px, qreal pixel_ratio) const;
   /// Frames a thing as it lies now; nullopt = none.
   void setMarked(std::optional<MapObject> object);
   /// Marks a place, world metres; nullopt = none.

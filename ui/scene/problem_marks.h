@@ -17,16 +17,17 @@
 
 namespace mapwright::scene {
 
+enum class MarkKind { Missing, Failed, Corrupt, NoSlice, Unreadable };
+
 /// What is missing at a point of the map, for those who ask there. Plain text.
 struct ProblemMark {
-  QString title;                             // "Submap 12-3"
-  QString reason;                            // a sentence
-  Eigen::Vector2d at_m{0, 0};                // the middle of the mark
+  QString title;               // "Submap 12-3"
+  QString reason;              // a sentence
+  Eigen::Vector2d at_m{0, 0};  // the middle of the mark
+  MarkKind kind = MarkKind::Unreadable;
   std::optional<map::SubmapId> submap = {};  // nullopt: an overlay, or a map
   bool operator==(const ProblemMark&) const = default;
 };
-
-enum class MarkKind { Missing, Failed, Corrupt, NoSlice, Unreadable };
 
 struct PlacedMark {
   MarkKind kind = MarkKind::Missing;

@@ -83,7 +83,7 @@ std::optional<MapObject> submapObject(const LayerContext& context, const session
   object.name = QString::fromStdString(map::toText(submap));
   object.at_m = outline.center;
   object.parts = {{outline.corners.begin(), outline.corners.end()}};
-  object.color = outline.frozen ? context.theme.outline_frozen : context.theme.outline;
+  object.look = outline.frozen ? 1 : 0;
   object.topic = map::topicIndex<map::SubmapList>();
   if (const auto pose = geometry::toIsometry(row->entry.pose))
     object.yaw_rad = geometry::projectToPlane(*pose).yaw_rad;
