@@ -112,6 +112,32 @@ class LabelPlanTest : public QObject {
     QVERIFY(boxes(two, plan).contains(2));
   }
 
+  void whatRestsKeepsItsPlaceWhileRobotsMove() {
+    LabelTask resting = crowd(60, 500);
+    LabelMemory memory = placeLabels(resting).memory;
+    const std::map<std::uint64_t, QRectF> before = boxes(resting, placeLabels(resting));
+    for (int step = 0; step < 60; ++step) {
+      LabelTask now = resting;
+      now.steady = true;
+      for (int robot = 0; robot < 3; ++robot) {
+        now.wishes.push_back(
+            wish(std::uint64_t(1000 + robot), 10.0 * step, 100.0 + 120 * robot, LabelRank::Robot));
+        now.symbols.push_back(now.wishes.back().mark);
+      }
+      const LabelPlan plan = placeLabels(now, memory);
+      const std::map<std::uint64_t, QRectF> after = boxes(now, plan);
+      for (const auto& [key, box] : before) {
+        const auto hit = [&box = box](const LabelWish& one) {
+          return one.rank == LabelRank::Robot && one.mark.intersects(box);
+        };
+        if (std::any_of(now.wishes.begin(), now.wishes.end(), hit)) continue;
+        QVERIFY(after.contains(key));
+        QCOMPARE(after.at(key), box);
+      }
+      // Each step follows the first plan: what a robot has pushed away may go on lying elsewhere.
+    }
+  }
+
   void whatIsChosenIsNamedHoweverSmallItIs() {
     LabelTask small = task({wish(1, 300, 300)});
     small.wishes[0].place = Place::Within;

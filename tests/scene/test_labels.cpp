@@ -98,6 +98,50 @@ class LabelsTest : public QObject {
     }
   }
 
+  void thereAreNamesFromFarAwayToo() {
+    map::NearbyRobotsMessage robots;
+    robots.robots.push_back({});
+    robots.robots[0].uid = "R2";
+    robots.robots[0].pose = {3, 20, 0};
+    robot_->say(robots);
+    const geometry::ViewTransform far{{0, 0}, 0.4, 0, kWidth, kHeight};
+    const auto scene = sceneOf(false, far);
+    scene->setLayerVisible(Layer::Landmarks, false);
+    const QImage without = painted(*scene);
+    scene->setLayerVisible(Layer::NearbyRobots, true);
+    const QImage image = painted(*scene);
+    int different = 0;  // beyond the symbol
+    const Eigen::Vector2d at = far.pixelFromWorld({3, 20});
+    for (int y = -10; y <= 10; ++y) {
+      for (int x = 22; x < 40; ++x) {
+        const QPoint px(int(at.x()) + x - 14, int(at.y()) + y);
+        different += image.pixel(px) != without.pixel(px);
+      }
+    }
+    QVERIFY2(different > 10, qPrintable(QString::number(different)));
+  }
+
+  void namesKeepClearOfTheScaleBarAndOfButtons() {
+    // A label to the right of each would lie on one of them.
+    robot_->say(map::LandmarksMessage{{{"mmmmmmmm", {-4.2, -3.1}, true}, {"nnnnnnnn", {-1.3, -3.6}, true}}});
+    const geometry::ViewTransform view{{0, 0}, 0.02, 0, kWidth, kHeight};
+    const auto scene = sceneOf(false, view);
+    const QRect bar(8, kHeight - 40, 100, 32), buttons(200, kHeight - 40, 120, 40);
+    scene->setLayerVisible(Layer::ScaleBar, true);
+    scene->setLayerVisible(Layer::Landmarks, false);
+    const QImage without = painted(*scene);
+    scene->setCovered({QRectF(buttons)});
+    scene->setLayerVisible(Layer::Landmarks, true);
+    const QImage image = painted(*scene);
+    for (const QRect& area : {bar, buttons}) {
+      for (int y = area.top() + 3; y < area.bottom(); ++y) {
+        for (int x = area.left() + 3; x < area.right() - 2; ++x)
+          QVERIFY2(std::abs(qGray(image.pixel(x, y)) - qGray(without.pixel(x, y))) < 8,
+                   qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
+      }
+    }
+  }
+
   void aSnapshotDoesNotDependOnWhatWasBefore() {
     const geometry::ViewTransform view{{0.3, 0.1}, 0.02, 0, kWidth, kHeight};
     const auto fresh = sceneOf(false, view);

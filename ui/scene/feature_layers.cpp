@@ -174,7 +174,7 @@ class DoorsLayer : public SmallLayer {
       const map::AutoDoor& door = context_.live->doors[i];
       const QRectF mark = toPolygon(context_.view, door.polygon).boundingRect();
       keepSmallClear(labels, mark);
-      if (!labels.namesShown() || door.polygon.size() < 3) continue;
+      if (door.polygon.size() < 3 || !labels.named(mark)) continue;
       const QString state = shortName(door.state.empty() ? "unknown" : door.state);
       labels.add(LabelWish::Place::Beside, LabelRank::Door, mark, i,
                  door.name.empty() ? state : shortName(door.name) + QStringLiteral(": ") + state,
@@ -326,7 +326,7 @@ class LandmarksLayer : public SmallLayer {
     for (const map::Landmark& landmark : landmarks()) {
       const QRectF mark = diamondOf(landmark).boundingRect();
       labels.symbol(mark);
-      if (!labels.namesShown() || !labels.area().intersects(mark)) continue;
+      if (!labels.named(mark)) continue;
       labels.add(LabelWish::Place::Beside, LabelRank::Landmark, mark, qHash(QByteArrayView(landmark.id)),
                  shortName(landmark.id), context_.theme.text);
     }
@@ -390,7 +390,7 @@ class OverlaysLayer : public LayerItem {
       }
       // The first ring is the outer one.
       const QRectF bounds = toPolygon(context_.view, feature.parts[0]).boundingRect();
-      if (!labels.namesShown() || !labels.area().intersects(bounds)) continue;
+      if (!labels.named(bounds)) continue;
       labels.add(LabelWish::Place::Within, LabelRank::Region, bounds, id, nameOf(feature),
                  regionColor(context_.theme, feature.type));
     }

@@ -24,16 +24,19 @@ class Taken {
   }
 
   bool free(const QRectF& rect) const {
-    bool is_free = true;
-    eachCell(rect, [&](std::size_t cell) {
-      for (const std::uint32_t index : cells_[cell]) is_free = is_free && !rects_[index].intersects(rect);
+    return eachCell(rect, [&](std::size_t cell) {
+      const auto& here = cells_[cell];
+      return std::none_of(here.begin(), here.end(),
+                          [&](std::uint32_t index) { return rects_[index].intersects(rect); });
     });
-    return is_free;
   }
   void add(const QRectF& rect) {
     const auto index = std::uint32_t(rects_.size());
     rects_.push_back(rect);
-    eachCell(rect, [&](std::size_t cell) { cells_[cell].push_back(index); });
+    eachCell(rect, [&](std::size_t cell) {
+      cells_[cell].push_back(index);
+      return true;
+    });
   }
 
  private:
@@ -45,16 +48,19 @@ class Taken {
   }
 
   /// What lies outside of the area belongs to the squares at its edge.
+  /// Until `function` is false; then this is, too.
   template <class Function>
-  void eachCell(const QRectF& rect, const Function& function) const {
+  bool eachCell(const QRectF& rect, const Function& function) const {
     const int left = clamped(rect.left() - origin_.x(), columns_),
               right = clamped(rect.right() - origin_.x(), columns_);
     const int top = clamped(rect.top() - origin_.y(), rows_),
               bottom = clamped(rect.bottom() - origin_.y(), rows_);
     for (int row = top; row <= bottom; ++row) {
-      for (int column = left; column <= right; ++column)
-        function(std::size_t(row) * std::size_t(columns_) + std::size_t(column));
+      for (int column = left; column <= right; ++column) {
+        if (!function(std::size_t(row) * std::size_t(columns_) + std::size_t(column))) return false;
+      }
     }
+    return true;
   }
 
   QPointF origin_;
@@ -127,11 +133,11 @@ class Placing {
 
   LabelPlan made() {
     LabelPlan plan;
-    const std::vector<std::size_t> indices = order();
-    if (indices.empty()) return plan;
+    if (task_.wishes.empty()) return plan;
     for (const QRectF& symbol : task_.symbols) {
       if (isFinite(symbol) && area_.intersects(symbol)) symbols_.add(symbol);
     }
+    const std::vector<std::size_t> indices = order();
     std::size_t tried = 0;
     for (const std::size_t index : indices) {
       if (tried++ == kMostLabels) break;
@@ -151,6 +157,8 @@ class Placing {
   }
 
  private:
+  enum class Turn { First, Displaced, Moving, Last };
+
   std::optional<int> keptBy(const LabelWish& wish) const {
     const auto kept = before_.find(wish.key);
     if (kept == before_.end() || kept->second >= spotsOf(wish)) return std::nullopt;
@@ -158,18 +166,25 @@ class Placing {
   }
 
   std::vector<std::size_t> order() const {
-    std::vector<std::tuple<bool, bool, LabelRank, bool, std::size_t>> sorted;
+    std::vector<std::tuple<bool, bool, Turn, LabelRank, bool, std::size_t>> sorted;
     for (std::size_t i = 0; i < task_.wishes.size(); ++i) {
       const LabelWish& wish = task_.wishes[i];
       if (!isFinite(wish.mark) || wish.size.isEmpty()) continue;
       if (!area_.intersects(wish.mark.adjusted(-1, -1, 1, 1))) continue;
       const auto kept = keptBy(wish);
       const bool fresh = !kept || *kept == kHiddenLabel;
-      sorted.emplace_back(wish.rank != LabelRank::Chosen, task_.panned && fresh, wish.rank, fresh, i);
+      // What comes new has its rank; what had no room gets none of what robots leave behind them. One that a
+      // robot drives over pushes no other one away.
+      const Turn turn = !task_.steady                                ? Turn::First
+                        : wish.rank == LabelRank::Robot              ? Turn::Moving
+                        : kept && fresh                              ? Turn::Last
+                        : kept && !symbols_.free(boxAt(wish, *kept)) ? Turn::Displaced
+                                                                     : Turn::First;
+      sorted.emplace_back(wish.rank != LabelRank::Chosen, task_.panned && fresh, turn, wish.rank, fresh, i);
     }
     std::sort(sorted.begin(), sorted.end());
     std::vector<std::size_t> indices;
-    for (const auto& one : sorted) indices.push_back(std::get<4>(one));
+    for (const auto& one : sorted) indices.push_back(std::get<5>(one));
     return indices;
   }
 

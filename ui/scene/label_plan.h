@@ -46,8 +46,10 @@ struct LabelTask {
   std::vector<LabelWish> wishes;
   std::vector<QRectF> symbols;  // must not be covered
   QRectF view;
-  /// Nothing but the centre of the camera has changed since the memory was made: what has a place keeps it,
-  /// whatever comes into view.
+  /// Scale and turn of the camera are those of the memory: what rests keeps its place while robots move, and
+  /// their names give way.
+  bool steady = false;
+  /// And nothing else has changed: what has a place keeps it, whatever comes into view.
   bool panned = false;
   bool operator==(const LabelTask&) const = default;
 };

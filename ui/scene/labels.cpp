@@ -14,12 +14,18 @@ LabelCollector::LabelCollector(LabelInk& ink, const MapTheme& theme, const geome
                                std::uint64_t owner)
     : ink_(ink),
       theme_(theme),
-      area_(QRectF(0, 0, view.width_px, view.height_px)
-                .adjusted(-kLabelMarginPx, -kLabelMarginPx, kLabelMarginPx, kLabelMarginPx)),
+      view_(0, 0, view.width_px, view.height_px),
+      area_(view_.adjusted(-kLabelMarginPx, -kLabelMarginPx, kLabelMarginPx, kLabelMarginPx)),
       scale_m_per_px_(view.scale_m_per_px),
       owner_(owner) {}
 
-bool LabelCollector::namesShown() const { return scale_m_per_px_ <= kNameFromMPerPx; }
+bool LabelCollector::isClose() const { return scale_m_per_px_ <= kNameFromMPerPx; }
+
+bool LabelCollector::named(const QRectF& mark) const {
+  constexpr std::size_t kMostFarAway = 100;  // of thousands of them
+  if (isClose()) return area_.intersects(mark);
+  return wishes_.size() < kMostFarAway && view_.intersects(mark);
+}
 
 void LabelCollector::add(LabelWish::Place place, LabelRank rank, const QRectF& mark, std::uint64_t id,
                          const QString& text, const QColor& color, bool struck_through) {
@@ -54,7 +60,7 @@ void Labels::changed(const LayerItem* item) {
 }
 
 bool Labels::onlyPanned(const geometry::ViewTransform& view) const {
-  if (!view_ || data_changed_) return false;
+  if (!view_) return false;
   geometry::ViewTransform there = view;
   there.center_m = view_->center_m;
   return there == *view_;
@@ -65,7 +71,11 @@ std::vector<QRectF> Labels::place(const LayerContext& context, const std::vector
   due_ = false;
   LabelTask task;
   task.view = QRectF(0, 0, context.view.width_px, context.view.height_px);
-  task.panned = onlyPanned(context.view);
+  task.steady = onlyPanned(context.view);
+  task.panned = task.steady && !data_changed_;
+  task.symbols = context.covered;
+  if (context.covered_top_px > 0)
+    task.symbols.emplace_back(0, 0, context.view.width_px, context.covered_top_px);
   if (view_ != context.view) asked_.clear();
   data_changed_ = false;
   struct Origin {

@@ -31,8 +31,11 @@ class LabelCollector {
   /// Labels of other areas are not shown.
   const QRectF& area() const { return area_; }
   const MapTheme& theme() const { return theme_; }
-  /// Farther away only what was chosen has a name.
-  bool namesShown() const;
+  /// The view is close enough for every name that has room.
+  bool isClose() const;
+  /// Whether what lies here is to be named: farther away only the first ones in view are, besides what was
+  /// chosen.
+  bool named(const QRectF& mark) const;
 
   /// `id` tells the object from all others of this item, in every frame.
   void add(LabelWish::Place place, LabelRank rank, const QRectF& mark, std::uint64_t id, const QString& text,
@@ -50,7 +53,7 @@ class LabelCollector {
 
   LabelInk& ink_;
   const MapTheme& theme_;
-  QRectF area_;
+  QRectF view_, area_;
   double scale_m_per_px_;
   std::uint64_t owner_;
   std::unordered_set<std::uint64_t> keys_;

@@ -73,6 +73,7 @@ struct LayerContext {
   geometry::ViewTransform view;  // logical pixels
   MapTheme theme;
   double covered_top_px = 0;               // height of the strips on top of the map
+  std::vector<QRectF> covered;             // by buttons
   double swipe_at = 0.5;                   // 0 (left edge) .. 1
   QString left_name, right_name;           // of the halves of a swipe
   std::optional<geometry::Pose2> between;  // where to draw the robot instead, if it is drawn
@@ -106,7 +107,7 @@ struct LayerContext {
   const MapFeatures& of(FeaturesOf which) const { return features[std::size_t(which)]; }
 };
 
-/// Names appear when a pixel is no larger than this.
+/// When a pixel is larger than this, there are fewer names.
 inline constexpr double kNameFromMPerPx = 0.12;
 /// A name as one line, no markup, not too long.
 QString shortName(const std::string& name, qsizetype longest = 40);

@@ -726,6 +726,13 @@ void MapScene::setCoveredTop(double px) {
   items_->swipe->update();
 }
 
+void MapScene::setCovered(std::vector<QRectF> areas) {
+  if (areas == items_->context.covered) return;
+  items_->context.covered = std::move(areas);
+  items_->labels.viewMoved();
+  placeLabelsSoon();
+}
+
 double MapScene::coveredTop() const { return items_->context.covered_top_px; }
 
 const MapTheme& MapScene::theme() const { return items_->context.theme; }

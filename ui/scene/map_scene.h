@@ -86,6 +86,8 @@ class MapScene : public QGraphicsScene {
   /// The height of the strips at its top.
   void setCoveredTop(double px);
   double coveredTop() const;
+  /// What else lies over it: names keep clear of it.
+  void setCovered(std::vector<QRectF> areas);
 
   /// The submaps to highlight (selected in the tree): framed in the accent colour.
   void setHighlighted(std::set<map::SubmapId> ids);

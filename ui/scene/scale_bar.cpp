@@ -15,11 +15,9 @@ class ScaleBarLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) override {
-    constexpr double kWidestPx = 140, kLeft = 16, kBottom = 16;
-    const double length_m = roundDown125(kWidestPx * context_.view.scale_m_per_px);
-    const double width = std::round(length_m / context_.view.scale_m_per_px);
-    const double y = context_.view.height_px - kBottom;
-    const QRectF frame(kLeft - 8, y - 24, width + 16, 32);
+    const double length_m = lengthM();
+    const QRectF frame = this->frame();
+    const double width = frame.width() - 2 * kPad, y = frame.bottom() - kPad;
     if (!option->exposedRect.intersects(frame.adjusted(-2, -2, 2, 2))) return;
     const QString text = lengthText(length_m);
     const QFontMetricsF metrics(context_.theme.label_font);
@@ -33,6 +31,16 @@ class ScaleBarLayer : public LayerItem {
     context_.ink->draw(*painter,
                        {kLeft + (width - metrics.horizontalAdvance(text)) / 2, y - 8 - metrics.ascent()},
                        text, context_.theme, context_.theme.text);
+  }
+  LabelUse labelUse() const override { return LabelUse::Symbols; }
+  void collectLabels(LabelCollector& labels) const override { labels.symbol(frame()); }
+
+ private:
+  static constexpr double kWidestPx = 140, kLeft = 16, kBottom = 16, kPad = 8;
+  double lengthM() const { return roundDown125(kWidestPx * context_.view.scale_m_per_px); }
+  QRectF frame() const {
+    const double width = std::round(lengthM() / context_.view.scale_m_per_px);
+    return {kLeft - kPad, context_.view.height_px - kBottom - 24, width + 2 * kPad, 32};
   }
 };
 

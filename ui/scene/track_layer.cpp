@@ -24,7 +24,8 @@ constexpr int kPoor = 3, kGood = 8;  // SlamStatus::position_quality
 constexpr double kWidth = 3;
 constexpr double kNearPx = 1.5;  // samples closer to the previous one are skipped
 // The legend is above the scale bar.
-constexpr double kLeft = 8, kAboveBottom = 48, kBarPx = 140, kBarHeight = 8, kPad = 8;
+constexpr double kLeft = 8, kAboveBottom = 48, kBarPx = 140, kBarHeight = 8, kPad = 8,
+                 kSwatch = kBarHeight + 6;
 
 /// From brown to yellow: steadily lighter, without red against green, apart from the blues, greens and
 /// purples of everything else, and from every ground (test map_colors).
@@ -95,14 +96,25 @@ class TrackLayer : public LayerItem {
     for (const TrackSample& sample : *context_.track) extendBy(bounds, sample.position_m);
     return bounds;
   }
+  LabelUse labelUse() const override { return LabelUse::Symbols; }
+  void collectLabels(LabelCollector& labels) const override {
+    if (context_.track && !context_.track->empty())
+      labels.symbol(legendOf(scaleOf(*context_.track, choice())).frame);
+  }
 
  private:
+  struct LegendPlate {
+    QStringList names;
+    QRectF frame;
+  };
   struct Run {
     int color = 0;
     QPolygonF line;
     QRectF bounds;
   };
   void layOut();
+  TrackChoice choice() const { return TrackChoice(std::clamp(style().choice, 0, int(TrackChoice::Quality))); }
+  LegendPlate legendOf(const TrackScale& scale) const;
   void paintLegend(QPainter& painter, const QRectF& exposed) const;
 
   std::shared_ptr<const Track> laid_out_;  // what `runs_` were computed for
@@ -112,7 +124,7 @@ class TrackLayer : public LayerItem {
 };
 
 void TrackLayer::layOut() {
-  const auto choice = TrackChoice(std::clamp(style().choice, 0, int(TrackChoice::Quality)));
+  const TrackChoice choice = this->choice();
   if (laid_out_ == context_.track && laid_out_view_ == context_.view && scale_.choice == choice) return;
   if (laid_out_ != context_.track || scale_.choice != choice) scale_ = scaleOf(*context_.track, choice);
   laid_out_ = context_.track;
@@ -165,34 +177,39 @@ void TrackLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
   paintLegend(*painter, option->exposedRect);
 }
 
-void TrackLayer::paintLegend(QPainter& painter, const QRectF& exposed) const {
+TrackLayer::LegendPlate TrackLayer::legendOf(const TrackScale& scale) const {
   const QFontMetricsF metrics(context_.theme.label_font);
-  const std::vector<QColor> colors = trackColors(scale_.choice);
-  const bool qualities = scale_.choice == TrackChoice::Quality;
+  const bool qualities = scale.choice == TrackChoice::Quality;
   const QStringList names =
       qualities ? QStringList{TrackLayerText::tr("unknown"), TrackLayerText::tr("poor or lost"),
                               TrackLayerText::tr("fair"), TrackLayerText::tr("good")}
-      : scale_.choice == TrackChoice::Time
-          ? QStringList{durationText(0), durationText(scale_.most)}
-          : QStringList{QStringLiteral("0"), TrackLayerText::tr("%1 m/s").arg(scale_.most)};
+      : scale.choice == TrackChoice::Time
+          ? QStringList{durationText(0), durationText(scale.most)}
+          : QStringList{QStringLiteral("0"), TrackLayerText::tr("%1 m/s").arg(scale.most)};
   const double line = std::ceil(metrics.height());
-  const double swatch = kBarHeight + 6;
   double width = kBarPx;
   if (qualities) {
     width = 0;
-    for (const QString& name : names) width += swatch + std::ceil(metrics.horizontalAdvance(name)) + 12;
+    for (const QString& name : names) width += kSwatch + std::ceil(metrics.horizontalAdvance(name)) + 12;
     width -= 12;
   }
   const double height = qualities ? line : line + 2 + kBarHeight;
   const double top = context_.view.height_px - kAboveBottom - height - 2 * kPad;
-  const QRectF frame(kLeft, top, width + 2 * kPad, height + 2 * kPad);
+  return {names, QRectF(kLeft, top, width + 2 * kPad, height + 2 * kPad)};
+}
+
+void TrackLayer::paintLegend(QPainter& painter, const QRectF& exposed) const {
+  const QFontMetricsF metrics(context_.theme.label_font);
+  const std::vector<QColor> colors = trackColors(scale_.choice);
+  const bool qualities = scale_.choice == TrackChoice::Quality;
+  const auto [names, frame] = legendOf(scale_);
   if (!exposed.intersects(frame.adjusted(-2, -2, 2, 2))) return;
   QColor plate = context_.theme.text_halo;
   plate.setAlpha(190);
   painter.setPen(Qt::NoPen);
   painter.setBrush(plate);
   painter.drawRoundedRect(frame, 4, 4);
-  const double left = frame.left() + kPad;
+  const double left = frame.left() + kPad, width = frame.width() - 2 * kPad;
   const auto write = [&](double x, const QString& name) {
     context_.ink->draw(painter, {x, frame.top() + kPad}, name, context_.theme, context_.theme.text);
   };
@@ -202,7 +219,7 @@ void TrackLayer::paintLegend(QPainter& painter, const QRectF& exposed) const {
       painter.setPen(Qt::NoPen);
       painter.setBrush(colors[std::size_t(i)]);
       painter.drawRect(QRectF(x, frame.center().y() - kBarHeight / 2, kBarHeight, kBarHeight));
-      x += swatch;
+      x += kSwatch;
       write(x, names[i]);
       x += std::ceil(metrics.horizontalAdvance(names[i])) + 12;
     }

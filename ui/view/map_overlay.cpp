@@ -72,6 +72,7 @@ QString MapOverlay::hint() const { return hint_->text(); }
 void MapOverlay::setFurnitureVisible(bool visible) {
   furniture_visible_ = visible;
   furniture_->setVisible(visible);
+  place();
 }
 
 bool MapOverlay::eventFilter(QObject* watched, QEvent* event) {
@@ -100,6 +101,8 @@ void MapOverlay::place() {
   const QSize furniture = furniture_->sizeHint();
   furniture_->setGeometry(area.width() - furniture.width() - kMargin, top + kMargin, furniture.width(),
                           furniture.height());
+  view_->mapScene()->setCovered(furniture_visible_ ? std::vector<QRectF>{furniture_->geometry()}
+                                                   : std::vector<QRectF>());
   if (!card_->isHidden()) {
     const int width = std::min(card_->maximumWidth(), std::max(280, area.width() - 2 * kMargin));
     const int height = card_->hasHeightForWidth() ? card_->heightForWidth(width) : card_->sizeHint().height();
