@@ -20,9 +20,9 @@ namespace {
 // there.
 constexpr char kFallback[] = "offscreen:";
 
-// Whatever else is installed: these alone, that of Noto in the version of Debian 12 (fonts-noto-cjk). One
-// family of Noto has all of Chinese, Japanese and Korean; of several the language of the user would choose.
-// Emoji stay boxes: labels are outlines, and the glyphs of colour fonts have none.
+// Whatever else is installed: these alone, those of Noto in the versions of Debian 12 (fonts-noto-cjk,
+// fonts-noto-color-emoji). One family of Noto has all of Chinese, Japanese and Korean; of several the
+// language of the user would choose.
 constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
 <!DOCTYPE fontconfig SYSTEM "fonts.dtd">
 <fontconfig>
@@ -40,6 +40,10 @@ constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
     <acceptfont><pattern>
       <patelt name="family"><string>Noto Sans CJK SC</string></patelt>
       <patelt name="fontversion"><int>131334</int></patelt>
+    </pattern></acceptfont>
+    <acceptfont><pattern>
+      <patelt name="family"><string>Noto Color Emoji</string></patelt>
+      <patelt name="fontversion"><int>133825</int></patelt>
     </pattern></acceptfont>
   </selectfont>
   <match target="font">

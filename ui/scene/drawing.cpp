@@ -68,11 +68,14 @@ void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& t
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(theme.text_halo, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(path);
-  // Emoji are pictures in their font, not outlines.
+  painter.fillPath(path, color);
+  // Emoji are pictures in their font, not outlines. Qt 6.4 finds none in a font that outlines were asked of:
+  // with another hinting it is another one.
   const bool pictures = std::any_of(text.begin(), text.end(), [](QChar unit) { return unit.isSurrogate(); });
-  if (!pictures) return painter.fillPath(path, color);
+  if (!pictures) return;
+  font.setHintingPreference(QFont::PreferVerticalHinting);
   painter.setFont(font);
-  painter.setPen(color);
+  painter.setPen(Qt::transparent);  // but for the pictures
   painter.drawText(baseline_left, text);
 }
 
