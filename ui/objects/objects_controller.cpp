@@ -296,10 +296,8 @@ void ObjectsController::locate(const scene::ObjectId& id) {
   choose(id, object->at_m, 0);
 }
 
-void ObjectsController::tellOf(map::SubmapId submap) {
-  const scene::ObjectId id{scene::Layer::Submaps, scene::FeaturesOf::Robot, map::toText(submap), 0};
-  const auto object = context_.scene.object(id);
-  object ? choose(id, object->at_m, 0) : letGo();
+void ObjectsController::wentTo(map::SubmapId submap) {
+  if (chosen_ && scene::submapOf(chosen_->id) != submap) letGo();
 }
 
 void ObjectsController::letGo() {

@@ -36,8 +36,8 @@ class ObjectsController : public Controller {
 
   /// A click on the map that no tool handles; with Alt it goes to what lies beneath.
   void clickedOnMap(const MapPoint& at);
-  /// What was gone to: the card is of nothing else.
-  void tellOf(map::SubmapId submap);
+  /// The inspector tells of it: a card of anything else is gone.
+  void wentTo(map::SubmapId submap);
   void setSession(session::Session* session) override;
   bool escape() override;
   ~ObjectsController() override;

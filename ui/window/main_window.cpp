@@ -188,7 +188,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
 
 void MainWindow::connectControllers() {
   connect(view_control_, &ViewController::clicked, inspector_, &InspectorController::clickedOnMap);
-  connect(inspector_, &InspectorController::located, objects_, &ObjectsController::tellOf);
+  connect(inspector_, &InspectorController::located, objects_, &ObjectsController::wentTo);
   connect(view_control_, &ViewController::picked, objects_, &ObjectsController::clickedOnMap);
   connect(view_control_, &ViewController::clicked, replay_, &ReplayController::clickedOnMap);
   connect(recordings_, &RecordingsController::openWanted, replay_, &ReplayController::openBag);
