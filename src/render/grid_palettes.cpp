@@ -98,7 +98,7 @@ GridPalette differencePalette(bool dark) {
   };
   set(Difference::SameFree, dark ? 0xff3c4653 : 0xfff4f6f8);
   set(Difference::SameOccupied, dark ? 0xff98a4b3 : 0xff39414c);
-  set(Difference::Appeared, 0xffd1383d);
+  set(Difference::Appeared, dark ? 0xffdd3749 : 0xffd93e48);
   set(Difference::Vanished, dark ? 0xff1f6feb : 0xff2377a4);
   set(Difference::OnlyFirst, dark ? 0xff2c4a73 : 0xffbcd4f7);
   set(Difference::OnlySecond, dark ? 0xff6b3034 : 0xfff3c6c8);

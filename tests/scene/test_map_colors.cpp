@@ -23,7 +23,7 @@ using test::Lab;
 namespace {
 
 // CIEDE2000. What must be told apart at a glance; a gradient is longer than a point, and lies between its
-// neighbours, so it may be nearer.
+// neighbours, so it may be nearer; a ring is never taken for a region.
 constexpr double kApart = 10, kFromGround = 10, kFromTrack = 7, kNotTheSameRed = 20;
 
 using Named = std::pair<QString, QColor>;
@@ -45,10 +45,18 @@ std::vector<Named> thingsOf(const MapTheme& theme) {
           {QStringLiteral("measured line"), theme.measure}};
 }
 
-/// The same, and what Difference shows.
+/// Doors, regions of overlays, virtual walls. What is bad has the colour of what is new in a difference.
+std::vector<Named> areasOf(const MapTheme& theme) {
+  return {{QStringLiteral("good"), theme.good},
+          {QStringLiteral("warn"), theme.warn},
+          {QStringLiteral("bad, new"), theme.bad},
+          {QStringLiteral("other regions"), theme.region}};
+}
+
+/// All of them, and what Difference shows.
 std::vector<Named> allOf(const MapTheme& theme) {
   std::vector<Named> all = thingsOf(theme);
-  all.push_back({QStringLiteral("new"), differenceColor(render::Difference::Appeared, theme.dark)});
+  for (const Named& area : areasOf(theme)) all.push_back(area);
   all.push_back({QStringLiteral("gone"), differenceColor(render::Difference::Vanished, theme.dark)});
   return all;
 }
@@ -121,8 +129,13 @@ class TestMapColors : public QObject {
   void whatIsOnScreenTogetherIsToldApart() {
     QFETCH(bool, dark);
     const std::vector<Named> all = allOf(themeOf(dark));
+    QCOMPARE(differenceColor(render::Difference::Appeared, dark), themeOf(dark).bad);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      for (std::size_t k = i + 1; k < all.size(); ++k) atLeast(kApart, all[i], all[k]);
+      for (std::size_t k = i + 1; k < all.size(); ++k) {
+        const bool region_and_mark =
+            all[k].first == QLatin1String("other regions") && all[i].first == QLatin1String("target");
+        atLeast(region_and_mark ? kFromTrack : kApart, all[i], all[k]);
+      }
     }
   }
 
@@ -131,8 +144,9 @@ class TestMapColors : public QObject {
     QFETCH(bool, dark);
     const MapTheme theme = themeOf(dark);
     for (const Named& ground : groundsOf(theme)) {
-      for (const Named& thing : thingsOf(theme)) {
-        QCOMPARE(thing.second.alpha(), 255);  // it is the same on every ground
+      for (const Named& thing : allOf(theme)) {
+        if (thing.first == QLatin1String("gone")) continue;  // it lies on white
+        QCOMPARE(thing.second.alpha(), 255);                 // it is the same on every ground
         atLeast(kFromGround, thing, ground);
       }
       // The local path is a translucent band.
@@ -151,15 +165,18 @@ class TestMapColors : public QObject {
             kNotTheSameRed);
   }
 
-  void theTrackOfABagIsToldFromEverythingButWhatDifferenceShows_data() { themes(); }
-  void theTrackOfABagIsToldFromEverythingButWhatDifferenceShows() {
+  void theTrackOfABagIsToldFromOtherLinesAndPointsAndFromWhatIsNew_data() { themes(); }
+  void theTrackOfABagIsToldFromOtherLinesAndPointsAndFromWhatIsNew() {
     QFETCH(bool, dark);
     const MapTheme theme = themeOf(dark);
     for (const QColor& color : trackColors(TrackChoice::Time)) {
       const Named step{QStringLiteral("track"), color};
       for (const Named& thing : thingsOf(theme)) atLeast(kFromTrack, step, thing);
+      atLeast(kFromTrack, step, {QStringLiteral("new"), theme.bad});
       for (const Named& ground : groundsOf(theme)) atLeast(2 * kFromGround, step, ground);
     }
+    for (const QColor& color : trackColors(TrackChoice::Quality))
+      atLeast(kFromTrack, {QStringLiteral("quality"), color}, {QStringLiteral("new"), theme.bad});
   }
 };
 

@@ -19,9 +19,9 @@ constexpr ColorRow kColorRows[] = {
     {&MapTheme::stale_veil, 0x82e6e9ee, 0x8214181e},     {&MapTheme::cloud, 0xffa43472, 0xffd58eb0},
     {&MapTheme::path, 0xff277aff, 0xff5c9bff},           {&MapTheme::trajectory, 0xff7fad75, 0xff42deb3},
     {&MapTheme::target, 0xff7b0367, 0xffc75292},         {&MapTheme::other_robot, 0xff2f00fa, 0xffa97cbc},
-    {&MapTheme::constraint, 0xff039d81, 0xff00b579},     {&MapTheme::region, 0xff6b4fc4, 0xffa992f5},
-    {&MapTheme::place, 0xff0050b1, 0xff9fc6ff},          {&MapTheme::good, 0xff2e9e5b, 0xff2e9e5b},
-    {&MapTheme::warn, 0xffd98c00, 0xffd98c00},           {&MapTheme::bad, 0xffd1383d, 0xffd1383d}};
+    {&MapTheme::constraint, 0xff039d81, 0xff00b579},     {&MapTheme::region, 0xffcf7cc7, 0xffb40c72},
+    {&MapTheme::place, 0xff0050b1, 0xff9fc6ff},          {&MapTheme::good, 0xff00751b, 0xff018f59},
+    {&MapTheme::warn, 0xffd88c01, 0xffd98602},           {&MapTheme::bad, 0xffd93e48, 0xffdd3749}};
 
 MapTheme themeOf(bool dark) {
   MapTheme theme;

@@ -29,7 +29,7 @@ constexpr double kLeft = 8, kAboveBottom = 48, kBarPx = 140, kBarHeight = 8, kPa
 
 /// From brown to yellow: steadily lighter, without red against green, apart from the blues, greens and
 /// purples of everything else, and from every ground (test map_colors).
-constexpr std::array<QRgb, 5> kGradient{0xff8a2f06, 0xffcb4e04, 0xffea7216, 0xfffd9a2b, 0xfffdc551};
+constexpr std::array<QRgb, 5> kGradient{0xff8a3006, 0xffaf4700, 0xffb76d02, 0xfffc9828, 0xfffdc551};
 
 QColor gradientAt(double share) {
   const double at = std::clamp(share, 0.0, 1.0) * double(kGradient.size() - 1);
@@ -76,9 +76,9 @@ int colorIndexOf(const TrackSample& sample, const TrackScale& scale) {
 }
 
 std::vector<QColor> trackColors(TrackChoice choice) {
-  // Okabe and Ito's colours.
+  // Okabe and Ito's colours; but their red is taken by what is new in a difference.
   if (choice == TrackChoice::Quality)
-    return {QColor(128, 128, 128), QColor(213, 94, 0), QColor(230, 159, 0), QColor(0, 114, 178)};
+    return {QColor(128, 128, 128), QColor(kGradient.front()), QColor(230, 159, 0), QColor(0, 114, 178)};
   std::vector<QColor> colors;
   for (int i = 0; i < kTrackColors; ++i) colors.push_back(gradientAt(double(i) / (kTrackColors - 1)));
   return colors;
