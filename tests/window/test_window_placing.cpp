@@ -315,6 +315,47 @@ class TestWindowPlacing : public QObject {
     QVERIFY(!desk.lineBar().isVisible());
   }
 
+  void aSpacingThatIsRefusedIsSaid_data() {
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("none") << QStringLiteral("0") << QStringLiteral("0 is too small: at least 0.05 m.");
+    QTest::newRow("negative") << QStringLiteral("-1") << QStringLiteral("-1 is too small: at least 0.05 m.");
+    QTest::newRow("too large") << QStringLiteral("200")
+                               << QStringLiteral("200 is too large: at most 100.00 m.");
+  }
+  void aSpacingThatIsRefusedIsSaid() {
+    QFETCH(QString, typed);
+    QFETCH(QString, said);
+    Desk desk;
+    desk.start();
+    desk.key(Qt::Key_L);
+    desk.drag(desk.px(1.5, 0.5), desk.px(3.5, 0.5), Qt::AltModifier);
+    QVERIFY(desk.line().ready());
+    QDoubleSpinBox* const box = desk.lineBar().spacing();
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, typed);
+    QVERIFY(!desk.window->findChild<QLabel*>(QStringLiteral("outOfRange")));
+    QTest::keyClick(box, Qt::Key_Return);
+    auto* const note = desk.window->findChild<QLabel*>(QStringLiteral("outOfRange"));
+    QVERIFY(note && note->isVisible());
+    QCOMPARE(note->text(), said);
+    QCOMPARE(box->value(), 1.0);
+    QCOMPARE(box->text(), QStringLiteral("1.00 m"));
+    QCOMPARE(desk.line().spacing(), 1.0);
+    QCOMPARE(desk.items().size(), std::size_t(2));  // nothing is made with another one
+    QTest::keyClick(box, Qt::Key_Return);
+    QCOMPARE(desk.items().size(), std::size_t(5));
+    // Whoever goes on with the mouse is told as well.
+    note->hide();
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, typed);
+    desk.lineBar().prefixEdit()->setFocus();
+    QVERIFY(note->isVisible());
+    QCOMPARE(box->value(), 1.0);
+  }
+
   void aLineIsDraggedAndEnterMakesIt() {
     Desk desk;
     desk.start();

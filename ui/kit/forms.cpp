@@ -1,6 +1,10 @@
 #include "ui/kit/forms.h"
 
+#include <algorithm>
+
+#include <QAccessible>
 #include <QAction>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
@@ -8,15 +12,20 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStyle>
+#include <QTimer>
 #include <QToolButton>
 #include <QToolTip>
 
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
+#include "ui/kit/ui_colors.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
 namespace {
+
+constexpr int kNoteGapPx = 4, kNoteMs = 6'000;
 
 template <class Layout>
 Layout* laidOut(std::initializer_list<LayoutItem> items, int spacing,
@@ -120,11 +129,50 @@ bool isUndoOfOthers(const QEvent& event, const QLineEdit& text) {
          (key.matches(QKeySequence::Redo) && !text.isRedoAvailable());
 }
 
-DecimalBox::DecimalBox(QWidget* parent) : BoundedBox(parent) { setLocale(QLocale::c()); }
+QString tooSmallText(const QString& typed, const QString& least) {
+  return QCoreApplication::translate("window", "%1 is too small: at least %2.").arg(typed, least);
+}
+
+QString tooLargeText(const QString& typed, const QString& most) {
+  return QCoreApplication::translate("window", "%1 is too large: at most %2.").arg(typed, most);
+}
+
+void sayOutOfRange(const QAbstractSpinBox& field, const QString& text) {
+  QWidget* const window = field.window();
+  const QString name = QStringLiteral("outOfRange");
+  // No tooltip: that hides when the focus goes to the next field.
+  auto* note = window->findChild<QLabel*>(name, Qt::FindDirectChildrenOnly);
+  if (!note) {
+    note = new QLabel(window);
+    note->setObjectName(name);
+    note->setTextFormat(Qt::PlainText);
+    note->setContentsMargins(8, 4, 8, 4);
+    note->setAttribute(Qt::WA_TransparentForMouseEvents);
+    auto* const away = new QTimer(note);
+    away->setSingleShot(true);
+    QObject::connect(away, &QTimer::timeout, note, &QWidget::hide);
+  }
+  note->setText(words::plainText(text));
+  note->setAccessibleName(note->text());
+  setTextColor(*note, appColors().error_text);
+  note->adjustSize();
+  const QRect room = window->rect();
+  const QPoint below = field.mapTo(window, QPoint(0, field.height() + kNoteGapPx));
+  const QPoint above = field.mapTo(window, QPoint(0, -note->height() - kNoteGapPx));
+  const QPoint at = below.y() + note->height() <= room.bottom() ? below : above;
+  note->move(std::clamp(at.x(), 0, std::max(0, room.width() - note->width())), std::max(0, at.y()));
+  note->show();
+  note->raise();
+  note->findChild<QTimer*>()->start(kNoteMs);
+  QAccessibleEvent told(note, QAccessible::Alert);
+  QAccessible::updateAccessibility(&told);
+}
+
+DecimalBox::DecimalBox(QWidget* parent) : RangedBox(parent) { setLocale(QLocale::c()); }
 
 QValidator::State DecimalBox::validate(QString& input, int& pos) const {
   input.replace(QLatin1Char(','), QLatin1Char('.'));
-  return BoundedBox::validate(input, pos);
+  return RangedBox::validate(input, pos);
 }
 
 double DecimalBox::valueFromText(const QString& text) const {

@@ -8,6 +8,7 @@
 
 #include <QBoxLayout>
 #include <QDoubleSpinBox>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
 #include <QMargins>
@@ -69,65 +70,109 @@ void markBeyond(QAbstractSpinBox& box, bool beyond, const QString& range);
 /// Whether the key is one of undo or redo that the text has no use for: then it is the window's.
 bool isUndoOfOthers(const QEvent& event, const QLineEdit& text);
 
-/// Shows every digit that is typed: what is out of range is marked, and becomes the nearest bound when the
-/// field is left. (Qt would drop the digit that is too much: 1234 became 123.)
+/// Below the field for a while: its number was not taken because it is too small or too large.
+void sayOutOfRange(const QAbstractSpinBox& field, const QString& text);
+/// "0 is too small: at least 0.05 m."
+QString tooSmallText(const QString& typed, const QString& least);
+QString tooLargeText(const QString& typed, const QString& most);
+
+/// A number outside of its range can be typed, and is marked. It is not taken: when the field is left the one
+/// before it is back, and the user is told. (Qt would drop the digits, or put the old number back, without a
+/// word.)
 template <class Box>
-class BoundedBox : public Box {
+class RangedBox : public Box {
  public:
-  explicit BoundedBox(QWidget* parent = nullptr) : Box(parent) {
+  explicit RangedBox(QWidget* parent = nullptr) : Box(parent) {
     const auto mark = [this] {
-      QString written = Box::text();
+      QString written = this->text();
       int at = 0;
       // What more digits would bring into the range is not finished.
-      const bool beyond = Box::validate(written, at) == QValidator::Invalid && boundOf(written).has_value();
-      const QString range =
-          QStringLiteral("%1 – %2%3")
-              .arg(this->textFromValue(Box::minimum()), this->textFromValue(Box::maximum()), Box::suffix());
-      markBeyond(*this, beyond, range);
+      const std::optional<double> number = numberIn(written);
+      const bool beyond = Box::validate(written, at) == QValidator::Invalid && number && isOut(*number);
+      markBeyond(*this, beyond,
+                 QStringLiteral("%1 – %2%3")
+                     .arg(this->textFromValue(this->minimum()), this->textFromValue(this->maximum()),
+                          this->suffix()));
     };
-    QObject::connect(Box::lineEdit(), &QLineEdit::textChanged, this, mark);
+    QObject::connect(this->lineEdit(), &QLineEdit::textChanged, this, mark);
     // What the box itself writes is not told by its text.
     QObject::connect(this, &Box::valueChanged, this, mark);
     QObject::connect(this, &Box::editingFinished, this, mark);
   }
+  void stepBy(int steps) override {
+    Box::stepBy(steps);
+    before_ = this->value();
+  }
 
  protected:
   bool event(QEvent* event) override {
-    if (!isUndoOfOthers(*event, *Box::lineEdit())) return Box::event(event);
+    if (!isUndoOfOthers(*event, *this->lineEdit())) return Box::event(event);
     event->ignore();
     return false;
   }
   QValidator::State validate(QString& input, int& pos) const override {
     const QValidator::State state = Box::validate(input, pos);
-    return state == QValidator::Invalid && boundOf(input) ? QValidator::Intermediate : state;
+    const std::optional<double> number = numberIn(input);
+    const bool begun = plain(input) == QLatin1String("-");
+    return state == QValidator::Invalid && (begun || (number && isOut(*number))) ? QValidator::Intermediate
+                                                                                 : state;
   }
   void fixup(QString& input) const override {
-    const auto bound = boundOf(input);
-    if (!bound) return Box::fixup(input);
-    input = Box::prefix() + this->textFromValue(*bound) + Box::suffix();
+    const std::optional<double> number = numberIn(input);
+    if (!number || !isOut(*number)) return Box::fixup(input);
+    const bool small = *number < this->minimum();
+    const QString least =
+        this->specialValueText().isEmpty() ? shown(this->minimum()) : this->specialValueText();
+    sayOutOfRange(*this, small ? tooSmallText(plain(input), least)
+                               : tooLargeText(plain(input), shown(this->maximum())));
+    if (before_) input = shown(*before_);
+  }
+  void focusInEvent(QFocusEvent* event) override {
+    before_ = this->value();
+    Box::focusInEvent(event);
+  }
+  void focusOutEvent(QFocusEvent* event) override {
+    Box::focusOutEvent(event);
+    before_ = this->value();
+  }
+  void keyPressEvent(QKeyEvent* event) override {
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    const bool taken = this->lineEdit()->hasAcceptableInput();
+    if (!this->lineEdit()->isModified()) before_ = this->value();
+    Box::keyPressEvent(event);
+    if (!enter) return;
+    before_ = this->value();
+    if (!taken) event->accept();  // it does not go on with another number
   }
 
  private:
-  using Number = decltype(std::declval<Box>().value());
-  /// The nearest one of a number that is out of range.
-  std::optional<Number> boundOf(const QString& input) const {
-    constexpr qsizetype kLongest = 24;
-    QString text = input;
-    if (text.startsWith(Box::prefix())) text.remove(0, Box::prefix().size());
-    if (text.endsWith(Box::suffix())) text.chop(Box::suffix().size());
-    bool number = false;
-    const double value = QLocale::c().toDouble(text.trimmed(), &number);
-    if (!number || text.size() > kLongest) return std::nullopt;
-    if (value > double(Box::maximum())) return Box::maximum();
-    return value < double(Box::minimum()) ? std::optional(Box::minimum()) : std::nullopt;
+  using Number = decltype(std::declval<const Box&>().value());
+  bool isOut(double number) const { return number < this->minimum() || number > this->maximum(); }
+  QString shown(Number number) const {
+    return number == this->minimum() && !this->specialValueText().isEmpty()
+               ? this->specialValueText()
+               : this->prefix() + this->textFromValue(number) + this->suffix();
   }
+  QString plain(QString text) const {
+    if (text.startsWith(this->prefix())) text.remove(0, this->prefix().size());
+    if (text.endsWith(this->suffix())) text.chop(this->suffix().size());
+    return text.trimmed();
+  }
+  std::optional<double> numberIn(const QString& text) const {
+    bool is_number = false;
+    const double number =
+        QLocale::c().toDouble(plain(text).replace(QLatin1Char(','), QLatin1Char('.')), &is_number);
+    return is_number ? std::optional(number) : std::nullopt;
+  }
+
+  std::optional<Number> before_;  // what was last taken, whatever has been typed since
 };
 
-using WholeBox = BoundedBox<QSpinBox>;
+using WholeBox = RangedBox<QSpinBox>;
 
 /// Writes a decimal point in any locale; a comma that is typed is one, too. (Qt would take it for a separator
 /// of thousands and drop it: 3,5 became 35.)
-class DecimalBox : public BoundedBox<QDoubleSpinBox> {
+class DecimalBox : public RangedBox<QDoubleSpinBox> {
  public:
   explicit DecimalBox(QWidget* parent = nullptr);
 

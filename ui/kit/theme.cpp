@@ -87,7 +87,7 @@ QTabBar::tab:focus { color: %text%; border: 2px solid %focus%; padding: 2px 10px
 #card { background: %window%; border: 1px solid %border%; border-radius: 8px; }
 #furniture { background: %furniture%; border: 1px solid %border%; border-radius: 6px; }
 #compareBar { background: %window%; border: none; border-bottom: 1px solid %border%; }
-#toast { background: %window%; border: 1px solid %border%; border-radius: 6px; }
+#toast, #outOfRange { background: %window%; border: 1px solid %border%; border-radius: 6px; }
 #primary { background: %accent%; color: white; border: 1px solid %accent%; border-radius: 4px; padding: 5px 14px; }
 #primary:hover { background: #1a60cf; }
 #primary:pressed { background: #1653b5; }
