@@ -116,8 +116,10 @@ void WaypointDocument::take(const Items& stored) {
   for (const Key& key : keys) {
     const Item of_them = valueOf(theirs, key);
     // What I sent equals what has arrived since: it is confirmed.
-    if (const auto sent = sent_.find(key); sent != sent_.end() && same(sent->second, of_them))
+    if (const auto sent = sent_.find(key); sent != sent_.end() && same(sent->second, of_them)) {
       put(base_, key, of_them);
+      in_doubt_.erase(key);
+    }
     Merged merged = merge(valueOf(base_, key), mine(key), of_them);
     if (merged.conflict) {
       conflicts_.emplace(key, std::move(*merged.conflict));
@@ -163,6 +165,7 @@ void WaypointDocument::markSent(const std::vector<Change>& changes) {
   DocumentChange told;
   for (const Change& one : changes) {
     sent_[one.key] = one.after;
+    in_doubt_.erase(one.key);
     told.changed.push_back(one.key);
   }
   Q_EMIT changed(told);
@@ -273,8 +276,8 @@ void WaypointDocument::exchange(const std::vector<Change>& changes, bool forth) 
 }
 
 Items WaypointDocument::underOurKeys(const Items& stored) {
-  for (auto& [key, item] : in_doubt_) sent_.try_emplace(key, std::move(item));
-  in_doubt_.clear();
+  // They stay in doubt until they are seen: a robot that was slow may carry them out after it was read.
+  for (const auto& [key, item] : in_doubt_) sent_.try_emplace(key, item);
   // If the answer to a creation was lost, the new item has an unknown name there: recognize it by its
   // content.
   for (const auto& [key, item] : sent_) {

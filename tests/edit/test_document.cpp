@@ -204,6 +204,22 @@ class TestDocument : public QObject {
     QCOMPARE(desk.document.items().size(), std::size_t(2));  // not back under its other name
   }
 
+  void aRobotThatWasSlowMayCarryItOutAfterItWasRead() {
+    Desk desk;
+    desk.set(point("mine", 7, 7, "Dock"));
+    desk.set(renamed(point("a"), "Gate"));
+    desk.document.markSent(desk.document.changes());
+    desk.document.endSending();
+    desk.document.take(items({point("a"), point("b", 5)}));
+    QCOMPARE(desk.document.unsaved(), (std::set<Key>{"a", "mine"}));
+    desk.set(renamed(point("a"), "Gate 2"));
+    desk.document.take(items({renamed(point("a"), "Gate"), point("b", 5), point("41", 7, 7, "Dock")}));
+    QCOMPARE(desk.document.items().size(), std::size_t(3));
+    QVERIFY(desk.document.conflicts().empty());
+    QCOMPARE(desk.document.unsaved(), std::set<Key>{"a"});
+    QCOMPARE(desk.at("a").name, std::string("Gate 2"));
+  }
+
   void theirChangesComeInWhereIMadeNone() {
     Desk desk;
     desk.set(moved(point("a"), 3));

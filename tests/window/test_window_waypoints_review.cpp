@@ -410,6 +410,23 @@ class TestWindowWaypointsReview : public QObject {
     QTRY_VERIFY(!desk.control().unsaved());
   }
 
+  void whatIsRefusedAfterALostLinkHasOneRow() {
+    Desk desk;
+    desk.store.kept_fields.name_twice = false;
+    desk.change();
+    desk.editing().rename("c", QStringLiteral("Gate 2"));
+    desk.failSecond(Desk::failure(map::FailureKind::Unreachable, map::Applied::No));
+    desk.open();
+    desk.send();
+    QTRY_COMPARE(desk.outcome(2), QStringLiteral("not sent"));
+    QCOMPARE(desk.review().model()->rowCount(), 3);
+    // Somebody else takes the name meanwhile.
+    desk.store.put(waypoint("d", 1, 2, "Gate 2"));
+    Q_EMIT desk.store.changed();
+    QTRY_COMPARE(desk.outcome(2), QStringLiteral("not sent: another waypoint is called Gate 2"));
+    QCOMPARE(desk.review().model()->rowCount(), 3);
+  }
+
   void whoLeavesIsNotLetGoWhileANameTwiceIsLeft() {
     Desk desk;
     desk.store.kept_fields.name_twice = false;

@@ -66,6 +66,7 @@ void ReviewModel::clear() {
   list_.clear();
   plan_.clear();
   refused_.clear();
+  refused_since_.clear();
   follows_ = false;
   tellRows();
 }
@@ -78,13 +79,29 @@ void ReviewModel::follow() {
 
 void ReviewModel::takeRefused() {
   refused_.clear();
+  refused_since_.clear();
   const std::set<edit::Key> refused = list_->refused();
+  std::set<edit::Key> shown;
+  for (int row = 0; row < requests(); ++row) {
+    if (changes(row).size() == 1) shown.insert(list_->document().ourName(changes(row).front().id));
+  }
   for (const edit::Change& change :
        refused.empty() ? std::vector<edit::Change>() : list_->document().changes()) {
     if (!refused.contains(change.key)) continue;
-    refused_.push_back({{{change.key, change.before, change.after}},
-                        tr("not sent: another waypoint is called %1").arg(shortWaypointName(*change.after))});
+    const QString why = tr("not sent: another waypoint is called %1").arg(shortWaypointName(*change.after));
+    if (shown.contains(change.key)) {
+      refused_since_.emplace(change.key, why);
+    } else {
+      refused_.push_back({{{change.key, change.before, change.after}}, why});
+    }
   }
+}
+
+const QString* ReviewModel::whyRefused(int row) const {
+  if (row >= requests()) return &refused_[std::size_t(row - requests())].why;
+  if (changes(row).size() != 1) return nullptr;
+  const auto found = refused_since_.find(list_->document().ourName(changes(row).front().id));
+  return found == refused_since_.end() ? nullptr : &found->second;
 }
 
 /// As many as there are now. They come and go at the end, so that what is current or selected stays so.
@@ -131,7 +148,7 @@ ReviewModel::Outcome ReviewModel::plannedOutcome(int row) const {
 }
 
 ReviewModel::Outcome ReviewModel::outcome(int row) const {
-  if (row >= requests()) return {Mark::Bad, refused_[std::size_t(row - requests())].why};
+  if (row >= requests()) return {Mark::Bad, *whyRefused(row)};
   if (!follows_) return plannedOutcome(row);
   const auto& sent = list_->submission().rows()[std::size_t(row)];
   if (sent.state == State::Waiting) return {Mark::Neutral, tr("waiting")};
@@ -141,6 +158,7 @@ ReviewModel::Outcome ReviewModel::outcome(int row) const {
     case exchange::SentState::Applied:
       return {Mark::Good, sent.state == State::Done ? tr("done") : tr("done, answer lost")};
     case exchange::SentState::NotSent:
+      if (const QString* const why = whyRefused(row)) return {Mark::Bad, *why};
       return {Mark::Neutral, tr("not sent")};
     case exchange::SentState::Unknown:
     case exchange::SentState::Failed:

@@ -71,9 +71,11 @@ class ReviewModel : public QAbstractTableModel {
     std::vector<robot::WaypointChange> changes;  // one
     QString why;
   };
+  const QString* whyRefused(int row) const;
   QPointer<edit::OpenWaypoints> list_;
   std::vector<edit::PlannedRequest> plan_;
   std::vector<Refused> refused_;
+  std::map<edit::Key, QString> refused_since_;  // why, of those that have a row because they were to be sent
   bool follows_ = false;
   int shown_rows_ = 0;
 };
