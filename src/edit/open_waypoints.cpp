@@ -294,7 +294,7 @@ void OpenWaypoints::discard() {
 
 std::optional<Fault> OpenWaypoints::keepDraft() { return keeper_ ? keeper_->flush() : std::nullopt; }
 
-Fault OpenWaypoints::draftTrouble() const { return keeper_ ? keeper_->trouble() : Fault(); }
+Fault OpenWaypoints::draftTrouble() const { return keeper_ && unsaved() ? keeper_->trouble() : Fault(); }
 
 }  // namespace mapwright::edit
 

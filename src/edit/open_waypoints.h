@@ -93,7 +93,7 @@ class OpenWaypoints : public QObject {
   void discard();
   /// Writes the current draft to disk before it returns; otherwise returns why not.
   std::optional<Fault> keepDraft();
-  /// Why the draft is not on disk; None = nothing is wrong.
+  /// Why the draft of what is not saved is not on disk; None = nothing is wrong.
   Fault draftTrouble() const;
 
  Q_SIGNALS:

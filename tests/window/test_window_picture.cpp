@@ -513,6 +513,37 @@ class TestWindowPicture : public QObject {
     QTRY_VERIFY(drafts.entryList({QStringLiteral("*.json")}, QDir::Files).isEmpty());
   }
 
+  void aDraftThatCouldNotBeWrittenIsNoTroubleOnceItIsSaved() {
+    Desk desk;
+    desk.keeps_drafts = true;
+    Desk::writeFile(desk.folder.filePath(QStringLiteral("drafts")), "no folder");
+    desk.open();
+    desk.editing().drawRectangle({10, 10, 20, 20});
+    QVERIFY(desk.control().drafts()->keep());
+    const auto said = [&] { return desk.dock().status(); };
+    QTRY_VERIFY2(said().contains(QLatin1String("not backed up")), qPrintable(said()));
+    desk.save();
+    QTRY_VERIFY(!desk.editing().unsaved());
+    QVERIFY2(!said().contains(QLatin1String("not backed up")), qPrintable(said()));
+  }
+
+  void whatCouldNotBeSavedIsNoLongerSaidOnceItIs() {
+    Desk desk;
+    desk.open();
+    desk.editing().drawRectangle({10, 10, 20, 20});
+    QVERIFY(QFile::setPermissions(desk.folder.path(), QFile::ReadOwner | QFile::ExeOwner));
+    const auto writable = qScopeGuard([&] {
+      QFile::setPermissions(desk.folder.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    });
+    if (QFile probe(desk.folder.filePath(QStringLiteral("probe"))); probe.open(QIODevice::WriteOnly))
+      QSKIP("the superuser writes everywhere");
+    desk.save();
+    QVERIFY(desk.toasts().last().startsWith(QLatin1String("The map was not saved.")));
+    QFile::setPermissions(desk.folder.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    desk.save();
+    QCOMPARE(desk.toasts(), QStringList{QStringLiteral("office saved")});
+  }
+
   void brokenDraftsAreSetAside() {
     QVERIFY(!pictureDraftFrom("{}"));
     const picture::EditedGrid grid(

@@ -33,6 +33,7 @@ namespace {
 constexpr int kSectionPx = 280;  // enough for a storey and its ceiling
 
 const QString kWidthKey = QStringLiteral("clouds/section_width_m");
+const QString kSaving = QStringLiteral("clouds");
 const QString kCloudsFolderKey = QStringLiteral("clouds/folder");
 const QString kLowKey = QStringLiteral("clouds/asked_low_m");
 const QString kHighKey = QStringLiteral("clouds/asked_high_m");
@@ -317,17 +318,18 @@ void CloudsController::askAndSave(std::function<void()> then) {
 void CloudsController::saveTo(const QString& path, std::function<void()> then) {
   const QString end = QFileInfo(path).suffix().toLower();
   if (end != QLatin1String("pcd") && end != QLatin1String("ply") && end != QLatin1String("csv")) {
-    context_.overlay.toasts()->add(Mark::Bad,
-                                   tr("A cloud can be saved as .pcd, .ply or .csv. Choose one of these."));
+    context_.overlay.toasts()->add(
+        Mark::Bad, tr("A cloud can be saved as .pcd, .ply or .csv. Choose one of these."), {}, kSaving);
     return;
   }
   clouds_.write(path, [this, path, asked = asked_,
                        then = std::move(then)](const tl::expected<std::uint64_t, Fault>& outcome) {
     if (!outcome) {
-      context_.overlay.toasts()->add(Mark::Bad, sentences::sentenceOf(outcome.error()));
+      context_.overlay.toasts()->add(Mark::Bad, sentences::sentenceOf(outcome.error()), {}, kSaving);
       return;
     }
-    context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)));
+    context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)), {},
+                                   kSaving);
     if (asked == asked_) unsaved_ = false;  // nothing has been requested since
     if (then) then();
   });

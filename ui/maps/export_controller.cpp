@@ -309,6 +309,7 @@ QString ExportDialog::errorText() const { return error_->isHidden() ? QString() 
 namespace {
 
 const QString kExportFolderKey = QStringLiteral("export/folder");
+const QString kSavingPicture = QStringLiteral("view");
 const QString kPictureFolderKey = QStringLiteral("screenshot/folder");
 
 /// The position of the view's pixels in the world.
@@ -395,9 +396,10 @@ void ExportController::askAndSavePicture() {
   if (!path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) path += QLatin1String(".png");
   context_.settings.setValue(kPictureFolderKey, QFileInfo(path).absolutePath());
   if (const auto error = saveMapPicture(path)) {
-    context_.overlay.toasts()->add(Mark::Bad, *error);
+    context_.overlay.toasts()->add(Mark::Bad, *error, {}, kSavingPicture);
   } else {
-    context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)));
+    context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)), {},
+                                   kSavingPicture);
   }
 }
 

@@ -34,6 +34,7 @@ using session::MapSlot;
 const QString kUndoMb = QStringLiteral("picture/undo_mb");
 constexpr unsigned kUsualUndoMb = 256;
 constexpr double kSameResolutionM = 1e-6;
+const QString kSaving = QStringLiteral("picture");
 
 }  // namespace
 
@@ -355,8 +356,10 @@ void PictureController::refresh() {
 
 void PictureController::askToDecide() {
   when_saved_ = nullptr;
-  context_.overlay.toasts()->add(Mark::Warning, tr("The map is not saved yet: some cells were changed both "
-                                                   "here and elsewhere. Choose which ones to keep."));
+  context_.overlay.toasts()->add(Mark::Warning,
+                                 tr("The map is not saved yet: some cells were changed both "
+                                    "here and elsewhere. Choose which ones to keep."),
+                                 {}, kSaving);
   context_.panels.open(dock_);
 }
 
@@ -537,7 +540,7 @@ void PictureController::noteCopied(const std::optional<Fault>& trouble) {
 void PictureController::noteNotWritten(const QString& sentence) {
   when_saved_ = nullptr;
   trouble_ = sentence;
-  context_.overlay.toasts()->add(Mark::Bad, tr("The map was not saved. %1").arg(trouble_));
+  context_.overlay.toasts()->add(Mark::Bad, tr("The map was not saved. %1").arg(trouble_), {}, kSaving);
 }
 
 void PictureController::write() {
@@ -567,11 +570,11 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
     Q_EMIT written();
     editing_.noteSaved(cells);
     if (copy_.isEmpty()) {
-      context_.overlay.toasts()->add(Mark::Good, tr("%1 saved").arg(mapName()));
+      context_.overlay.toasts()->add(Mark::Good, tr("%1 saved").arg(mapName()), {}, kSaving);
     } else {
       context_.overlay.toasts()->add(
           Mark::Good, tr("%1 saved. Previous version: %2").arg(mapName(), QDir::toNativeSeparators(copy_)),
-          {tr("Open it"), [this, copy = copy_] { Q_EMIT fileWanted(copy); }});
+          {tr("Open it"), [this, copy = copy_] { Q_EMIT fileWanted(copy); }}, kSaving);
     }
     // Leaving ends the session, and its robot is emitting this signal.
     if (const auto then = std::exchange(when_saved_, nullptr))

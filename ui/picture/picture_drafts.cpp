@@ -160,7 +160,8 @@ QString PictureDrafts::offer() const {
 }
 
 QString PictureDrafts::trouble() const {
-  if (!keeper_.trouble().any()) return {};
+  // What is saved needs no draft.
+  if (!keeper_.trouble().any() || !editing_->unsaved()) return {};
   return tr("Changes to the map are not backed up: save them soon. %1")
       .arg(sentences::wordsOf(keeper_.trouble()));
 }

@@ -43,6 +43,7 @@ namespace {
 const QString kReadAllKey = QStringLiteral("replay/readAll");
 const QString kFollowEventsKey = QStringLiteral("replay/followEvents");
 const QString kRangeFolderKey = QStringLiteral("replay/exportFolder");
+const QString kSavingEvents = QStringLiteral("events");
 const QString kEventsFolderKey = QStringLiteral("replay/eventsFolder");
 const QString kHiddenEventsKey = QStringLiteral("replay/hiddenEvents");
 constexpr double kNearTrackPx = 10, kRoomAroundTrackM = 8;
@@ -202,9 +203,11 @@ void ReplayController::saveEvents() {
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1String(".csv");
   context_.settings.setValue(kEventsFolderKey, QFileInfo(path).absolutePath());
   if (const auto fault = disk::writeFile(path.toStdString(), events_->model()->csv())) {
-    context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(disk::notWritten(*fault)));
+    context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(disk::notWritten(*fault)), {},
+                                   kSavingEvents);
   } else {
-    context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)));
+    context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)), {},
+                                   kSavingEvents);
   }
 }
 

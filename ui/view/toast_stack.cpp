@@ -70,20 +70,23 @@ ToastStack::ToastStack(QWidget* parent) : QWidget(parent), column_(new QVBoxLayo
   hide();
 }
 
-void ToastStack::add(Mark mark, const QString& text, ToastOffer offer) {
+void ToastStack::add(Mark mark, const QString& text, ToastOffer offer, const QString& about) {
   // A repeated message is counted and moves to the newest position.
   int times = 1;
   const QString same = QStringLiteral("%1\n%2\n%3").arg(QString::number(int(mark)), offer.words, text);
   for (int i = column_->count() - 1; i >= 0; --i) {
-    if (column_->itemAt(i)->widget()->property("says").toString() != same) continue;
-    times += column_->itemAt(i)->widget()->property("times").toInt();
-    takeAway(*column_, i);
+    const QWidget* const old = column_->itemAt(i)->widget();
+    const bool repeated = old->property("says").toString() == same;
+    if (repeated) times += old->property("times").toInt();
+    const bool overcome = !about.isEmpty() && old->property("about").toString() == about;
+    if (repeated || overcome) takeAway(*column_, i);
   }
   while (column_->count() >= kAtMost) takeAway(*column_, 0);
   auto* toast = new QFrame(this);
   toast->setObjectName(QStringLiteral("toast"));
   toast->setProperty("says", same);
   toast->setProperty("times", times);
+  toast->setProperty("about", about);
   auto* label = new QLabel(toast);
   label->setObjectName(QStringLiteral("toastText"));
   label->setTextFormat(Qt::PlainText);

@@ -24,8 +24,9 @@ class ToastStack : public QWidget {
  public:
   explicit ToastStack(QWidget* parent = nullptr);
   /// Plain text; repeated ones are counted. Good ones disappear after `lifetime_ms`, warnings, errors and
-  /// those with an action after three times that, or on a click.
-  void add(Mark mark, const QString& text, ToastOffer offer = {});
+  /// those with an action after three times that, or on a click. `about`: the deed whose result it is; it
+  /// takes the place of earlier results of that.
+  void add(Mark mark, const QString& text, ToastOffer offer = {}, const QString& about = {});
   /// Takes it away before its time, if it is still there.
   void withdraw(const QString& text);
   void setLifetimeMs(int ms) { lifetime_ms_ = ms; }
