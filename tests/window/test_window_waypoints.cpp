@@ -411,8 +411,10 @@ class TestWindowWaypoints : public QObject {
     desk.action("save")->trigger();
     QTRY_VERIFY(desk.dock().statusShown().contains(QLatin1String("The <disk> is full.")));
     QVERIFY(desk.control().unsaved());
+    QVERIFY(desk.toasts().last().contains(QLatin1String("is full")));
     desk.action("save")->trigger();
     QTRY_VERIFY(!desk.control().unsaved());
+    QTRY_COMPARE(desk.toasts(), QStringList{QStringLiteral("Waypoints of Map 1 saved")});
   }
 
   void leavingWithChangesAsks_data() {
@@ -473,9 +475,11 @@ class TestWindowWaypoints : public QObject {
     QVERIFY2(desk.notice()->sentence().contains(QLatin1String(": 1 change.")),
              qPrintable(desk.notice()->sentence()));
     QCOMPARE(desk.items().size(), std::size_t(2));
+    desk.notice()->offerButton()->setFocus();
     desk.notice()->offerButton()->click();
     QCOMPARE(desk.items().size(), std::size_t(3));
     QVERIFY(desk.control().unsaved());
+    QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(desk.dock().table()));
     QVERIFY(!desk.notice()->isVisible());
   }
 
@@ -486,8 +490,10 @@ class TestWindowWaypoints : public QObject {
     desk.window.reset();  // the program ends: what is there is kept
     desk.start();
     QTRY_VERIFY(desk.notice()->secondButton()->isVisible());
+    desk.notice()->secondButton()->setFocus();
     desk.notice()->secondButton()->click();
     QVERIFY(!desk.notice()->isVisible());
+    QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(desk.window->view()));
     QVERIFY(QDir(desk.edit.drafts_folder).entryList({QStringLiteral("*.json")}).isEmpty());
   }
 
@@ -507,13 +513,57 @@ class TestWindowWaypoints : public QObject {
                  QLatin1String("Here: position 1.500, 1.000 m. Elsewhere: position 0.500, 0.500 m.")),
              qPrintable(desk.dock().conflicts()->shown()));
     QVERIFY(desk.notice()->isVisible());
-    QVERIFY(!desk.dock().saveButton()->isEnabled() && !desk.action("save")->isEnabled());
     desk.editing().add({3, 1});
-    QVERIFY(!desk.dock().saveButton()->isEnabled() && !desk.action("save")->isEnabled());
     desk.dock().conflicts()->theirsButton()->click();
     QVERIFY(desk.dock().saveButton()->isEnabled() && desk.action("save")->isEnabled());
     QVERIFY(desk.near("a", 0.5, 0.5));
     QVERIFY(desk.dock().conflicts()->shown().isEmpty() && !desk.notice()->isVisible());
+  }
+
+  void whoSavesDuringAConflictIsTakenToIt() {
+    Desk desk;
+    desk.start();
+    desk.editing().select({"a", "b"});
+    desk.editing().moveSelected({0.5, 0});
+    desk.store.put(waypoint("b", 3, 1, "Kitchen"));
+    Q_EMIT desk.store.changed();
+    QTRY_COMPARE(desk.editing().document()->conflicts().size(), std::size_t(1));
+    desk.dock().hide();
+    desk.editing().select({});
+    desk.window->view()->setFocus();
+    const int sent = int(desk.store.asked.size());
+    desk.key(Qt::Key_S, Qt::ControlModifier);
+    QTRY_VERIFY(desk.dock().isVisible());
+    QVERIFY2(desk.toasts().last().contains(
+                 QLatin1String("Nothing was saved: 1 waypoint changed here and elsewhere")),
+             qPrintable(desk.toasts().last()));
+    QVERIFY(desk.dock().conflicts()->isAncestorOf(QApplication::focusWidget()));
+    QCOMPARE(desk.editing().selected(), std::set<edit::Key>{"b"});
+    QCOMPARE(int(desk.store.asked.size()), sent);
+    desk.dock().conflicts()->mineButton()->click();
+    desk.key(Qt::Key_S, Qt::ControlModifier);
+    // What was said of it before is over.
+    QTRY_COMPARE(desk.toasts(), QStringList{QStringLiteral("Waypoints of Map 1 saved")});
+  }
+
+  void theConflictThatIsShownIsThatOfTheSelectedOne() {
+    Desk desk;
+    desk.start();
+    desk.editing().select({"a", "b"});
+    desk.editing().moveSelected({0.5, 0});
+    desk.editing().select({"b"});  // before there is a conflict
+    desk.store.put(waypoint("a", 0.5, 2.5, "Dock"));
+    desk.store.put(waypoint("b", 3.5, 1, "Kitchen"));
+    Q_EMIT desk.store.changed();
+    QTRY_VERIFY2(desk.dock().conflicts()->shown().startsWith(QLatin1String("Kitchen was changed here")),
+                 qPrintable(desk.dock().conflicts()->shown()));
+    desk.dock().conflicts()->nextButton()->click();
+    QVERIFY(desk.dock().conflicts()->shown().startsWith(QLatin1String("Dock was changed here")));
+    QCOMPARE(desk.editing().selected(), std::set<edit::Key>{"a"});
+    desk.editing().select({"b"});
+    QVERIFY(desk.dock().conflicts()->shown().startsWith(QLatin1String("Kitchen was changed here")));
+    desk.dock().conflicts()->theirsButton()->click();
+    QVERIFY(desk.dock().conflicts()->shown().startsWith(QLatin1String("Dock was changed here")));
   }
 
   void aConflictIsDecidedOnTheMap_data() {

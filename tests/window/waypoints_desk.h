@@ -96,6 +96,7 @@ struct WaypointsDesk : Bench {
     QTRY_VERIFY(control().question());
     control().question()->findChild<QPushButton*>(QStringLiteral("keepDraft"))->click();
   }
+  QStringList toasts() { return window::part<window::MapOverlay>(*window)->toasts()->texts(); }
   NoticeBar* notice() { return window::part<window::MapOverlay>(*window)->editNotice(); }
   bool near(const edit::Key& key, double x, double y) {
     const map::Waypoint* const point = editing().find(key);

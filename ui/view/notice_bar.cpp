@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
@@ -41,6 +41,8 @@ void NoticeBar::setSecondOffer(const QString& offer) {
 
 void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& offer, bool closable,
                           bool greyed) {
+  const QWidget* const focused = QApplication::focusWidget();
+  const bool here = focused && isAncestorOf(focused);
   mark_ = mark;
   greyed_ = greyed;
   label_->setSecondary(greyed);
@@ -50,6 +52,9 @@ void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& off
   second_->hide();
   close_->setVisible(closable);
   setVisible(!sentence.isEmpty());
+  // Otherwise the focus would hop to the next field, and keys that are meant for the map would be typed
+  // there.
+  if (here && !focused->isVisible()) parentWidget()->setFocus();
   update();
 }
 

@@ -88,10 +88,10 @@ ConflictBox::ConflictBox(QWidget* parent)
                           tr("Keep the change made here: the filled triangle on the map"))),
       theirs_(compactButton(tr("Take theirs"), this,
                             tr("Keep the change made elsewhere: the hollow triangle on the map"))),
+      locate_(compactButton(tr("Show"), this, tr("Show both on the map"))),
       previous_(compactButton(QString(QChar(0x2039)), this, tr("Previous conflict"))),
       next_(compactButton(QString(QChar(0x203a)), this, tr("Next conflict"))) {
   setObjectName(QStringLiteral("details"));
-  auto* const locate = compactButton(tr("Show"), this, tr("Show both on the map"));
   for (QPushButton* button : {previous_, next_}) {
     button->setAccessibleName(button->toolTip());
     button->setMaximumWidth(28);
@@ -100,10 +100,10 @@ ConflictBox::ConflictBox(QWidget* parent)
   column->setContentsMargins(8, 6, 8, 6);
   column->setSpacing(4);
   column->addWidget(text_);
-  column->addLayout(rowOf({mine_, theirs_, locate, LayoutItem::rest(), previous_, next_}, 6));
+  column->addLayout(rowOf({mine_, theirs_, locate_, LayoutItem::rest(), previous_, next_}, 6));
   connect(mine_, &QPushButton::clicked, this, [this] { Q_EMIT decided(current_, true); });
   connect(theirs_, &QPushButton::clicked, this, [this] { Q_EMIT decided(current_, false); });
-  connect(locate, &QPushButton::clicked, this, [this] { Q_EMIT locateWanted(current_); });
+  connect(locate_, &QPushButton::clicked, this, [this] { Q_EMIT locateWanted(current_); });
   connect(previous_, &QPushButton::clicked, this, [this] { step(-1); });
   connect(next_, &QPushButton::clicked, this, [this] { step(1); });
   hide();
@@ -115,12 +115,11 @@ void ConflictBox::refresh(const edit::WaypointDocument* document, const std::set
   if (document) {
     for (const auto& [key, conflict] : document->conflicts()) keys_.push_back(key);
   }
-  if (selected != selected_) {
-    selected_ = selected;
-    for (const edit::Key& key : selected) {
-      if (document && document->conflicts().contains(key)) current_ = key;
-    }
-  }
+  // Whatever came first, the selection or the conflict.
+  const auto chosen =
+      std::find_if(keys_.begin(), keys_.end(), [&](const edit::Key& key) { return selected.contains(key); });
+  if (chosen != keys_.end() && !(selected.contains(current_) && document->conflicts().contains(current_)))
+    current_ = *chosen;
   // When one is decided the next one comes.
   const auto at = std::lower_bound(keys_.begin(), keys_.end(), current_);
   current_ = at != keys_.end() ? *at : keys_.empty() ? edit::Key() : keys_.front();

@@ -38,11 +38,13 @@ class ConflictBox : public QFrame {
  public:
   explicit ConflictBox(QWidget* parent = nullptr);
 
-  /// Shows those of `document`, hides if there are none; a selected one comes first. null = none.
+  /// Shows those of `document`, hides if there are none; it is about a selected one if that is among them.
+  /// null = none.
   void refresh(const edit::WaypointDocument* document, const std::set<edit::Key>& selected);
 
   QPushButton* mineButton() const { return mine_; }
   QPushButton* theirsButton() const { return theirs_; }
+  QPushButton* locateButton() const { return locate_; }
   QPushButton* nextButton() const { return next_; }
   QString shown() const;  // empty = nothing
 
@@ -55,10 +57,9 @@ class ConflictBox : public QFrame {
   void show(const edit::WaypointDocument& document);
 
   QLabel* text_;
-  QPushButton *mine_, *theirs_, *previous_, *next_;
+  QPushButton *mine_, *theirs_, *locate_, *previous_, *next_;
   std::vector<edit::Key> keys_;
   edit::Key current_;
-  std::set<edit::Key> selected_;
   const edit::WaypointDocument* document_ = nullptr;
 };
 

@@ -268,7 +268,7 @@ void WaypointTransfer::refresh() {
 }
 
 void WaypointTransfer::say(bool good, const QString& text) {
-  context_.overlay.toasts()->add(good ? Mark::Good : Mark::Bad, text);
+  context_.overlay.toasts()->add(good ? Mark::Good : Mark::Bad, text, {}, QStringLiteral("transfer"));
 }
 
 std::vector<map::Waypoint> WaypointTransfer::listed(const std::set<edit::Key>* only) const {

@@ -30,6 +30,12 @@
 
 namespace mapwright::window {
 
+namespace {
+
+const QString kSaving = QStringLiteral("waypoints");
+
+}  // namespace
+
 WaypointsController::WaypointsController(WindowContext& context, QObject* parent)
     : Controller(parent),
       context_(context),
@@ -202,7 +208,7 @@ void WaypointsController::openList(const map::MapKey& key) {
   });
   connect(list_.get(), &edit::OpenWaypoints::saved, this, [this] {
     if (list_->submission().done() > 0)
-      context_.overlay.toasts()->add(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()));
+      context_.overlay.toasts()->add(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()), {}, kSaving);
     // Leaving closes the list, which is emitting this signal.
     if (const auto then = std::exchange(when_saved_, nullptr))
       QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
@@ -270,13 +276,7 @@ void WaypointsController::noteSaving() {
   const edit::SubmissionPhase phase = list_->submission().phase();
   // Without a conflict the review has to be checked again.
   const bool to_decide = phase == edit::SubmissionPhase::Undecided && !list_->document().conflicts().empty();
-  if (to_decide && !std::exchange(said_decide_, true)) {
-    when_saved_ = nullptr;
-    context_.overlay.toasts()->add(
-        Mark::Warning,
-        tr("Not saved yet: some waypoints were changed here and elsewhere. Choose which version to keep."));
-    context_.panels.open(dock_);
-  }
+  if (to_decide && !std::exchange(said_decide_, true)) askToDecide();
   if (phase != edit::SubmissionPhase::Undecided) said_decide_ = false;
   const auto& failure = list_->submission().failure();
   if (phase == edit::SubmissionPhase::Stopped && failure && failure->kind != map::FailureKind::Conflict &&
@@ -284,7 +284,8 @@ void WaypointsController::noteSaving() {
     // The review shows it, and can continue.
     if (!review_->isVisible()) {
       when_saved_ = nullptr;
-      context_.overlay.toasts()->add(Mark::Bad, tr("Waypoints: %1").arg(notSavedText(*list_, *failure)));
+      context_.overlay.toasts()->add(Mark::Bad, tr("Waypoints: %1").arg(notSavedText(*list_, *failure)), {},
+                                     kSaving);
     }
   }
   if (list_->saving()) reported_failure_.reset();
@@ -358,7 +359,11 @@ std::optional<LeftName> WaypointsController::nameLeft() const {
 
 void WaypointsController::takeOffer() {
   if (list_ && !list_->draftTrouble().any()) {
-    if (!list_->offered().empty()) return list_->takeUp(tr("restore the draft"));
+    if (!list_->offered().empty()) {
+      list_->takeUp(tr("restore the draft"));
+      context_.panels.open(dock_);
+      return dock_->table()->setFocus();
+    }
     const auto left = list_->document().conflicts().empty() ? nameLeft() : std::nullopt;
     if (left && left->remedy == LeftName::Remedy::SendRest) return save();
     if (left && left->remedy == LeftName::Remedy::CallItSo)
@@ -369,6 +374,18 @@ void WaypointsController::takeOffer() {
     }
   }
   context_.panels.open(dock_);
+  dock_->goToConflict();
+}
+
+void WaypointsController::askToDecide() {
+  when_saved_ = nullptr;
+  context_.panels.open(dock_);
+  dock_->goToConflict();
+  context_.overlay.toasts()->add(
+      Mark::Warning,
+      tr("Nothing was saved: %1 changed here and elsewhere. Choose which version to keep.")
+          .arg(waypointsText(qsizetype(list_->document().conflicts().size()))),
+      {}, kSaving);
 }
 
 void WaypointsController::save() {
@@ -377,6 +394,7 @@ void WaypointsController::save() {
   if (QWidget* const typing = context_.window.focusWidget(); typing && dock_->isAncestorOf(typing))
     typing->clearFocus();
   if (!list_) return;
+  if (maySave() && !list_->document().conflicts().empty()) return askToDecide();
   if (WaypointReview::isWorthIt(*list_)) return review_->review(list_.get(), mapName());
   list_->save();
 }

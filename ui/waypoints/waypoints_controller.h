@@ -36,7 +36,8 @@ class WaypointsController : public Controller {
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
   bool unsaved() const override { return list_ && list_->unsaved(); }
-  bool maySave() const override { return list_ && list_->maySave(); }
+  /// Also during a conflict: then saving says what has to be decided.
+  bool maySave() const override { return unsaved() && !list_->saving(); }
   void save() override;
   void beforeLeaving(std::function<void()> then) override;
 
@@ -64,6 +65,7 @@ class WaypointsController : public Controller {
   void refreshNotice();
   void takeOffer();
   std::optional<LeftName> nameLeft() const;
+  void askToDecide();
   void revertAll();
   void askName(const edit::Key& key, edit::Gesture gesture);
   void followNamed();  // it has moved, on the screen or on the map

@@ -105,7 +105,11 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   // Enter ends the name: what is typed next is for the map and the list again.
   connect(form_->nameEdit(), &QLineEdit::returnPressed, this, [this] { table_->setFocus(); });
   connect(conflicts_, &ConflictBox::decided, this, &WaypointsDock::decided);
-  connect(conflicts_, &ConflictBox::locateWanted, this, &WaypointsDock::locateWanted);
+  // List, form and map are about the same one.
+  connect(conflicts_, &ConflictBox::locateWanted, this, [this](const edit::Key& key) {
+    editing_->select(editing_->find(key) ? std::set<edit::Key>{key} : std::set<edit::Key>());
+    Q_EMIT locateWanted(key);
+  });
   // When all rows are rebuilt, restores the selection.
   connect(sorted_, &QAbstractItemModel::modelReset, this, &WaypointsDock::showSelection);
   connect(next_warning_, &QToolButton::clicked, this, &WaypointsDock::nextWarningWanted);
@@ -284,7 +288,7 @@ void WaypointsDock::refresh() {
   pending_->setEnabled(any_rows);
   add_->setEnabled(editable);
   remove_->setEnabled(editable && !editing_->selected().empty());
-  save_->setEnabled(list_ && list_->maySave());
+  save_->setEnabled(list_ && list_->unsaved() && !saving);
   save_->setVisible(!saving);
   cancel_->setVisible(saving);
   retry_->setVisible(list_ && list_->failure() && !saving);
@@ -339,6 +343,13 @@ QString WaypointsDock::emptyText() const {
     return editing_->editable() ? tr("No waypoints yet. Press W and click on the map to add one.")
                                 : tr("There are no waypoints.");
   return sorted_->rowCount() == 0 ? tr("No waypoint matches the filter.") : QString();
+}
+
+void WaypointsDock::goToConflict() {
+  if (conflicts_->isHidden()) return;
+  // Space there only shows it: nothing is decided by a key that was meant for the map.
+  conflicts_->locateButton()->setFocus();
+  conflicts_->locateButton()->click();
 }
 
 QString WaypointsDock::statusShown() const { return status_->isHidden() ? QString() : status_->text(); }

@@ -36,6 +36,9 @@ class WaypointsDock : public QDockWidget {
   /// The list that can be edited; null = none, and `sentence` says why.
   void setList(const edit::OpenWaypoints* list, const QString& sentence);
 
+  /// To what has to be decided: the selected one, otherwise the first.
+  void goToConflict();
+
   /// Must outlive this.
   void setWarnings(const WaypointWarnings* warnings);
 
