@@ -4,6 +4,7 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -261,6 +262,83 @@ class TestWindowLayouts : public QObject {
                  qPrintable(QString::number(window.minimumSizeHint().width())));
   }
 
+  void textsKeepTheirMarginsInEveryTheme() {
+    WaypointsDesk desk;
+    desk.start();
+    desk.bringUp();
+    const auto inset = [&] {
+      int count = 0;
+      for (const QLabel* label : desk.dock().findChildren<QLabel*>())
+        count += label->contentsMargins().left() == 8;
+      return count;
+    };
+    QCOMPARE(inset(), 2);
+    for (const char* theme : {"themeDark", "themeLight"}) {
+      desk.action(theme)->trigger();
+      QCOMPARE(inset(), 2);
+    }
+  }
+
+  void tabsThatFindNoRoomAreListed() {
+    Bench bench;
+    MainWindow& window = bench.open({1366, 768});
+    showAnew(bench, "layoutOperate");
+    for (QDockWidget* dock : docksOf(window)) {
+      if (window.dockWidgetArea(dock) == Qt::RightDockWidgetArea) dock->show();
+    }
+    QDockWidget* const waypoints = window.findChild<QDockWidget*>(QStringLiteral("waypoints"));
+    waypoints->raise();
+    QTabBar* tabs = nullptr;
+    const auto found = [&] {
+      for (QTabBar* bar : window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
+        if (bar->isVisible() && bar->count() > 4) tabs = bar;
+      }
+      return tabs != nullptr;
+    };
+    QTRY_VERIFY(found());
+    auto* const all = tabs->findChild<QToolButton*>(QStringLiteral("allTabs"));
+    QTRY_VERIFY(all && all->isVisible());
+    QVERIFY(tabs->rect().contains(all->geometry()));
+    Q_EMIT all->menu()->aboutToShow();
+    QCOMPARE(int(all->menu()->actions().size()), tabs->count());
+    const int last = tabs->count() - 1;
+    QVERIFY(!all->menu()->actions()[last]->isChecked());
+    all->menu()->actions()[last]->trigger();
+    QCOMPARE(tabs->currentIndex(), last);
+    QTRY_VERIFY(!inFront(waypoints));
+    // The one in front can be read, beside the button.
+    QTRY_VERIFY(tabs->tabRect(last).right() <= all->geometry().left() + 1);
+  }
+
+  void theWindowFitsASmallScreen_data() {
+    QTest::addColumn<QByteArray>("layout");
+    for (const char* layout : kLayouts) QTest::newRow(layout) << QByteArray(layout);
+  }
+  void theWindowFitsASmallScreen() {
+    QFETCH(QByteArray, layout);
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open({800, 570});
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    showAnew(bench, layout);
+    QString needs;
+    for (QWidget* part : window.findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+      const QSize least = part->minimumSizeHint().expandedTo(part->minimumSize());
+      if (part->isVisible())
+        needs += QStringLiteral("%1 %2: %3 x %4; ")
+                     .arg(QLatin1String(part->metaObject()->className()), part->objectName())
+                     .arg(least.width())
+                     .arg(least.height());
+    }
+    const QSize least = window.minimumSizeHint();
+    QVERIFY2(least.width() <= 800 && least.height() <= 570,
+             qPrintable(QStringLiteral("%1 x %2 %3").arg(least.width()).arg(least.height()).arg(needs)));
+    QCOMPARE(window.size(), QSize(800, 570));
+    QVERIFY2(window.view()->width() >= 300 && window.view()->height() >= 200,
+             qPrintable(QStringLiteral("%1 x %2").arg(window.view()->width()).arg(window.view()->height())));
+  }
+
   void alertsMoveNoTool() {
     Bench bench;
     MainWindow& window = bench.open();
@@ -364,6 +442,14 @@ class TestWindowLayouts : public QObject {
         continue;
       }
       ++tables;
+      // What is hidden is not laid out.
+      for (QWidget* above = table; above; above = above->parentWidget()) {
+        if (qobject_cast<QDockWidget*>(above)) {
+          above->show();
+          above->raise();
+        }
+      }
+      QCoreApplication::processEvents();
       QHeaderView& header = *table->horizontalHeader();
       for (const int width : {900, 380, 300, 220}) {
         table->resize(width, 200);

@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStyle>
 #include <QTimer>
 #include <QToolButton>
@@ -26,6 +27,68 @@ namespace mapwright::window {
 namespace {
 
 constexpr int kNoteGapPx = 4, kNoteMs = 6'000;
+constexpr int kLeastScrolledPx = 60;
+
+/// Keeps its margins when the style or the parent changes. (QFrame puts those of its frame in their place.)
+class WrappedLabel : public QLabel {
+ public:
+  using QLabel::QLabel;
+
+ protected:
+  bool event(QEvent* event) override {
+    const QMargins margins = contentsMargins();
+    const bool done = QLabel::event(event);
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::ParentChange)
+      setContentsMargins(margins);
+    return done;
+  }
+};
+
+/// As high as there is room, but not below what its body needs at least. (A resizable QScrollArea scrolls as
+/// soon as there is less room than a body with lines that wrap would like.)
+class Scrolled : public QScrollArea {
+ public:
+  Scrolled(QWidget* body, QWidget* parent) : QScrollArea(parent) {
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::NoFocus);
+    setWidget(body);
+  }
+  QSize sizeHint() const override { return widget() ? widget()->sizeHint() : QScrollArea::sizeHint(); }
+  QSize minimumSizeHint() const override {
+    if (!widget()) return QScrollArea::minimumSizeHint();
+    const int width = widget()->minimumSizeHint().expandedTo(widget()->minimumSize()).width();
+    return {width, std::min(leastHeight(width), kLeastScrolledPx)};
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    fit();
+    QScrollArea::resizeEvent(event);
+  }
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const bool done = QScrollArea::eventFilter(watched, event);
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) {
+      fit();
+      updateGeometry();
+    }
+    return done;
+  }
+
+ private:
+  int leastHeight(int width) const {
+    const QLayout* const layout = widget()->layout();
+    const int least = !layout                       ? widget()->minimumSizeHint().height()
+                      : layout->hasHeightForWidth() ? layout->totalMinimumHeightForWidth(width)
+                                                    : layout->totalMinimumSize().height();
+    return std::max(least, widget()->minimumHeight());
+  }
+  void fit() {
+    QSize size = maximumViewportSize();
+    if (leastHeight(size.width()) > size.height()) size.rwidth() -= verticalScrollBar()->sizeHint().width();
+    widget()->resize(size.width(), std::max(size.height(), leastHeight(size.width())));
+  }
+};
 
 template <class Layout>
 Layout* laidOut(std::initializer_list<LayoutItem> items, int spacing,
@@ -57,17 +120,10 @@ QVBoxLayout* columnOf(std::initializer_list<LayoutItem> items, int spacing, std:
   return laidOut<QVBoxLayout>(items, spacing, margins);
 }
 
-void setScrolledWidget(QDockWidget& dock, QWidget* body) {
-  auto* const scroll = new QScrollArea(&dock);
-  scroll->setWidget(body);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  dock.setWidget(scroll);
-}
+void setScrolledWidget(QDockWidget& dock, QWidget* body) { dock.setWidget(new Scrolled(body, &dock)); }
 
 QLabel* wrappedLabel(const QString& text, QWidget* parent) {
-  auto* const label = new QLabel(parent);
+  auto* const label = new WrappedLabel(parent);
   label->setTextFormat(Qt::PlainText);
   label->setText(text);
   label->setWordWrap(true);
@@ -143,7 +199,7 @@ void sayOutOfRange(const QAbstractSpinBox& field, const QString& text) {
   // No tooltip: that hides when the focus goes to the next field.
   auto* note = window->findChild<QLabel*>(name, Qt::FindDirectChildrenOnly);
   if (!note) {
-    note = new QLabel(window);
+    note = new WrappedLabel(window);
     note->setObjectName(name);
     note->setTextFormat(Qt::PlainText);
     note->setContentsMargins(8, 4, 8, 4);

@@ -49,7 +49,7 @@ QHBoxLayout* rowOf(std::initializer_list<LayoutItem> items, int spacing = -1,
                    std::optional<QMargins> margins = {});
 QVBoxLayout* columnOf(std::initializer_list<LayoutItem> items, int spacing = -1,
                       std::optional<QMargins> margins = {});
-/// A body in a dock that scrolls upwards and downwards only.
+/// A body in a dock that scrolls upwards and downwards only, where there is less room than it needs at least.
 void setScrolledWidget(QDockWidget& dock, QWidget* body);
 
 /// Plain text in as many lines as it needs.

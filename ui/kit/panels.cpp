@@ -9,13 +9,16 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
+#include <QMenu>
 #include <QPainter>
+#include <QScrollArea>
 #include <QTabBar>
 #include <QTimer>
 #include <QToolButton>
 
 #include "ui/kit/actions.h"
 #include "ui/kit/forms.h"
+#include "ui/kit/icons.h"
 #include "ui/kit/tab_order.h"
 #include "ui/kit/ui_colors.h"
 
@@ -37,6 +40,61 @@ constexpr Edge kEdges[] = {
     {Side::Bottom, Qt::BottomDockWidgetArea, Qt::Vertical, Qt::Horizontal, &Layout::bottom_px}};
 constexpr int kSharePx = 100;
 
+/// Where there is no room for all tabs: a list of them in place of the arrows, behind which nobody would look
+/// for the others. The wheel still moves the tabs.
+class AllTabs : public QToolButton {
+ public:
+  explicit AllTabs(QTabBar* tabs) : QToolButton(tabs), tabs_(tabs) {
+    setObjectName(QStringLiteral("allTabs"));
+    setIcon(themedIcon(QStringLiteral("chevron-down")));
+    setToolTip(Panels::tr("All panels here"));
+    setAccessibleName(toolTip());
+    setFocusPolicy(Qt::NoFocus);
+    setPopupMode(QToolButton::InstantPopup);
+    auto* const list = new QMenu(this);
+    setMenu(list);
+    connect(list, &QMenu::aboutToShow, this, [this, list] {
+      list->clear();
+      for (int i = 0; i < tabs_->count(); ++i) {
+        QAction* const action =
+            list->addAction(tabs_->tabText(i), this, [this, i] { tabs_->setCurrentIndex(i); });
+        action->setCheckable(true);
+        action->setChecked(i == tabs_->currentIndex());
+      }
+    });
+    for (QToolButton* arrow : arrows()) arrow->installEventFilter(this);
+    hide();
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const bool moved = event->type() == QEvent::Show || event->type() == QEvent::Hide ||
+                       event->type() == QEvent::Move || event->type() == QEvent::Resize;
+    if (moved) cover();
+    return QToolButton::eventFilter(watched, event);
+  }
+
+ private:
+  QList<QToolButton*> arrows() const {
+    QList<QToolButton*> arrows;
+    for (const char* name : {"ScrollLeftButton", "ScrollRightButton"}) {
+      if (auto* const arrow = tabs_->findChild<QToolButton*>(QLatin1String(name))) arrows << arrow;
+    }
+    return arrows;
+  }
+  void cover() {
+    QRect room;
+    for (const QToolButton* arrow : arrows()) {
+      if (!arrow->isHidden()) room |= arrow->geometry();
+    }
+    setVisible(!room.isEmpty());
+    setGeometry(room);
+    raise();
+  }
+
+  QTabBar* tabs_;
+};
+
 }  // namespace
 
 Panels::Panels(QMainWindow& window, Actions& actions) : QObject(&window), window_(window), actions_(actions) {
@@ -53,6 +111,7 @@ bool Panels::eventFilter(QObject* watched, QEvent* event) {
       tabs->setAccessibleName(tr("Panels"));
       tabs->setElideMode(Qt::ElideNone);
       tabs->setUsesScrollButtons(true);
+      new AllTabs(tabs);
     }
   }
   return QObject::eventFilter(watched, event);
@@ -60,7 +119,11 @@ bool Panels::eventFilter(QObject* watched, QEvent* event) {
 
 void Panels::add(QDockWidget* dock, const PanelPlace& place) {
   giveTitle(dock);
-  if (dock->widget()) orderTabsAsLaidOut(*dock->widget());
+  if (QWidget* const body = dock->widget()) {
+    orderTabsAsLaidOut(*body);
+    // What a dock needs at least must not keep the window from a small screen.
+    if (!qobject_cast<QScrollArea*>(body)) setScrolledWidget(*dock, body);
+  }
   QAction* const toggle = dock->toggleViewAction();
   actions_.list({MenuGroup::Panels, place.menu_rank}, toggle);
   // The user wants to see the panel, not the tab in front of it: also if it was open, behind that. Before

@@ -28,6 +28,9 @@ QMenuBar::item:selected { background: %hover%; }
 QToolBar { background: %window%; border: none; border-bottom: 1px solid %border%; padding: 2px 8px; spacing: 2px; }
 QToolBar::separator { background: %border%; width: 1px; margin: 6px 6px; }
 QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px; background: transparent; }
+#allTabs { background: %window%; border: none; border-radius: 0; padding: 0; }
+#allTabs:hover { background: %hover%; }
+#qt_toolbar_ext_button { padding: 0; border: none; }
 QToolButton:hover { background: %hover%; }
 QToolButton:pressed { background: %border%; }
 QToolButton:checked { background: %tint%; border-color: %focus%; }

@@ -16,6 +16,7 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/plural.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
@@ -168,8 +169,8 @@ MapsDock::MapsDock(QWidget* parent)
       search_(new QLineEdit(this)),
       refresh_(new QToolButton(this)),
       list_(new QuietListView(this)),
-      empty_(new QLabel(this)),
-      status_(new QLabel(this)),
+      empty_(wrappedLabel({}, this)),
+      status_(wrappedLabel({}, this)),
       retry_(new QPushButton(tr("Retry"), this)) {
   setObjectName(QStringLiteral("maps"));
   search_->setPlaceholderText(tr("Search maps"));
@@ -186,11 +187,7 @@ MapsDock::MapsDock(QWidget* parent)
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
   list_->setAccessibleName(tr("Maps"));
   list_->setMinimumWidth(180);
-  for (QLabel* label : {empty_, status_}) {
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->setContentsMargins(8, 4, 8, 4);
-  }
+  for (QLabel* label : {empty_, status_}) label->setContentsMargins(8, 4, 8, 4);
   empty_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   retry_->setObjectName(QStringLiteral("compact"));
 

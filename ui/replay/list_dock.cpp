@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/tree_view.h"
 #include "ui/kit/wrapping_row.h"
@@ -23,15 +24,13 @@ ListDock::ListDock(const QString& title, const QString& search, QWidget* parent)
       search_(new QLineEdit(this)),
       table_(new QuietTableView(this)),
       summary_(new PlainLabel(this)),
-      empty_(new QLabel(this)) {
+      empty_(wrappedLabel({}, this)) {
   search_->setPlaceholderText(search);
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(search);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->installEventFilter(this);
   table_->horizontalHeader()->setHighlightSections(false);
-  empty_->setTextFormat(Qt::PlainText);
-  empty_->setWordWrap(true);
   empty_->setContentsMargins(12, 8, 12, 8);
   empty_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   summary_->setSample(QStringLiteral("x"));

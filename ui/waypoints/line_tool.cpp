@@ -331,9 +331,10 @@ void LineBar::refresh() {
 
 void LineBar::place() {
   const QWidget* const map = parentWidget();
-  const QSize size = sizeHint();
-  setGeometry((map->width() - size.width()) / 2, map->height() - size.height() - kLineBarMarginPx,
-              size.width(), size.height());
+  const QSize size =
+      sizeHint().boundedTo({std::max(map->width(), minimumSizeHint().width()), QWIDGETSIZE_MAX});
+  setGeometry(std::max(0, (map->width() - size.width()) / 2),
+              map->height() - size.height() - kLineBarMarginPx, size.width(), size.height());
 }
 
 bool LineBar::eventFilter(QObject* watched, QEvent* event) {

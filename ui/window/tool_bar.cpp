@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "ui/kit/actions.h"
+#include "ui/kit/icons.h"
 
 namespace mapwright::window {
 
@@ -19,8 +20,11 @@ ToolBar::ToolBar(const Actions& actions, QWidget* parent) : QToolBar(tr("Tools")
   toggleViewAction()->setVisible(false);
   fillToolBar(*this, actions);
   all_ = this->actions();
-  if (auto* const more = findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button")))
+  if (auto* const more = findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
     more->setAccessibleName(tr("More tools"));
+    more->setToolTip(tr("More tools"));
+    more->setIcon(themedIcon(QStringLiteral("chevron-right")));
+  }
 }
 
 void ToolBar::showRole(Role role) {
