@@ -215,7 +215,7 @@ void sayOutOfRange(const QAbstractSpinBox& field, const QString& text) {
   const QRect room = window->rect();
   const QPoint below = field.mapTo(window, QPoint(0, field.height() + kNoteGapPx));
   const QPoint above = field.mapTo(window, QPoint(0, -note->height() - kNoteGapPx));
-  const QPoint at = below.y() + note->height() <= room.bottom() ? below : above;
+  const QPoint at = above.y() >= 0 ? above : below;  // what is filled in next is below
   note->move(std::clamp(at.x(), 0, std::max(0, room.width() - note->width())), std::max(0, at.y()));
   note->show();
   note->raise();

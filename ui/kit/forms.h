@@ -70,7 +70,7 @@ void markBeyond(QAbstractSpinBox& box, bool beyond, const QString& range);
 /// Whether the key is one of undo or redo that the text has no use for: then it is the window's.
 bool isUndoOfOthers(const QEvent& event, const QLineEdit& text);
 
-/// Below the field for a while: its number was not taken because it is too small or too large.
+/// Beside the field for a while: its number was not taken because it is too small or too large.
 void sayOutOfRange(const QAbstractSpinBox& field, const QString& text);
 /// "0 is too small: at least 0.05 m."
 QString tooSmallText(const QString& typed, const QString& least);

@@ -347,6 +347,7 @@ QString WaypointsDock::emptyText() const {
 
 void WaypointsDock::goToConflict() {
   if (conflicts_->isHidden()) return;
+  showSelection();
   // Space there only shows it: nothing is decided by a key that was meant for the map.
   conflicts_->locateButton()->setFocus();
   conflicts_->locateButton()->click();

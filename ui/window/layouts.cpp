@@ -9,8 +9,9 @@ namespace {
 
 using Side = PanelPlace::Side;
 
-constexpr int kWidePx = 1700;  // room for docks on both sides
-constexpr int kHighPx = 900;   // room for one more dock above another
+constexpr int kWidePx = 1700;   // room for docks on both sides
+constexpr int kHighPx = 900;    // room for one more dock above another
+constexpr int kNarrowPx = 960;  // below it the tools of the timeline need two lines
 // Of a small screen the docks get this part, and the map the rest.
 constexpr double kColumn = 0.285;
 
@@ -70,7 +71,7 @@ Layout layoutFor(Role role, const QSize& window_px) {
   const bool wide = window_px.width() >= kWidePx, high = window_px.height() >= kHighPx;
   Layout layout;
   layout.left_px = wide ? 280 : 220;
-  layout.bottom_px = high ? 168 : 140;
+  layout.bottom_px = high ? 168 : window_px.width() < kNarrowPx ? 172 : 140;
   layout.right_px = std::clamp(int(kColumn * window_px.width()), 300, 440);
   switch (role) {
     case Role::Operate:
