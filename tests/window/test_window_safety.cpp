@@ -113,6 +113,20 @@ class TestWindowSafety : public QObject {
                                          "Under manual control since 14:00:00"));
   }
 
+  void oneSentenceEndsOnceBeforeTheNext() {
+    const auto said = [](const char* words) {
+      return safetyText({{alert(6004, words, at(14, 3, 12)),
+                          condition(map::SafetyKind::ManualControl, map::Severity::Warning, at(14, 0, 0))},
+                         {}},
+                        kNow)
+          .sentence;
+    };
+    for (const char* words : {"Too hot!", "Too hot.", "Too hot"})
+      QVERIFY2(said(words).endsWith(QLatin1String(words[7] == '!' ? "Too hot! Also: Manual control"
+                                                                  : "Too hot. Also: Manual control")),
+               qPrintable(said(words)));
+  }
+
   void nothingIsSaidWhenNothingIsWrong() {
     QCOMPARE(safetyText({}, kNow), SafetyText{});
     QCOMPARE(safetyText({{}, kNow}, kNow), SafetyText{});  // nor while the link is lost

@@ -11,6 +11,7 @@
 
 #include "ui/kit/plain_label.h"
 #include "ui/kit/state_mark.h"
+#include "words/sentences.h"
 
 namespace mapwright::window {
 
@@ -125,12 +126,6 @@ QString state(const map::SafetyCondition& condition) {
   return safetyWord(condition);
 }
 
-/// The robot's text may or may not end with a full stop.
-QString withoutStop(QString sentence) {
-  while (sentence.endsWith(QLatin1Char('.'))) sentence.chop(1);
-  return sentence;
-}
-
 }  // namespace
 
 QString safetyWord(const map::SafetyCondition& condition) {
@@ -187,8 +182,9 @@ SafetyText safetyText(const SafetyState& known, const QDateTime& now) {
   for (std::size_t i = 1; i < std::min(kMostOthers, known.conditions.size()); ++i)
     others << safetyWord(known.conditions[i]);
   if (!others.isEmpty())
-    text.sentence = SafetyBadgeText::tr("%1. Also: %2")
-                        .arg(withoutStop(text.sentence), others.join(QStringLiteral(", ")));
+    text.sentence = SafetyBadgeText::tr("%1 Also: %2")
+                        .arg(QString::fromStdString(words::asSentence(text.sentence.toStdString())),
+                             others.join(QStringLiteral(", ")));
   if (known.as_of)
     text.sentence = SafetyBadgeText::tr("As of %1: %2").arg(clock(*known.as_of, now), text.sentence);
   return text;
