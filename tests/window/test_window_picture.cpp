@@ -451,7 +451,9 @@ class TestWindowPicture : public QObject {
     QVERIFY(!desk.control().saving());
     QVERIFY(desk.toasts().last().contains(QLatin1String("Choose which ones to keep")));
     QVERIFY(desk.dock().takeTheirsButton()->isVisible());
+    desk.dock().takeTheirsButton()->setFocus();
     desk.dock().takeTheirsButton()->click();
+    QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(desk.window->view()));
     QCOMPARE(int(desk.cells().at(12, 12)), 255);
     QCOMPARE(int(desk.cells().at(17, 17)), 100);
     desk.save();
@@ -502,8 +504,11 @@ class TestWindowPicture : public QObject {
     QTRY_VERIFY(desk.control().drafts()->offered());
     QVERIFY(desk.control().drafts()->offer().contains(QLatin1String("100 cells")));
     for (QPushButton* button : desk.dock().findChildren<QPushButton*>()) {
-      if (button->text() == QLatin1String("Restore")) button->click();
+      if (button->text() != QLatin1String("Restore")) continue;
+      button->setFocus();
+      button->click();
     }
+    QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(desk.window->view()));
     QCOMPARE(int(desk.cells().at(15, 15)), 100);
     QCOMPARE(int(desk.cells().at(5, 5)), 255);
     QVERIFY(desk.toasts().last().contains(QLatin1String("25 cells")));

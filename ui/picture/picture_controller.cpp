@@ -84,6 +84,7 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
     editing_.lookFor(what, cells);
     context_.view.setFocus();
   });
+  connect(dock_, &PictureDock::mapWanted, this, [this] { context_.view.setFocus(); });
   connect(dock_, &PictureDock::saveWanted, this, &PictureController::save);
   connect(dock_, &PictureDock::stopSavingWanted, this, [this] { write_call_.cancel(); });
   connect(dock_, &PictureDock::discardWanted, &editing_, &PictureEditing::revert);

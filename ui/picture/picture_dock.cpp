@@ -1,5 +1,6 @@
 #include "ui/picture/picture_dock.h"
 
+#include <QApplication>
 #include <QButtonGroup>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -105,7 +106,13 @@ void PictureDock::buildOffer(QVBoxLayout* column) {
 void PictureDock::setOffer(const QString& sentence) {
   offer_->setText(sentence);
   setTextColor(*offer_, appColors().warning_text);
-  offer_box_->setVisible(!sentence.isEmpty());
+  showPart(*offer_box_, !sentence.isEmpty());
+}
+
+void PictureDock::showPart(QWidget& part, bool visible) {
+  const bool left = !visible && part.isAncestorOf(QApplication::focusWidget());
+  part.setVisible(visible);
+  if (left) Q_EMIT mapWanted();
 }
 
 void PictureDock::buildModes(QVBoxLayout* column) {
@@ -390,7 +397,7 @@ void PictureDock::refresh() {
   const bool reckoning = editing_->reckoning();
   const bool previewing = editing_->preview().has_value() || editing_->looking() || reckoning;
   for (QPushButton* button : tidy_buttons_) button->setEnabled(!saving_);
-  preview_row_->setVisible(previewing);
+  showPart(*preview_row_, previewing);
   found_->setText(previewText());
   const std::array<QString, picture::kKinds> becomes{tr("becomes free: %1"), tr("becomes occupied: %1"),
                                                      tr("becomes unknown: %1")};
@@ -402,7 +409,7 @@ void PictureDock::refresh() {
   }
   apply_->setVisible(!reckoning);
   apply_->setEnabled(editing_->preview() && !editing_->preview()->step.patch.empty());
-  decision_->setVisible(editing_->conflicts() > 0);
+  showPart(*decision_, editing_->conflicts() > 0);
   conflict_->setText(tr("Changed differently here and elsewhere: %1. Which version do you want to keep?")
                          .arg(cellsText(editing_->conflicts())));
   setTextColor(*conflict_, appColors().warning_text);

@@ -53,6 +53,8 @@ class PictureDock : public QDockWidget {
   void modeWanted(mapwright::window::PaintMode mode);
   void lookWanted(mapwright::window::Tidying what, int cells);
   void saveWanted();
+  /// The part that had the focus is gone: otherwise keys for the map would be typed into the next field.
+  void mapWanted();
   void discardWanted();
   void compareWanted();
   void copiesWanted();
@@ -63,6 +65,7 @@ class PictureDock : public QDockWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void showPart(QWidget& part, bool visible);
   void buildModes(QVBoxLayout* column);
   void buildKinds(QVBoxLayout* column);
   void buildTidying(QVBoxLayout* column);
