@@ -1,5 +1,6 @@
 #include "app/command_map.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/command_text.h"
@@ -18,10 +19,20 @@ constexpr double kModelWithinS = 2;  // for the robot's footprint
 
 }  // namespace
 
+bool isPlainId(const std::string& id) {
+  const QString plain = text(id);
+  const auto odd = [](QChar c) {
+    return c.isSpace() || c.category() == QChar::Other_Control || c.category() == QChar::Other_Format ||
+           QStringLiteral("/\\?#%").contains(c);
+  };
+  return !plain.isEmpty() && plain != QLatin1String(".") && plain != QLatin1String("..") &&
+         std::none_of(plain.begin(), plain.end(), odd);
+}
+
 CommandResult<map::MapKey> storedMap(RobotReading& robot, const std::string& id) {
   const map::MapKey named = map::mapKeyFromText(id);
   if (!id.empty() && !robot.local()) {
-    if (named.kind == map::MapKind::Stored) return named;
+    if (named.kind == map::MapKind::Stored && isPlainId(named.id)) return named;
     return robot.failure(
         kUsage, Text::tr("--map %1: pass the id of a stored map (see mapwright maps list).").arg(text(id)));
   }

@@ -13,6 +13,8 @@
 
 namespace mapwright::app {
 
+/// It is one segment of a path, and means nothing else there: a request without an id may mean all maps.
+bool isPlainId(const std::string& id);
 /// `--map`: the id of a stored map, of local ones also a name; "" = the current map, or the only one.
 CommandResult<map::MapKey> storedMap(RobotReading& robot, const std::string& id);
 

@@ -64,7 +64,8 @@ tl::expected<std::vector<history::KeptVersion>, QString> keptVersions(const std:
 tl::expected<WholeVersion, QString> keptVersion(const std::string& number) {
   std::int64_t which = 0;
   const char* const end = number.data() + number.size();
-  if (std::from_chars(number.data(), end, which).ptr != end)
+  const auto [read_to, problem] = std::from_chars(number.data(), end, which);
+  if (problem != std::errc() || read_to != end)
     return tl::make_unexpected(
         Text::tr("%1: give the number of a version (see mapwright overlays history list).")
             .arg(text(number)));

@@ -11,6 +11,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 
+#include "app/command_map.h"
 #include "app/command_text.h"
 #include "app/map_diff.h"
 #include "app/map_request.h"
@@ -417,11 +418,6 @@ bool isOfOneMap(MapChange change) {
   return change != MapChange::StartMapping && change != MapChange::StopMapping && change != MapChange::Save;
 }
 
-/// It is one segment of a path, and means nothing else there.
-bool isPlainId(const std::string& id) {
-  return !id.empty() && id.find_first_of("/\\?#%. \t") == std::string::npos;
-}
-
 bool names(MapChange change) { return change == MapChange::Rename || change == MapChange::Save; }
 
 /// Why it is not even requested; empty if it is.
@@ -435,11 +431,8 @@ QString whyNotAsked(MapChange change, const MapsArguments& args) {
     if (const QString why = jobs::whyNoMapName(label); !why.isEmpty()) return why;
   }
   const map::MapKey key = map::mapKeyFromText(args.id);
-  if (isOfOneMap(change) && (key.kind != map::MapKind::Stored || key.id.empty()))
+  if (isOfOneMap(change) && (key.kind != map::MapKind::Stored || !isPlainId(key.id)))
     return Text::tr("%1: pass the id of a stored map (see mapwright maps list).").arg(text(args.id));
-  // A request without an id, or with the path of something else, would delete more than one map.
-  if (change == MapChange::Delete && !isPlainId(key.id))
-    return Text::tr("%1: this is no id of a map (see mapwright maps list).").arg(text(args.id));
   if (change == MapChange::Delete && !args.yes)
     return Text::tr("Deleting a map cannot be undone. Pass --yes to delete %1.").arg(text(args.id));
   return {};

@@ -27,10 +27,12 @@
 namespace mapwright::app {
 namespace {
 
+using overlays::OverlayChange;
 using overlays::OverlayDocument;
 using words::text;
 
 constexpr std::size_t kMostOverlayBytes = std::size_t(256) << 20;
+constexpr std::size_t kMostSentBytes = std::size_t(32) << 20;  // what is larger might not be read back
 
 /// The options as typed; empty = not given.
 struct OverlaysArguments : RobotArguments {
@@ -58,6 +60,28 @@ tl::expected<OverlayDocument, QString> overlayFile(const std::string& path) {
   if (document) return std::move(*document);
   return tl::make_unexpected(
       QStringLiteral("%1: %2").arg(inputCalled(path), sentences::sentenceOf(document.error())));
+}
+
+/// A file that is to become the overlays. An empty one, or something else than a FeatureCollection, is no
+/// wish for no overlays: it is taken only for what `base` is, too, as robots hold such things.
+tl::expected<OverlayDocument, QString> wantedOverlays(const std::string& path,
+                                                      const std::optional<OverlayDocument>& base) {
+  auto document = overlayFile(path);
+  if (!document) return document;
+  const std::string text = document->text();
+  const bool as_base = base && !OverlayDocument::isCollection(base->text()) &&
+                       (text == base->text() || (!document->features().empty() && !base->features().empty()));
+  if (!OverlayDocument::isCollection(text) && !as_base)
+    return tl::make_unexpected(
+        Text::tr("%1 is no GeoJSON FeatureCollection with a list of features.").arg(inputCalled(path)));
+  for (const OverlayChange& change : overlays::changesBetween(base.value_or(OverlayDocument()), *document)) {
+    if (change.kind == overlays::ChangeKind::Add && !document->features()[*change.to].root().isObject())
+      return tl::make_unexpected(
+          Text::tr("%1 has something among its features that is no feature: %2")
+              .arg(inputCalled(path),
+                   oneLine(words::plainName(document->features()[*change.to].text()), 60)));
+  }
+  return document;
 }
 
 /// A map whose overlays can be read, and changed.
@@ -108,13 +132,13 @@ CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& a
   if (!held) return failureOf(*of, held.error());
   if (const auto trouble = disk::writeFile(args.output, held->text))
     return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
-  if (printed || isStandardOutput(text(args.report))) return kDone;
   const auto document = OverlayDocument::read(held->text);
   if (!document) {
     of->robot->note(of->robot->about(
         Text::tr("Its overlays cannot be read. %1").arg(sentences::sentenceOf(document.error()))));
     return kIncomplete;
   }
+  if (printed || isStandardOutput(text(args.report))) return kDone;
   const auto count = qint64(document->features().size());
   printLine(QStringLiteral("%1: %2").arg(
       oneLine(output),
@@ -125,6 +149,7 @@ CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& a
 /// Whether the robot holds what was wanted now; null: it cannot be told.
 QJsonValue appliedIn(const jobs::OverlayOutcome& outcome, bool wanted) {
   if (!wanted || !outcome.merge.conflicts.empty()) return false;
+  if (outcome.unreadable.any()) return {};
   if (!outcome.sent || outcome.differs.empty()) return true;
   return outcome.version == outcome.version_before && outcome.version ? QJsonValue(false) : QJsonValue();
 }
@@ -144,6 +169,11 @@ QString doubtOf(const jobs::OverlayOutcome& outcome) {
     return number ? QString::number(*number) : QString();
   };
   QStringList sentences;
+  if (outcome.unreadable.any())
+    return Text::tr(
+               "The overlays were sent, but what the robot holds now cannot be read. %1 Earlier versions are "
+               "in mapwright overlays history.")
+        .arg(sentences::sentenceOf(outcome.unreadable));
   if (outcome.between == Between::Somebody) {
     sentences << Text::tr(
                      "Somebody else changed the overlays between the look and the request: their version "
@@ -240,14 +270,17 @@ CommandResult<int> changeIt(RobotCommand& command, const OverlaysArguments& args
           whyNotTogether({output, text(args.report), args.json ? QStringLiteral("-") : QString()}))
     return wrong(*why);
   jobs::OverlayOrder order;
-  auto mine = overlayFile(args.file);
-  if (!mine) return wrong(mine.error());
-  order.mine = std::move(*mine);
   if (!args.base.empty()) {
     auto base = overlayFile(args.base);
     if (!base) return wrong(base.error());
     order.base = std::move(*base);
   }
+  auto mine = wantedOverlays(args.file, order.base);
+  if (!mine) return wrong(mine.error());
+  order.mine = std::move(*mine);
+  if (order.mine.text().size() > kMostSentBytes)
+    return wrong(
+        Text::tr("%1 is larger than 32 MiB: no robot could give it back.").arg(inputCalled(args.file)));
   order.send = send;
   return carryOut(command, args, std::move(order));
 }
@@ -301,6 +334,9 @@ CommandResult<int> overlaysValidate(RobotCommand& command, const OverlaysArgumen
     auto read = overlayFile(args.file);
     if (!read) return wrong(read.error());
     document = std::move(*read);
+    if (document.features().empty() && !OverlayDocument::isCollection(document.text()))
+      return wrong(Text::tr("%1 is no GeoJSON FeatureCollection with a list of features.")
+                       .arg(inputCalled(args.file)));
   }
   bool looked = true;
   if (args.file.empty()) {
@@ -377,8 +413,11 @@ CommandResult<int> historyRestore(RobotCommand& command, const OverlaysArguments
   auto document = OverlayDocument::read(version->text);
   if (!document) return wrong(sentences::sentenceOf(document.error()));
   OverlaysArguments there = args;
-  if (there.map.empty()) there.map = version->about.map.id;
   jobs::OverlayOrder order;
+  if (there.map.empty()) {
+    there.map = version->about.map.id;
+    order.only_uid = version->about.map.uid;
+  }
   order.mine = std::move(*document);
   order.send = !args.dry_run;
   return carryOut(command, there, std::move(order));

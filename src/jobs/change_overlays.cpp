@@ -14,10 +14,17 @@ using overlays::OverlayDocument;
 using robot::Outcome;
 using robot::OverlayText;
 
-map::Failure unreadable(const map::MapKey& key, Fault why, map::Applied applied) {
+map::Failure otherMap(const map::MapKey& key, const std::string& name) {
+  return {.kind = map::FailureKind::Conflict,
+          .subject = map::subjectOf(key),
+          .asked_for = map::AskedFor::Change,
+          .reason = map::FailureReason::Unfit,
+          .cause = {fault::AnotherMap, {name}}};
+}
+
+map::Failure unreadable(const map::MapKey& key, Fault why) {
   return {.kind = map::FailureKind::MalformedAnswer,
           .subject = map::subjectOf(key),
-          .applied = applied,
           .reason = map::FailureReason::Unfit,
           .cause = {fault::OverlaysNotRead, {}, {std::move(why)}}};
 }
@@ -55,9 +62,10 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
   void look(Outcome<OverlayText> now) {
     if (!now) return end(robot::fail(std::move(now.error())));
     if (order_.seen) order_.seen(*now, false);
+    if (!order_.only_uid.empty() && !now->map_uid.empty() && order_.only_uid != now->map_uid)
+      return end(robot::fail(otherMap(order_.map, now->map_name)));
     auto theirs = OverlayDocument::read(now->text);
-    if (!theirs && order_.base)
-      return end(robot::fail(unreadable(order_.map, theirs.error(), map::Applied::No)));
+    if (!theirs && order_.base) return end(robot::fail(unreadable(order_.map, theirs.error())));
     const OverlayDocument held = theirs ? std::move(*theirs) : OverlayDocument();
     outcome_.before = std::move(now->text);
     outcome_.version_before = outcome_.version = now->version;
@@ -80,15 +88,18 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     if (!stored) return end(robot::fail(std::move(stored.error())));
     if (order_.seen) order_.seen(*stored, true);
     const auto now = OverlayDocument::read(stored->text);
-    if (!now) return end(robot::fail(unreadable(order_.map, now.error(), map::Applied::Maybe)));
+    outcome_.version = stored->version;
+    if (!now) {
+      outcome_.unreadable = now.error();
+      return end(std::move(outcome_));
+    }
     outcome_.differs = overlays::changesBetween(outcome_.merge.document, *now);
     std::erase_if(outcome_.differs, onlyNewIds);
-    outcome_.version = stored->version;
     using Between = OverlayOutcome::Between;
     const bool told = stored->version && outcome_.version_before;
     const int steps = told ? *stored->version - *outcome_.version_before : 0;
     outcome_.between = steps == 1                          ? Between::None
-                       : steps != 0                        ? Between::Somebody
+                       : steps > 1                         ? Between::Somebody
                        : told && !outcome_.differs.empty() ? Between::None  // it did nothing
                                                            : Between::Unknown;
     end(std::move(outcome_));

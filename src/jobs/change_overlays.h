@@ -17,7 +17,8 @@ struct OverlayOrder {
   overlays::OverlayDocument mine;
   /// What `mine` was made from; nullopt: `mine` replaces everything.
   std::optional<overlays::OverlayDocument> base;
-  bool send = true;  // false: only looks and merges
+  bool send = true;           // false: only looks and merges
+  std::string only_uid = {};  // not empty: nothing is sent to a map with another uid
   /// Gets what the robot held, and what it holds after a change (`saved`); may be empty.
   std::function<void(const robot::OverlayText&, bool saved)> seen = {};
 };
@@ -38,9 +39,10 @@ struct OverlayOutcome {
     Unknown,  // the robot tells no version, or does not count
   };
   Between between = Between::None;
+  Fault unreadable = {};  // why what it holds now cannot be read
 
   /// It holds what was sent, and nobody came between.
-  bool certain() const { return !sent || (differs.empty() && between == Between::None); }
+  bool certain() const { return !sent || (differs.empty() && between == Between::None && !unreadable.any()); }
 };
 
 /// The error of an unreadable answer of the robot is MalformedAnswer. No result if the store is destroyed

@@ -16,6 +16,11 @@ inline constexpr FaultCode PictureNotEncoded{
 /// because: what is wrong with them
 inline constexpr FaultCode OverlaysNotRead{
     "jobs", QT_TRANSLATE_NOOP("jobs", "The overlays that the robot holds cannot be read")};
+/// the name of the map
+inline constexpr FaultCode AnotherMap{
+    "jobs",
+    QT_TRANSLATE_NOOP(
+        "jobs", "This version is of another map than \"%1\". Pass --map to use it there all the same.")};
 
 // Looking for robots.
 /// seconds, as text

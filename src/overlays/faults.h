@@ -30,7 +30,8 @@ inline constexpr FaultCode NoDock{"overlays",
                                   QT_TRANSLATE_NOOP("overlays", "This charger names no docking point.")};
 /// the id of the docking point
 inline constexpr FaultCode DockMissing{
-    "overlays", QT_TRANSLATE_NOOP("overlays", "The docking point of this charger, %1, does not exist.")};
+    "overlays",
+    QT_TRANSLATE_NOOP("overlays", "The docking point of this charger, %1, does not exist, or is none.")};
 inline constexpr FaultCode NoMac{"overlays", QT_TRANSLATE_NOOP("overlays", "This door has no MAC address.")};
 /// as written
 inline constexpr FaultCode CoordinateUnusable{

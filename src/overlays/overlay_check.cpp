@@ -48,10 +48,7 @@ class Checking {
         ground_(options.map, placing::Ground::Access::Wait) {}
 
   std::vector<Flaw> flaws() {
-    for (const Feature& feature : features_) {
-      ++ids_[feature.id()];
-      shapes_.push_back(shapesOf(feature));
-    }
+    for (const Feature& feature : features_) shapes_.push_back(shapesOf(feature));
     std::map<std::string, int> met_ids;
     std::map<std::pair<Shape, std::string>, int> met_names;
     for (index_ = 0; index_ < features_.size(); ++index_) {
@@ -128,20 +125,27 @@ class Checking {
       const std::string dock = textIn(feature(), "dockingPointId");
       if (dock.empty()) {
         add(Rule::ChargerWithoutDock, fault::NoDock);
-      } else if (!ids_.contains(dock)) {
+      } else if (!isDock(dock)) {
         add(Rule::ChargerWithoutDock, {fault::DockMissing, {dock}});
       }
     }
     const bool door = (shape == Shape::Point && (type == kGate || type == kDoor)) ||
                       (shape == Shape::Polygon && (type == kGateRegion || type == kDoorRegion));
-    if (door && textIn(feature(), "mac").empty()) add(Rule::DoorWithoutMac, fault::NoMac);
+    if (door && textIn(feature(), "mac").find_first_not_of(" \t\r\n") == std::string::npos)
+      add(Rule::DoorWithoutMac, fault::NoMac);
+  }
+
+  bool isDock(const std::string& id) const {
+    return std::any_of(features_.begin(), features_.end(), [&id](const Feature& feature) {
+      return feature.id() == id && feature.shape() == Shape::Point && feature.type() == kDockingPoint;
+    });
   }
 
   void checkGround() {
     if (!ground_.there()) return;
     for (const Path& path : shapes().paths) {
       for (const Vector2d& point : path.points) {
-        if (ground_.at(point) == Cell::Outside) return add(Rule::OutsideMap, fault::BeyondMap, point);
+        if (isOutside(point)) return add(Rule::OutsideMap, fault::BeyondMap, point);
       }
     }
     const bool charger = feature().shape() == Shape::Point && feature().type() == kCharger;
@@ -152,6 +156,13 @@ class Checking {
           return add(Rule::InWall, fault::InWall, point);
       }
     }
+  }
+
+  /// Walls are drawn up to the edge of the map, and a little beyond it.
+  bool isOutside(const Vector2d& point) const {
+    const map::GridReference& grid = options_.map.reference;
+    const Vector2d cell = grid.cellFromWorld(point);
+    return !(cell.x() >= -1 && cell.y() >= -1 && cell.x() <= grid.width + 1 && cell.y() <= grid.height + 1);
   }
 
   bool freeNear(const Vector2d& point) {
@@ -182,7 +193,6 @@ class Checking {
   const OverlayDocument& document_;
   const CheckOptions& options_;
   placing::Ground ground_;
-  std::map<std::string, int> ids_;
   std::vector<Shapes> shapes_;
   std::size_t index_ = 0;
   std::vector<Flaw> flaws_;

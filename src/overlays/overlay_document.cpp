@@ -14,7 +14,7 @@ constexpr std::string_view kNoFeatures = R"({"type": "FeatureCollection", "featu
 std::string textOf(const std::optional<JsonValue>& value) {
   if (!value) return {};
   if (value->kind() == JsonKind::String) return value->string();
-  return value->kind() == JsonKind::Number ? std::string(value->text()) : std::string();
+  return value->kind() == JsonKind::Number ? canonical(*value) : std::string();
 }
 
 JsonText null() { return *JsonText::read("null"); }
@@ -97,6 +97,13 @@ tl::expected<OverlayDocument, Fault> OverlayDocument::read(std::string text) {
   const bool none = root.isObject() && (!list || list->kind() == JsonKind::Null) && !root.member("geometry");
   if (!listed && !none) return tl::make_unexpected(Fault(fault::NoCollection));
   return taken(*json, listed ? list : std::nullopt);
+}
+
+bool OverlayDocument::isCollection(const std::string& text) {
+  const auto json = JsonText::read(text);
+  if (!json || !json->root().isObject()) return false;
+  const auto type = json->root().member("type"), list = json->root().member(kFeatures);
+  return type && type->string() == "FeatureCollection" && list && list->isArray();
 }
 
 std::string OverlayDocument::text() const {

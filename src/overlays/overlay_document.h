@@ -32,7 +32,8 @@ class Feature {
   const std::string& text() const { return json_->text(); }
   JsonValue root() const { return json_->root(); }
 
-  /// From the feature or else its properties, a number as written; empty: none. Untrusted plain text.
+  /// From the feature or else its properties, a number in its plain notation (1 for 1.0); empty: none.
+  /// Untrusted plain text.
   std::string id() const;
   std::string name() const;
   Shape shape() const;
@@ -52,6 +53,8 @@ class OverlayDocument {
   OverlayDocument() = default;
   /// A FeatureCollection, a bare list of features, or nothing at all.
   static tl::expected<OverlayDocument, Fault> read(std::string text);
+  /// A FeatureCollection as RFC 7946 has it, for what people hand in: nothing else stands for "no features".
+  static bool isCollection(const std::string& text);
   /// The same text if nothing was changed.
   std::string text() const;
 

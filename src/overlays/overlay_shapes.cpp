@@ -64,7 +64,8 @@ class ShapeReading {
     const auto numbers = written.isArray() ? written.children() : std::vector<JsonValue>();
     const Vector2d at = numbers.size() >= 2 ? Vector2d(numbers[0].number(), numbers[1].number())
                                             : Vector2d(HUGE_VAL, HUGE_VAL);
-    if (std::abs(at.x()) <= kFarthestM && std::abs(at.y()) <= kFarthestM) return at;
+    const bool high = numbers.size() > 2 && !(std::abs(numbers[2].number()) <= kFarthestM);
+    if (std::abs(at.x()) <= kFarthestM && std::abs(at.y()) <= kFarthestM && !high) return at;
     constexpr std::size_t kMostShown = 60;
     if (!out_.bad) out_.bad = std::string(written.text().substr(0, kMostShown));
     return std::nullopt;

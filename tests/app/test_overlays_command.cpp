@@ -103,15 +103,31 @@ class OverlaysCommandTest : public QObject {
   }
 
   void withoutABaseOnlyOnRequest() {
-    program_->put("mine.geojson", R"({"features":[]})");
+    const QByteArray none = R"({"type":"FeatureCollection","features":[]})";
+    program_->put("mine.geojson", none);
     QCOMPARE(run("set mine.geojson").code, 2);
     QCOMPARE(run("set mine.geojson --base base.geojson --replace").code, 2);
     QCOMPARE(run("set mine.geojson --replace --dry-run").code, 0);
     QCOMPARE(changes(), 0);
-    const Ended set = run("set - --replace", R"({"features":[]})");
+    const Ended set = run("set - --replace", none);
     QCOMPARE(set.code, 0);
     QVERIFY(set.out.contains(QStringLiteral("remove")) && set.out.contains(QStringLiteral("Charger")));
-    QCOMPARE(held(), QByteArray(R"({"features":[]})"));
+    QCOMPARE(held(), none);
+  }
+
+  void anEmptyOrStrangeFileDeletesNothing() {
+    for (const char* text :
+         {"", " \n", "null", "{}", "[]", "[{}]", "{\"features\":[]}", "{\"type\":\"FeatureCollection\"}",
+          "{\"type\":\"FeatureCollection\",\"features\":null}", "{\"type\":\"Topology\",\"features\":[]}",
+          "{\"type\":\"FeatureCollection\",\"features\":[1]}"}) {
+      for (const char* words :
+           {"set - --base base.geojson", "set - --replace", "plan - --base base.geojson"}) {
+        const Ended ended = run(words, text);
+        QVERIFY2(ended.code == 2, text);
+      }
+    }
+    QCOMPARE(run("validate -", "").code, 2);
+    QCOMPARE(changes(), 0);
   }
 
   void whatIsNoGeoJsonIsRefusedWithItsPlace() {
@@ -153,7 +169,9 @@ class OverlaysCommandTest : public QObject {
     QCOMPARE(robot.array()[0][QStringLiteral("rule")].toString(), QStringLiteral("too_few_points"));
     QCOMPARE(run("validate --off too_few_points").code, 0);
     QCOMPARE(run("validate --off nonsense").code, 2);
-    program_->put("mine.geojson", R"({"features":[{"id":"a","geometry":{"type":"Point","coordinates":[1e6,0]},
+    program_->put(
+        "mine.geojson",
+        R"({"type":"FeatureCollection","features":[{"id":"a","geometry":{"type":"Point","coordinates":[1e6,0]},
                                                    "properties":{"type":25}},{"id":"a"}]})");
     const QJsonArray flaws = run("validate mine.geojson --json").array();
     QCOMPARE(flaws.size(), 2);
@@ -189,7 +207,8 @@ class OverlaysCommandTest : public QObject {
     QCOMPARE(history("show 1 -o first.geojson").code, 0);
     QCOMPARE(program_->bytes("first.geojson"), program_->bytes("base.geojson"));
     QCOMPARE(history("show 1 -o first.geojson").code, 2);
-    for (const char* number : {"show 3", "show x", "show -1"}) QCOMPARE(history(number).code, 2);
+    for (const char* number : {"show 3", "show x", "show -1", "show 99999999999999999999"})
+      QCOMPARE(history(number).code, 2);
     start();
     QCOMPARE(run("set mine.geojson --base base.geojson").code, 0);
     const Ended dry = run("history restore 1 --dry-run --json");
@@ -213,7 +232,8 @@ class OverlaysCommandTest : public QObject {
   void aMapThatIsNotThereIsSaid() {
     QCOMPARE(run("get --map 99 -o x.geojson").code, 4);
     QVERIFY(program_->bytes("x.geojson").isEmpty());
-    QCOMPARE(run("get --map mapping:1 -o x.geojson").code, 2);
+    for (const char* id : {"mapping:1", "../1", "1/", "%31"})
+      QVERIFY2(run((QByteArray("get -o x.geojson --map ") + id).constData()).code == 2, id);
     const Ended other = program_->run(
         {QStringLiteral("overlays"), QStringLiteral("get"), QStringLiteral("-o"), QStringLiteral("x.geojson"),
          QStringLiteral("--robot"), QString::fromStdString(robot_->kabamAddress())});

@@ -132,6 +132,28 @@ class TestChangeOverlays : public QObject {
     QVERIFY(untold && untold->between == Between::Unknown && untold->differs.empty() && !untold->certain());
   }
 
+  void whatCannotBeReadAfterwardsIsNotCalledRefused() {
+    Store store;
+    store.stores = [&](const std::string& text) -> Outcome<OverlayText> {
+      return OverlayText{text.substr(0, 20), 6, {}, {}};
+    };
+    const auto cut = change(store, features(kPoint), features(kWall));
+    QVERIFY(cut && cut->sent && cut->unreadable.any() && !cut->certain());
+    QCOMPARE(cut->version, std::optional(6));
+  }
+
+  void aVersionIsNotPutIntoAnotherMap() {
+    Store store;
+    std::optional<Outcome<jobs::OverlayOutcome>> outcome;
+    jobs::OverlayOrder order{{map::MapKind::Stored, "1"}, document(features(kPoint))};
+    order.only_uid = "another";
+    jobs::changeOverlays(store, order, [&](auto came) { outcome = std::move(came); });
+    QVERIFY(outcome && !*outcome && store.sent.empty());
+    order.only_uid = "uid";
+    jobs::changeOverlays(store, order, [&](auto came) { outcome = std::move(came); });
+    QVERIFY(outcome && *outcome && store.sent.size() == 1);
+  }
+
   void idsThatTheRobotGivesAreNoDifference() {
     Store store;
     store.stores = [&](const std::string&) -> Outcome<OverlayText> {

@@ -60,7 +60,10 @@ std::string shape(const std::string& kind, const std::string& coordinates,
   return "{\"geometry\":{\"type\":\"" + kind + "\",\"coordinates\":" + coordinates +
          "},\"properties\":" + properties + "}";
 }
-std::string dock(const char* id) { return "{\"id\":\"" + std::string(id) + "\"},"; }
+std::string dock(const char* id) {
+  return "{\"id\":\"" + std::string(id) +
+         "\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[5,1]},\"properties\":{\"type\":36}},";
+}
 
 }  // namespace
 
@@ -170,7 +173,7 @@ class OverlayCheckTest : public QObject {
                              left + "," + top + "]]]",
                          std::string(R"({"regionType":)") + type + "}");
     };
-    options.off = {Rule::OutsideMap};
+    options.off = {Rule::OutsideMap, Rule::InWall};
     const std::string all = charger + "," + there + "," + here;
     QCOMPARE(rulesIn(all, options), std::string());
     QCOMPARE(rulesIn(all + wall("[10,-1]", "[10,7]"), options), std::string("unreachable"));

@@ -46,6 +46,11 @@ class OverlayMergeTest : public QObject {
     QVERIFY(changesBetween(before, after).empty());
   }
 
+  void anIdInAnotherNotationIsTheSame() {
+    QVERIFY(changesBetween(read(R"({"id":1})"), read(R"({"id":1.0})")).empty());
+    QCOMPARE(changesBetween(read(R"({"id":1})"), read(R"({"id":2})")).size(), std::size_t(2));
+  }
+
   void changesNameWhatTheyChange() {
     const OverlayDocument before = read(point("a", "A") + "," + point("b", "B") + "," + point("c", "C"));
     const OverlayDocument after =

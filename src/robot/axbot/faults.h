@@ -118,9 +118,13 @@ inline constexpr FaultCode NoAutoxingRobotThere{
 
 // Changing maps.
 inline constexpr FaultCode StillListed{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "the robot accepted the deletion, but still lists the map")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the deletion, but still lists the map.")};
 inline constexpr FaultCode NotListedYet{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "the robot accepted the new map, but does not list it")};
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the new map, but does not list it.")};
+inline constexpr FaultCode NotMapping{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted it, but is not mapping.")};
+inline constexpr FaultCode StillMapping{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted it, but is still mapping.")};
 inline constexpr FaultCode NothingMapped{
     "axbot", QT_TRANSLATE_NOOP("axbot", "There is no finished mapping that could be saved.")};
 

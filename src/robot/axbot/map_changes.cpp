@@ -50,6 +50,20 @@ struct MapChanges::Change {
   map::Subject subject() const { return map::subjectOf(order.key); }
 };
 
+namespace {
+
+/// The robot accepted it, and shows something else.
+template <typename Change>
+map::Failure otherwise(const Change& change, const FaultCode& what) {
+  return {.kind = map::FailureKind::RejectedByRobot,
+          .subject = change.subject(),
+          .asked_for = map::AskedFor::Change,
+          .reason = map::FailureReason::Unfit,
+          .cause = what};
+}
+
+}  // namespace
+
 void MapChanges::carryOut(const Task& task, const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
   const auto change = std::make_shared<Change>(Change{task, order, std::move(reply)});
   const bool named = order.key.kind == map::MapKind::Stored && isPlainId(order.key.id);
@@ -86,18 +100,22 @@ void MapChanges::send(const ChangePtr& change, net::HttpMethod method, const QSt
   wire::send(change->task, server_.http, request,
              [change, look = std::move(look)](const net::HttpAnswer& answer) {
                if (answer.ok()) {
+                 if (auto refusal = refusalIn(answer, change->subject()))
+                   return change->reply(fail(std::move(*refusal)));
                  // Answers to a change depend on the firmware: look again.
                  return look(change, [change](Outcome<map::CatalogueEntry> now, bool) {
-                   if (!now) {
-                     now.error().asked_for = map::AskedFor::Change;
-                     now.error().applied = map::Applied::Yes;
-                   }
+                   if (now || now.error().reason == map::FailureReason::Unfit)
+                     return change->reply(std::move(now));
+                   // It said that it did it; how it is now is what counts, and nobody knows that.
+                   now.error().asked_for = map::AskedFor::Change;
+                   now.error().applied = map::Applied::Maybe;
                    change->reply(std::move(now));
                  });
                }
-               const map::Failure failure = wire::failed(answer, change->subject(), map::AskedFor::Change);
-               if (failure.applied != map::Applied::Maybe || failure.kind == map::FailureKind::Cancelled)
+               map::Failure failure = wire::failed(answer, change->subject(), map::AskedFor::Change);
+               if (failure.applied == map::Applied::No || failure.kind == map::FailureKind::Cancelled)
                  return change->reply(fail(failure));
+               failure.applied = map::Applied::Maybe;
                // A look may replace the lost answer. If it is not so yet that proves nothing: the robot may
                // still be working.
                look(change, [change, failure](Outcome<map::CatalogueEntry> now, bool holds) {
@@ -142,10 +160,7 @@ void MapChanges::remove(const ChangePtr& change) {
                  std::any_of(list->begin(), list->end(),
                              [&](const map::CatalogueEntry& entry) { return entry.key == of->order.key; });
              if (!there) return seen(std::move(of->before), true);
-             seen(fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
-                                    .subject = of->subject(),
-                                    .cause = fault::StillListed}),
-                  false);
+             seen(fail(otherwise(*of, fault::StillListed)), false);
            });
          });
   });
@@ -153,17 +168,18 @@ void MapChanges::remove(const ChangePtr& change) {
 
 MapChanges::Look MapChanges::lookForMapping(bool wanted) {
   return [this, wanted](const ChangePtr& of, Seen seen) {
-    wire::send(of->task, server_.http, server_.request(kRunningPath),
-               [this, of, wanted, seen = std::move(seen)](const net::HttpAnswer& running) {
-                 const bool holds = wanted ? running.ok() : wire::isUnknownThere(running);
-                 maps_.list(of->task, [seen, holds](Outcome<std::vector<map::CatalogueEntry>> list) {
-                   if (!list) return seen(fail(std::move(list.error())), holds);
-                   const auto used =
-                       std::find_if(list->begin(), list->end(),
-                                    [](const map::CatalogueEntry& entry) { return entry.is_current; });
-                   seen(used == list->end() ? map::CatalogueEntry() : std::move(*used), holds);
-                 });
-               });
+    maps_.list(
+        of->task, [of, wanted, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
+          if (!list) return seen(fail(std::move(list.error())), false);
+          const bool running = std::any_of(list->begin(), list->end(), [](const map::CatalogueEntry& entry) {
+            return entry.key.kind == map::MapKind::Mapping && entry.state == "running";
+          });
+          if (running != wanted)
+            return seen(fail(otherwise(*of, wanted ? fault::NotMapping : fault::StillMapping)), false);
+          const auto used = std::find_if(list->begin(), list->end(),
+                                         [](const map::CatalogueEntry& entry) { return entry.is_current; });
+          seen(used == list->end() ? map::CatalogueEntry() : std::move(*used), true);
+        });
   };
 }
 
@@ -216,10 +232,7 @@ void MapChanges::saveMapping(const ChangePtr& change, const std::string& mapping
                     !of->ids_before.contains(entry.key.id);
            });
            if (made != list->end()) return seen(std::move(*made), true);
-           seen(fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
-                                  .subject = of->subject(),
-                                  .cause = fault::NotListedYet}),
-                false);
+           seen(fail(otherwise(*of, fault::NotListedYet)), false);
          });
        });
 }

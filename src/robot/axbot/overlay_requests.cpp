@@ -52,14 +52,6 @@ bool hasOverlays(const map::MapKey& key) {
   return key.kind == map::MapKind::Live || (key.kind == map::MapKind::Stored && !key.id.empty());
 }
 
-/// Why an answer with 200 is a refusal: {"success": false, "message": "…"}.
-std::optional<std::string> refusalIn(const net::HttpAnswer& answer) {
-  const auto json = JsonText::read(answer.body.toStdString());
-  const auto success = json ? json->root().member("success") : std::nullopt;
-  if (!success || success->kind() != JsonKind::False) return std::nullopt;
-  return plainText(json->root().member("message"));
-}
-
 }  // namespace
 
 tl::expected<OverlayText, Fault> parseOverlayText(std::string_view map) {
@@ -133,24 +125,20 @@ void OverlayRequests::write(const Task& task, const map::MapKey& key, const std:
 void OverlayRequests::takeWritten(const Task& task, const map::MapKey& key, const std::string& text,
                                   const net::HttpAnswer& answer, OutcomeTo<OverlayText> reply) {
   if (answer.ok()) {
-    if (const auto why = refusalIn(answer)) {
-      map::Failure failure{.kind = map::FailureKind::RejectedByRobot,
-                           .subject = map::subjectOf(key),
-                           .detail = *why,
-                           .asked_for = map::AskedFor::Change};
-      return reply(fail(std::move(failure)));
-    }
+    if (auto refusal = refusalIn(answer, map::subjectOf(key))) return reply(fail(std::move(*refusal)));
     return read(task, key, [reply](Outcome<OverlayText> now) {
-      if (!now) {
-        now.error().asked_for = map::AskedFor::Change;
-        now.error().applied = map::Applied::Yes;
-      }
+      if (now) return reply(std::move(now));
+      // It said that it did it; what it holds is what counts, and nobody knows that.
+      now.error().kind = map::FailureKind::Unreachable;
+      now.error().asked_for = map::AskedFor::Change;
+      now.error().applied = map::Applied::Maybe;
       reply(std::move(now));
     });
   }
-  const map::Failure failure = wire::failed(answer, map::subjectOf(key), map::AskedFor::Change);
-  if (failure.applied != map::Applied::Maybe || failure.kind == map::FailureKind::Cancelled)
+  map::Failure failure = wire::failed(answer, map::subjectOf(key), map::AskedFor::Change);
+  if (failure.applied == map::Applied::No || failure.kind == map::FailureKind::Cancelled)
     return reply(fail(failure));
+  failure.applied = map::Applied::Maybe;
   // What the robot holds may replace the lost answer. That it does not hold it yet proves nothing.
   read(task, key, [text, failure, reply](Outcome<OverlayText> now) {
     if (now && now->text == text) return reply(std::move(now));

@@ -1,5 +1,6 @@
 #include "robot/axbot/robot_urls.h"
 
+#include "json/json_text.h"
 #include "robot/wire/net_results.h"
 
 namespace mapwright::robot::axbot {
@@ -52,6 +53,17 @@ net::HttpRequest RobotServer::pictureRequest(const QUrl& url) const {
   request.accept = "image/png,image/*;q=0.8,*/*;q=0.5";
   request.cacheable = true;
   return request;
+}
+
+std::optional<map::Failure> refusalIn(const net::HttpAnswer& answer, const map::Subject& subject) {
+  const auto json = json::JsonText::read(answer.body.toStdString());
+  const auto success = json ? json->root().member("success") : std::nullopt;
+  if (!success || success->kind() != json::JsonKind::False) return std::nullopt;
+  const auto message = json->root().member("message");
+  return map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                      .subject = subject,
+                      .detail = message ? message->string() : std::string(),
+                      .asked_for = map::AskedFor::Change};
 }
 
 Outcome<std::shared_ptr<const std::string>> pictureOf(const net::HttpAnswer& answer,

@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,6 +43,9 @@ struct RobotServer {
   net::HttpRequest request(const QString& path, const QString& query = {}) const;
   net::HttpRequest pictureRequest(const QUrl& url) const;
 };
+
+/// Why an answer with 200 is a refusal: {"success": false, "message": "…"}; nullopt: it is none.
+std::optional<map::Failure> refusalIn(const net::HttpAnswer& answer, const map::Subject& subject);
 
 /// The body of an answer with a picture. An empty one counts as a failure.
 Outcome<std::shared_ptr<const std::string>> pictureOf(const net::HttpAnswer& answer,

@@ -398,10 +398,10 @@ class RobotContractTest : public QObject {
     row("it has been changed meanwhile", FailureKind::Conflict, Applied::No, false);
     row("it stumbles", FailureKind::RejectedByRobot, Applied::Maybe, false);
     row("the request is lost", FailureKind::Unreachable, Applied::Maybe, false);
-    row("the answer breaks off", FailureKind::Unreachable, Applied::Yes, true);
+    row("the answer breaks off", FailureKind::Unreachable, Applied::Maybe, true);
     row("it is silent", FailureKind::TimedOut, Applied::Maybe, false);
     row("it is cancelled while it waits", FailureKind::Cancelled, Applied::Maybe, false);
-    row("what became of it cannot be read", FailureKind::NotARobot, Applied::Yes, true);
+    row("what became of it cannot be read", FailureKind::NotARobot, Applied::Maybe, true);
   }
   void aFailedChangeSaysWhetherItWasMade() {
     QFETCH(QString, how);
