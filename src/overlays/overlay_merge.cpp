@@ -54,7 +54,7 @@ std::vector<PartChange> partChanges(const JsonValue& before, const JsonValue& af
 }
 
 /// JSON; nullopt: removed.
-std::string withPart(const JsonValue& object, const Part& part, const std::optional<std::string>& value) {
+std::string textWithPart(const JsonValue& object, const Part& part, const std::optional<std::string>& value) {
   if (part.of == Part::Of::Whole) return value.value_or("null");
   if (part.of == Part::Of::Member)
     return value ? withMember(object, part.name, *value) : withoutMember(object, part.name);
@@ -194,7 +194,7 @@ class Merging {
       if (clashes(part, theirs, {}, {})) continue;
       static const JsonText none = *JsonText::read("{}");
       const auto now = merge_.document.collection();
-      const JsonText text = *JsonText::read(withPart((now ? *now : none).root(), part.part, part.after));
+      const JsonText text = *JsonText::read(textWithPart((now ? *now : none).root(), part.part, part.after));
       const std::string member =
           part.part.of == Part::Of::Property ? std::string(kProperties) : part.part.name;
       const auto value = text.root().member(member);
@@ -240,7 +240,7 @@ class Merging {
     for (const PartChange& part : change.parts) {
       if (clashes(part, theirs, base.id(), base.name())) continue;
       const Feature& now = merge_.document.features()[*in_theirs];
-      merge_.document.replace(*in_theirs, Feature(withPart(now.root(), part.part, part.after)));
+      merge_.document.replace(*in_theirs, withPart(now, part.part, part.after));
     }
   }
 
@@ -318,6 +318,24 @@ std::vector<OverlayChange> changesBetween(const OverlayDocument& before, const O
     changes.push_back(std::move(change));
   }
   return changes;
+}
+
+std::vector<std::optional<std::size_t>> matchesOf(const OverlayDocument& a, const OverlayDocument& b) {
+  return Matching(a.features(), b.features()).match();
+}
+
+std::vector<PartChange> changesOf(const Feature& before, const Feature& after) {
+  if (before.text() == after.text()) return {};
+  return partChanges(before.root(), after.root());
+}
+
+std::optional<std::string> partOf(const Feature& feature, const Part& part) {
+  return part.of == Part::Of::Whole ? feature.text() : written(partsOf(feature.root()), part);
+}
+
+Feature withPart(const Feature& feature, const Part& part, const std::optional<std::string>& value) {
+  if (part.of != Part::Of::Whole && !feature.root().isObject()) return feature;
+  return Feature(textWithPart(feature.root(), part, value));
 }
 
 OverlayMerge merge(const OverlayDocument& base, const OverlayDocument& mine, const OverlayDocument& theirs) {

@@ -41,6 +41,15 @@ struct OverlayChange {
 /// lie. Only another order is no change, nor is another notation of the same values.
 std::vector<OverlayChange> changesBetween(const OverlayDocument& before, const OverlayDocument& after);
 
+/// Of each feature in `a` the same one in `b`, found in that way; nullopt: it is not there.
+std::vector<std::optional<std::size_t>> matchesOf(const OverlayDocument& a, const OverlayDocument& b);
+/// The parts in which two versions of a feature differ.
+std::vector<PartChange> changesOf(const Feature& before, const Feature& after);
+/// As JSON; nullopt: it is not there.
+std::optional<std::string> partOf(const Feature& feature, const Part& part);
+/// `value`: JSON; nullopt: removed. Without effect on what is no object.
+Feature withPart(const Feature& feature, const Part& part, const std::optional<std::string>& value);
+
 /// Both changed the same part in different ways. JSON; nullopt: it is not there.
 struct OverlayConflict {
   std::string id, name;
