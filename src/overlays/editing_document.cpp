@@ -1,0 +1,302 @@
+#include "overlays/editing_document.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace mapwright::overlays {
+namespace {
+
+using Version = std::optional<Feature>;
+
+const Version kNowhere;
+
+bool areSame(const Version& a, const Version& b) {
+  if (!a || !b) return !a && !b;
+  return changesOf(*a, *b).empty();
+}
+
+bool onlyNewId(const std::vector<PartChange>& changes) {
+  return std::all_of(changes.begin(), changes.end(), [](const PartChange& change) {
+    return !change.before && change.part.name == "id" && change.part.of != Part::Of::Whole;
+  });
+}
+
+/// Whether a part lies within the other, so that both cannot be kept.
+bool meet(const Part& a, const Part& b) {
+  const auto isAll = [](const Part& part) {
+    return part.of == Part::Of::Member && part.name == "properties";
+  };
+  return a == b || (isAll(a) && b.of == Part::Of::Property) || (isAll(b) && a.of == Part::Of::Property);
+}
+
+/// Mine, with what they changed elsewhere. `clash` is told the parts that both changed differently.
+Version versionOn(const Version& base, const Version& mine, const Version& theirs,
+                  const std::function<void(const Part&)>& clash) {
+  if (areSame(base, mine)) return theirs;
+  if (areSame(base, theirs) && (!base || base->text() == theirs->text())) return mine;
+  if (!mine || !theirs) {
+    if (base && theirs && onlyNewId(changesOf(*base, *theirs))) return mine;
+    if (mine || theirs) clash({});
+    return mine;
+  }
+  const std::vector<PartChange> ours = base ? changesOf(*base, *mine) : changesOf(*theirs, *mine);
+  const std::vector<PartChange> others = base ? changesOf(*base, *theirs) : std::vector<PartChange>();
+  Feature merged = *theirs;
+  for (const PartChange& part : ours) {
+    const bool met = base ? std::any_of(others.begin(), others.end(),
+                                        [&](const PartChange& other) { return meet(other.part, part.part); })
+                          : part.after.has_value();
+    if (!base && !part.after) continue;  // they added more than I did
+    merged = withPart(merged, part.part, part.after);
+    if (met && partOf(merged, part.part) != partOf(*theirs, part.part) && !changesOf(merged, *theirs).empty())
+      clash(part.part);
+  }
+  return merged;
+}
+
+}  // namespace
+
+EditingDocument::EditingDocument(OverlayDocument base) : base_(std::move(base)) {
+  for (const Feature& feature : base_.features()) {
+    base_keys_.push_back(now_.size());
+    base_of_.emplace_back(feature);
+    now_.emplace_back(feature);
+  }
+}
+
+const Version& EditingDocument::find(FeatureKey key) const {
+  return key < now_.size() ? now_[key] : kNowhere;
+}
+const Version& EditingDocument::findBase(FeatureKey key) const {
+  return key < base_of_.size() ? base_of_[key] : kNowhere;
+}
+
+OverlayDocument EditingDocument::mine() const {
+  OverlayDocument document = base_;
+  const std::set<FeatureKey> placed(base_keys_.begin(), base_keys_.end());
+  // From the last one on, so that the indices stay right.
+  for (std::size_t i = base_keys_.size(); i-- > 0;) {
+    const Version& now = now_[base_keys_[i]];
+    if (!now) {
+      document.remove(i);
+    } else if (now->text() != base_.features()[i].text()) {
+      document.replace(i, *now);
+    }
+  }
+  for (FeatureKey key = 0; key < now_.size(); ++key) {
+    if (now_[key] && !placed.contains(key)) document.add(*now_[key]);
+  }
+  return document;
+}
+
+std::vector<FeatureKey> EditingDocument::keysOfMine() const {
+  std::vector<FeatureKey> keys;
+  for (const FeatureKey key : base_keys_) {
+    if (now_[key]) keys.push_back(key);
+  }
+  const std::set<FeatureKey> placed(base_keys_.begin(), base_keys_.end());
+  for (FeatureKey key = 0; key < now_.size(); ++key) {
+    if (now_[key] && !placed.contains(key)) keys.push_back(key);
+  }
+  return keys;
+}
+
+EditingDocument::State EditingDocument::state(FeatureKey key) const {
+  const Version &was = findBase(key), &now = find(key);
+  if (!was) return now ? State::New : State::Same;
+  if (!now) return State::Deleted;
+  return areSame(was, now) ? State::Same : State::Changed;
+}
+
+std::size_t EditingDocument::unsavedCount() const {
+  std::size_t count = 0;
+  for (FeatureKey key = 0; key < now_.size(); ++key) count += isUnsaved(key) ? 1 : 0;
+  return count;
+}
+
+bool EditingDocument::unsaved() const { return unsavedCount() > 0; }
+
+void EditingDocument::resize(std::size_t size) {
+  base_of_.resize(std::max(size, base_of_.size()));
+  now_.resize(std::max(size, now_.size()));
+}
+
+FeatureKey EditingDocument::newKey() {
+  resize(now_.size() + 1);
+  return now_.size() - 1;
+}
+
+void EditingDocument::apply(const std::vector<FeatureEdit>& edits, bool forward) {
+  for (const FeatureEdit& edit : edits) now_[edit.key] = forward ? edit.after : edit.before;
+}
+
+bool EditingDocument::change(std::vector<FeatureEdit> edits, bool joins) {
+  std::erase_if(edits, [](const FeatureEdit& edit) {
+    return edit.before && edit.after ? edit.before->text() == edit.after->text()
+                                     : !edit.before && !edit.after;
+  });
+  if (edits.empty()) return false;
+  steps_.resize(done_);
+  apply(edits, true);
+  if (!joins || steps_.empty()) {
+    steps_.push_back(std::move(edits));
+    done_ = steps_.size();
+    return true;
+  }
+  for (FeatureEdit& edit : edits) {
+    auto& last = steps_.back();
+    const auto known =
+        std::find_if(last.begin(), last.end(), [&](const FeatureEdit& each) { return each.key == edit.key; });
+    if (known == last.end()) {
+      last.push_back(std::move(edit));
+    } else {
+      known->after = std::move(edit.after);
+    }
+  }
+  return true;
+}
+
+bool EditingDocument::undo() {
+  if (done_ == 0) return false;
+  apply(steps_[--done_], false);
+  return true;
+}
+
+bool EditingDocument::redo() {
+  if (done_ == steps_.size()) return false;
+  apply(steps_[done_++], true);
+  return true;
+}
+
+std::set<FeatureKey> EditingDocument::keysOf(std::size_t step) const {
+  std::set<FeatureKey> keys;
+  if (step >= steps_.size()) return keys;
+  for (const FeatureEdit& edit : steps_[step]) keys.insert(edit.key);
+  return keys;
+}
+
+void EditingDocument::rebase(const OverlayDocument& theirs) {
+  std::vector<std::optional<FeatureKey>> keys(theirs.features().size());
+  const auto known = matchesOf(base_, theirs);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (known[i]) keys[*known[i]] = base_keys_[i];
+  }
+  // What both added under one id is one feature.
+  for (FeatureKey key = 0; key < now_.size(); ++key) {
+    if (base_of_[key] || !now_[key] || now_[key]->id().empty()) continue;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      if (!keys[i] && theirs.features()[i].id() == now_[key]->id()) keys[i] = key;
+    }
+  }
+  for (auto& key : keys) {
+    if (!key) key = newKey();
+  }
+  std::vector<Version> there(now_.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) there[*keys[i]] = theirs.features()[i];
+
+  const auto ignored = [](const Part&) {};
+  for (auto& step : steps_) {
+    for (FeatureEdit& edit : step) {
+      const Version& base = base_of_[edit.key];
+      edit.before = versionOn(base, edit.before, there[edit.key], ignored);
+      edit.after = versionOn(base, edit.after, there[edit.key], ignored);
+    }
+  }
+  for (FeatureKey key = 0; key < now_.size(); ++key) {
+    const Version base = base_of_[key];
+    if (!areSame(base, there[key]) && !areSame(now_[key], there[key]) &&
+        !(base && there[key] && onlyNewId(changesOf(*base, *there[key]))))
+      changed_there_.insert(key);
+    now_[key] = versionOn(base, now_[key], there[key], [&](const Part& part) { met_.emplace(key, part); });
+    base_of_[key] = there[key];
+  }
+  base_ = theirs;
+  base_keys_.clear();
+  for (const auto& key : keys) base_keys_.push_back(*key);
+}
+
+void EditingDocument::noteSaved() {
+  std::vector<FeatureKey> keys = keysOfMine();
+  base_ = mine();
+  base_keys_ = std::move(keys);
+  base_of_ = now_;
+  changed_there_.clear();
+  met_.clear();
+}
+
+std::vector<EditingDocument::Conflict> EditingDocument::conflicts() const {
+  std::vector<Conflict> open;
+  for (const Conflict& conflict : met_) {
+    const Version &mine = now_[conflict.first], &theirs = base_of_[conflict.first];
+    if (areSame(mine, theirs)) continue;
+    if (conflict.second.of != Part::Of::Whole) {
+      if (!mine || !theirs) continue;
+      const auto changes = changesOf(*theirs, *mine);
+      if (std::none_of(changes.begin(), changes.end(),
+                       [&](const PartChange& change) { return meet(change.part, conflict.second); }))
+        continue;
+    }
+    open.push_back(conflict);
+  }
+  return open;
+}
+
+bool EditingDocument::inConflict(FeatureKey key) const {
+  const auto open = conflicts();
+  return std::any_of(open.begin(), open.end(), [&](const Conflict& each) { return each.first == key; });
+}
+
+std::optional<std::string> EditingDocument::mineOf(const Conflict& conflict) const {
+  const Version& mine = find(conflict.first);
+  return mine ? partOf(*mine, conflict.second) : std::nullopt;
+}
+
+std::optional<std::string> EditingDocument::theirsOf(const Conflict& conflict) const {
+  const Version& theirs = findBase(conflict.first);
+  return theirs ? partOf(*theirs, conflict.second) : std::nullopt;
+}
+
+void EditingDocument::takeTheirs(const Conflict& conflict) {
+  const auto& [key, part] = conflict;
+  const Version &mine = now_[key], &theirs = base_of_[key];
+  Version after = theirs;
+  if (part.of != Part::Of::Whole && mine && theirs) after = withPart(*mine, part, partOf(*theirs, part));
+  change({{key, mine, after}});
+}
+
+void EditingDocument::takeUp(const OverlayDocument& old_base, const OverlayDocument& old_mine) {
+  // As if it had been done before they changed theirs.
+  EditingDocument old(old_base);
+  const auto matches = matchesOf(old_base, old_mine);
+  std::vector<bool> known(old_mine.features().size());
+  std::vector<FeatureEdit> edits;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const Version after = matches[i] ? Version(old_mine.features()[*matches[i]]) : Version();
+    if (matches[i]) known[*matches[i]] = true;
+    edits.push_back({i, old_base.features()[i], after});
+  }
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (!known[i]) edits.push_back({old.newKey(), std::nullopt, old_mine.features()[i]});
+  }
+  old.change(std::move(edits));
+  const OverlayDocument here = mine();
+  old.rebase(here);
+  // Its keys become ours: its base is what is here.
+  const std::vector<FeatureKey> here_keys = keysOfMine();
+  std::vector<std::optional<FeatureKey>> ours(old.size());
+  for (std::size_t i = 0; i < old.base_keys_.size(); ++i) ours[old.base_keys_[i]] = here_keys[i];
+  std::vector<FeatureEdit> taken;
+  for (FeatureKey key = 0; key < old.size(); ++key) {
+    if (!ours[key]) {
+      if (!old.now_[key]) continue;
+      ours[key] = newKey();
+    }
+    taken.push_back({*ours[key], now_[*ours[key]], old.now_[key]});
+  }
+  change(std::move(taken));
+  for (const Conflict& conflict : old.met_) {
+    if (ours[conflict.first]) met_.emplace(*ours[conflict.first], conflict.second);
+  }
+}
+
+}  // namespace mapwright::overlays

@@ -1,0 +1,101 @@
+// Overlays that are edited: what the robot holds, what is made of it here, the steps from there to here, and
+// what others changed meanwhile. Values, without a clock or a robot.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "overlays/overlay_document.h"
+#include "overlays/overlay_merge.h"
+
+namespace mapwright::overlays {
+
+/// Names a feature as long as its document is open, in whatever way it changes.
+using FeatureKey = std::size_t;
+
+/// A feature before and after a step; nullopt: it is not there.
+struct FeatureEdit {
+  FeatureKey key = 0;
+  std::optional<Feature> before, after;
+};
+
+class EditingDocument {
+ public:
+  enum class State { Same, New, Changed, Deleted };
+
+  EditingDocument() = default;
+  explicit EditingDocument(OverlayDocument base);
+
+  /// What the robot holds, as far as known.
+  const OverlayDocument& base() const { return base_; }
+  /// As edited: whatever was not edited is as the robot wrote it.
+  OverlayDocument mine() const;
+  /// Of the features of mine(), in their order.
+  std::vector<FeatureKey> keysOfMine() const;
+
+  /// All keys are below it.
+  std::size_t size() const { return now_.size(); }
+  /// nullopt: it is deleted, or there is none.
+  const std::optional<Feature>& find(FeatureKey key) const;
+  const std::optional<Feature>& findBase(FeatureKey key) const;
+  /// Another notation is no change.
+  State state(FeatureKey key) const;
+  bool isUnsaved(FeatureKey key) const { return state(key) != State::Same; }
+  bool unsaved() const;
+  std::size_t unsavedCount() const;
+
+  /// A key for a feature that does not exist yet.
+  FeatureKey newKey();
+  /// Makes a step of these; those without effect are dropped. False: nothing was left. What was undone can
+  /// not be redone any more. `joins`: it goes on with the step before it.
+  bool change(std::vector<FeatureEdit> edits, bool joins = false);
+  bool undo();
+  bool redo();
+  std::size_t stepsDone() const { return done_; }
+  std::size_t steps() const { return steps_.size(); }
+  /// The keys that a step changes.
+  std::set<FeatureKey> keysOf(std::size_t step) const;
+
+  /// The robot holds something else now: it comes below all that was done here, undone steps included. What
+  /// both changed differently becomes a conflict.
+  void rebase(const OverlayDocument& theirs);
+  /// The robot holds what is here now.
+  void noteSaved();
+
+  /// Features that others changed since the document was opened or saved.
+  const std::set<FeatureKey>& changedThere() const { return changed_there_; }
+
+  /// Part Whole: one of both deleted it.
+  using Conflict = std::pair<FeatureKey, Part>;
+  /// Those that are open: mine and theirs still differ. Mine is here, theirs in the base.
+  std::vector<Conflict> conflicts() const;
+  bool inConflict(FeatureKey key) const;
+  std::optional<std::string> mineOf(const Conflict& conflict) const;
+  std::optional<std::string> theirsOf(const Conflict& conflict) const;
+  /// Mine stays, and replaces theirs when it is saved.
+  void keepMine(const Conflict& conflict) { met_.erase(conflict); }
+  /// Theirs is taken, which is a step that can be undone.
+  void takeTheirs(const Conflict& conflict);
+
+  /// Changes that were made to an older state of the robot's: one step. What fits no more becomes a conflict.
+  void takeUp(const OverlayDocument& old_base, const OverlayDocument& old_mine);
+
+ private:
+  using Version = std::optional<Feature>;
+  void apply(const std::vector<FeatureEdit>& edits, bool forward);
+  void resize(std::size_t size);
+
+  OverlayDocument base_;
+  std::vector<FeatureKey> base_keys_;   // of its features
+  std::vector<Version> base_of_, now_;  // by key
+  std::vector<std::vector<FeatureEdit>> steps_;
+  std::size_t done_ = 0;
+  std::set<FeatureKey> changed_there_;
+  std::set<Conflict> met_;
+};
+
+}  // namespace mapwright::overlays
