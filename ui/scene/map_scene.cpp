@@ -596,6 +596,16 @@ void MapScene::setWaypoints(std::optional<DrawnWaypoints> waypoints) {
   items_->update(Layer::Waypoints);
 }
 
+void MapScene::setOverlays(std::optional<DrawnOverlays> overlays) {
+  if (!overlays && !items_->edited_overlays) return;
+  items_->edited_overlays = std::move(overlays);
+  if (!items_->edited_overlays) return syncFeatures();
+  items_->takeOverlays(session_);
+  items_->update(Layer::Overlays);
+}
+
+bool MapScene::showsEditedOverlays(FeaturesOf of) const { return items_->overlays_edited.contains(of); }
+
 void MapScene::setEditedCells(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells) {
   items_->raster.setEdited(map, std::move(cells));
 }

@@ -17,6 +17,7 @@
 #include "map/grid_reference.h"
 #include "render/sample_grid.h"
 #include "render/tile_renderer.h"
+#include "scene/drawn_overlays.h"
 #include "scene/drawn_waypoint.h"
 #include "scene/layer.h"
 #include "scene/legend_section.h"
@@ -119,6 +120,11 @@ class MapScene : public QGraphicsScene {
 
   /// The edited waypoints, shown instead of the robot's waypoints of that map; nullopt = none.
   void setWaypoints(std::optional<DrawnWaypoints> waypoints);
+
+  /// The edited overlays, shown instead of those of that map; nullopt = none.
+  void setOverlays(std::optional<DrawnOverlays> overlays);
+  /// Those of this map are on screen, and they are the edited ones.
+  bool showsEditedOverlays(FeaturesOf of) const;
 
   /// The edited cells, shown instead of the map's own whenever it is on screen; null = none. They have its
   /// size and code.

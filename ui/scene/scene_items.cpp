@@ -387,32 +387,52 @@ void SceneItems::takeWaypoints(const session::Session* session) {
   take(session->comparedMap(), onScreen().compared, context.of(FeaturesOf::ComparedMap));
 }
 
+bool SceneItems::opened(const session::Session& session) const {
+  const session::MapSlot& slot = session.wholeMap();
+  return onScreen().whole && slot.cells() && slot.shown().key.kind != map::MapKind::Live;
+}
+
+bool SceneItems::showsRobotsOverlays(const session::Session& session) const {
+  // Next to an opened map they only belong on the half of the submaps.
+  const bool beside = onScreen().submaps_left && place.drawn == ScreenPart::Left;
+  return place.overlays_fit && (!opened(session) || beside);
+}
+
+void SceneItems::takeOverlays(const session::Session* session) {
+  overlays_edited.clear();
+  if (!session || !edited_overlays) return;
+  const auto take = [this](FeaturesOf of) {
+    overlays_edited.insert(of);
+    context.of(of).overlays = edited_overlays->features;
+  };
+  if (opened(*session) && session->wholeMap().shown().key == edited_overlays->map) take(FeaturesOf::WholeMap);
+  if (edited_overlays->robots && showsRobotsOverlays(*session)) take(FeaturesOf::Robot);
+}
+
 void SceneItems::takeFeatures(const session::Session* session) {
   context.features = {};
   takeWaypoints(session);
   if (!session) return;
   const MapsOnScreen on_screen = onScreen();
   const auto take = [](const session::MapSlot& slot, MapFeatures& features) {
-    if (!slot.cells() || slot.shown().key.kind == map::MapKind::Live) return false;
+    if (!slot.cells() || slot.shown().key.kind == map::MapKind::Live) return;
     features.overlays = slot.shown().overlays;
     features.broken_overlays = slot.shown().broken_overlays;
     features.trajectories = slot.shown().trajectories;
     for (const auto& landmark : slot.shown().landmarks)
       features.landmarks.push_back({landmark.id, landmark.position_m, std::nullopt});
-    return true;
   };
-  const bool opened = on_screen.whole && take(session->wholeMap(), context.of(FeaturesOf::WholeMap));
+  if (on_screen.whole) take(session->wholeMap(), context.of(FeaturesOf::WholeMap));
   if (on_screen.compared) take(session->comparedMap(), context.of(FeaturesOf::ComparedMap));
   if (on_screen.whole) context.of(FeaturesOf::WholeMap).trouble = troubleOf(*session, session->wholeMap());
   if (on_screen.compared)
     context.of(FeaturesOf::ComparedMap).trouble = troubleOf(*session, session->comparedMap());
-  // Next to an opened map the robot's own overlays only belong on the half of the submaps.
-  const bool beside = on_screen.submaps_left && place.drawn == ScreenPart::Left;
-  if (place.overlays_fit && context.live->map_info && (!opened || beside)) {
+  if (context.live->map_info && showsRobotsOverlays(*session)) {
     MapFeatures& robots = context.of(FeaturesOf::Robot);
     robots.overlays = context.live->map_info->overlays;
     robots.broken_overlays = context.live->map_info->broken_overlays;
   }
+  takeOverlays(session);
 }
 
 }  // namespace mapwright::scene

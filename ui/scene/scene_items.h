@@ -4,8 +4,10 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
+#include "scene/drawn_overlays.h"
 #include "scene/ground_item.h"
 #include "scene/labels.h"
 #include "scene/layer_item.h"
@@ -33,6 +35,8 @@ class SceneItems {
   void takeFeatures(const session::Session* session);
   /// The waypoints: the edited ones, otherwise the robot's.
   void takeWaypoints(const session::Session* session);
+  /// The edited overlays, where their map is shown.
+  void takeOverlays(const session::Session* session);
   /// Updates where the robot is drawn; true if that has changed.
   bool placeRobot(session::Session* session);
   /// All items of a layer: some layers show several maps.
@@ -50,6 +54,8 @@ class SceneItems {
   LayerContext context;
   RobotPlace place;
   std::optional<DrawnWaypoints> edited;  // shown instead of the robot's waypoints
+  std::optional<DrawnOverlays> edited_overlays;
+  std::set<FeaturesOf> overlays_edited;  // whose are the edited ones
   std::optional<bool> robot_wanted;      // the user's choice for the map on screen
   std::optional<map::MapKey> wanted_on;
   QRectF robot_rect;
@@ -78,6 +84,10 @@ class SceneItems {
   std::function<void()> labels_due_;
 
   MapsOnScreen onScreen() const;
+  /// An opened map with features of its own is on screen.
+  bool opened(const session::Session& session) const;
+  /// The robot's own overlays belong on the screen.
+  bool showsRobotsOverlays(const session::Session& session) const;
   std::optional<QRectF> rectOf(ScreenPart part) const;
 };
 
