@@ -1,0 +1,138 @@
+#include "ui/overlays/overlay_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "overlays/overlay_edits.h"
+#include "sentences/overlay_name.h"
+#include "sentences/plural.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::window {
+namespace {
+
+using overlays::Feature;
+using overlays::Part;
+using overlays::Shape;
+
+struct OverlayText {
+  Q_DECLARE_TR_FUNCTIONS(OverlayText)
+};
+
+constexpr qsizetype kLongestShown = 60;
+
+/// All positions of one are those of the other, shifted.
+bool isMoved(const Feature& before, const Feature& after) {
+  const auto was = overlays::verticesOf(before), is = overlays::verticesOf(after);
+  if (was.empty() || was.size() != is.size() || was[0].empty() || is[0].empty()) return false;
+  const Eigen::Vector2d by = is[0][0] - was[0][0];
+  for (std::size_t ring = 0; ring < was.size(); ++ring) {
+    if (was[ring].size() != is[ring].size()) return false;
+    for (std::size_t i = 0; i < was[ring].size(); ++i) {
+      if ((is[ring][i] - was[ring][i] - by).norm() > 1e-3) return false;
+    }
+  }
+  return true;
+}
+
+QString featureChange(const overlays::OverlayChange& change, const Feature& before, const Feature& after) {
+  const QString called = overlayCalled(before);
+  QStringList parts;
+  for (const overlays::PartChange& each : change.parts) {
+    const Part& part = each.part;
+    const std::string& name = part.name;
+    if (part.of == Part::Of::Member && name == "geometry") {
+      parts << (isMoved(before, after) ? OverlayText::tr("Move %1") : OverlayText::tr("Reshape %1"))
+                   .arg(called);
+    } else if (part.of == Part::Of::Property && name == "name") {
+      parts << OverlayText::tr("Rename %1 to %2").arg(called, overlayName(after));
+    } else if (part.of == Part::Of::Property && name == overlays::typeProperty(after.shape())) {
+      parts << OverlayText::tr("Make %1 a %2").arg(called, overlayKind(after).toLower());
+    } else if (part.of == Part::Of::Property && name == "yaw" && each.after) {
+      parts << OverlayText::tr("Turn %1 to %2").arg(called, valueText(part, each.after));
+    } else if (each.after) {
+      parts << OverlayText::tr("Set %1 of %2 to %3").arg(partName(part), called, valueText(part, each.after));
+    } else {
+      parts << OverlayText::tr("Remove %1 of %2").arg(partName(part), called);
+    }
+  }
+  return parts.join(QStringLiteral("; "));
+}
+
+}  // namespace
+
+QString overlayKind(const Feature& feature) {
+  switch (feature.shape()) {
+    case Shape::Point:
+      return sentences::nameOf(map::OverlayShape::Point, feature.type());
+    case Shape::Line:
+      return sentences::nameOf(map::OverlayShape::Line, feature.type());
+    case Shape::Polygon:
+      return sentences::nameOf(map::OverlayShape::Polygon, feature.type());
+    case Shape::None:
+    case Shape::Other:
+      break;
+  }
+  return OverlayText::tr("Feature");
+}
+
+QString overlayName(const Feature& feature) {
+  const QString name = words::plainName(feature.name()).left(200);
+  return name.isEmpty() ? OverlayText::tr("(no name)") : name;
+}
+
+QString overlayCalled(const Feature& feature) {
+  const QString kind = overlayKind(feature).toLower();
+  const QString name = words::plainName(feature.name()).left(kLongestShown);
+  return name.isEmpty() ? kind : OverlayText::tr("%1 %2", "kind and name").arg(kind, name);
+}
+
+QString featuresText(qsizetype count) {
+  return sentences::counted(OverlayText::tr("%1 features", nullptr, sentences::formOf(count)), count);
+}
+
+QString overlayChangesText(qsizetype count) {
+  return sentences::counted(OverlayText::tr("%1 changes", nullptr, sentences::formOf(count)), count);
+}
+
+QString changeText(const overlays::OverlayChange& change, const overlays::OverlayDocument& before,
+                   const overlays::OverlayDocument& after) {
+  if (change.collection) {
+    QStringList names;
+    for (const auto& part : change.parts) names << partName(part.part);
+    return OverlayText::tr("Change what belongs to all of them: %1").arg(names.join(QStringLiteral(", ")));
+  }
+  switch (change.kind) {
+    case overlays::ChangeKind::Add:
+      return OverlayText::tr("Add %1").arg(overlayCalled(after.features()[*change.to]));
+    case overlays::ChangeKind::Remove:
+      return OverlayText::tr("Delete %1").arg(overlayCalled(before.features()[*change.from]));
+    case overlays::ChangeKind::Change:
+      break;
+  }
+  return featureChange(change, before.features()[*change.from], after.features()[*change.to]);
+}
+
+QString partName(const Part& part) {
+  if (part.of == Part::Of::Whole) return OverlayText::tr("all of it");
+  if (part.name == "geometry" && part.of == Part::Of::Member) return OverlayText::tr("place");
+  if (part.of == Part::Of::Property) {
+    if (part.name == "name") return OverlayText::tr("name");
+    if (part.name == "yaw") return OverlayText::tr("heading");
+    if (part.name == "type" || part.name == "lineType" || part.name == "regionType")
+      return OverlayText::tr("type");
+  }
+  return words::plainName(part.name).left(kLongestShown);
+}
+
+QString valueText(const Part& part, const std::optional<std::string>& value) {
+  if (!value) return part.of == Part::Of::Whole ? OverlayText::tr("deleted") : OverlayText::tr("none");
+  if (part.of == Part::Of::Whole) return OverlayText::tr("kept, with changes");
+  const auto json = overlays::JsonText::read(*value);
+  const bool is_text = json && json->root().kind() == overlays::JsonKind::String;
+  QString text = words::plainName(is_text ? json->root().string() : *value);
+  if (part.name == "yaw" && part.of == Part::Of::Property) text += QChar(0xb0);
+  return text.size() > kLongestShown ? text.left(kLongestShown - 1) + QChar(0x2026) : text;
+}
+
+}  // namespace mapwright::window
