@@ -1,0 +1,284 @@
+#include "ui/overlays/overlay_editing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QRandomGenerator>
+
+#include "overlays/overlay_shapes.h"
+#include "ui/overlays/overlay_text.h"
+
+namespace mapwright::window {
+
+using overlays::EditingDocument;
+using overlays::FeatureEdit;
+using overlays::OverlayDocument;
+
+/// A step of the document, which keeps what it changes itself: others' changes come below it.
+class OverlayEditing::Command : public QUndoCommand {
+ public:
+  Command(OverlayEditing* editing, const QString& text) : QUndoCommand(text), editing_(editing) {}
+  void undo() override { editing_->step(false); }
+  void redo() override {
+    if (std::exchange(done_, true)) editing_->step(true);
+  }
+
+ private:
+  OverlayEditing* editing_;
+  bool done_ = false;
+};
+
+OverlayEditing::OverlayEditing(QObject* parent) : QObject(parent) {}
+
+OverlayEditing::~OverlayEditing() = default;
+
+void OverlayEditing::open(OverlayDocument held) {
+  undo_.clear();
+  document_ = EditingDocument(std::move(held));
+  open_ = true;
+  locked_ = false;
+  preview_.clear();
+  selected_.clear();
+  gesture_ = 0;
+  Q_EMIT opened();
+  Q_EMIT selectionChanged();
+  Q_EMIT changed();
+}
+
+void OverlayEditing::close() {
+  if (!open_) return;
+  undo_.clear();
+  document_ = {};
+  open_ = locked_ = false;
+  preview_.clear();
+  selected_.clear();
+  Q_EMIT opened();
+  Q_EMIT selectionChanged();
+  Q_EMIT changed();
+}
+
+void OverlayEditing::setLocked(bool locked) {
+  if (std::exchange(locked_, locked) == locked) return;
+  if (locked_) setPreview({});
+  Q_EMIT changed();
+}
+
+void OverlayEditing::select(std::set<FeatureKey> keys) {
+  std::erase_if(keys, [this](FeatureKey key) { return !document_.find(key); });
+  if (keys == selected_) return;
+  selected_ = std::move(keys);
+  gesture_ = 0;
+  Q_EMIT selectionChanged();
+}
+
+void OverlayEditing::toggle(FeatureKey key) {
+  std::set<FeatureKey> keys = selected_;
+  if (keys.erase(key) == 0) keys.insert(key);
+  select(std::move(keys));
+}
+
+std::optional<FeatureKey> OverlayEditing::only() const {
+  return selected_.size() == 1 ? std::optional(*selected_.begin()) : std::nullopt;
+}
+
+const Feature* OverlayEditing::find(FeatureKey key) const {
+  if (const auto shown = preview_.find(key); shown != preview_.end()) return &shown->second;
+  const auto& feature = document_.find(key);
+  return feature ? &*feature : nullptr;
+}
+
+void OverlayEditing::setPreview(Preview preview) {
+  if (preview.empty() && preview_.empty()) return;
+  preview_ = std::move(preview);
+  Q_EMIT previewChanged();
+}
+
+void OverlayEditing::applyPreview(const QString& text) {
+  std::vector<FeatureEdit> edits;
+  for (auto& [key, feature] : std::exchange(preview_, {}))
+    edits.push_back({key, document_.find(key), std::move(feature)});
+  Q_EMIT previewChanged();
+  change(std::move(edits), text);
+}
+
+void OverlayEditing::record(const QString& text, const std::function<void()>& what) {
+  if (!editable()) return;
+  const std::size_t before = document_.stepsDone();
+  what();
+  if (document_.stepsDone() != before) undo_.push(new Command(this, text));
+  prune();
+  Q_EMIT changed();
+}
+
+void OverlayEditing::change(std::vector<FeatureEdit> edits, const QString& text, Gesture gesture) {
+  const bool joins = gesture != 0 && gesture == gesture_ && !undo_.canRedo() && undo_.canUndo();
+  record(text, [&] { document_.change(std::move(edits), joins); });
+  gesture_ = gesture;
+}
+
+void OverlayEditing::step(bool forward) {
+  forward ? document_.redo() : document_.undo();
+  gesture_ = 0;
+  setPreview({});
+  prune();
+  Q_EMIT changed();
+}
+
+void OverlayEditing::prune() {
+  std::set<FeatureKey> left = selected_;
+  std::erase_if(left, [this](FeatureKey key) { return !document_.find(key); });
+  if (left == selected_) return;
+  selected_ = std::move(left);
+  Q_EMIT selectionChanged();
+}
+
+void OverlayEditing::set(FeatureKey key, const Feature& feature, const QString& text, Gesture gesture) {
+  if (document_.find(key)) change({{key, document_.find(key), feature}}, text, gesture);
+}
+
+void OverlayEditing::changeSelected(const QString& text, const std::function<Feature(const Feature&)>& how,
+                                    Gesture gesture) {
+  std::vector<FeatureEdit> edits;
+  for (const FeatureKey key : selected_)
+    edits.push_back({key, document_.find(key), how(*document_.find(key))});
+  change(std::move(edits), text, gesture);
+}
+
+QString OverlayEditing::saying(const QString& pattern) const {
+  const auto key = only();
+  const Feature* const feature = key ? find(*key) : nullptr;
+  return pattern.arg(feature ? overlayCalled(*feature) : featuresText(qsizetype(selected_.size())));
+}
+
+void OverlayEditing::removeSelected() {
+  std::vector<FeatureEdit> edits;
+  for (const FeatureKey key : selected_) edits.push_back({key, document_.find(key), std::nullopt});
+  if (!edits.empty()) change(std::move(edits), saying(tr("delete %1")));
+}
+
+void OverlayEditing::restore(const std::set<FeatureKey>& keys) {
+  std::vector<FeatureEdit> edits;
+  for (const FeatureKey key : keys) {
+    if (!document_.find(key)) edits.push_back({key, std::nullopt, document_.findBase(key)});
+  }
+  if (!edits.empty()) change(std::move(edits), tr("restore %1").arg(featuresText(qsizetype(edits.size()))));
+}
+
+std::string OverlayEditing::newId() const {
+  overlays::IdBytes bytes{};
+  for (auto& byte : bytes) byte = std::uint8_t(QRandomGenerator::global()->bounded(256));
+  return overlays::idOf(bytes);
+}
+
+std::vector<FeatureKey> OverlayEditing::addAll(const std::vector<Feature>& features,
+                                               const Eigen::Vector2d& by_m, const QString& text) {
+  if (!editable() || features.empty()) return {};
+  std::vector<FeatureEdit> edits;
+  OverlayDocument among = document_.mine();
+  for (const Feature& feature : features) {
+    const Feature added = overlays::movedBy(
+        overlays::duplicateOf(feature, newId(), overlays::freeName(among, feature.shape(), feature.name())),
+        by_m);
+    among.add(added);
+    edits.push_back({document_.newKey(), std::nullopt, added});
+  }
+  std::vector<FeatureKey> keys;
+  for (const FeatureEdit& edit : edits) keys.push_back(edit.key);
+  change(std::move(edits), text);
+  select({keys.begin(), keys.end()});
+  return keys;
+}
+
+void OverlayEditing::duplicateSelected() {
+  constexpr double kAsideM = 0.5;
+  std::vector<Feature> features;
+  for (const FeatureKey key : selected_) features.push_back(*document_.find(key));
+  addAll(features, {kAsideM, -kAsideM}, saying(tr("duplicate %1")));
+}
+
+FeatureKey OverlayEditing::add(overlays::Shape shape, const std::vector<Eigen::Vector2d>& points, int type) {
+  if (!editable()) return document_.size();
+  const FeatureKey key = document_.newKey();
+  const Feature feature = overlays::newFeature(document_.mine(), shape, points, type, newId());
+  change({{key, std::nullopt, feature}}, tr("add %1").arg(overlayCalled(feature)));
+  select({key});
+  return key;
+}
+
+std::string OverlayEditing::copied() const {
+  if (selected_.empty()) return {};
+  OverlayDocument copies;
+  for (const FeatureKey key : selected_) copies.add(*document_.find(key));
+  return copies.text();
+}
+
+bool OverlayEditing::paste(const std::string& geojson, const Eigen::Vector2d& at_m) {
+  const auto copies = OverlayDocument::read(geojson);
+  if (!copies) return false;
+  std::vector<Feature> features;
+  geometry::WorldRect around;
+  for (const Feature& feature : copies->features()) {
+    if (!feature.root().isObject() || !feature.root().member("geometry")) continue;
+    features.push_back(feature);
+    for (const overlays::Path& path : overlays::shapesOf(feature).paths) {
+      for (const Eigen::Vector2d& point : path.points) around.extend(point);
+    }
+  }
+  if (features.empty()) return false;
+  const Eigen::Vector2d middle((around.min_x + around.max_x) / 2, (around.min_y + around.max_y) / 2);
+  const Eigen::Vector2d by = around.empty() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(at_m - middle);
+  addAll(features, by, tr("paste %1").arg(featuresText(qsizetype(features.size()))));
+  return true;
+}
+
+geometry::WorldRect OverlayEditing::bounds() const {
+  geometry::WorldRect bounds;
+  for (const FeatureKey key : selected_) {
+    const Feature* const feature = find(key);
+    if (!feature) continue;
+    for (const overlays::Path& path : overlays::shapesOf(*feature).paths) {
+      for (const Eigen::Vector2d& point : path.points) bounds.extend(point);
+    }
+  }
+  return bounds;
+}
+
+void OverlayEditing::rebase(const OverlayDocument& theirs) {
+  if (!open_) return;
+  setPreview({});
+  gesture_ = 0;
+  document_.rebase(theirs);
+  prune();
+  Q_EMIT changed();
+}
+
+void OverlayEditing::noteSaved() {
+  gesture_ = 0;
+  document_.noteSaved();
+  Q_EMIT changed();
+}
+
+void OverlayEditing::keepMine(const EditingDocument::Conflict& conflict) {
+  document_.keepMine(conflict);
+  Q_EMIT changed();
+}
+
+void OverlayEditing::takeTheirs(const EditingDocument::Conflict& conflict) {
+  record(tr("take their version"), [&] { document_.takeTheirs(conflict); });
+}
+
+void OverlayEditing::takeUp(const OverlayDocument& base, const OverlayDocument& mine, const QString& text) {
+  record(text, [&] { document_.takeUp(base, mine); });
+}
+
+void OverlayEditing::revert() {
+  std::vector<FeatureEdit> edits;
+  for (FeatureKey key = 0; key < document_.size(); ++key) {
+    if (document_.isUnsaved(key)) edits.push_back({key, document_.find(key), document_.findBase(key)});
+  }
+  change(std::move(edits), tr("discard the changes"));
+}
+
+}  // namespace mapwright::window
+
+#include "moc_overlay_editing.cpp"

@@ -1,0 +1,112 @@
+// The overlays that are edited, with what is selected and what the hand is doing, shared by the tool, the
+// list and the form. GUI thread.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <QObject>
+#include <QUndoStack>
+
+#include "geometry/rect.h"
+#include "overlays/editing_document.h"
+#include "overlays/overlay_edits.h"
+
+namespace mapwright::window {
+
+using overlays::Feature;
+using overlays::FeatureKey;
+
+class OverlayEditing : public QObject {
+  Q_OBJECT
+ public:
+  /// Features as they would be.
+  using Preview = std::map<FeatureKey, Feature>;
+  /// What is done with one gesture is one step; 0 = a step of its own.
+  using Gesture = quint64;
+
+  explicit OverlayEditing(QObject* parent = nullptr);
+  ~OverlayEditing() override;
+
+  void open(overlays::OverlayDocument held);
+  void close();
+  bool isOpen() const { return open_; }
+  const overlays::EditingDocument& document() const { return document_; }
+  QUndoStack& undoStack() { return undo_; }
+  /// Nothing can be changed at present.
+  void setLocked(bool locked);
+  bool editable() const { return open_ && !locked_; }
+
+  const std::set<FeatureKey>& selected() const { return selected_; }
+  void select(std::set<FeatureKey> keys);
+  void toggle(FeatureKey key);
+  /// nullopt: none, or several.
+  std::optional<FeatureKey> only() const;
+  /// As shown: of the preview, otherwise of the document; null = it is not there.
+  const Feature* find(FeatureKey key) const;
+
+  void setPreview(Preview preview);
+  const Preview& preview() const { return preview_; }
+  /// Makes a step of it.
+  void applyPreview(const QString& text);
+
+  Gesture newGesture() { return ++last_gesture_; }
+  void set(FeatureKey key, const Feature& feature, const QString& text, Gesture gesture = 0);
+  /// What it makes of each that is selected.
+  void changeSelected(const QString& text, const std::function<Feature(const Feature&)>& how,
+                      Gesture gesture = 0);
+  void removeSelected();
+  /// Deleted ones, as the robot holds them.
+  void restore(const std::set<FeatureKey>& keys);
+  void duplicateSelected();
+  /// A new one, which is selected then.
+  FeatureKey add(overlays::Shape shape, const std::vector<Eigen::Vector2d>& points, int type);
+  /// As a GeoJSON collection; empty: nothing is selected.
+  std::string copied() const;
+  /// Features of a GeoJSON text, as new ones around that place; false: there are none.
+  bool paste(const std::string& geojson, const Eigen::Vector2d& at_m);
+  /// Bounds of the selected ones, as shown.
+  geometry::WorldRect bounds() const;
+  /// "move virtual wall W17", "move 3 features".
+  QString saying(const QString& pattern) const;
+
+  // What the robot holds (overlays/editing_document.h).
+  void rebase(const overlays::OverlayDocument& theirs);
+  void noteSaved();
+  void keepMine(const overlays::EditingDocument::Conflict& conflict);
+  void takeTheirs(const overlays::EditingDocument::Conflict& conflict);
+  void takeUp(const overlays::OverlayDocument& base, const overlays::OverlayDocument& mine,
+              const QString& text);
+  /// All as the robot holds it; can be undone.
+  void revert();
+
+ Q_SIGNALS:
+  void opened();   // or closed
+  void changed();  // features, their states, conflicts, whether it can be edited
+  void selectionChanged();
+  void previewChanged();
+
+ private:
+  class Command;
+  void record(const QString& text, const std::function<void()>& what);
+  void change(std::vector<overlays::FeatureEdit> edits, const QString& text, Gesture gesture = 0);
+  void step(bool forward);
+  void prune();
+  std::string newId() const;
+  std::vector<FeatureKey> addAll(const std::vector<Feature>& features, const Eigen::Vector2d& by_m,
+                                 const QString& text);
+
+  overlays::EditingDocument document_;
+  QUndoStack undo_;
+  bool open_ = false, locked_ = false;
+  std::set<FeatureKey> selected_;
+  Preview preview_;
+  Gesture gesture_ = 0, last_gesture_ = 0;
+};
+
+}  // namespace mapwright::window

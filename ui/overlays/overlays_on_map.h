@@ -1,0 +1,44 @@
+// What of the edited overlays is drawn on the map, and which of them is at a point.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <QObject>
+
+#include "scene/map_scene.h"
+#include "ui/overlays/overlay_editing.h"
+
+namespace mapwright::window {
+
+class OverlaysOnMap : public QObject {
+  Q_OBJECT
+ public:
+  /// Both must outlive this.
+  OverlaysOnMap(OverlayEditing* editing, scene::MapScene* scene, QObject* parent = nullptr);
+
+  /// Whose overlays they are. `robots`: the robot is in that map.
+  void setMap(const map::MapKey& map, bool robots);
+  /// The topmost one.
+  std::optional<FeatureKey> at(const Eigen::Vector2d& world_m, double reach_px) const;
+  /// Those that lie in a rectangle of the viewport completely.
+  std::set<FeatureKey> within(const QRectF& frame_px) const;
+
+ private:
+  struct Drawn {
+    Feature feature;
+    std::vector<map::OverlayFeature> parts;
+  };
+  void draw();
+
+  OverlayEditing* editing_;
+  scene::MapScene* scene_;
+  map::MapKey map_;
+  bool robots_ = false;
+  std::map<FeatureKey, Drawn> drawn_;  // kept while its feature is the same
+  std::vector<FeatureKey> keys_;       // of what the scene has
+};
+
+}  // namespace mapwright::window
