@@ -1,0 +1,359 @@
+#include "ui/overlays/overlay_form.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "overlays/overlay_shapes.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/overlay_name.h"
+#include "ui/kit/forms.h"
+#include "ui/kit/name_column.h"
+#include "ui/kit/ui_colors.h"
+#include "ui/overlays/overlay_text.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::window {
+
+using overlays::JsonText;
+using overlays::Shape;
+
+namespace {
+
+constexpr double kNoYaw = -181;  // the minimum of its field means none
+constexpr int kLongestOverlayName = 500;
+constexpr int kMostRows = 2'000;
+enum PropertyColumn { kKeyColumn, kValueColumn };
+
+map::OverlayShape namedShape(Shape shape) {
+  return shape == Shape::Line      ? map::OverlayShape::Line
+         : shape == Shape::Polygon ? map::OverlayShape::Polygon
+                                   : map::OverlayShape::Point;
+}
+
+bool isPlain(Shape shape) { return shape == Shape::Point || shape == Shape::Line || shape == Shape::Polygon; }
+
+/// It has a field of its own.
+bool hasField(const Feature& feature, const std::string& property) {
+  return property == "name" ||
+         (isPlain(feature.shape()) && property == overlays::typeProperty(feature.shape())) ||
+         (feature.shape() == Shape::Point && property == "yaw");
+}
+
+QTableWidgetItem* cell(const QString& text, bool editable) {
+  auto* const item = new QTableWidgetItem(text);
+  item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled |
+                 (editable ? Qt::ItemIsEditable : Qt::NoItemFlags));
+  return item;
+}
+
+}  // namespace
+
+void showTypes(QComboBox& picker, Shape shape, int type) {
+  const QSignalBlocker quiet(picker);
+  picker.clear();
+  const map::OverlayShape named = namedShape(shape);
+  std::vector<int> types = sentences::knownTypes(named);
+  if (std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
+  for (const int each : types) {
+    const QString name = sentences::nameOf(named, each);
+    picker.addItem(each == 0 ? OverlayForm::tr("none") : QStringLiteral("%1 (%2)").arg(name).arg(each), each);
+  }
+  picker.setCurrentIndex(picker.findData(type));
+}
+
+OverlayForm::OverlayForm(OverlayEditing* editing, QWidget* parent)
+    : QWidget(parent),
+      editing_(editing),
+      about_(wrappedLabel({}, this)),
+      problem_(wrappedLabel({}, this)),
+      yaw_label_(new QLabel(tr("Heading"), this)),
+      name_(new QLineEdit(this)),
+      new_key_(new QLineEdit(this)),
+      type_(new QComboBox(this)),
+      yaw_(numberField(this, {kNoYaw, 180, 2, 5, QString(QChar(0xb0)), tr("Heading of the overlay")})),
+      properties_(new QTableWidget(0, 2, this)),
+      add_(compactButton(tr("Add"), this, tr("Add this property"))),
+      remove_(compactButton(tr("Remove"), this, tr("Remove the selected property"))) {
+  name_->setMaxLength(kLongestOverlayName);
+  name_->setAccessibleName(tr("Name of the overlay"));
+  type_->setAccessibleName(tr("Type of the overlay"));
+  type_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  type_->setMinimumContentsLength(10);
+  yaw_->setSpecialValueText(tr("none"));
+  yaw_->setToolTip(tr("Counter-clockwise from the x axis of the map"));
+  yaw_->setKeyboardTracking(false);
+  new_key_->setPlaceholderText(tr("New property"));
+  new_key_->setAccessibleName(tr("Name of the new property"));
+  properties_->setAccessibleName(tr("Properties of the overlay"));
+  properties_->setHorizontalHeaderLabels({tr("Property"), tr("Value (JSON)")});
+  properties_->verticalHeader()->hide();
+  properties_->verticalHeader()->setDefaultSectionSize(22);
+  properties_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  properties_->setSelectionMode(QAbstractItemView::SingleSelection);
+  properties_->setTabKeyNavigation(false);
+  properties_->setWordWrap(false);
+  properties_->setMinimumHeight(70);
+  properties_->horizontalHeader()->setHighlightSections(false);
+  properties_->horizontalHeader()->resizeSection(kValueColumn, 150);
+  new NameColumn(properties_, properties_->horizontalHeader(), kKeyColumn, {{kValueColumn, 80}});
+  auto* const form = new QFormLayout;
+  form->setHorizontalSpacing(8);
+  form->setVerticalSpacing(4);
+  form->addRow(tr("Name"), name_);
+  form->addRow(tr("Type"), type_);
+  form->addRow(yaw_label_, yaw_);
+  auto* const column = columnOf({about_, form}, 4, QMargins(8, 6, 8, 6));
+  column->addWidget(properties_, 1);
+  column->addLayout(rowOf({{new_key_, 1}, add_, remove_}, 4));
+  column->addWidget(problem_);
+  setLayout(column);
+  for (const auto signal :
+       {&OverlayEditing::changed, &OverlayEditing::previewChanged, &OverlayEditing::selectionChanged})
+    connect(editing_, signal, this, &OverlayForm::refresh);
+  connect(name_, &QLineEdit::editingFinished, this, &OverlayForm::takeName);
+  connect(type_, &QComboBox::activated, this, [this] {
+    if (const Feature* const now = feature())
+      editing_->set(*shown_, overlays::withType(*now, type_->currentData().toInt()),
+                    tr("change the type of %1").arg(overlayCalled(*now)));
+  });
+  connect(yaw_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
+    const Feature* const now = feature();
+    if (refreshing_ || !now) return;
+    editing_->set(*shown_, overlays::withYaw(*now, degrees <= kNoYaw ? std::nullopt : std::optional(degrees)),
+                  tr("turn %1").arg(overlayCalled(*now)));
+  });
+  connect(properties_, &QTableWidget::cellChanged, this, [this](int row, int changed) {
+    if (!refreshing_ && changed == kValueColumn) takeValue(row);
+  });
+  connect(properties_, &QTableWidget::itemSelectionChanged, this,
+          [this] { remove_->setEnabled(isEnabled() && !properties_->selectedItems().isEmpty()); });
+  connect(new_key_, &QLineEdit::textChanged, this,
+          [this](const QString& key) { add_->setEnabled(feature() && !key.trimmed().isEmpty()); });
+  connect(new_key_, &QLineEdit::returnPressed, this, &OverlayForm::addProperty);
+  connect(add_, &QPushButton::clicked, this, &OverlayForm::addProperty);
+  connect(remove_, &QPushButton::clicked, this, &OverlayForm::removeProperty);
+  refresh();
+}
+
+const Feature* OverlayForm::feature() const { return shown_ ? editing_->find(*shown_) : nullptr; }
+
+QString OverlayForm::problemShown() const { return problem_->isHidden() ? QString() : problem_->text(); }
+
+void OverlayForm::say(const QString& problem) {
+  setTextColor(*problem_, appColors().error_text);
+  problem_->setText(problem);
+  problem_->setVisible(!problem.isEmpty());
+}
+
+void OverlayForm::refresh() {
+  const auto key = editing_->only();
+  if (key != shown_) {
+    takeName();  // of the one before
+    name_->setModified(false);
+    new_key_->clear();
+    say({});
+    shown_feature_.reset();
+  }
+  shown_ = key;
+  const Feature* const now = feature();
+  const bool plain = now && isPlain(now->shape());
+  refreshing_ = true;
+  const bool usable = now && editing_->editable();
+  for (QWidget* widget : std::initializer_list<QWidget*>{name_, new_key_}) widget->setEnabled(usable);
+  type_->setEnabled(usable && plain);
+  yaw_->setEnabled(usable);
+  properties_->setEnabled(now != nullptr);
+  properties_->setEditTriggers(usable ? QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
+                                      : QAbstractItemView::NoEditTriggers);
+  add_->setEnabled(usable && !new_key_->text().trimmed().isEmpty());
+  const auto count = qsizetype(editing_->selected().size());
+  about_->setText(count == 0 ? tr("Nothing is selected.")
+                  : count > 1
+                      ? tr("%1 selected.").arg(featuresText(count))
+                      : tr("Id %1").arg(words::plainName(now && !now->id().empty() ? now->id() : "–")));
+  const bool turns = now && now->shape() == Shape::Point;
+  yaw_label_->setVisible(turns);
+  yaw_->setVisible(turns);
+  if (!now) {
+    name_->clear();
+    type_->clear();
+    properties_->setRowCount(0);
+    shown_feature_.reset();
+  } else if (!shown_feature_ || &shown_feature_->text() != &now->text()) {
+    shown_feature_ = *now;
+    if (!name_->isModified()) name_->setText(QString::fromStdString(now->name()));
+    if (plain) showTypes(*type_, now->shape(), now->type());
+    const auto yaw = overlays::yawOf(*now);
+    const QSignalBlocker quiet(yaw_);
+    yaw_->setValue(yaw ? std::remainder(*yaw, 360.0) : kNoYaw);
+    showProperties(*now);
+  }
+  remove_->setEnabled(usable && !properties_->selectedItems().isEmpty());
+  refreshing_ = false;
+}
+
+void OverlayForm::showProperties(const Feature& feature) {
+  std::vector<std::pair<QString, QString>> rows;
+  const auto properties = feature.root().member("properties");
+  for (const auto& member : properties ? properties->children() : std::vector<overlays::JsonValue>()) {
+    if (!properties->isObject() || hasField(feature, member.key())) continue;
+    if (rows.size() == std::size_t(kMostRows)) break;
+    rows.emplace_back(QString::fromStdString(member.key()),
+                      QString::fromStdString(std::string(member.text())));
+  }
+  properties_->setRowCount(int(rows.size()));
+  for (int row = 0; row < int(rows.size()); ++row) {
+    const auto& [key, value] = rows[std::size_t(row)];
+    QTableWidgetItem* const name = cell(words::plainName(key), false);
+    name->setData(Qt::UserRole, key);
+    properties_->setItem(row, kKeyColumn, name);
+    properties_->setItem(row, kValueColumn, cell(value, true));
+  }
+}
+
+void OverlayForm::takeName() {
+  const Feature* const now = feature();
+  if (refreshing_ || !now || !name_->isModified()) return;
+  name_->setModified(false);
+  if (name_->text().toStdString() == now->name()) return;
+  const auto set = overlays::withProperty(*now, "name", json::quoted(name_->text().toStdString()));
+  editing_->set(*shown_, set, tr("rename %1").arg(overlayCalled(*now)));
+}
+
+void OverlayForm::takeValue(int row) {
+  const Feature* const now = feature();
+  if (!now) return;
+  const std::string key = properties_->item(row, kKeyColumn)->data(Qt::UserRole).toString().toStdString();
+  const std::string typed = properties_->item(row, kValueColumn)->text().trimmed().toStdString();
+  const auto before = now->property(key);
+  const auto value = JsonText::read(typed);
+  if (!value) {
+    say(tr("This is not JSON: %1. Texts stand in quotes.")
+            .arg(sentences::wordsOf(json::faultOf(value.error()))));
+  } else {
+    say({});
+    if (!before || !json::sameValue(*before, value->root())) {
+      editing_->set(*shown_, overlays::withProperty(*now, key, typed),
+                    tr("set %1 of %2").arg(words::plainName(key), overlayCalled(*now)));
+      return;
+    }
+  }
+  const QSignalBlocker quiet(properties_);
+  if (before)
+    properties_->item(row, kValueColumn)->setText(QString::fromStdString(std::string(before->text())));
+}
+
+void OverlayForm::addProperty() {
+  const Feature* const now = feature();
+  const QString key = new_key_->text().trimmed();
+  if (!now || key.isEmpty() || !editing_->editable()) return;
+  if (now->property(key.toStdString()))
+    return say(tr("There is a property %1 already.").arg(words::plainName(key)));
+  say({});
+  new_key_->clear();
+  editing_->set(*shown_, overlays::withProperty(*now, key.toStdString(), "\"\""),
+                tr("set %1 of %2").arg(words::plainName(key), overlayCalled(*now)));
+  for (int row = 0; row < properties_->rowCount(); ++row) {
+    if (properties_->item(row, kKeyColumn)->data(Qt::UserRole).toString() != key) continue;
+    properties_->setCurrentCell(row, kValueColumn);
+    properties_->editItem(properties_->item(row, kValueColumn));
+  }
+}
+
+void OverlayForm::removeProperty() {
+  const Feature* const now = feature();
+  const int row = properties_->currentRow();
+  if (!now || row < 0) return;
+  const QString key = properties_->item(row, kKeyColumn)->data(Qt::UserRole).toString();
+  editing_->set(*shown_, overlays::withProperty(*now, key.toStdString(), std::nullopt),
+                tr("remove %1 of %2").arg(words::plainName(key), overlayCalled(*now)));
+}
+
+OverlayPoints::OverlayPoints(OverlayEditing* editing, QWidget* parent)
+    : QWidget(parent),
+      editing_(editing),
+      about_(wrappedLabel({}, this)),
+      table_(new QTableWidget(0, 2, this)) {
+  table_->setAccessibleName(tr("Points of the overlay"));
+  table_->setHorizontalHeaderLabels({tr("x m"), tr("y m")});
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->verticalHeader()->setDefaultSectionSize(22);
+  table_->setTabKeyNavigation(false);
+  setLayout(columnOf({about_, {table_, 1}}, 4, QMargins(8, 6, 8, 6)));
+  for (const auto signal :
+       {&OverlayEditing::changed, &OverlayEditing::previewChanged, &OverlayEditing::selectionChanged})
+    connect(editing_, signal, this, &OverlayPoints::refresh);
+  connect(table_, &QTableWidget::cellChanged, this, [this](int row, int changed) {
+    if (!refreshing_) take(row, changed);
+  });
+  refresh();
+}
+
+void OverlayPoints::refresh() {
+  const auto key = editing_->only();
+  const Feature* const now = key ? editing_->find(*key) : nullptr;
+  table_->setEditTriggers(editing_->editable()
+                              ? QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
+                              : QAbstractItemView::NoEditTriggers);
+  if (key == shown_ && now && shown_feature_ && &shown_feature_->text() == &now->text()) return;
+  shown_ = key;
+  shown_feature_ = now ? std::optional(*now) : std::nullopt;
+  refreshing_ = true;
+  vertices_.clear();
+  std::vector<Eigen::Vector2d> points;
+  const auto rings = now ? overlays::verticesOf(*now) : std::vector<std::vector<Eigen::Vector2d>>();
+  for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+    for (std::size_t i = 0; i < rings[ring].size() && points.size() < std::size_t(kMostRows); ++i) {
+      vertices_.push_back({ring, i});
+      points.push_back(rings[ring][i]);
+    }
+  }
+  table_->setRowCount(int(points.size()));
+  for (int row = 0; row < int(points.size()); ++row) {
+    for (const int axis : {0, 1}) {
+      QTableWidgetItem* const item =
+          cell(QString::fromStdString(overlays::coordinateText(points[std::size_t(row)][axis])), true);
+      item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      table_->setItem(row, axis, item);
+    }
+  }
+  about_->setText(!now             ? tr("Nothing is selected.")
+                  : points.empty() ? tr("Its points cannot be edited here, only moved as a whole.")
+                                   : QString());
+  about_->setVisible(!about_->text().isEmpty());
+  refreshing_ = false;
+}
+
+void OverlayPoints::take(int row, int column) {
+  const Feature* const now = shown_ ? editing_->find(*shown_) : nullptr;
+  if (!now || std::size_t(row) >= vertices_.size()) return;
+  const overlays::Vertex vertex = vertices_[std::size_t(row)];
+  Eigen::Vector2d at = overlays::verticesOf(*now)[vertex.ring][vertex.index];
+  bool is_number = false;
+  QString typed = table_->item(row, column)->text().trimmed();
+  const double metres = typed.replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&is_number);
+  if (is_number && std::abs(metres) <= overlays::kFarthestM) {
+    at[column] = metres;
+    editing_->set(*shown_, overlays::withVertexAt(*now, vertex, at),
+                  tr("reshape %1").arg(overlayCalled(*now)));
+  }
+  shown_feature_.reset();  // whatever was typed, it shows what is
+  refresh();
+}
+
+}  // namespace mapwright::window
+
+#include "moc_overlay_form.cpp"
