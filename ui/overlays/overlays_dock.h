@@ -1,0 +1,122 @@
+// The dock "Overlays": what to draw, the list, the form, what is wrong, what has to be decided, saving.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <QDockWidget>
+
+#include "ui/overlays/overlay_tool.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QTableView;
+class QTabWidget;
+class QToolButton;
+
+namespace mapwright::window {
+
+class OverlayFilter;
+class OverlayForm;
+class OverlayPoints;
+class OverlaysModel;
+
+/// A flaw of a feature, as a sentence.
+struct ShownFlaw {
+  FeatureKey key = 0;
+  QString sentence;
+  std::optional<Eigen::Vector2d> at_m;
+};
+
+class OverlaysDock : public QDockWidget {
+  Q_OBJECT
+ public:
+  /// Both must outlive this.
+  OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* parent = nullptr);
+  ~OverlaysDock() override;
+
+  /// Why nothing is shown; empty = something is. `may_retry`: reading failed.
+  void setWhyNot(const QString& sentence, bool may_retry);
+  /// The progress or problem of saving; empty = none.
+  void setSaving(bool saving, const QString& trouble);
+  /// An earlier draft; empty = none.
+  void setOffer(const QString& sentence);
+  void setFlaws(std::vector<ShownFlaw> flaws);
+
+  QToolButton* modeButton(OverlayMode mode) const { return modes_[std::size_t(mode)]; }
+  QComboBox* newTypePicker() const { return new_type_; }
+  QLineEdit* filterEdit() const { return filter_; }
+  QComboBox* stateChoice() const { return bits_; }
+  QTableView* table() const { return table_; }
+  OverlaysModel* model() const { return model_; }
+  OverlayForm* form() const { return form_; }
+  OverlayPoints* points() const { return points_; }
+  QListWidget* flawList() const { return flaw_list_; }
+  QPushButton* mineButton() const { return mine_; }
+  QPushButton* theirsButton() const { return theirs_; }
+  QPushButton* discardButton() const { return discard_; }
+  QPushButton* reviewButton() const { return review_; }
+  QPushButton* restoreButton() const { return restore_; }
+  QPushButton* forgetButton() const { return forget_; }
+  QPushButton* retryButton() const { return retry_; }
+  QString statusShown() const;
+  QString emptyShown() const;
+  QString conflictShown() const;
+  /// Shows the first conflict.
+  void showConflicts();
+
+ Q_SIGNALS:
+  void modeWanted(mapwright::window::OverlayMode mode);
+  void reviewWanted();
+  void retryWanted();
+  void draftWanted();
+  void draftNotWanted();
+  void copyWanted();
+  void pasteWanted();
+  void locateWanted(mapwright::overlays::FeatureKey key);
+  void placeWanted(const Eigen::Vector2d& at_m);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void buildModes();
+  void buildTable();
+  void buildConflict();
+  void buildOffer();
+  void refresh();
+  void refreshMode();
+  void refreshConflict();
+  void showSelection();
+  void takeSelection();
+  void showMenu(const QPoint& at);
+  std::set<FeatureKey> rowsSelected(bool deleted) const;
+  QString statusText() const;
+  QString emptyText() const;
+
+  OverlayEditing* editing_;
+  OverlayTool* tool_;
+  QString why_not_, trouble_;
+  bool saving_ = false, may_retry_ = false, showing_selection_ = false;
+  OverlaysModel* model_;
+  OverlayFilter* sorted_;
+  std::array<QToolButton*, kOverlayModes> modes_{};
+  QWidget *mode_row_, *body_, *conflict_box_, *offer_box_;
+  QComboBox *new_type_, *bits_;
+  QLineEdit* filter_;
+  QTableView* table_;
+  QTabWidget* tabs_;
+  OverlayForm* form_;
+  OverlayPoints* points_;
+  QListWidget* flaw_list_;
+  QLabel *empty_, *status_, *conflict_, *offer_;
+  QPushButton *mine_, *theirs_, *next_, *discard_, *review_, *restore_, *forget_, *retry_;
+  std::vector<ShownFlaw> flaws_;
+  std::optional<overlays::EditingDocument::Conflict> deciding_;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,71 @@
+// The rows of the list of overlays, and which of them are shown.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include <QAbstractTableModel>
+#include <QCollator>
+#include <QSortFilterProxyModel>
+
+#include "ui/overlays/overlay_editing.h"
+
+namespace mapwright::window {
+
+/// What the list may be filtered by; bits.
+enum OverlayFilterBit {
+  kOverlayUnsaved = 1,
+  kOverlayChangedThere = 2,
+  kOverlayInConflict = 4,
+  kOverlayFlawed = 8
+};
+
+class OverlaysModel : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column { NameColumn, TypeColumn, StateColumn, kColumns };
+  static constexpr int kBitsRole = Qt::UserRole + 1;
+
+  /// `editing` must outlive this.
+  explicit OverlaysModel(OverlayEditing* editing, QObject* parent = nullptr);
+  void setFlawed(std::set<FeatureKey> keys);
+
+  FeatureKey key(const QModelIndex& index) const { return rows_[std::size_t(index.row())]; }
+  QModelIndex indexOf(FeatureKey key) const;  // invalid: it has no row
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  void take();
+  int bits(FeatureKey key) const;
+  QString stateText(FeatureKey key) const;
+  /// As it is, or as the robot holds it when it was deleted here.
+  const Feature* shown(FeatureKey key) const;
+
+  OverlayEditing* editing_;
+  std::vector<FeatureKey> rows_;
+  std::set<FeatureKey> flawed_, conflicting_;
+};
+
+/// By name, type or id; "Wall 2" stands before "Wall 10".
+class OverlayFilter : public QSortFilterProxyModel {
+  Q_OBJECT
+ public:
+  explicit OverlayFilter(QObject* parent = nullptr);
+  void look(const QString& text);
+  void lookForBits(int bits);  // 0 = all
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+
+ private:
+  QString wanted_;
+  int bits_ = 0;
+  QCollator order_;
+};
+
+}  // namespace mapwright::window
