@@ -41,6 +41,7 @@ constexpr Tool kTools[] = {
     {"compare", kInspect},
     {"waypointTool", kOperate},
     {"pictureTool", kOperate},
+    {"overlayTool", kOperate},
     {"undo", kOperate},
     {"redo", kOperate},
     {"save", kOperate},

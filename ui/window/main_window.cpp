@@ -24,6 +24,7 @@
 #include "ui/maps/maps_dock.h"
 #include "ui/maps/reference_controller.h"
 #include "ui/objects/objects_controller.h"
+#include "ui/overlays/overlays_controller.h"
 #include "ui/picture/picture_controller.h"
 #include "ui/plots/messages_controller.h"
 #include "ui/plots/messages_dock.h"
@@ -162,6 +163,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   controllers_.push_back(new EditController(context, this));
   make(waypoints_);
   make(picture_);
+  make(overlays_);
   make(recordings_);
   make(replay_, [this](const QString& address) { return connection_->another(address); });
   make(plots_, replay_->clock());

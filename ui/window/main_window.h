@@ -47,6 +47,7 @@ class MapsController;
 class MapView;
 class MessagesController;
 class ObjectsController;
+class OverlaysController;
 class PictureController;
 class PicturePlacing;
 class PlotsController;
@@ -150,6 +151,7 @@ class MainWindow : public QMainWindow {
   AdministrationController* administration_ = nullptr;
   MessagesController* messages_ = nullptr;
   ObjectsController* objects_ = nullptr;
+  OverlaysController* overlays_ = nullptr;
   PictureController* picture_ = nullptr;
   PicturePlacing* placing_ = nullptr;
   PlotsController* plots_ = nullptr;

@@ -1,0 +1,589 @@
+#include "ui/overlays/overlays_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include "map/live_topics.h"
+#include "overlays/overlay_check.h"
+#include "overlays/overlay_shapes.h"
+#include "placing/warnings.h"
+#include "sentences/absence_sentence.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/fault_sentence.h"
+#include "ui/kit/forms.h"
+#include "ui/kit/panels.h"
+#include "ui/kit/undo_stacks.h"
+#include "ui/overlays/overlay_drafts.h"
+#include "ui/overlays/overlay_review.h"
+#include "ui/overlays/overlay_text.h"
+#include "ui/overlays/overlay_tool.h"
+#include "ui/overlays/overlays_dock.h"
+#include "ui/shell/current_session.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/map_view.h"
+#include "ui/view/toast_stack.h"
+#include "ui/view/tool_choice.h"
+
+namespace mapwright::window {
+
+using overlays::OverlayDocument;
+
+namespace {
+
+constexpr double kAroundM = 2;  // of an overlay that is shown
+
+}  // namespace
+
+OverlaysController::OverlaysController(WindowContext& context, QObject* parent)
+    : Controller(parent),
+      context_(context),
+      on_map_(new OverlaysOnMap(&editing_, &context.scene, this)),
+      tool_(new OverlayTool(&editing_, &context.scene, on_map_, this)),
+      dock_(new OverlaysDock(&editing_, tool_, &context.window)),
+      share_(context.workers) {
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 15, .menu_rank = 46, .open = false});
+  joinUndo(context_.undo, editing_.undoStack());
+  addActions();
+  connect(&editing_, &OverlayEditing::changed, this, &OverlaysController::takeChange);
+  connect(tool_, &OverlayTool::activated, this, [this] {
+    context_.scene.setLayerVisible(scene::Layer::Overlays, true);
+    context_.undo.setActiveStack(&editing_.undoStack());
+    context_.panels.open(dock_);
+    if (target_ && !busy_) read();  // others may have changed them since
+  });
+  connect(tool_, &OverlayTool::refused, this,
+          [this](const QString& why) { context_.overlay.toasts()->add(Mark::Warning, why); });
+  connect(tool_, &OverlayTool::copyWanted, this, &OverlaysController::copy);
+  connect(tool_, &OverlayTool::pasteWanted, this, &OverlaysController::paste);
+  connect(dock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+    if (visible) syncMap();
+  });
+  connect(dock_, &OverlaysDock::modeWanted, this, [this](OverlayMode mode) {
+    if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
+    tool_->setMode(mode);
+    context_.view.setFocus();  // its keys are those of the map
+  });
+  connect(dock_, &OverlaysDock::reviewWanted, this, &OverlaysController::save);
+  connect(dock_, &OverlaysDock::retryWanted, this, &OverlaysController::read);
+  connect(dock_, &OverlaysDock::draftWanted, this, &OverlaysController::takeDraft);
+  connect(dock_, &OverlaysDock::draftNotWanted, this, [this] {
+    if (drafts_) drafts_->turnDown();
+  });
+  connect(dock_, &OverlaysDock::copyWanted, this, &OverlaysController::copy);
+  connect(dock_, &OverlaysDock::pasteWanted, this, [this] { paste(context_.scene.view().center_m); });
+  connect(dock_, &OverlaysDock::locateWanted, this, &OverlaysController::locate);
+  connect(dock_, &OverlaysDock::placeWanted, this, [this](const Eigen::Vector2d& at_m) {
+    geometry::WorldRect around;
+    around.extend(at_m);
+    context_.view.fit(around.grown(kAroundM), true);
+  });
+  refresh();
+}
+
+OverlaysController::~OverlaysController() {
+  setSession(nullptr);
+  delete dock_;  // it refers to members of this object
+}
+
+OverlayReview* OverlaysController::review() const { return review_; }
+
+void OverlaysController::addActions() {
+  tool_action_ = context_.actions.add({.id = "overlayTool",
+                                       .text = tr("Edit &overlays"),
+                                       .name = tr("Tool: Edit overlays"),
+                                       .icon = "overlays",
+                                       .keys = {"E"},
+                                       .reach = Reach::OutsideText,
+                                       .tip = tr("Edit walls, regions and points of the map on the robot"),
+                                       .toggle = true,
+                                       .menu = {MenuGroup::Waypoints, 33},
+                                       .bar = {BarGroup::Tools, 45}});
+  context_.tools.add(tool_, tool_action_);
+  connect(tool_action_, &QAction::triggered, this, [this](bool chosen) {
+    if (chosen) context_.view.setFocus();  // its keys are those of the map
+  });
+}
+
+void OverlaysController::setSession(session::Session* session) {
+  if (session_) {
+    session_->disconnect(this);
+    session_->wholeMap().disconnect(this);
+    session_->catalogue().disconnect(this);
+    session_->robot().disconnect(this);
+  }
+  closeMap();
+  session_ = session;
+  if (session_) {
+    connect(&session_->wholeMap(), &session::MapSlot::changed, this, &OverlaysController::syncMap);
+    connect(&session_->catalogue(), &session::Catalogue::changed, this, &OverlaysController::syncMap);
+    connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &OverlaysController::syncMap);
+    connect(session_, &session::Session::connectionChanged, this, &OverlaysController::refresh);
+    connect(session_, &session::Session::liveChanged, this, [this](int what) {
+      if (what != map::topicIndex<map::MapInfo>()) return;
+      syncMap();
+      const auto& info = session_->live().map_info;
+      const bool other = info && info->overlays_version && info->overlays_version != version_;
+      if (editing_.isOpen() && target_ && target_->robots && other && !busy_) read();
+    });
+  }
+  syncMap();
+}
+
+std::optional<OverlaysController::Target> OverlaysController::target() const {
+  if (!session_ || !session_->robot().overlayStore()) return std::nullopt;
+  const session::MapSlot& slot = session_->wholeMap();
+  const map::CatalogueEntry* const current = session_->catalogue().current();
+  const bool stored = current && current->key.kind == map::MapKind::Stored;
+  if (slot.cells() && slot.shown().key.kind != map::MapKind::Live) {
+    const map::MapKey& key = slot.shown().key;
+    if (key.kind != map::MapKind::Stored) return std::nullopt;
+    return Target{key, stored && current->key == key};
+  }
+  if (stored) return Target{current->key, true};
+  if (session_->live().map_info) return Target{{map::MapKind::Live, {}}, true};
+  return std::nullopt;
+}
+
+void OverlaysController::syncMap() {
+  const auto now = target();
+  // Unsaved changes stay on screen while the robot cannot be asked; it may come back.
+  const bool lost = session_ && !session_->robot().overlayStore() && (unsaved() || busy_);
+  if (!lost && now != target_) {
+    const bool other = !now || !target_ || now->map != target_->map;
+    if (other) closeMap();
+    target_ = now;
+    if (target_) on_map_->setMap(target_->map, target_->robots);
+    if (target_ && other) watchDrafts();
+  }
+  if (target_ && !editing_.isOpen() && !reading_ && !failure_ && wanted()) read();
+  refresh();
+}
+
+bool OverlaysController::wanted() const {
+  return context_.tools.chosen() == tool_ || dock_->isVisible() || (drafts_ && drafts_->offered());
+}
+
+void OverlaysController::closeMap() {
+  if (!target_) return;
+  ++opened_;
+  call_.cancel();
+  reading_ = read_again_ = busy_ = false;
+  failure_.reset();
+  version_.reset();
+  trouble_.clear();
+  when_saved_ = nullptr;
+  if (review_) review_->close();
+  keepDraft();
+  target_.reset();
+  editing_.close();
+}
+
+void OverlaysController::read() {
+  robot::OverlayStore* const store = session_ ? session_->robot().overlayStore() : nullptr;
+  if (!store || !target_ || busy_) return;
+  if (reading_) {
+    read_again_ = true;
+    return;
+  }
+  reading_ = true;
+  failure_.reset();
+  call_ = store->read(target_->map, [this, opened = opened_](robot::Outcome<robot::OverlayText> outcome) {
+    if (opened != opened_) return;
+    reading_ = false;
+    takeRead(std::move(outcome));
+    if (std::exchange(read_again_, false)) read();
+  });
+  refresh();
+}
+
+void OverlaysController::takeRead(robot::Outcome<robot::OverlayText> outcome) {
+  if (busy_) return refresh();  // older than what is being saved
+  if (!outcome) {
+    failure_ = outcome.error();
+    return refresh();
+  }
+  auto held = OverlayDocument::read(outcome->text);
+  if (!held) {
+    trouble_ = tr("The overlays of this map cannot be read: %1.").arg(sentences::wordsOf(held.error()));
+    failure_ =
+        map::Failure{.kind = map::FailureKind::MalformedAnswer, .subject = map::subjectOf(target_->map)};
+    return refresh();
+  }
+  trouble_.clear();
+  version_ = outcome->version;
+  if (editing_.isOpen()) {
+    takeHeld(*held);
+  } else {
+    editing_.open(std::move(*held));
+    context_.undo.setActiveStack(&editing_.undoStack());
+  }
+  refresh();
+}
+
+void OverlaysController::takeHeld(const OverlayDocument& held) {
+  const auto& document = editing_.document();
+  if (held.text() == document.base().text()) return;
+  const std::size_t before = document.changedThere().size();
+  // What was not known to be saved turns out to be.
+  if (document.unsaved() && overlays::changesBetween(document.mine(), held).empty()) editing_.noteSaved();
+  editing_.rebase(held);
+  const std::size_t now = document.changedThere().size();
+  if (now > before)
+    context_.overlay.toasts()->add(Mark::Warning, tr("Somebody else changed overlays of %1: %2.")
+                                                      .arg(mapName(), featuresText(qsizetype(now - before))));
+}
+
+void OverlaysController::setBusy(bool busy) {
+  busy_ = busy;
+  editing_.setLocked(busy);
+  refresh();
+}
+
+void OverlaysController::askToDecide() {
+  when_saved_ = nullptr;
+  context_.overlay.toasts()->add(Mark::Warning,
+                                 tr("The overlays are not saved yet: some were changed both here "
+                                    "and on the robot. Choose which version to keep."));
+  context_.panels.open(dock_);
+  dock_->showConflicts();
+}
+
+void OverlaysController::notSaved(const QString& sentence) {
+  when_saved_ = nullptr;
+  trouble_ = sentence;
+  context_.overlay.toasts()->add(Mark::Bad, sentence);
+}
+
+void OverlaysController::save() {
+  // Text still being typed counts.
+  if (QWidget* const typing = context_.window.focusWidget(); typing && dock_->isAncestorOf(typing))
+    typing->clearFocus();
+  if (busy_ || !unsaved() || !session_ || !target_) return;
+  if (review_) return review_->raise();
+  if (!editing_.document().conflicts().empty()) return askToDecide();
+  look();
+}
+
+void OverlaysController::look() {
+  robot::OverlayStore* const store = session_->robot().overlayStore();
+  if (!store) return notSaved(tr("The overlays were not saved. %1").arg(whyNot()));
+  trouble_.clear();
+  setBusy(true);
+  call_ = store->read(target_->map, [this, opened = opened_](robot::Outcome<robot::OverlayText> outcome) {
+    if (opened != opened_) return;
+    setBusy(false);
+    if (!outcome) {
+      notSaved(tr("The overlays were not saved. %1")
+                   .arg(QString::fromStdString(sentences::sentenceOf(outcome.error()))));
+      return refresh();
+    }
+    takeRead(std::move(outcome));
+    if (failure_) {
+      when_saved_ = nullptr;
+    } else if (!editing_.document().conflicts().empty()) {
+      askToDecide();
+    } else if (unsaved()) {
+      showReview();
+    } else if (const auto then = std::exchange(when_saved_, nullptr)) {
+      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+    }
+  });
+}
+
+void OverlaysController::showReview() {
+  const OverlayDocument &before = editing_.document().base(), after = editing_.document().mine();
+  QStringList changes;
+  for (const overlays::OverlayChange& change : overlays::changesBetween(before, after))
+    changes << changeText(change, before, after);
+  const qsizetype flaws = dock_->flawList()->count();
+  review_ = new OverlayReview(mapName(), context_.current.called(), changes,
+                              flaws > 0 ? tr("Some overlays have flaws: see the panel Overlays.") : QString(),
+                              &context_.window);
+  connect(review_, &QDialog::finished, this, [this, opened = opened_](int result) {
+    review_ = nullptr;
+    if (opened != opened_) return;
+    if (result == QDialog::Accepted) return send();
+    when_saved_ = nullptr;
+  });
+  review_->open();
+}
+
+void OverlaysController::send() {
+  robot::OverlayStore* const store = session_ ? session_->robot().overlayStore() : nullptr;
+  if (!store) return notSaved(tr("The overlays were not saved. %1").arg(whyNot()));
+  setBusy(true);
+  call_ = jobs::changeOverlays(*store, {target_->map, editing_.document().mine(), editing_.document().base()},
+                               [this, opened = opened_](robot::Outcome<jobs::OverlayOutcome> outcome) {
+                                 if (opened == opened_) takeOutcome(std::move(outcome));
+                               });
+}
+
+void OverlaysController::takeOutcome(robot::Outcome<jobs::OverlayOutcome> outcome) {
+  if (!outcome) {
+    const QString why = QString::fromStdString(sentences::sentenceOf(outcome.error()));
+    if (outcome.error().applied == map::Applied::No) {
+      setBusy(false);
+      notSaved(tr("The overlays were not saved. %1").arg(why));
+      return refresh();
+    }
+    notSaved(tr("It is not known whether the overlays were saved. %1").arg(why));
+    return readBack([this] {
+      if (!editing_.document().unsaved()) {
+        trouble_.clear();
+        context_.overlay.toasts()->add(Mark::Good, tr("The robot holds the overlays as they are here."));
+      }
+      refresh();
+    });
+  }
+  // What they changed just before comes below, conflicts included.
+  if (const auto held = OverlayDocument::read(outcome->before); held && !outcome->merge.theirs.empty())
+    takeHeld(*held);
+  if (!outcome->sent) {
+    setBusy(false);
+    if (!editing_.document().conflicts().empty()) return askToDecide();
+    if (!unsaved()) context_.overlay.toasts()->add(Mark::Good, tr("The robot held these overlays already."));
+    return refresh();
+  }
+  // What it did not take stays unsaved.
+  if (outcome->differs.empty()) editing_.noteSaved();
+  readBack([this, result = std::move(*outcome)] { tellOutcome(result); });
+}
+
+void OverlaysController::readBack(std::function<void()> then) {
+  robot::OverlayStore* const store = session_ ? session_->robot().overlayStore() : nullptr;
+  if (!store) {
+    setBusy(false);
+    return then();
+  }
+  call_ = store->read(target_->map, [this, then = std::move(then),
+                                     opened = opened_](robot::Outcome<robot::OverlayText> outcome) {
+    if (opened != opened_) return;
+    setBusy(false);
+    // Without an answer what is known stays.
+    if (outcome) takeRead(std::move(outcome));
+    then();
+    refresh();
+  });
+}
+
+void OverlaysController::tellOutcome(const jobs::OverlayOutcome& outcome) {
+  using Between = jobs::OverlayOutcome::Between;
+  ToastStack* const toasts = context_.overlay.toasts();
+  if (!outcome.differs.empty())
+    return notSaved(
+        tr("The robot did not keep all overlays as they were sent: %1. They are still unsaved here.")
+            .arg(overlayChangesText(qsizetype(outcome.differs.size()))));
+  trouble_.clear();
+  if (outcome.certain()) {
+    toasts->add(Mark::Good, tr("Overlays of %1 saved").arg(mapName()));
+  } else if (outcome.between == Between::Somebody) {
+    toasts->add(Mark::Warning,
+                tr("The overlays were sent, and the robot holds them. Somebody else changed them at "
+                   "the same time: what they did may be lost."));
+  } else {
+    toasts->add(Mark::Warning,
+                tr("The overlays were sent, and the robot holds them. It does not tell whether "
+                   "somebody else changed them at the same time."));
+  }
+  // Leaving ends the session, and its robot is emitting this signal.
+  const auto then = std::exchange(when_saved_, nullptr);
+  if (then && !unsaved()) QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+}
+
+void OverlaysController::takeChange() {
+  may_leave_ = false;
+  if (drafts_) drafts_->touch();
+  check();
+  refresh();
+}
+
+void OverlaysController::check() {
+  if (!editing_.isOpen()) return dock_->setFlaws({});
+  if (checking_) {
+    check_again_ = true;
+    return;
+  }
+  checking_ = true;
+  overlays::CheckOptions options;
+  const session::MapSlot& slot = session_->wholeMap();
+  const bool under =
+      slot.cells() && slot.cells()->complete() && target_ &&
+      (slot.shown().key == target_->map || (target_->robots && slot.shown().key.kind == map::MapKind::Live));
+  if (under) options.map = {slot.cells(), slot.reference(), false};
+  const double reported = placing::radiusOf(session_->live().model);
+  options.radius_m = reported > 0 ? reported : placing::kUsualRadiusM;
+  const auto document = std::make_shared<OverlayDocument>(editing_.document().mine());
+  share_.startLong([this, document, options, keys = editing_.document().keysOfMine(), opened = opened_] {
+    auto found = std::make_shared<std::vector<ShownFlaw>>();
+    for (const overlays::Flaw& flaw : overlays::flawsOf(*document, options)) {
+      if (flaw.feature >= keys.size()) continue;
+      const Feature& feature = document->features()[flaw.feature];
+      found->push_back({keys[flaw.feature],
+                        overlayCalled(feature) + QStringLiteral(": ") + sentences::sentenceOf(flaw.why),
+                        flaw.at_m});
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, found, opened] {
+          checking_ = false;
+          if (opened == opened_ && editing_.isOpen() && !check_again_) dock_->setFlaws(std::move(*found));
+          if (std::exchange(check_again_, false)) check();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+QString OverlaysController::whyNot() const {
+  if (!session_) return tr("Connect to a robot to edit the overlays of its maps.");
+  constexpr auto kEditing = robot::Capability::OverlayEditing;
+  if (!session_->robot().overlayStore())
+    return sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing));
+  if (!target_) return tr("Only stored maps have overlays. Open one in the Maps panel.");
+  if (failure_) {
+    return trouble_.isEmpty() ? tr("The overlays could not be read. %1")
+                                    .arg(QString::fromStdString(sentences::sentenceOf(*failure_)))
+                              : trouble_;
+  }
+  return reading_ ? tr("Loading the overlays.") : QString();
+}
+
+void OverlaysController::refresh() {
+  const QString sentence = whyNot();
+  dock_->setWhyNot(sentence, failure_.has_value() && !busy_);
+  QString trouble = trouble_;
+  if (trouble.isEmpty() && drafts_) trouble = drafts_->trouble();
+  if (trouble.isEmpty() && editing_.isOpen() && failure_) trouble = sentence;
+  dock_->setSaving(busy_, editing_.isOpen() ? trouble : QString());
+  dock_->setOffer(drafts_ && editing_.isOpen() ? drafts_->offer() : QString());
+  tool_->setWhyNot(sentence);
+  const bool usable = target_.has_value();
+  allow(tool_action_, usable, sentence);
+  if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
+  const bool changed = was_unsaved_ != unsaved() || could_save_ != maySave();
+  was_unsaved_ = unsaved();
+  could_save_ = maySave();
+  if (changed) Q_EMIT unsavedChanged();
+}
+
+void OverlaysController::watchDrafts() {
+  drafts_.reset();
+  may_leave_ = false;
+  if (context_.edit.drafts_folder.isEmpty()) return;
+  drafts_ = std::make_unique<OverlayDrafts>(
+      edit::DraftIdentity{session_->robot().address(), QString::fromStdString(map::toText(target_->map)),
+                          QStringLiteral("overlays")},
+      context_.edit,
+      [this]() -> std::optional<OverlayDraft> {
+        if (!unsaved()) return std::nullopt;
+        return OverlayDraft{{}, editing_.document().base(), editing_.document().mine()};
+      },
+      context_.workers);
+  connect(drafts_.get(), &OverlayDrafts::changed, this, [this] {
+    syncMap();  // they are read for it
+    if (drafts_->offered())
+      context_.overlay.toasts()->add(Mark::Neutral, drafts_->offer(),
+                                     {tr("Show"), [this] { context_.panels.open(dock_); }});
+  });
+  connect(drafts_.get(), &OverlayDrafts::remarked, this,
+          [this](const QString& sentence) { context_.overlay.toasts()->add(Mark::Warning, sentence); });
+}
+
+/// Unsaved changes stay as a draft; if that is impossible the user has to know.
+void OverlaysController::keepDraft() {
+  if (!drafts_) return;
+  const bool any = unsaved();
+  if (const auto trouble = drafts_->keep(); trouble && any)
+    context_.overlay.toasts()->add(
+        Mark::Bad, tr("The changes to the overlays are lost. %1").arg(sentences::wordsOf(*trouble)));
+  drafts_.reset();
+}
+
+void OverlaysController::takeDraft() {
+  if (!drafts_ || !drafts_->offered() || !editing_.editable()) return;
+  const OverlayDraft draft = drafts_->take();
+  editing_.takeUp(draft.base, draft.mine, tr("restore the draft"));
+  if (!editing_.document().conflicts().empty()) {
+    context_.panels.open(dock_);
+    dock_->showConflicts();
+  }
+}
+
+void OverlaysController::copy() {
+  const std::string copied = editing_.copied();
+  if (copied.empty()) return;
+  QGuiApplication::clipboard()->setText(QString::fromStdString(copied));
+  context_.overlay.toasts()->add(Mark::Good,
+                                 tr("Copied: %1").arg(featuresText(qsizetype(editing_.selected().size()))));
+}
+
+void OverlaysController::paste(const Eigen::Vector2d& at_m) {
+  if (!editing_.editable()) return;
+  if (!editing_.paste(QGuiApplication::clipboard()->text().toStdString(), at_m))
+    context_.overlay.toasts()->add(Mark::Warning, tr("The clipboard contains no overlays."));
+}
+
+void OverlaysController::locate(FeatureKey key) {
+  const Feature* const feature = editing_.find(key);
+  if (!feature) return;
+  geometry::WorldRect around;
+  for (const overlays::Path& path : overlays::shapesOf(*feature).paths) {
+    for (const Eigen::Vector2d& point : path.points) around.extend(point);
+  }
+  if (!around.empty()) context_.view.fit(around.grown(kAroundM), true);
+}
+
+QString OverlaysController::mapName() const {
+  if (!session_ || !target_) return {};
+  const map::CatalogueEntry* const entry = session_->catalogue().find(target_->map);
+  if (entry) return mapCalled(QString::fromStdString(entry->name), target_->map);
+  const auto& info = session_->live().map_info;
+  return mapCalled(target_->robots && info ? QString::fromStdString(info->name) : session_->wholeMap().name(),
+                   target_->map);
+}
+
+void OverlaysController::beforeLeaving(std::function<void()> then) {
+  if (QWidget* const typing = context_.window.focusWidget(); typing && dock_->isAncestorOf(typing))
+    typing->clearFocus();
+  if (!unsaved() || may_leave_) return then();
+  when_left_ = std::move(then);
+  if (question_) return question_->raise();
+  question_ =
+      askToLeave(this, &context_.window, tr("Overlays are not saved"),
+                 tr("Overlays of %1: %2 not saved.")
+                     .arg(mapName(), overlayChangesText(qsizetype(editing_.document().unsavedCount()))),
+                 drafts_ != nullptr, [this](Leaving leaving) {
+                   question_ = nullptr;
+                   answer(leaving);
+                 });
+}
+
+void OverlaysController::answer(Leaving leaving) {
+  const auto then = std::exchange(when_left_, nullptr);
+  if (!then || !editing_.isOpen()) return;
+  switch (leaving) {
+    case Leaving::Save:
+      when_saved_ = then;
+      return save();
+    case Leaving::Discard:
+      if (!editing_.editable()) return;  // it is being sent
+      editing_.revert();
+      return then();
+    case Leaving::Keep:
+      if (!drafts_) return;
+      if (const auto trouble = drafts_->keep()) {
+        context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
+        return;
+      }
+      may_leave_ = true;
+      return then();
+    case Leaving::Stay:
+      return;
+  }
+}
+
+}  // namespace mapwright::window
+
+#include "moc_overlays_controller.cpp"

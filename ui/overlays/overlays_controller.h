@@ -1,0 +1,114 @@
+// Editing the overlays of the map on screen: reading them, the tool, the dock, the review, saving, what
+// others change meanwhile, drafts, and what is asked before the map is left.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <QMessageBox>
+#include <QPointer>
+
+#include "jobs/change_overlays.h"
+#include "robot/overlay_store.h"
+#include "ui/kit/controller.h"
+#include "ui/overlays/overlay_editing.h"
+#include "ui/overlays/overlays_on_map.h"
+#include "ui/shell/unsaved_question.h"
+#include "ui/shell/window_context.h"
+#include "work/workers.h"
+
+namespace mapwright::window {
+
+class OverlayDrafts;
+class OverlayReview;
+class OverlaysDock;
+class OverlayTool;
+
+class OverlaysController : public Controller {
+  Q_OBJECT
+ public:
+  explicit OverlaysController(WindowContext& context, QObject* parent = nullptr);
+  ~OverlaysController() override;
+
+  void setSession(session::Session* session) override;
+  bool unsaved() const override { return editing_.isOpen() && editing_.document().unsaved(); }
+  bool maySave() const override { return unsaved() && !busy_; }
+  /// Looks at what the robot holds, and shows the review.
+  void save() override;
+  void beforeLeaving(std::function<void()> then) override;
+
+  OverlayEditing* editing() { return &editing_; }
+  OverlayTool* tool() const { return tool_; }
+  OverlaysDock* dock() const { return dock_; }
+  OverlayReview* review() const;                       // null: none is open
+  QMessageBox* question() const { return question_; }  // null: nothing is asked
+  /// Something is on its way to or from the robot that has to end first.
+  bool busy() const { return busy_; }
+  /// The flaws shown are those of the overlays as they are.
+  bool checked() const { return !checking_ && !check_again_; }
+
+ private:
+  /// Whose overlays can be edited now.
+  struct Target {
+    map::MapKey map;
+    bool robots = false;  // the robot is in it
+    bool operator==(const Target&) const = default;
+  };
+  void addActions();
+  std::optional<Target> target() const;
+  void syncMap();
+  void closeMap();
+  bool wanted() const;
+  void read();
+  void takeRead(robot::Outcome<robot::OverlayText> outcome);
+  /// What the robot holds now comes below what is here.
+  void takeHeld(const overlays::OverlayDocument& held);
+  void look();
+  void showReview();
+  void send();
+  void takeOutcome(robot::Outcome<jobs::OverlayOutcome> outcome);
+  void tellOutcome(const jobs::OverlayOutcome& outcome);
+  /// Once more, after sending.
+  void readBack(std::function<void()> then);
+  void setBusy(bool busy);
+  void notSaved(const QString& sentence);
+  void askToDecide();
+  void takeChange();
+  void check();
+  void refresh();
+  QString whyNot() const;
+  void watchDrafts();
+  void keepDraft();
+  void takeDraft();
+  void answer(Leaving leaving);
+  void copy();
+  void paste(const Eigen::Vector2d& at_m);
+  void locate(FeatureKey key);
+  QString mapName() const;
+
+  WindowContext& context_;
+  QPointer<session::Session> session_;
+  OverlayEditing editing_;
+  OverlaysOnMap* on_map_;
+  OverlayTool* tool_;
+  OverlaysDock* dock_;
+  QAction* tool_action_ = nullptr;
+  std::optional<Target> target_;
+  robot::Call call_;
+  bool reading_ = false, read_again_ = false, busy_ = false;
+  std::optional<map::Failure> failure_;  // of the last reading
+  std::optional<int> version_;           // that was read last
+  QString trouble_;                      // of saving
+  bool was_unsaved_ = false, could_save_ = false, may_leave_ = false;
+  quint64 opened_ = 0;  // counts maps: results about earlier ones are ignored
+  std::unique_ptr<OverlayDrafts> drafts_;
+  QPointer<QMessageBox> question_;
+  QPointer<OverlayReview> review_;
+  std::function<void()> when_left_, when_saved_;
+  bool checking_ = false, check_again_ = false;
+  work::Tasks share_;  // last
+};
+
+}  // namespace mapwright::window
