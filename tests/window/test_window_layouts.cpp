@@ -437,7 +437,8 @@ class TestWindowLayouts : public QObject {
       auto* const columns = table->findChild<NameColumn*>({}, Qt::FindDirectChildrenOnly);
       if (!columns) {
         // Every column there is a number.
-        const QStringList numbers{QStringLiteral("Projections"), QStringLiteral("Pairs of points")};
+        const QStringList numbers{QStringLiteral("Projections"), QStringLiteral("Pairs of points"),
+                                  QStringLiteral("Points of the overlay")};
         QVERIFY2(numbers.contains(table->accessibleName()), qPrintable(table->accessibleName()));
         continue;
       }

@@ -149,7 +149,7 @@ class TestWindowParts : public QObject {
              QStringLiteral("undo redo - save - waypointTool * snap * * renameWaypoints duplicateWaypoints "
                             "selectAllWaypoints "
                             "invertWaypoints nextWarning revertWaypoints pictureTool pictureCopies "
-                            "copyWaypoints pasteWaypoints "
+                            "overlayTool copyWaypoints pasteWaypoints "
                             "importWaypoints exportWaypoints"));
     QCOMPARE(
         idsOf(menuCalled(bar, "&Map")->actions()).join(QLatin1Char(' ')),
@@ -195,9 +195,11 @@ class TestWindowParts : public QObject {
         QStringLiteral("* record - modeSubmaps modeWhole modeBoth compare - pan measure - fit native follow "
                        "northUp - grid showIds showOutlines - goTo screenshotSave * layoutOperate "
                        "layoutInspect layoutReplay - palette"));
-    QCOMPARE(shown("layoutOperate"),
-             QStringLiteral("* record - pan measure waypointTool pictureTool - undo redo save - fit follow - "
-                            "goTo * layoutOperate layoutInspect layoutReplay - palette"));
+    QCOMPARE(
+        shown("layoutOperate"),
+        QStringLiteral(
+            "* record - pan measure waypointTool pictureTool overlayTool - undo redo save - fit follow - "
+            "goTo * layoutOperate layoutInspect layoutReplay - palette"));
     QCOMPARE(
         shown("layoutReplay"),
         QStringLiteral("* - modeSubmaps modeWhole modeBoth - pan measure - fit follow - screenshotSave * "

@@ -26,6 +26,7 @@ QPixmap drawn(const QString& name, const QSize& size, double ratio, const QColor
                           .arg(ratio)
                           .arg(color.rgba(), 0, 16);
   QPixmap pixmap;
+  if (size.isEmpty()) return pixmap;  // of a button that has no room yet
   if (QPixmapCache::find(key, &pixmap)) return pixmap;
   pixmap = QPixmap(size * ratio);
   pixmap.fill(Qt::transparent);

@@ -84,7 +84,8 @@ QString overlayName(const Feature& feature) {
 QString overlayCalled(const Feature& feature) {
   const QString kind = overlayKind(feature).toLower();
   const QString name = words::plainName(feature.name()).left(kLongestShown);
-  return name.isEmpty() ? kind : OverlayText::tr("%1 %2", "kind and name").arg(kind, name);
+  return name.isEmpty() || name.toLower() == kind ? kind
+                                                  : OverlayText::tr("%1 %2", "kind and name").arg(kind, name);
 }
 
 QString featuresText(qsizetype count) {

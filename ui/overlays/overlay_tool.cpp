@@ -630,9 +630,8 @@ QString OverlayTool::hint() const {
   if (editing_->selected().empty())
     return tr(
         "Click an overlay to select it, drag to move it, Shift and drag to select several. Esc leaves.");
-  return tr("%1: drag or use the arrows to move, drag the round handle to turn, Delete deletes. Esc "
-            "deselects.")
-      .arg(featuresText(qsizetype(editing_->selected().size())));
+  return editing_->saying(tr(
+      "%1: drag or use the arrows to move, drag the round handle to turn, Delete deletes. Esc deselects."));
 }
 
 }  // namespace mapwright::window

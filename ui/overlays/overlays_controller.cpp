@@ -143,7 +143,11 @@ std::optional<OverlaysController::Target> OverlaysController::target() const {
     return Target{key, stored && current->key == key};
   }
   if (stored) return Target{current->key, true};
-  if (session_->live().map_info) return Target{{map::MapKind::Live, {}}, true};
+  // The robot may be in a map that it has not stored.
+  const session::Catalogue& catalogue = session_->catalogue();
+  const bool known = !catalogue.offered() || catalogue.asOf() || catalogue.failure();
+  const auto& info = session_->live().map_info;
+  if (known && info) return Target{{map::MapKind::Live, {}}, true, info->uid};
   return std::nullopt;
 }
 
@@ -152,7 +156,7 @@ void OverlaysController::syncMap() {
   // Unsaved changes stay on screen while the robot cannot be asked; it may come back.
   const bool lost = session_ && !session_->robot().overlayStore() && (unsaved() || busy_);
   if (!lost && now != target_) {
-    const bool other = !now || !target_ || now->map != target_->map;
+    const bool other = !now || !target_ || now->map != target_->map || now->uid != target_->uid;
     if (other) closeMap();
     target_ = now;
     if (target_) on_map_->setMap(target_->map, target_->robots);
@@ -277,7 +281,7 @@ void OverlaysController::look() {
     setBusy(false);
     if (!outcome) {
       notSaved(tr("The overlays were not saved. %1")
-                   .arg(QString::fromStdString(sentences::sentenceOf(outcome.error()))));
+                   .arg(QString::fromStdString(sentences::whyOf(outcome.error()))));
       return refresh();
     }
     takeRead(std::move(outcome));
@@ -298,10 +302,10 @@ void OverlaysController::showReview() {
   QStringList changes;
   for (const overlays::OverlayChange& change : overlays::changesBetween(before, after))
     changes << changeText(change, before, after);
-  const qsizetype flaws = dock_->flawList()->count();
-  review_ = new OverlayReview(mapName(), context_.current.called(), changes,
-                              flaws > 0 ? tr("Some overlays have flaws: see the panel Overlays.") : QString(),
-                              &context_.window);
+  review_ = new OverlayReview(
+      mapName(), context_.current.called(), changes,
+      dock_->hasUnsavedFlaws() ? tr("Some of these have flaws: see the panel Overlays.") : QString(),
+      &context_.window);
   connect(review_, &QDialog::finished, this, [this, opened = opened_](int result) {
     review_ = nullptr;
     if (opened != opened_) return;
@@ -323,19 +327,17 @@ void OverlaysController::send() {
 
 void OverlaysController::takeOutcome(robot::Outcome<jobs::OverlayOutcome> outcome) {
   if (!outcome) {
-    const QString why = QString::fromStdString(sentences::sentenceOf(outcome.error()));
+    const QString why = QString::fromStdString(sentences::whyOf(outcome.error()));
     if (outcome.error().applied == map::Applied::No) {
       setBusy(false);
       notSaved(tr("The overlays were not saved. %1").arg(why));
       return refresh();
     }
-    notSaved(tr("It is not known whether the overlays were saved. %1").arg(why));
-    return readBack([this] {
-      if (!editing_.document().unsaved()) {
-        trouble_.clear();
-        context_.overlay.toasts()->add(Mark::Good, tr("The robot holds the overlays as they are here."));
-      }
-      refresh();
+    return readBack([this, why] {
+      if (unsaved()) return notSaved(tr("It is not known whether the overlays were saved. %1").arg(why));
+      context_.overlay.toasts()->add(Mark::Good, tr("The robot holds the overlays as they are here."));
+      if (const auto then = std::exchange(when_saved_, nullptr))
+        QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
     });
   }
   // What they changed just before comes below, conflicts included.
@@ -444,7 +446,7 @@ QString OverlaysController::whyNot() const {
   if (!target_) return tr("Only stored maps have overlays. Open one in the Maps panel.");
   if (failure_) {
     return trouble_.isEmpty() ? tr("The overlays could not be read. %1")
-                                    .arg(QString::fromStdString(sentences::sentenceOf(*failure_)))
+                                    .arg(QString::fromStdString(sentences::whyOf(*failure_)))
                               : trouble_;
   }
   return reading_ ? tr("Loading the overlays.") : QString();

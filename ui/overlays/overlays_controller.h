@@ -53,7 +53,8 @@ class OverlaysController : public Controller {
   /// Whose overlays can be edited now.
   struct Target {
     map::MapKey map;
-    bool robots = false;  // the robot is in it
+    bool robots = false;   // the robot is in it
+    std::string uid = {};  // of one that is not stored
     bool operator==(const Target&) const = default;
   };
   void addActions();

@@ -177,6 +177,7 @@ void OverlaysDock::buildTable() {
   connect(table_, &QWidget::customContextMenuRequested, this, &OverlaysDock::showMenu);
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
+  header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   header->setMinimumSectionSize(26);
   const auto wide = [&](const QString& sample) { return fontMetrics().horizontalAdvance(sample) + 32; };
   header->resizeSection(OverlaysModel::TypeColumn, wide(tr("Forbidden region")));
@@ -259,6 +260,11 @@ void OverlaysDock::setFlaws(std::vector<ShownFlaw> flaws) {
   model_->setFlawed(std::move(keys));
   tabs_->setTabText(2, flaws_.empty() ? tr("Flaws") : tr("Flaws (%1)").arg(flaws_.size()));
   tabs_->setTabEnabled(2, !flaws_.empty());
+}
+
+bool OverlaysDock::hasUnsavedFlaws() const {
+  return std::any_of(flaws_.begin(), flaws_.end(),
+                     [this](const ShownFlaw& flaw) { return editing_->document().isUnsaved(flaw.key); });
 }
 
 void OverlaysDock::refreshMode() {

@@ -46,6 +46,8 @@ class OverlaysDock : public QDockWidget {
   /// An earlier draft; empty = none.
   void setOffer(const QString& sentence);
   void setFlaws(std::vector<ShownFlaw> flaws);
+  /// Of what would be saved.
+  bool hasUnsavedFlaws() const;
 
   QToolButton* modeButton(OverlayMode mode) const { return modes_[std::size_t(mode)]; }
   QComboBox* newTypePicker() const { return new_type_; }

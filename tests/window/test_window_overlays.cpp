@@ -1,0 +1,502 @@
+// Editing the overlays of a map in the window, on the simulated robot: by hand on the map, in the list and
+// the form, undoing, saving after a review, what others change meanwhile, drafts, leaving.
+#include <QClipboard>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTableView>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QUndoGroup>
+#include <QtTest>
+
+#include "overlays/overlay_shapes.h"
+#include "robot/axbot/axbot_address.h"
+#include "robot/axbot/axbot_robot.h"
+#include "robot/overlay_store.h"
+#include "simulator/simulator.h"
+#include "test_program.h"
+#include "ui/overlays/overlay_drafts.h"
+#include "ui/overlays/overlay_form.h"
+#include "ui/overlays/overlay_review.h"
+#include "ui/overlays/overlay_tool.h"
+#include "ui/overlays/overlays_controller.h"
+#include "ui/overlays/overlays_dock.h"
+#include "ui/overlays/overlays_model.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/map_view.h"
+#include "ui/view/toast_stack.h"
+#include "window/main_window.h"
+#include "window_parts.h"
+
+namespace test_window_overlays {
+
+using namespace mapwright;
+using namespace mapwright::window;
+using overlays::OverlayDocument;
+using overlays::Shape;
+
+namespace {
+
+constexpr const char* kOverlays =
+    R"({"type":"FeatureCollection", "future": 1.50, "features":[
+{"id":"w1","type":"Feature","geometry":{"type":"LineString","coordinates":[[0.00,0],[4,0]]},"properties":{"lineType":"2","name":"W17"}},
+{"id":"r1","type":"Feature","geometry":{"type":"Polygon","coordinates":[[[1,2],[3,2],[3,4],[1,4],[1,2]]]},"properties":{"regionType":2,"name":"Lab","speed":0.40}},
+{"id":"p1","type":"Feature","geometry":{"type":"Point","coordinates":[-2,1,0.5]},"properties":{"type":"25","yaw":"90","name":"Desk"}}]})";
+
+struct Desk {
+  Desk() : settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat), sim(options()) {
+    if (sim.start()) qFatal("no simulator");
+    other = makeRobot();
+    QVERIFY(hand(kOverlays));
+  }
+  ~Desk() { window.reset(); }
+  static simulator::Options options() {
+    simulator::Options options;
+    options.paused = true;
+    return options;
+  }
+  std::unique_ptr<robot::Robot> makeRobot() {
+    robot::axbot::LinkOptions link;
+    link.base = QUrl(QStringLiteral("http://127.0.0.1:%1").arg(sim.port()));
+    return std::make_unique<robot::axbot::AxbotRobot>(QString::fromStdString(sim.address()), link);
+  }
+
+  /// Somebody else replaces the overlays of map 1.
+  bool hand(const std::string& text) {
+    std::optional<bool> done;
+    other->overlayStore()->write({map::MapKind::Stored, "1"}, text,
+                                 [&](robot::Outcome<robot::OverlayText> outcome) { done = bool(outcome); });
+    return QTest::qWaitFor([&] { return done.has_value(); }) && *done;
+  }
+  /// What the robot holds.
+  std::string held() {
+    std::optional<std::string> text;
+    other->overlayStore()->read({map::MapKind::Stored, "1"}, [&](robot::Outcome<robot::OverlayText> outcome) {
+      text = outcome ? outcome->text : std::string();
+    });
+    (void)QTest::qWaitFor([&] { return text.has_value(); });
+    return text.value_or("");
+  }
+  /// The text that the robot held at first, with `from` replaced.
+  static std::string with(const std::string& from, const std::string& to) {
+    std::string text = kOverlays;
+    const auto at = text.find(from);
+    if (at == std::string::npos) qFatal("no %s", from.c_str());
+    return text.replace(at, from.size(), to);
+  }
+
+  void start() {
+    window.reset();
+    MainWindow::Dependencies wanted{
+        [this](const QString&, const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
+          return makeRobot();
+        },
+        settings};
+    wanted.addresses = robot::Addresses({robot::axbot::addressScheme()});
+    if (keeps_drafts) wanted.edit.drafts_folder = folder.filePath(QStringLiteral("drafts"));
+    window = std::make_unique<MainWindow>(std::move(wanted));
+    window->resize(1900, 1050);
+    window->show();
+    window->view()->setAnimationMs(0);
+    (void)QTest::qWaitForWindowActive(window.get());
+    QVERIFY(!window->connectTo(QString::fromStdString(sim.address())));
+    QTRY_VERIFY(action("overlayTool")->isEnabled());
+  }
+  /// The tool is in the hand, with 50 pixels a metre.
+  void open() {
+    start();
+    QTest::keyClick(window->view(), Qt::Key_E);
+    QCOMPARE(window->view()->tool(), static_cast<MapTool*>(control().tool()));
+    QTRY_VERIFY(editing().isOpen());
+    QTRY_COMPARE(document().size(), std::size_t(3));
+    QCoreApplication::processEvents();  // the dock has opened
+    look();
+  }
+  void look() {
+    geometry::ViewTransform camera = window->mapScene()->view();
+    camera.center_m = {1, 1};
+    camera.scale_m_per_px = 0.02;
+    camera.rotation_rad = 0;
+    window->view()->moveTo(camera, false);
+  }
+
+  OverlaysController& control() { return *part<OverlaysController>(*window); }
+  OverlayEditing& editing() { return *control().editing(); }
+  const overlays::EditingDocument& document() { return editing().document(); }
+  OverlaysDock& dock() { return *control().dock(); }
+  QAction* action(const char* id) { return window->actionList().find(QLatin1String(id)); }
+  QStringList toasts() { return part<MapOverlay>(*window)->toasts()->texts(); }
+  bool says(const char* part_of_it) {
+    return toasts().join(QLatin1Char('\n')).contains(QLatin1String(part_of_it));
+  }
+  QWidget* map() { return window->view()->viewport(); }
+  QPoint px(double x, double y) {
+    const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld({x, y});
+    return {qRound(at.x()), qRound(at.y())};
+  }
+  void moveTo(const QPoint& at, bool pressed = true) {
+    QMouseEvent move(QEvent::MouseMove, at, map()->mapToGlobal(at), Qt::NoButton,
+                     pressed ? Qt::LeftButton : Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(map(), &move);
+  }
+  void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {}) {
+    QTest::mousePress(map(), Qt::LeftButton, keys, from);
+    moveTo((from + to) / 2);
+    moveTo(to);
+    QTest::mouseRelease(map(), Qt::LeftButton, keys, to);
+  }
+  void click(const QPoint& at, Qt::KeyboardModifiers keys = {}) {
+    QTest::mouseClick(map(), Qt::LeftButton, keys, at);
+  }
+  void key(Qt::Key key, Qt::KeyboardModifiers keys = {}) { QTest::keyClick(window->view(), key, keys); }
+  std::string coordinates(FeatureKey key) { return std::string(editing().find(key)->coordinates()->text()); }
+  std::vector<Eigen::Vector2d> points(FeatureKey key) {
+    return overlays::verticesOf(*editing().find(key)).at(0);
+  }
+  QString stateOf(FeatureKey key) {
+    return dock().model()->indexOf(key).siblingAtColumn(OverlaysModel::StateColumn).data().toString();
+  }
+  void type(QLineEdit* edit, const char* text) {
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, QLatin1String(text));
+    QTest::keyClick(edit, Qt::Key_Return);
+  }
+  /// Up to the review.
+  void review() {
+    action("save")->trigger();
+    QTRY_VERIFY(control().review());
+  }
+  void save() {
+    review();
+    QTest::mouseClick(control().review()->saveButton(), Qt::LeftButton);
+    QTRY_VERIFY(!control().busy() && !control().review());
+  }
+
+  QTemporaryDir folder;
+  QSettings settings;
+  simulator::Simulator sim;
+  std::unique_ptr<robot::Robot> other;
+  std::unique_ptr<MainWindow> window;
+  bool keeps_drafts = false;
+};
+
+bool near(const Eigen::Vector2d& a, double x, double y) { return (a - Eigen::Vector2d(x, y)).norm() < 0.03; }
+
+}  // namespace
+
+class TestWindowOverlays : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void whatIsDraggedIsMovedAndNothingElse() {
+    Desk desk;
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    QCOMPARE(desk.editing().selected(), std::set<FeatureKey>{0});
+    QVERIFY(near(desk.points(0)[0], 0, 1) && near(desk.points(0)[1], 4, 1));
+    QVERIFY(desk.control().unsaved() && desk.action("save")->isEnabled());
+    QCOMPARE(desk.stateOf(0), QStringLiteral("changed, unsaved"));
+    QCOMPARE(desk.stateOf(1), QStringLiteral("saved"));
+    desk.review();
+    QCOMPARE(desk.control().review()->changesShown(), QStringList{QStringLiteral("Move virtual wall W17")});
+    QTest::mouseClick(desk.control().review()->saveButton(), Qt::LeftButton);
+    QTRY_VERIFY(!desk.control().busy() && !desk.control().unsaved());
+    QVERIFY(desk.says("saved"));
+    QCOMPARE(desk.held(), Desk::with("[[0.00,0],[4,0]]", desk.coordinates(0)));
+    QCOMPARE(desk.stateOf(0), QStringLiteral("saved"));
+    // Undone after saving, it is to be saved again.
+    desk.action("undo")->trigger();
+    QVERIFY(desk.control().unsaved());
+    desk.save();
+    QCOMPARE(desk.held(), std::string(kOverlays));
+  }
+
+  void verticesAreDraggedInsertedAndDeleted() {
+    Desk desk;
+    desk.open();
+    desk.click(desk.px(2, 3));
+    QCOMPARE(desk.editing().selected(), std::set<FeatureKey>{1});
+    desk.drag(desk.px(3, 4), desk.px(3.5, 4));
+    QVERIFY(near(desk.points(1)[2], 3.5, 4));
+    desk.drag(desk.px(2, 2), desk.px(2, 1.5));  // the middle of a side
+    QCOMPARE(desk.points(1).size(), std::size_t(5));
+    QVERIFY(near(desk.points(1)[1], 2, 1.5));
+    QVERIFY(desk.control().tool()->vertex().has_value());
+    desk.key(Qt::Key_Delete);
+    QCOMPARE(desk.points(1).size(), std::size_t(4));
+    for (int i = 0; i < 3; ++i) desk.action("undo")->trigger();
+    QCOMPARE(desk.document().mine().text(), std::string(kOverlays));
+    QVERIFY(!desk.control().unsaved());
+  }
+
+  void pointsAreTurnedByTheirHandle() {
+    Desk desk;
+    desk.open();
+    desk.click(desk.px(-2, 1));
+    QCOMPARE(desk.editing().only(), std::optional<FeatureKey>(2));
+    const auto grip = desk.control().tool()->handle();
+    QVERIFY(grip);
+    desk.drag(grip->toPoint(), desk.px(-4, 1));
+    QVERIFY(std::abs(*overlays::yawOf(*desk.editing().find(2))) > 179);
+    QCOMPARE(desk.editing().find(2)->property("yaw")->kind(), overlays::JsonKind::String);
+    QCOMPARE(desk.coordinates(2), std::string("[-2,1,0.5]"));
+    QVERIFY(std::abs(desk.dock().form()->yawBox()->value()) > 179);
+  }
+
+  void severalAreSelectedByAFrameMovedAndDeleted() {
+    Desk desk;
+    desk.open();
+    desk.drag(desk.px(-3, 5), desk.px(5, -1), Qt::ShiftModifier);
+    QCOMPARE(desk.editing().selected().size(), std::size_t(3));
+    for (int i = 0; i < 3; ++i) desk.key(Qt::Key_Right);
+    QVERIFY(near(desk.points(0)[0], 0.15, 0));
+    QCOMPARE(desk.document().steps(), std::size_t(1));
+    desk.key(Qt::Key_Delete);
+    QVERIFY(!desk.document().find(0) && !desk.document().find(1) && !desk.document().find(2));
+    QCOMPARE(desk.dock().model()->rowCount(), 3);  // until that is saved
+    desk.action("undo")->trigger();
+    desk.action("undo")->trigger();
+    QVERIFY(!desk.control().unsaved());
+  }
+
+  void newOnesAreDrawn() {
+    Desk desk;
+    desk.open();
+    QTest::mouseClick(desk.dock().modeButton(OverlayMode::Line), Qt::LeftButton);
+    desk.click(desk.px(0, -2));
+    desk.click(desk.px(2, -2));
+    desk.click(desk.px(2, -3));
+    desk.key(Qt::Key_Backspace);
+    desk.key(Qt::Key_Return);
+    const auto line = desk.editing().only();
+    QVERIFY(line && desk.editing().find(*line)->shape() == Shape::Line && desk.points(*line).size() == 2);
+    QCOMPARE(std::string(desk.editing().find(*line)->property("lineType")->text()), std::string("\"2\""));
+    QCOMPARE(desk.editing().find(*line)->id().size(), std::size_t(24));
+
+    QTest::mouseClick(desk.dock().modeButton(OverlayMode::Polygon), Qt::LeftButton);
+    desk.dock().newTypePicker()->setCurrentIndex(desk.dock().newTypePicker()->findData(12));
+    Q_EMIT desk.dock().newTypePicker()->activated(desk.dock().newTypePicker()->currentIndex());
+    desk.click(desk.px(-1, -2));
+    desk.click(desk.px(-2, -2));
+    desk.click(desk.px(-2, -3));
+    QTest::mouseDClick(desk.map(), Qt::LeftButton, {}, desk.px(-2, -3));
+    const auto region = desk.editing().only();
+    QVERIFY(region && desk.editing().find(*region)->type() == 12 && desk.points(*region).size() == 3);
+
+    QTest::mouseClick(desk.dock().modeButton(OverlayMode::Rectangle), Qt::LeftButton);
+    desk.drag(desk.px(4, 3), desk.px(5, 5));
+    QCOMPARE(desk.points(*desk.editing().only()).size(), std::size_t(4));
+    QTest::mouseClick(desk.dock().modeButton(OverlayMode::Point), Qt::LeftButton);
+    desk.click(desk.px(-3, 3));
+    QVERIFY(desk.editing().find(*desk.editing().only())->shape() == Shape::Point);
+    QCOMPARE(desk.document().unsavedCount(), std::size_t(4));
+
+    // Esc leads out, step by step.
+    desk.key(Qt::Key_Escape);
+    QVERIFY(desk.control().tool()->mode() == OverlayMode::Select);
+    desk.key(Qt::Key_Escape);
+    QVERIFY(desk.editing().selected().empty());
+    desk.key(Qt::Key_Escape);
+    QVERIFY(desk.window->view()->tool() != desk.control().tool());
+    desk.save();
+    QCOMPARE(OverlayDocument::read(desk.held())->features().size(), std::size_t(7));
+  }
+
+  void theFormSetsOneValueAtATime() {
+    Desk desk;
+    desk.open();
+    desk.editing().select({1});
+    OverlayForm& form = *desk.dock().form();
+    QCOMPARE(form.nameEdit()->text(), QStringLiteral("Lab"));
+    desk.type(form.nameEdit(), "Lab 2");
+    form.typePicker()->setCurrentIndex(form.typePicker()->findData(1));
+    Q_EMIT form.typePicker()->activated(form.typePicker()->currentIndex());
+    QCOMPARE(form.properties()->rowCount(), 1);
+    form.properties()->item(0, 1)->setText(QStringLiteral("0.4"));  // the same
+    form.properties()->item(0, 1)->setText(QStringLiteral("fast"));
+    QVERIFY(!form.problemShown().isEmpty());
+    QCOMPARE(form.properties()->item(0, 1)->text(), QStringLiteral("0.40"));
+    form.properties()->item(0, 1)->setText(QStringLiteral("0.25"));
+    QVERIFY(form.problemShown().isEmpty());
+    desk.type(form.newKeyEdit(), "mac");
+    QCOMPARE(desk.document().mine().text(),
+             Desk::with(R"("regionType":2,"name":"Lab","speed":0.40)",
+                        R"("regionType":1,"name":"Lab 2","speed":0.25,"mac":"")"));
+    form.properties()->setCurrentCell(1, 0);
+    QTest::mouseClick(form.removeButton(), Qt::LeftButton);
+    QVERIFY(!desk.editing().find(1)->property("mac"));
+    desk.dock().points()->table()->item(0, 1)->setText(QStringLiteral("2,5"));
+    QCOMPARE(desk.coordinates(1), std::string("[[[1,2.5],[3,2],[3,4],[1,4],[1,2.5]]]"));
+    QTest::mouseClick(desk.dock().discardButton(), Qt::LeftButton);
+    QVERIFY(!desk.control().unsaved());
+    desk.action("undo")->trigger();
+    QVERIFY(desk.control().unsaved());
+  }
+
+  void theListFindsSelectsCopiesAndDeletes() {
+    Desk desk;
+    desk.open();
+    OverlaysDock& dock = desk.dock();
+    dock.filterEdit()->setText(QStringLiteral("slow"));
+    QCOMPARE(dock.table()->model()->rowCount(), 1);
+    QTest::mouseClick(dock.table()->viewport(), Qt::LeftButton, {},
+                      dock.table()->visualRect(dock.table()->model()->index(0, 0)).center());
+    QCOMPARE(desk.editing().selected(), std::set<FeatureKey>{1});
+    QTest::keyClick(dock.table(), Qt::Key_C, Qt::ControlModifier);
+    dock.filterEdit()->clear();
+    QTest::keyClick(dock.table(), Qt::Key_V, Qt::ControlModifier);
+    const auto copy = desk.editing().only();
+    QVERIFY(copy && *copy == 3);
+    QCOMPARE(desk.editing().find(3)->name(), std::string("Lab 2"));
+    QVERIFY(near(desk.points(3)[0], 0, 0));  // around the middle of the view
+    QCOMPARE(std::string(desk.editing().find(3)->property("speed")->text()), std::string("0.40"));
+    desk.editing().duplicateSelected();
+    QCOMPARE(desk.editing().find(4)->name(), std::string("Lab 2 2"));
+    QTest::keyClick(dock.table(), Qt::Key_Delete);
+    QVERIFY(!desk.document().find(4));
+    dock.stateChoice()->setCurrentIndex(1);
+    QCOMPARE(dock.table()->model()->rowCount(), 1);
+  }
+
+  void flawsAreToldWhileEditing() {
+    Desk desk;
+    desk.open();
+    QTRY_VERIFY(desk.control().checked());
+    desk.editing().set(0, overlays::withVertexAt(*desk.editing().find(0), {0, 1}, {0, 0}),
+                       QStringLiteral("x"));
+    QTRY_VERIFY(desk.control().checked());
+    const QListWidget& flaws = *desk.dock().flawList();
+    const auto told = [&] {
+      QStringList texts;
+      for (int row = 0; row < flaws.count(); ++row) texts << flaws.item(row)->text();
+      return texts.join(QLatin1Char('\n'));
+    };
+    QVERIFY2(told().contains(QLatin1String("W17: A line needs at least two different points.")),
+             qPrintable(told()));
+    desk.action("undo")->trigger();
+    QTRY_VERIFY(desk.control().checked());
+    QVERIFY(!told().contains(QLatin1String("W17")));
+  }
+
+  void whatOthersChangeIsShownAndKept() {
+    Desk desk;
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    QVERIFY(desk.hand(Desk::with("\"speed\":0.40", "\"speed\":0.9")));
+    QTRY_COMPARE(desk.stateOf(1), QStringLiteral("changed on the robot"));  // it tells that they changed
+    QCOMPARE(desk.stateOf(0), QStringLiteral("changed, unsaved"));
+    desk.save();
+    std::string wanted = Desk::with("\"speed\":0.40", "\"speed\":0.9");
+    const std::string at_first = "[[0.00,0],[4,0]]";
+    wanted.replace(wanted.find(at_first), at_first.size(), desk.coordinates(0));
+    QCOMPARE(desk.held(), wanted);
+  }
+
+  void whatBothChangedHasToBeDecided() {
+    Desk desk;
+    desk.open();
+    desk.editing().select({0});
+    desk.type(desk.dock().form()->nameEdit(), "Mine");
+    QVERIFY(desk.hand(Desk::with("W17", "Theirs")));
+    QTRY_COMPARE(desk.stateOf(0), QStringLiteral("conflict"));
+    QVERIFY(desk.dock().conflictShown().contains(QLatin1String("Mine: Mine\nTheirs: Theirs")));
+    desk.action("save")->trigger();
+    QVERIFY(!desk.control().review());
+    QVERIFY(desk.says("Choose which version to keep"));
+    QTest::mouseClick(desk.dock().theirsButton(), Qt::LeftButton);
+    QVERIFY(!desk.control().unsaved() && desk.dock().conflictShown().isEmpty());
+    desk.action("undo")->trigger();
+    QCOMPARE(desk.stateOf(0), QStringLiteral("conflict"));
+    QTest::mouseClick(desk.dock().mineButton(), Qt::LeftButton);
+    QCOMPARE(desk.stateOf(0), QStringLiteral("changed, unsaved"));
+    desk.save();
+    QCOMPARE(desk.held(), Desk::with("W17", "Mine"));
+  }
+
+  void nothingIsCalledSavedThatIsNot() {
+    Desk desk;
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    simulator::Faults faults;
+    faults.write_error_rate = 1;
+    desk.sim.setFaults(faults);
+    desk.save();
+    QVERIFY(desk.control().unsaved());
+    QVERIFY2(desk.says("It is not known whether the overlays were saved.") && !desk.says("floor saved"),
+             qPrintable(desk.toasts().join(QLatin1Char('|'))));
+    QVERIFY(desk.dock().statusShown().contains(QLatin1String("not known")));
+    QCOMPARE(desk.held(), std::string(kOverlays));
+    // The answer is lost, but it was done: the robot is asked.
+    faults = {};
+    faults.lose_write_answers = 1;
+    desk.sim.setFaults(faults);
+    desk.save();
+    QVERIFY(!desk.control().unsaved());
+    desk.sim.setFaults({});
+    QCOMPARE(desk.held(), Desk::with("[[0.00,0],[4,0]]", desk.coordinates(0)));
+  }
+
+  void draftsSurviveACrash() {
+    Desk desk;
+    desk.keeps_drafts = true;
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    const std::string mine = desk.document().mine().text();
+    const QDir drafts(desk.folder.filePath(QStringLiteral("drafts")));
+    const auto files = [&] { return drafts.entryList({QStringLiteral("*.json")}, QDir::Files); };
+    QTRY_COMPARE(files().size(), 1);
+    desk.window.reset();
+    QVERIFY(desk.hand(Desk::with("\"speed\":0.40", "\"speed\":0.9")));
+    desk.start();
+    QTRY_VERIFY(desk.says("There is an unsaved draft of the overlays"));
+    desk.dock().show();
+    desk.dock().raise();
+    QTRY_VERIFY(desk.dock().restoreButton()->isVisible() && desk.dock().restoreButton()->isEnabled());
+    QTest::mouseClick(desk.dock().restoreButton(), Qt::LeftButton);
+    QVERIFY(near(desk.points(0)[0], 0, 1) && desk.document().unsavedCount() == 1);
+    desk.save();
+    QTRY_VERIFY(files().isEmpty());
+    QVERIFY(desk.held() != mine && desk.held().find("\"speed\":0.9") != std::string::npos);
+  }
+
+  void leavingAsksFirst() {
+    Desk desk;
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    desk.window->close();
+    QTRY_VERIFY(desk.control().question());
+    QVERIFY(desk.window->isVisible());
+    desk.control().question()->button(QMessageBox::Cancel)->click();
+    QVERIFY(desk.window->isVisible() && desk.control().unsaved());
+    desk.window->close();
+    QTRY_VERIFY(desk.control().question());
+    desk.control().question()->button(QMessageBox::Save)->click();
+    QTRY_VERIFY(desk.control().review());
+    QTest::mouseClick(desk.control().review()->saveButton(), Qt::LeftButton);
+    QTRY_VERIFY(!desk.window->isVisible());
+    QVERIFY(desk.held() != kOverlays);
+  }
+
+  void theMapShowsWhatIsEdited() {
+    Desk desk;
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, -2));
+    int walls = 0;
+    for (const scene::MapObject& object : desk.window->mapScene()->objects(10'000)) {
+      if (object.id.layer != scene::Layer::Overlays || object.name != QLatin1String("W17")) continue;
+      ++walls;
+      QVERIFY(near(object.parts.at(0).at(0), 0, -2));
+    }
+    QCOMPARE(walls, 1);
+  }
+};
+
+}  // namespace test_window_overlays
+
+MAPWRIGHT_TEST(test_window_overlays, TestWindowOverlays, Widgets)
+#include "test_window_overlays.moc"
