@@ -126,6 +126,23 @@
     </message>
 </context>
 <context>
+    <name>OverlayText</name>
+    <message numerus="yes">
+        <source>%1 features</source>
+        <translation>
+            <numerusform>%1 feature</numerusform>
+            <numerusform>%1 features</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 changes</source>
+        <translation>
+            <numerusform>%1 change</numerusform>
+            <numerusform>%1 changes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ProblemLog</name>
     <message numerus="yes">
         <source>%1 older problems are no longer listed.</source>
