@@ -128,6 +128,13 @@
 <context>
     <name>OverlayText</name>
     <message numerus="yes">
+        <source>%1 points</source>
+        <translation>
+            <numerusform>%1 point</numerusform>
+            <numerusform>%1 points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 features</source>
         <translation>
             <numerusform>%1 feature</numerusform>

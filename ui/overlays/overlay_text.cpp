@@ -1,9 +1,11 @@
 #include "ui/overlays/overlay_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QStringList>
 
 #include "overlays/overlay_edits.h"
+#include "overlays/overlay_shapes.h"
 #include "sentences/overlay_name.h"
 #include "sentences/plural.h"
 #include "words/qt_plain.h"
@@ -33,6 +35,21 @@ bool isMoved(const Feature& before, const Feature& after) {
     }
   }
   return true;
+}
+
+/// "3 points from 16.50, 3.25".
+QString placeText(const std::string& geometry) {
+  const auto points = overlays::shapesOf(Feature("{\"geometry\":" + geometry + "}"));
+  qsizetype count = 0;
+  for (const overlays::Path& path : points.paths) count += qsizetype(path.points.size());
+  const auto first = points.somewhere();
+  if (!first) return OverlayText::tr("no place");
+  const QString at =
+      QStringLiteral("%1, %2 m")
+          .arg(QLocale::c().toString(first->x(), 'f', 2), QLocale::c().toString(first->y(), 'f', 2));
+  if (count == 1) return at;
+  return OverlayText::tr("%1 from %2")
+      .arg(sentences::counted(OverlayText::tr("%1 points", nullptr, sentences::formOf(count)), count), at);
 }
 
 QString featureChange(const overlays::OverlayChange& change, const Feature& before, const Feature& after) {
@@ -84,8 +101,7 @@ QString overlayName(const Feature& feature) {
 QString overlayCalled(const Feature& feature) {
   const QString kind = overlayKind(feature).toLower();
   const QString name = words::plainName(feature.name()).left(kLongestShown);
-  return name.isEmpty() || name.toLower() == kind ? kind
-                                                  : OverlayText::tr("%1 %2", "kind and name").arg(kind, name);
+  return name.isEmpty() || name.toLower() == kind ? kind : kind + QLatin1Char(' ') + name;
 }
 
 QString featuresText(qsizetype count) {
@@ -129,6 +145,7 @@ QString partName(const Part& part) {
 QString valueText(const Part& part, const std::optional<std::string>& value) {
   if (!value) return part.of == Part::Of::Whole ? OverlayText::tr("deleted") : OverlayText::tr("none");
   if (part.of == Part::Of::Whole) return OverlayText::tr("kept, with changes");
+  if (part.of == Part::Of::Member && part.name == "geometry") return placeText(*value);
   const auto json = overlays::JsonText::read(*value);
   const bool is_text = json && json->root().kind() == overlays::JsonKind::String;
   QString text = words::plainName(is_text ? json->root().string() : *value);

@@ -491,6 +491,7 @@ bool OverlayTool::keyPressed(const MapKeyPress& press) {
 
 void OverlayTool::paint(QPainter& painter) {
   painter.setRenderHint(QPainter::Antialiasing);
+  paintTheirs(painter);
   paintSelected(painter);
   if (drawing()) return paintShape(painter);
   paintVertices(painter);
@@ -535,6 +536,23 @@ void OverlayTool::paintSelected(QPainter& painter) const {
         for (const QPolygonF& line : scene::visibleLines(scene_->view(), points, 8))
           painter.drawPolyline(line);
       }
+    }
+  }
+}
+
+void OverlayTool::paintTheirs(QPainter& painter) const {
+  const scene::MapTheme& theme = scene_->theme();
+  painter.setBrush(Qt::NoBrush);
+  for (const auto& [key, part] : editing_->document().conflicts()) {
+    const auto& theirs = editing_->document().findBase(key);
+    if (!theirs || part.of == overlays::Part::Of::Property) continue;
+    for (const overlays::Path& path : overlays::shapesOf(*theirs).paths) {
+      std::vector<Vector2d> points = path.points;
+      if (points.empty()) continue;
+      if (path.shape == Shape::Polygon) points.push_back(points.front());
+      painter.setPen(QPen(theme.warn, 2.5, Qt::DashLine));
+      if (path.shape == Shape::Point) painter.drawEllipse(px(points[0]), 9, 9);
+      for (const QPolygonF& line : scene::visibleLines(scene_->view(), points, 8)) painter.drawPolyline(line);
     }
   }
 }

@@ -87,6 +87,8 @@ class OverlayTool : public MapTool {
   std::vector<Eigen::Vector2d> rectangle() const;
   void removeVertex();
   void paintSelected(QPainter& painter) const;
+  /// Where they moved what I moved, too.
+  void paintTheirs(QPainter& painter) const;
   void paintVertices(QPainter& painter) const;
   void paintShape(QPainter& painter) const;
 

@@ -115,7 +115,11 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
     Q_EMIT locateWanted(model_->key(sorted_->mapToSource(index)));
   });
-  connect(editing_, &OverlayEditing::changed, this, &OverlaysDock::refresh);
+  connect(editing_, &OverlayEditing::changed, this, [this] {
+    // Its row may be elsewhere now.
+    if (const auto key = editing_->only()) table_->scrollTo(sorted_->mapFromSource(model_->indexOf(*key)));
+    refresh();
+  });
   connect(editing_, &OverlayEditing::selectionChanged, this, [this] {
     showSelection();
     refresh();

@@ -95,6 +95,8 @@ QVariant OverlaysModel::data(const QModelIndex& index, int role) const {
                                     : stateText(at);
     case kBitsRole:
       return bits(at);
+    case kNamelessRole:
+      return column == NameColumn && feature->name().empty();
     case Qt::DecorationRole: {
       const int is = bits(at);
       if (column == NameColumn) return is & kOverlayFlawed ? QVariant(markPixmap(Mark::Warning)) : QVariant();
@@ -158,6 +160,10 @@ bool OverlayFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
 }
 
 bool OverlayFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+  // Those without a name come last.
+  const bool nameless = left.data(OverlaysModel::kNamelessRole).toBool(),
+             other_nameless = right.data(OverlaysModel::kNamelessRole).toBool();
+  if (nameless != other_nameless) return other_nameless;
   return order_.compare(left.data().toString(), right.data().toString()) < 0;
 }
 

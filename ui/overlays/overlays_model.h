@@ -25,6 +25,7 @@ class OverlaysModel : public QAbstractTableModel {
  public:
   enum Column { NameColumn, TypeColumn, StateColumn, kColumns };
   static constexpr int kBitsRole = Qt::UserRole + 1;
+  static constexpr int kNamelessRole = Qt::UserRole + 2;
 
   /// `editing` must outlive this.
   explicit OverlaysModel(OverlayEditing* editing, QObject* parent = nullptr);
