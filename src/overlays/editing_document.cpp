@@ -202,12 +202,18 @@ void EditingDocument::rebase(const OverlayDocument& theirs) {
       edit.after = versionOn(base, edit.after, there[edit.key], ignored);
     }
   }
+  std::set<FeatureKey> undecided;
+  for (const Conflict& conflict : conflicts()) undecided.insert(conflict.first);
+  std::erase_if(before_conflict_, [&](const auto& each) { return !undecided.contains(each.first); });
   for (FeatureKey key = 0; key < now_.size(); ++key) {
     const Version base = base_of_[key];
     if (!areSame(base, there[key]) && !areSame(now_[key], there[key]) &&
         !(base && there[key] && onlyNewId(changesOf(*base, *there[key]))))
       changed_there_.insert(key);
-    now_[key] = versionOn(base, now_[key], there[key], [&](const Part& part) { met_.emplace(key, part); });
+    now_[key] = versionOn(base, now_[key], there[key], [&](const Part& part) {
+      met_.emplace(key, part);
+      before_conflict_.emplace(key, base);
+    });
     base_of_[key] = there[key];
   }
   base_ = theirs;
@@ -222,6 +228,7 @@ void EditingDocument::noteSaved() {
   base_of_ = now_;
   changed_there_.clear();
   met_.clear();
+  before_conflict_.clear();
 }
 
 std::vector<EditingDocument::Conflict> EditingDocument::conflicts() const {
@@ -264,6 +271,23 @@ void EditingDocument::takeTheirs(const Conflict& conflict) {
   change({{key, mine, after}});
 }
 
+OverlayDocument EditingDocument::draftBase() const {
+  OverlayDocument document = base_;
+  std::set<FeatureKey> undecided;
+  for (const Conflict& conflict : conflicts()) undecided.insert(conflict.first);
+  for (std::size_t i = base_keys_.size(); i-- > 0;) {
+    const auto before = before_conflict_.find(base_keys_[i]);
+    if (undecided.erase(base_keys_[i]) == 0 || before == before_conflict_.end()) continue;
+    before->second ? document.replace(i, *before->second) : document.remove(i);
+  }
+  // They deleted these.
+  for (const FeatureKey key : undecided) {
+    const auto before = before_conflict_.find(key);
+    if (before != before_conflict_.end() && before->second) document.add(*before->second);
+  }
+  return document;
+}
+
 void EditingDocument::takeUp(const OverlayDocument& old_base, const OverlayDocument& old_mine) {
   // As if it had been done before they changed theirs.
   EditingDocument old(old_base);
@@ -295,7 +319,9 @@ void EditingDocument::takeUp(const OverlayDocument& old_base, const OverlayDocum
   }
   change(std::move(taken));
   for (const Conflict& conflict : old.met_) {
-    if (ours[conflict.first]) met_.emplace(*ours[conflict.first], conflict.second);
+    if (!ours[conflict.first]) continue;
+    met_.emplace(*ours[conflict.first], conflict.second);
+    before_conflict_.emplace(*ours[conflict.first], old.before_conflict_.at(conflict.first));
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -81,6 +82,9 @@ class EditingDocument {
   /// Theirs is taken, which is a step that can be undone.
   void takeTheirs(const Conflict& conflict);
 
+  /// What mine() has to be taken up on (takeUp()) so that nothing is lost of either: the base, with what was
+  /// there before they changed what is in conflict.
+  OverlayDocument draftBase() const;
   /// Changes that were made to an older state of the robot's: one step. What fits no more becomes a conflict.
   void takeUp(const OverlayDocument& old_base, const OverlayDocument& old_mine);
 
@@ -96,6 +100,7 @@ class EditingDocument {
   std::size_t done_ = 0;
   std::set<FeatureKey> changed_there_;
   std::set<Conflict> met_;
+  std::map<FeatureKey, Version> before_conflict_;  // the base, before they changed it
 };
 
 }  // namespace mapwright::overlays

@@ -225,6 +225,33 @@ class OverlayEditsTest : public QObject {
     QCOMPARE(document.mine().text(), base.text());
   }
 
+  void conflictsThatAreNotDecidedSurviveInADraft() {
+    const OverlayDocument base = read(wall("a", "[[0,0],[1,1]]", R"(,"name":"A")") + "," +
+                                      wall("b", "[[2,2],[3,3]]") + "," + wall("c", "[[4,4],[5,5]]"));
+    const OverlayDocument theirs =
+        read(wall("a", "[[0,0],[1,1]]", R"(,"name":"theirs","v":1)") + "," + wall("b", "[[2,2],[3,9]]"));
+    EditingDocument document(base);
+    set(document, 0, withProperty(*document.find(0), "name", "\"mine\""));
+    set(document, 1, std::nullopt);
+    set(document, 2, movedBy(*document.find(2), {1, 0}));
+    document.rebase(theirs);
+    QCOMPARE(document.conflicts().size(), std::size_t(3));
+    // The program crashes; meanwhile nothing changes.
+    EditingDocument again(theirs);
+    again.takeUp(document.draftBase(), document.mine());
+    QCOMPARE(again.conflicts().size(), std::size_t(3));
+    QCOMPARE(again.mine().text(), document.mine().text());
+    EditingDocument once_more(theirs);
+    once_more.takeUp(again.draftBase(), again.mine());
+    QCOMPARE(once_more.conflicts().size(), std::size_t(3));
+    // One that is decided is not asked about again.
+    document.keepMine(document.conflicts()[0]);
+    EditingDocument decided(theirs);
+    decided.takeUp(document.draftBase(), document.mine());
+    QCOMPARE(decided.conflicts().size(), std::size_t(2));
+    QVERIFY(decided.find(0)->name() == "mine");
+  }
+
   void aDraftIsTakenUpOnWhatIsThereNow() {
     const OverlayDocument old_base = read(wall("a", "[[0,0],[1,1]]") + "," + wall("b", "[[2,2],[3,3]]"));
     const OverlayDocument old_mine = read(wall("a", "[[7,0],[8,1]]") + "," + wall("n", "[[4,4],[5,5]]"));

@@ -157,6 +157,9 @@ void OverlaysController::syncMap() {
   const bool lost = session_ && !session_->robot().overlayStore() && (unsaved() || busy_);
   if (!lost && now != target_) {
     const bool other = !now || !target_ || now->map != target_->map || now->uid != target_->uid;
+    if (other && unsaved() && drafts_ && !may_leave_)
+      context_.overlay.toasts()->add(
+          Mark::Warning, tr("The unsaved changes to the overlays of %1 are kept as a draft.").arg(mapName()));
     if (other) closeMap();
     target_ = now;
     if (target_) on_map_->setMap(target_->map, target_->robots);
@@ -475,12 +478,13 @@ void OverlaysController::watchDrafts() {
   may_leave_ = false;
   if (context_.edit.drafts_folder.isEmpty()) return;
   drafts_ = std::make_unique<OverlayDrafts>(
-      edit::DraftIdentity{session_->robot().address(), QString::fromStdString(map::toText(target_->map)),
+      edit::DraftIdentity{session_->robot().address(),
+                          QString::fromStdString(map::toText(target_->map) + target_->uid),
                           QStringLiteral("overlays")},
       context_.edit,
       [this]() -> std::optional<OverlayDraft> {
         if (!unsaved()) return std::nullopt;
-        return OverlayDraft{{}, editing_.document().base(), editing_.document().mine()};
+        return OverlayDraft{{}, editing_.document().draftBase(), editing_.document().mine()};
       },
       context_.workers);
   connect(drafts_.get(), &OverlayDrafts::changed, this, [this] {
