@@ -648,8 +648,10 @@ QString OverlayTool::hint() const {
   if (editing_->selected().empty())
     return tr(
         "Click an overlay to select it, drag to move it, Shift and drag to select several. Esc leaves.");
-  return editing_->saying(tr(
+  QString hint = editing_->saying(tr(
       "%1: drag or use the arrows to move, drag the round handle to turn, Delete deletes. Esc deselects."));
+  hint[0] = hint[0].toUpper();
+  return hint;
 }
 
 }  // namespace mapwright::window

@@ -12,6 +12,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
@@ -73,7 +74,12 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   flaw_list_->setAccessibleName(tr("What is wrong with the overlays"));
   flaw_list_->setWordWrap(true);
   flaw_list_->setToolTip(tr("Click one to see it on the map"));
-  tabs_->addTab(form_, tr("Properties"));
+  auto* const scrolled = new QScrollArea(tabs_);  // a low dock has less room than the form needs
+  scrolled->setWidget(form_);
+  scrolled->setWidgetResizable(true);
+  scrolled->setFrameShape(QFrame::NoFrame);
+  scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  tabs_->addTab(scrolled, tr("Properties"));
   tabs_->addTab(points_, tr("Points"));
   tabs_->addTab(flaw_list_, tr("Flaws"));
   tabs_->setDocumentMode(true);
@@ -175,7 +181,7 @@ void OverlaysDock::buildTable() {
   table_->setSortingEnabled(true);
   table_->sortByColumn(OverlaysModel::NameColumn, Qt::AscendingOrder);
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  table_->setMinimumHeight(80);
+  table_->setMinimumHeight(60);
   table_->installEventFilter(this);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(table_, &QWidget::customContextMenuRequested, this, &OverlaysDock::showMenu);

@@ -5,6 +5,7 @@
 
 #include <QFont>
 
+#include "ui/kit/name_order.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/state_mark.h"
 #include "ui/kit/status_text.h"
@@ -134,10 +135,7 @@ QVariant OverlaysModel::headerData(int section, Qt::Orientation orientation, int
   return section == NameColumn ? tr("Name") : section == TypeColumn ? tr("Type") : tr("State");
 }
 
-OverlayFilter::OverlayFilter(QObject* parent) : QSortFilterProxyModel(parent) {
-  order_.setNumericMode(true);
-  order_.setCaseSensitivity(Qt::CaseInsensitive);
-}
+OverlayFilter::OverlayFilter(QObject* parent) : QSortFilterProxyModel(parent), order_(nameOrder()) {}
 
 void OverlayFilter::look(const QString& text) {
   wanted_ = text.trimmed();

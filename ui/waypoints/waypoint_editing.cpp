@@ -5,6 +5,7 @@
 
 #include <QUuid>
 
+#include "ui/kit/name_order.h"
 #include "ui/waypoints/waypoint_text.h"
 
 namespace mapwright::window {

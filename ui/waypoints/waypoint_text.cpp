@@ -54,16 +54,6 @@ QString shortWaypointName(const map::Waypoint& point, int limit) {
   return text.size() > limit ? text.left(limit - 1) + QChar(0x2026) : text;
 }
 
-QCollator nameOrder() {
-  QCollator order;
-  // The C locale always compares bytes.
-  if (order.locale().language() == QLocale::C)
-    order.setLocale(QLocale(QLocale::English, QLocale::UnitedStates));
-  order.setNumericMode(true);
-  order.setCaseSensitivity(Qt::CaseInsensitive);
-  return order;
-}
-
 QString tagsText(const std::vector<std::string>& tags) {
   QStringList texts;
   for (const std::string& tag : tags) texts << words::plainName(tag);

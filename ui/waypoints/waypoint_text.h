@@ -5,7 +5,6 @@
 #include <set>
 #include <string>
 
-#include <QCollator>
 #include <QString>
 
 #include "edit/document.h"
@@ -16,8 +15,6 @@ namespace mapwright::window {
 
 /// A name, or what stands for it, as one line that is not too long for a menu.
 QString shortWaypointName(const map::Waypoint& point, int limit = 40);
-/// Sorts names as people count: "Rack 2" before "Rack 10".
-QCollator nameOrder();
 /// "dock, charger".
 QString tagsText(const std::vector<std::string>& tags);
 /// The reverse of what people type: separated by commas, without blanks around them and empty ones.
