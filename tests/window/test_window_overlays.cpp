@@ -397,6 +397,32 @@ class TestWindowOverlays : public QObject {
     QCOMPARE(desk.held(), wanted);
   }
 
+  void whatOthersChangeDuringADragIsKept() {
+    Desk desk;
+    desk.open();
+    desk.click(desk.px(2, 3));
+    QTest::mousePress(desk.map(), Qt::LeftButton, {}, desk.px(3, 4));
+    desk.moveTo(desk.px(3.2, 4));
+    desk.moveTo(desk.px(3.5, 4));
+    QVERIFY(near(desk.points(1)[2], 3.5, 4));
+    QVERIFY(desk.hand(Desk::with("\"speed\":0.40", "\"speed\":0.9")));
+    QTRY_COMPARE(desk.stateOf(1), QStringLiteral("changed on the robot"));
+    desk.moveTo(desk.px(3.6, 4));
+    QTest::mouseRelease(desk.map(), Qt::LeftButton, {}, desk.px(3.6, 4));
+    QCOMPARE(std::string(desk.editing().find(1)->property("speed")->text()), std::string("0.9"));
+    QVERIFY(!desk.control().unsaved());
+    // The same for a shape as a whole, which goes on.
+    QTest::mousePress(desk.map(), Qt::LeftButton, {}, desk.px(2, 3));
+    desk.moveTo(desk.px(2.2, 3));
+    desk.moveTo(desk.px(3, 3));
+    QVERIFY(desk.hand(Desk::with("\"speed\":0.40", "\"speed\":0.7")));
+    QTRY_COMPARE(std::string(desk.document().find(1)->property("speed")->text()), std::string("0.7"));
+    desk.moveTo(desk.px(4, 3));
+    QTest::mouseRelease(desk.map(), Qt::LeftButton, {}, desk.px(4, 3));
+    QCOMPARE(std::string(desk.editing().find(1)->property("speed")->text()), std::string("0.7"));
+    QVERIFY(near(desk.points(1)[0], 3, 2));
+  }
+
   void whatBothChangedHasToBeDecided() {
     Desk desk;
     desk.open();

@@ -53,9 +53,17 @@ OverlayTool::OverlayTool(OverlayEditing* editing, const scene::MapScene* scene, 
   types_[std::size_t(Shape::Point)] = 25;
   types_[std::size_t(Shape::Line)] = overlays::kVirtualWall;
   types_[std::size_t(Shape::Polygon)] = overlays::kForbiddenRegion;
-  for (const auto signal :
-       {&OverlayEditing::changed, &OverlayEditing::previewChanged, &OverlayEditing::selectionChanged})
+  for (const auto signal : {&OverlayEditing::previewChanged, &OverlayEditing::selectionChanged})
     connect(editing_, signal, this, &OverlayTool::lookAnew);
+  connect(editing_, &OverlayEditing::changed, this, [this] {
+    // It may have other points, and other properties, than what the hand holds.
+    if (drag_ == Drag::Vertex) {
+      drag_ = Drag::None;
+      grabbed_.reset();
+      editing_->setPreview({});
+    }
+    lookAnew();
+  });
   connect(editing_, &OverlayEditing::opened, this, [this] {
     drag_ = Drag::None;
     corners_.clear();

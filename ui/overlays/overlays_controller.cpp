@@ -125,7 +125,7 @@ void OverlaysController::setSession(session::Session* session) {
       if (what != map::topicIndex<map::MapInfo>()) return;
       syncMap();
       const auto& info = session_->live().map_info;
-      const bool other = info && info->overlays_version && info->overlays_version != version_;
+      const bool other = info && (!info->overlays_version || info->overlays_version != version_);
       if (editing_.isOpen() && target_ && target_->robots && other && !busy_) read();
     });
   }
