@@ -37,23 +37,33 @@ bool isMoved(const Feature& before, const Feature& after) {
   return true;
 }
 
-/// "3 points from 16.50, 3.25".
+QString metresAt(const Eigen::Vector2d& at_m) {
+  const QLocale c = QLocale::c();
+  return QStringLiteral("%1, %2 m").arg(c.toString(at_m.x(), 'f', 2), c.toString(at_m.y(), 'f', 2));
+}
+
+/// "3 points from 16.50, 3.25 m".
 QString placeText(const std::string& geometry) {
-  const auto points = overlays::shapesOf(Feature("{\"geometry\":" + geometry + "}"));
+  const auto shapes = overlays::shapesOf(Feature("{\"geometry\":" + geometry + "}"));
   qsizetype count = 0;
-  for (const overlays::Path& path : points.paths) count += qsizetype(path.points.size());
-  const auto first = points.somewhere();
+  for (const overlays::Path& path : shapes.paths) count += qsizetype(path.points.size());
+  const auto first = shapes.somewhere();
   if (!first) return OverlayText::tr("no place");
-  const QString at =
-      QStringLiteral("%1, %2 m")
-          .arg(QLocale::c().toString(first->x(), 'f', 2), QLocale::c().toString(first->y(), 'f', 2));
-  if (count == 1) return at;
+  if (count == 1) return metresAt(*first);
   return OverlayText::tr("%1 from %2")
-      .arg(sentences::counted(OverlayText::tr("%1 points", nullptr, sentences::formOf(count)), count), at);
+      .arg(sentences::counted(OverlayText::tr("%1 points", nullptr, sentences::formOf(count)), count),
+           metresAt(*first));
+}
+
+/// One without a name by where it lies.
+QString calledForSure(const Feature& feature) {
+  const auto at = overlays::shapesOf(feature).somewhere();
+  if (!feature.name().empty() || !at) return overlayCalled(feature);
+  return OverlayText::tr("%1 at %2").arg(overlayCalled(feature), metresAt(*at));
 }
 
 QString featureChange(const overlays::OverlayChange& change, const Feature& before, const Feature& after) {
-  const QString called = overlayCalled(before);
+  const QString called = calledForSure(before);
   QStringList parts;
   for (const overlays::PartChange& each : change.parts) {
     const Part& part = each.part;
@@ -121,9 +131,9 @@ QString changeText(const overlays::OverlayChange& change, const overlays::Overla
   }
   switch (change.kind) {
     case overlays::ChangeKind::Add:
-      return OverlayText::tr("Add %1").arg(overlayCalled(after.features()[*change.to]));
+      return OverlayText::tr("Add %1").arg(calledForSure(after.features()[*change.to]));
     case overlays::ChangeKind::Remove:
-      return OverlayText::tr("Delete %1").arg(overlayCalled(before.features()[*change.from]));
+      return OverlayText::tr("Delete %1").arg(calledForSure(before.features()[*change.from]));
     case overlays::ChangeKind::Change:
       break;
   }

@@ -24,6 +24,7 @@ namespace {
 
 constexpr double kVertexPx = 4, kGripPx = 6;
 constexpr double kLeastSidePx = 36;  // of shorter ones no middle is offered
+constexpr double kLeastAreaPx = 4;   // of what is drawn
 constexpr double kNudgeM = 0.05;
 constexpr int kFar = 10;  // with Shift
 constexpr double kTurnStep = std::numbers::pi / 12;
@@ -390,7 +391,10 @@ void OverlayTool::finishShape() {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   const Shape shape = shapeOf(mode_);
   const std::size_t least = shape == Shape::Point ? 1 : shape == Shape::Line ? 2 : 3;
-  if (points.size() < least || (shape == Shape::Polygon && overlays::doubleArea(points) == 0)) {
+  const double scale = scene_->view().scale_m_per_px;
+  const bool flat =
+      shape == Shape::Polygon && std::abs(overlays::doubleArea(points)) < 2 * kLeastAreaPx * scale * scale;
+  if (points.size() < least || flat) {
     Q_EMIT refused(shape == Shape::Line ? tr("A line needs two points.")
                                         : tr("A region needs three points that enclose an area."));
     if (mode_ == OverlayMode::Rectangle) corners_.clear();

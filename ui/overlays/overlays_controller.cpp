@@ -426,9 +426,9 @@ void OverlaysController::check() {
     for (const overlays::Flaw& flaw : overlays::flawsOf(*document, options)) {
       if (flaw.feature >= keys.size()) continue;
       const Feature& feature = document->features()[flaw.feature];
-      found->push_back({keys[flaw.feature],
-                        overlayCalled(feature) + QStringLiteral(": ") + sentences::sentenceOf(flaw.why),
-                        flaw.at_m});
+      QString sentence = overlayCalled(feature) + QStringLiteral(": ") + sentences::sentenceOf(flaw.why);
+      sentence[0] = sentence[0].toUpper();
+      found->push_back({keys[flaw.feature], sentence, flaw.at_m});
     }
     QMetaObject::invokeMethod(
         this,

@@ -168,6 +168,10 @@ void OverlaysDock::buildModes() {
   new_type_->setToolTip(tr("Type of what is drawn"));
   new_type_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   new_type_->setMinimumContentsLength(8);
+  // The buttons stay where they are.
+  QSizePolicy keeps = new_type_->sizePolicy();
+  keeps.setRetainSizeWhenHidden(true);
+  new_type_->setSizePolicy(keeps);
   row->addWidget(new_type_, 1);
   mode_row_->setLayout(row);
   connect(new_type_, &QComboBox::activated, this,
