@@ -508,6 +508,56 @@ class TestWindowOverlays : public QObject {
     QVERIFY(desk.held() != kOverlays);
   }
 
+  void whatIsKeptAsADraftIsOfferedAndWhatIsDiscardedIsNot() {
+    Desk desk;
+    desk.keeps_drafts = true;
+    const QDir drafts(desk.folder.filePath(QStringLiteral("drafts")));
+    const auto files = [&] { return drafts.entryList({QStringLiteral("*.json")}, QDir::Files).size(); };
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    desk.window->close();
+    QTRY_VERIFY(desk.control().question());
+    desk.control().question()->findChild<QPushButton*>(QStringLiteral("keepDraft"))->click();
+    QTRY_VERIFY(!desk.window->isVisible());
+    QCOMPARE(files(), 1);
+    QCOMPARE(desk.held(), std::string(kOverlays));
+    desk.open();
+    QTRY_VERIFY(desk.dock().restoreButton()->isVisible());
+    QTest::mouseClick(desk.dock().forgetButton(), Qt::LeftButton);
+    QTRY_COMPARE(files(), 0);
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    QTRY_COMPARE(files(), 1);
+    desk.window->close();
+    QTRY_VERIFY(desk.control().question());
+    desk.control().question()->button(QMessageBox::Discard)->click();
+    QTRY_VERIFY(!desk.window->isVisible());
+    desk.window.reset();
+    QCOMPARE(files(), 0);
+    QCOMPARE(desk.held(), std::string(kOverlays));
+  }
+
+  void aRobotThatIsGoneSavesNothingAndLosesNothing() {
+    Desk desk;
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    desk.sim.stop();
+    desk.action("save")->trigger();
+    QTRY_VERIFY(!desk.control().busy() && desk.says("The overlays were not saved."));
+    QVERIFY(!desk.control().review() && desk.control().unsaved() && desk.editing().editable());
+    QVERIFY(near(desk.points(0)[0], 0, 1));
+  }
+
+  void withoutARobotTheToolSaysWhatItNeeds() {
+    Desk desk;
+    desk.start();
+    desk.action("disconnect")->trigger();
+    QTRY_VERIFY(!desk.window->session());
+    QVERIFY(!desk.action("overlayTool")->isEnabled());
+    QVERIFY(desk.action("overlayTool")->toolTip().contains(QLatin1String("Connect to a robot")));
+    QVERIFY(desk.dock().emptyShown().contains(QLatin1String("Connect to a robot")) ||
+            !desk.dock().isVisible());
+  }
+
   void theMapShowsWhatIsEdited() {
     Desk desk;
     desk.open();

@@ -106,6 +106,7 @@ OverlayForm::OverlayForm(OverlayEditing* editing, QWidget* parent)
   properties_->setWordWrap(false);
   properties_->setMinimumHeight(70);
   properties_->horizontalHeader()->setHighlightSections(false);
+  properties_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   properties_->horizontalHeader()->resizeSection(kValueColumn, 150);
   new NameColumn(properties_, properties_->horizontalHeader(), kKeyColumn, {{kValueColumn, 80}});
   auto* const form = new QFormLayout;
