@@ -355,10 +355,24 @@ class TestWindowOverlays : public QObject {
     QCOMPARE(desk.editing().find(3)->name(), std::string("Lab 2"));
     QVERIFY(near(desk.points(3)[0], 0, 0));  // around the middle of the view
     QCOMPARE(std::string(desk.editing().find(3)->property("speed")->text()), std::string("0.40"));
-    desk.editing().duplicateSelected();
+    QTest::mouseClick(dock.duplicateButton(), Qt::LeftButton);
     QCOMPARE(desk.editing().find(4)->name(), std::string("Lab 2 2"));
+    // Several of one shape get their type at once.
+    desk.editing().select({1, 3, 4});
+    QComboBox& type = *dock.form()->typePicker();
+    QCOMPARE(type.currentData().toInt(), 2);
+    type.setCurrentIndex(type.findData(9));
+    Q_EMIT type.activated(type.currentIndex());
+    QVERIFY(desk.editing().find(1)->type() == 9 && desk.editing().find(4)->type() == 9);
+    desk.editing().select({0, 1});
+    QVERIFY(!type.isEnabled());
+    desk.editing().select({4});
     QTest::keyClick(dock.table(), Qt::Key_Delete);
-    QVERIFY(!desk.document().find(4));
+    QVERIFY(!desk.document().find(4) && !dock.removeButton()->isEnabled());
+    desk.action("undo")->trigger();
+    desk.action("undo")->trigger();
+    QCOMPARE(desk.editing().find(1)->type(), 2);
+    desk.action("undo")->trigger();
     dock.stateChoice()->setCurrentIndex(1);
     QCOMPARE(dock.table()->model()->rowCount(), 1);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include <QComboBox>
@@ -125,9 +126,9 @@ OverlayForm::OverlayForm(OverlayEditing* editing, QWidget* parent)
     connect(editing_, signal, this, &OverlayForm::refresh);
   connect(name_, &QLineEdit::editingFinished, this, &OverlayForm::takeName);
   connect(type_, &QComboBox::activated, this, [this] {
-    if (const Feature* const now = feature())
-      editing_->set(*shown_, overlays::withType(*now, type_->currentData().toInt()),
-                    tr("change the type of %1").arg(overlayCalled(*now)));
+    const int type = type_->currentData().toInt();
+    editing_->changeSelected(editing_->saying(tr("change the type of %1")),
+                             [type](const Feature& each) { return overlays::withType(each, type); });
   });
   connect(yaw_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
     const Feature* const now = feature();
@@ -169,11 +170,9 @@ void OverlayForm::refresh() {
   }
   shown_ = key;
   const Feature* const now = feature();
-  const bool plain = now && isPlain(now->shape());
   refreshing_ = true;
   const bool usable = now && editing_->editable();
   for (QWidget* widget : std::initializer_list<QWidget*>{name_, new_key_}) widget->setEnabled(usable);
-  type_->setEnabled(usable && plain);
   yaw_->setEnabled(usable);
   properties_->setEnabled(now != nullptr);
   properties_->setEditTriggers(usable ? QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
@@ -187,15 +186,14 @@ void OverlayForm::refresh() {
   const bool turns = now && now->shape() == Shape::Point;
   yaw_label_->setVisible(turns);
   yaw_->setVisible(turns);
+  showType();
   if (!now) {
     name_->clear();
-    type_->clear();
     properties_->setRowCount(0);
     shown_feature_.reset();
   } else if (!shown_feature_ || &shown_feature_->text() != &now->text()) {
     shown_feature_ = *now;
     if (!name_->isModified()) name_->setText(QString::fromStdString(now->name()));
-    if (plain) showTypes(*type_, now->shape(), now->type());
     const auto yaw = overlays::yawOf(*now);
     const QSignalBlocker quiet(yaw_);
     yaw_->setValue(yaw ? std::remainder(*yaw, 360.0) : kNoYaw);
@@ -203,6 +201,21 @@ void OverlayForm::refresh() {
   }
   remove_->setEnabled(usable && !properties_->selectedItems().isEmpty());
   refreshing_ = false;
+}
+
+void OverlayForm::showType() {
+  // Of all that are selected, if they are of one shape.
+  std::set<Shape> shapes;
+  std::set<int> types;
+  for (const FeatureKey key : editing_->selected()) {
+    shapes.insert(editing_->find(key)->shape());
+    types.insert(editing_->find(key)->type());
+  }
+  const bool one = shapes.size() == 1 && isPlain(*shapes.begin());
+  type_->setEnabled(one && editing_->editable());
+  if (!one) return type_->clear();
+  showTypes(*type_, *shapes.begin(), *types.begin());
+  if (types.size() > 1) type_->setCurrentIndex(-1);
 }
 
 void OverlayForm::showProperties(const Feature& feature) {

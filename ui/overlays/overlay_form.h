@@ -37,6 +37,7 @@ class OverlayForm : public QWidget {
 
  private:
   void refresh();
+  void showType();
   void showProperties(const Feature& feature);
   void takeName();
   void takeValue(int row);

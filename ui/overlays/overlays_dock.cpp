@@ -44,6 +44,8 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
       body_(new QWidget(this)),
       conflict_box_(new QFrame(this)),
       offer_box_(new QFrame(this)),
+      duplicate_(iconButton(QStringLiteral("copy"), 18, tr("Duplicate what is selected"), mode_row_)),
+      remove_(iconButton(QStringLiteral("trash"), 18, tr("Delete what is selected (Delete)"), mode_row_)),
       new_type_(new QComboBox(this)),
       bits_(new QComboBox(this)),
       filter_(new QLineEdit(this)),
@@ -173,7 +175,11 @@ void OverlaysDock::buildModes() {
   keeps.setRetainSizeWhenHidden(true);
   new_type_->setSizePolicy(keeps);
   row->addWidget(new_type_, 1);
+  row->addWidget(duplicate_);
+  row->addWidget(remove_);
   mode_row_->setLayout(row);
+  connect(duplicate_, &QToolButton::clicked, editing_, &OverlayEditing::duplicateSelected);
+  connect(remove_, &QToolButton::clicked, editing_, &OverlayEditing::removeSelected);
   connect(new_type_, &QComboBox::activated, this,
           [this] { tool_->setNewType(shapeOf(tool_->mode()), new_type_->currentData().toInt()); });
 }
@@ -297,6 +303,8 @@ void OverlaysDock::refresh() {
   body_->setVisible(open);
   mode_row_->setVisible(open);
   for (QToolButton* button : modes_) button->setEnabled(editable);
+  for (QToolButton* button : {duplicate_, remove_})
+    button->setEnabled(editable && !editing_->selected().empty());
   const std::size_t unsaved = document.unsavedCount();
   discard_->setEnabled(editable && unsaved > 0);
   review_->setEnabled(editable && unsaved > 0);

@@ -50,6 +50,8 @@ class OverlaysDock : public QDockWidget {
   bool hasUnsavedFlaws() const;
 
   QToolButton* modeButton(OverlayMode mode) const { return modes_[std::size_t(mode)]; }
+  QToolButton* duplicateButton() const { return duplicate_; }
+  QToolButton* removeButton() const { return remove_; }
   QComboBox* newTypePicker() const { return new_type_; }
   QLineEdit* filterEdit() const { return filter_; }
   QComboBox* stateChoice() const { return bits_; }
@@ -108,6 +110,7 @@ class OverlaysDock : public QDockWidget {
   OverlayFilter* sorted_;
   std::array<QToolButton*, kOverlayModes> modes_{};
   QWidget *mode_row_, *body_, *conflict_box_, *offer_box_;
+  QToolButton *duplicate_, *remove_;
   QComboBox *new_type_, *bits_;
   QLineEdit* filter_;
   QTableView* table_;
