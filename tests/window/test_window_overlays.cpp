@@ -437,6 +437,25 @@ class TestWindowOverlays : public QObject {
     QVERIFY(near(desk.points(1)[0], 3, 2));
   }
 
+  void undoDuringADragTakesBackTheStepBefore() {
+    Desk desk;
+    desk.open();
+    QTest::mouseClick(desk.dock().modeButton(OverlayMode::Rectangle), Qt::LeftButton);
+    desk.drag(desk.px(4, 3), desk.px(6, 5));
+    desk.key(Qt::Key_Escape);
+    QTest::mousePress(desk.map(), Qt::LeftButton, {}, desk.px(5, 4));
+    desk.moveTo(desk.px(5.2, 4));
+    desk.moveTo(desk.px(5.6, 4));
+    QCOMPARE(desk.editing().preview().size(), std::size_t(1));
+    desk.action("undo")->trigger();
+    desk.moveTo(desk.px(6, 4));
+    QTest::mouseRelease(desk.map(), Qt::LeftButton, {}, desk.px(6, 4));
+    QVERIFY(!desk.control().unsaved() && desk.editing().selected().empty());
+    QCOMPARE(desk.document().mine().text(), std::string(kOverlays));
+    desk.action("redo")->trigger();
+    QCOMPARE(desk.document().unsavedCount(), std::size_t(1));
+  }
+
   void whatBothChangedHasToBeDecided() {
     Desk desk;
     desk.open();

@@ -103,6 +103,7 @@ void OverlayEditing::applyPreview(const QString& text) {
 
 void OverlayEditing::record(const QString& text, const std::function<void()>& what) {
   if (!editable()) return;
+  setPreview({});
   const std::size_t before = document_.stepsDone();
   what();
   if (document_.stepsDone() != before) undo_.push(new Command(this, text));
@@ -117,9 +118,9 @@ void OverlayEditing::change(std::vector<FeatureEdit> edits, const QString& text,
 }
 
 void OverlayEditing::step(bool forward) {
+  setPreview({});
   forward ? document_.redo() : document_.undo();
   gesture_ = 0;
-  setPreview({});
   prune();
   Q_EMIT changed();
 }

@@ -106,6 +106,7 @@ OverlayForm::OverlayForm(OverlayEditing* editing, QWidget* parent)
   properties_->setTabKeyNavigation(false);
   properties_->setWordWrap(false);
   properties_->setMinimumHeight(70);
+  properties_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // what room is left
   properties_->horizontalHeader()->setHighlightSections(false);
   properties_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   properties_->horizontalHeader()->resizeSection(kValueColumn, 150);
