@@ -33,15 +33,19 @@ tl::unexpected<QString> sentence(const Fault& fault) {
 
 }  // namespace
 
-void KeptOverlays::keep(const robot::OverlayText& held, bool saved) {
-  const std::string id = map::toText(map_);
-  const history::MapName name{robot_.session().robot().address().toStdString(),
-                              held.map_uid.empty() ? id : held.map_uid, id, held.map_name};
+std::optional<Fault> keepOverlays(const QString& robot, const map::MapKey& map,
+                                  const robot::OverlayText& held, bool saved) {
+  const std::string id = map::toText(map);
+  const history::MapName name{robot.toStdString(), held.map_uid.empty() ? id : held.map_uid, id,
+                              held.map_name};
   auto store = openVersions();
-  const auto why =
-      store ? store->keep(name, held.version, saved ? history::Origin::Saved : history::Origin::Read,
-                          held.text, double(QDateTime::currentMSecsSinceEpoch()) / 1000)
-            : std::optional(store.error());
+  if (!store) return store.error();
+  return store->keep(name, held.version, saved ? history::Origin::Saved : history::Origin::Read, held.text,
+                     double(QDateTime::currentMSecsSinceEpoch()) / 1000);
+}
+
+void KeptOverlays::keep(const robot::OverlayText& held, bool saved) {
+  const auto why = keepOverlays(robot_.session().robot().address(), map_, held, saved);
   if (why && !std::exchange(failed_, true)) robot_.note(robot_.about(sentences::sentenceOf(*why)));
 }
 

@@ -145,7 +145,7 @@ class TestChangeOverlays : public QObject {
   void aVersionIsNotPutIntoAnotherMap() {
     Store store;
     std::optional<Outcome<jobs::OverlayOutcome>> outcome;
-    jobs::OverlayOrder order{{map::MapKind::Stored, "1"}, document(features(kPoint))};
+    jobs::OverlayOrder order{{map::MapKind::Stored, "1"}, document(features(kPoint)), std::nullopt};
     order.only_uid = "another";
     jobs::changeOverlays(store, order, [&](auto came) { outcome = std::move(came); });
     QVERIFY(outcome && !*outcome && store.sent.empty());

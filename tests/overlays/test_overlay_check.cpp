@@ -154,8 +154,9 @@ class OverlayCheckTest : public QObject {
     const std::string docked = R"(,"dockingPointId":"d")";
     QCOMPARE(rulesIn(dock("d") + point("9", "[5,1.8]", docked), options), std::string());  // 0.2 m deep
     QCOMPARE(rulesIn(dock("d") + point("9", "[5,1.5]", docked), options), std::string());
+    // The docking point, too.
     options.map = mapOf({"##########", "####.#####", "##########"}, 10);
-    QCOMPARE(rulesIn(dock("d") + point("9", "[1,1.5]", docked), options), std::string("in_wall"));
+    QCOMPARE(rulesIn(dock("d") + point("9", "[1,1.5]", docked), options), std::string("in_wall in_wall"));
   }
 
   void whatTheChargerCannotReachAnyMoreIsFound() {

@@ -37,9 +37,10 @@ constexpr double kAroundM = 2;  // of an overlay that is shown
 
 }  // namespace
 
-OverlaysController::OverlaysController(WindowContext& context, QObject* parent)
+OverlaysController::OverlaysController(WindowContext& context, Keep keep, QObject* parent)
     : Controller(parent),
       context_(context),
+      keep_(std::move(keep)),
       on_map_(new OverlaysOnMap(&editing_, &context.scene, this)),
       tool_(new OverlayTool(&editing_, &context.scene, on_map_, this)),
       dock_(new OverlaysDock(&editing_, tool_, &context.window)),
@@ -206,7 +207,12 @@ void OverlaysController::read() {
   refresh();
 }
 
+void OverlaysController::keep(const robot::OverlayText& text, bool saved) {
+  if (keep_ && session_ && target_) keep_(session_->robot().address(), target_->map, text, saved);
+}
+
 void OverlaysController::takeRead(robot::Outcome<robot::OverlayText> outcome) {
+  if (outcome) keep(*outcome, false);
   if (busy_) return refresh();  // older than what is being saved
   if (!outcome) {
     failure_ = outcome.error();
@@ -322,7 +328,11 @@ void OverlaysController::send() {
   robot::OverlayStore* const store = session_ ? session_->robot().overlayStore() : nullptr;
   if (!store) return notSaved(tr("The overlays were not saved. %1").arg(whyNot()));
   setBusy(true);
-  call_ = jobs::changeOverlays(*store, {target_->map, editing_.document().mine(), editing_.document().base()},
+  jobs::OverlayOrder order{target_->map, editing_.document().mine(), editing_.document().base()};
+  order.seen = [this, opened = opened_](const robot::OverlayText& text, bool saved) {
+    if (opened == opened_) keep(text, saved);
+  };
+  call_ = jobs::changeOverlays(*store, std::move(order),
                                [this, opened = opened_](robot::Outcome<jobs::OverlayOutcome> outcome) {
                                  if (opened == opened_) takeOutcome(std::move(outcome));
                                });
@@ -353,7 +363,7 @@ void OverlaysController::takeOutcome(robot::Outcome<jobs::OverlayOutcome> outcom
     return refresh();
   }
   // What it did not take stays unsaved.
-  if (outcome->differs.empty()) editing_.noteSaved();
+  if (outcome->differs.empty() && !outcome->unreadable.any()) editing_.noteSaved();
   readBack([this, result = std::move(*outcome)] { tellOutcome(result); });
 }
 
@@ -382,6 +392,10 @@ void OverlaysController::tellOutcome(const jobs::OverlayOutcome& outcome) {
         tr("The robot did not keep all overlays as they were sent: %1. They are still unsaved here.")
             .arg(overlayChangesText(qsizetype(outcome.differs.size()))));
   trouble_.clear();
+  if (outcome.unreadable.any()) {
+    return notSaved(tr("The overlays were sent, but what the robot holds now cannot be read. %1")
+                        .arg(sentences::sentenceOf(outcome.unreadable)));
+  }
   if (outcome.certain()) {
     toasts->add(Mark::Good, tr("Overlays of %1 saved").arg(mapName()));
   } else if (outcome.between == Between::Somebody) {

@@ -29,7 +29,11 @@ class OverlayTool;
 class OverlaysController : public Controller {
   Q_OBJECT
  public:
-  explicit OverlaysController(WindowContext& context, QObject* parent = nullptr);
+  /// Gets everything that a robot (by its address) was seen to hold; `saved`: it was stored from here. May be
+  /// null.
+  using Keep = std::function<void(const QString& robot, const map::MapKey& map,
+                                  const robot::OverlayText& text, bool saved)>;
+  OverlaysController(WindowContext& context, Keep keep, QObject* parent = nullptr);
   ~OverlaysController() override;
 
   void setSession(session::Session* session) override;
@@ -58,6 +62,7 @@ class OverlaysController : public Controller {
     bool operator==(const Target&) const = default;
   };
   void addActions();
+  void keep(const robot::OverlayText& text, bool saved);
   std::optional<Target> target() const;
   void syncMap();
   void closeMap();
@@ -90,6 +95,7 @@ class OverlaysController : public Controller {
   QString mapName() const;
 
   WindowContext& context_;
+  Keep keep_;
   QPointer<session::Session> session_;
   OverlayEditing editing_;
   OverlaysOnMap* on_map_;
