@@ -85,8 +85,9 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       break;
     case MapChange::Delete:
       ask(ChangeDialog::tr("Delete from the robot"),
-          ChangeDialog::tr("This deletes %1 and everything on it from the robot. It cannot be undone.")
-              .arg(name),
+          ChangeDialog::tr(
+              "This deletes %1 (id %2) and everything on it from the robot. It cannot be undone.")
+              .arg(name, map ? words::plainName(map->key.id) : QString()),
           ChangeDialog::tr("Delete"), ChangeDialog::tr("%1 was deleted."));
       question.ends_something = true;
       if (map && map->is_current) {
