@@ -536,17 +536,16 @@ class TestWindowPicture : public QObject {
     Desk desk;
     desk.open();
     desk.editing().drawRectangle({10, 10, 20, 20});
-    QVERIFY(QFile::setPermissions(desk.folder.path(), QFile::ReadOwner | QFile::ExeOwner));
-    const auto writable = qScopeGuard([&] {
-      QFile::setPermissions(desk.folder.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    });
-    if (QFile probe(desk.folder.filePath(QStringLiteral("probe"))); probe.open(QIODevice::WriteOnly))
-      QSKIP("the superuser writes everywhere");
+    // Nobody can write where there is no folder, whoever runs the test.
+    const QString away = desk.folder.path() + QStringLiteral("-away");
+    QVERIFY(QDir().rename(desk.folder.path(), away));
+    const auto back = qScopeGuard([&] { QDir().rename(away, desk.folder.path()); });
     desk.save();
-    QVERIFY(desk.toasts().last().startsWith(QLatin1String("The map was not saved.")));
-    QFile::setPermissions(desk.folder.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    QVERIFY2(desk.toasts().value(0).startsWith(QLatin1String("The map was not saved.")),
+             qPrintable(desk.toasts().join(QLatin1Char('|'))));
+    QVERIFY(QDir().rename(away, desk.folder.path()));
     desk.save();
-    QCOMPARE(desk.toasts(), QStringList{QStringLiteral("office saved")});
+    QCOMPARE(desk.toasts(), QStringList{QStringLiteral("office.yaml saved")});
   }
 
   void brokenDraftsAreSetAside() {
