@@ -150,6 +150,8 @@ QWidget* ConnectDialog::buildForm() {
   encrypted_->setObjectName(QStringLiteral("encrypted"));
   made_->setObjectName(QStringLiteral("made"));
   made_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  // The list below stays where it is while the hint changes: a double-click would miss it.
+  made_->setMinimumHeight(2 * made_->fontMetrics().lineSpacing());
   setTextColor(*made_, appColors().secondary_text);
   secret_->setObjectName(QStringLiteral("secret"));
   secret_->setEchoMode(QLineEdit::Password);
