@@ -106,6 +106,14 @@ class ScriptedBridge {
     return all;
   }
   /// The last subscription of the topic; empty: none, or it was ended.
+  /// The server's own status about what it was asked for.
+  void refuse(const QString& topic, const QString& words) {
+    const QJsonObject status{{QStringLiteral("op"), QStringLiteral("status")},
+                             {QStringLiteral("level"), QStringLiteral("error")},
+                             {QStringLiteral("msg"), words},
+                             {QStringLiteral("id"), subscriptionOf(topic)[QLatin1String("id")]}};
+    for (QWebSocket* peer : peers) write(*peer, status);
+  }
   QJsonObject subscriptionOf(const QString& topic) const {
     for (auto one = asked.rbegin(); one != asked.rend(); ++one) {
       if ((*one)[QLatin1String("topic")] != topic) continue;

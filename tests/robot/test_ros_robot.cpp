@@ -2,6 +2,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "robot/faults.h"
 #include "robot/map_administration.h"
 #include "robot/ros/faults.h"
 #include "robot/ros/ros_robot.h"
@@ -301,6 +302,17 @@ class RosRobotTest : public QObject {
     QTRY_VERIFY(isWell("/quiet"));
     want({});
     QTRY_VERIFY(isWell("/nowhere"));  // nobody waits for it any more
+  }
+
+  void aSubscriptionThatTheServerRefusesSaysWhatItSaid() {
+    server_->advertise(QStringLiteral("/quiet"), QStringLiteral("x/Y"));
+    QVERIFY(online());
+    want({}, {QStringLiteral("/quiet")});
+    QTRY_VERIFY(server_->isAskedFor("/quiet"));
+    server_->refuse(QStringLiteral("/quiet"), QStringLiteral("Unable to load the manifest for package x."));
+    QTRY_VERIFY(problemOf("/quiet", map::ProblemCode::Unavailable));
+    QCOMPARE(problemOf("/quiet", map::ProblemCode::Unavailable)->reason.because.front(),
+             Fault(robot::fault::ItAnswered, {"Unable to load the manifest for package x."}));
   }
 
   void whatCameAllTheTimeAndStopsIsTold() {

@@ -64,13 +64,17 @@ class TestRosbridgeTopics : public QObject {
     QCOMPARE(sent["type"], QStringLiteral("kabam_msgs/MapList"));
     QCOMPARE(sent.request[QLatin1String("throttle_rate")].toInt(), 200);
     QCOMPARE(sent.request[QLatin1String("queue_length")].toInt(), 1);  // else the last would be dropped
-    QCOMPARE(heard.client.topicOf(sent["id"]), std::string("/map_manager/map_list"));
+    heard.server.say("{\"op\":\"status\",\"level\":\"error\",\"msg\":\"no such type\",\"id\":\"" +
+                     sent["id"].toUtf8() + "\"}");
+    QTRY_COMPARE(heard.client.refusalOf("/map_manager/map_list"), QStringLiteral("no such type"));
+    QCOMPARE(heard.client.refusalOf("/plain"), QString());
     for (const char* absent : {"type", "throttle_rate", "queue_length", "fragment_size", "compression"}) {
       QVERIFY2(!heard.server.seen[1].request.contains(QLatin1String(absent)), absent);
     }
     const QByteArray text = R"({"op":"publish","topic":"\/map_manager\/map_list","msg":{"maps":[1]}})";
     heard.server.say(text);
     QTRY_COMPARE(heard.messages.size(), 1);
+    QCOMPARE(heard.client.refusalOf("/map_manager/map_list"), QString());
     QCOMPARE(heard.messages[0].topic, std::string("/map_manager/map_list"));
     QCOMPARE(heard.messages[0].msg["maps"].size(), std::size_t(1));
     QCOMPARE(heard.messages[0].bytes, qint64(text.size()));

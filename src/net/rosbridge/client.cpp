@@ -152,11 +152,9 @@ class Client::Impl {
     return options_.now() - known->second.since;
   }
 
-  std::optional<std::string> topicOf(const QString& id) const {
-    for (const auto& [topic, state] : topics_) {
-      if (!id.isEmpty() && state.id == id) return topic;
-    }
-    return std::nullopt;
+  QString refusalOf(const std::string& name) const {
+    const auto topic = topics_.find(name);
+    return topic == topics_.end() ? QString() : topic->second.refusal;
   }
 
   const WebSocketLink& link(bool large) const { return large ? large_.link : quick_.link; }
@@ -188,6 +186,7 @@ class Client::Impl {
     QString id;  // empty: not sent
     std::chrono::milliseconds since{0};
     bool heard = false;  // since it was sent
+    QString refusal;     // by the server, since it was sent
   };
 
   struct Call {
@@ -407,6 +406,7 @@ class Client::Impl {
     topic.id = QLatin1Char('s') + QString::number(++last_subscription_);
     topic.since = options_.now();
     topic.heard = false;
+    topic.refusal.clear();
     qCDebug(lcRosbridge, "subscribe %s (%s)", topic.wanted.topic.c_str(),
             topic.wanted.type.empty() ? "any type" : topic.wanted.type.c_str());
     by.send(subscribeRequest(topic.id, topic.wanted));
@@ -517,6 +517,7 @@ class Client::Impl {
     // For a topic that was unsubscribed, or for its former subscription: it was already on its way.
     if (topic == topics_.end() || isLarge(topic->second) != large) return;
     topic->second.since = options_.now();
+    topic->second.refusal.clear();
     if (!std::exchange(topic->second.heard, true))
       qCDebug(lcRosbridge, "first message of %s: %lld bytes", topic->first.c_str(), bytes);
     message.topic = topic->first;
@@ -544,6 +545,9 @@ class Client::Impl {
     const std::optional<QString> id = idIn(status["id"]);
     qCInfo(lcRosbridge, "status %s: %s", qUtf8Printable(level), qUtf8Printable(words));
     if (id && level == QLatin1String("error")) {
+      for (auto& [name, topic] : topics_) {
+        if (topic.id == *id && isLarge(topic) == large) topic.refusal = words.left(300);
+      }
       // Instead of an answer: the request was not understood.
       if (const auto call = takeAnswered(id, {}, large)) {
         CallAnswer answer;
@@ -649,9 +653,7 @@ void Client::unsubscribe(const std::string& topic) { impl_->unsubscribe(topic); 
 std::optional<std::chrono::milliseconds> Client::silentFor(const std::string& topic) const {
   return impl_->silentFor(topic);
 }
-std::optional<std::string> Client::topicOf(const QString& subscription_id) const {
-  return impl_->topicOf(subscription_id);
-}
+QString Client::refusalOf(const std::string& topic) const { return impl_->refusalOf(topic); }
 quint64 Client::oddities() const { return impl_->oddities(); }
 
 }  // namespace mapwright::net::rosbridge

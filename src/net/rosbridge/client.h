@@ -91,8 +91,9 @@ class Client : public QObject {
   void unsubscribe(const std::string& topic);
   /// Since the subscription was sent or the last message; nullopt: not subscribed, or not connected.
   std::optional<std::chrono::milliseconds> silentFor(const std::string& topic) const;
-  /// The topic of a subscription id, as in statusReceived().
-  std::optional<std::string> topicOf(const QString& subscription_id) const;
+  /// The server's own words (untrusted) when it refused the present subscription, such as for a type that it
+  /// does not know; empty: it did not, or messages have come since.
+  QString refusalOf(const std::string& topic) const;
 
   quint64 oddities() const;  // number of odd() signals
 

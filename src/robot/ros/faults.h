@@ -178,7 +178,10 @@ inline constexpr FaultCode TagsNotTaken{
 inline constexpr FaultCode ChangedMeanwhile{
     "ros", QT_TRANSLATE_NOOP("ros", "\"%1\" was changed on the robot in the meantime")};
 inline constexpr FaultCode ListsNotTold{
-    "ros", QT_TRANSLATE_NOOP("ros", "the robot's map manager did not list its maps in time")};
+    "ros", QT_TRANSLATE_NOOP(
+               "ros",
+               "the robot's map manager did not list its maps in time; it may be busy, or the rosbridge "
+               "server may lack its message types (kabam_msgs)")};
 inline constexpr FaultCode OnlyCurrentMapSent{
     "ros",
     QT_TRANSLATE_NOOP("ros", "The robot only sends its current map. Load this one on the robot to see it.")};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/faults.h"
 #include "robot/ros/faults.h"
 #include "robot/wire/failures.h"
 #include "robot/wire/faults.h"
@@ -166,6 +167,9 @@ void KabamRequests::whenListed(const wire::TaskPtr& task, const map::Subject& su
     const bool enough = how == End::TooLate && state_.partlyListed();
     if (how == End::Held || enough) return then(std::nullopt);
     map::Failure failure = failed(how, subject, fault::ListsNotTold, fault::LinkBrokeOff);
+    const QString refusal = client_.refusalOf(state_.place() + "/map_list");
+    if (how == End::TooLate && !refusal.isEmpty())
+      failure.cause.because = {Fault(robot::fault::ItAnswered, {refusal.toStdString()})};
     failure.asked_for = asked_for;
     then(std::move(failure));
   };

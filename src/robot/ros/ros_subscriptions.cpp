@@ -5,6 +5,7 @@
 
 #include <QPointer>
 
+#include "robot/faults.h"
 #include "robot/ros/faults.h"
 
 namespace mapwright::robot::ros {
@@ -233,8 +234,13 @@ void RosSubscriptions::tellSilence(const std::string& topic) {
     const bool stopped = entry->second.heard();
     const bool serious = stopped || entry->second.wanted.necessary;
     Fault reason(fault::TopicSilent);
-    // If it did arrive before, neither the server nor a missing entry is the cause.
-    if (!stopped || (why != fault::TopicListedOnly && why != fault::TopicsNotTold)) reason.because = {why};
+    const QString refusal = self->client_.refusalOf(topic);
+    if (!refusal.isEmpty() && why != fault::TopicNotListed) {
+      reason.because = {Fault(robot::fault::ItAnswered, {refusal.toStdString()})};
+      // If it did arrive before, neither the server nor a missing entry is the cause.
+    } else if (!stopped || (why != fault::TopicListedOnly && why != fault::TopicsNotTold)) {
+      reason.because = {why};
+    }
     Q_EMIT self->problemFound({serious ? map::Severity::Warning : map::Severity::Info, subjectOf(topic),
                                std::move(reason), map::ProblemCode::Unavailable});
   };
