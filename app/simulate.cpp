@@ -132,6 +132,8 @@ void SimulateOptions::addFaults() {
   rate("--drop-writes", f.drop_writes, tr("Share of these that change nothing and get no response"));
   rate("--lose-write-answers", f.lose_write_answers,
        tr("Share of these that take effect but get no response"));
+  flag("--sees-nothing", f.sees_nothing,
+       tr("The robot sees no charger, rack, pallet or trailer, and has collected no landmarks"));
   number("--map-latency-ms", f.map_latency_ms, 0, 600'000, tr("Delay of every response about maps"));
   flag("--truncated-maps", f.truncated_maps, tr("Cut off every map's PNG half-way"));
   flag("--lying-map-size", f.lying_map_size, tr("Every map's PNG declares 60,000 x 60,000 pixels"));

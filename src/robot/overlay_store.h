@@ -10,6 +10,8 @@
 
 namespace mapwright::robot {
 
+class SightingSource;  // robot/sighting_source.h
+
 struct OverlayText {
   std::string text;            // GeoJSON as the robot keeps it, to the byte; may be empty
   std::optional<int> version;  // goes up with every change; nullopt: not told
@@ -27,6 +29,8 @@ class OverlayStore {
   /// afterwards: compare it. Whoever changed them since they were read is overwritten, so read them just
   /// before.
   virtual Call write(const map::MapKey& key, const std::string& text, OutcomeTo<OverlayText> reply) = 0;
+  /// Null: this robot sees nothing that could become an overlay.
+  virtual SightingSource* sightings() { return nullptr; }
 };
 
 }  // namespace mapwright::robot

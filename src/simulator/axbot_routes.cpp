@@ -320,7 +320,8 @@ HttpAnswer AxbotRoutes::routed(const HttpQuestion& question) {
     if (question.method == "GET") return submap(robot_, question);
     allowed = "GET";
   }
-  for (const std::span<const Route> routes : {std::span<const Route>(kRoutes), mapRoutes(), bagRoutes()}) {
+  for (const std::span<const Route> routes :
+       {std::span<const Route>(kRoutes), mapRoutes(), bagRoutes(), sightingRoutes()}) {
     for (const Route& route : routes) {
       const std::optional<std::string_view> name = matched(route.path, path);
       if (!name || (!pattern.empty() && pattern != route.path)) continue;

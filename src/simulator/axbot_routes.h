@@ -50,6 +50,9 @@ std::span<const Route> mapRoutes();
 /// Of bags, recordings and the bag player.
 std::span<const Route> bagRoutes();
 
+/// Of what the robot sees around it.
+std::span<const Route> sightingRoutes();
+
 /// A map's PNG with the effects of the faults.
 std::string faultyPng(const std::string& png, const Faults& faults);
 

@@ -137,6 +137,7 @@ struct Faults {
   double write_error_rate = 0;    // 500, 502, 503 or an HTML page; nothing is changed
   double drop_writes = 0;         // the connection is closed without an answer; nothing is changed
   double lose_write_answers = 0;  // the connection is closed without an answer, and all is changed
+  bool sees_nothing = false;      // no charger, rack, pallet or trailer; nothing was collected
   RosFaults ros;
 };
 

@@ -42,6 +42,7 @@ AxbotLink::AxbotLink(LinkOptions options)
       changes_(server(), maps_),
       bags_(server()),
       overlays_(server()),
+      sightings_(server()),
       grids_(server()),
       // Old firmware does not know the query; if the handshake is refused for it, it is left out.
       socket_({socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret,

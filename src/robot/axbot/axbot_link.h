@@ -23,6 +23,7 @@
 #include "robot/axbot/map_requests.h"
 #include "robot/axbot/overlay_requests.h"
 #include "robot/axbot/parse_topics.h"
+#include "robot/axbot/sighting_requests.h"
 #include "robot/axbot/topic_subscriptions.h"
 #include "robot/wire/robot_link.h"
 
@@ -64,6 +65,7 @@ class AxbotLink : public wire::RobotLink {
   MapChanges& changes() { return changes_; }
   BagRequests& bags() { return bags_; }
   OverlayRequests& overlays() { return overlays_; }
+  SightingRequests& sightings() { return sightings_; }
   /// A request for the overview; also notes if the robot does not support it.
   void fetchOverview(const wire::TaskPtr& task, double resolution_m, OutcomeTo<map::WholeMap> reply);
 
@@ -106,6 +108,7 @@ class AxbotLink : public wire::RobotLink {
   MapChanges changes_;
   BagRequests bags_;
   OverlayRequests overlays_;
+  SightingRequests sightings_;
   GridFetcher grids_;
   net::WebSocketLink socket_;
   QTimer list_timer_, subscribe_timer_, older_timer_, again_timer_;

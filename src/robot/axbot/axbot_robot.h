@@ -8,6 +8,7 @@
 #include "robot/axbot/axbot_link.h"
 #include "robot/map_administration.h"
 #include "robot/overlay_store.h"
+#include "robot/sighting_source.h"
 #include "robot/wire/forwarded.h"
 #include "robot/wire/network_robot.h"
 
@@ -44,11 +45,27 @@ class Administration : public MapAdministration {
   std::optional<bool> mapping_;  // nullopt: not known
 };
 
+class Sightings : public SightingSource {
+ public:
+  explicit Sightings(AxbotLink* link) : sightings_(link, &AxbotLink::sightings) {}
+  Call look(Sight what, SightEdge edge, OutcomeTo<Sighting> reply) override {
+    return sightings_.ask(kHere, std::move(reply), &SightingRequests::look, what, edge);
+  }
+  Call collectedLandmarks(OutcomeTo<std::vector<map::Landmark>> reply) override {
+    return sightings_.ask(kHere, std::move(reply), &SightingRequests::collectedLandmarks);
+  }
+  QStringList topics() const override { return sightingTopics(); }
+
+ private:
+  static inline const map::Subject kHere = map::subjectOf({map::MapKind::Live, {}});
+  wire::LinkRef<SightingRequests> sightings_;
+};
+
 class Overlays : public OverlayStore {
  public:
   /// `changed`: as for Administration.
   Overlays(AxbotLink* link, std::function<void()> changed)
-      : overlays_(link, &AxbotLink::overlays), changed_(std::move(changed)) {}
+      : overlays_(link, &AxbotLink::overlays), sightings_(link), changed_(std::move(changed)) {}
   Call read(const map::MapKey& key, OutcomeTo<OverlayText> reply) override {
     return overlays_.ask(map::subjectOf(key), std::move(reply), &OverlayRequests::read, key);
   }
@@ -56,9 +73,11 @@ class Overlays : public OverlayStore {
     return overlays_.change(map::subjectOf(key), overlays_.telling(changed_, std::move(reply)),
                             &OverlayRequests::write, key, text);
   }
+  SightingSource* sightings() override { return &sightings_; }
 
  private:
   wire::LinkRef<OverlayRequests> overlays_;
+  Sightings sightings_;
   std::function<void()> changed_;
 };
 

@@ -116,6 +116,17 @@ inline constexpr FaultCode NoAutoxingRobotThere{
     QT_TRANSLATE_NOOP(
         "axbot", "there is a server at %1, but not an Autoxing robot: %2. Check the address and the port.")};
 
+// What it sees around it.
+inline constexpr FaultCode SeesNoCharger{"axbot",
+                                         QT_TRANSLATE_NOOP("axbot", "The robot sees no charger here.")};
+inline constexpr FaultCode SeesNoRack{"axbot", QT_TRANSLATE_NOOP("axbot", "The robot sees no rack here.")};
+inline constexpr FaultCode SeesNoPallet{"axbot",
+                                        QT_TRANSLATE_NOOP("axbot", "The robot sees no pallet here.")};
+inline constexpr FaultCode SeesNoTrailer{"axbot",
+                                         QT_TRANSLATE_NOOP("axbot", "The robot sees no trailer here.")};
+inline constexpr FaultCode SightingUnreadable{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot's answer contains no pose that can be read.")};
+
 // Changing maps.
 inline constexpr FaultCode StillListed{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the deletion, but still lists the map.")};
