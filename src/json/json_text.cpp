@@ -403,8 +403,16 @@ std::string canonical(const JsonValue& value) {
 std::string quoted(std::string_view plain) {
   constexpr char kHex[] = "0123456789abcdef";
   std::string out = "\"";
-  for (const char c : plain) {
-    if (c == '"' || c == '\\') {
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const char c = plain[i];
+    const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(plain[at]); };
+    if (byte(i) == 0xED && i + 2 < plain.size() && byte(i + 1) >= 0xA0) {
+      // Half a surrogate pair, as string() gives it: only an escape can stand for it.
+      const unsigned half = 0xD000u | (byte(i + 1) & 0x3Fu) << 6 | (byte(i + 2) & 0x3Fu);
+      out += "\\u";
+      for (int shift = 12; shift >= 0; shift -= 4) out += kHex[half >> shift & 0xF];
+      i += 2;
+    } else if (c == '"' || c == '\\') {
       out += '\\';
       out += c;
     } else if (c == '\n') {

@@ -44,7 +44,7 @@ class JsonValue {
   /// Where that name begins in the text.
   std::size_t keyBegin() const;
   /// A string, decoded to UTF-8; empty for other kinds. Half a surrogate pair becomes the three bytes that it
-  /// would have, which is no UTF-8 and is not read as JSON again: nothing else could stand for it.
+  /// would have, which is no UTF-8; quoted() writes it as an escape again.
   std::string string() const;
   /// NaN if it is no number. Beyond doubles: infinite.
   double number() const;
