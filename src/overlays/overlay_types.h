@@ -7,6 +7,7 @@ namespace mapwright::overlays {
 // Points: properties.type.
 inline constexpr int kCharger = 9;
 inline constexpr int kGate = 7, kDoor = 8;
+inline constexpr int kRackPoint = 34;
 inline constexpr int kDockingPoint = 36;
 inline constexpr int kBarcode = 37, kLandmark = 39;
 // Lines: lineType.
