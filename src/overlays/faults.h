@@ -10,6 +10,25 @@ using namespace mapwright::fault;  // what all rooms share
 inline constexpr FaultCode NoCollection{
     "overlays", QT_TRANSLATE_NOOP("overlays", "it is not a GeoJSON FeatureCollection")};
 
+// What somebody hands in; number of the feature first.
+inline constexpr FaultCode PastedNothing{"overlays",
+                                         QT_TRANSLATE_NOOP("overlays", "it contains no overlays")};
+inline constexpr FaultCode PastedNoFeature{
+    "overlays", QT_TRANSLATE_NOOP("overlays", "number %1 in the list is no feature")};
+inline constexpr FaultCode PastedWithoutPlace{"overlays",
+                                              QT_TRANSLATE_NOOP("overlays", "feature %1 has no place")};
+/// its type
+inline constexpr FaultCode PastedGeometryUnknown{
+    "overlays", QT_TRANSLATE_NOOP("overlays", "the geometry of feature %1 is of an unknown type, \"%2\"")};
+/// as written
+inline constexpr FaultCode PastedCoordinateUnusable{
+    "overlays", QT_TRANSLATE_NOOP("overlays", "feature %1 has a coordinate that cannot be used: %2")};
+inline constexpr FaultCode PastedTooFewPoints{"overlays",
+                                              QT_TRANSLATE_NOOP("overlays", "feature %1 has too few points")};
+/// how many may be
+inline constexpr FaultCode PastedTooMany{"overlays",
+                                         QT_TRANSLATE_NOOP("overlays", "it contains more than %1 features")};
+
 // Flaws of features; each is a sentence.
 /// the id
 inline constexpr FaultCode IdTwice{"overlays",
