@@ -54,9 +54,28 @@ Version versionOn(const Version& base, const Version& mine, const Version& their
   return merged;
 }
 
+Version collectionOf(const OverlayDocument& document) {
+  auto json = document.collection();
+  return json ? Version(Feature(std::move(*json))) : std::nullopt;
+}
+
+/// The document with the members of the collection that `after` has other than `before`.
+OverlayDocument withCollection(OverlayDocument document, const Version& before, const Version& after) {
+  if (!after || areSame(before, after)) return document;
+  std::set<std::string> members;
+  for (const PartChange& change : changesOf(before ? *before : Feature("{}"), *after))
+    members.insert(change.part.of == Part::Of::Property ? "properties" : change.part.name);
+  for (const std::string& member : members) {
+    const auto value = after->root().member(member);
+    document.setMember(member, value ? std::optional(std::string(value->text())) : std::nullopt);
+  }
+  return document;
+}
+
 }  // namespace
 
-EditingDocument::EditingDocument(OverlayDocument base) : base_(std::move(base)) {
+EditingDocument::EditingDocument(OverlayDocument base)
+    : base_(std::move(base)), collection_base_(collectionOf(base_)), collection_now_(collection_base_) {
   for (const Feature& feature : base_.features()) {
     base_keys_.push_back(now_.size());
     base_of_.emplace_back(feature);
@@ -65,9 +84,11 @@ EditingDocument::EditingDocument(OverlayDocument base) : base_(std::move(base)) 
 }
 
 const Version& EditingDocument::find(FeatureKey key) const {
+  if (key == kCollectionKey) return collection_now_;
   return key < now_.size() ? now_[key] : kNowhere;
 }
 const Version& EditingDocument::findBase(FeatureKey key) const {
+  if (key == kCollectionKey) return collection_base_;
   return key < base_of_.size() ? base_of_[key] : kNowhere;
 }
 
@@ -86,7 +107,7 @@ OverlayDocument EditingDocument::mine() const {
   for (FeatureKey key = 0; key < now_.size(); ++key) {
     if (now_[key] && !placed.contains(key)) document.add(*now_[key]);
   }
-  return document;
+  return withCollection(std::move(document), collection_base_, collection_now_);
 }
 
 std::vector<FeatureKey> EditingDocument::keysOfMine() const {
@@ -111,7 +132,7 @@ EditingDocument::State EditingDocument::state(FeatureKey key) const {
 std::size_t EditingDocument::unsavedCount() const {
   std::size_t count = 0;
   for (FeatureKey key = 0; key < now_.size(); ++key) count += isUnsaved(key) ? 1 : 0;
-  return count;
+  return count + (isUnsaved(kCollectionKey) ? 1 : 0);
 }
 
 bool EditingDocument::unsaved() const { return unsavedCount() > 0; }
@@ -127,7 +148,7 @@ FeatureKey EditingDocument::newKey() {
 }
 
 void EditingDocument::apply(const std::vector<FeatureEdit>& edits, bool forward) {
-  for (const FeatureEdit& edit : edits) now_[edit.key] = forward ? edit.after : edit.before;
+  for (const FeatureEdit& edit : edits) nowOf(edit.key) = forward ? edit.after : edit.before;
 }
 
 bool EditingDocument::change(std::vector<FeatureEdit> edits, bool joins) {
@@ -195,11 +216,14 @@ void EditingDocument::rebase(const OverlayDocument& theirs) {
   for (std::size_t i = 0; i < keys.size(); ++i) there[*keys[i]] = theirs.features()[i];
 
   const auto ignored = [](const Part&) {};
+  const Version collection_there = collectionOf(theirs);
   for (auto& step : steps_) {
     for (FeatureEdit& edit : step) {
-      const Version& base = base_of_[edit.key];
-      edit.before = versionOn(base, edit.before, there[edit.key], ignored);
-      edit.after = versionOn(base, edit.after, there[edit.key], ignored);
+      const bool whole = edit.key == kCollectionKey;
+      const Version &base = whole ? collection_base_ : base_of_[edit.key],
+                    &now = whole ? collection_there : there[edit.key];
+      edit.before = versionOn(base, edit.before, now, ignored);
+      edit.after = versionOn(base, edit.after, now, ignored);
     }
   }
   std::set<FeatureKey> undecided;
@@ -216,6 +240,11 @@ void EditingDocument::rebase(const OverlayDocument& theirs) {
     });
     base_of_[key] = there[key];
   }
+  collection_now_ = versionOn(collection_base_, collection_now_, collection_there, [&](const Part& part) {
+    met_.emplace(kCollectionKey, part);
+    before_conflict_.emplace(kCollectionKey, collection_base_);
+  });
+  collection_base_ = collection_there;
   base_ = theirs;
   base_keys_.clear();
   for (const auto& key : keys) base_keys_.push_back(*key);
@@ -226,6 +255,7 @@ void EditingDocument::noteSaved() {
   base_ = mine();
   base_keys_ = std::move(keys);
   base_of_ = now_;
+  collection_base_ = collection_now_ = collectionOf(base_);
   changed_there_.clear();
   met_.clear();
   before_conflict_.clear();
@@ -234,7 +264,7 @@ void EditingDocument::noteSaved() {
 std::vector<EditingDocument::Conflict> EditingDocument::conflicts() const {
   std::vector<Conflict> open;
   for (const Conflict& conflict : met_) {
-    const Version &mine = now_[conflict.first], &theirs = base_of_[conflict.first];
+    const Version &mine = find(conflict.first), &theirs = findBase(conflict.first);
     if (areSame(mine, theirs)) continue;
     if (conflict.second.of != Part::Of::Whole) {
       if (!mine || !theirs) continue;
@@ -265,7 +295,7 @@ std::optional<std::string> EditingDocument::theirsOf(const Conflict& conflict) c
 
 void EditingDocument::takeTheirs(const Conflict& conflict) {
   const auto& [key, part] = conflict;
-  const Version &mine = now_[key], &theirs = base_of_[key];
+  const Version &mine = find(key), &theirs = findBase(key);
   Version after = theirs;
   if (part.of != Part::Of::Whole && mine && theirs) after = withPart(*mine, part, partOf(*theirs, part));
   change({{key, mine, after}});
@@ -282,9 +312,12 @@ OverlayDocument EditingDocument::draftBase() const {
   }
   // They deleted these.
   for (const FeatureKey key : undecided) {
+    if (key == kCollectionKey) continue;
     const auto before = before_conflict_.find(key);
     if (before != before_conflict_.end() && before->second) document.add(*before->second);
   }
+  if (const auto before = before_conflict_.find(kCollectionKey); before != before_conflict_.end())
+    document = withCollection(std::move(document), collection_base_, before->second);
   return document;
 }
 
@@ -302,6 +335,8 @@ void EditingDocument::takeUp(const OverlayDocument& old_base, const OverlayDocum
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (!known[i]) edits.push_back({old.newKey(), std::nullopt, old_mine.features()[i]});
   }
+  if (const Version collection = collectionOf(old_mine))
+    edits.push_back({kCollectionKey, old.collection_now_, collection});
   old.change(std::move(edits));
   const OverlayDocument here = mine();
   old.rebase(here);
@@ -317,8 +352,14 @@ void EditingDocument::takeUp(const OverlayDocument& old_base, const OverlayDocum
     }
     taken.push_back({*ours[key], now_[*ours[key]], old.now_[key]});
   }
+  taken.push_back({kCollectionKey, collection_now_, old.collection_now_});
   change(std::move(taken));
   for (const Conflict& conflict : old.met_) {
+    if (conflict.first == kCollectionKey) {
+      met_.insert(conflict);
+      before_conflict_.emplace(kCollectionKey, old.before_conflict_.at(kCollectionKey));
+      continue;
+    }
     if (!ours[conflict.first]) continue;
     met_.emplace(*ours[conflict.first], conflict.second);
     before_conflict_.emplace(*ours[conflict.first], old.before_conflict_.at(conflict.first));

@@ -18,6 +18,10 @@ namespace mapwright::overlays {
 /// Names a feature as long as its document is open, in whatever way it changes.
 using FeatureKey = std::size_t;
 
+/// Names the members of the collection besides its features, as one text: its properties are edited, merged
+/// and decided like those of a feature.
+inline constexpr FeatureKey kCollectionKey = FeatureKey(-1);
+
 /// A feature before and after a step; nullopt: it is not there.
 struct FeatureEdit {
   FeatureKey key = 0;
@@ -40,7 +44,7 @@ class EditingDocument {
 
   /// All keys are below it.
   std::size_t size() const { return now_.size(); }
-  /// nullopt: it is deleted, or there is none.
+  /// nullopt: it is deleted, or there is none. The collection is not there if the text has no object for it.
   const std::optional<Feature>& find(FeatureKey key) const;
   const std::optional<Feature>& findBase(FeatureKey key) const;
   /// Another notation is no change.
@@ -91,11 +95,13 @@ class EditingDocument {
  private:
   using Version = std::optional<Feature>;
   void apply(const std::vector<FeatureEdit>& edits, bool forward);
+  Version& nowOf(FeatureKey key) { return key == kCollectionKey ? collection_now_ : now_[key]; }
   void resize(std::size_t size);
 
   OverlayDocument base_;
   std::vector<FeatureKey> base_keys_;   // of its features
   std::vector<Version> base_of_, now_;  // by key
+  Version collection_base_, collection_now_;
   std::vector<std::vector<FeatureEdit>> steps_;
   std::size_t done_ = 0;
   std::set<FeatureKey> changed_there_;

@@ -48,8 +48,17 @@ Shape Feature::shape() const {
                                 : Shape::Other;
 }
 
+Shape partShapeOf(const Feature& feature) {
+  const auto geometry = feature.root().member("geometry");
+  const std::string type = geometry ? textOf(geometry->member("type")) : std::string();
+  return type == "MultiPoint"        ? Shape::Point
+         : type == "MultiLineString" ? Shape::Line
+         : type == "MultiPolygon"    ? Shape::Polygon
+                                     : feature.shape();
+}
+
 int Feature::type() const {
-  const Shape is = shape();
+  const Shape is = partShapeOf(*this);
   const std::string written = textOf(property(is == Shape::Line      ? "lineType"
                                               : is == Shape::Polygon ? "regionType"
                                                                      : "type"));

@@ -21,6 +21,9 @@ using json::JsonText;
 using json::JsonValue;
 
 enum class Shape { None, Point, Line, Polygon, Other };
+/// What the parts of its geometry are: Line for a LineString and a MultiLineString, Other for a collection.
+class Feature;
+Shape partShapeOf(const Feature& feature);
 
 /// One feature, as written.
 class Feature {
@@ -37,8 +40,8 @@ class Feature {
   std::string id() const;
   std::string name() const;
   Shape shape() const;
-  /// The number of properties.type (points), lineType (lines) or regionType (polygons), written as a number
-  /// or as a text; 0 = none or unknown.
+  /// The number of properties.type (points), lineType (lines) or regionType (polygons, of several parts,
+  /// too), written as a number or as a text; 0 = none or unknown.
   int type() const;
   std::optional<JsonValue> property(std::string_view name) const;
   std::optional<JsonValue> coordinates() const;

@@ -104,16 +104,23 @@ struct WrittenRing {
 };
 
 std::vector<WrittenRing> ringsOf(const Feature& feature) {
-  const Shape shape = feature.shape();
+  const Shape shape = partShapeOf(feature);
+  const bool several = feature.shape() != shape;
   const auto coordinates = feature.coordinates();
   if (!coordinates || shape == Shape::None || shape == Shape::Other) return {};
   std::vector<std::vector<JsonValue>> lists;
   if (shape == Shape::Point) {
-    lists.push_back({*coordinates});
-  } else if (shape == Shape::Line) {
+    lists.push_back(several ? coordinates->children() : std::vector<JsonValue>{*coordinates});
+  } else if (shape == Shape::Line && !several) {
     lists.push_back(coordinates->children());
   } else {
-    for (const JsonValue& ring : coordinates->children()) lists.push_back(ring.children());
+    for (const JsonValue& part : coordinates->children()) {
+      if (shape == Shape::Line || !several) {
+        lists.push_back(part.children());
+        continue;
+      }
+      for (const JsonValue& ring : part.children()) lists.push_back(ring.children());
+    }
   }
   std::vector<WrittenRing> rings;
   for (auto& list : lists) {
@@ -182,7 +189,7 @@ Feature withVertexAt(const Feature& feature, Vertex vertex, const Vector2d& at_m
 
 Feature withVertexAfter(const Feature& feature, Vertex vertex, const Vector2d& at_m) {
   const auto rings = ringsOf(feature);
-  if (feature.shape() == Shape::Point || vertex.ring >= rings.size() ||
+  if (partShapeOf(feature) == Shape::Point || vertex.ring >= rings.size() ||
       vertex.index >= rings[vertex.ring].size())
     return feature;
   const WrittenRing& ring = rings[vertex.ring];
@@ -199,8 +206,9 @@ Feature withVertexAfter(const Feature& feature, Vertex vertex, const Vector2d& a
 
 std::optional<Feature> withoutVertex(const Feature& feature, Vertex vertex) {
   const auto rings = ringsOf(feature);
-  const std::size_t least = feature.shape() == Shape::Line ? 2 : 3;
-  if (feature.shape() == Shape::Point || vertex.ring >= rings.size()) return std::nullopt;
+  const Shape shape = partShapeOf(feature);
+  const std::size_t least = shape == Shape::Point ? 1 : shape == Shape::Line ? 2 : 3;
+  if (vertex.ring >= rings.size()) return std::nullopt;
   const WrittenRing& ring = rings[vertex.ring];
   if (vertex.index >= ring.size() || ring.size() <= least) return std::nullopt;
   const auto& all = ring.positions;
@@ -224,7 +232,7 @@ std::string_view typeProperty(Shape shape) {
 }
 
 Feature withType(const Feature& feature, int type) {
-  const std::string_view name = typeProperty(feature.shape());
+  const std::string_view name = typeProperty(partShapeOf(feature));
   return withProperty(feature, name, asWritten(feature.property(name), std::to_string(type)));
 }
 

@@ -24,8 +24,9 @@ Feature movedBy(const Feature& feature, const Eigen::Vector2d& by_m);
 /// Counter-clockwise, with the yaw of a point that has one.
 Feature turnedAbout(const Feature& feature, const Eigen::Vector2d& pivot_m, double by_rad);
 
-/// The positions of a point, a line or a polygon, ring by ring, without the one that closes a ring; empty for
-/// other shapes, and where one of them cannot be read.
+/// The positions of points, lines and polygons, ring by ring, without the one that closes a ring; those of
+/// several parts one part after the other, MultiPoint as one ring. Empty for collections, and where one of
+/// them cannot be read.
 struct Vertex {
   std::size_t ring = 0, index = 0;
   auto operator<=>(const Vertex&) const = default;
@@ -33,7 +34,7 @@ struct Vertex {
 std::vector<std::vector<Eigen::Vector2d>> verticesOf(const Feature& feature);
 /// A closed ring stays closed.
 Feature withVertexAt(const Feature& feature, Vertex vertex, const Eigen::Vector2d& at_m);
-/// After `vertex`; on a line or an outline.
+/// After `vertex`; on lines and outlines.
 Feature withVertexAfter(const Feature& feature, Vertex vertex, const Eigen::Vector2d& at_m);
 /// nullopt: too few would be left.
 std::optional<Feature> withoutVertex(const Feature& feature, Vertex vertex);
