@@ -1,9 +1,12 @@
 #include "overlays/overlay_paste.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "overlays/faults.h"
+#include "overlays/overlay_edits.h"
 #include "overlays/overlay_shapes.h"
 
 namespace mapwright::overlays {
@@ -76,6 +79,46 @@ tl::expected<std::vector<Feature>, Fault> pastedFeatures(const std::string& text
     features.push_back(std::move(feature));
   }
   return features;
+}
+
+std::vector<Feature> madeFree(const OverlayDocument& among, const std::vector<Feature>& features,
+                              const std::function<std::string()>& new_id) {
+  std::set<std::string> ids;
+  std::map<Shape, std::set<std::string>> names;
+  for (const Feature& feature : among.features()) {
+    ids.insert(feature.id());
+    names[feature.shape()].insert(feature.name());
+  }
+  std::map<std::string, std::string> renewed;
+  std::map<std::pair<Shape, std::string>, int> last;  // number of a name
+  std::vector<Feature> free;
+  free.reserve(features.size());
+  for (const Feature& feature : features) {
+    const std::string before = feature.id();
+    std::string name = feature.name();
+    std::set<std::string>& taken = names[feature.shape()];
+    if (!name.empty() && !taken.insert(name).second) {
+      int& number = last.try_emplace({feature.shape(), name}, 1).first->second;
+      std::string next;
+      do next = name + ' ' + std::to_string(++number);
+      while (!taken.insert(next).second);
+      name = next;
+    }
+    const bool keeps = !before.empty() && ids.insert(before).second;
+    const std::string id = keeps ? before : new_id();
+    if (!keeps && !before.empty()) renewed.emplace(before, id);
+    if (keeps) {
+      free.push_back(name == feature.name() ? feature : withProperty(feature, "name", json::quoted(name)));
+    } else {
+      free.push_back(duplicateOf(feature, id, name));
+    }
+  }
+  for (Feature& feature : free) {
+    const auto dock = feature.property("dockingPointId");
+    const auto to = dock ? renewed.find(dock->string()) : renewed.end();
+    if (to != renewed.end()) feature = withProperty(feature, "dockingPointId", json::quoted(to->second));
+  }
+  return free;
 }
 
 }  // namespace mapwright::overlays
