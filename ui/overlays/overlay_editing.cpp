@@ -5,6 +5,7 @@
 
 #include <QRandomGenerator>
 
+#include "overlays/overlay_paste.h"
 #include "overlays/overlay_shapes.h"
 #include "ui/overlays/overlay_text.h"
 
@@ -64,7 +65,7 @@ void OverlayEditing::setLocked(bool locked) {
 }
 
 void OverlayEditing::select(std::set<FeatureKey> keys) {
-  std::erase_if(keys, [this](FeatureKey key) { return !document_.find(key); });
+  std::erase_if(keys, [this](FeatureKey key) { return key == kCollectionKey || !document_.find(key); });
   if (keys == selected_) return;
   selected_ = std::move(keys);
   gesture_ = 0;
@@ -134,7 +135,8 @@ void OverlayEditing::prune() {
 }
 
 void OverlayEditing::set(FeatureKey key, const Feature& feature, const QString& text, Gesture gesture) {
-  if (document_.find(key)) change({{key, document_.find(key), feature}}, text, gesture);
+  if (document_.find(key) || key == kCollectionKey)
+    change({{key, document_.find(key), feature}}, text, gesture);
 }
 
 void OverlayEditing::changeSelected(const QString& text, const std::function<Feature(const Feature&)>& how,
@@ -171,30 +173,34 @@ std::string OverlayEditing::newId() const {
   return overlays::idOf(bytes);
 }
 
-std::vector<FeatureKey> OverlayEditing::addAll(const std::vector<Feature>& features,
-                                               const Eigen::Vector2d& by_m, const QString& text) {
-  if (!editable() || features.empty()) return {};
+std::vector<FeatureKey> OverlayEditing::put(const std::vector<Feature>& added,
+                                            const std::map<FeatureKey, Feature>& changed,
+                                            const QString& text) {
+  if (!editable()) return {};
   std::vector<FeatureEdit> edits;
-  OverlayDocument among = document_.mine();
-  for (const Feature& feature : features) {
-    const Feature added = overlays::movedBy(
-        overlays::duplicateOf(feature, newId(), overlays::freeName(among, feature.shape(), feature.name())),
-        by_m);
-    among.add(added);
-    edits.push_back({document_.newKey(), std::nullopt, added});
-  }
   std::vector<FeatureKey> keys;
-  for (const FeatureEdit& edit : edits) keys.push_back(edit.key);
+  for (const auto& [key, feature] : changed) edits.push_back({key, document_.find(key), feature});
+  for (const Feature& feature : added) {
+    keys.push_back(document_.newKey());
+    edits.push_back({keys.back(), std::nullopt, feature});
+  }
   change(std::move(edits), text);
-  select({keys.begin(), keys.end()});
+  if (!keys.empty()) select({keys.begin(), keys.end()});
   return keys;
+}
+
+std::vector<Feature> OverlayEditing::madeFree(const std::vector<Feature>& features) const {
+  return overlays::madeFree(document_.mine(), features, [this] { return newId(); });
 }
 
 void OverlayEditing::duplicateSelected() {
   constexpr double kAsideM = 0.5;
+  if (!editable()) return;
   std::vector<Feature> features;
   for (const FeatureKey key : selected_) features.push_back(*document_.find(key));
-  addAll(features, {kAsideM, -kAsideM}, saying(tr("duplicate %1")));
+  features = madeFree(features);
+  for (Feature& feature : features) feature = overlays::movedBy(feature, {kAsideM, -kAsideM});
+  put(features, {}, saying(tr("duplicate %1")));
 }
 
 FeatureKey OverlayEditing::add(overlays::Shape shape, const std::vector<Eigen::Vector2d>& points, int type) {
@@ -213,23 +219,19 @@ std::string OverlayEditing::copied() const {
   return copies.text();
 }
 
-bool OverlayEditing::paste(const std::string& geojson, const Eigen::Vector2d& at_m) {
-  const auto copies = OverlayDocument::read(geojson);
-  if (!copies) return false;
-  std::vector<Feature> features;
+void OverlayEditing::paste(const std::vector<Feature>& features, const std::optional<Eigen::Vector2d>& at_m) {
+  if (!editable()) return;
+  std::vector<Feature> pasted = madeFree(features);
   geometry::WorldRect around;
-  for (const Feature& feature : copies->features()) {
-    if (!feature.root().isObject() || !feature.root().member("geometry")) continue;
-    features.push_back(feature);
+  for (const Feature& feature : pasted) {
     for (const overlays::Path& path : overlays::shapesOf(feature).paths) {
       for (const Eigen::Vector2d& point : path.points) around.extend(point);
     }
   }
-  if (features.empty()) return false;
-  const Eigen::Vector2d middle((around.min_x + around.max_x) / 2, (around.min_y + around.max_y) / 2);
-  const Eigen::Vector2d by = around.empty() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(at_m - middle);
-  addAll(features, by, tr("paste %1").arg(featuresText(qsizetype(features.size()))));
-  return true;
+  if (at_m && !around.empty()) {
+    for (Feature& feature : pasted) feature = overlays::movedBy(feature, *at_m - around.center());
+  }
+  put(pasted, {}, tr("paste %1").arg(featuresText(qsizetype(pasted.size()))));
 }
 
 geometry::WorldRect OverlayEditing::bounds() const {
@@ -277,6 +279,8 @@ void OverlayEditing::revert() {
   for (FeatureKey key = 0; key < document_.size(); ++key) {
     if (document_.isUnsaved(key)) edits.push_back({key, document_.find(key), document_.findBase(key)});
   }
+  if (document_.isUnsaved(kCollectionKey))
+    edits.push_back({kCollectionKey, document_.find(kCollectionKey), document_.findBase(kCollectionKey)});
   change(std::move(edits), tr("discard the changes"));
 }
 

@@ -21,6 +21,7 @@ namespace mapwright::window {
 
 using overlays::Feature;
 using overlays::FeatureKey;
+using overlays::kCollectionKey;
 
 class OverlayEditing : public QObject {
   Q_OBJECT
@@ -64,12 +65,16 @@ class OverlayEditing : public QObject {
   /// Deleted ones, as the robot holds them.
   void restore(const std::set<FeatureKey>& keys);
   void duplicateSelected();
+  /// New ones as they are, which are selected then, and others in the place of present ones: one step.
+  std::vector<FeatureKey> put(const std::vector<Feature>& added, const std::map<FeatureKey, Feature>& changed,
+                              const QString& text);
+  std::string newId() const;
   /// A new one, which is selected then.
   FeatureKey add(overlays::Shape shape, const std::vector<Eigen::Vector2d>& points, int type);
   /// As a GeoJSON collection; empty: nothing is selected.
   std::string copied() const;
-  /// Features of a GeoJSON text, as new ones around that place; false: there are none.
-  bool paste(const std::string& geojson, const Eigen::Vector2d& at_m);
+  /// As new ones: in their place, or around another. Ids that are taken become new ones.
+  void paste(const std::vector<Feature>& features, const std::optional<Eigen::Vector2d>& at_m);
   /// Bounds of the selected ones, as shown.
   geometry::WorldRect bounds() const;
   /// "move virtual wall W17", "move 3 features".
@@ -97,9 +102,7 @@ class OverlayEditing : public QObject {
   void change(std::vector<overlays::FeatureEdit> edits, const QString& text, Gesture gesture = 0);
   void step(bool forward);
   void prune();
-  std::string newId() const;
-  std::vector<FeatureKey> addAll(const std::vector<Feature>& features, const Eigen::Vector2d& by_m,
-                                 const QString& text);
+  std::vector<Feature> madeFree(const std::vector<Feature>& features) const;
 
   overlays::EditingDocument document_;
   QUndoStack undo_;

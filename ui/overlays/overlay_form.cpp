@@ -47,8 +47,8 @@ bool isPlain(Shape shape) { return shape == Shape::Point || shape == Shape::Line
 
 /// It has a field of its own.
 bool hasField(const Feature& feature, const std::string& property) {
-  return property == "name" ||
-         (isPlain(feature.shape()) && property == overlays::typeProperty(feature.shape())) ||
+  const Shape shape = overlays::partShapeOf(feature);
+  return property == "name" || (isPlain(shape) && property == overlays::typeProperty(shape)) ||
          (feature.shape() == Shape::Point && property == "yaw");
 }
 
@@ -122,9 +122,12 @@ OverlayForm::OverlayForm(OverlayEditing* editing, QWidget* parent)
   column->addLayout(rowOf({{new_key_, 1}, add_, remove_}, 4));
   column->addWidget(problem_);
   setLayout(column);
-  for (const auto signal :
-       {&OverlayEditing::changed, &OverlayEditing::previewChanged, &OverlayEditing::selectionChanged})
+  for (const auto signal : {&OverlayEditing::changed, &OverlayEditing::selectionChanged})
     connect(editing_, signal, this, &OverlayForm::refresh);
+  // Dragging changes no property but the heading of one.
+  connect(editing_, &OverlayEditing::previewChanged, this, [this] {
+    if (shown_) refresh();
+  });
   connect(name_, &QLineEdit::editingFinished, this, &OverlayForm::takeName);
   connect(type_, &QComboBox::activated, this, [this] {
     const int type = type_->currentData().toInt();
@@ -132,18 +135,19 @@ OverlayForm::OverlayForm(OverlayEditing* editing, QWidget* parent)
                              [type](const Feature& each) { return overlays::withType(each, type); });
   });
   connect(yaw_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
-    const Feature* const now = feature();
-    if (refreshing_ || !now) return;
-    editing_->set(*shown_, overlays::withYaw(*now, degrees <= kNoYaw ? std::nullopt : std::optional(degrees)),
-                  tr("turn %1").arg(overlayCalled(*now)));
+    if (refreshing_ || editing_->selected().empty()) return;
+    editing_->changeSelected(editing_->saying(tr("turn %1")), [degrees](const Feature& each) {
+      return overlays::withYaw(each, degrees <= kNoYaw ? std::nullopt : std::optional(degrees));
+    });
   });
   connect(properties_, &QTableWidget::cellChanged, this, [this](int row, int changed) {
     if (!refreshing_ && changed == kValueColumn) takeValue(row);
   });
   connect(properties_, &QTableWidget::itemSelectionChanged, this,
           [this] { remove_->setEnabled(isEnabled() && !properties_->selectedItems().isEmpty()); });
-  connect(new_key_, &QLineEdit::textChanged, this,
-          [this](const QString& key) { add_->setEnabled(feature() && !key.trimmed().isEmpty()); });
+  connect(new_key_, &QLineEdit::textChanged, this, [this](const QString& key) {
+    add_->setEnabled(editing_->editable() && !editing_->selected().empty() && !key.trimmed().isEmpty());
+  });
   connect(new_key_, &QLineEdit::returnPressed, this, &OverlayForm::addProperty);
   connect(add_, &QPushButton::clicked, this, &OverlayForm::addProperty);
   connect(remove_, &QPushButton::clicked, this, &OverlayForm::removeProperty);
@@ -172,10 +176,13 @@ void OverlayForm::refresh() {
   shown_ = key;
   const Feature* const now = feature();
   refreshing_ = true;
-  const bool usable = now && editing_->editable();
-  for (QWidget* widget : std::initializer_list<QWidget*>{name_, new_key_}) widget->setEnabled(usable);
+  const bool any = !editing_->selected().empty();
+  const bool usable = any && editing_->editable();
+  name_->setEnabled(now && usable);
+  name_->setPlaceholderText(any && !now ? tr("several values") : QString());
+  new_key_->setEnabled(usable);
   yaw_->setEnabled(usable);
-  properties_->setEnabled(now != nullptr);
+  properties_->setEnabled(any);
   properties_->setEditTriggers(usable ? QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
                                       : QAbstractItemView::NoEditTriggers);
   add_->setEnabled(usable && !new_key_->text().trimmed().isEmpty());
@@ -190,8 +197,8 @@ void OverlayForm::refresh() {
   showType();
   if (!now) {
     name_->clear();
-    properties_->setRowCount(0);
     shown_feature_.reset();
+    showCommon();
   } else if (!shown_feature_ || &shown_feature_->text() != &now->text()) {
     shown_feature_ = *now;
     if (!name_->isModified()) name_->setText(QString::fromStdString(now->name()));
@@ -209,7 +216,7 @@ void OverlayForm::showType() {
   std::set<Shape> shapes;
   std::set<int> types;
   for (const FeatureKey key : editing_->selected()) {
-    shapes.insert(editing_->find(key)->shape());
+    shapes.insert(overlays::partShapeOf(*editing_->find(key)));
     types.insert(editing_->find(key)->type());
   }
   const bool one = shapes.size() == 1 && isPlain(*shapes.begin());
@@ -228,6 +235,41 @@ void OverlayForm::showProperties(const Feature& feature) {
     rows.emplace_back(QString::fromStdString(member.key()),
                       QString::fromStdString(std::string(member.text())));
   }
+  showRows(rows);
+}
+
+void OverlayForm::showCommon() {
+  std::vector<std::pair<QString, QString>> rows;
+  const auto& keys = editing_->selected();
+  std::vector<std::pair<std::string, std::optional<overlays::JsonValue>>> common;  // nullopt: several values
+  bool first = true;
+  for (const FeatureKey key : keys) {
+    const auto& feature = editing_->document().find(key);
+    if (!feature) continue;
+    if (std::exchange(first, false)) {
+      const auto properties = feature->root().member("properties");
+      if (!properties || !properties->isObject()) break;
+      for (const auto& member : properties->children()) {
+        const bool has_field = member.key() != "yaw" && hasField(*feature, member.key());
+        if (!has_field && common.size() < std::size_t(kMostRows)) common.emplace_back(member.key(), member);
+      }
+      continue;
+    }
+    std::erase_if(common, [&](auto& each) {
+      const auto value = feature->property(each.first);
+      if (value && each.second && !json::sameValue(*each.second, *value)) each.second.reset();
+      return !value;
+    });
+    if (common.empty()) break;
+  }
+  for (const auto& [name, value] : common) {
+    rows.emplace_back(QString::fromStdString(name),
+                      value ? QString::fromStdString(std::string(value->text())) : tr("several values"));
+  }
+  showRows(rows);
+}
+
+void OverlayForm::showRows(const std::vector<std::pair<QString, QString>>& rows) {
   properties_->setRowCount(int(rows.size()));
   for (int row = 0; row < int(rows.size()); ++row) {
     const auto& [key, value] = rows[std::size_t(row)];
@@ -235,6 +277,8 @@ void OverlayForm::showProperties(const Feature& feature) {
     name->setData(Qt::UserRole, key);
     properties_->setItem(row, kKeyColumn, name);
     properties_->setItem(row, kValueColumn, cell(value, true));
+    if (!shown_ && value == tr("several values"))
+      properties_->item(row, kValueColumn)->setForeground(appColors().secondary_text);
   }
 }
 
@@ -248,38 +292,45 @@ void OverlayForm::takeName() {
 }
 
 void OverlayForm::takeValue(int row) {
-  const Feature* const now = feature();
-  if (!now) return;
-  const std::string key = properties_->item(row, kKeyColumn)->data(Qt::UserRole).toString().toStdString();
+  if (editing_->selected().empty()) return;
+  const QString shown_key = properties_->item(row, kKeyColumn)->data(Qt::UserRole).toString();
+  const std::string key = shown_key.toStdString();
   const std::string typed = properties_->item(row, kValueColumn)->text().trimmed().toStdString();
-  const auto before = now->property(key);
   const auto value = JsonText::read(typed);
   if (!value) {
     say(tr("This is not JSON: %1. Texts stand in quotes.")
             .arg(sentences::wordsOf(json::faultOf(value.error()))));
   } else {
     say({});
-    if (!before || !json::sameValue(*before, value->root())) {
-      editing_->set(*shown_, overlays::withProperty(*now, key, typed),
-                    tr("set %1 of %2").arg(words::plainName(key), overlayCalled(*now)));
-      return;
-    }
+    // What has it already keeps its notation.
+    editing_->changeSelected(
+        editing_->saying(tr("set %1 of %2").arg(words::plainName(shown_key), QStringLiteral("%1"))),
+        [&](const Feature& each) {
+          const auto before = each.property(key);
+          return before && json::sameValue(*before, value->root()) ? each
+                                                                   : overlays::withProperty(each, key, typed);
+        });
   }
-  const QSignalBlocker quiet(properties_);
-  if (before)
-    properties_->item(row, kValueColumn)->setText(QString::fromStdString(std::string(before->text())));
+  // Whatever was typed, it shows what is.
+  shown_feature_.reset();
+  refresh();
 }
 
 void OverlayForm::addProperty() {
-  const Feature* const now = feature();
   const QString key = new_key_->text().trimmed();
-  if (!now || key.isEmpty() || !editing_->editable()) return;
-  if (now->property(key.toStdString()))
-    return say(tr("There is a property %1 already.").arg(words::plainName(key)));
+  const std::string name = key.toStdString();
+  if (editing_->selected().empty() || key.isEmpty() || !editing_->editable()) return;
+  bool all_have = true;
+  for (const FeatureKey each : editing_->selected())
+    all_have &= editing_->find(each)->property(name).has_value();
+  if (all_have) return say(tr("There is a property %1 already.").arg(words::plainName(key)));
   say({});
   new_key_->clear();
-  editing_->set(*shown_, overlays::withProperty(*now, key.toStdString(), "\"\""),
-                tr("set %1 of %2").arg(words::plainName(key), overlayCalled(*now)));
+  editing_->changeSelected(
+      editing_->saying(tr("set %1 of %2").arg(words::plainName(key), QStringLiteral("%1"))),
+      [&](const Feature& each) {
+        return each.property(name) ? each : overlays::withProperty(each, name, "\"\"");
+      });
   for (int row = 0; row < properties_->rowCount(); ++row) {
     if (properties_->item(row, kKeyColumn)->data(Qt::UserRole).toString() != key) continue;
     properties_->setCurrentCell(row, kValueColumn);
@@ -288,12 +339,12 @@ void OverlayForm::addProperty() {
 }
 
 void OverlayForm::removeProperty() {
-  const Feature* const now = feature();
   const int row = properties_->currentRow();
-  if (!now || row < 0) return;
+  if (editing_->selected().empty() || row < 0) return;
   const QString key = properties_->item(row, kKeyColumn)->data(Qt::UserRole).toString();
-  editing_->set(*shown_, overlays::withProperty(*now, key.toStdString(), std::nullopt),
-                tr("remove %1 of %2").arg(words::plainName(key), overlayCalled(*now)));
+  editing_->changeSelected(
+      editing_->saying(tr("remove %1 of %2").arg(words::plainName(key), QStringLiteral("%1"))),
+      [&](const Feature& each) { return overlays::withProperty(each, key.toStdString(), std::nullopt); });
 }
 
 OverlayPoints::OverlayPoints(OverlayEditing* editing, QWidget* parent)

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <QWidget>
 
@@ -39,6 +41,9 @@ class OverlayForm : public QWidget {
   void refresh();
   void showType();
   void showProperties(const Feature& feature);
+  /// Those that all of several selected ones have.
+  void showCommon();
+  void showRows(const std::vector<std::pair<QString, QString>>& rows);
   void takeName();
   void takeValue(int row);
   void addProperty();

@@ -126,8 +126,9 @@ QString changeText(const overlays::OverlayChange& change, const overlays::Overla
                    const overlays::OverlayDocument& after) {
   if (change.collection) {
     QStringList names;
-    for (const auto& part : change.parts) names << partName(part.part);
-    return OverlayText::tr("Change what belongs to all of them: %1").arg(names.join(QStringLiteral(", ")));
+    for (const auto& part : change.parts)
+      names << OverlayText::tr("%1 to %2").arg(partName(part.part), valueText(part.part, part.after));
+    return OverlayText::tr("Change the defaults of the map: %1").arg(names.join(QStringLiteral(", ")));
   }
   switch (change.kind) {
     case overlays::ChangeKind::Add:
@@ -148,6 +149,10 @@ QString partName(const Part& part) {
     if (part.name == "yaw") return OverlayText::tr("heading");
     if (part.name == "type" || part.name == "lineType" || part.name == "regionType")
       return OverlayText::tr("type");
+    if (part.name == "defaultRackWidth") return OverlayText::tr("default width of racks");
+    if (part.name == "defaultRackDepth") return OverlayText::tr("default depth of racks");
+    if (part.name == "defaultPalletWidth") return OverlayText::tr("default width of pallets");
+    if (part.name == "defaultPalletDepth") return OverlayText::tr("default depth of pallets");
   }
   return words::plainName(part.name).left(kLongestShown);
 }

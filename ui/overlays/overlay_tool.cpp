@@ -9,6 +9,7 @@
 #include <QPainter>
 
 #include "geometry/pose.h"
+#include "overlays/overlay_arrange.h"
 #include "overlays/overlay_shapes.h"
 #include "overlays/overlay_types.h"
 #include "scene/drawing.h"
@@ -43,14 +44,15 @@ Shape shapeOf(OverlayMode mode) {
       return Shape::Line;
     case OverlayMode::Polygon:
     case OverlayMode::Rectangle:
+    case OverlayMode::Circle:
       break;
   }
   return Shape::Polygon;
 }
 
 OverlayTool::OverlayTool(OverlayEditing* editing, const scene::MapScene* scene, const OverlaysOnMap* on_map,
-                         QObject* parent)
-    : MapTool(parent), editing_(editing), scene_(scene), on_map_(on_map) {
+                         OverlaySnapping* snapping, QObject* parent)
+    : MapTool(parent), editing_(editing), scene_(scene), on_map_(on_map), snapping_(snapping) {
   types_[std::size_t(Shape::Point)] = 25;
   types_[std::size_t(Shape::Line)] = overlays::kVirtualWall;
   types_[std::size_t(Shape::Polygon)] = overlays::kForbiddenRegion;
@@ -101,12 +103,57 @@ void OverlayTool::setNewType(Shape shape, int type) {
   if (std::exchange(types_[std::size_t(shape)], type) != type) Q_EMIT hintChanged();
 }
 
+void OverlayTool::setCircleRadius(double metres) {
+  if (std::exchange(circle_radius_m_, metres) == metres) return;
+  Q_EMIT changed();
+  Q_EMIT hintChanged();
+}
+
+void OverlayTool::addPlace(const Vector2d& at_m, double yaw_deg) {
+  if (!editing_->editable()) return;
+  if (drag_ != Drag::None) dragCancelled();
+  if (shapeOf(mode_) == Shape::Polygon || shapeOf(mode_) == Shape::Line) return addCorner(at_m);
+  Feature point = overlays::newFeature(editing_->document().mine(), Shape::Point, {at_m},
+                                       newType(Shape::Point), editing_->newId());
+  point = overlays::withYaw(point, yaw_deg);
+  editing_->put({point}, {}, tr("add %1").arg(overlayCalled(point)));
+}
+
+Vector2d OverlayTool::caught(const MapPoint& at) {
+  std::optional<Vector2d> last;
+  const bool bends = mode_ == OverlayMode::Line || mode_ == OverlayMode::Polygon;
+  if (bends && !corners_.empty()) last = corners_.back();
+  landing_ = snapping_->place(at.world_m, at.modifiers, {}, last);
+  return landing_.at_m;
+}
+
+Vector2d OverlayTool::shiftTo(const MapPoint& at) {
+  landing_ = snapping_->place(anchor_m_ + at.world_m - press_m_, at.modifiers, editing_->selected());
+  return landing_.at_m - anchor_m_;
+}
+
+Vector2d OverlayTool::anchorNear(const Vector2d& at_m, FeatureKey key) const {
+  Vector2d nearest = at_m;
+  double least = HUGE_VAL;
+  const Feature* const feature = editing_->find(key);
+  for (const overlays::Path& path :
+       feature ? overlays::shapesOf(*feature).paths : std::vector<overlays::Path>()) {
+    for (const Vector2d& point : path.points) {
+      const double distance = (point - at_m).squaredNorm();
+      if (distance >= least) continue;
+      least = distance;
+      nearest = point;
+    }
+  }
+  return nearest;
+}
+
 void OverlayTool::setWhyNot(const QString& sentence) {
   if (std::exchange(why_not_, sentence) != sentence) Q_EMIT hintChanged();
 }
 
 QCursor OverlayTool::cursor() const {
-  if (drag_ != Drag::None && drag_ != Drag::Frame && drag_ != Drag::Rectangle) return Qt::ClosedHandCursor;
+  if (drag_ != Drag::None && drag_ != Drag::Frame && !drawing()) return Qt::ClosedHandCursor;
   if (drawing()) return Qt::CrossCursor;
   return hovered_ ? Qt::PointingHandCursor : Qt::ArrowCursor;
 }
@@ -127,7 +174,8 @@ const OverlayTool::Rings& OverlayTool::rings() const {
     rings_.emplace();
     const auto key = editing_->only();
     const Feature* const feature = key ? editing_->find(*key) : nullptr;
-    if (feature && feature->shape() != Shape::Point) rings_ = overlays::verticesOf(*feature);
+    if (feature && feature->shape() != Shape::Point)
+      rings_ = overlays::verticesOf(*feature);  // MultiPoint, too
     std::size_t count = 0;
     for (const auto& ring : *rings_) count += ring.size();
     if (count > kMostVertices) rings_->clear();
@@ -153,7 +201,9 @@ std::optional<Vertex> OverlayTool::vertexAt(const QPointF& at) const {
 std::optional<Vertex> OverlayTool::middleAt(const QPointF& at) const {
   const auto key = editing_->only();
   if (!editing_->editable() || !key) return std::nullopt;
-  const bool closed = editing_->find(*key)->shape() == Shape::Polygon;
+  const Shape shape = overlays::partShapeOf(*editing_->find(*key));
+  if (shape == Shape::Point) return std::nullopt;
+  const bool closed = shape == Shape::Polygon;
   for (std::size_t ring = 0; ring < rings().size(); ++ring) {
     const auto& points = rings()[ring];
     for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i) {
@@ -194,11 +244,15 @@ bool OverlayTool::pressed(const MapPoint& at) {
   drag_ = Drag::None;
   nudging_ = 0;
   press_m_ = at.world_m;
+  landing_ = {};
   press_px_ = now_px_ = at.px;
   pressed_on_one_ = false;
   if (drawing()) {
-    if (mode_ != OverlayMode::Rectangle || !editing_->editable() || !corners_.empty()) return false;
-    drag_ = Drag::Rectangle;
+    const bool circle = mode_ == OverlayMode::Circle;
+    if ((mode_ != OverlayMode::Rectangle && !circle) || !editing_->editable() || !corners_.empty())
+      return false;
+    press_m_ = caught(at);
+    drag_ = circle ? Drag::Circle : Drag::Rectangle;
     return true;
   }
   const bool adds = at.modifiers & Qt::ShiftModifier;
@@ -238,7 +292,10 @@ bool OverlayTool::pressed(const MapPoint& at) {
   } else if (!editing_->selected().contains(*under)) {
     editing_->select({*under});
   }
-  if (editing_->editable() && editing_->selected().contains(*under)) drag_ = Drag::Move;
+  if (editing_->editable() && editing_->selected().contains(*under)) {
+    drag_ = Drag::Move;
+    anchor_m_ = anchorNear(at.world_m, *under);
+  }
   Q_EMIT changed();
   return drag_ != Drag::None;
 }
@@ -247,12 +304,24 @@ void OverlayTool::dragged(const MapPoint& at) {
   now_px_ = at.px;
   hand_ = at.world_m;
   if (drag_ == Drag::Turn) return turn(at);
+  if (drag_ == Drag::Rectangle || drag_ == Drag::Circle) hand_ = caught(at);
   OverlayEditing::Preview preview;
   if (drag_ == Drag::Move) {
+    const Vector2d by = shiftTo(at);
+    hand_ = press_m_ + by;
     for (const FeatureKey key : editing_->selected())
-      preview.emplace(key, overlays::movedBy(*editing_->document().find(key), at.world_m - press_m_));
+      preview.emplace(key, overlays::movedBy(*editing_->document().find(key), by));
   } else if (drag_ == Drag::Vertex && vertex_ && vertex_of_) {
-    preview.emplace(*vertex_of_, overlays::withVertexAt(*grabbed_, *vertex_, at.world_m));
+    const Rings grabbed = overlays::verticesOf(*grabbed_);
+    const auto& ring = grabbed.at(vertex_->ring);
+    const bool closed = overlays::partShapeOf(*grabbed_) == Shape::Polygon;
+    std::optional<Vector2d> last;
+    if (ring.size() > 1 && (closed || vertex_->index > 0))
+      last = ring[(vertex_->index + ring.size() - 1) % ring.size()];
+    if (ring.size() > 1 && !closed && vertex_->index == 0) last = ring[1];
+    landing_ = snapping_->place(at.world_m, at.modifiers, {*vertex_of_}, last);
+    hand_ = landing_.at_m;
+    preview.emplace(*vertex_of_, overlays::withVertexAt(*grabbed_, *vertex_, *hand_));
   }
   if (!preview.empty()) return editing_->setPreview(std::move(preview));
   Q_EMIT changed();
@@ -293,6 +362,7 @@ void OverlayTool::released(const MapPoint& at) {
   dragged(at);
   const Drag drag = std::exchange(drag_, Drag::None);
   grabbed_.reset();
+  landing_ = {};
   switch (drag) {
     case Drag::Move:
       editing_->applyPreview(editing_->saying(tr("move %1")));
@@ -310,7 +380,8 @@ void OverlayTool::released(const MapPoint& at) {
       break;
     }
     case Drag::Rectangle:
-      corners_ = {press_m_, at.world_m};
+    case Drag::Circle:
+      corners_ = {press_m_, hand_.value_or(at.world_m)};
       finishShape();
       break;
     case Drag::None:
@@ -321,6 +392,7 @@ void OverlayTool::released(const MapPoint& at) {
 
 void OverlayTool::dragCancelled() {
   drag_ = Drag::None;
+  landing_ = {};
   grabbed_.reset();
   editing_->setPreview({});
   lookAnew();
@@ -328,7 +400,7 @@ void OverlayTool::dragCancelled() {
 
 void OverlayTool::clicked(const MapPoint& at) {
   const Drag drag = std::exchange(drag_, Drag::None);
-  if (drawing()) return addCorner(at.world_m);
+  if (drawing()) return addCorner(caught(at));
   // A side that was only clicked at has its new vertex there.
   if (drag == Drag::Vertex && !editing_->preview().empty())
     return editing_->applyPreview(editing_->saying(tr("reshape %1")));
@@ -350,8 +422,10 @@ void OverlayTool::hovered(const MapPoint& at) {
   hand_ = at.world_m;
   now_px_ = at.px;
   if (drawing()) {
+    const overlays::SnapTo before = landing_.to;
+    if (editing_->editable()) hand_ = caught(at);
     Q_EMIT changed();
-    if (!corners_.empty()) Q_EMIT hintChanged();
+    if (!corners_.empty() || landing_.to != before) Q_EMIT hintChanged();
     return;
   }
   const bool grip = onHandle(at.px) || vertexAt(at.px) || middleAt(at.px);
@@ -361,6 +435,7 @@ void OverlayTool::hovered(const MapPoint& at) {
 
 void OverlayTool::left() {
   hand_.reset();
+  if (drawing() && std::exchange(landing_, {}).to != overlays::SnapTo::Nothing) Q_EMIT changed();
   if (std::exchange(hovered_, std::nullopt) || !corners_.empty()) Q_EMIT changed();
 }
 
@@ -372,7 +447,9 @@ bool OverlayTool::doubleClicked(const MapPoint&) {
 void OverlayTool::addCorner(const Vector2d& at_m) {
   if (!editing_->editable()) return;
   corners_.push_back(at_m);
-  const bool done = mode_ == OverlayMode::Point || (mode_ == OverlayMode::Rectangle && corners_.size() == 2);
+  const bool two = mode_ == OverlayMode::Rectangle || mode_ == OverlayMode::Circle;
+  const bool done = mode_ == OverlayMode::Point || (two && corners_.size() == 2) ||
+                    (mode_ == OverlayMode::Circle && circle_radius_m_ > 0);
   if (done) return finishShape();
   lookAnew();
 }
@@ -386,8 +463,15 @@ std::vector<Vector2d> OverlayTool::rectangle() const {
 
 void OverlayTool::finishShape() {
   if (corners_.empty() || !editing_->editable()) return;
+  const bool circle = mode_ == OverlayMode::Circle;
   std::vector<Vector2d> points =
       mode_ == OverlayMode::Rectangle && corners_.size() == 2 ? rectangle() : corners_;
+  if (circle) {
+    const double radius = circle_radius_m_ > 0   ? circle_radius_m_
+                          : corners_.size() == 2 ? (corners_[1] - corners_[0]).norm()
+                                                 : 0;
+    points = overlays::circleAround(corners_[0], radius);
+  }
   points.erase(std::unique(points.begin(), points.end()), points.end());
   const Shape shape = shapeOf(mode_);
   const std::size_t least = shape == Shape::Point ? 1 : shape == Shape::Line ? 2 : 3;
@@ -395,9 +479,10 @@ void OverlayTool::finishShape() {
   const bool flat =
       shape == Shape::Polygon && std::abs(overlays::doubleArea(points)) < 2 * kLeastAreaPx * scale * scale;
   if (points.size() < least || flat) {
-    Q_EMIT refused(shape == Shape::Line ? tr("A line needs two points.")
-                                        : tr("A region needs three points that enclose an area."));
-    if (mode_ == OverlayMode::Rectangle) corners_.clear();
+    Q_EMIT refused(circle                 ? tr("A circle needs a radius: drag from its centre.")
+                   : shape == Shape::Line ? tr("A line needs two points.")
+                                          : tr("A region needs three points that enclose an area."));
+    if (mode_ == OverlayMode::Rectangle || circle) corners_.clear();
     return lookAnew();
   }
   corners_.clear();
@@ -441,8 +526,10 @@ void OverlayTool::removeVertex() {
   const Feature& feature = *editing_->document().find(*vertex_of_);
   const auto less = overlays::withoutVertex(feature, *vertex_);
   if (!less) {
-    Q_EMIT refused(feature.shape() == Shape::Line ? tr("A line needs two points.")
-                                                  : tr("An outline needs three points."));
+    const Shape shape = overlays::partShapeOf(feature);
+    Q_EMIT refused(shape == Shape::Line    ? tr("A line needs two points.")
+                   : shape == Shape::Point ? tr("The last point stays: delete the overlay instead.")
+                                           : tr("An outline needs three points."));
     return;
   }
   const FeatureKey key = *vertex_of_;
@@ -452,9 +539,12 @@ void OverlayTool::removeVertex() {
 
 bool OverlayTool::keyPressed(const MapKeyPress& press) {
   if (press.modifiers & Qt::ControlModifier) {
-    if (press.key == Qt::Key_C) return Q_EMIT copyWanted(), true;
-    if (press.key == Qt::Key_V) return Q_EMIT pasteWanted(hand_.value_or(scene_->view().center_m)), true;
-    return false;
+    const bool shift = press.modifiers & Qt::ShiftModifier;
+    if (press.key == Qt::Key_C && !shift) return Q_EMIT copyWanted(), true;
+    if (press.key == Qt::Key_X && !shift) return Q_EMIT cutWanted(), true;
+    if (press.key != Qt::Key_V) return false;
+    Q_EMIT pasteWanted(shift ? std::optional(hand_.value_or(scene_->view().center_m)) : std::nullopt);
+    return true;
   }
   switch (press.key) {
     case Qt::Key_Escape:
@@ -505,7 +595,10 @@ void OverlayTool::paint(QPainter& painter) {
   painter.setRenderHint(QPainter::Antialiasing);
   paintTheirs(painter);
   paintSelected(painter);
-  if (drawing()) return paintShape(painter);
+  if (drawing()) {
+    paintShape(painter);
+    return snapping_->paint(painter, landing_);
+  }
   paintVertices(painter);
   const scene::MapTheme& theme = scene_->theme();
   if (const auto grip = handle()) {
@@ -519,6 +612,7 @@ void OverlayTool::paint(QPainter& painter) {
     painter.setBrush(theme.text_halo);
     painter.drawEllipse(*grip, kGripPx, kGripPx);
   }
+  if (drag_ == Drag::Move || drag_ == Drag::Vertex) snapping_->paint(painter, landing_);
   if (drag_ != Drag::Frame) return;
   painter.setBrush(scene::translucent(theme.accent, 30));
   painter.setPen(QPen(theme.accent, 1.5));
@@ -573,12 +667,13 @@ void OverlayTool::paintVertices(QPainter& painter) const {
   if (!editing_->editable() || rings().empty()) return;
   const scene::MapTheme& theme = scene_->theme();
   const auto key = editing_->only();
-  const bool closed = key && editing_->find(*key)->shape() == Shape::Polygon;
+  const Shape shape = key ? overlays::partShapeOf(*editing_->find(*key)) : Shape::None;
+  const bool closed = shape == Shape::Polygon, has_sides = shape != Shape::Point;
   for (std::size_t ring = 0; ring < rings().size(); ++ring) {
     const auto& points = rings()[ring];
     for (std::size_t i = 0; i < points.size(); ++i) {
       const QPointF at = px(points[i]);
-      if (drag_ == Drag::None && (closed || i + 1 < points.size())) {
+      if (drag_ == Drag::None && has_sides && (closed || i + 1 < points.size())) {
         const QPointF next = px(points[(i + 1) % points.size()]);
         if (away(at, next) >= kLeastSidePx) {
           painter.setPen(QPen(theme.accent, 1));
@@ -597,12 +692,22 @@ void OverlayTool::paintVertices(QPainter& painter) const {
 
 void OverlayTool::paintShape(QPainter& painter) const {
   std::vector<Vector2d> corners = corners_;
-  if (drag_ == Drag::Rectangle) corners = {press_m_};
+  if (drag_ == Drag::Rectangle || drag_ == Drag::Circle) corners = {press_m_};
+  const bool circle = mode_ == OverlayMode::Circle;
+  if (circle && circle_radius_m_ > 0 && corners.empty() && hand_) corners = {*hand_};
   if (corners.empty()) return;
   if (hand_) corners.push_back(*hand_);
   const scene::MapTheme& theme = scene_->theme();
   QPolygonF line;
-  if (mode_ == OverlayMode::Rectangle && corners.size() == 2) {
+  if (circle) {
+    const double radius = circle_radius_m_ > 0  ? circle_radius_m_
+                          : corners.size() >= 2 ? (corners[1] - corners[0]).norm()
+                                                : 0;
+    for (const Vector2d& corner : overlays::circleAround(corners[0], radius)) line << px(corner);
+    painter.setPen(QPen(scene_->theme().accent, 1.5, Qt::DashLine));
+    if (radius > 0 && corners.size() >= 2 && circle_radius_m_ <= 0)
+      painter.drawLine(px(corners[0]), px(corners[1]));
+  } else if (mode_ == OverlayMode::Rectangle && corners.size() == 2) {
     line = QPolygonF(QRectF(px(corners[0]), px(corners[1])).normalized());
   } else {
     for (const Vector2d& corner : corners) line << px(corner);
@@ -629,32 +734,45 @@ QString OverlayTool::hint() const {
   if (drag_ == Drag::Frame)
     return tr("%1 in the frame. Esc cancels.")
         .arg(featuresText(qsizetype(on_map_->within(QRectF(press_px_, now_px_).normalized()).size())));
+  const QString to = OverlaySnapping::nameOf(landing_.to);
+  const QString snap = to.isEmpty() ? QString() : tr("Snapped to %1 (Alt: not). ").arg(to);
   if (drag_ == Drag::Move && hand_) {
     const Vector2d by = *hand_ - press_m_;
-    return tr("Moved by %1, %2 m. Esc cancels.").arg(metres(by.x()), metres(by.y()));
+    return snap + tr("Moved by %1, %2 m. Esc cancels.").arg(metres(by.x()), metres(by.y()));
   }
   if (drag_ == Drag::Turn) return tr("Shift turns by 15°, Esc cancels.");
   if (drag_ == Drag::Vertex && hand_)
-    return tr("%1, %2 m. Esc cancels.").arg(metres(hand_->x()), metres(hand_->y()));
+    return snap + tr("%1, %2 m. Esc cancels.").arg(metres(hand_->x()), metres(hand_->y()));
   switch (mode_) {
     case OverlayMode::Select:
       break;
     case OverlayMode::Point:
-      return tr("Click to add a point. Esc goes back to selecting.");
+      return snap + tr("Click to add a point. Esc goes back to selecting.");
     case OverlayMode::Line:
     case OverlayMode::Polygon: {
       const bool line = mode_ == OverlayMode::Line;
       if (corners_.empty())
-        return line ? tr("Click where the line begins. Esc goes back to selecting.")
-                    : tr("Click where the outline begins. Esc goes back to selecting.");
+        return snap + (line ? tr("Click where the line begins. Esc goes back to selecting.")
+                            : tr("Click where the outline begins. Esc goes back to selecting."));
       const QString length = hand_ ? metres((*hand_ - corners_.back()).norm()) : QString();
       const QString next = length.isEmpty() ? QString() : tr("%1 m. ").arg(length);
-      return next + tr("Click to add points; Enter or a double click ends, Backspace removes the last, Esc "
-                       "cancels.");
+      return snap + next +
+             tr("Click to add points; Enter or a double click ends, Backspace removes the last, Esc "
+                "cancels.");
     }
     case OverlayMode::Rectangle:
       return corners_.empty() ? tr("Drag a rectangle. Esc goes back to selecting.")
                               : tr("Click the opposite corner. Esc cancels.");
+    case OverlayMode::Circle: {
+      if (circle_radius_m_ > 0)
+        return tr(
+            "Click where the centre is, or set another radius in the panel. Esc goes back to selecting.");
+      const bool drags = drag_ == Drag::Circle;
+      if (!drags && corners_.empty()) return tr("Drag a circle from its centre. Esc goes back to selecting.");
+      const Vector2d centre = drags ? press_m_ : corners_[0];
+      const QString radius = hand_ ? tr("Radius %1 m. ").arg(metres((*hand_ - centre).norm())) : QString();
+      return radius + (drags ? tr("Esc cancels.") : tr("Click where the circle ends. Esc cancels."));
+    }
   }
   if (vertex_) return tr("Drag the point or use the arrows to move it, Delete deletes it. Esc deselects it.");
   if (editing_->selected().empty())

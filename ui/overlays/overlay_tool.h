@@ -7,13 +7,14 @@
 
 #include "scene/map_scene.h"
 #include "ui/overlays/overlay_editing.h"
+#include "ui/overlays/overlay_snapping.h"
 #include "ui/overlays/overlays_on_map.h"
 #include "ui/view/map_tool.h"
 
 namespace mapwright::window {
 
-enum class OverlayMode { Select, Point, Line, Polygon, Rectangle };
-inline constexpr int kOverlayModes = 5;
+enum class OverlayMode { Select, Point, Line, Polygon, Rectangle, Circle };
+inline constexpr int kOverlayModes = 6;
 /// What is drawn in it; None: nothing.
 overlays::Shape shapeOf(OverlayMode mode);
 
@@ -27,13 +28,19 @@ class OverlayTool : public MapTool {
 
   /// All must outlive this.
   OverlayTool(OverlayEditing* editing, const scene::MapScene* scene, const OverlaysOnMap* on_map,
-              QObject* parent = nullptr);
+              OverlaySnapping* snapping, QObject* parent = nullptr);
 
   OverlayMode mode() const { return mode_; }
   void setMode(OverlayMode mode);
   /// The type of new ones of that shape.
   int newType(overlays::Shape shape) const { return types_[std::size_t(shape)]; }
   void setNewType(overlays::Shape shape, int type);
+  /// Of new circles: a click makes one. 0: as it is dragged.
+  double circleRadius() const { return circle_radius_m_; }
+  void setCircleRadius(double metres);
+  /// As if the map were clicked there: the next point of what is being drawn, or else a new point with that
+  /// heading.
+  void addPlace(const Eigen::Vector2d& at_m, double yaw_deg);
   /// Why nothing can be edited at present; empty = it can.
   void setWhyNot(const QString& sentence);
 
@@ -64,10 +71,12 @@ class OverlayTool : public MapTool {
   /// It is impossible; a sentence.
   void refused(const QString& why);
   void copyWanted();
-  void pasteWanted(const Eigen::Vector2d& at_m);
+  void cutWanted();
+  /// In its place, or around another.
+  void pasteWanted(std::optional<Eigen::Vector2d> at_m);
 
  private:
-  enum class Drag { None, Move, Turn, Vertex, Frame, Rectangle };
+  enum class Drag { None, Move, Turn, Vertex, Frame, Rectangle, Circle };
   using Rings = std::vector<std::vector<Eigen::Vector2d>>;
 
   QPointF px(const Eigen::Vector2d& world_m) const;
@@ -82,6 +91,11 @@ class OverlayTool : public MapTool {
   void lookAnew();
   bool drawing() const { return mode_ != OverlayMode::Select; }
   void addCorner(const Eigen::Vector2d& at_m);
+  /// Where a click at a place adds the next point.
+  Eigen::Vector2d caught(const MapPoint& at);
+  /// What is moved from `anchor_m_` to there.
+  Eigen::Vector2d shiftTo(const MapPoint& at);
+  Eigen::Vector2d anchorNear(const Eigen::Vector2d& at_m, FeatureKey key) const;
   void finishShape();
   bool nudge(const MapKeyPress& press);
   std::vector<Eigen::Vector2d> rectangle() const;
@@ -95,12 +109,16 @@ class OverlayTool : public MapTool {
   OverlayEditing* editing_;
   const scene::MapScene* scene_;
   const OverlaysOnMap* on_map_;
+  OverlaySnapping* snapping_;
   OverlayMode mode_ = OverlayMode::Select;
   std::array<int, 5> types_{};
   QString why_not_;
   Drag drag_ = Drag::None;
   bool pressed_on_one_ = false;
   Eigen::Vector2d press_m_{0, 0};
+  Eigen::Vector2d anchor_m_{0, 0};  // the point of what is moved that snaps
+  overlays::Snapped landing_;       // where the hand is caught
+  double circle_radius_m_ = 0;
   QPointF press_px_, now_px_;
   std::optional<Feature> grabbed_;          // with the vertex that is dragged
   std::optional<overlays::Vertex> vertex_;  // that is chosen

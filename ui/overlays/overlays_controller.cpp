@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QClipboard>
-#include <QGuiApplication>
-
 #include "map/live_topics.h"
 #include "overlays/overlay_check.h"
 #include "overlays/overlay_shapes.h"
@@ -16,6 +13,7 @@
 #include "ui/kit/forms.h"
 #include "ui/kit/panels.h"
 #include "ui/kit/undo_stacks.h"
+#include "ui/overlays/overlay_actions.h"
 #include "ui/overlays/overlay_drafts.h"
 #include "ui/overlays/overlay_review.h"
 #include "ui/overlays/overlay_text.h"
@@ -42,8 +40,10 @@ OverlaysController::OverlaysController(WindowContext& context, Keep keep, QObjec
       context_(context),
       keep_(std::move(keep)),
       on_map_(new OverlaysOnMap(&editing_, &context.scene, this)),
-      tool_(new OverlayTool(&editing_, &context.scene, on_map_, this)),
+      snapping_(new OverlaySnapping(&editing_, &context.scene, on_map_, this)),
+      tool_(new OverlayTool(&editing_, &context.scene, on_map_, snapping_, this)),
       dock_(new OverlaysDock(&editing_, tool_, &context.window)),
+      actions_(new OverlayActions(context, &editing_, tool_, snapping_, dock_, this)),
       share_(context.workers) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 15, .menu_rank = 46, .open = false});
   joinUndo(context_.undo, editing_.undoStack());
@@ -57,8 +57,10 @@ OverlaysController::OverlaysController(WindowContext& context, Keep keep, QObjec
   });
   connect(tool_, &OverlayTool::refused, this,
           [this](const QString& why) { context_.overlay.toasts()->add(Mark::Warning, why); });
-  connect(tool_, &OverlayTool::copyWanted, this, &OverlaysController::copy);
-  connect(tool_, &OverlayTool::pasteWanted, this, &OverlaysController::paste);
+  OverlayTransfer* const transfer = actions_->transfer();
+  connect(tool_, &OverlayTool::copyWanted, transfer, &OverlayTransfer::copy);
+  connect(tool_, &OverlayTool::cutWanted, transfer, &OverlayTransfer::cut);
+  connect(tool_, &OverlayTool::pasteWanted, transfer, &OverlayTransfer::paste);
   connect(dock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     if (visible) syncMap();
   });
@@ -73,8 +75,9 @@ OverlaysController::OverlaysController(WindowContext& context, Keep keep, QObjec
   connect(dock_, &OverlaysDock::draftNotWanted, this, [this] {
     if (drafts_) drafts_->turnDown();
   });
-  connect(dock_, &OverlaysDock::copyWanted, this, &OverlaysController::copy);
-  connect(dock_, &OverlaysDock::pasteWanted, this, [this] { paste(context_.scene.view().center_m); });
+  connect(dock_, &OverlaysDock::copyWanted, transfer, &OverlayTransfer::copy);
+  connect(dock_, &OverlaysDock::cutWanted, transfer, &OverlayTransfer::cut);
+  connect(dock_, &OverlaysDock::pasteWanted, transfer, [transfer] { transfer->paste(std::nullopt); });
   connect(dock_, &OverlaysDock::locateWanted, this, &OverlaysController::locate);
   connect(dock_, &OverlaysDock::placeWanted, this, [this](const Eigen::Vector2d& at_m) {
     geometry::WorldRect around;
@@ -130,8 +133,12 @@ void OverlaysController::setSession(session::Session* session) {
       if (editing_.isOpen() && target_ && target_->robots && other && !busy_) read();
     });
   }
+  actions_->teaching()->setSession(session);
   syncMap();
 }
+
+void OverlaysController::recall(const QSettings& settings) { snapping_->recall(settings); }
+void OverlaysController::remember(QSettings& settings) { snapping_->remember(settings); }
 
 std::optional<OverlaysController::Target> OverlaysController::target() const {
   if (!session_ || !session_->robot().overlayStore()) return std::nullopt;
@@ -164,6 +171,7 @@ void OverlaysController::syncMap() {
     if (other) closeMap();
     target_ = now;
     if (target_) on_map_->setMap(target_->map, target_->robots);
+    actions_->teaching()->setThere(target_ && target_->robots);
     if (target_ && other) watchDrafts();
   }
   if (target_ && !editing_.isOpen() && !reading_ && !failure_ && wanted()) read();
@@ -529,20 +537,6 @@ void OverlaysController::takeDraft() {
     context_.panels.open(dock_);
     dock_->showConflicts();
   }
-}
-
-void OverlaysController::copy() {
-  const std::string copied = editing_.copied();
-  if (copied.empty()) return;
-  QGuiApplication::clipboard()->setText(QString::fromStdString(copied));
-  context_.overlay.toasts()->add(Mark::Good,
-                                 tr("Copied: %1").arg(featuresText(qsizetype(editing_.selected().size()))));
-}
-
-void OverlaysController::paste(const Eigen::Vector2d& at_m) {
-  if (!editing_.editable()) return;
-  if (!editing_.paste(QGuiApplication::clipboard()->text().toStdString(), at_m))
-    context_.overlay.toasts()->add(Mark::Warning, tr("The clipboard contains no overlays."));
 }
 
 void OverlaysController::locate(FeatureKey key) {

@@ -21,8 +21,10 @@
 
 namespace mapwright::window {
 
+class OverlayActions;
 class OverlayDrafts;
 class OverlayReview;
+class OverlaySnapping;
 class OverlaysDock;
 class OverlayTool;
 
@@ -37,6 +39,8 @@ class OverlaysController : public Controller {
   ~OverlaysController() override;
 
   void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
   bool unsaved() const override { return editing_.isOpen() && editing_.document().unsaved(); }
   bool maySave() const override { return unsaved() && !busy_; }
   /// Looks at what the robot holds, and shows the review.
@@ -46,6 +50,8 @@ class OverlaysController : public Controller {
   OverlayEditing* editing() { return &editing_; }
   OverlayTool* tool() const { return tool_; }
   OverlaysDock* dock() const { return dock_; }
+  OverlaySnapping* snapping() const { return snapping_; }
+  OverlayActions* actions() const { return actions_; }
   OverlayReview* review() const;                       // null: none is open
   QMessageBox* question() const { return question_; }  // null: nothing is asked
   /// Something is on its way to or from the robot that has to end first.
@@ -89,8 +95,6 @@ class OverlaysController : public Controller {
   void keepDraft();
   void takeDraft();
   void answer(Leaving leaving);
-  void copy();
-  void paste(const Eigen::Vector2d& at_m);
   void locate(FeatureKey key);
   QString mapName() const;
 
@@ -99,8 +103,10 @@ class OverlaysController : public Controller {
   QPointer<session::Session> session_;
   OverlayEditing editing_;
   OverlaysOnMap* on_map_;
+  OverlaySnapping* snapping_;
   OverlayTool* tool_;
   OverlaysDock* dock_;
+  OverlayActions* actions_;
   QAction* tool_action_ = nullptr;
   std::optional<Target> target_;
   robot::Call call_;

@@ -41,11 +41,17 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
       model_(new OverlaysModel(editing, this)),
       sorted_(new OverlayFilter(this)),
       mode_row_(new QWidget(this)),
+      tool_row_(new QWidget(this)),
       body_(new QWidget(this)),
       conflict_box_(new QFrame(this)),
       offer_box_(new QFrame(this)),
       duplicate_(iconButton(QStringLiteral("copy"), 18, tr("Duplicate what is selected"), mode_row_)),
       remove_(iconButton(QStringLiteral("trash"), 18, tr("Delete what is selected (Delete)"), mode_row_)),
+      robot_(iconButton(QStringLiteral("robot"), 18, tr("From the robot"), tool_row_)),
+      arrange_(iconButton(QStringLiteral("arrange"), 18, tr("Arrange what is selected"), tool_row_)),
+      snap_(iconButton(QStringLiteral("snap"), 18, tr("Snap overlays"), tool_row_)),
+      defaults_(iconButton(QStringLiteral("settings"), 18, tr("Defaults of the map"), tool_row_)),
+      radius_(numberField(tool_row_, {0, 1000, 3, 0.1, QStringLiteral(" m"), tr("Radius of new circles")})),
       new_type_(new QComboBox(this)),
       bits_(new QComboBox(this)),
       filter_(new QLineEdit(this)),
@@ -98,7 +104,8 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   split->setStretchFactor(1, 1);
   body_->setLayout(columnOf({{split, 1}}, 0, QMargins()));
   auto* const whole = new QWidget(this);
-  auto* const column = columnOf({mode_row_, offer_box_, empty_, {body_, 1}, conflict_box_}, 0, QMargins());
+  auto* const column =
+      columnOf({mode_row_, tool_row_, offer_box_, empty_, {body_, 1}, conflict_box_}, 0, QMargins());
   column->addLayout(rowOf({discard_, LayoutItem::rest(), retry_, review_}, 6, QMargins(8, 4, 8, 4)));
   column->addWidget(status_);
   whole->setLayout(column);
@@ -155,6 +162,7 @@ void OverlaysDock::buildModes() {
       {OverlayMode::Line, "line", tr("Draw a line")},
       {OverlayMode::Polygon, "polygon", tr("Draw a region by its outline")},
       {OverlayMode::Rectangle, "rectangle", tr("Draw a rectangular region")},
+      {OverlayMode::Circle, "circle", tr("Draw a round region")},
   };
   auto* const group = new QButtonGroup(this);
   auto* const row = rowOf({}, 2, QMargins(6, 4, 6, 0));
@@ -174,14 +182,30 @@ void OverlaysDock::buildModes() {
   QSizePolicy keeps = new_type_->sizePolicy();
   keeps.setRetainSizeWhenHidden(true);
   new_type_->setSizePolicy(keeps);
-  row->addWidget(new_type_, 1);
+  row->addStretch(1);
   row->addWidget(duplicate_);
   row->addWidget(remove_);
   mode_row_->setLayout(row);
+  radius_->setSpecialValueText(tr("by dragging"));
+  radius_->setToolTip(tr("Radius of new circles"));
+  for (QToolButton* button : {robot_, arrange_}) button->setPopupMode(QToolButton::InstantPopup);
+  snap_->setPopupMode(QToolButton::MenuButtonPopup);
+  tool_row_->setLayout(
+      rowOf({{new_type_, 1}, {radius_, 1}, robot_, arrange_, snap_, defaults_}, 2, QMargins(6, 2, 6, 0)));
+  connect(radius_, &QDoubleSpinBox::valueChanged, tool_, &OverlayTool::setCircleRadius);
   connect(duplicate_, &QToolButton::clicked, editing_, &OverlayEditing::duplicateSelected);
   connect(remove_, &QToolButton::clicked, editing_, &OverlayEditing::removeSelected);
   connect(new_type_, &QComboBox::activated, this,
           [this] { tool_->setNewType(shapeOf(tool_->mode()), new_type_->currentData().toInt()); });
+}
+
+void OverlaysDock::setMenus(QMenu* from_robot, QMenu* arrange, QAction* snap, QMenu* snap_to,
+                            QAction* defaults) {
+  robot_->setMenu(from_robot);
+  arrange_->setMenu(arrange);
+  snap_->setDefaultAction(snap);
+  snap_->setMenu(snap_to);
+  defaults_->setDefaultAction(defaults);
 }
 
 void OverlaysDock::buildTable() {
@@ -293,6 +317,7 @@ void OverlaysDock::refreshMode() {
   const bool drawing = shape != overlays::Shape::None;
   if (drawing) showTypes(*new_type_, shape, tool_->newType(shape));
   new_type_->setVisible(drawing);
+  radius_->setVisible(tool_->mode() == OverlayMode::Circle);
 }
 
 void OverlaysDock::refresh() {
@@ -302,6 +327,7 @@ void OverlaysDock::refresh() {
   empty_->setVisible(!empty_->text().isEmpty());
   body_->setVisible(open);
   mode_row_->setVisible(open);
+  tool_row_->setVisible(open);
   for (QToolButton* button : modes_) button->setEnabled(editable);
   for (QToolButton* button : {duplicate_, remove_})
     button->setEnabled(editable && !editing_->selected().empty());
@@ -333,13 +359,16 @@ void OverlaysDock::refreshConflict() {
     return;
   }
   const auto& [key, part] = *deciding_;
+  const bool of_all = key == kCollectionKey;
   const auto& feature = document.find(key) ? document.find(key) : document.findBase(key);
   const auto mine = document.mineOf(*deciding_), theirs = document.theirsOf(*deciding_);
   conflict_->setText(tr("Changed here and on the robot (%1 of %2): %3, %4.\nMine: %5\nTheirs: %6")
                          .arg(std::find(open.begin(), open.end(), *deciding_) - open.begin() + 1)
                          .arg(open.size())
-                         .arg(feature ? overlayCalled(*feature) : QString(), partName(part),
-                              valueText(part, mine), valueText(part, theirs)));
+                         .arg(of_all    ? tr("defaults of the map")
+                              : feature ? overlayCalled(*feature)
+                                        : QString(),
+                              partName(part), valueText(part, mine), valueText(part, theirs)));
 }
 
 void OverlaysDock::showConflicts() {
@@ -390,6 +419,7 @@ void OverlaysDock::showMenu(const QPoint& at) {
       ->setEnabled(any);
   menu.addSeparator();
   menu.addAction(tr("&Copy"), this, &OverlaysDock::copyWanted)->setEnabled(any);
+  menu.addAction(tr("C&ut"), this, &OverlaysDock::cutWanted)->setEnabled(editable && any);
   menu.addAction(tr("&Paste"), this, &OverlaysDock::pasteWanted)->setEnabled(editable);
   menu.addAction(tr("D&uplicate"), editing_, &OverlayEditing::duplicateSelected)->setEnabled(editable && any);
   menu.addSeparator();
@@ -434,6 +464,7 @@ bool OverlaysDock::eventFilter(QObject* watched, QEvent* event) {
   }
   if (watched == table_) {
     if (press->matches(QKeySequence::Copy)) return Q_EMIT copyWanted(), true;
+    if (press->matches(QKeySequence::Cut)) return Q_EMIT cutWanted(), true;
     if (press->matches(QKeySequence::Paste)) return Q_EMIT pasteWanted(), true;
     if (press->key() == Qt::Key_Delete) return editing_->removeSelected(), true;
     const bool enter = press->key() == Qt::Key_Return || press->key() == Qt::Key_Enter;

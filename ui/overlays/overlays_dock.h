@@ -9,10 +9,13 @@
 
 #include "ui/overlays/overlay_tool.h"
 
+class QAction;
 class QComboBox;
+class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QMenu;
 class QPushButton;
 class QTableView;
 class QTabWidget;
@@ -70,6 +73,9 @@ class OverlaysDock : public QDockWidget {
   QString statusShown() const;
   QString emptyShown() const;
   QString conflictShown() const;
+  /// Buttons with menus of what others do with the selection.
+  void setMenus(QMenu* from_robot, QMenu* arrange, QAction* snap, QMenu* snap_to, QAction* defaults);
+  QDoubleSpinBox* radiusBox() const { return radius_; }
   /// Shows the first conflict.
   void showConflicts();
 
@@ -80,6 +86,7 @@ class OverlaysDock : public QDockWidget {
   void draftWanted();
   void draftNotWanted();
   void copyWanted();
+  void cutWanted();
   void pasteWanted();
   void locateWanted(mapwright::overlays::FeatureKey key);
   void placeWanted(const Eigen::Vector2d& at_m);
@@ -109,8 +116,9 @@ class OverlaysDock : public QDockWidget {
   OverlaysModel* model_;
   OverlayFilter* sorted_;
   std::array<QToolButton*, kOverlayModes> modes_{};
-  QWidget *mode_row_, *body_, *conflict_box_, *offer_box_;
-  QToolButton *duplicate_, *remove_;
+  QWidget *mode_row_, *tool_row_, *body_, *conflict_box_, *offer_box_;
+  QToolButton *duplicate_, *remove_, *robot_, *arrange_, *snap_, *defaults_;
+  QDoubleSpinBox* radius_;
   QComboBox *new_type_, *bits_;
   QLineEdit* filter_;
   QTableView* table_;

@@ -98,6 +98,20 @@ std::optional<FeatureKey> OverlaysOnMap::at(const Eigen::Vector2d& world_m, doub
   return std::nullopt;
 }
 
+void OverlaysOnMap::eachShape(
+    const std::function<void(FeatureKey, const std::vector<overlays::Path>& paths)>& with) const {
+  for (const auto& [key, drawn] : drawn_) {
+    std::vector<overlays::Path> paths;
+    for (const map::OverlayFeature& part : drawn.parts) {
+      const overlays::Shape shape = part.shape == map::OverlayShape::Line      ? overlays::Shape::Line
+                                    : part.shape == map::OverlayShape::Polygon ? overlays::Shape::Polygon
+                                                                               : overlays::Shape::Point;
+      for (const auto& points : part.parts) paths.push_back({shape, points});
+    }
+    with(key, paths);
+  }
+}
+
 std::set<FeatureKey> OverlaysOnMap::within(const QRectF& frame_px) const {
   std::set<FeatureKey> keys;
   for (const auto& [key, drawn] : drawn_) {

@@ -1,6 +1,7 @@
 // What of the edited overlays is drawn on the map, and which of them is at a point.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -8,6 +9,7 @@
 
 #include <QObject>
 
+#include "overlays/overlay_shapes.h"
 #include "scene/map_scene.h"
 #include "ui/overlays/overlay_editing.h"
 
@@ -23,6 +25,8 @@ class OverlaysOnMap : public QObject {
   void setMap(const map::MapKey& map, bool robots);
   /// The topmost one.
   std::optional<FeatureKey> at(const Eigen::Vector2d& world_m, double reach_px) const;
+  /// What is drawn, in world metres.
+  void eachShape(const std::function<void(FeatureKey, const std::vector<overlays::Path>& paths)>& with) const;
   /// Those that lie in a rectangle of the viewport completely.
   std::set<FeatureKey> within(const QRectF& frame_px) const;
 
