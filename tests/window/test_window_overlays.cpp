@@ -15,6 +15,7 @@
 #include <QtTest>
 
 #include "overlays/overlay_shapes.h"
+#include "overlays_desk.h"
 #include "robot/axbot/axbot_address.h"
 #include "robot/axbot/axbot_robot.h"
 #include "robot/overlay_store.h"
@@ -39,152 +40,10 @@ using namespace mapwright;
 using namespace mapwright::window;
 using overlays::OverlayDocument;
 using overlays::Shape;
+using test_overlays_desk::Desk;
+using test_overlays_desk::kOverlays;
 
 namespace {
-
-constexpr const char* kOverlays =
-    R"({"type":"FeatureCollection", "future": 1.50, "features":[
-{"id":"w1","type":"Feature","geometry":{"type":"LineString","coordinates":[[0.00,0],[4,0]]},"properties":{"lineType":"2","name":"W17"}},
-{"id":"r1","type":"Feature","geometry":{"type":"Polygon","coordinates":[[[1,2],[3,2],[3,4],[1,4],[1,2]]]},"properties":{"regionType":2,"name":"Lab","speed":0.40}},
-{"id":"p1","type":"Feature","geometry":{"type":"Point","coordinates":[-2,1,0.5]},"properties":{"type":"25","yaw":"90","name":"Desk"}}]})";
-
-struct Desk {
-  Desk() : settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat), sim(options()) {
-    if (sim.start()) qFatal("no simulator");
-    other = makeRobot();
-    QVERIFY(hand(kOverlays));
-  }
-  ~Desk() { window.reset(); }
-  static simulator::Options options() {
-    simulator::Options options;
-    options.paused = true;
-    return options;
-  }
-  std::unique_ptr<robot::Robot> makeRobot() {
-    robot::axbot::LinkOptions link;
-    link.base = QUrl(QStringLiteral("http://127.0.0.1:%1").arg(sim.port()));
-    return std::make_unique<robot::axbot::AxbotRobot>(QString::fromStdString(sim.address()), link);
-  }
-
-  /// Somebody else replaces the overlays of map 1.
-  bool hand(const std::string& text) {
-    std::optional<bool> done;
-    other->overlayStore()->write({map::MapKind::Stored, "1"}, text,
-                                 [&](robot::Outcome<robot::OverlayText> outcome) { done = bool(outcome); });
-    return QTest::qWaitFor([&] { return done.has_value(); }) && *done;
-  }
-  /// What the robot holds.
-  std::string held() {
-    std::optional<std::string> text;
-    other->overlayStore()->read({map::MapKind::Stored, "1"}, [&](robot::Outcome<robot::OverlayText> outcome) {
-      text = outcome ? outcome->text : std::string();
-    });
-    (void)QTest::qWaitFor([&] { return text.has_value(); });
-    return text.value_or("");
-  }
-  /// The text that the robot held at first, with `from` replaced.
-  static std::string with(const std::string& from, const std::string& to) {
-    std::string text = kOverlays;
-    const auto at = text.find(from);
-    if (at == std::string::npos) qFatal("no %s", from.c_str());
-    return text.replace(at, from.size(), to);
-  }
-
-  void start() {
-    window.reset();
-    MainWindow::Dependencies wanted{
-        [this](const QString&, const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
-          return makeRobot();
-        },
-        settings};
-    wanted.addresses = robot::Addresses({robot::axbot::addressScheme()});
-    if (keeps_drafts) wanted.edit.drafts_folder = folder.filePath(QStringLiteral("drafts"));
-    window = std::make_unique<MainWindow>(std::move(wanted));
-    window->resize(1900, 1050);
-    window->show();
-    window->view()->setAnimationMs(0);
-    (void)QTest::qWaitForWindowActive(window.get());
-    QVERIFY(!window->connectTo(QString::fromStdString(sim.address())));
-    QTRY_VERIFY(action("overlayTool")->isEnabled());
-  }
-  /// The tool is in the hand, with 50 pixels a metre.
-  void open() {
-    start();
-    QTest::keyClick(window->view(), Qt::Key_E);
-    QCOMPARE(window->view()->tool(), static_cast<MapTool*>(control().tool()));
-    QTRY_VERIFY(editing().isOpen());
-    QTRY_COMPARE(document().size(), std::size_t(3));
-    QCoreApplication::processEvents();  // the dock has opened
-    look();
-  }
-  void look() {
-    geometry::ViewTransform camera = window->mapScene()->view();
-    camera.center_m = {1, 1};
-    camera.scale_m_per_px = 0.02;
-    camera.rotation_rad = 0;
-    window->view()->moveTo(camera, false);
-  }
-
-  OverlaysController& control() { return *part<OverlaysController>(*window); }
-  OverlayEditing& editing() { return *control().editing(); }
-  const overlays::EditingDocument& document() { return editing().document(); }
-  OverlaysDock& dock() { return *control().dock(); }
-  QAction* action(const char* id) { return window->actionList().find(QLatin1String(id)); }
-  QStringList toasts() { return part<MapOverlay>(*window)->toasts()->texts(); }
-  bool says(const char* part_of_it) {
-    return toasts().join(QLatin1Char('\n')).contains(QLatin1String(part_of_it));
-  }
-  QWidget* map() { return window->view()->viewport(); }
-  QPoint px(double x, double y) {
-    const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld({x, y});
-    return {qRound(at.x()), qRound(at.y())};
-  }
-  void moveTo(const QPoint& at, bool pressed = true) {
-    QMouseEvent move(QEvent::MouseMove, at, map()->mapToGlobal(at), Qt::NoButton,
-                     pressed ? Qt::LeftButton : Qt::NoButton, Qt::NoModifier);
-    QApplication::sendEvent(map(), &move);
-  }
-  void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {}) {
-    QTest::mousePress(map(), Qt::LeftButton, keys, from);
-    moveTo((from + to) / 2);
-    moveTo(to);
-    QTest::mouseRelease(map(), Qt::LeftButton, keys, to);
-  }
-  void click(const QPoint& at, Qt::KeyboardModifiers keys = {}) {
-    QTest::mouseClick(map(), Qt::LeftButton, keys, at);
-  }
-  void key(Qt::Key key, Qt::KeyboardModifiers keys = {}) { QTest::keyClick(window->view(), key, keys); }
-  std::string coordinates(FeatureKey key) { return std::string(editing().find(key)->coordinates()->text()); }
-  std::vector<Eigen::Vector2d> points(FeatureKey key) {
-    return overlays::verticesOf(*editing().find(key)).at(0);
-  }
-  QString stateOf(FeatureKey key) {
-    return dock().model()->indexOf(key).siblingAtColumn(OverlaysModel::StateColumn).data().toString();
-  }
-  void type(QLineEdit* edit, const char* text) {
-    edit->setFocus();
-    edit->selectAll();
-    QTest::keyClicks(edit, QLatin1String(text));
-    QTest::keyClick(edit, Qt::Key_Return);
-  }
-  /// Up to the review.
-  void review() {
-    action("save")->trigger();
-    QTRY_VERIFY(control().review());
-  }
-  void save() {
-    review();
-    QTest::mouseClick(control().review()->saveButton(), Qt::LeftButton);
-    QTRY_VERIFY(!control().busy() && !control().review());
-  }
-
-  QTemporaryDir folder;
-  QSettings settings;
-  simulator::Simulator sim;
-  std::unique_ptr<robot::Robot> other;
-  std::unique_ptr<MainWindow> window;
-  bool keeps_drafts = false;
-};
 
 bool near(const Eigen::Vector2d& a, double x, double y) { return (a - Eigen::Vector2d(x, y)).norm() < 0.03; }
 
@@ -203,7 +62,8 @@ class TestWindowOverlays : public QObject {
     QCOMPARE(desk.stateOf(0), QStringLiteral("changed, unsaved"));
     QCOMPARE(desk.stateOf(1), QStringLiteral("saved"));
     desk.review();
-    QCOMPARE(desk.control().review()->changesShown(), QStringList{QStringLiteral("Move virtual wall W17")});
+    QCOMPARE(desk.control().review()->changesShown(),
+             QStringList{QStringLiteral("Move virtual wall W17")});
     QTest::mouseClick(desk.control().review()->saveButton(), Qt::LeftButton);
     QTRY_VERIFY(!desk.control().busy() && !desk.control().unsaved());
     QVERIFY(desk.says("saved"));
@@ -353,7 +213,7 @@ class TestWindowOverlays : public QObject {
     const auto copy = desk.editing().only();
     QVERIFY(copy && *copy == 3);
     QCOMPARE(desk.editing().find(3)->name(), std::string("Lab 2"));
-    QVERIFY(near(desk.points(3)[0], 0, 0));  // around the middle of the view
+    QVERIFY(near(desk.points(3)[0], 1, 2));  // in its place
     QCOMPARE(std::string(desk.editing().find(3)->property("speed")->text()), std::string("0.40"));
     QTest::mouseClick(dock.duplicateButton(), Qt::LeftButton);
     QCOMPARE(desk.editing().find(4)->name(), std::string("Lab 2 2"));

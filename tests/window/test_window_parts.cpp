@@ -149,7 +149,7 @@ class TestWindowParts : public QObject {
              QStringLiteral("undo redo - save - waypointTool * snap * * renameWaypoints duplicateWaypoints "
                             "selectAllWaypoints "
                             "invertWaypoints nextWarning revertWaypoints pictureTool pictureCopies "
-                            "overlayTool copyWaypoints pasteWaypoints "
+                            "overlayTool * copyWaypoints pasteWaypoints "
                             "importWaypoints exportWaypoints"));
     QCOMPARE(
         idsOf(menuCalled(bar, "&Map")->actions()).join(QLatin1Char(' ')),
