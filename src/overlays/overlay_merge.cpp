@@ -197,7 +197,11 @@ class Merging {
       const JsonText text = *JsonText::read(textWithPart((now ? *now : none).root(), part.part, part.after));
       const std::string member =
           part.part.of == Part::Of::Property ? std::string(kProperties) : part.part.name;
-      const auto value = text.root().member(member);
+      auto value = text.root().member(member);
+      // The last one of them goes with what held them, as it does in mine.
+      const auto mine = mine_.collection();
+      const bool emptied = value && value->isObject() && value->children().empty();
+      if (emptied && !(mine && mine->root().member(member))) value.reset();
       merge_.document.setMember(member, value ? std::optional(std::string(value->text())) : std::nullopt);
     }
   }

@@ -9,7 +9,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kAngleStep = std::numbers::pi / 12;
 constexpr double kLeastCellM = 0.5;
 constexpr double kMostSnapCells = 1024;  // along the longer side of all
 constexpr int kMostAround = 64;          // cells in each direction of a query
@@ -140,18 +139,23 @@ Snapped snapped(const Vector2d& free_m, double reach_m, const SnapKinds& kinds, 
     const auto wall = scene.ground->nearestWall(free_m, reach_m);
     if (wall && wall->distance_m > 0) return {wall->at_m, SnapTo::Wall};
   }
-  if (kinds.angles && scene.last_m) {
-    const Vector2d arm = free_m - *scene.last_m;
-    const double angle = std::round(std::atan2(arm.y(), arm.x()) / kAngleStep) * kAngleStep;
-    const Vector2d along(std::cos(angle), std::sin(angle));
-    double length = arm.dot(along);
-    if (arm.norm() > reach_m && (*scene.last_m + along * length - free_m).norm() <= reach_m) {
+  if (kinds.angles) {
+    const double step = scene.angle_step_deg * std::numbers::pi / 180;
+    double best = reach_m;
+    for (const Vector2d& from : scene.arms_m) {
+      const Vector2d arm = free_m - from;
+      const double angle = std::round(std::atan2(arm.y(), arm.x()) / step) * step;
+      const Vector2d along(std::cos(angle), std::sin(angle));
+      double length = arm.dot(along);
+      const double away = (from + along * length - free_m).norm();
+      if (arm.norm() <= reach_m || away > best) continue;
+      best = away;
       // Along it the grid still counts, as a length.
-      if (kinds.grid && std::abs(std::round(length / kinds.grid_m) * kinds.grid_m - length) <= reach_m)
-        length = std::round(length / kinds.grid_m) * kinds.grid_m;
-      const Vector2d at = *scene.last_m + along * length;
-      return {at, SnapTo::Angle, *scene.last_m, at};
+      const double whole = kinds.grid ? std::round(length / kinds.grid_m) * kinds.grid_m : length;
+      if (std::abs(whole - length) <= reach_m) length = whole;
+      result = {from + along * length, SnapTo::Angle, from, from + along * length};
     }
+    if (result.to != SnapTo::Nothing) return result;
   }
   if (kinds.grid && kinds.grid_m > 0) {
     for (const int axis : {0, 1}) {

@@ -19,7 +19,7 @@ namespace mapwright::overlays {
 struct SnapKinds {
   bool vertices = true, edges = true;  // of other features
   bool grid = false;                   // lines at multiples of `grid_m`
-  bool angles = true;                  // multiples of 15 degrees from the last point
+  bool angles = true;                  // from the last point, or from the neighbours
   bool walls = false;                  // the edges of occupied cells
   double grid_m = 0.5;                 // above 0
   bool operator==(const SnapKinds&) const = default;
@@ -63,10 +63,11 @@ class SnapIndex {
 };
 
 struct SnapScene {
-  const SnapIndex* index = nullptr;            // null: there are no others
-  SnapIndex::Ignored ignored = {};             // empty: none
-  placing::Ground* ground = nullptr;           // null: there are no walls
-  std::optional<Eigen::Vector2d> last_m = {};  // the point before, for angles
+  const SnapIndex* index = nullptr;          // null: there are no others
+  SnapIndex::Ignored ignored = {};           // empty: none
+  placing::Ground* ground = nullptr;         // null: there are no walls
+  std::vector<Eigen::Vector2d> arms_m = {};  // points from which angles are counted
+  double angle_step_deg = 15;
 };
 
 /// A vertex comes before a side, that before a wall, an angle and the grid; of each the nearest.

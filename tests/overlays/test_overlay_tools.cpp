@@ -123,13 +123,18 @@ class OverlayToolsTest : public QObject {
   void anglesAreMultiplesOf15Degrees() {
     SnapKinds kinds;
     SnapScene scene;
-    scene.last_m = Vector2d(1, 1);
+    scene.arms_m = {Vector2d(1, 1)};
     const Snapped level = snapped({4, 1.05}, 0.1, kinds, scene);
     QVERIFY(level.to == SnapTo::Angle && (level.at_m - Vector2d(4, 1)).norm() < 1e-9);
     const Snapped diagonal = snapped({3.02, 3}, 0.1, kinds, scene);
     QVERIFY(diagonal.to == SnapTo::Angle && std::abs(diagonal.at_m.x() - diagonal.at_m.y()) < 1e-9);
     QVERIFY(snapped({4, 1.4}, 0.1, kinds, scene).to == SnapTo::Nothing);
     QVERIFY(snapped({1.05, 1.01}, 0.1, kinds, scene).to == SnapTo::Nothing);
+    // Between two neighbours the nearer direction counts.
+    scene.arms_m = {Vector2d(1, 1), Vector2d(5, 5)};
+    scene.angle_step_deg = 90;
+    QVERIFY((snapped({5.02, 1.05}, 0.1, kinds, scene).at_m - Vector2d(5, 1.05)).norm() < 1e-9);
+    QVERIFY(snapped({3, 3.02}, 0.1, kinds, scene).to == SnapTo::Nothing);
   }
 
   void longSidesAreFoundEverywhereAlongThem() {
@@ -251,6 +256,11 @@ class OverlayToolsTest : public QObject {
             bare.mine().text().find(R"("properties":{"defaultPalletWidth": 1.2})") != std::string::npos);
     bare.noteSaved();
     QVERIFY(!bare.unsaved());
+    // Undone after saving it is as it was, to the byte, whatever the robot tells meanwhile.
+    bare.rebase(bare.mine());
+    bare.undo();
+    QVERIFY(bare.unsaved());
+    QCOMPARE(bare.mine().text(), document(R"({"id":"a"})").text());
   }
 
   void halfASurrogatePairCanBeEdited() {

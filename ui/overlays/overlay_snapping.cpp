@@ -85,12 +85,14 @@ const overlays::SnapIndex& OverlaySnapping::index() {
 }
 
 Snapped OverlaySnapping::place(const Eigen::Vector2d& free_m, Qt::KeyboardModifiers modifiers,
-                               const std::set<FeatureKey>& ignored, std::optional<Eigen::Vector2d> last_m) {
+                               const std::set<FeatureKey>& ignored, std::vector<Eigen::Vector2d> arms_m,
+                               double angle_step_deg) {
   if (!on_ || modifiers & Qt::AltModifier) return {free_m};
   overlays::SnapScene around;
   if (kinds_.vertices || kinds_.edges) around.index = &index();
   around.ignored = [&ignored](FeatureKey key) { return ignored.contains(key); };
-  around.last_m = last_m;
+  around.arms_m = std::move(arms_m);
+  around.angle_step_deg = angle_step_deg;
   if (kinds_.walls) {
     const placing::PlacedMap under = mapBelow(*scene_);
     if (!ground_ || !(ground_->map() == under)) ground_.emplace(under, placing::Ground::Access::AtHand);
@@ -108,7 +110,7 @@ QString OverlaySnapping::nameOf(SnapTo to) {
     case SnapTo::Wall:
       return tr("a wall of the map");
     case SnapTo::Angle:
-      return tr("15°");
+      return tr("an angle");
     case SnapTo::Grid:
       return tr("the grid");
     case SnapTo::Nothing:

@@ -30,9 +30,11 @@ class OverlaySnapping : public QObject {
   void recall(const QSettings& settings);
   void remember(QSettings& settings) const;
 
-  /// Alt: as it is. `ignored`: what the hand holds. `last_m`: the point before, for angles.
+  /// Alt: as it is. `ignored`: what the hand holds. `arms_m`: the points from which
+  /// angles are counted: steps of 15 degrees from the last one, of 90 from neighbours.
   overlays::Snapped place(const Eigen::Vector2d& free_m, Qt::KeyboardModifiers modifiers,
-                          const std::set<FeatureKey>& ignored, std::optional<Eigen::Vector2d> last_m = {});
+                          const std::set<FeatureKey>& ignored, std::vector<Eigen::Vector2d> arms_m = {},
+                          double angle_step_deg = 15);
   /// Where it has snapped, and to what, in viewport pixels.
   void paint(QPainter& painter, const overlays::Snapped& place) const;
   /// "a vertex"; empty: nothing.

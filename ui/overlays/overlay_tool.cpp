@@ -27,7 +27,8 @@ constexpr double kVertexPx = 4, kGripPx = 6;
 constexpr double kLeastSidePx = 36;  // of shorter ones no middle is offered
 constexpr double kLeastAreaPx = 4;   // of what is drawn
 constexpr double kNudgeM = 0.05;
-constexpr int kFar = 10;  // with Shift
+constexpr int kFar = 10;             // with Shift
+constexpr double kStraightDeg = 90;  // sides of what is reshaped
 constexpr double kTurnStep = std::numbers::pi / 12;
 
 double away(const QPointF& a, const QPointF& b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
@@ -120,10 +121,10 @@ void OverlayTool::addPlace(const Vector2d& at_m, double yaw_deg) {
 }
 
 Vector2d OverlayTool::caught(const MapPoint& at) {
-  std::optional<Vector2d> last;
+  std::vector<Vector2d> arms;
   const bool bends = mode_ == OverlayMode::Line || mode_ == OverlayMode::Polygon;
-  if (bends && !corners_.empty()) last = corners_.back();
-  landing_ = snapping_->place(at.world_m, at.modifiers, {}, last);
+  if (bends && !corners_.empty()) arms.push_back(corners_.back());
+  landing_ = snapping_->place(at.world_m, at.modifiers, {}, arms);
   return landing_.at_m;
 }
 
@@ -315,11 +316,12 @@ void OverlayTool::dragged(const MapPoint& at) {
     const Rings grabbed = overlays::verticesOf(*grabbed_);
     const auto& ring = grabbed.at(vertex_->ring);
     const bool closed = overlays::partShapeOf(*grabbed_) == Shape::Polygon;
-    std::optional<Vector2d> last;
-    if (ring.size() > 1 && (closed || vertex_->index > 0))
-      last = ring[(vertex_->index + ring.size() - 1) % ring.size()];
-    if (ring.size() > 1 && !closed && vertex_->index == 0) last = ring[1];
-    landing_ = snapping_->place(at.world_m, at.modifiers, {*vertex_of_}, last);
+    std::vector<Vector2d> neighbours;
+    const std::size_t size = ring.size(), here = vertex_->index;
+    const bool has_sides = overlays::partShapeOf(*grabbed_) != Shape::Point && size > 1;
+    if (has_sides && (closed || here > 0)) neighbours.push_back(ring[(here + size - 1) % size]);
+    if (has_sides && (closed || here + 1 < size)) neighbours.push_back(ring[(here + 1) % size]);
+    landing_ = snapping_->place(at.world_m, at.modifiers, {*vertex_of_}, neighbours, kStraightDeg);
     hand_ = landing_.at_m;
     preview.emplace(*vertex_of_, overlays::withVertexAt(*grabbed_, *vertex_, *hand_));
   }

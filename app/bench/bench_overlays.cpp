@@ -1,0 +1,191 @@
+// Ten thousand overlays in the window: reading and opening them, dragging a thousand, snapping among them,
+// one edit, and what others changed. The baseline of the drag is copying what is drawn.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QApplication>
+#include <QImage>
+#include <QPainter>
+#include <benchmark/benchmark.h>
+
+#include "overlays/overlay_edits.h"
+#include "overlays/overlay_paste.h"
+#include "scene/map_scene.h"
+#include "ui/overlays/overlay_tool.h"
+#include "ui/overlays/overlays_dock.h"
+#include "ui/overlays/overlays_on_map.h"
+
+namespace {
+
+using namespace mapwright;
+using overlays::FeatureKey;
+using overlays::OverlayDocument;
+
+/// Points, walls and regions of a warehouse.
+std::string overlaysText(int count) {
+  std::string text = R"({"type": "FeatureCollection", "features": [)";
+  for (int i = 0; i < count; ++i) {
+    const auto at = [&](double dx, double dy) {
+      return "[" + overlays::coordinateText(i % 100 * 2 + dx) + ", " +
+             overlays::coordinateText(i / 100 * 2 + dy) + "]";
+    };
+    const std::string id = "65a00000000000000" + std::to_string(1'000'000 + i);
+    std::string geometry,
+        properties = R"("name": "Shelf )" + std::to_string(i) + "\", \"mapOverlay\": true, ";
+    if (i % 3 == 0) {
+      geometry = R"({"type": "Point", "coordinates": )" + at(0.5, 0.5) + "}";
+      properties += R"("type": "34", "yaw": 90)";
+    } else if (i % 3 == 1) {
+      geometry =
+          R"({"type": "LineString", "coordinates": [)" + at(0, 0) + ", " + at(1, 0) + ", " + at(1, 1) + "]}";
+      properties += R"("lineType": "2")";
+    } else {
+      geometry = R"({"type": "Polygon", "coordinates": [[)" + at(0, 0) + ", " + at(1, 0) + ", " + at(1, 1) +
+                 ", " + at(0, 1) + ", " + at(0, 0) + "]]}";
+      properties += R"("regionType": 1, "blocked": false)";
+    }
+    text += (i > 0 ? ",\n" : "\n") + (R"({"id": ")" + id) + R"(", "type": "Feature", "geometry": )" +
+            geometry + R"(, "properties": {)" + properties + "}}";
+  }
+  return text + "]}";
+}
+
+/// List, table, form, tool and map, as the window has them.
+struct OverlayDesk {
+  OverlayDesk()
+      : on_map(&editing, &scene),
+        snapping(&editing, &scene, &on_map),
+        tool(&editing, &scene, &on_map, &snapping),
+        dock(&editing, &tool) {
+    on_map.setMap(map::MapKey{map::MapKind::Stored, "1"}, false);
+    dock.resize(320, 900);
+  }
+  std::set<FeatureKey> some(std::size_t count) const {
+    std::set<FeatureKey> keys;
+    for (FeatureKey key = 0; key < count; ++key) keys.insert(key);
+    return keys;
+  }
+
+  scene::MapScene scene{{}};
+  window::OverlayEditing editing;
+  window::OverlaysOnMap on_map;
+  window::OverlaySnapping snapping;
+  window::OverlayTool tool;
+  window::OverlaysDock dock;
+};
+
+void overlaysRead(benchmark::State& state) {
+  const std::string text = overlaysText(int(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(OverlayDocument::read(text));
+}
+BENCHMARK(overlaysRead)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
+void overlaysOpen(benchmark::State& state) {
+  OverlayDesk desk;
+  const std::string text = overlaysText(int(state.range(0)));
+  for (auto _ : state) {
+    desk.editing.open(*OverlayDocument::read(text));
+    desk.dock.grab();
+    state.PauseTiming();
+    desk.editing.close();
+    state.ResumeTiming();
+  }
+}
+BENCHMARK(overlaysOpen)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
+void overlaysDrag(benchmark::State& state) {
+  OverlayDesk desk;
+  desk.editing.open(*OverlayDocument::read(overlaysText(int(state.range(0)))));
+  desk.editing.select(desk.some(1'000));
+  double x = 0;
+  for (auto _ : state) {
+    window::OverlayEditing::Preview preview;
+    x += 0.01;
+    for (const FeatureKey key : desk.editing.selected())
+      preview.emplace(key, overlays::movedBy(*desk.editing.document().find(key), {x, 0}));
+    desk.snapping.place({x, 1}, {}, desk.editing.selected());
+    desk.editing.setPreview(std::move(preview));
+    QApplication::processEvents();
+  }
+}
+BENCHMARK(overlaysDrag)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
+void overlaysDragPaint(benchmark::State& state) {
+  OverlayDesk desk;
+  desk.editing.open(*OverlayDocument::read(overlaysText(int(state.range(0)))));
+  desk.editing.select(desk.some(1'000));
+  QImage screen(1920, 1080, QImage::Format_ARGB32_Premultiplied);
+  for (auto _ : state) {
+    QPainter painter(&screen);
+    desk.tool.paint(painter);
+  }
+}
+BENCHMARK(overlaysDragPaint)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
+/// The end of a drag: one step, with list, form and map anew.
+void overlaysEdit(benchmark::State& state) {
+  OverlayDesk desk;
+  desk.editing.open(*OverlayDocument::read(overlaysText(int(state.range(0)))));
+  desk.editing.select(desk.some(std::size_t(state.range(1))));
+  double x = 0;
+  for (auto _ : state) {
+    x += 0.01;
+    desk.editing.changeSelected(QStringLiteral("move"), [x](const overlays::Feature& feature) {
+      return overlays::movedBy(feature, {x, 0});
+    });
+    QApplication::processEvents();
+  }
+}
+BENCHMARK(overlaysEdit)->Args({10'000, 1})->Args({10'000, 1'000})->Unit(benchmark::kMillisecond);
+
+void overlaysSelect(benchmark::State& state) {
+  OverlayDesk desk;
+  desk.editing.open(*OverlayDocument::read(overlaysText(int(state.range(0)))));
+  bool other = false;
+  for (auto _ : state) {
+    desk.editing.select(desk.some((other = !other) ? 1'000 : 999));
+    QApplication::processEvents();
+  }
+}
+BENCHMARK(overlaysSelect)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
+void overlaysSnap(benchmark::State& state) {
+  OverlayDesk desk;
+  desk.editing.open(*OverlayDocument::read(overlaysText(int(state.range(0)))));
+  double x = 0;
+  for (auto _ : state) {
+    x = x > 190 ? 0 : x + 0.37;
+    benchmark::DoNotOptimize(desk.snapping.place({x, 77.7}, {}, {}));
+  }
+}
+BENCHMARK(overlaysSnap)->Arg(10'000)->Unit(benchmark::kMicrosecond);
+
+/// Somebody else changed one of them.
+void overlaysRebase(benchmark::State& state) {
+  OverlayDesk desk;
+  const OverlayDocument held = *OverlayDocument::read(overlaysText(int(state.range(0))));
+  desk.editing.open(held);
+  OverlayDocument theirs = held;
+  double x = 0;
+  for (auto _ : state) {
+    x += 0.01;
+    theirs.replace(7, overlays::movedBy(held.features()[7], {x, 0}));
+    desk.editing.rebase(theirs);
+    QApplication::processEvents();
+  }
+}
+BENCHMARK(overlaysRebase)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
+void overlaysPaste(benchmark::State& state) {
+  const std::string text = overlaysText(int(state.range(0)));
+  const OverlayDocument held = *OverlayDocument::read(text);
+  int number = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(overlays::madeFree(held, *overlays::pastedFeatures(text),
+                                                [&number] { return "new" + std::to_string(++number); }));
+  }
+}
+BENCHMARK(overlaysPaste)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
