@@ -17,14 +17,30 @@ enum class MapChange {
   Unarchive,
   Delete,
   StartMapping,
+  ContinueMapping,  // maps more of the current map
   StopMapping,
-  Save,  // stores the result of mapping under a name
+  CancelMapping,  // what was mapped is lost
+  Save,           // stores the result of mapping under a name
+};
+
+/// Without a map.
+inline bool isOfMapping(MapChange change) {
+  return change == MapChange::StartMapping || change == MapChange::ContinueMapping ||
+         change == MapChange::StopMapping || change == MapChange::CancelMapping || change == MapChange::Save;
+}
+
+/// A mapping in progress, whoever started it.
+struct MappingProgress {
+  map::MapKey key;
+  std::optional<double> lasts_s;  // by the robot's own clock; nullopt: it is not known
+  std::optional<bool> continues;  // more of a map that was there before
+  bool operator==(const MappingProgress&) const = default;
 };
 
 /// A requested change.
 struct MapOrder {
   MapChange change = MapChange::Rename;
-  map::MapKey key = {};    // none for StartMapping, StopMapping and Save
+  map::MapKey key = {};    // none if isOfMapping()
   std::string name = {};   // Rename, Save: the new name
   std::string place = {};  // Load: the name of the waypoint where the robot stands; empty = not given
 };
@@ -52,8 +68,13 @@ class MapAdministration {
   /// Load needs to know where the robot stands.
   virtual bool loadAsksForPlace() const { return false; }
   /// The answer is the map as the robot reports it afterwards, including its name; for Delete the former
-  /// entry, for StartMapping and StopMapping the robot's current map (without an id if there is none).
+  /// entry; for the start, stop and cancelling of mapping the robot's current map (without an id if there is
+  /// none).
   virtual Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) = 0;
+  /// Whether progress() can be requested.
+  virtual bool tellsProgress() const { return false; }
+  /// The mapping in progress; nullopt: none. Only if tellsProgress().
+  virtual Call progress(OutcomeTo<std::optional<MappingProgress>> /*reply*/) { return {}; }
 };
 
 }  // namespace mapwright::robot

@@ -46,6 +46,8 @@ enum class Capability {
   OverlayEditing,   // OverlayStore
   Bags,             // BagLibrary
   Dispatch,         // MapDispatch
+  Localization,     // Localization
+  MapTransfer,      // MapTransfer
 };
 
 /// Why a robot lacks a capability.
@@ -209,8 +211,10 @@ class LiveTopics {
 };
 
 class BagLibrary;         // robot/bag_library.h
+class Localization;       // robot/localization.h
 class MapAdministration;  // robot/map_administration.h
 class MapDispatch;        // robot/map_dispatch.h
+class MapTransfer;        // robot/map_transfer.h
 class OverlayStore;       // robot/overlay_store.h
 class PictureStore;       // robot/picture_store.h
 class WaypointStore;      // robot/waypoint_store.h
@@ -248,6 +252,8 @@ class Robot : public QObject {
   virtual OverlayStore* overlayStore() { return nullptr; }
   virtual BagLibrary* bagLibrary() { return nullptr; }
   virtual MapDispatch* mapDispatch() { return nullptr; }
+  virtual Localization* localization() { return nullptr; }
+  virtual MapTransfer* mapTransfer() { return nullptr; }
 
   /// Why a capability is missing. Meaningless for one that exists.
   virtual Absence whyNot(Capability) const { return {}; }

@@ -45,6 +45,11 @@ constexpr Lack kLacks[] = {
     {Capability::Dispatch,
      QT_TRANSLATE_NOOP("Absence",
                        "This robot does not send parts of its map: no regions, no clouds, no projections.")},
+    {Capability::Localization,
+     QT_TRANSLATE_NOOP("Absence", "This robot cannot be told from here where it is.")},
+    {Capability::MapTransfer,
+     QT_TRANSLATE_NOOP("Absence",
+                       "The maps of this robot cannot be downloaded whole, and none can be added.")},
 };
 
 /// What there is none of, whatever the reason.
@@ -73,6 +78,10 @@ QString notOffered(MapChange change) {
     case MapChange::StartMapping:
     case MapChange::StopMapping:
       return ObstacleText::tr("Mapping cannot be started on this robot from here.");
+    case MapChange::ContinueMapping:
+      return ObstacleText::tr("The current map of this robot cannot be extended from here.");
+    case MapChange::CancelMapping:
+      return ObstacleText::tr("Mapping cannot be cancelled on this robot from here.");
     case MapChange::Save:
       return ObstacleText::tr("The mapping result of this robot cannot be saved from here.");
   }

@@ -102,6 +102,22 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
           ChangeDialog::tr("Start mapping"), ChangeDialog::tr("The robot is mapping."));
       question.ends_something = true;
       break;
+    case MapChange::ContinueMapping:
+      ask(ChangeDialog::tr("Extend the map"),
+          ChangeDialog::tr(
+              "The robot will map more of %1, from where it believes to be. The map itself stays "
+              "as it is until the result is saved.")
+              .arg(present),
+          ChangeDialog::tr("Start mapping"), ChangeDialog::tr("The robot is mapping."));
+      question.ends_something = true;
+      break;
+    case MapChange::CancelMapping:
+      ask(ChangeDialog::tr("Cancel mapping"),
+          ChangeDialog::tr("The robot will stop mapping, and what it has mapped since the start is lost. It "
+                           "cannot be undone."),
+          ChangeDialog::tr("Cancel mapping"), ChangeDialog::tr("Mapping was cancelled."));
+      question.ends_something = true;
+      break;
     case MapChange::StopMapping:
       ask(ChangeDialog::tr("Stop mapping"),
           ChangeDialog::tr("The robot will stop mapping. Save the map afterwards, or it may be lost."),

@@ -54,9 +54,7 @@ const char* serviceOf(MapChange change) {
   return "save_map";
 }
 
-bool isOfOneMap(MapChange change) {
-  return change != MapChange::StartMapping && change != MapChange::StopMapping && change != MapChange::Save;
-}
+bool isOfOneMap(MapChange change) { return !isOfMapping(change); }
 
 QByteArray argsOf(const MapOrder& order, const KabamMap& map) {
   if (order.change == MapChange::Load) return loadMapArgs(map.id, order.place);
@@ -99,6 +97,9 @@ struct KabamRequests::Order {
         return state.isMapping();
       case MapChange::StopMapping:
         return state.current() && !state.isMapping();
+      case MapChange::ContinueMapping:
+      case MapChange::CancelMapping:  // not offered
+        return false;
       case MapChange::Save:
         break;
     }

@@ -84,6 +84,7 @@ Call KabamWaypointStore::perform(const map::MapKey& key, const WaypointRequest& 
 std::optional<Obstacle> KabamAdministration::obstacle(MapChange change,
                                                       const map::CatalogueEntry* map) const {
   const bool mapping = state_ == "MAPPING";
+  if (change == MapChange::ContinueMapping || change == MapChange::CancelMapping) return Obstacle::NotOffered;
   if (change == MapChange::StartMapping || change == MapChange::StopMapping || change == MapChange::Save) {
     if (state_.empty()) return Obstacle::NotKnownYet;
     if (change == MapChange::StartMapping && mapping) return Obstacle::WhileMapping;
@@ -109,6 +110,8 @@ std::optional<Obstacle> KabamAdministration::obstacle(MapChange change,
 }
 
 Call KabamAdministration::carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
+  if (obstacle(order.change, nullptr) == Obstacle::NotOffered)
+    return kabam_.refuse(std::move(reply), wire::notOffered(wire::kMapList, map::AskedFor::Change));
   return kabam_.change(order.key.id.empty() ? wire::kMapList : map::subjectOf(order.key),
                        kabam_.telling(changed_, std::move(reply)), &KabamRequests::carryOut, order);
 }
