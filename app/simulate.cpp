@@ -96,6 +96,7 @@ void SimulateOptions::addRobot() {
   flag("--bag-end-exclusive", o.bags.end_exclusive, tr("A range request for a bag stops before end_time"));
   flag("!--no-download-ranges", o.bags.ranges, tr("Downloads cannot be resumed"));
   flag("!--no-binary", o.binary_topics, tr("Ignore ?pb=1"));
+  flag("--positioning-asks", o.positioning_asks, tr("What global positioning finds has to be confirmed"));
   number("--points", o.points_per_scan, 0, 1'000'000, tr("Lidar points per scan"))->capture_default_str();
   number("--scan-hz", o.scan_hz, 0.1, 100.0, tr("Scans per second"))->capture_default_str();
   number("--pose-hz", o.pose_hz, 0.1, 100.0, tr("Poses per second"))->capture_default_str();
@@ -134,6 +135,10 @@ void SimulateOptions::addFaults() {
        tr("Share of these that take effect but get no response"));
   flag("--sees-nothing", f.sees_nothing,
        tr("The robot sees no charger, rack, pallet or trailer, and has collected no landmarks"));
+  rate("--ignore-writes", f.ignore_writes, tr("Share of these that change nothing but get 200 or 204"));
+  option("--write-fault-path", f.write_fault_path,
+         tr("Only writes to paths that begin with this fail, for example /maps/"));
+  rate("--cut-downloads", f.cut_downloads, tr("Share of .pbstream downloads that break off half-way"));
   number("--map-latency-ms", f.map_latency_ms, 0, 600'000, tr("Delay of every response about maps"));
   flag("--truncated-maps", f.truncated_maps, tr("Cut off every map's PNG half-way"));
   flag("--lying-map-size", f.lying_map_size, tr("Every map's PNG declares 60,000 x 60,000 pixels"));

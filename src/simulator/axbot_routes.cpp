@@ -238,7 +238,7 @@ HttpAnswer setEmergencyStop(const Robot& robot, const Request& request) {
 }
 
 HttpAnswer relocate(const Robot& robot, const Request&) {
-  robot.state.relocate();
+  robot.state.relocate(robot.options.positioning_asks);
   return jsonAnswer(200, "{}");
 }
 
@@ -292,8 +292,11 @@ HttpAnswer AxbotRoutes::answer(const HttpQuestion& question) {
 
 HttpAnswer AxbotRoutes::write(const HttpQuestion& question) {
   std::uint64_t dice = 0;
+  const bool may_fail = question.target.starts_with(robot_.faults.faults().write_fault_path);
   const WriteFault fault =
-      robot_.faults.drawWrite(std::string(question.method) + " " + std::string(question.target), dice);
+      may_fail
+          ? robot_.faults.drawWrite(std::string(question.method) + " " + std::string(question.target), dice)
+          : WriteFault::None;
   HttpAnswer answer;
   if (fault == WriteFault::Error) {
     constexpr std::array kStatuses{500, 502, 503};
@@ -303,6 +306,8 @@ HttpAnswer AxbotRoutes::write(const HttpQuestion& question) {
       answer.body = std::make_shared<const std::string>(
           "<html><head><title>502 Bad Gateway</title></head><body><h1>502 Bad Gateway</h1></body></html>");
     }
+  } else if (fault == WriteFault::Ignore) {
+    answer = question.method == "DELETE" ? emptyAnswer(204) : jsonAnswer(200, "{}");
   } else if (fault != WriteFault::Drop) {
     answer = routed(question);
   }

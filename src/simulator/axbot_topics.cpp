@@ -314,10 +314,19 @@ std::string seenObjects(std::string_view topic, const Live& live) {
 }
 
 std::string globalPositioning(std::string_view topic, const Live& live) {
+  const std::optional<RobotState::Search> search = live.state.search();
   const double t = phaseOf(live.state.time(), 60);
-  if (t > 20 && t < 25) {
+  if (search ? search->running : t > 20 && t < 25) {
     return messageJson(topic,
                        {{"state", "running"}, {"score", 0}, {"needs_confirmation", false}, {"message", ""}});
+  }
+  if (search) {
+    return messageJson(topic, {{"state", "succeeded"},
+                               {"score", 0.78},
+                               {"needs_confirmation", search->asks},
+                               {"result_source", "lidar"},
+                               {"pose", placeOf(search->found)},
+                               {"message", "Succeeded with the lidar"}});
   }
   return messageJson(topic, {{"state", "succeeded"},
                              {"score", "82.1"},  // a text here, as these robots send it
@@ -389,7 +398,7 @@ constexpr AxbotTopic kTopics[] = {{"/tracked_pose", kAsPoses},
                                   {"/detected_rack", 0.5},
                                   {"/constraint_list", 2},
                                   {"/vision_detected_objects", 0.5},
-                                  {"/global_positioning_state", 5, kLatched},
+                                  {"/global_positioning_state", 1, kLatched},
                                   {"/collected_barcode", 1},
                                   {"/maps/5cm/1hz", 1},
                                   {"/maps/1cm/1hz", 1},

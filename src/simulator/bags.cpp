@@ -364,30 +364,10 @@ HttpAnswer deleteBag(const Robot& robot, BagFolder folder, const Bag& bag, const
 }
 
 HttpAnswer downloadBag(const Robot& robot, BagFolder, const Bag& bag, const Request& request) {
-  std::string bytes = bagBytes(bag);
-  const std::string_view range = request.question.range;
-  HttpAnswer answer;
-  answer.content_type = "application/octet-stream";
-  answer.headers = {{"Content-Disposition", "attachment"}};
-  constexpr std::string_view kUnit = "bytes=";
-  const bool asked = robot.options.bags.ranges && range.starts_with(kUnit) && range.ends_with('-');
-  const auto from = asked
-                        ? numberFrom<std::size_t>(range.substr(kUnit.size(), range.size() - kUnit.size() - 1))
-                        : std::nullopt;
-  if (from) {
-    std::string range_of("bytes ");
-    if (*from >= bytes.size()) {
-      answer.status = 416;
-      range_of.append("*");
-    } else {
-      answer.status = 206;
-      range_of.append(std::to_string(*from)).append("-").append(std::to_string(bytes.size() - 1));
-    }
-    range_of.append("/").append(std::to_string(bytes.size()));
-    answer.headers.emplace_back("Content-Range", range_of);
-    bytes.erase(0, std::min(*from, bytes.size()));
-  }
-  answer.body = std::make_shared<const std::string>(std::move(bytes));
+  HttpQuestion question = request.question;
+  if (!robot.options.bags.ranges) question.range = {};
+  HttpAnswer answer = bytesFrom(question, bagBytes(bag));
+  answer.headers.emplace_back("Content-Disposition", "attachment");
   return answer;
 }
 

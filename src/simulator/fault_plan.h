@@ -22,7 +22,7 @@ struct Fault {
   std::uint64_t dice = 0;  // for other random choices of the fault
 };
 
-enum class WriteFault { None, Error, Drop, LoseAnswer };
+enum class WriteFault { None, Error, Drop, LoseAnswer, Ignore };
 
 /// Safe from any thread.
 class FaultPlan {
@@ -74,11 +74,17 @@ class FaultPlan {
     double lot = unitFrom(throws.next());
     for (const auto& [rate, fault] : {std::pair{faults_.write_error_rate, WriteFault::Error},
                                       {faults_.drop_writes, WriteFault::Drop},
-                                      {faults_.lose_write_answers, WriteFault::LoseAnswer}}) {
+                                      {faults_.lose_write_answers, WriteFault::LoseAnswer},
+                                      {faults_.ignore_writes, WriteFault::Ignore}}) {
       if (lot < rate) return fault;
       lot -= rate;
     }
     return WriteFault::None;
+  }
+
+  bool drawCut(const std::string& key) {
+    const std::lock_guard lock(mutex_);
+    return faults_.cut_downloads > 0 && unitFrom(Dice(next(key)).next()) < faults_.cut_downloads;
   }
 
  private:

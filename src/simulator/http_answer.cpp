@@ -46,6 +46,33 @@ HttpAnswer emptyAnswer(int status) {
   return answer;
 }
 
+HttpAnswer bytesFrom(const HttpQuestion& question, std::string bytes, std::string_view tag) {
+  HttpAnswer answer;
+  answer.content_type = "application/octet-stream";
+  constexpr std::string_view kUnit = "bytes=";
+  const std::string_view range = question.range;
+  const bool asked = range.starts_with(kUnit) && range.ends_with('-') &&
+                     (question.if_range.empty() || question.if_range == tag);
+  const auto from = asked
+                        ? numberFrom<std::size_t>(range.substr(kUnit.size(), range.size() - kUnit.size() - 1))
+                        : std::nullopt;
+  if (from) {
+    std::string range_of("bytes ");
+    if (*from >= bytes.size()) {
+      answer.status = 416;
+      range_of.append("*");
+    } else {
+      answer.status = 206;
+      range_of.append(std::to_string(*from)).append("-").append(std::to_string(bytes.size() - 1));
+    }
+    range_of.append("/").append(std::to_string(bytes.size()));
+    answer.headers.emplace_back("Content-Range", range_of);
+    bytes.erase(0, std::min(*from, bytes.size()));
+  }
+  answer.body = std::make_shared<const std::string>(std::move(bytes));
+  return answer;
+}
+
 Value ownUrl(std::string_view path) { return "http://192.168.25.25:8090" + std::string(path); }
 
 bool isWordCharacter(char c) {

@@ -33,6 +33,7 @@ struct HttpQuestion {
   std::string_view body;
   std::string_view content_type;
   std::string_view range = {};
+  std::string_view if_range = {};
 };
 
 struct HttpAnswer {
@@ -54,6 +55,9 @@ HttpAnswer errorAnswer(int status, std::string_view sentence);
 Value ownUrl(std::string_view path);
 /// Without a body: 204, 304.
 HttpAnswer emptyAnswer(int status);
+/// The bytes, or those from where the question wants them (a Range to the end, unless If-Range names another
+/// tag).
+HttpAnswer bytesFrom(const HttpQuestion& question, std::string bytes, std::string_view tag = {});
 /// The path of a target, without its query.
 std::string_view pathOf(std::string_view target);
 /// The value of `key` in the target's query; empty when absent.

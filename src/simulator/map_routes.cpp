@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "simulator/axbot_routes.h"
+#include "simulator/noise.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -39,23 +40,25 @@ HttpAnswer pictureAnswer(const Robot& robot, const Request& request, const MapPi
   return answer;
 }
 
-/// Bytes that a client may cache by their tag.
-HttpAnswer bytesAnswer(std::string bytes, const Request& request) {
+/// Bytes that a client may cache by their tag, and get from any place on.
+HttpAnswer bytesAnswer(const Robot& robot, std::string bytes, const Request& request) {
   const std::string tag = quoted(contentHash(bytes));
-  HttpAnswer answer;
-  if (matchesTag(request.question.if_none_match, tag)) {
-    answer = emptyAnswer(304);
-  } else {
-    answer.content_type = "application/octet-stream";
-    answer.body = std::make_shared<const std::string>(std::move(bytes));
-  }
-  answer.headers = {{"ETag", tag}, {"Cache-Control", "no-cache"}};
+  const bool known = matchesTag(request.question.if_none_match, tag);
+  HttpAnswer answer = known ? emptyAnswer(304) : bytesFrom(request.question, std::move(bytes), tag);
+  answer.truncate = answer.body && robot.faults.drawCut(std::string(request.question.target));
+  answer.headers.insert(answer.headers.end(), {{"ETag", tag}, {"Cache-Control", "no-cache"}});
   return answer;
 }
 
 /// The binary map for an uploaded or drawn picture, used for localization.
 std::string pbstreamOf(const MapPicturePtr& picture) {
-  return "simulated pbstream of " + (picture ? picture->hash : "nothing");
+  constexpr std::size_t kBytes = 200'000;
+  std::string bytes = "simulated pbstream of " + (picture ? picture->hash : "nothing") + '\n';
+  std::uint64_t seed = 7;
+  for (const char c : bytes) seed = mix(seed ^ static_cast<unsigned char>(c));
+  Dice dice(seed);
+  while (bytes.size() < kBytes) bytes += static_cast<char>(dice.next() & 0xFF);
+  return bytes;
 }
 
 std::string pbstreamOf(MapLibrary& library, const StoredMap& map) {
@@ -275,7 +278,7 @@ HttpAnswer mapThumbnail(const Robot& robot, const StoredMap& map, const Request&
 }
 
 HttpAnswer mapPbstream(const Robot& robot, const StoredMap& map, const Request& request) {
-  return bytesAnswer(pbstreamOf(robot.library, map), request);
+  return bytesAnswer(robot, pbstreamOf(robot.library, map), request);
 }
 
 HttpAnswer staticFile(const Robot& robot, const Request& request) {
@@ -468,7 +471,7 @@ HttpAnswer taskThumbnail(const Robot& robot, const DrivenWay&, const PictureSpec
 
 HttpAnswer taskPbstream(const Robot& robot, const DrivenWay&, const PictureSpec& spec,
                         const Request& request) {
-  return bytesAnswer(pbstreamOf(robot.library.pictures().picture(spec)), request);
+  return bytesAnswer(robot, pbstreamOf(robot.library.pictures().picture(spec)), request);
 }
 
 constexpr Route kMapRoutes[] = {

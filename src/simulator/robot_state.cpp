@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kFullVersion = kScansPerSubmap;
 constexpr int kScansAtStart = 8;  // a session's first scans were taken just before it was published
-constexpr double kLostM = 0.5, kLostRad = 0.3;              // beyond it, the lidar does not fit the map
+constexpr double kLostM = 0.5, kLostRad = 0.3;  // beyond it, the lidar does not fit the map
+constexpr double kSearchS = 2;
 constexpr double kAdjustableM = 1.5, kAdjustableRad = 0.8;  // up to here, a given pose can be put right
 
 /// How a loop closure moves a submap: rigidly in the plane, turning about the submap's own origin.
@@ -254,12 +255,21 @@ void RobotState::setPose(const geometry::Pose2& pose, bool adjust) {
   const geometry::Pose2 here = truePoseAhead(0);
   const bool near = std::hypot(pose.x_m - here.x_m, pose.y_m - here.y_m) < kAdjustableM &&
                     std::abs(geometry::normalizeAngle(pose.yaw_rad - here.yaw_rad)) < kAdjustableRad;
+  search_asks_ = false;
   misplacement_ = adjust && near ? geometry::Pose2{} : pose * here.inverse();
 }
 
-void RobotState::relocate() {
+void RobotState::relocate(bool asks) {
   const std::lock_guard lock(mutex_);
-  misplacement_ = {};
+  searched_at_s_ = now();
+  search_asks_ = asks;
+  if (!asks) misplacement_ = {};
+}
+
+std::optional<RobotState::Search> RobotState::search() const {
+  const std::lock_guard lock(mutex_);
+  if (!searched_at_s_) return std::nullopt;
+  return Search{now() - *searched_at_s_ < kSearchS, search_asks_, truePoseAhead(0)};
 }
 
 void RobotState::setMapping(Mapping mapping) {

@@ -96,7 +96,14 @@ class RobotState {
   void bump(map::SubmapId id);
   /// Sets the robot's pose; with `adjust`, an almost correct one is corrected.
   void setPose(const geometry::Pose2& pose, bool adjust);
-  void relocate();
+  /// Looks for where the robot is. `asks`: what it finds is only proposed.
+  void relocate(bool asks);
+  /// The last search; nullopt: there was none.
+  struct Search {
+    bool running = false, asks = false;
+    geometry::Pose2 found;
+  };
+  std::optional<Search> search() const;
   /// Starts and ends mappings: each is a SLAM session of its own.
   void setMapping(Mapping mapping);
   void setControlMode(std::string mode);
@@ -136,6 +143,8 @@ class RobotState {
   std::set<map::SubmapId> removed_;
   std::map<map::SubmapId, int> bumps_;
   geometry::Pose2 misplacement_;
+  std::optional<double> searched_at_s_;
+  bool search_asks_ = false;
   Mapping mapping_ = Mapping::Off;
   Controls controls_;
 };

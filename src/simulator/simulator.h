@@ -138,6 +138,10 @@ struct Faults {
   double drop_writes = 0;         // the connection is closed without an answer; nothing is changed
   double lose_write_answers = 0;  // the connection is closed without an answer, and all is changed
   bool sees_nothing = false;      // no charger, rack, pallet or trailer; nothing was collected
+  double ignore_writes = 0;       // 200 or 204; nothing is changed
+  /// Only writes to paths that begin with this fail; empty = all.
+  std::string write_fault_path;
+  double cut_downloads = 0;  // a .pbstream breaks off half-way
   RosFaults ros;
 };
 
@@ -162,6 +166,7 @@ struct Options {
   bool paused = false;            // simulated time stands still: every answer is the same on every run
   bool enable_topic_list = true;  // supportsEnableTopicList
   bool binary_topics = true;      // understands ?pb=1
+  bool positioning_asks = false;  // what global positioning finds has to be confirmed
   std::string secret;             // when set, requests without `Secret: <it>` get 401 (not by AimDK)
   int points_per_scan = 720;      // of /scan_matched_points2 and its kin; 0..1,000,000
   double scan_hz = 5;             // how often they come; above 0, at most 100

@@ -113,7 +113,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
                           view(request[http::field::if_none_match]),
                           request.body(),
                           view(request[http::field::content_type]),
-                          view(request[http::field::range])};
+                          view(request[http::field::range]),
+                          view(request[http::field::if_range])};
     RequestRecord record;
     record.method = question.method;
     record.target = target;
