@@ -1,0 +1,146 @@
+#include "robot/axbot/pose_requests.h"
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "robot/axbot/faults.h"
+#include "robot/wire/net_results.h"
+
+namespace mapwright::robot::axbot {
+namespace {
+
+// It is the pose that was set: the robot may have driven on since.
+constexpr double kSameM = 0.15, kSameRad = 0.1;
+// An answer that is lost is replaced by a pose that is near enough to have been set.
+constexpr double kNearM = 0.5, kNearRad = 0.35;
+
+const map::Subject kRobot(map::SubjectKind::Robot);
+
+bool within(const geometry::Pose2& one, const geometry::Pose2& other, double metres, double radians) {
+  return std::hypot(one.x_m - other.x_m, one.y_m - other.y_m) <= metres &&
+         std::abs(geometry::normalizeAngle(one.yaw_rad - other.yaw_rad)) <= radians;
+}
+
+map::Failure unknown(const FaultCode& cause) {
+  return {.kind = map::FailureKind::TimedOut,
+          .subject = kRobot,
+          .applied = map::Applied::Maybe,
+          .asked_for = map::AskedFor::Change,
+          .cause = cause};
+}
+
+map::Failure cancelled() {
+  return {.kind = map::FailureKind::Cancelled,
+          .subject = kRobot,
+          .applied = map::Applied::Maybe,
+          .asked_for = map::AskedFor::Change};
+}
+
+}  // namespace
+
+void PoseRequests::begin() {
+  if (++under_way_ == 1)
+    hold_({QStringLiteral("/tracked_pose"), QStringLiteral("/global_positioning_state")});
+}
+
+void PoseRequests::end() {
+  if (--under_way_ == 0) hold_({});
+}
+
+void PoseRequests::hear(const map::TopicMessage& message) {
+  if (under_way_ == 0) return;
+  if (const auto* pose = std::get_if<map::TrackedPose>(&message)) {
+    pose_ = pose->pose;
+  } else if (const auto* result = std::get_if<map::GlobalPositioning>(&message)) {
+    result_ = *result;
+    searching_ = searching_ || result->state == "running";
+  } else {
+    return;
+  }
+  waits_.look();
+}
+
+void PoseRequests::setPose(const Task& task, const PoseOrder& order, OutcomeTo<geometry::Pose2> reply) {
+  begin();
+  net::HttpRequest request = server_.request(QStringLiteral("/chassis/pose"));
+  request.method = net::HttpMethod::Post;
+  QJsonObject body{{QStringLiteral("position"), QJsonArray{order.pose.x_m, order.pose.y_m, 0}},
+                   {QStringLiteral("ori"), order.pose.yaw_rad}};
+  if (order.adjust) body[QStringLiteral("adjust_position")] = true;
+  request.body = QJsonDocument(body).toJson(QJsonDocument::Compact);
+  const auto finish = [this, reply = std::move(reply)](Outcome<geometry::Pose2> outcome) {
+    end();
+    reply(std::move(outcome));
+  };
+  wire::send(task, server_.http, request, [this, task, order, finish](const net::HttpAnswer& answer) {
+    std::optional<map::Failure> doubt;
+    if (answer.ok()) {
+      if (auto refusal = refusalIn(answer, kRobot)) return finish(fail(std::move(*refusal)));
+    } else {
+      doubt = wire::failed(answer, kRobot, map::AskedFor::Change);
+      if (doubt->applied == map::Applied::No || doubt->kind == map::FailureKind::Cancelled)
+        return finish(fail(std::move(*doubt)));
+      doubt->applied = map::Applied::Maybe;
+    }
+    awaitPose(task, order, std::move(doubt), finish);
+  });
+}
+
+void PoseRequests::awaitPose(const Task& task, const PoseOrder& order, std::optional<map::Failure> doubt,
+                             OutcomeTo<geometry::Pose2> reply) {
+  pose_.reset();
+  waits_.await(
+      task, patience_.pose, [this, order] { return pose_ && within(*pose_, order.pose, kSameM, kSameRad); },
+      [this, order, doubt, reply = std::move(reply)](wire::WaitList::End how) {
+        if (how == wire::WaitList::End::Cancelled || how == wire::WaitList::End::Dropped)
+          return reply(fail(cancelled()));
+        const bool near = pose_ && within(*pose_, order.pose, kNearM, kNearRad);
+        if (doubt && !near) return reply(fail(*doubt));
+        if (!pose_) return reply(fail(unknown(fault::PoseNotTold)));
+        reply(*pose_);
+      });
+}
+
+void PoseRequests::findItself(const Task& task, OutcomeTo<map::GlobalPositioning> reply) {
+  begin();
+  searching_ = false;
+  result_.reset();
+  net::HttpRequest request = server_.request(QStringLiteral("/services/start_global_positioning"));
+  request.method = net::HttpMethod::Post;
+  request.body = "{}";
+  const auto finish = [this, reply = std::move(reply)](Outcome<map::GlobalPositioning> outcome) {
+    end();
+    reply(std::move(outcome));
+  };
+  wire::send(task, server_.http, request, [this, task, finish](const net::HttpAnswer& answer) {
+    std::optional<map::Failure> doubt;
+    if (answer.ok()) {
+      if (auto refusal = refusalIn(answer, kRobot)) return finish(fail(std::move(*refusal)));
+    } else {
+      doubt = wire::failed(answer, kRobot, map::AskedFor::Change);
+      if (doubt->applied == map::Applied::No || doubt->kind == map::FailureKind::Cancelled)
+        return finish(fail(std::move(*doubt)));
+    }
+    // The last result is sent again to whoever subscribes: only one after a search, or another one, counts.
+    const auto before = std::make_shared<std::optional<map::GlobalPositioning>>(result_);
+    const auto isNew = [this, before] {
+      if (!result_ || result_->state == "running") return false;
+      if (!*before) *before = result_;
+      return searching_ || **before != *result_;
+    };
+    const auto patience = doubt ? patience_.pose * 5 : patience_.search;
+    waits_.await(task, patience, isNew, [this, doubt, finish](wire::WaitList::End how) {
+      if (how == wire::WaitList::End::Held) return finish(*result_);
+      if (how != wire::WaitList::End::TooLate) return finish(fail(cancelled()));
+      if (doubt) return finish(fail(*doubt));
+      finish(fail(unknown(fault::ResultNotTold)));
+    });
+  });
+}
+
+}  // namespace mapwright::robot::axbot
