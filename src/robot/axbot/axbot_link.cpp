@@ -39,10 +39,21 @@ AxbotLink::AxbotLink(LinkOptions options)
                  : std::make_unique<net::HttpCache>(options_.cache_folder, kCacheBudgetBytes)),
       http_(options_.base, options_.secret, cache_.get()),
       maps_(server()),
-      changes_(server(), maps_),
+      changes_(server(), maps_,
+               [this] {
+                 return robot_ahead_s_ ? std::optional(options_.wall_s() + *robot_ahead_s_) : std::nullopt;
+               }),
       bags_(server()),
       overlays_(server()),
       sightings_(server()),
+      transfers_(server(), maps_),
+      poses_(
+          server(),
+          [this](const QStringList& topics) {
+            held_ = topics;
+            askForWanted();
+          },
+          options_.pose_patience),
       grids_(server()),
       // Old firmware does not know the query; if the handshake is refused for it, it is left out.
       socket_({socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret,
@@ -193,7 +204,7 @@ void AxbotLink::askForWanted() {
     names += topics.usual;
     if (older_.contains(stream)) names += topics.older;
   }
-  const QStringList requests = subscriptions_.setWanted(names + topics_);
+  const QStringList requests = subscriptions_.setWanted(names + topics_ + held_);
   // Before the first subscription everything is included in it.
   if (!subscribed_) return;
   send(requests);
@@ -258,6 +269,9 @@ void AxbotLink::takeText(const QByteArray& utf8) {
   TextFrame frame = topic_reader_.read(wire::view(utf8));
   deliver(std::make_shared<const std::string>(wire::view(utf8)), frame.topic, "json", frame.stamp_s);
   if (passesRaw(utf8.size())) Q_EMIT rawReceived(rawText(frame.topic, wire::view(utf8)));
+  if (frame.topic == "/tracked_pose" || frame.topic == "/slam/state") {
+    if (frame.stamp_s) robot_ahead_s_ = *frame.stamp_s - options_.wall_s();
+  }
   if (frame.message) {
     emitTopic(frame.topic, std::move(*frame.message));
     if (frame.left_out) emitTopic(frame.topic, std::move(*frame.left_out));
@@ -311,6 +325,7 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
       recover(kUnknownTopic);  // messages can be read again
     }
   }
+  poses_.hear(message);
   if (std::holds_alternative<map::SubmapList>(message)) {
     topics_confirmed_ = true;
     list_timer_.stop();

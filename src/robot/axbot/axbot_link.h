@@ -23,8 +23,10 @@
 #include "robot/axbot/map_requests.h"
 #include "robot/axbot/overlay_requests.h"
 #include "robot/axbot/parse_topics.h"
+#include "robot/axbot/pose_requests.h"
 #include "robot/axbot/sighting_requests.h"
 #include "robot/axbot/topic_subscriptions.h"
+#include "robot/axbot/transfer_requests.h"
 #include "robot/wire/robot_link.h"
 
 namespace mapwright::robot::axbot {
@@ -36,9 +38,10 @@ struct LinkOptions {
   net::Trust trust;
   QString cache_folder;  // empty = nothing is kept on disk
   net::WebSocketLinkOptions socket;
-  std::chrono::milliseconds fetch_timeout{30'000};     // of submaps
-  std::chrono::milliseconds answer_timeout{30'000};    // of requests about maps: without a byte
-  std::chrono::milliseconds ask_again_after{1'000};    // after a message that nobody could read, at first
+  std::chrono::milliseconds fetch_timeout{30'000};   // of submaps
+  std::chrono::milliseconds answer_timeout{30'000};  // of requests about maps: without a byte
+  std::chrono::milliseconds ask_again_after{1'000};  // after a message that nobody could read, at first
+  PoseRequests::Patience pose_patience;
   std::chrono::milliseconds older_names_after{2'500};  // of silence of a stream that was asked for
   /// The time of day, in seconds since the epoch, that arriving messages are stamped with. On any thread.
   std::function<double()> wall_s = wire::secondsOfDay;
@@ -66,6 +69,8 @@ class AxbotLink : public wire::RobotLink {
   BagRequests& bags() { return bags_; }
   OverlayRequests& overlays() { return overlays_; }
   SightingRequests& sightings() { return sightings_; }
+  PoseRequests& poses() { return poses_; }
+  TransferRequests& transfers() { return transfers_; }
   /// A request for the overview; also notes if the robot does not support it.
   void fetchOverview(const wire::TaskPtr& task, double resolution_m, OutcomeTo<map::WholeMap> reply);
 
@@ -109,12 +114,16 @@ class AxbotLink : public wire::RobotLink {
   BagRequests bags_;
   OverlayRequests overlays_;
   SightingRequests sightings_;
+  TransferRequests transfers_;
+  PoseRequests poses_;
   GridFetcher grids_;
   net::WebSocketLink socket_;
   QTimer list_timer_, subscribe_timer_, older_timer_, again_timer_;
-  map::Streams streams_;  // that are wanted
-  QStringList topics_;    // that are wanted by name
-  map::Streams older_;    // streams whose older names are subscribed as well on this connection
+  map::Streams streams_;                 // that are wanted
+  QStringList topics_;                   // that are wanted by name
+  QStringList held_;                     // that are needed for a request under way
+  std::optional<double> robot_ahead_s_;  // of the clock here, by the last message with a stamp
+  map::Streams older_;  // streams whose older names are subscribed as well on this connection
   std::map<std::string, int> heard_topics_;  // number of messages on this connection
   bool delivered_definition_ = false;        // likewise: the definition of binary frames
   bool wanted_ = false;

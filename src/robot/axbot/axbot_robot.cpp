@@ -16,9 +16,11 @@ std::optional<Obstacle> Administration::obstacle(MapChange change, const map::Ca
       if (mapping_ == true) return Obstacle::WhileMapping;
       return map->is_current ? std::optional(Obstacle::IsLoaded) : std::nullopt;
     case MapChange::StartMapping:
+    case MapChange::ContinueMapping:
     case MapChange::Save:
       return mapping_ == true ? std::optional(Obstacle::WhileMapping) : std::nullopt;
     case MapChange::StopMapping:
+    case MapChange::CancelMapping:
       return mapping_ == false ? std::optional(Obstacle::NotMapping) : std::nullopt;
     default:
       return Obstacle::NotOffered;
@@ -28,6 +30,11 @@ std::optional<Obstacle> Administration::obstacle(MapChange change, const map::Ca
 Call Administration::carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
   return changes_.change(order.key.id.empty() ? wire::kMapList : map::subjectOf(order.key),
                          changes_.telling(changed_, std::move(reply)), &MapChanges::carryOut, order);
+}
+
+Call Administration::progress(OutcomeTo<std::optional<MappingProgress>> reply) {
+  return changes_.ask({map::SubjectKind::Catalogue, map::kMappingsPart}, std::move(reply),
+                      &MapChanges::progress);
 }
 
 AxbotRobot::AxbotRobot(QString address, LinkOptions options, QObject* parent)
@@ -43,7 +50,9 @@ AxbotRobot::AxbotRobot(QString address, wire::StartedLink<AxbotLink> started, QO
       topics_(started.link),
       administration_(started.link, [this] { Q_EMIT mapsChanged(); }),
       bags_(started.link, &AxbotLink::bags),
-      overlays_(started.link, [this] { Q_EMIT mapsChanged(); }) {
+      overlays_(started.link, [this] { Q_EMIT mapsChanged(); }),
+      pose_setting_(started.link),
+      transfer_(started.link, [this] { Q_EMIT mapsChanged(); }) {
   qRegisterMetaType<RobotIdentity>();
   connect(started.link, &AxbotLink::identityChanged, this, [this](const RobotIdentity& identity) {
     if (identity == identity_) return;

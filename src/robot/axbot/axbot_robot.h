@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "robot/axbot/axbot_link.h"
+#include "robot/localization.h"
 #include "robot/map_administration.h"
+#include "robot/map_transfer.h"
 #include "robot/overlay_store.h"
 #include "robot/sighting_source.h"
 #include "robot/wire/forwarded.h"
@@ -38,6 +40,8 @@ class Administration : public MapAdministration {
   bool noteMapping(std::optional<bool> mapping) { return std::exchange(mapping_, mapping) != mapping; }
   std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
   Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) override;
+  bool tellsProgress() const override { return true; }
+  Call progress(OutcomeTo<std::optional<MappingProgress>> reply) override;
 
  private:
   wire::LinkRef<MapChanges> changes_;
@@ -59,6 +63,45 @@ class Sightings : public SightingSource {
  private:
   static inline const map::Subject kHere = map::subjectOf({map::MapKind::Live, {}});
   wire::LinkRef<SightingRequests> sightings_;
+};
+
+class PoseSetting : public Localization {
+ public:
+  explicit PoseSetting(AxbotLink* link) : poses_(link, &AxbotLink::poses) {}
+  Call setPose(const PoseOrder& order, OutcomeTo<geometry::Pose2> reply) override {
+    return poses_.change({map::SubjectKind::Robot}, std::move(reply), &PoseRequests::setPose, order);
+  }
+  Call findItself(OutcomeTo<map::GlobalPositioning> reply) override {
+    return poses_.change({map::SubjectKind::Robot}, std::move(reply), &PoseRequests::findItself);
+  }
+
+ private:
+  wire::LinkRef<PoseRequests> poses_;
+};
+
+class Transfer : public MapTransfer {
+ public:
+  /// `changed`: as for Administration.
+  Transfer(AxbotLink* link, std::function<void()> changed)
+      : transfers_(link, &AxbotLink::transfers), changed_(std::move(changed)) {}
+  Call facts(const map::MapKey& key, OutcomeTo<MapFacts> reply) override {
+    return transfers_.ask(map::subjectOf(key), std::move(reply), &TransferRequests::facts, key);
+  }
+  Call parts(const map::MapKey& key, OutcomeTo<MapParts> reply) override {
+    return transfers_.ask(map::subjectOf(key), std::move(reply), &TransferRequests::parts, key);
+  }
+  Call download(const MapFacts& of, const QString& path, OutcomeTo<DataDownload> reply) override {
+    return transfers_.ask(map::subjectOf(of.key, of.name), std::move(reply), &TransferRequests::download, of,
+                          path);
+  }
+  Call add(const NewMap& map, OutcomeTo<MapFacts> reply) override {
+    return transfers_.change({map::SubjectKind::Map, {}, map.name},
+                             transfers_.telling(changed_, std::move(reply)), &TransferRequests::add, map);
+  }
+
+ private:
+  wire::LinkRef<TransferRequests> transfers_;
+  std::function<void()> changed_;
 };
 
 class Overlays : public OverlayStore {
@@ -106,6 +149,8 @@ class AxbotRobot : public wire::NetworkRobot {
   MapAdministration* mapAdministration() override { return &administration_; }
   BagLibrary* bagLibrary() override { return &bags_; }
   OverlayStore* overlayStore() override { return &overlays_; }
+  Localization* localization() override { return &pose_setting_; }
+  MapTransfer* mapTransfer() override { return &transfer_; }
   Absence whyNot(Capability capability) const override;
 
  private:
@@ -121,6 +166,8 @@ class AxbotRobot : public wire::NetworkRobot {
   Administration administration_;
   wire::BagsOf<BagRequests> bags_;
   Overlays overlays_;
+  PoseSetting pose_setting_;
+  Transfer transfer_;
   RobotIdentity identity_;
   std::optional<QString> overview_unknown_;    // its answer to a request for one
   std::optional<map::MapInfo> last_map_info_;  // without overlays

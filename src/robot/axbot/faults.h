@@ -127,6 +127,20 @@ inline constexpr FaultCode SeesNoTrailer{"axbot",
 inline constexpr FaultCode SightingUnreadable{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The robot's answer contains no pose that can be read.")};
 
+// Where the robot is.
+inline constexpr FaultCode PoseNotTold{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "the robot accepted the pose, but does not say where it is")};
+inline constexpr FaultCode ResultNotTold{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "the robot accepted it, but does not say what came of it")};
+
+// Whole maps on their way.
+inline constexpr FaultCode ChangedMeanwhile{
+    "axbot",
+    QT_TRANSLATE_NOOP("axbot", "it was changed on the robot in the meantime; start the download again")};
+/// id, name
+inline constexpr FaultCode UidTaken{"axbot",
+                                    QT_TRANSLATE_NOOP("axbot", "the robot already has this map: %2 (id %1)")};
+
 // Changing maps.
 inline constexpr FaultCode StillListed{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the deletion, but still lists the map.")};

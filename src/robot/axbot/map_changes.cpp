@@ -19,7 +19,8 @@ const QString kMapsPath = QStringLiteral("/maps/");
 const QString kMappingsPath = QStringLiteral("/mappings/");
 const QString kRunningPath = QStringLiteral("/mappings/current");
 
-QString pathOfMap(const map::MapKey& key) { return kMapsPath + pathSegment(key.id); }
+/// carryOut() refuses what has none.
+QString pathOfMap(const map::MapKey& key) { return pathOf(kMapsPath, key.id).value_or(QString()); }
 
 bool isOfOne(MapChange change) {
   return change == MapChange::Rename || change == MapChange::Load || change == MapChange::Delete;
@@ -34,11 +35,6 @@ QJsonValue idValue(const std::string& id) {
 }
 
 }  // namespace
-
-bool isPlainId(const std::string& id) {
-  return !id.empty() && std::all_of(id.begin(), id.end(),
-                                    [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
-}
 
 struct MapChanges::Change {
   Task task;
@@ -82,9 +78,13 @@ void MapChanges::carryOut(const Task& task, const MapOrder& order, OutcomeTo<map
     case MapChange::Delete:
       return remove(change);
     case MapChange::StartMapping:
-      return startMapping(change);
+      return startMapping(change, false);
+    case MapChange::ContinueMapping:
+      return startMapping(change, true);
     case MapChange::StopMapping:
-      return stopMapping(change);
+      return endMapping(change, QStringLiteral("finished"));
+    case MapChange::CancelMapping:
+      return endMapping(change, QStringLiteral("cancelled"));
     case MapChange::Save:
       return save(change);
     default:
@@ -183,16 +183,32 @@ MapChanges::Look MapChanges::lookForMapping(bool wanted) {
   };
 }
 
-void MapChanges::startMapping(const ChangePtr& change) {
+void MapChanges::startMapping(const ChangePtr& change, bool continues) {
   send(change, net::HttpMethod::Post, kMappingsPath,
-       {{QStringLiteral("continue_mapping"), false},
-        {QStringLiteral("start_pose_type"), QStringLiteral("zero")}},
+       {{QStringLiteral("continue_mapping"), continues},
+        {QStringLiteral("start_pose_type"),
+         continues ? QStringLiteral("current_pose") : QStringLiteral("zero")}},
        lookForMapping(true));
 }
 
-void MapChanges::stopMapping(const ChangePtr& change) {
-  send(change, net::HttpMethod::Patch, kRunningPath, {{QStringLiteral("state"), QStringLiteral("finished")}},
+void MapChanges::endMapping(const ChangePtr& change, const QString& state) {
+  send(change, net::HttpMethod::Patch, kRunningPath, {{QStringLiteral("state"), state}},
        lookForMapping(false));
+}
+
+void MapChanges::progress(const Task& task, OutcomeTo<std::optional<MappingProgress>> reply) {
+  wire::send(task, server_.http, server_.request(kMappingsPath),
+             [this, reply = std::move(reply)](const net::HttpAnswer& answer) {
+               auto running = wire::outcomeOf(answer, {map::SubjectKind::Catalogue, map::kMappingsPart},
+                                              parseRunningMapping);
+               if (!running) return reply(fail(std::move(running.error())));
+               if (!*running) return reply(std::nullopt);
+               MappingProgress now{(*running)->key, std::nullopt, (*running)->continues};
+               const auto clock_s = robot_now_s_();
+               if (clock_s && (*running)->started_s && *clock_s >= *(*running)->started_s)
+                 now.lasts_s = *clock_s - *(*running)->started_s;
+               reply(std::optional(now));
+             });
 }
 
 /// The result of the latest mapping that was finished.

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <QJsonObject>
@@ -13,17 +14,17 @@
 
 namespace mapwright::robot::axbot {
 
-/// Can stand in an address: a DELETE without an id would delete everything.
-bool isPlainId(const std::string& id);
-
 class MapChanges {
  public:
   using Task = wire::TaskPtr;
-  /// `maps` outlives this.
-  MapChanges(RobotServer server, MapRequests& maps) : server_(std::move(server)), maps_(maps) {}
+  /// `maps` outlives this. `robot_now_s`: the time on the robot's own clock, seconds since the epoch; nullopt
+  /// = not known.
+  MapChanges(RobotServer server, MapRequests& maps, std::function<std::optional<double>()> robot_now_s)
+      : server_(std::move(server)), maps_(maps), robot_now_s_(std::move(robot_now_s)) {}
 
   /// Sent once; then the robot is asked how it is now, also if the answer is lost.
   void carryOut(const Task& task, const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply);
+  void progress(const Task& task, OutcomeTo<std::optional<MappingProgress>> reply);
 
  private:
   struct Change;
@@ -37,8 +38,8 @@ class MapChanges {
   void rename(const ChangePtr& change);
   void load(const ChangePtr& change);
   void remove(const ChangePtr& change);
-  void startMapping(const ChangePtr& change);
-  void stopMapping(const ChangePtr& change);
+  void startMapping(const ChangePtr& change, bool continues);
+  void endMapping(const ChangePtr& change, const QString& state);
   void save(const ChangePtr& change);
   void saveMapping(const ChangePtr& change, const std::string& mapping);
   /// The map as it is now, and whether it is the current one.
@@ -48,6 +49,7 @@ class MapChanges {
 
   const RobotServer server_;
   MapRequests& maps_;
+  const std::function<std::optional<double>()> robot_now_s_;
 };
 
 }  // namespace mapwright::robot::axbot

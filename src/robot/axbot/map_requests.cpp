@@ -21,10 +21,16 @@ QString folderOf(map::MapKind kind) {
   return kind == map::MapKind::Mapping ? QStringLiteral("/mappings/") : QStringLiteral("/maps/");
 }
 
-QString pathOf(const map::MapKey& key) { return folderOf(key.kind) + pathSegment(key.id); }
+/// nullopt: the key has no address.
+std::optional<QString> addressFor(const map::MapKey& key) {
+  if (key.kind != map::MapKind::Stored && key.kind != map::MapKind::Mapping) return std::nullopt;
+  return pathOf(folderOf(key.kind), key.id);
+}
 
-QUrl thumbnailUrl(const QUrl& base, const map::MapKey& key) {
-  return urlOnRobot(base, pathOf(key) + QStringLiteral("/thumbnail"));
+std::optional<QUrl> thumbnailUrl(const QUrl& base, const map::MapKey& key) {
+  const auto address = addressFor(key);
+  if (!address) return std::nullopt;
+  return urlOnRobot(base, *address + QStringLiteral("/thumbnail"));
 }
 
 /// It cannot be requested at all.
@@ -160,11 +166,9 @@ void MapRequests::finishPart(Listing& listing) {
 }
 
 void MapRequests::detail(const Task& task, const map::MapKey& key, OutcomeTo<MapDetail> reply) {
-  if (key.id.empty() || (key.kind != map::MapKind::Stored && key.kind != map::MapKind::Mapping)) {
-    reply(fail(unasked(key)));
-    return;
-  }
-  getJson(task, pathOf(key), [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
+  const auto address = addressFor(key);
+  if (!address) return reply(fail(unasked(key)));
+  getJson(task, *address, [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
     const auto parse = [&key](std::string_view body) { return parseMapDetail(body, key); };
     reply(wire::outcomeOf(answer, map::subjectOf(key), parse));
   });
@@ -177,17 +181,17 @@ void MapRequests::describe(const Task& task, const map::MapKey& key, OutcomeTo<m
 }
 
 void MapRequests::thumbnail(const Task& task, const map::MapKey& key, OutcomeTo<std::string> reply) {
-  getPicture(
-      task, thumbnailUrl(server_.base, key), [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
-        reply(
-            pictureOf(answer, map::subjectOf(key), map::AskedFor::SmallPicture).map([](const auto& picture) {
-              return *picture;
-            }));
-      });
+  const auto url = thumbnailUrl(server_.base, key);
+  if (!url) return reply(fail(unasked(key)));
+  getPicture(task, *url, [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
+    reply(pictureOf(answer, map::subjectOf(key), map::AskedFor::SmallPicture).map([](const auto& picture) {
+      return *picture;
+    }));
+  });
 }
 
 void MapRequests::discardThumbnail(const map::MapKey& key) {
-  server_.http.discard(thumbnailUrl(server_.base, key));
+  if (const auto url = thumbnailUrl(server_.base, key)) server_.http.discard(*url);
 }
 
 void MapRequests::discardPicture(const std::string& fingerprint) {
@@ -222,7 +226,7 @@ void MapRequests::fetchParts(const std::shared_ptr<Fetch>& fetch, const MapDetai
                                 {fault::MemberIsNoList, {"overlays"}},
                                 map::ProblemCode::Odd});
   }
-  fetch->usual_picture = urlOnRobot(server_.base, pathOf(key) + QStringLiteral(".png"));
+  fetch->usual_picture = urlOnRobot(server_.base, *addressFor(key) + QStringLiteral(".png"));
   const bool mapping = key.kind == map::MapKind::Mapping;
   fetch->open = mapping ? 3 : 1;
   const QUrl given = robotUrl(server_.base, detail.image_url);
@@ -258,7 +262,7 @@ void MapRequests::fetchPicture(const std::shared_ptr<Fetch>& fetch, const QUrl& 
 
 void MapRequests::fetchExtra(const std::shared_ptr<Fetch>& fetch, const std::string& given_url,
                              const QString& file, std::function<void(map::WholeMap&, std::string_view)> add) {
-  net::HttpRequest request = server_.request(pathOf(fetch->map.key) + QLatin1Char('/') + file);
+  net::HttpRequest request = server_.request(*addressFor(fetch->map.key) + QLatin1Char('/') + file);
   if (const QUrl given = robotUrl(server_.base, given_url); given.isValid()) request.url = given;
   wire::send(fetch->task, server_.http, request,
              [fetch, file, add = std::move(add)](const net::HttpAnswer& answer) {

@@ -19,7 +19,12 @@ using json::JsonValue;
 const QString kLivePath = QStringLiteral("/ros/map/overlays");
 const QString kInUsePath = QStringLiteral("/chassis/current-map");
 
-QString mapPath(const map::MapKey& key) { return QStringLiteral("/maps/") + pathSegment(key.id); }
+/// nullopt: the key has no address.
+std::optional<QString> addressOf(const map::MapKey& key) {
+  if (key.kind == map::MapKind::Live) return kLivePath;
+  if (key.kind != map::MapKind::Stored) return std::nullopt;
+  return pathOf(QStringLiteral("/maps/"), key.id);
+}
 
 /// A string, or a number as written.
 std::string plainText(const std::optional<JsonValue>& value) {
@@ -48,10 +53,6 @@ map::Failure noStoredMap(const map::MapKey& key, map::AskedFor asked_for) {
           .reason = map::FailureReason::NoSuchId};
 }
 
-bool hasOverlays(const map::MapKey& key) {
-  return key.kind == map::MapKind::Live || (key.kind == map::MapKind::Stored && !key.id.empty());
-}
-
 }  // namespace
 
 tl::expected<OverlayText, Fault> parseOverlayText(std::string_view map) {
@@ -77,12 +78,12 @@ tl::expected<OverlayText, Fault> parseOverlayText(std::string_view map) {
 }
 
 void OverlayRequests::read(const Task& task, const map::MapKey& key, OutcomeTo<OverlayText> reply) {
-  if (!hasOverlays(key)) return reply(fail(noStoredMap(key, map::AskedFor::All)));
+  if (!addressOf(key)) return reply(fail(noStoredMap(key, map::AskedFor::All)));
   key.kind == map::MapKind::Live ? readLive(task, std::move(reply)) : readStored(task, key, std::move(reply));
 }
 
 void OverlayRequests::readStored(const Task& task, const map::MapKey& key, OutcomeTo<OverlayText> reply) {
-  wire::send(task, server_.http, server_.request(mapPath(key)),
+  wire::send(task, server_.http, server_.request(*addressOf(key)),
              [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
                reply(wire::outcomeOf(answer, map::subjectOf(key), parseOverlayText));
              });
@@ -111,9 +112,10 @@ void OverlayRequests::readLive(const Task& task, OutcomeTo<OverlayText> reply) {
 
 void OverlayRequests::write(const Task& task, const map::MapKey& key, const std::string& text,
                             OutcomeTo<OverlayText> reply) {
-  if (!hasOverlays(key)) return reply(fail(noStoredMap(key, map::AskedFor::Change)));
+  const auto address = addressOf(key);
+  if (!address) return reply(fail(noStoredMap(key, map::AskedFor::Change)));
   const bool live = key.kind == map::MapKind::Live;
-  net::HttpRequest request = server_.request(live ? kLivePath : mapPath(key));
+  net::HttpRequest request = server_.request(*address);
   request.method = live ? net::HttpMethod::Put : net::HttpMethod::Patch;
   request.body = QByteArray::fromStdString(live ? text : R"({"overlays":)" + json::quoted(text) + '}');
   wire::send(task, server_.http, request,

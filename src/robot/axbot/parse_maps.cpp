@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "robot/axbot/faults.h"
+#include "robot/axbot/overlay_requests.h"
 #include "robot/wire/faults.h"
 #include "robot/wire/picture_bytes.h"
 #include "ros_messages/slam.pb.h"
@@ -194,6 +195,47 @@ tl::expected<MapRows, Fault> parseMapRows(std::string_view body, map::MapKind ki
     }
   }
   return read;
+}
+
+tl::expected<std::optional<RunningMapping>, Fault> parseRunningMapping(std::string_view body) {
+  wire::JsonReader reader;
+  const auto root = reader.readKeepingDigits(body);
+  const auto rows = root ? wire::asList(*root, {"mappings"}) : std::nullopt;
+  if (!rows) return refused(fault::AnswerIsNoList);
+  for (const Json row : *rows) {
+    const map::CatalogueEntry entry = entryOf(row, map::MapKind::Mapping);
+    if (entry.state != "running" || entry.key.id.empty()) continue;
+    return RunningMapping{entry.key, entry.created_s, wire::flag(row, {"continue_mapping"})};
+  }
+  return std::nullopt;
+}
+
+tl::expected<MapFacts, Fault> parseMapFacts(std::string_view body, const map::MapKey& key) {
+  auto detail = parseMapDetail(body, key);
+  if (!detail) return refused(std::move(detail.error()));
+  MapFacts facts;
+  facts.key = key;
+  facts.name = detail->entry.name;
+  facts.uid = detail->entry.uid;
+  facts.map_version = detail->entry.map_version;
+  facts.overlays_version = detail->entry.overlays_version;
+  facts.grid = detail->grid;
+  if (auto overlays = parseOverlayText(body)) facts.overlays = std::move(overlays->text);
+  wire::JsonReader reader;
+  const auto root = reader.readKeepingDigits(body);
+  const auto size = [&](const char* name) -> std::optional<std::int64_t> {
+    const auto bytes = root ? wire::integer(*root, {name}) : std::nullopt;
+    return bytes && *bytes > 0 ? bytes : std::nullopt;
+  };
+  facts.picture_bytes = size("image_size");
+  facts.data_bytes = size("pbstream_size");
+  return facts;
+}
+
+std::string parseNewId(std::string_view body) {
+  wire::JsonReader reader;
+  const auto root = reader.readKeepingDigits(body);
+  return root && root->is_object() ? wire::text(*root, {"id", "map_id"}) : std::string();
 }
 
 tl::expected<MapDetail, Fault> parseMapDetail(std::string_view body, const map::MapKey& key) {

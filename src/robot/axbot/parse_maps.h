@@ -13,6 +13,7 @@
 #include "map/catalogue.h"
 #include "map/overlay.h"
 #include "map/submap.h"
+#include "robot/map_transfer.h"
 #include "robot/wire/read_json.h"
 
 namespace ros_messages::slam {
@@ -28,6 +29,14 @@ struct MapRows {
 };
 tl::expected<MapRows, Fault> parseMapRows(std::string_view body, map::MapKind kind);
 
+/// The mapping of a list of mappings that is in progress; nullopt: none.
+struct RunningMapping {
+  map::MapKey key;
+  std::optional<double> started_s;  // on the robot's clock
+  std::optional<bool> continues;
+};
+tl::expected<std::optional<RunningMapping>, Fault> parseRunningMapping(std::string_view body);
+
 /// One map or mapping with everything needed to get its picture. Addresses as in the answer.
 struct MapDetail {
   map::CatalogueEntry entry;
@@ -38,6 +47,11 @@ struct MapDetail {
   bool overlays_readable = true;
 };
 tl::expected<MapDetail, Fault> parseMapDetail(std::string_view body, const map::MapKey& key);
+
+/// A stored map, with the overlays as they are written.
+tl::expected<MapFacts, Fault> parseMapFacts(std::string_view body, const map::MapKey& key);
+/// The id in the answer to a new map; empty: it tells none.
+std::string parseNewId(std::string_view body);
 
 /// The current map: id is empty if it was set from data (-1).
 struct CurrentMap {

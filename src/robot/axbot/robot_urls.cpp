@@ -1,5 +1,8 @@
 #include "robot/axbot/robot_urls.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include "json/json_text.h"
 #include "robot/wire/net_results.h"
 
@@ -33,8 +36,28 @@ QUrl robotUrl(const QUrl& base, std::string_view given) {
   return urlOnRobot(base, path, query);
 }
 
-QString pathSegment(std::string_view id) {
-  return QString::fromLatin1(QUrl::toPercentEncoding(QString::fromUtf8(id.data(), qsizetype(id.size()))));
+QString pathSegment(std::string_view text) {
+  return QString::fromLatin1(QUrl::toPercentEncoding(QString::fromUtf8(text.data(), qsizetype(text.size()))));
+}
+
+bool isPlainId(std::string_view id) {
+  return !id.empty() && std::all_of(id.begin(), id.end(),
+                                    [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
+}
+
+std::optional<QString> pathOf(const QString& folder, std::string_view id) {
+  if (!isPlainId(id)) return std::nullopt;
+  return folder + pathSegment(id);
+}
+
+std::optional<QString> pathOfNamed(const QString& folder, std::string_view name) {
+  const QString text = QString::fromUtf8(name.data(), qsizetype(name.size()));
+  const auto leads_away = [](QChar c) {
+    return QStringView(u"/\\?#%").contains(c) || c.category() == QChar::Other_Control;
+  };
+  const bool blank = text.trimmed().isEmpty() || text == QLatin1String(".") || text == QLatin1String("..");
+  if (blank || std::any_of(text.begin(), text.end(), leads_away)) return std::nullopt;
+  return folder + pathSegment(name);
 }
 
 net::HttpRequest RobotServer::request(const QString& path, const QString& query) const {

@@ -27,8 +27,17 @@ QUrl urlOnRobot(const QUrl& base, const QString& path, const QString& query = {}
 /// reached, so only path and query are used, on `base`. An invalid URL if there is no path.
 QUrl robotUrl(const QUrl& base, std::string_view given);
 
-/// An id as one segment of a path.
-QString pathSegment(std::string_view id);
+/// A segment of a path, percent-encoded.
+QString pathSegment(std::string_view text);
+
+/// The path of one thing in a folder ("/maps/"): nullopt if its id is no plain one (letters, digits, - and
+/// _), because a DELETE to the folder itself deletes everything in it, and what has dots, slashes or signs
+/// may lead there. Every address with an id is made by this or pathOfNamed().
+std::optional<QString> pathOf(const QString& folder, std::string_view id);
+/// The same for a thing that has the name of a file: no folders, no part of an address, not blank.
+std::optional<QString> pathOfNamed(const QString& folder, std::string_view name);
+/// Can stand in an address: the id has a path.
+bool isPlainId(std::string_view id);
 
 /// The web server of a robot, for the requests that capabilities make: on the link's thread. Replies arrive
 /// there from its event loop.
