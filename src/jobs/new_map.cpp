@@ -1,0 +1,96 @@
+#include "jobs/new_map.h"
+
+#include <atomic>
+#include <cmath>
+#include <memory>
+
+#include <QCoreApplication>
+
+#include "disk/read_file.h"
+#include "grids/grid_pyramid.h"
+#include "jobs/change_map.h"
+#include "sentences/fault_sentence.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::jobs {
+namespace {
+
+class NewMapText {
+  Q_DECLARE_TR_FUNCTIONS(NewMap)
+};
+
+constexpr std::size_t kMostPictureBytes = std::size_t(128) << 20;
+constexpr int kMostEdge = 20'000;
+constexpr std::int64_t kMostCells = 100'000'000;
+constexpr double kFarthestOriginM = 1e5;
+constexpr double kSameM = 1e-4;  // robots keep single precision
+
+bool isPng(const std::string& bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\n"); }
+
+}  // namespace
+
+QString whyNoPlaceOfMap(double resolution_m, double x_m, double y_m) {
+  if (!(resolution_m >= kFinestMapM && resolution_m <= kCoarsestMapM))
+    return NewMapText::tr("The resolution must be between %1 and %2 metres per cell, for example 0.05.")
+        .arg(kFinestMapM)
+        .arg(kCoarsestMapM);
+  if (!(std::abs(x_m) <= kFarthestOriginM && std::abs(y_m) <= kFarthestOriginM))
+    return NewMapText::tr("The origin must be within 100 km.");
+  return {};
+}
+
+tl::expected<PictureSize, QString> sizeOfMapPicture(const std::shared_ptr<const std::string>& png) {
+  const auto no = [](const QString& sentence) { return tl::make_unexpected(sentence); };
+  if (!png || !isPng(*png)) return no(NewMapText::tr("It is not a PNG picture."));
+  auto reading = grids::openGrid(png, {});
+  if (!reading) return no(sentences::sentenceOf(reading.error()));
+  const int width = (*reading)->pyramid()->width(), height = (*reading)->pyramid()->height();
+  if (width > kMostEdge || height > kMostEdge || std::int64_t(width) * height > kMostCells)
+    return no(
+        NewMapText::tr("It has %1 x %2 pixels. At most %3 along an edge, and 100 million in all, can be "
+                       "the map of a robot.")
+            .arg(width)
+            .arg(height)
+            .arg(kMostEdge));
+  if (const auto damage = (*reading)->read(std::atomic<bool>(false), [] {}))
+    return no(sentences::sentenceOf(*damage));
+  return PictureSize{width, height};
+}
+
+tl::expected<robot::NewMap, QString> newMapFrom(const PictureMap& picture) {
+  const auto no = [](const QString& sentence) { return tl::make_unexpected(sentence); };
+  if (const QString why = whyNoMapName(picture.name); !why.isEmpty()) return no(why);
+  if (const QString why = whyNoPlaceOfMap(picture.resolution_m, picture.x_m, picture.y_m); !why.isEmpty())
+    return no(why);
+  const QString shown = words::plainName(picture.path.toStdString());
+  auto bytes = disk::readFile(picture.path.toStdString(), kMostPictureBytes + 1);
+  if (!bytes)
+    return no(NewMapText::tr("%1 cannot be read: %2.").arg(shown, sentences::wordsOf(bytes.error().cause)));
+  if (bytes->size() > kMostPictureBytes) return no(NewMapText::tr("%1 is larger than 128 MiB.").arg(shown));
+  robot::NewMap made;
+  made.picture = std::make_shared<const std::string>(std::move(*bytes));
+  const auto size = sizeOfMapPicture(made.picture);
+  if (!size) return no(QStringLiteral("%1: %2").arg(shown, size.error()));
+  made.name = picture.name.toStdString();
+  made.grid = {size->width, size->height, picture.resolution_m, {picture.x_m, picture.y_m, 0}};
+  return made;
+}
+
+QStringList differences(const robot::NewMap& sent, const robot::MapFacts& now) {
+  QStringList all;
+  if (now.name != sent.name) all << NewMapText::tr("it is called \"%1\"").arg(words::plainName(now.name));
+  const auto other = [](double one, double two) { return !(std::abs(one - two) <= kSameM); };
+  if (other(now.grid.resolution_m, sent.grid.resolution_m))
+    all << NewMapText::tr("its resolution is %1 m").arg(now.grid.resolution_m);
+  if (other(now.grid.origin.x_m, sent.grid.origin.x_m) || other(now.grid.origin.y_m, sent.grid.origin.y_m))
+    all << NewMapText::tr("its lower left corner is at %1, %2 m")
+               .arg(now.grid.origin.x_m)
+               .arg(now.grid.origin.y_m);
+  if (sent.data && now.data_bytes && *now.data_bytes != std::int64_t(sent.data->size()))
+    all << NewMapText::tr("its data has %1 of %2 bytes").arg(*now.data_bytes).arg(sent.data->size());
+  if (!sent.overlays.empty() && now.overlays.empty()) all << NewMapText::tr("it has no overlays");
+  if (!sent.uid.empty() && now.uid != sent.uid) all << NewMapText::tr("it has another uid");
+  return all;
+}
+
+}  // namespace mapwright::jobs

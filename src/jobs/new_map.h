@@ -1,0 +1,37 @@
+// A map that is added to those of a robot: what is checked before, and what the robot holds of it afterwards.
+#pragma once
+
+#include <string>
+
+#include <QString>
+#include <QStringList>
+#include <tl/expected.hpp>
+
+#include "robot/map_transfer.h"
+
+namespace mapwright::jobs {
+
+/// The resolutions (metres per cell) that maps of robots have.
+inline constexpr double kFinestMapM = 0.005, kCoarsestMapM = 1;
+
+/// A map made of a picture: a PNG file, its resolution, and where its lower left corner lies.
+struct PictureMap {
+  QString path, name;
+  double resolution_m = 0;
+  double x_m = 0, y_m = 0;
+};
+
+/// Why it cannot be a map, without the picture; empty if it can.
+QString whyNoPlaceOfMap(double resolution_m, double x_m, double y_m);
+/// Ready to be sent; the error is a sentence. Blocks while it reads the picture.
+tl::expected<robot::NewMap, QString> newMapFrom(const PictureMap& picture);
+/// The size of a picture that can be a map: checked to its last row.
+struct PictureSize {
+  int width = 0, height = 0;
+};
+tl::expected<PictureSize, QString> sizeOfMapPicture(const std::shared_ptr<const std::string>& png);
+
+/// What the robot holds otherwise than it was sent: sentences; none if it is the same.
+QStringList differences(const robot::NewMap& sent, const robot::MapFacts& now);
+
+}  // namespace mapwright::jobs
