@@ -105,6 +105,10 @@ void refuseOddWords(CLI::App& app);
 void addSimulate(Commands& commands);
 void addSnapshot(Commands& commands);
 void addMaps(Commands& commands);
+/// Subcommands of `maps`: where the robot is.
+void addPoses(Commands& commands, CLI::App& maps);
+/// Subcommands of `maps`: whole maps on their way.
+void addMapTransfers(Commands& commands, CLI::App& maps);
 void addProjections(Commands& commands);
 void addWaypoints(Commands& commands);
 void addOverlays(Commands& commands);

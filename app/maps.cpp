@@ -47,8 +47,10 @@ struct MapsArguments : RobotArguments {
   std::string region;              // export: X,Y,LX,LY
   std::string filename;            // save-on-robot
   bool world_file = false;
-  bool force = false;  // overwrite files even if the map was read from them
-  bool yes = false;    // delete: confirmed
+  bool force = false;      // overwrite files even if the map was read from them
+  bool yes = false;        // delete: confirmed
+  bool continues = false;  // start-mapping: more of the current map
+  bool cancels = false;    // stop-mapping: what was mapped is lost
 };
 
 /// "2026-11-22 10:00"; "-" = unknown. `epoch_s`: seconds since 1970.
@@ -414,9 +416,7 @@ CommandResult<int> mapsDiff(RobotCommand& command, const MapsArguments& args) {
   return diff->same() ? kDone : kIncomplete;
 }
 
-bool isOfOneMap(MapChange change) {
-  return change != MapChange::StartMapping && change != MapChange::StopMapping && change != MapChange::Save;
-}
+bool isOfOneMap(MapChange change) { return !robot::isOfMapping(change); }
 
 bool names(MapChange change) { return change == MapChange::Rename || change == MapChange::Save; }
 
@@ -439,6 +439,8 @@ QString whyNotAsked(MapChange change, const MapsArguments& args) {
 }
 
 CommandResult<int> mapsChange(RobotCommand& command, const MapsArguments& args, MapChange change) {
+  if (change == MapChange::StartMapping && args.continues) change = MapChange::ContinueMapping;
+  if (change == MapChange::StopMapping && args.cancels) change = MapChange::CancelMapping;
   if (const QString why = whyNotAsked(change, args); !why.isEmpty()) return wrong(why);
   const auto robot = command.open();
   if (!robot) return passOn(robot);
@@ -566,9 +568,16 @@ void addMaps(Commands& commands) {
     if (one.change == MapChange::Load)
       command->add_option("--waypoint", args.place,
                           help(Text::tr("Name of the waypoint at which the robot stands")));
+    if (one.change == MapChange::StartMapping)
+      command->add_flag("--continue", args.continues, help(Text::tr("Map more of the current map")));
+    if (one.change == MapChange::StopMapping)
+      command->add_flag("--cancel", args.cancels,
+                        help(Text::tr("Drop what was mapped since the start; it cannot be undone")));
     if (one.change == MapChange::Delete)
       command->add_flag("--yes", args.yes, help(Text::tr("Required: deleting cannot be undone")));
   }
+  addPoses(commands, *maps);
+  addMapTransfers(commands, *maps);
 }
 
 }  // namespace mapwright::app

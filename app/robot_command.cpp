@@ -12,6 +12,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
+#include "app/command_map.h"
 #include "app/command_text.h"
 #include "app/display.h"
 #include "app/map_request.h"
@@ -241,6 +242,10 @@ QJsonObject RobotReading::facts() const {
 
 CommandResult<render::PlacedGrid> RobotReading::map(const QString& id, double resolution_m) {
   if (id == QLatin1String("submaps")) return submaps(resolution_m);
+  // Before anything is requested.
+  if (!id.isEmpty() && !local() && id != QLatin1String("live") &&
+      !isPlainId(map::mapKeyFromText(id.toStdString()).id))
+    return failure(kUsage, Text::tr("%1: pass the id of a map (see mapwright maps list).").arg(oneLine(id)));
   if (id.isEmpty() || id == QLatin1String("live")) {
     session_.want(QStringLiteral("command"), scene::layerStreams(scene::Layer::WholeMap));
   }

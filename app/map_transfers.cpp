@@ -1,0 +1,174 @@
+// `mapwright maps download|upload|create`: whole maps on their way (docs/command-line.md).
+#include <CLI/CLI.hpp>
+#include <QJsonObject>
+
+#include "app/command_map.h"
+#include "app/command_text.h"
+#include "app/output.h"
+#include "app/robot_command.h"
+#include "jobs/change_map.h"
+#include "jobs/map_folder.h"
+#include "jobs/new_map.h"
+#include "robot/map_transfer.h"
+#include "ui/kit/status_text.h"
+#include "words/qt_plain.h"
+#include "words/text.h"
+
+namespace mapwright::app {
+namespace {
+
+using words::text;
+
+struct TransferArguments : RobotArguments {
+  std::string id, folder, name, image, resolution, origin;
+  bool force = false, as_new = false;
+};
+
+CommandResult<robot::MapTransfer*> transferOf(RobotReading& reading) {
+  if (robot::MapTransfer* const transfer = reading.session().robot().mapTransfer()) return transfer;
+  return passOn(CommandResult<int>(reading.lacks(robot::Capability::MapTransfer)));
+}
+
+void showProgress(const robot::Call& call, const std::shared_ptr<ProgressLine>& line) {
+  call.onProgress([line](robot::Progress progress) {
+    const QString of = progress.of_bytes ? window::bytesText(*progress.of_bytes) : QStringLiteral("?");
+    line->tell(Text::tr("%1 of %2").arg(window::bytesText(progress.bytes), of));
+  });
+}
+
+CommandResult<int> mapsDownload(RobotCommand& command, const TransferArguments& args) {
+  const map::MapKey key = map::mapKeyFromText(args.id);
+  if (key.kind != map::MapKind::Stored || !isPlainId(key.id))
+    return wrong(Text::tr("%1: pass the id of a stored map (see mapwright maps list).").arg(text(args.id)));
+  const QString folder = text(args.folder);
+  if (const QString why = jobs::whyNoMapFolder(folder, args.force); !why.isEmpty())
+    return wrong(args.force ? why : QStringLiteral("%1 %2").arg(why, Text::tr("--force replaces it.")));
+  const auto opened = command.open();
+  if (!opened) return passOn(opened);
+  RobotReading& reading = **opened;
+  const auto transfer = transferOf(reading);
+  if (!transfer) return passOn(transfer);
+  const auto line = std::make_shared<ProgressLine>();  // the robot may report progress after the end
+  const auto done = reading.ask<jobs::DownloadedMap>([&](robot::OutcomeTo<jobs::DownloadedMap> reply) {
+    robot::Call call = jobs::downloadMap(**transfer, key, folder, std::move(reply));
+    showProgress(call, line);
+    return call;
+  });
+  line->clear();
+  if (!done) {
+    const auto failure = reading.failure(done.error());
+    if (jobs::isAboutFiles(done.error())) return wrong(failure.value().sentence);
+    return failure;
+  }
+  if (args.json) {
+    printJson(QJsonObject{{QStringLiteral("id"), text(done->facts.key.id)},
+                          {QStringLiteral("name"), text(done->facts.name)},
+                          {QStringLiteral("folder"), done->folder},
+                          {QStringLiteral("bytes"), qint64(done->bytes)},
+                          {QStringLiteral("resumed"), done->resumed},
+                          {QStringLiteral("data"), done->has_data}});
+  } else {
+    printLine(
+        QStringLiteral("%1: %2, %3")
+            .arg(oneLine(done->folder), words::plainName(done->facts.name), window::bytesText(done->bytes)));
+  }
+  if (!done->has_data)
+    say(
+        Text::tr("The robot has no data for this map by which it positions itself: only its picture and its "
+                 "overlays were downloaded."));
+  return kDone;
+}
+
+/// Adds it and says what the robot holds.
+CommandResult<int> addMap(RobotCommand& command, const TransferArguments& args, const robot::NewMap& map) {
+  const auto opened = command.open();
+  if (!opened) return passOn(opened);
+  RobotReading& reading = **opened;
+  const auto transfer = transferOf(reading);
+  if (!transfer) return passOn(transfer);
+  const auto line = std::make_shared<ProgressLine>();
+  const auto now = reading.ask<robot::MapFacts>([&](robot::OutcomeTo<robot::MapFacts> reply) {
+    robot::Call call = (*transfer)->add(map, std::move(reply));
+    showProgress(call, line);
+    return call;
+  });
+  line->clear();
+  if (!now) {
+    map::Failure failure = now.error();
+    failure.asked_for = map::AskedFor::Change;
+    return reading.failure(failure);
+  }
+  const QStringList odd = jobs::differences(map, *now);
+  if (args.json) {
+    printJson(QJsonObject{{QStringLiteral("id"), text(now->key.id)},
+                          {QStringLiteral("name"), text(now->name)},
+                          {QStringLiteral("uid"), text(now->uid)},
+                          {QStringLiteral("as_sent"), odd.isEmpty()}});
+  } else {
+    printLine(QStringLiteral("%1  %2").arg(words::plainName(now->key.id), words::plainName(now->name)));
+  }
+  if (odd.isEmpty()) return kDone;
+  return reading.failure(kIncomplete, Text::tr("The robot accepted the map, but keeps it otherwise: %1.")
+                                          .arg(odd.join(QStringLiteral("; "))));
+}
+
+CommandResult<int> mapsUpload(RobotCommand& command, const TransferArguments& args) {
+  auto map = jobs::readMapFolder(text(args.folder), args.as_new);
+  if (!map) return wrong(map.error());
+  if (!args.name.empty()) {
+    if (const QString why = jobs::whyNoMapName(text(args.name)); !why.isEmpty()) return wrong(why);
+    map->name = args.name;
+  }
+  return addMap(command, args, *map);
+}
+
+CommandResult<int> mapsCreate(RobotCommand& command, const TransferArguments& args) {
+  const auto resolution = numbersFrom(args.resolution), origin = numbersFrom(args.origin);
+  if (!resolution || resolution->size() != 1)
+    return wrong(
+        Text::tr("--resolution %1: give metres per cell, for example 0.05.").arg(text(args.resolution)));
+  if (!origin || origin->size() != 2)
+    return wrong(Text::tr("--origin %1: give X,Y in metres, for example -10,-5.").arg(text(args.origin)));
+  const auto map =
+      jobs::newMapFrom({text(args.image), text(args.name), resolution->front(), (*origin)[0], (*origin)[1]});
+  if (!map) return wrong(map.error());
+  return addMap(command, args, *map);
+}
+
+}  // namespace
+
+void addMapTransfers(Commands& commands, CLI::App& maps) {
+  const auto args = std::make_shared<TransferArguments>();
+  const auto add = [&](const char* name, const QString& about, auto run) {
+    CLI::App* const command = maps.add_subcommand(name, help(about));
+    addRobot(*command, *args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
+    addTimeout(*command, args->timeout_s);
+    addReport(*command, args->report);
+    addJson(*command, args->json);
+    addReading(commands, command, args, run);
+    return command;
+  };
+  CLI::App* const download =
+      add("download",
+          Text::tr("Download a stored map whole, with the data that robots position themselves by; an "
+                   "interrupted download goes on"),
+          mapsDownload);
+  download->add_option("id", args->id, help(Text::tr("Id of a stored map")))->required();
+  download->add_option("-o,--output", args->folder, help(Text::tr("The folder for its files")))->required();
+  download->add_flag("--force", args->force, help(Text::tr("Replace the map in the folder")));
+  CLI::App* const upload = add("upload", Text::tr("Add a downloaded map to the maps of a robot"), mapsUpload);
+  upload->add_option("folder", args->folder, help(Text::tr("The folder of a finished download")))->required();
+  upload->add_option("--name", args->name, help(Text::tr("Another name")));
+  upload->add_flag("--as-new", args->as_new,
+                   help(Text::tr("As another map, with a uid of its own, beside the one that it is of")));
+  CLI::App* const create = add("create", Text::tr("Add a map made of a picture"), mapsCreate);
+  create->add_option("name", args->name, help(Text::tr("Its name")))->required();
+  create
+      ->add_option("--image", args->image, help(Text::tr("A PNG: black occupied, white free, gray unknown")))
+      ->required();
+  create->add_option("--resolution", args->resolution, help(Text::tr("Metres per pixel")))->required();
+  create->add_option("--origin", args->origin, help(Text::tr("X,Y of its lower left corner in metres")))
+      ->required();
+}
+
+}  // namespace mapwright::app
