@@ -6,6 +6,7 @@
 #include "app/command_text.h"
 #include "app/output.h"
 #include "sentences/fault_sentence.h"
+#include "sentences/overlay_sentence.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -88,30 +89,29 @@ QString featuresCalled(const std::vector<OverlayChange>& changes) {
   return names.join(QStringLiteral(", "));
 }
 
-void printChanges(const std::vector<OverlayChange>& changes) {
+void printChanges(const std::vector<OverlayChange>& changes, const OverlayDocument& before,
+                  const OverlayDocument& after) {
   if (changes.empty()) return;
-  std::vector<QStringList> table{{Text::tr("CHANGE"), Text::tr("ID"), Text::tr("PARTS"), Text::tr("NAME")}};
+  std::vector<QStringList> table{{Text::tr("CHANGE"), Text::tr("ID"), Text::tr("WHAT")}};
   for (const OverlayChange& change : changes) {
     table.push_back({wordOf(change.kind),
                      change.id.empty() ? QStringLiteral("-") : words::plainName(change.id),
-                     change.parts.empty() ? QStringLiteral("-") : partsOf(change).join(QStringLiteral(", ")),
-                     change.collection ? Text::tr("the collection") : words::plainName(change.name)});
+                     sentences::changeText(change, before, after)});
   }
   printTable(table);
 }
 
 void printConflicts(const std::vector<OverlayConflict>& conflicts) {
   if (conflicts.empty()) return;
-  const auto shown = [](const std::optional<std::string>& json) {
-    return json ? oneLine(words::plainName(*json), 60) : Text::tr("(not there)");
-  };
   std::vector<QStringList> table{
       {Text::tr("CONFLICT"), Text::tr("BASE"), Text::tr("MINE"), Text::tr("THEIRS"), Text::tr("NAME")}};
   for (const OverlayConflict& conflict : conflicts) {
-    table.push_back(
-        {conflict.part.text().empty() ? Text::tr("all of it") : words::plainName(conflict.part.text()),
-         shown(conflict.base), shown(conflict.mine), shown(conflict.theirs),
-         featureCalled(conflict.id, conflict.name)});
+    const auto shown = [&](const std::optional<std::string>& json) {
+      return sentences::valueText(conflict.part, json);
+    };
+    table.push_back({sentences::partName(conflict.part),
+                     conflict.base ? shown(conflict.base) : Text::tr("(not there)"), shown(conflict.mine),
+                     shown(conflict.theirs), featureCalled(conflict.id, conflict.name)});
   }
   printTable(table);
 }

@@ -24,8 +24,9 @@ QJsonArray changesJson(const std::vector<overlays::OverlayChange>& changes);
 /// [{"id","name","property"|null,"base","mine","theirs"}]
 QJsonArray conflictsJson(const std::vector<overlays::OverlayConflict>& conflicts);
 
-/// Nothing is printed of none.
-void printChanges(const std::vector<overlays::OverlayChange>& changes);
+/// In words; the changes are those between the two. Nothing is printed of none.
+void printChanges(const std::vector<overlays::OverlayChange>& changes,
+                  const overlays::OverlayDocument& before, const overlays::OverlayDocument& after);
 void printConflicts(const std::vector<overlays::OverlayConflict>& conflicts);
 /// [{"rule","id"|null,"name"|null,"at"|null,"sentence"}], or a table.
 void printFlaws(const overlays::OverlayDocument& document, const std::vector<overlays::Flaw>& flaws,

@@ -226,7 +226,9 @@ CommandResult<int> carryOut(RobotCommand& command, const OverlaysArguments& args
   if (!outcome) return failureOf(*of, outcome.error());
   const bool quiet = args.json || isStandardOutput(output) || isStandardOutput(text(args.report));
   if (!quiet) {
-    printChanges(outcome->merge.mine);
+    const auto held = OverlayDocument::read(outcome->before);
+    printChanges(outcome->merge.mine, order.base ? *order.base : held.value_or(OverlayDocument()),
+                 order.mine);
     printConflicts(outcome->merge.conflicts);
   }
   if (!outcome->merge.conflicts.empty()) {
@@ -402,7 +404,7 @@ CommandResult<int> historyShow(const OverlaysArguments& args) {
   } else if (changes.empty()) {
     printLine(Text::tr("Nothing differs."));
   } else {
-    printChanges(changes);
+    printChanges(changes, *before, *after);
   }
   return kDone;
 }

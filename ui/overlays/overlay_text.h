@@ -1,30 +1,17 @@
-// Overlays in words. Pure functions.
+// Overlays in words (sentences/overlay_sentence.h), as this room calls them.
 #pragma once
 
-#include <QString>
-
-#include "overlays/overlay_document.h"
-#include "overlays/overlay_merge.h"
+#include "sentences/overlay_sentence.h"
 
 namespace mapwright::window {
 
-/// "Virtual wall", "Charger"; "Feature" for what has no place.
-QString overlayKind(const overlays::Feature& feature);
-/// Its name as one line of plain text; "(no name)" if it has none.
-QString overlayName(const overlays::Feature& feature);
-/// "virtual wall W17", "charger".
-QString overlayCalled(const overlays::Feature& feature);
-/// "1 feature", "1,204 features".
-QString featuresText(qsizetype count);
-/// "3 changes".
-QString overlayChangesText(qsizetype count);
-
-/// "Move virtual wall W17", "Set speed of slow zone Lab to 0.4".
-QString changeText(const overlays::OverlayChange& change, const overlays::OverlayDocument& before,
-                   const overlays::OverlayDocument& after);
-/// "place", "name", "heading", "type", or the name of a property.
-QString partName(const overlays::Part& part);
-/// JSON as one short line of plain text; "deleted" or "none" where there is nothing.
-QString valueText(const overlays::Part& part, const std::optional<std::string>& value);
+using sentences::changeText;
+using sentences::featuresText;
+using sentences::overlayCalled;
+using sentences::overlayChangesText;
+using sentences::overlayKind;
+using sentences::overlayName;
+using sentences::partName;
+using sentences::valueText;
 
 }  // namespace mapwright::window

@@ -1,4 +1,4 @@
-#include "ui/overlays/overlay_text.h"
+#include "sentences/overlay_sentence.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -10,7 +10,7 @@
 #include "sentences/plural.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::sentences {
 namespace {
 
 using overlays::Feature;
@@ -23,18 +23,19 @@ struct OverlayText {
 
 constexpr qsizetype kLongestShown = 60;
 
-/// All positions of one are those of the other, shifted.
-bool isMoved(const Feature& before, const Feature& after) {
+/// How far, if all positions of one are those of the other, shifted.
+std::optional<double> movedBy(const Feature& before, const Feature& after) {
   const auto was = overlays::verticesOf(before), is = overlays::verticesOf(after);
-  if (was.empty() || was.size() != is.size() || was[0].empty() || is[0].empty()) return false;
+  if (was.empty() || was.size() != is.size() || was[0].empty() || is[0].empty()) return std::nullopt;
   const Eigen::Vector2d by = is[0][0] - was[0][0];
   for (std::size_t ring = 0; ring < was.size(); ++ring) {
-    if (was[ring].size() != is[ring].size()) return false;
+    if (was[ring].size() != is[ring].size()) return std::nullopt;
     for (std::size_t i = 0; i < was[ring].size(); ++i) {
-      if ((is[ring][i] - was[ring][i] - by).norm() > 1e-3) return false;
+      if ((is[ring][i] - was[ring][i] - by).norm() > 1e-3) return std::nullopt;
     }
   }
-  return true;
+  // Heights changed, say, or how far is a question of rounding.
+  return by.norm() < 5e-3 ? std::nullopt : std::optional(by.norm());
 }
 
 QString metresAt(const Eigen::Vector2d& at_m) {
@@ -51,8 +52,7 @@ QString placeText(const std::string& geometry) {
   if (!first) return OverlayText::tr("no place");
   if (count == 1) return metresAt(*first);
   return OverlayText::tr("%1 from %2")
-      .arg(sentences::counted(OverlayText::tr("%1 points", nullptr, sentences::formOf(count)), count),
-           metresAt(*first));
+      .arg(counted(OverlayText::tr("%1 points", nullptr, formOf(count)), count), metresAt(*first));
 }
 
 /// One without a name by where it lies.
@@ -67,20 +67,22 @@ QString featureChange(const overlays::OverlayChange& change, const Feature& befo
   QStringList parts;
   for (const overlays::PartChange& each : change.parts) {
     const Part& part = each.part;
-    const std::string& name = part.name;
-    if (part.of == Part::Of::Member && name == "geometry") {
-      parts << (isMoved(before, after) ? OverlayText::tr("Move %1") : OverlayText::tr("Reshape %1"))
-                   .arg(called);
-    } else if (part.of == Part::Of::Property && name == "name") {
+    const bool of_feature = part.of == Part::Of::Property;
+    const QString was = valueText(part, each.before), is = valueText(part, each.after);
+    if (part.of == Part::Of::Member && part.name == "geometry") {
+      const auto by_m = movedBy(before, after);
+      parts << (by_m ? OverlayText::tr("Move %1 by %2 m").arg(called, QLocale::c().toString(*by_m, 'f', 2))
+                     : OverlayText::tr("Reshape %1").arg(called));
+    } else if (of_feature && part.name == "name") {
       parts << OverlayText::tr("Rename %1 to %2").arg(called, overlayName(after));
-    } else if (part.of == Part::Of::Property && name == overlays::typeProperty(after.shape())) {
+    } else if (of_feature && part.name == overlays::typeProperty(after.shape())) {
       parts << OverlayText::tr("Make %1 a %2").arg(called, overlayKind(after).toLower());
-    } else if (part.of == Part::Of::Property && name == "yaw" && each.after) {
-      parts << OverlayText::tr("Turn %1 to %2").arg(called, valueText(part, each.after));
+    } else if (of_feature && part.name == "yaw" && each.after) {
+      parts << OverlayText::tr("Turn %1 to %2 (was %3)").arg(called, is, was);
     } else if (each.after) {
-      parts << OverlayText::tr("Set %1 of %2 to %3").arg(partName(part), called, valueText(part, each.after));
+      parts << OverlayText::tr("Set %1 of %2 to %3 (was %4)").arg(partName(part), called, is, was);
     } else {
-      parts << OverlayText::tr("Remove %1 of %2").arg(partName(part), called);
+      parts << OverlayText::tr("Remove %1 of %2 (was %3)").arg(partName(part), called, was);
     }
   }
   return parts.join(QStringLiteral("; "));
@@ -91,11 +93,11 @@ QString featureChange(const overlays::OverlayChange& change, const Feature& befo
 QString overlayKind(const Feature& feature) {
   switch (feature.shape()) {
     case Shape::Point:
-      return sentences::nameOf(map::OverlayShape::Point, feature.type());
+      return nameOf(map::OverlayShape::Point, feature.type());
     case Shape::Line:
-      return sentences::nameOf(map::OverlayShape::Line, feature.type());
+      return nameOf(map::OverlayShape::Line, feature.type());
     case Shape::Polygon:
-      return sentences::nameOf(map::OverlayShape::Polygon, feature.type());
+      return nameOf(map::OverlayShape::Polygon, feature.type());
     case Shape::None:
     case Shape::Other:
       break;
@@ -115,11 +117,11 @@ QString overlayCalled(const Feature& feature) {
 }
 
 QString featuresText(qsizetype count) {
-  return sentences::counted(OverlayText::tr("%1 features", nullptr, sentences::formOf(count)), count);
+  return counted(OverlayText::tr("%1 features", nullptr, formOf(count)), count);
 }
 
 QString overlayChangesText(qsizetype count) {
-  return sentences::counted(OverlayText::tr("%1 changes", nullptr, sentences::formOf(count)), count);
+  return counted(OverlayText::tr("%1 changes", nullptr, formOf(count)), count);
 }
 
 QString changeText(const overlays::OverlayChange& change, const overlays::OverlayDocument& before,
@@ -130,15 +132,11 @@ QString changeText(const overlays::OverlayChange& change, const overlays::Overla
       names << OverlayText::tr("%1 to %2").arg(partName(part.part), valueText(part.part, part.after));
     return OverlayText::tr("Change the defaults of the map: %1").arg(names.join(QStringLiteral(", ")));
   }
-  switch (change.kind) {
-    case overlays::ChangeKind::Add:
-      return OverlayText::tr("Add %1").arg(calledForSure(after.features()[*change.to]));
-    case overlays::ChangeKind::Remove:
-      return OverlayText::tr("Delete %1").arg(calledForSure(before.features()[*change.from]));
-    case overlays::ChangeKind::Change:
-      break;
-  }
-  return featureChange(change, before.features()[*change.from], after.features()[*change.to]);
+  const Feature* const was = change.from ? &before.features()[*change.from] : nullptr;
+  const Feature* const is = change.to ? &after.features()[*change.to] : nullptr;
+  if (was && is) return featureChange(change, *was, *is);
+  if (is) return OverlayText::tr("Add %1").arg(calledForSure(*is));
+  return was ? OverlayText::tr("Delete %1").arg(calledForSure(*was)) : QString();
 }
 
 QString partName(const Part& part) {
@@ -168,4 +166,4 @@ QString valueText(const Part& part, const std::optional<std::string>& value) {
   return text.size() > kLongestShown ? text.left(kLongestShown - 1) + QChar(0x2026) : text;
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::sentences

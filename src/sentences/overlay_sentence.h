@@ -1,0 +1,32 @@
+// Overlays and what changes of them in words: the same in the list, the review, conflicts, the history and
+// the commands. Pure functions.
+#pragma once
+
+#include <QString>
+
+#include "overlays/overlay_document.h"
+#include "overlays/overlay_merge.h"
+
+namespace mapwright::sentences {
+
+/// "Virtual wall", "Charger"; "Feature" for what has no place.
+QString overlayKind(const overlays::Feature& feature);
+/// Its name as one line of plain text; "(no name)" if it has none.
+QString overlayName(const overlays::Feature& feature);
+/// "virtual wall W17", "charger".
+QString overlayCalled(const overlays::Feature& feature);
+/// "1 feature", "1,204 features".
+QString featuresText(qsizetype count);
+/// "3 changes".
+QString overlayChangesText(qsizetype count);
+
+/// "Move virtual wall W17 by 0.40 m", "Set speed of slow zone Lab to 0.6 (was 0.4)". A change between the
+/// two.
+QString changeText(const overlays::OverlayChange& change, const overlays::OverlayDocument& before,
+                   const overlays::OverlayDocument& after);
+/// "place", "name", "heading", "type", or the name of a property.
+QString partName(const overlays::Part& part);
+/// JSON as one short line of plain text; "deleted" or "none" where there is nothing.
+QString valueText(const overlays::Part& part, const std::optional<std::string>& value);
+
+}  // namespace mapwright::sentences
