@@ -24,6 +24,15 @@ constexpr const char* kColumns =
 
 }  // namespace
 
+MapName mapName(std::string robot, std::string id, std::string uid, std::string name) {
+  if (uid.empty()) uid = id;
+  return {std::move(robot), std::move(uid), std::move(id), std::move(name)};
+}
+
+bool isSameMap(const MapName& a, const MapName& b) {
+  return a.uid == b.uid && (a.robot == b.robot || a.uid != a.id || b.uid != b.id);
+}
+
 void VersionStore::Close::operator()(sqlite3* database) const { sqlite3_close(database); }
 
 /// A prepared statement with its values.

@@ -2,6 +2,7 @@
 // from a robot or stored there. Also for several programs at once. One thread each.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -26,7 +27,12 @@ struct MapName {
   std::string uid;    // of the map; or its id, if the robot tells no uid
   std::string id;     // of the map on that robot
   std::string name;   // for people, may be empty
+  auto operator<=>(const MapName&) const = default;
 };
+/// `uid` and `name` may be empty.
+MapName mapName(std::string robot, std::string id, std::string uid, std::string name);
+/// Whether versions of one are versions of the other: a uid is the map's own, an id is that of one robot.
+bool isSameMap(const MapName& a, const MapName& b);
 
 struct KeptVersion {
   std::int64_t number = 0;  // given here, grows
