@@ -13,7 +13,6 @@
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QStandardPaths>
-#include <QThreadPool>
 
 #include "app/command_text.h"
 #include "app/commands.h"
@@ -96,13 +95,7 @@ int showWindow(const QString& address, const RobotAccess& known) {
   wanted.keys = keys.get();
   wanted.probes = probesOf;
   wanted.has_secret = [&](const QString& to) { return !known.forAddress(to).secret.isEmpty(); };
-  // Another program may be writing there: the window does not wait.
-  wanted.keep_overlays = [](const QString& robot, const map::MapKey& map, const robot::OverlayText& text,
-                            bool saved) {
-    QThreadPool::globalInstance()->start([robot, map, text, saved] {
-      if (const auto why = keepOverlays(robot, map, text, saved)) qCWarning(lcApp) << inEnglish(*why).c_str();
-    });
-  };
+  wanted.overlays_history = overlaysHistory();
   wanted.workers = std::make_shared<work::Workers>(kept.settings.threads);
   wanted.budgets = kept.settings.budgets();
   window::MainWindow main_window(std::move(wanted));

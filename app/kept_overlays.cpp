@@ -21,11 +21,7 @@ namespace {
 using history::VersionStore;
 using words::text;
 
-tl::expected<VersionStore, Fault> openVersions() {
-  return VersionStore::open((QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
-                             QStringLiteral("/mapwright/overlays.sqlite"))
-                                .toStdString());
-}
+tl::expected<VersionStore, Fault> openVersions() { return VersionStore::open(overlaysHistory()); }
 
 tl::unexpected<QString> sentence(const Fault& fault) {
   return tl::make_unexpected(sentences::sentenceOf(fault));
@@ -33,19 +29,20 @@ tl::unexpected<QString> sentence(const Fault& fault) {
 
 }  // namespace
 
-std::optional<Fault> keepOverlays(const QString& robot, const map::MapKey& map,
-                                  const robot::OverlayText& held, bool saved) {
-  const std::string id = map::toText(map);
-  const history::MapName name{robot.toStdString(), held.map_uid.empty() ? id : held.map_uid, id,
-                              held.map_name};
-  auto store = openVersions();
-  if (!store) return store.error();
-  return store->keep(name, held.version, saved ? history::Origin::Saved : history::Origin::Read, held.text,
-                     double(QDateTime::currentMSecsSinceEpoch()) / 1000);
+std::string overlaysHistory() {
+  return (QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+          QStringLiteral("/mapwright/overlays.sqlite"))
+      .toStdString();
 }
 
 void KeptOverlays::keep(const robot::OverlayText& held, bool saved) {
-  const auto why = keepOverlays(robot_.session().robot().address(), map_, held, saved);
+  const std::string robot = robot_.session().robot().address().toStdString();
+  auto store = openVersions();
+  const std::optional<Fault> why =
+      store ? store->keep(history::mapName(robot, map::toText(map_), held.map_uid, held.map_name),
+                          held.version, saved ? history::Origin::Saved : history::Origin::Read, held.text,
+                          double(QDateTime::currentMSecsSinceEpoch()) / 1000)
+            : store.error();
   if (why && !std::exchange(failed_, true)) robot_.note(robot_.about(sentences::sentenceOf(*why)));
 }
 

@@ -13,9 +13,8 @@
 
 namespace mapwright::app {
 
-/// Keeps what was seen of the overlays of a map. On any thread.
-std::optional<Fault> keepOverlays(const QString& robot, const map::MapKey& map,
-                                  const robot::OverlayText& text, bool saved);
+/// Where they are: a file.
+std::string overlaysHistory();
 
 /// Keeps what a command sees of one map. What cannot be kept is a remark of the robot's.
 class KeptOverlays {

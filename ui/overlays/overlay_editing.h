@@ -89,6 +89,8 @@ class OverlayEditing : public QObject {
               const QString& text);
   /// All as the robot holds it; can be undone.
   void revert();
+  /// The features of `version`, as one step; those that are the same stay as they are.
+  void become(const overlays::OverlayDocument& version, const QString& text);
 
  Q_SIGNALS:
   void opened();   // or closed

@@ -15,6 +15,7 @@
 #include "ui/kit/undo_stacks.h"
 #include "ui/overlays/overlay_actions.h"
 #include "ui/overlays/overlay_drafts.h"
+#include "ui/overlays/overlay_history_dock.h"
 #include "ui/overlays/overlay_review.h"
 #include "ui/overlays/overlay_text.h"
 #include "ui/overlays/overlay_tool.h"
@@ -35,19 +36,22 @@ constexpr double kAroundM = 2;  // of an overlay that is shown
 
 }  // namespace
 
-OverlaysController::OverlaysController(WindowContext& context, Keep keep, QObject* parent)
+OverlaysController::OverlaysController(WindowContext& context, const std::string& history, QObject* parent)
     : Controller(parent),
       context_(context),
-      keep_(std::move(keep)),
       on_map_(new OverlaysOnMap(&editing_, &context.scene, this)),
       snapping_(new OverlaySnapping(&editing_, &context.scene, on_map_, this)),
       tool_(new OverlayTool(&editing_, &context.scene, on_map_, snapping_, this)),
       dock_(new OverlaysDock(&editing_, tool_, &context.window)),
       actions_(new OverlayActions(context, &editing_, tool_, snapping_, dock_, this)),
+      history_(history, context.workers),
+      marks_(&context.scene),
+      history_dock_(new OverlayHistoryDock(&history_, &context.scene, &marks_, &context.window)),
       share_(context.workers) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 15, .menu_rank = 46, .open = false});
   joinUndo(context_.undo, editing_.undoStack());
   addActions();
+  addHistory();
   connect(&editing_, &OverlayEditing::changed, this, &OverlaysController::takeChange);
   connect(tool_, &OverlayTool::activated, this, [this] {
     context_.scene.setLayerVisible(scene::Layer::Overlays, true);
@@ -89,7 +93,8 @@ OverlaysController::OverlaysController(WindowContext& context, Keep keep, QObjec
 
 OverlaysController::~OverlaysController() {
   setSession(nullptr);
-  delete dock_;  // it refers to members of this object
+  delete dock_;  // they refer to members of this object
+  delete history_dock_;
 }
 
 OverlayReview* OverlaysController::review() const { return review_; }
@@ -189,6 +194,8 @@ void OverlaysController::closeMap() {
   reading_ = read_again_ = busy_ = false;
   failure_.reset();
   version_.reset();
+  uid_.clear();
+  name_.clear();
   trouble_.clear();
   when_saved_ = nullptr;
   if (review_) review_->close();
@@ -216,7 +223,11 @@ void OverlaysController::read() {
 }
 
 void OverlaysController::keep(const robot::OverlayText& text, bool saved) {
-  if (keep_ && session_ && target_) keep_(session_->robot().address(), target_->map, text, saved);
+  if (!session_ || !target_) return;
+  uid_ = text.map_uid;
+  name_ = text.map_name;
+  history_.keep(openMap(), text.version, saved ? history::Origin::Saved : history::Origin::Read, text.text,
+                double(context_.edit.now().toMSecsSinceEpoch()) / 1000);
 }
 
 void OverlaysController::takeRead(robot::Outcome<robot::OverlayText> outcome) {
@@ -493,6 +504,7 @@ void OverlaysController::refresh() {
   was_unsaved_ = unsaved();
   could_save_ = maySave();
   if (changed) Q_EMIT unsavedChanged();
+  history_dock_->openChanged();
 }
 
 void OverlaysController::watchDrafts() {

@@ -14,6 +14,8 @@
 #include "robot/overlay_store.h"
 #include "ui/kit/controller.h"
 #include "ui/overlays/overlay_editing.h"
+#include "ui/overlays/overlay_history.h"
+#include "ui/overlays/overlay_marks.h"
 #include "ui/overlays/overlays_on_map.h"
 #include "ui/shell/unsaved_question.h"
 #include "ui/shell/window_context.h"
@@ -23,6 +25,7 @@ namespace mapwright::window {
 
 class OverlayActions;
 class OverlayDrafts;
+class OverlayHistoryDock;
 class OverlayReview;
 class OverlaySnapping;
 class OverlaysDock;
@@ -31,11 +34,8 @@ class OverlayTool;
 class OverlaysController : public Controller {
   Q_OBJECT
  public:
-  /// Gets everything that a robot (by its address) was seen to hold; `saved`: it was stored from here. May be
-  /// null.
-  using Keep = std::function<void(const QString& robot, const map::MapKey& map,
-                                  const robot::OverlayText& text, bool saved)>;
-  OverlaysController(WindowContext& context, Keep keep, QObject* parent = nullptr);
+  /// `history`: the file that keeps the versions that are seen; empty: none are kept.
+  OverlaysController(WindowContext& context, const std::string& history, QObject* parent = nullptr);
   ~OverlaysController() override;
 
   void setSession(session::Session* session) override;
@@ -52,6 +52,8 @@ class OverlaysController : public Controller {
   OverlaysDock* dock() const { return dock_; }
   OverlaySnapping* snapping() const { return snapping_; }
   OverlayActions* actions() const { return actions_; }
+  OverlayHistoryDock* historyDock() const { return history_dock_; }
+  const OverlayMarks& marks() const { return marks_; }
   OverlayReview* review() const;                       // null: none is open
   QMessageBox* question() const { return question_; }  // null: nothing is asked
   /// Something is on its way to or from the robot that has to end first.
@@ -97,9 +99,12 @@ class OverlaysController : public Controller {
   void answer(Leaving leaving);
   void locate(FeatureKey key);
   QString mapName() const;
+  void addHistory();
+  history::MapName openMap() const;
+  void bringBack(const overlays::OverlayDocument& version, const QString& called);
+  void saveVersion(const QString& suggested, const std::string& text);
 
   WindowContext& context_;
-  Keep keep_;
   QPointer<session::Session> session_;
   OverlayEditing editing_;
   OverlaysOnMap* on_map_;
@@ -107,12 +112,16 @@ class OverlaysController : public Controller {
   OverlayTool* tool_;
   OverlaysDock* dock_;
   OverlayActions* actions_;
+  OverlayHistory history_;
+  OverlayMarks marks_;
+  OverlayHistoryDock* history_dock_;
   QAction* tool_action_ = nullptr;
   std::optional<Target> target_;
   robot::Call call_;
   bool reading_ = false, read_again_ = false, busy_ = false;
   std::optional<map::Failure> failure_;  // of the last reading
   std::optional<int> version_;           // that was read last
+  std::string uid_, name_;               // of the map, as told then
   QString trouble_;                      // of saving
   bool was_unsaved_ = false, could_save_ = false, may_leave_ = false;
   quint64 opened_ = 0;  // counts maps: results about earlier ones are ignored

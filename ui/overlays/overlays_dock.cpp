@@ -72,7 +72,8 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
           compactButton(tr("Review and save…"), this, tr("Shows what changes before it is sent (Ctrl+S)"))),
       restore_(compactButton(tr("Restore"), offer_box_)),
       forget_(compactButton(tr("Discard draft"), offer_box_)),
-      retry_(compactButton(tr("Retry"), this)) {
+      retry_(compactButton(tr("Retry"), this)),
+      history_(iconButton(QStringLiteral("history"), 18, tr("Earlier versions of the overlays"), this)) {
   setObjectName(QStringLiteral("overlays"));
   buildModes();
   buildTable();
@@ -106,7 +107,8 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   auto* const whole = new QWidget(this);
   auto* const column =
       columnOf({mode_row_, tool_row_, offer_box_, empty_, {body_, 1}, conflict_box_}, 0, QMargins());
-  column->addLayout(rowOf({discard_, LayoutItem::rest(), retry_, review_}, 6, QMargins(8, 4, 8, 4)));
+  column->addLayout(
+      rowOf({discard_, history_, LayoutItem::rest(), retry_, review_}, 6, QMargins(8, 4, 8, 4)));
   column->addWidget(status_);
   whole->setLayout(column);
   whole->setMinimumWidth(240);
@@ -115,6 +117,7 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   connect(discard_, &QPushButton::clicked, editing_, &OverlayEditing::revert);
   connect(review_, &QPushButton::clicked, this, &OverlaysDock::reviewWanted);
   connect(retry_, &QPushButton::clicked, this, &OverlaysDock::retryWanted);
+  connect(history_, &QToolButton::clicked, this, &OverlaysDock::historyWanted);
   connect(restore_, &QPushButton::clicked, this, &OverlaysDock::draftWanted);
   connect(forget_, &QPushButton::clicked, this, &OverlaysDock::draftNotWanted);
   const auto show_flaw = [this](QListWidgetItem* item) {

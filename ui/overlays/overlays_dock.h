@@ -69,6 +69,7 @@ class OverlaysDock : public QDockWidget {
   QPushButton* reviewButton() const { return review_; }
   QPushButton* restoreButton() const { return restore_; }
   QPushButton* forgetButton() const { return forget_; }
+  QToolButton* historyButton() const { return history_; }
   QPushButton* retryButton() const { return retry_; }
   QString statusShown() const;
   QString emptyShown() const;
@@ -88,6 +89,7 @@ class OverlaysDock : public QDockWidget {
   void copyWanted();
   void cutWanted();
   void pasteWanted();
+  void historyWanted();
   void locateWanted(mapwright::overlays::FeatureKey key);
   void placeWanted(const Eigen::Vector2d& at_m);
 
@@ -128,6 +130,7 @@ class OverlaysDock : public QDockWidget {
   QListWidget* flaw_list_;
   QLabel *empty_, *status_, *conflict_, *offer_;
   QPushButton *mine_, *theirs_, *next_, *discard_, *review_, *restore_, *forget_, *retry_;
+  QToolButton* history_;
   std::vector<ShownFlaw> flaws_;
   std::optional<overlays::EditingDocument::Conflict> deciding_;
 };

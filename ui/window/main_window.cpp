@@ -163,7 +163,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   controllers_.push_back(new EditController(context, this));
   make(waypoints_);
   make(picture_);
-  make(overlays_, dependencies.keep_overlays);
+  make(overlays_, dependencies.overlays_history);
   make(recordings_);
   make(replay_, [this](const QString& address) { return connection_->another(address); });
   make(plots_, replay_->clock());

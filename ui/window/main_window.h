@@ -16,7 +16,6 @@
 
 #include "clouds/cloud_store.h"
 #include "edit/open_waypoints.h"
-#include "robot/overlay_store.h"
 #include "robot/probe.h"
 #include "robot/robot.h"
 #include "scene/map_scene.h"
@@ -89,11 +88,8 @@ class MainWindow : public QMainWindow {
     keyring::KeyRing* keys = nullptr;  // null: secrets are not kept
     /// Whether the program was started with a secret for this address.
     std::function<bool(const QString& address)> has_secret = {};
-    /// Gets the overlays that a robot was seen to hold; `saved`: they were stored from here. Null: none are
-    /// kept.
-    std::function<void(const QString& robot, const map::MapKey& map, const robot::OverlayText& text,
-                       bool saved)>
-        keep_overlays = {};
+    /// The file that keeps the versions of overlays; empty: none are kept.
+    std::string overlays_history = {};
     work::Budgets budgets = work::budgetsFrom();  // of all caches
   };
 

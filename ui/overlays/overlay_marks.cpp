@@ -1,0 +1,153 @@
+#include "ui/overlays/overlay_marks.h"
+
+#include <utility>
+
+#include <QGraphicsItem>
+#include <QPainter>
+
+#include "overlays/overlay_shapes.h"
+#include "scene/drawing.h"
+#include "scene/map_theme.h"
+
+namespace mapwright::window {
+namespace {
+
+using Kind = OverlayMark::Kind;
+
+constexpr double kAbove = 1e6;  // all layers and names
+constexpr double kPlacePx = 9;
+
+/// They differ in their dashes, too.
+QPen penOf(Kind kind, const scene::MapTheme& theme) {
+  switch (kind) {
+    case Kind::Added:
+      return QPen(theme.good, 3.5);
+    case Kind::Removed:
+      return QPen(theme.bad, 3.5, Qt::DashLine);
+    case Kind::Before:
+      return QPen(theme.warn, 2.5, Qt::DotLine);
+    case Kind::After:
+      return QPen(theme.accent, 3.5);
+    case Kind::Way:
+      return QPen(theme.accent, 3, Qt::DashDotLine);
+    case Kind::Blocked:
+      break;
+  }
+  return QPen(theme.bad, 3);
+}
+
+void addMarks(const overlays::Feature& feature, Kind kind, std::vector<OverlayMark>& marks) {
+  for (overlays::Path& path : overlays::shapesOf(feature).paths) {
+    if (!path.points.empty()) marks.push_back({kind, path.shape, std::move(path.points)});
+  }
+}
+
+}  // namespace
+
+std::vector<OverlayMark> marksOf(const overlays::OverlayChange& change,
+                                 const overlays::OverlayDocument& before,
+                                 const overlays::OverlayDocument& after) {
+  std::vector<OverlayMark> marks;
+  const bool changed = change.from && change.to;
+  if (change.from) addMarks(before.features()[*change.from], changed ? Kind::Before : Kind::Removed, marks);
+  if (change.to) addMarks(after.features()[*change.to], changed ? Kind::After : Kind::Added, marks);
+  return marks;
+}
+
+QIcon markSample(overlays::ChangeKind kind, const scene::MapTheme& theme) {
+  constexpr int kEdge = 16;
+  QPixmap picture(kEdge, kEdge);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto line = [&](Kind what, double y) {
+    painter.setPen(penOf(what, theme));
+    painter.drawLine(QPointF(1, y), QPointF(kEdge - 1, y));
+  };
+  switch (kind) {
+    case overlays::ChangeKind::Add:
+      line(Kind::Added, kEdge / 2.0);
+      break;
+    case overlays::ChangeKind::Remove:
+      line(Kind::Removed, kEdge / 2.0);
+      break;
+    case overlays::ChangeKind::Change:
+      line(Kind::Before, 4);
+      line(Kind::After, 11);
+      break;
+  }
+  return picture;
+}
+
+class OverlayMarks::Item : public QGraphicsItem {
+ public:
+  explicit Item(const scene::MapScene* scene) : scene_(scene) {
+    setZValue(kAbove);
+    setAcceptedMouseButtons(Qt::NoButton);
+    hide();
+  }
+  void take(std::vector<OverlayMark> marks) {
+    prepareGeometryChange();
+    marks_ = std::move(marks);
+    setVisible(!marks_.empty());
+    update();
+  }
+  void follow() {
+    if (!isVisible()) return;
+    prepareGeometryChange();
+    update();
+  }
+  const std::vector<OverlayMark>& marks() const { return marks_; }
+
+  /// The scene's coordinates are viewport pixels.
+  QRectF boundingRect() const override {
+    return {0, 0, double(scene_->view().width_px), double(scene_->view().height_px)};
+  }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setBrush(Qt::NoBrush);
+    for (const OverlayMark& mark : marks_) {
+      const QPen pen = penOf(mark.kind, scene_->theme());
+      paintMark(*painter, mark, QPen(scene_->theme().text_halo, pen.widthF() + 3));
+      paintMark(*painter, mark, pen);
+    }
+  }
+
+ private:
+  void paintMark(QPainter& painter, const OverlayMark& mark, const QPen& pen) const {
+    painter.setPen(pen);
+    std::vector<Eigen::Vector2d> points = mark.points;
+    const QPointF first = scene::toPoint(scene_->view().pixelFromWorld(points.front()));
+    if (mark.kind == Kind::Blocked) {
+      const QPointF arm(kPlacePx * 0.7, kPlacePx * 0.7), other(arm.x(), -arm.y());
+      painter.drawLine(first - arm, first + arm);
+      painter.drawLine(first - other, first + other);
+      return;
+    }
+    if (mark.shape == overlays::Shape::Point) painter.drawEllipse(first, kPlacePx, kPlacePx);
+    if (mark.shape == overlays::Shape::Polygon) points.push_back(points.front());
+    for (const QPolygonF& line : scene::visibleLines(scene_->view(), points, 8)) painter.drawPolyline(line);
+  }
+
+  const scene::MapScene* scene_;
+  std::vector<OverlayMark> marks_;
+};
+
+OverlayMarks::OverlayMarks(scene::MapScene* scene, QObject* parent)
+    : QObject(parent), scene_(scene), item_(std::make_unique<Item>(scene)) {
+  scene_->addItem(item_.get());
+  connect(scene_, &scene::MapScene::viewChanged, this, [this] { item_->follow(); });
+}
+
+OverlayMarks::~OverlayMarks() = default;  // it leaves the scene
+
+void OverlayMarks::show(std::vector<OverlayMark> marks) {
+  if (marks.empty() && item_->marks().empty()) return;
+  item_->take(std::move(marks));
+}
+
+const std::vector<OverlayMark>& OverlayMarks::shown() const { return item_->marks(); }
+
+}  // namespace mapwright::window
+
+#include "moc_overlay_marks.cpp"

@@ -1,0 +1,48 @@
+// What is drawn over the map besides the overlays themselves: what two versions differ in, the way of a
+// robot. GUI thread.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+#include <QIcon>
+#include <QObject>
+
+#include "overlays/overlay_document.h"
+#include "overlays/overlay_merge.h"
+#include "scene/map_scene.h"
+
+namespace mapwright::window {
+
+struct OverlayMark {
+  enum class Kind { Added, Removed, Before, After, Way, Blocked };
+  Kind kind = Kind::Added;
+  overlays::Shape shape = overlays::Shape::Point;
+  std::vector<Eigen::Vector2d> points;  // world metres; a polygon's are closed by drawing
+};
+
+/// What changed, where it lies: of one that changed both what it was and what it is.
+std::vector<OverlayMark> marksOf(const overlays::OverlayChange& change,
+                                 const overlays::OverlayDocument& before,
+                                 const overlays::OverlayDocument& after);
+/// A sample of what a change looks like on the map.
+QIcon markSample(overlays::ChangeKind kind, const scene::MapTheme& theme);
+
+class OverlayMarks : public QObject {
+  Q_OBJECT
+ public:
+  /// `scene` must outlive this.
+  explicit OverlayMarks(scene::MapScene* scene, QObject* parent = nullptr);
+  ~OverlayMarks() override;
+
+  void show(std::vector<OverlayMark> marks);
+  const std::vector<OverlayMark>& shown() const;
+
+ private:
+  class Item;
+  scene::MapScene* scene_;
+  std::unique_ptr<Item> item_;
+};
+
+}  // namespace mapwright::window

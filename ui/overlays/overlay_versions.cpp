@@ -1,0 +1,76 @@
+// The part of OverlaysController that is about earlier versions.
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "disk/written_file.h"
+#include "sentences/fault_sentence.h"
+#include "ui/kit/folders.h"
+#include "ui/kit/panels.h"
+#include "ui/overlays/overlay_history_dock.h"
+#include "ui/overlays/overlays_controller.h"
+#include "ui/overlays/overlays_dock.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/map_view.h"
+#include "ui/view/toast_stack.h"
+
+namespace mapwright::window {
+namespace {
+
+constexpr double kAroundChangeM = 2;
+
+}  // namespace
+
+void OverlaysController::addHistory() {
+  context_.panels.add(history_dock_,
+                      {.side = PanelPlace::Side::Right, .tab = 16, .menu_rank = 47, .open = false});
+  history_dock_->setOpen([this]() -> std::optional<OverlayHistoryDock::Open> {
+    if (!editing_.isOpen() || !target_) return std::nullopt;
+    return OverlayHistoryDock::Open{openMap(), editing_.document().mine(), editing_.editable()};
+  });
+  connect(dock_, &OverlaysDock::historyWanted, this, [this] {
+    context_.panels.open(history_dock_);
+    if (target_) history_dock_->showMap(openMap());
+  });
+  connect(history_dock_, &OverlayHistoryDock::areaWanted, this,
+          [this](const geometry::WorldRect& area) { context_.view.fit(area.grown(kAroundChangeM), true); });
+  connect(history_dock_, &OverlayHistoryDock::bringBackWanted, this, &OverlaysController::bringBack);
+  connect(history_dock_, &OverlayHistoryDock::saveAsWanted, this, &OverlaysController::saveVersion);
+  connect(&history_, &OverlayHistory::troubleChanged, this, [this] {
+    if (!history_.trouble().any()) return;
+    context_.overlay.toasts()->add(Mark::Warning, tr("This version of the overlays is not in the history. %1")
+                                                      .arg(sentences::sentenceOf(history_.trouble())));
+  });
+}
+
+history::MapName OverlaysController::openMap() const {
+  return history::mapName(session_ ? session_->robot().address().toStdString() : std::string(),
+                          map::toText(target_->map), uid_.empty() ? target_->uid : uid_, name_);
+}
+
+void OverlaysController::bringBack(const overlays::OverlayDocument& version, const QString& called) {
+  if (!editing_.editable()) return;
+  const auto changes = overlays::changesBetween(editing_.document().mine(), version);
+  const bool of_all = !changes.empty() && changes.front().collection;
+  editing_.become(version, tr("bring back %1").arg(called));
+  context_.panels.open(dock_);
+  QString sentence = tr("The overlays are here as in %1. Nothing was sent yet.").arg(called);
+  if (of_all) sentence += QLatin1Char(' ') + tr("What belongs to all of them stays as it is.");
+  context_.overlay.toasts()->add(of_all ? Mark::Warning : Mark::Good, sentence);
+}
+
+void OverlaysController::saveVersion(const QString& suggested, const std::string& text) {
+  QString path = QFileDialog::getSaveFileName(
+      &context_.window, tr("Save this version"),
+      QDir(folderToWriteInto({lastMapFolder(context_.settings)})).filePath(suggested),
+      tr("GeoJSON (*.geojson)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QLatin1String(".geojson");
+  if (const auto why = disk::writeFile(path.toStdString(), text)) {
+    context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(disk::notWritten(*why)));
+  } else {
+    context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)));
+  }
+}
+
+}  // namespace mapwright::window
