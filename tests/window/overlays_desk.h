@@ -82,6 +82,7 @@ struct Desk {
         },
         settings};
     wanted.addresses = robot::Addresses({robot::axbot::addressScheme()});
+    if (keeps_versions) wanted.overlays_history = history();
     if (keeps_drafts) wanted.edit.drafts_folder = folder.filePath(QStringLiteral("drafts"));
     window = std::make_unique<MainWindow>(std::move(wanted));
     window->resize(1900, 1050);

@@ -63,7 +63,7 @@ class TestWindowOverlays : public QObject {
     QCOMPARE(desk.stateOf(1), QStringLiteral("saved"));
     desk.review();
     QCOMPARE(desk.control().review()->changesShown(),
-             QStringList{QStringLiteral("Move virtual wall W17")});
+             QStringList{QStringLiteral("Move virtual wall W17 by 1.00 m")});
     QTest::mouseClick(desk.control().review()->saveButton(), Qt::LeftButton);
     QTRY_VERIFY(!desk.control().busy() && !desk.control().unsaved());
     QVERIFY(desk.says("saved"));
