@@ -45,7 +45,8 @@ class Checking {
       : features_(document.features()),
         document_(document),
         options_(options),
-        ground_(options.map, placing::Ground::Access::Wait) {}
+        ground_(options.map, placing::Ground::Access::Wait),
+        known_(ground_.there() && !ground_.allUnknown()) {}
 
   std::vector<Flaw> flaws() {
     for (const Feature& feature : features_) shapes_.push_back(shapesOf(feature));
@@ -142,7 +143,7 @@ class Checking {
   }
 
   void checkGround() {
-    if (!ground_.there()) return;
+    if (!known_) return;
     for (const Path& path : shapes().paths) {
       for (const Vector2d& point : path.points) {
         if (isOutside(point)) return add(Rule::OutsideMap, fault::BeyondMap, point);
@@ -178,7 +179,7 @@ class Checking {
   }
 
   void checkReach() {
-    if (!ground_.there() || options_.off.contains(Rule::Unreachable)) return;
+    if (!known_ || options_.off.contains(Rule::Unreachable)) return;
     for (const std::size_t index : unreachable(document_, options_.map, options_.radius_m)) {
       index_ = index;
       // Said already, and the reason.
@@ -193,6 +194,7 @@ class Checking {
   const OverlayDocument& document_;
   const CheckOptions& options_;
   placing::Ground ground_;
+  bool known_;  // something is, of the map
   std::vector<Shapes> shapes_;
   std::size_t index_ = 0;
   std::vector<Flaw> flaws_;

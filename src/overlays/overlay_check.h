@@ -44,7 +44,7 @@ struct Flaw {
 
 struct CheckOptions {
   std::set<Rule> off;
-  placing::PlacedMap map;  // without cells OutsideMap, InWall and Unreachable are not checked
+  placing::PlacedMap map;  // without (known) cells OutsideMap, InWall and Unreachable are not checked
   double radius_m = 0.3;   // of the robot
 };
 

@@ -1,9 +1,14 @@
 #include "overlays/overlay_reach.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
 
 #include <opencv2/imgproc.hpp>
+#include <queue>
 
 #include "grids/grid_cells.h"
 #include "overlays/overlay_check.h"
@@ -31,10 +36,14 @@ class WayMap {
   }
 
   cv::Mat& image() { return image_; }
+  const cv::Mat& image() const { return image_; }
   double cellM() const { return map_.reference.resolution_m * (1 << level_); }
   /// Continuous.
   Vector2d cellOf(const Vector2d& world_m) const {
     return map_.reference.cellFromWorld(world_m) / double(1 << level_);
+  }
+  Vector2d worldOf(const Vector2d& cell) const {
+    return map_.reference.worldFromCell(cell * double(1 << level_));
   }
   cv::Point pixelOf(const Vector2d& world_m) const {
     // Far outside OpenCV's numbers would wrap.
@@ -116,48 +125,173 @@ class Places {
   double reach_cells_;
 };
 
+/// Where a robot of a radius gets from the chargers.
+class Reach {
+ public:
+  Reach(const OverlayDocument& document, const placing::PlacedMap& map, double radius_m)
+      : ways_(map), reach_m_(std::max(0.0, radius_m) + kAsideM) {
+    ways_.image().copyTo(map_free_);
+    drawAll(ways_, document, Shape::Polygon, kFreeRegion, kWay);
+    drawAll(ways_, document, Shape::Polygon, kForbiddenRegion, 0);
+    drawAll(ways_, document, Shape::Line, kVirtualWall, 0);
+    // The map ends like a wall.
+    cv::rectangle(ways_.image(), cv::Rect(0, 0, ways_.image().cols, ways_.image().rows), cv::Scalar(0));
+    // A robot of this radius has room where the next obstacle is that far.
+    cv::Mat distance;
+    cv::distanceTransform(ways_.image(), distance, cv::DIST_L2, cv::DIST_MASK_5);
+    const double radius_cells = std::max(0.0, radius_m / ways_.cellM());
+    const cv::Mat room = distance > std::max(0.5, radius_cells);
+    distance.release();
+    cv::connectedComponents(room, labels_, 4, CV_32S);
+    const Places places(ways_, labels_, reach_m_);
+    for (const Feature& feature : document.features()) {
+      if (feature.shape() != Shape::Point || feature.type() != kCharger) continue;
+      const auto at = shapesOf(feature).somewhere();
+      if (!at) continue;
+      const std::set<int> near = places.near(*at);
+      from_chargers_.insert(near.begin(), near.end());
+      if (!near.empty()) chargers_.push_back(*at);
+    }
+  }
+
+  bool anyCharger() const { return !chargers_.empty(); }
+  bool reaches(const Vector2d& at_m) const {
+    const std::set<int> near = Places(ways_, labels_, reach_m_).near(at_m);
+    return std::any_of(near.begin(), near.end(), [&](int label) { return from_chargers_.contains(label); });
+  }
+
+  std::optional<Way> wayTo(const Vector2d& at_m) const {
+    if (chargers_.empty()) return std::nullopt;
+    const cv::Mat cost = costs();
+    const auto cellAt = [&](const Vector2d& world_m) {
+      const cv::Point pixel = ways_.pixelOf(world_m);
+      return cv::Point(std::clamp(pixel.x / step_, 0, cost.cols - 1),
+                       std::clamp(pixel.y / step_, 0, cost.rows - 1));
+    };
+    // Dijkstra from all chargers at once.
+    constexpr int kFar = std::numeric_limits<int>::max();
+    cv::Mat length(cost.size(), CV_32S, cv::Scalar(kFar));
+    cv::Mat from(cost.size(), CV_8U, cv::Scalar(8));
+    using Entry = std::pair<int, int>;  // length, index
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    for (const Vector2d& charger : chargers_) {
+      const cv::Point start = cellAt(charger);
+      length.at<int>(start) = 0;
+      open.emplace(0, start.y * cost.cols + start.x);
+    }
+    const std::array<cv::Point, 8> steps{cv::Point{1, 0}, {-1, 0}, {0, 1},  {0, -1},
+                                         {1, 1},          {-1, 1}, {1, -1}, {-1, -1}};
+    const cv::Point goal = cellAt(at_m);
+    while (!open.empty()) {
+      const auto [so_far, index] = open.top();
+      open.pop();
+      const cv::Point at(index % cost.cols, index / cost.cols);
+      if (so_far > length.at<int>(at)) continue;
+      if (at == goal) break;
+      for (std::size_t i = 0; i < steps.size(); ++i) {
+        const cv::Point next = at + steps[i];
+        if (next.x < 0 || next.y < 0 || next.x >= cost.cols || next.y >= cost.rows) continue;
+        const int longer = so_far + cost.at<std::int16_t>(next) * (i < 4 ? 10 : 14);
+        if (longer >= length.at<int>(next)) continue;
+        length.at<int>(next) = longer;
+        from.at<std::uint8_t>(next) = std::uint8_t(i);
+        open.emplace(longer, next.y * cost.cols + next.x);
+      }
+    }
+    std::vector<cv::Point> cells{goal};
+    while (from.at<std::uint8_t>(cells.back()) < steps.size())
+      cells.push_back(cells.back() - steps[from.at<std::uint8_t>(cells.back())]);
+    std::reverse(cells.begin(), cells.end());
+    return split(cells, at_m);
+  }
+
+ private:
+  static constexpr std::int64_t kMostSearched = 4'000'000;
+  static constexpr int kRoom = 1, kNarrow = 20, kWall = 300;
+
+  /// Of cells that are `step_` times as large: what it costs to be there. Cells with room that no charger
+  /// leads to have the cost of room, too.
+  cv::Mat costs() const {
+    while (std::int64_t(labels_.cols / step_) * (labels_.rows / step_) > kMostSearched) ++step_;
+    cv::Mat cost((labels_.rows + step_ - 1) / step_, (labels_.cols + step_ - 1) / step_, CV_16S,
+                 cv::Scalar(kWall));
+    for (int y = 0; y < labels_.rows; ++y) {
+      const int* const label = labels_.ptr<int>(y);
+      const std::uint8_t* const free = map_free_.ptr(y);
+      const std::uint8_t* const way = ways_.image().ptr(y);
+      std::int16_t* const out = cost.ptr<std::int16_t>(y / step_);
+      for (int x = 0; x < labels_.cols; ++x) {
+        const int here = label[x] > 0 ? kRoom : free[x] || way[x] ? kNarrow : kWall;
+        std::int16_t& coarse = out[x / step_];
+        coarse = std::int16_t(std::min<int>(coarse, here));
+      }
+    }
+    return cost;
+  }
+
+  bool leadsHere(const cv::Point& coarse) const {
+    for (int y = coarse.y * step_; y < std::min((coarse.y + 1) * step_, labels_.rows); ++y) {
+      for (int x = coarse.x * step_; x < std::min((coarse.x + 1) * step_, labels_.cols); ++x) {
+        if (from_chargers_.contains(labels_.at<int>(y, x))) return true;
+      }
+    }
+    return false;
+  }
+
+  Way split(const std::vector<cv::Point>& cells, const Vector2d& at_m) const {
+    // Chargers may stand in a wall: only what comes after room counts.
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (leadsHere(cells[i])) {
+        last = i;
+      } else if (last > 0) {
+        break;
+      }
+    }
+    const bool arrives = reaches(at_m);
+    Way way;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const Vector2d cell = (Vector2d(cells[i].x, cells[i].y) + Vector2d(0.5, 0.5)) * double(step_);
+      const Vector2d world = ways_.worldOf(cell);
+      if (arrives || i <= last) way.open.push_back(world);
+      if (!arrives && i >= last) way.blocked.push_back(world);
+    }
+    if (!way.blocked.empty()) way.blocked.push_back(at_m);
+    return way;
+  }
+
+  WayMap ways_;
+  cv::Mat map_free_, labels_;
+  double reach_m_;
+  std::set<int> from_chargers_;
+  std::vector<Vector2d> chargers_;
+  mutable int step_ = 1;
+};
+
 }  // namespace
 
 std::vector<std::size_t> unreachable(const OverlayDocument& document, const placing::PlacedMap& map,
                                      double radius_m) {
   std::vector<std::size_t> found;
   if (!map.cells || map::whyUnusable(map.reference)) return found;
-  WayMap ways(map);
-  drawAll(ways, document, Shape::Polygon, kFreeRegion, kWay);
-  drawAll(ways, document, Shape::Polygon, kForbiddenRegion, 0);
-  drawAll(ways, document, Shape::Line, kVirtualWall, 0);
-  // The map ends like a wall.
-  cv::rectangle(ways.image(), cv::Rect(0, 0, ways.image().cols, ways.image().rows), cv::Scalar(0));
-  // A robot of this radius has room where the next obstacle is that far.
-  cv::Mat distance, labels;
-  cv::distanceTransform(ways.image(), distance, cv::DIST_L2, cv::DIST_MASK_5);
-  const double radius_cells = std::max(0.0, radius_m / ways.cellM());
-  const cv::Mat room = distance > std::max(0.5, radius_cells);
-  distance.release();
-  cv::connectedComponents(room, labels, 4, CV_32S);
-  const Places places(ways, labels, std::max(0.0, radius_m) + kAsideM);
-  std::set<int> from_chargers;
-  bool any = false;
+  const Reach reach(document, map, radius_m);
+  if (!reach.anyCharger()) return found;
   const std::vector<Feature>& features = document.features();
-  for (const Feature& feature : features) {
-    if (feature.shape() != Shape::Point || feature.type() != kCharger) continue;
-    if (const auto at = shapesOf(feature).somewhere()) {
-      const std::set<int> near = places.near(*at);
-      from_chargers.insert(near.begin(), near.end());
-      any |= !near.empty();
-    }
-  }
-  if (!any) return found;
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (!isDestination(features[i])) continue;
     const auto at = shapesOf(features[i]).somewhere();
-    if (!at) continue;
-    const std::set<int> near = places.near(*at);
-    const bool reached =
-        std::any_of(near.begin(), near.end(), [&](int label) { return from_chargers.contains(label); });
-    if (!reached) found.push_back(i);
+    if (at && !reach.reaches(*at)) found.push_back(i);
   }
   return found;
+}
+
+std::optional<Way> wayTo(std::size_t feature, const OverlayDocument& document, const placing::PlacedMap& map,
+                         double radius_m) {
+  if (!map.cells || map::whyUnusable(map.reference) || feature >= document.features().size())
+    return std::nullopt;
+  const auto at = shapesOf(document.features()[feature]).somewhere();
+  if (!at) return std::nullopt;
+  return Reach(document, map, radius_m).wayTo(*at);
 }
 
 }  // namespace mapwright::overlays

@@ -18,4 +18,14 @@ std::vector<std::size_t> unreachable(const OverlayDocument& document, const plac
                                      double radius_m);
 inline constexpr std::int64_t kMostCells = std::int64_t(64) << 20;
 
+/// Where a robot would go from the nearest charger to a point.
+struct Way {
+  std::vector<Eigen::Vector2d> open;     // as far as it comes, world metres
+  std::vector<Eigen::Vector2d> blocked;  // on to the point from there; empty: it gets there
+};
+/// The way that is blocked the least, through narrow places and overlays rather than through walls of the
+/// map. nullopt: there is no charger, no map or no such point. As slow as unreachable(), and a second more.
+std::optional<Way> wayTo(std::size_t feature, const OverlayDocument& document, const placing::PlacedMap& map,
+                         double radius_m);
+
 }  // namespace mapwright::overlays

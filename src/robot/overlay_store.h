@@ -23,7 +23,7 @@ struct OverlayText {
 class OverlayStore {
  public:
   virtual ~OverlayStore() = default;
-  /// Of a stored map, or of the one that the robot is in (MapKind::Live).
+  /// Of a stored map, of a map file, or of the one that the robot is in (MapKind::Live).
   virtual Call read(const map::MapKey& key, OutcomeTo<OverlayText> reply) = 0;
   /// Replaces all of them with one request, which is not sent twice. The answer is what the robot holds
   /// afterwards: compare it. Whoever changed them since they were read is overwritten, so read them just

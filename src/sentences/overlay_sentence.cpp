@@ -77,8 +77,10 @@ QString featureChange(const overlays::OverlayChange& change, const Feature& befo
       parts << OverlayText::tr("Rename %1 to %2").arg(called, overlayName(after));
     } else if (of_feature && part.name == overlays::typeProperty(after.shape())) {
       parts << OverlayText::tr("Make %1 a %2").arg(called, overlayKind(after).toLower());
-    } else if (of_feature && part.name == "yaw" && each.after) {
+    } else if (of_feature && part.name == "yaw" && each.before && each.after) {
       parts << OverlayText::tr("Turn %1 to %2 (was %3)").arg(called, is, was);
+    } else if (each.after && !each.before) {
+      parts << OverlayText::tr("Set %1 of %2 to %3").arg(partName(part), called, is);
     } else if (each.after) {
       parts << OverlayText::tr("Set %1 of %2 to %3 (was %4)").arg(partName(part), called, is, was);
     } else {

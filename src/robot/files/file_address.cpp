@@ -91,9 +91,9 @@ ParsedAddress parse(const QString& rest) {
 bool claims(const QString& typed) {
   if (typed.contains(QLatin1String("://"))) return false;
   const QString before_query = typed.section(QLatin1Char('?'), 0, 0);
-  return isMapFile(before_query) || QFileInfo::exists(typed) || QFileInfo::exists(before_query) ||
-         typed.startsWith(QLatin1Char('/')) || typed.startsWith(QLatin1String("./")) ||
-         typed.startsWith(QLatin1String("~/"));
+  return isMapFile(before_query) || isOverlayFile(before_query) || QFileInfo::exists(typed) ||
+         QFileInfo::exists(before_query) || typed.startsWith(QLatin1Char('/')) ||
+         typed.startsWith(QLatin1String("./")) || typed.startsWith(QLatin1String("~/"));
 }
 
 }  // namespace

@@ -48,23 +48,35 @@ Call FileWaypointStore::perform(const map::MapKey& key, const WaypointRequest& r
   return files_.change(map::placesOf(key), std::move(reply), &WaypointFiles::write, key, request);
 }
 
+Call FileOverlayStore::read(const map::MapKey& key, OutcomeTo<OverlayText> reply) {
+  return files_.ask(map::subjectOf(key), std::move(reply), &OverlayFiles::read, key);
+}
+
+Call FileOverlayStore::write(const map::MapKey& key, const std::string& text, OutcomeTo<OverlayText> reply) {
+  return files_.change(map::subjectOf(key), std::move(reply), &OverlayFiles::write, key, text);
+}
+
 FileRobot::FileRobot(QString address, FileOptions options, QObject* parent)
     : Robot(parent),
       address_(std::move(address)),
       path_(options.path),
-      folder_(!isMapFile(path_)),
+      folder_(!isMapFile(path_) && !isOverlayFile(path_)),
       link_log_(lcFiles(), path_.toStdString()),
       files_(new MapFiles(options)),
       catalogue_(files_),
       whole_maps_(files_),
-      waypoint_files_(new WaypointFiles(std::move(options))),
+      waypoint_files_(new WaypointFiles(options)),
       waypoints_(waypoint_files_),
-      pictures_(files_) {
+      pictures_(files_),
+      overlay_files_(new OverlayFiles(std::move(options))),
+      overlays_(overlay_files_) {
   files_->moveToThread(&thread_);
   waypoint_files_->moveToThread(&thread_);
+  overlay_files_->moveToThread(&thread_);
   thread_.setObjectName(QStringLiteral("map files"));
   connect(&thread_, &QThread::finished, files_, &QObject::deleteLater);
   connect(&thread_, &QThread::finished, waypoint_files_, &QObject::deleteLater);
+  connect(&thread_, &QThread::finished, overlay_files_, &QObject::deleteLater);
   connect(files_, &MapFiles::looked, this, [this](bool folder, const Fault& trouble) {
     if (!wanted_) return;
     if (std::exchange(folder_, folder) != folder) Q_EMIT identityChanged();

@@ -4,6 +4,7 @@
 #include <QThread>
 
 #include "robot/files/map_files.h"
+#include "robot/files/overlay_file.h"
 #include "robot/picture_store.h"
 #include "robot/robot.h"
 #include "robot/waypoint_store.h"
@@ -12,8 +13,8 @@
 
 namespace mapwright::robot::files {
 
-// Nothing here touches the disk: MapFiles and WaypointFiles do, on a thread of their own. It ends before the
-// stores do, and deletes them.
+// Nothing here touches the disk: MapFiles, WaypointFiles and OverlayFiles do, on a thread of their own. It
+// ends before the stores do, and deletes them.
 
 /// The pictures of local maps.
 class FilePictureStore : public PictureStore {
@@ -45,6 +46,18 @@ class FileWaypointStore : public WaypointStore {
   wire::LinkRef<WaypointFiles> files_;
 };
 
+/// The overlays of local maps. They are written as a whole.
+class FileOverlayStore : public OverlayStore {
+ public:
+  explicit FileOverlayStore(OverlayFiles* files) : files_(files) {}
+
+  Call read(const map::MapKey& key, OutcomeTo<OverlayText> reply) override;
+  Call write(const map::MapKey& key, const std::string& text, OutcomeTo<OverlayText> reply) override;
+
+ private:
+  wire::LinkRef<OverlayFiles> files_;
+};
+
 class FileRobot : public Robot {
   Q_OBJECT
  public:
@@ -63,6 +76,7 @@ class FileRobot : public Robot {
   WaypointSource* waypointSource() override { return &told_waypoints_; }
   WaypointStore* waypointStore() override { return &waypoints_; }
   PictureStore* pictureStore() override { return &pictures_; }
+  OverlayStore* overlayStore() override { return &overlays_; }
   Absence whyNot(Capability) const override { return {Absence::Reason::LocalFiles, {}}; }
 
  private:
@@ -81,6 +95,8 @@ class FileRobot : public Robot {
   FileWaypointStore waypoints_;
   wire::WaypointsOfStore told_waypoints_{waypoints_};
   FilePictureStore pictures_;
+  OverlayFiles* overlay_files_;  // lives on thread_, deleted when it ends
+  FileOverlayStore overlays_;
 };
 
 }  // namespace mapwright::robot::files

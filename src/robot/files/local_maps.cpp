@@ -1,12 +1,18 @@
 #include "robot/files/local_maps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sys/stat.h>
 
 #include <QCollator>
 #include <QDir>
 #include <QFileInfo>
 
+#include "disk/file_error.h"
+#include "disk/read_file.h"
+#include "geometry/rect.h"
+#include "overlays/overlay_document.h"
+#include "overlays/overlay_shapes.h"
 #include "robot/files/faults.h"
 
 namespace mapwright::robot::files {
@@ -14,6 +20,9 @@ namespace {
 
 constexpr qsizetype kMostMaps = 10'000;
 constexpr double kUsualResolutionM = 0.05;
+constexpr std::size_t kMostOverlayFileBytes = std::size_t(256) << 20;
+constexpr double kAroundOverlaysM = 5;
+constexpr int kMostEmptyEdge = 2'000;  // cells
 
 bool hasSuffix(const QString& path, std::initializer_list<const char*> suffixes) {
   for (const char* suffix : suffixes) {
@@ -104,10 +113,59 @@ map::WholeMap fromPicture(const QString& path, const PicturePlace& place, const 
   return whole;
 }
 
+/// Nothing is known of it but where its overlays lie.
+tl::expected<map::WholeMap, Fault> fromOverlays(const QString& path) {
+  const std::string name = path.toStdString();
+  auto bytes = disk::readFile(name, kMostOverlayFileBytes + 1);
+  const auto unreadable = [&](Fault why) {
+    return refused({fault::WaypointFileNotRead, {name}, {std::move(why)}});
+  };
+  if (!bytes) return unreadable(bytes.error().cause);
+  if (bytes->size() > kMostOverlayFileBytes) return unreadable({fault::FileTooLarge, {"256 MiB"}});
+  const auto document = overlays::OverlayDocument::read(*bytes);
+  if (!document) return unreadable(document.error());
+  if (!overlays::OverlayDocument::isCollection(*bytes)) return unreadable(fault::NotAFeatureCollection);
+  geometry::WorldRect around;
+  for (const overlays::Feature& feature : document->features()) {
+    for (const overlays::Path& shape : overlays::shapesOf(feature).paths) {
+      for (const Eigen::Vector2d& point : shape.points) around.extend(point);
+    }
+  }
+  if (around.empty()) around.extend(Eigen::Vector2d(0, 0));
+  around = around.grown(kAroundOverlaysM);
+  const double edge_m = std::max(around.max_x - around.min_x, around.max_y - around.min_y);
+  map::WholeMap whole;
+  whole.name = QFileInfo(path).fileName().toStdString();
+  whole.grid.resolution_m = std::clamp(edge_m / kMostEmptyEdge, kUsualResolutionM, 1000.0);
+  const auto cells = [&](double length_m) {
+    return std::clamp(int(std::ceil(length_m / whole.grid.resolution_m)), 1, 2 * kMostEmptyEdge);
+  };
+  whole.grid.width = cells(around.max_x - around.min_x);
+  whole.grid.height = cells(around.max_y - around.min_y);
+  whole.grid.origin = {std::max(around.min_x, -overlays::kFarthestM),
+                       std::max(around.min_y, -overlays::kFarthestM), 0};
+  whole.cells = std::make_shared<const std::vector<std::int8_t>>(
+      std::size_t(whole.grid.width) * std::size_t(whole.grid.height), std::int8_t(-1));
+  return whole;
+}
+
 }  // namespace
 
 bool isPicture(const QString& path) { return hasSuffix(path, {".png", ".pgm", ".bmp"}); }
 bool isMapFile(const QString& path) { return isYaml(path) || isPicture(path); }
+bool isOverlayFile(const QString& path) { return hasSuffix(path, {".geojson"}); }
+
+QString mapBeside(const QString& overlay_file) {
+  const QFileInfo file(overlay_file);
+  QString stem = file.absolutePath() + QLatin1Char('/') + file.completeBaseName();
+  const QString kind = QStringLiteral(".overlays");
+  if (stem.endsWith(kind, Qt::CaseInsensitive)) stem.chop(kind.size());
+  for (const char* suffix : {".yaml", ".yml", ".png", ".pgm", ".bmp"}) {
+    const QString beside = stem + QLatin1String(suffix);
+    if (QFileInfo(beside).isFile()) return beside;
+  }
+  return {};
+}
 
 QStringList mapFilesIn(const QString& folder) {
   QStringList names;
@@ -159,6 +217,10 @@ QStringList yamlsNaming(const QString& picture) {
 tl::expected<map::WholeMap, Fault> readLocalMap(const QString& path, const PicturePlace& place,
                                                 YamlShelf& yamls, const PictureYamls* beside) {
   if (auto why = whyUnreadable(path)) return refused(std::move(*why));
+  if (isOverlayFile(path)) {
+    const QString map = mapBeside(path);
+    return map.isEmpty() ? fromOverlays(path) : readLocalMap(map, place, yamls);
+  }
   QStringList named_by;
   if (!isYaml(path) && !place.resolution_m && !place.origin)
     named_by =
@@ -169,7 +231,8 @@ tl::expected<map::WholeMap, Fault> readLocalMap(const QString& path, const Pictu
                                                           : fromPicture(path, place, named_by);
   if (!whole) return whole;
   if (auto why = map::whyUnusable(whole->grid)) return refused(std::move(*why));
-  whole->fingerprint = stampOf(QString::fromStdString(whole->path)) + "|" + readingText(whole->reading);
+  if (!whole->path.empty())
+    whole->fingerprint = stampOf(QString::fromStdString(whole->path)) + "|" + readingText(whole->reading);
   return whole;
 }
 
@@ -182,8 +245,9 @@ map::CatalogueEntry entryOf(const map::MapKey& key, const QString& path, const P
   entry.bytes = std::uint64_t(QFileInfo(path).size());
   if (const auto whole = readLocalMap(path, place, yamls, beside)) {
     entry.grid = whole->grid;
-    entry.has_thumbnail = true;
-    entry.bytes = std::uint64_t(QFileInfo(QString::fromStdString(whole->path)).size());
+    entry.has_thumbnail = !whole->path.empty();
+    if (!whole->path.empty())
+      entry.bytes = std::uint64_t(QFileInfo(QString::fromStdString(whole->path)).size());
   }
   return entry;
 }

@@ -22,6 +22,11 @@ struct PicturePlace {
 
 bool isMapFile(const QString& path);  // by its extension: .yaml, .yml, .png, .pgm, .bmp
 bool isPicture(const QString& path);  // .png, .pgm, .bmp
+/// .geojson. It is opened as the map beside it that has its name ("office.yaml" for "office.geojson" and
+/// "office.overlays.geojson"); without one, as an empty map around what it holds.
+bool isOverlayFile(const QString& path);
+/// The map beside an overlay file; empty: there is none.
+QString mapBeside(const QString& overlay_file);
 
 /// The file of a map at `path`, a file or a folder; empty if there is none. Only files inside the folder: an
 /// id cannot lead out of it.

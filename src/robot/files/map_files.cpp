@@ -12,6 +12,7 @@
 #include "grids/rewrite_picture.h"
 #include "grids/thumbnail.h"
 #include "robot/files/faults.h"
+#include "robot/files/overlay_file.h"
 #include "robot/files/waypoint_file.h"
 
 namespace mapwright::robot::files {
@@ -77,9 +78,9 @@ QStringList MapFiles::watchAndStamp() {
     files << path;
     folders << QFileInfo(path).absolutePath();
     // The map.yaml in its folder gives the position of a single picture.
-    if (!isFolder()) files << beside.naming(path);
+    if (!isFolder()) files << beside.naming(path) << overlayPathOf(path);
     const auto whole = readLocalMap(path, options_.place, yamls_, &beside);
-    if (whole && whole->path != path.toStdString()) {
+    if (whole && !whole->path.empty() && whole->path != path.toStdString()) {
       files << QString::fromStdString(whole->path);
       folders << QFileInfo(files.last()).absolutePath();
     }
@@ -207,8 +208,10 @@ Outcome<WaypointFiles::Place> WaypointFiles::placeOf(const map::MapKey& key) con
   Place place{key, mapPathOf(options_.path, key), {}};
   if (place.map.isEmpty()) return fail(failure(place, map::FailureKind::RejectedByRobot, fault::NoSuchMap));
   // A picture and the map.yaml that describes it are one map.
-  const QStringList described_by = yamlsNaming(place.map);
-  const QString& named = described_by.size() == 1 ? described_by.front() : place.map;
+  const QString beside = isOverlayFile(place.map) ? mapBeside(place.map) : QString();
+  const QString map = beside.isEmpty() ? place.map : beside;
+  const QStringList described_by = yamlsNaming(map);
+  const QString& named = described_by.size() == 1 ? described_by.front() : map;
   place.path = QString::fromStdString(waypointPathOf(named.toStdString()));
   return place;
 }

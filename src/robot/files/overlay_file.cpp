@@ -1,0 +1,95 @@
+#include "robot/files/overlay_file.h"
+
+#include <utility>
+
+#include <QFileInfo>
+
+#include "disk/file_error.h"
+#include "disk/folder_lock.h"
+#include "disk/read_file.h"
+#include "disk/written_file.h"
+#include "robot/files/faults.h"
+
+namespace mapwright::robot::files {
+
+QString overlayPathOf(const QString& map_path) {
+  if (isOverlayFile(map_path)) return map_path;
+  const QFileInfo map(map_path);
+  const QString stem = map.absolutePath() + QLatin1Char('/') + map.completeBaseName();
+  const QString own = stem + QStringLiteral(".overlays.geojson"), plain = stem + QStringLiteral(".geojson");
+  return !QFileInfo::exists(own) && QFileInfo::exists(plain) ? plain : own;
+}
+
+OverlayFiles::OverlayFiles(FileOptions options) : options_(std::move(options)) {}
+
+Outcome<OverlayFiles::Place> OverlayFiles::placeOf(const map::MapKey& key) const {
+  Place place{key, mapPathOf(options_.path, key), {}};
+  if (place.map.isEmpty()) return fail(failure(place, map::FailureKind::RejectedByRobot, fault::NoSuchMap));
+  // A picture and the map.yaml that describes it are one map.
+  const QStringList described_by = yamlsNaming(place.map);
+  place.path = overlayPathOf(described_by.size() == 1 ? described_by.front() : place.map);
+  return place;
+}
+
+map::Failure OverlayFiles::failure(const Place& place, map::FailureKind kind, Fault cause) const {
+  map::Failure failure{kind, map::subjectOf(place.key, QFileInfo(place.map).fileName().toStdString())};
+  failure.cause = std::move(cause);
+  failure.reason = map::FailureReason::Unfit;
+  return failure;
+}
+
+Outcome<std::string> OverlayFiles::textOf(const Place& place) const {
+  if (!QFileInfo::exists(place.path) && !QFileInfo(place.path).isSymLink()) return std::string();
+  const std::string path = place.path.toStdString();
+  const auto unreadable = [&](Fault why) {
+    return fail(failure(place, map::FailureKind::MalformedAnswer,
+                        {fault::WaypointFileNotRead, {path}, {std::move(why)}, Consequence::LeftAsItIs}));
+  };
+  auto bytes = disk::readFile(path, kMaxOverlayBytes + 1);
+  if (!bytes) return unreadable(bytes.error().cause);
+  if (bytes->size() > kMaxOverlayBytes) return unreadable({fault::FileTooLarge, {"256 MiB"}});
+  return std::move(*bytes);
+}
+
+OverlayText OverlayFiles::note(const Place& place, std::string text) {
+  Known& known = known_[place.path];
+  if (known.version == 0 || known.text != text) ++known.version;
+  known.text = std::move(text);
+  return {known.text, known.version, {}, QFileInfo(place.path).fileName().toStdString()};
+}
+
+Outcome<OverlayText> OverlayFiles::read(const map::MapKey& key) {
+  const auto place = placeOf(key);
+  if (!place) return fail(place.error());
+  auto text = textOf(*place);
+  if (!text) return fail(text.error());
+  return note(*place, std::move(*text));
+}
+
+Outcome<OverlayText> OverlayFiles::write(const map::MapKey& key, const std::string& text) {
+  const auto place = placeOf(key);
+  if (!place) return fail(place.error());
+  const disk::FolderLock lock(QFileInfo(place->path).absolutePath().toStdString());
+  const auto now = textOf(*place);
+  if (!now) return fail(now.error());
+  const auto known = known_.find(place->path);
+  const auto conflict = [&] {
+    map::Failure changed =
+        failure(*place, map::FailureKind::Conflict, {fault::FileChanged, {place->path.toStdString()}});
+    changed.asked_for = map::AskedFor::Change;
+    changed.applied = map::Applied::No;
+    return changed;
+  };
+  if (known == known_.end() || known->second.text != *now) return fail(conflict());
+  if (const auto trouble = disk::writeFile(place->path.toStdString(), text)) {
+    map::Failure refused = failure(*place, map::FailureKind::RejectedByRobot, disk::notWritten(*trouble));
+    refused.asked_for = map::AskedFor::Change;
+    refused.applied = map::Applied::No;
+    return fail(std::move(refused));
+  }
+  return note(*place, text);
+}
+
+}  // namespace mapwright::robot::files
+
+#include "moc_overlay_file.cpp"

@@ -1,0 +1,49 @@
+// The overlays of a local map: a GeoJSON FeatureCollection in metres of the map, next to it or by itself.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <QObject>
+
+#include "robot/files/map_files.h"
+#include "robot/overlay_store.h"
+
+namespace mapwright::robot::files {
+
+inline constexpr std::size_t kMaxOverlayBytes = std::size_t(256) << 20;
+
+/// "office.yaml" -> "office.overlays.geojson" in the same folder, or "office.geojson" if only that is there;
+/// a GeoJSON file is its own.
+QString overlayPathOf(const QString& map_path);
+
+/// Reads and writes them. Lives on the thread of the map files.
+class OverlayFiles : public QObject {
+  Q_OBJECT
+ public:
+  explicit OverlayFiles(FileOptions options);
+
+  /// The versions are counted here: one more whenever the text is another one than it was.
+  Outcome<OverlayText> read(const map::MapKey& key);
+  /// A FailureKind::Conflict if the file is not what was read last.
+  Outcome<OverlayText> write(const map::MapKey& key, const std::string& text);
+
+ private:
+  struct Known {
+    std::string text;
+    int version = 0;
+  };
+  struct Place {
+    map::MapKey key;
+    QString map, path;
+  };
+  Outcome<Place> placeOf(const map::MapKey& key) const;
+  map::Failure failure(const Place& place, map::FailureKind kind, Fault cause) const;
+  Outcome<std::string> textOf(const Place& place) const;
+  OverlayText note(const Place& place, std::string text);
+
+  FileOptions options_;
+  std::map<QString, Known> known_;  // by path
+};
+
+}  // namespace mapwright::robot::files
