@@ -97,7 +97,7 @@ CommandResult<OverlaysOf> openOverlays(RobotCommand& command, const OverlaysArgu
   RobotReading& reading = **opened;
   robot::OverlayStore* const store = reading.session().robot().overlayStore();
   if (!store) return reading.lacks(robot::Capability::OverlayEditing);
-  if (args.map.empty()) {
+  if (args.map.empty() && !reading.local()) {
     // A map that was handed to the robot as data is in no list: its overlays are those that are live.
     const auto rows = reading.catalogue();
     if (rows && !reading.session().catalogue().current())
@@ -246,7 +246,8 @@ CommandResult<int> carryOut(RobotCommand& command, const OverlaysArguments& args
     printLine(outcome->merge.mine.empty() ? Text::tr("Nothing to change.")
                                           : Text::tr("The robot holds this already."));
   } else if (order.send) {
-    printLine(outcome->version
+    printLine(of->robot->local() ? Text::tr("Stored in the file, and read back.")
+              : outcome->version
                   ? Text::tr("Stored on the robot as version %1, and read back.").arg(*outcome->version)
                   : Text::tr("Stored on the robot, and read back."));
   }

@@ -111,7 +111,7 @@ class OverlaysCommandTest : public QObject {
     QCOMPARE(changes(), 0);
     const Ended set = run("set - --replace", none);
     QCOMPARE(set.code, 0);
-    QVERIFY(set.out.contains(QStringLiteral("remove")) && set.out.contains(QStringLiteral("Charger")));
+    QVERIFY(set.out.contains(QStringLiteral("remove")) && set.out.contains(QStringLiteral("Delete charger")));
     QCOMPARE(held(), none);
   }
 

@@ -5,6 +5,7 @@
 
 #include "grids/grid_pyramid.h"
 #include "overlays/overlay_check.h"
+#include "overlays/overlay_reach.h"
 #include "overlays/overlay_shapes.h"
 #include "test_program.h"
 
@@ -195,6 +196,33 @@ class OverlayCheckTest : public QObject {
     QCOMPARE(rulesIn(all + region("12", "7", "11", "3.5"), options), std::string());
     options.map = mapOf({".... .....", ".... .....", ".... ....."}, 20);
     QCOMPARE(rulesIn(all, options), std::string("unreachable"));
+  }
+
+  void theWayToAPointEndsWhereItIsBlocked() {
+    const auto read = [](const std::string& features) {
+      return *overlays::OverlayDocument::read(R"({"type":"FeatureCollection","features":[)" + features +
+                                              "]}");
+    };
+    const placing::PlacedMap map = mapOf({"..........", "..........", ".........."}, 20);
+    const std::string charger = point("9", "[2,3]"), there = point("25", "[18,3]");
+    const std::string wall = shape("LineString", "[[10,-1],[10,7]]", R"({"lineType":2})");
+    const auto open = overlays::wayTo(1, read(charger + "," + there), map, 0.3);
+    QVERIFY(open && open->blocked.empty() && open->open.size() > 10);
+    QVERIFY((open->open.front() - Eigen::Vector2d(2, 3)).norm() < 0.2);
+    QVERIFY((open->open.back() - Eigen::Vector2d(18, 3)).norm() < 0.2);
+    const auto shut = overlays::wayTo(1, read(charger + "," + there + "," + wall), map, 0.3);
+    QVERIFY(shut && !shut->blocked.empty());
+    QVERIFY2(shut->open.back().x() > 9.3 && shut->open.back().x() < 10,
+             qPrintable(QString::number(shut->open.back().x())));
+    QVERIFY(shut->blocked.back() == Eigen::Vector2d(18, 3));
+    QVERIFY(!overlays::wayTo(0, read(there), map, 0.3));
+    QVERIFY(!overlays::wayTo(7, read(charger), map, 0.3));
+  }
+
+  void ofAMapOfWhichNothingIsKnownNothingIsSaid() {
+    overlays::CheckOptions options;
+    options.map = mapOf({"   ", "   "}, 20);
+    QCOMPARE(rulesIn(point("25", "[1000,2]"), options), std::string());
   }
 
   void rulesCanBeSwitchedOff() {

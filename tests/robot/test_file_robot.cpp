@@ -400,6 +400,73 @@ class FileRobotTest : public QObject {
     write(QStringLiteral("office.yaml"), kYaml);
     QTRY_COMPARE_WITH_TIMEOUT(robot->connection().phase, ConnectionPhase::Online, kPatienceMs);
   }
+
+  void overlaysLieBesideTheirMap() {
+    write(QStringLiteral("office.yaml"), kYaml);
+    write(QStringLiteral("office.pgm"), "P5\n2 2\n255\n" + QByteArray(4, char(254)));
+    const QByteArray text = R"({"type":"FeatureCollection", "features":[] , "n": 1.50})";
+    write(QStringLiteral("office.geojson"), text);
+    const auto robot = open(QStringLiteral("office.yaml"));
+    QVERIFY(robot);
+    const map::MapKey key{map::MapKind::File, {}};
+    const auto read = [&] {
+      return answerTo<OverlayText>([&](auto reply) { robot->overlayStore()->read(key, reply); });
+    };
+    const auto stored = [&](const std::string& wanted) {
+      return answerTo<OverlayText>([&](auto reply) { robot->overlayStore()->write(key, wanted, reply); });
+    };
+    const auto there = read();
+    QVERIFY(there);
+    QCOMPARE(there->text, text.toStdString());
+    QCOMPARE(there->map_name, std::string("office.geojson"));
+    const auto again = stored("{}");
+    QVERIFY(again && *again->version == *there->version + 1);
+    QFile file(path(QStringLiteral("office.geojson")));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("{}"));
+    // Somebody else writes it between the look and the request.
+    write(QStringLiteral("office.geojson"), "[]");
+    const auto clash = stored("null");
+    QVERIFY(!clash && clash.error().kind == map::FailureKind::Conflict);
+    QVERIFY(clash.error().applied == map::Applied::No);
+    QCOMPARE(read()->text, std::string("[]"));
+    QVERIFY(stored("null"));
+  }
+
+  void overlaysAreOpenedByThemselves() {
+    write(QStringLiteral("hall.geojson"),
+          R"({"type":"FeatureCollection","features":[
+{"type":"Feature","geometry":{"type":"LineString","coordinates":[[-4,2],[6,12]]},"properties":{"lineType":2}}]})");
+    auto robot = open(QStringLiteral("hall.geojson"));
+    QVERIFY(robot && robot->connection().phase == ConnectionPhase::Online);
+    const auto empty = fetch(*robot);
+    QVERIFY(empty && empty->cells && empty->path.empty());
+    QVERIFY(empty->grid.origin.x_m < -4 && empty->grid.origin.y_m < 2);
+    QVERIFY(empty->grid.origin.x_m + empty->grid.width * empty->grid.resolution_m > 6);
+    // The map of that name is below them, where there is one.
+    write(QStringLiteral("office.yaml"), kYaml);
+    write(QStringLiteral("office.pgm"), "P5\n2 2\n255\n" + QByteArray(4, char(254)));
+    write(QStringLiteral("office.overlays.geojson"), R"({"type":"FeatureCollection","features":[]})");
+    robot = open(QStringLiteral("office.overlays.geojson"));
+    QVERIFY(robot && robot->connection().phase == ConnectionPhase::Online);
+    const auto office = fetch(*robot);
+    QVERIFY(office && !office->path.empty());
+    QCOMPARE(office->grid.origin.x_m, -10.0);
+    // They are no map of their folder.
+    QCOMPARE(mapFilesIn(folder_->path()),
+             (QStringList{QStringLiteral("office.pgm"), QStringLiteral("office.yaml")}));
+  }
+
+  void brokenOverlaysAreRefusedWithTheirPlace() {
+    write(QStringLiteral("a.geojson"), "{\"type\":\"FeatureCollection\",\n \"features\":[}");
+    auto robot = open(QStringLiteral("a.geojson"));
+    QVERIFY(robot && robot->connection().phase == ConnectionPhase::Refused);
+    const QString why = sentences::sentenceOf(robot->connection().reason);
+    QVERIFY2(why.contains(QStringLiteral("line 2, column 14"), Qt::CaseInsensitive), qPrintable(why));
+    write(QStringLiteral("b.geojson"), "{}");
+    robot = open(QStringLiteral("b.geojson"));
+    QVERIFY(robot && robot->connection().phase == ConnectionPhase::Refused);
+  }
 };
 
 }  // namespace test_file_robot

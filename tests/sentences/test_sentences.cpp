@@ -267,7 +267,7 @@ class SentencesTest : public QObject {
     QCOMPARE(
         told(with(R"("type":9,"yaw":"90","a":1)").c_str(), with(R"("type":9,"yaw":"9e1","b":2)").c_str()),
         QStringLiteral("Remove a of charger at 1.00, 2.00 m (was 1); Turn charger at 1.00, 2.00 m to "
-                       "9e1° (was 90°); Set b of charger at 1.00, 2.00 m to 2 (was none)"));
+                       "9e1° (was 90°); Set b of charger at 1.00, 2.00 m to 2"));
   }
 
   void everyConditionHasAName() {

@@ -34,6 +34,7 @@ QString exact(double value) { return QString::number(value, 'g', 15); }
 bool isMapYaml(const QString& path) { return endsWithAny(path, {".yaml", ".yml"}); }
 bool isBarePicture(const QString& path) { return endsWithAny(path, {".png", ".pgm", ".bmp"}); }
 bool isRecordingFile(const QString& path) { return endsWithAny(path, {".mcap", ".bag"}); }
+bool isOverlayFile(const QString& path) { return endsWithAny(path, {".geojson"}); }
 
 QString fileAddress(const QString& path, const std::optional<PicturePlacement>& placement) {
   const QString address = QStringLiteral("file:") + QDir::cleanPath(QFileInfo(path).absoluteFilePath());
@@ -50,7 +51,7 @@ QString droppedMap(const QList<QUrl>& urls) {
     const QString path = url.toLocalFile();
     // Dropping a map.yaml together with its picture means the map.
     if (isMapYaml(path) || isRecordingFile(path) || QFileInfo(path).isDir()) return path;
-    if (picture.isEmpty() && isBarePicture(path)) picture = path;
+    if (picture.isEmpty() && (isBarePicture(path) || isOverlayFile(path))) picture = path;
   }
   return picture;
 }
@@ -58,8 +59,10 @@ QString droppedMap(const QList<QUrl>& urls) {
 QString mapFileFilter() {
   return QCoreApplication::translate(
       "window",
-      "Maps and recordings (*.yaml *.yml *.png *.pgm *.bmp *.mcap *.bag *.YAML *.PNG *.PGM *.BMP);;"
-      "ROS maps (*.yaml *.yml);;Pictures (*.png *.pgm *.bmp);;Recordings (*.mcap *.bag);;All files (*)");
+      "Maps and recordings (*.yaml *.yml *.png *.pgm *.bmp *.geojson *.mcap *.bag *.YAML *.PNG *.PGM *.BMP);;"
+      "ROS maps (*.yaml *.yml);;Pictures (*.png *.pgm *.bmp);;Overlays (*.geojson);;Recordings (*.mcap "
+      "*.bag);;"
+      "All files (*)");
 }
 
 namespace {

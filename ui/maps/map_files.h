@@ -32,6 +32,8 @@ bool isMapYaml(const QString& path);
 bool isBarePicture(const QString& path);
 /// By its extension: MCAP, or ROS 1 bag.
 bool isRecordingFile(const QString& path);
+/// By its extension: GeoJSON.
+bool isOverlayFile(const QString& path);
 /// "file:/maps/a.yaml", "file:/maps/a.png?resolution=0.05&origin=-1,2,0".
 QString fileAddress(const QString& path, const std::optional<PicturePlacement>& placement = {});
 /// The one dropped file that can be opened: a map.yaml, a recording, a picture or a folder. Empty = none.

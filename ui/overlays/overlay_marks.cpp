@@ -61,7 +61,9 @@ QIcon markSample(overlays::ChangeKind kind, const scene::MapTheme& theme) {
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
   const auto line = [&](Kind what, double y) {
-    painter.setPen(penOf(what, theme));
+    QPen pen = penOf(what, theme);
+    pen.setWidthF(2);  // so that its dashes are seen
+    painter.setPen(pen);
     painter.drawLine(QPointF(1, y), QPointF(kEdge - 1, y));
   };
   switch (kind) {

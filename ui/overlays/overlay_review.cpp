@@ -14,14 +14,18 @@ OverlayReview::OverlayReview(const QString& map, const QString& robot, const QSt
                              const QString& note, QWidget* parent)
     : QDialog(parent),
       list_(new QListWidget(this)),
-      save_(new QPushButton(tr("Save to the robot"), this)),
+      save_(new QPushButton(robot.isEmpty() ? tr("Save the file") : tr("Save to the robot"), this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
   setObjectName(QStringLiteral("overlayReview"));
   setWindowTitle(tr("Save overlays"));
   setAttribute(Qt::WA_DeleteOnClose);
+  const QString what = overlayChangesText(changes.size());
   auto* const about = wrappedLabel(
-      tr("%1 to %2 on the robot %3. The robot drives by them from then on; everything else stays as it is.")
-          .arg(overlayChangesText(changes.size()), map, robot),
+      robot.isEmpty()
+          ? tr("%1 to the overlays of %2. Everything else in the file stays as it is.").arg(what, map)
+          : tr("%1 to %2 on the robot %3. The robot drives by them from then on; everything else "
+               "stays as it is.")
+                .arg(what, map, robot),
       this);
   list_->setAccessibleName(tr("Changes that are saved"));
   list_->setSelectionMode(QAbstractItemView::NoSelection);

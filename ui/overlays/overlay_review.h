@@ -13,7 +13,7 @@ namespace mapwright::window {
 class OverlayReview : public QDialog {
   Q_OBJECT
  public:
-  /// `changes`: as sentences. `note`: what else is to be known; may be empty.
+  /// `robot`: empty for a file. `changes`: as sentences. `note`: what else is to be known; may be empty.
   OverlayReview(const QString& map, const QString& robot, const QStringList& changes, const QString& note,
                 QWidget* parent = nullptr);
 

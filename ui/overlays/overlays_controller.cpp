@@ -130,6 +130,10 @@ void OverlaysController::setSession(session::Session* session) {
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &OverlaysController::syncMap);
     connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &OverlaysController::syncMap);
     connect(session_, &session::Session::connectionChanged, this, &OverlaysController::refresh);
+    connect(&session_->robot(), &robot::Robot::mapsChanged, this, [this] {
+      // Somebody wrote the file, or a file beside it.
+      if (editing_.isOpen() && session_->robot().isLocal() && !busy_) read();
+    });
     connect(session_, &session::Session::liveChanged, this, [this](int what) {
       if (what != map::topicIndex<map::MapInfo>()) return;
       syncMap();
@@ -152,7 +156,8 @@ std::optional<OverlaysController::Target> OverlaysController::target() const {
   const bool stored = current && current->key.kind == map::MapKind::Stored;
   if (slot.cells() && slot.shown().key.kind != map::MapKind::Live) {
     const map::MapKey& key = slot.shown().key;
-    if (key.kind != map::MapKind::Stored) return std::nullopt;
+    const bool file = session_->robot().isLocal() && key.kind == map::MapKind::File;
+    if (key.kind != map::MapKind::Stored && !file) return std::nullopt;
     return Target{key, stored && current->key == key};
   }
   if (stored) return Target{current->key, true};
@@ -183,8 +188,14 @@ void OverlaysController::syncMap() {
   refresh();
 }
 
+bool OverlaysController::ofFile() const {
+  return session_ && session_->robot().isLocal() &&
+         session_->robot().address().endsWith(QLatin1String(".geojson"), Qt::CaseInsensitive);
+}
+
 bool OverlaysController::wanted() const {
-  return context_.tools.chosen() == tool_ || dock_->isVisible() || (drafts_ && drafts_->offered());
+  return context_.tools.chosen() == tool_ || dock_->isVisible() || ofFile() ||
+         (drafts_ && drafts_->offered());
 }
 
 void OverlaysController::closeMap() {
@@ -250,6 +261,7 @@ void OverlaysController::takeRead(robot::Outcome<robot::OverlayText> outcome) {
     takeHeld(*held);
   } else {
     editing_.open(std::move(*held));
+    if (ofFile()) context_.panels.open(dock_);
     context_.undo.setActiveStack(&editing_.undoStack());
   }
   refresh();
@@ -331,7 +343,7 @@ void OverlaysController::showReview() {
   for (const overlays::OverlayChange& change : overlays::changesBetween(before, after))
     changes << changeText(change, before, after);
   review_ = new OverlayReview(
-      mapName(), context_.current.called(), changes,
+      mapName(), session_->robot().isLocal() ? QString() : context_.current.called(), changes,
       dock_->hasUnsavedFlaws() ? tr("Some of these have flaws: see the panel Overlays.") : QString(),
       &context_.window);
   connect(review_, &QDialog::finished, this, [this, opened = opened_](int result) {
@@ -479,7 +491,9 @@ QString OverlaysController::whyNot() const {
   constexpr auto kEditing = robot::Capability::OverlayEditing;
   if (!session_->robot().overlayStore())
     return sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing));
-  if (!target_) return tr("Only stored maps have overlays. Open one in the Maps panel.");
+  if (!target_)
+    return session_->robot().isLocal() ? tr("Open a map to edit its overlays.")
+                                       : tr("Only stored maps have overlays. Open one in the Maps panel.");
   if (failure_) {
     return trouble_.isEmpty() ? tr("The overlays could not be read. %1")
                                     .arg(QString::fromStdString(sentences::whyOf(*failure_)))

@@ -74,6 +74,8 @@ class OverlaysController : public Controller {
   std::optional<Target> target() const;
   void syncMap();
   void closeMap();
+  /// A file with overlays was opened: they are what it is about.
+  bool ofFile() const;
   bool wanted() const;
   void read();
   void takeRead(robot::Outcome<robot::OverlayText> outcome);
