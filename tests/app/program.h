@@ -2,46 +2,91 @@
 // environment.
 #pragma once
 
+#include <functional>
+#include <type_traits>
+
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QMap>
 #include <QProcess>
 #include <QStringList>
 #include <QTemporaryDir>
+#include <QTest>
 
 namespace mapwright::tests {
 
-struct Ended {
-  int code = -1;
-  QString out, err;
-  QJsonObject object() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
-  QJsonArray array() const { return QJsonDocument::fromJson(out.toUtf8()).array(); }
+template <typename Text>
+struct EndedWith {
+  int code = -1;  // -1: it crashed, or took too long
+  Text out, err;
+  QJsonObject object() const { return document().object(); }
+  QJsonArray array() const { return document().array(); }
+
+ private:
+  QJsonDocument document() const {
+    if constexpr (std::is_same_v<Text, QByteArray>) {
+      return QJsonDocument::fromJson(out);
+    } else {
+      return QJsonDocument::fromJson(out.toUtf8());
+    }
+  }
 };
+using Ended = EndedWith<QString>;
+using EndedBytes = EndedWith<QByteArray>;
 
 class Program {
  public:
-  Ended run(const QStringList& words, const QByteArray& input = {}) const {
+  struct Means {
+    QMap<QString, QString> environment = {};
+    QByteArray input = {};
+    QString output = {};                  // a file that its standard output goes to; empty = it is read
+    std::function<void()> in_child = {};  // before it becomes the program
+  };
+
+  QProcessEnvironment environment(const QMap<QString, QString>& more = {}) const {
     QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
-    for (const char* name :
-         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "QT_LOGGING_RULES",
+                             "QT_MESSAGE_PATTERN", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET", "MAPWRIGHT_LOG"})
       env.remove(QLatin1String(name));
     env.insert(QStringLiteral("XDG_CACHE_HOME"), path("cache"));
     env.insert(QStringLiteral("XDG_CONFIG_HOME"), path("config"));
     env.insert(QStringLiteral("XDG_DATA_HOME"), path("data"));
-    QProcess process;
-    process.setProcessEnvironment(env);
-    process.setWorkingDirectory(folder_.path());
-    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), words);
-    process.write(input);
-    process.closeWriteChannel();
-    if (!process.waitForFinished(120'000)) return {};
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
+    for (auto it = more.begin(); it != more.end(); ++it) env.insert(it.key(), it.value());
+    return env;
   }
 
+  /// Events go on meanwhile: servers of the test may live on this thread.
+  EndedBytes runForBytes(const QStringList& words, const Means& means) const {
+    QProcess process;
+    process.setProcessEnvironment(environment(means.environment));
+    process.setWorkingDirectory(folder_.path());
+    if (!means.output.isEmpty()) process.setStandardOutputFile(means.output);
+    if (means.in_child) process.setChildProcessModifier(means.in_child);
+    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), words);
+    process.write(means.input);
+    process.closeWriteChannel();
+    if (!QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, 300'000)) {
+      process.kill();
+      process.waitForFinished();
+    }
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            process.readAllStandardOutput(), process.readAllStandardError()};
+  }
+  EndedBytes runForBytes(const QStringList& words) const { return runForBytes(words, Means()); }
+  Ended run(const QStringList& words, const Means& means) const {
+    const EndedBytes ended = runForBytes(words, means);
+    return {ended.code, QString::fromUtf8(ended.out), QString::fromUtf8(ended.err)};
+  }
+  Ended run(const QStringList& words, const QByteArray& input = {}) const {
+    return run(words, Means{.input = input});
+  }
+
+  QString folder() const { return folder_.path(); }
   /// In its folder.
-  QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+  QString path(const QString& name) const { return folder_.filePath(name); }
+  QString path(const char* name) const { return path(QLatin1String(name)); }
   void put(const char* name, const QByteArray& bytes) const {
     QFile file(path(name));
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())

@@ -7,14 +7,13 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMap>
-#include <QProcess>
 #include <QSet>
 #include <QStandardPaths>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QtEndian>
 
 #include "../net/scripted_server.h"
+#include "program.h"
 #include "recording/append_file.h"
 #include "recording/mcap_writer.h"
 #include "recording/source.h"
@@ -27,11 +26,7 @@ using namespace mapwright;
 
 namespace {
 
-struct Outcome {
-  int code = -1;
-  QByteArray out, err;
-  QJsonObject object() const { return QJsonDocument::fromJson(out).object(); }
-  QJsonArray array() const { return QJsonDocument::fromJson(out).array(); }
+struct Outcome : tests::EndedBytes {
   QList<QJsonObject> lines() const {
     QList<QJsonObject> all;
     for (const QByteArray& line : out.split('\n')) {
@@ -48,30 +43,19 @@ double stampOf(const QJsonObject& message) { return message[QStringLiteral("__st
 class BagsCommandTest : public QObject {
   Q_OBJECT
   std::unique_ptr<simulator::Simulator> robot_;
-  QTemporaryDir folder_;
+  tests::Program program_;
 
   /// `output`: where its standard output goes; empty = it is read.
   Outcome run(const QString& line, const QString& robot = {}, const QString& output = {}) const {
-    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
-    for (const char* name :
-         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
-      env.remove(QLatin1String(name));
-    env.insert(QStringLiteral("XDG_CACHE_HOME"), folder_.filePath(QStringLiteral("cache")));
-    env.insert(QStringLiteral("MAPWRIGHT_ROBOT"),
-               robot.isEmpty() ? QString::fromStdString(robot_->address()) : robot);
-    QProcess process;
-    process.setProcessEnvironment(env);
-    process.setWorkingDirectory(folder_.path());
-    if (!output.isEmpty()) process.setStandardOutputFile(output);
-    process.start(QStringLiteral(MAPWRIGHT_PROGRAM),
-                  QStringList{QStringLiteral("bags")} + line.split(QLatin1Char(' ')));
-    const auto ended = [&] { return process.state() == QProcess::NotRunning; };
-    if (!QTest::qWaitFor(ended, 300'000)) return {};  // the robot may be one of this thread
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+    return {program_.runForBytes(
+        QStringList{QStringLiteral("bags")} + line.split(QLatin1Char(' ')),
+        {.environment = {{QStringLiteral("MAPWRIGHT_ROBOT"),
+                          robot.isEmpty() ? QString::fromStdString(robot_->address()) : robot}},
+         .output = output})};
   }
   /// Ten poses a second for a minute, and an alert in the middle.
   QString recording() const {
-    const QString path = folder_.filePath(QStringLiteral("drive.mcap"));
+    const QString path = program_.path(QStringLiteral("drive.mcap"));
     auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
     recording::WriterOptions options;
     options.chunk_bytes = 4000;
@@ -107,7 +91,7 @@ class BagsCommandTest : public QObject {
   }
   /// Recorded by mapwright, which was killed; somebody has given it an index since. The link was away twice.
   QString withoutEndMark() const {
-    const QString path = folder_.filePath(QStringLiteral("killed.mcap"));
+    const QString path = program_.path(QStringLiteral("killed.mcap"));
     const auto source = recording::openRecording(recording().toStdString());
     auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
     const auto writer = recording::McapWriter::create(std::move(*target), {});
@@ -174,7 +158,7 @@ class BagsCommandTest : public QObject {
     const Outcome cut = run(wish + QStringLiteral(" --report lost.json ") + path);
     QVERIFY2(cut.code == 1, cut.err.constData());
     QVERIFY2(cut.err.contains("Its end is missing") && cut.err.count('\n') == 1, cut.err.constData());
-    QFile report(folder_.filePath(QStringLiteral("lost.json")));
+    QFile report(program_.path(QStringLiteral("lost.json")));
     QVERIFY(report.open(QIODevice::ReadOnly));
     const QJsonObject told = QJsonDocument::fromJson(report.readAll()).object();
     QCOMPARE(told[QStringLiteral("complete")], QJsonValue(false));
@@ -188,7 +172,7 @@ class BagsCommandTest : public QObject {
     const QByteArray bytes = contentOf(whole);
     const QList<qsizetype> ends = recordEnds(bytes);
     const auto cut = [&](const char* name, qsizetype at) {
-      QFile file(folder_.filePath(QLatin1String(name)));
+      QFile file(program_.path(QLatin1String(name)));
       if (file.open(QIODevice::WriteOnly)) file.write(bytes.left(at));
       return file.fileName();
     };
@@ -272,7 +256,7 @@ class BagsCommandTest : public QObject {
   }
 
   void aRateIsThatOfTheTimeInWhichATopicSent() {
-    const QString path = folder_.filePath(QStringLiteral("rates.mcap"));
+    const QString path = program_.path(QStringLiteral("rates.mcap"));
     auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
     const auto writer = recording::McapWriter::create(std::move(*target), {});
     const auto say = [&](std::int64_t at_s, const char* topic, const char* said = nullptr) {
@@ -317,8 +301,7 @@ class BagsCommandTest : public QObject {
 
   void aPartOfARecordingIsPackedInFewChunks() {
     QVERIFY(run(QStringLiteral("export -o packed.mcap --force ") + recording()).code == 0);
-    const auto opened =
-        recording::openRecording(folder_.filePath(QStringLiteral("packed.mcap")).toStdString());
+    const auto opened = recording::openRecording(program_.path(QStringLiteral("packed.mcap")).toStdString());
     QVERIFY(opened);
     QCOMPARE((*opened)->summary().chunks, std::size_t(1));
     QCOMPARE((*opened)->summary().messages, std::uint64_t(601));
@@ -327,13 +310,12 @@ class BagsCommandTest : public QObject {
   void whatIsSoundOfABrokenRecordingIsMadeAWholeFile() {
     const QByteArray bytes = contentOf(recording());
     const QList<qsizetype> ends = recordEnds(bytes);
-    QFile file(folder_.filePath(QStringLiteral("broken.mcap")));
+    QFile file(program_.path(QStringLiteral("broken.mcap")));
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes.left(ends[ends.size() / 2] + 5)) > 0);
     file.close();
     const Outcome made = run(QStringLiteral("repair broken.mcap -o whole.mcap --force --json"));
     QVERIFY2(made.code == 0 && made.err.contains("interrupted"), made.err.constData());
-    const auto opened =
-        recording::openRecording(folder_.filePath(QStringLiteral("whole.mcap")).toStdString());
+    const auto opened = recording::openRecording(program_.path(QStringLiteral("whole.mcap")).toStdString());
     QVERIFY(opened);
     QVERIFY((*opened)->summary().finished && (*opened)->summary().indexed &&
             (*opened)->summary().notes.empty());
@@ -368,8 +350,7 @@ class BagsCommandTest : public QObject {
     const Outcome merged =
         run(QStringLiteral("merge part-02.mcap part-00.mcap part-01.mcap -o merged.mcap --force --json"));
     QVERIFY2(merged.code == 0, merged.err.constData());
-    const auto opened =
-        recording::openRecording(folder_.filePath(QStringLiteral("merged.mcap")).toStdString());
+    const auto opened = recording::openRecording(program_.path(QStringLiteral("merged.mcap")).toStdString());
     const auto whole = recording::openRecording(recording().toStdString());
     QVERIFY(opened && whole);
     const auto a = (*opened)->messages({}), b = (*whole)->messages({});
@@ -386,7 +367,7 @@ class BagsCommandTest : public QObject {
   }
 
   void aMessageThatCannotBeReadIsNotHidden() {
-    const QString path = folder_.filePath(QStringLiteral("odd.mcap"));
+    const QString path = program_.path(QStringLiteral("odd.mcap"));
     auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
     const auto writer = recording::McapWriter::create(std::move(*target), {});
     recording::Channel channel;
@@ -403,7 +384,7 @@ class BagsCommandTest : public QObject {
   void aDownloadThatIsRefusedLeavesNothing() {
     QCOMPARE(run(QStringLiteral("download nothing.bag -o nothing.bag")).code, 4);
     for (const char* name : {"nothing.bag", "nothing.bag.part", "nothing.bag.part.of"})
-      QVERIFY2(!QFile::exists(folder_.filePath(QLatin1String(name))), name);
+      QVERIFY2(!QFile::exists(program_.path(QLatin1String(name))), name);
   }
 
   void aListWithoutOneOfItsHalvesIsNotComplete() {
@@ -455,12 +436,12 @@ class BagsCommandTest : public QObject {
                 .arg(file, at(30)));
     QCOMPARE(none.code, 1);
     QVERIFY2(none.err.contains("no submap list"), none.err.constData());
-    QVERIFY(QFile::exists(folder_.filePath(QStringLiteral("s.png"))));
+    QVERIFY(QFile::exists(program_.path(QStringLiteral("s.png"))));
     QVERIFY2(clock.elapsed() < 100'000, "it waited for what cannot come");
   }
 
   void aFileWithoutAMapSaysSoByEveryCommand() {
-    const QString path = folder_.filePath(QStringLiteral("nomap.mcap"));
+    const QString path = program_.path(QStringLiteral("nomap.mcap"));
     auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
     const auto writer = recording::McapWriter::create(std::move(*target), {});
     const auto say = [&](double at_s, const char* topic, const std::string& rest) {
@@ -498,7 +479,7 @@ class BagsCommandTest : public QObject {
   }
 
   void aPartOfAnotherProgramStaysWhatItIs() {
-    QFile part(folder_.filePath(QStringLiteral("left.mcap.part")));
+    QFile part(program_.path(QStringLiteral("left.mcap.part")));
     QVERIFY(part.open(QIODevice::WriteOnly));
     part.write("half of it");
     part.close();
@@ -527,7 +508,7 @@ class BagsCommandTest : public QObject {
     const QString file = recording();
     QByteArray first;
     for (const int times : {1, 2}) {
-      const QString png = folder_.filePath(QStringLiteral("%1.png").arg(times));
+      const QString png = program_.path(QStringLiteral("%1.png").arg(times));
       const Outcome made = run(
           QStringLiteral("snapshot %1 --at %2 --layers robot,trail --mode submaps --settle 0 --center 10,1 "
                          "--scale 0.05 --size 200x100 -o %3")
@@ -560,7 +541,7 @@ class BagsCommandTest : public QObject {
                                               "--scale 0.05 --size 200x100 -o track.png --force")
                                    .arg(of, at(20), layers));
       if (made.code != 0 && made.code != 1) qWarning("%d %s", made.code, made.err.constData());
-      QFile file(folder_.filePath(QStringLiteral("track.png")));
+      QFile file(program_.path(QStringLiteral("track.png")));
       return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     };
     for (const QString& of : {recording(), bag()}) {
@@ -647,7 +628,7 @@ class BagsCommandTest : public QObject {
     const QString part = QStringLiteral("%1 --from %2 --to %3").arg(bag(), at(100), at(110));
     const Outcome made = run(QStringLiteral("export %1 -o part.jsonl --json").arg(part));
     QVERIFY2(made.code == 0, made.err.constData());
-    QFile file(folder_.filePath(QStringLiteral("part.jsonl")));
+    QFile file(program_.path(QStringLiteral("part.jsonl")));
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray written = file.readAll();
     QCOMPARE(written, run(QStringLiteral("frames %1").arg(part)).out);
@@ -657,15 +638,15 @@ class BagsCommandTest : public QObject {
     QCOMPARE(run(QStringLiteral("export %1 -o part.xyz").arg(part)).code, 2);
     QCOMPARE(run(QStringLiteral("export %1 -o nowhere/part.mcap").arg(part)).code, 2);
     QCOMPARE(run(QStringLiteral("export nothing.bag -o nothing.mcap")).code, 4);
-    QVERIFY(!QFile::exists(folder_.filePath(QStringLiteral("nothing.mcap.part"))));
+    QVERIFY(!QFile::exists(program_.path(QStringLiteral("nothing.mcap.part"))));
   }
 
   void aPartOfABagIsAnMcapFileThatBeginsWithWhatHadBeenSaid() {
     const QString part = QStringLiteral("%1 --from %2 --to %3").arg(bag(), at(100), at(110));
     const Outcome made = run(QStringLiteral("export %1 -o part.mcap --json").arg(part));
     QVERIFY2(made.code == 0, made.err.constData());
-    QVERIFY(!QFile::exists(folder_.filePath(QStringLiteral("part.mcap.part"))));
-    const auto opened = recording::openRecording(folder_.filePath(QStringLiteral("part.mcap")).toStdString());
+    QVERIFY(!QFile::exists(program_.path(QStringLiteral("part.mcap.part"))));
+    const auto opened = recording::openRecording(program_.path(QStringLiteral("part.mcap")).toStdString());
     QVERIFY(opened.has_value());
     recording::Source& file = **opened;
     QVERIFY(file.summary().finished && file.summary().notes.empty());
@@ -712,7 +693,7 @@ class BagsCommandTest : public QObject {
     QCOMPARE(run(QStringLiteral("export slice.mcap -o slice.mcap --force")).code, 2);
     QVERIFY(!frames("slice.mcap").isEmpty());
     QCOMPARE(run(QStringLiteral("export nowhere.mcap -o no.mcap")).code, 2);
-    QVERIFY(!QFile::exists(folder_.filePath(QStringLiteral("no.mcap"))));
+    QVERIFY(!QFile::exists(program_.path(QStringLiteral("no.mcap"))));
   }
 
   void theTrackIsWrittenForOtherPrograms() {
@@ -722,7 +703,7 @@ class BagsCommandTest : public QObject {
           run(QStringLiteral("track %1 -o track.%2 --json").arg(part, QLatin1String(format)));
       QVERIFY2(made.code == 0, made.err.constData());
       QVERIFY(made.object()[QStringLiteral("samples")].toInt() >= 100);
-      QFile file(folder_.filePath(QStringLiteral("track.%1").arg(QLatin1String(format))));
+      QFile file(program_.path(QStringLiteral("track.%1").arg(QLatin1String(format))));
       QVERIFY(file.open(QIODevice::ReadOnly));
       const Outcome again = run(QStringLiteral("track %1 -o - --format %2").arg(part, QLatin1String(format)));
       QCOMPARE(again.out, file.readAll());
@@ -739,12 +720,12 @@ class BagsCommandTest : public QObject {
     QCOMPARE(made.object()[QStringLiteral("file")].toString(), QStringLiteral("f%03d.png"));
     QSet<QByteArray> different;
     for (const char* name : {"f000.png", "f001.png", "f002.png"}) {
-      QFile file(folder_.filePath(QLatin1String(name)));
+      QFile file(program_.path(QLatin1String(name)));
       QVERIFY(file.open(QIODevice::ReadOnly));
       different << file.readAll();
     }
     QVERIFY(different.size() >= 2);  // the robot moves
-    QVERIFY(!QFile::exists(folder_.filePath(QStringLiteral("f003.png"))));
+    QVERIFY(!QFile::exists(program_.path(QStringLiteral("f003.png"))));
     QCOMPARE(run(film.arg(bag(), at(100), at(104)) + QStringLiteral(" -o f.png")).code, 2);
     QCOMPARE(run(film.arg(bag(), at(104), at(100)) + QStringLiteral(" -o f%d.png")).code, 2);
     QCOMPARE(run(film.arg(QStringLiteral("nothing.bag"), at(1), at(2)) + QStringLiteral(" -o n%d.png")).code,
@@ -755,14 +736,14 @@ class BagsCommandTest : public QObject {
     const Outcome moving = run(film.arg(bag(), at(100), at(101)) + QStringLiteral(" -o film.mp4"));
     const bool can = !QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty();
     QVERIFY2(moving.code == (can ? 0 : 2), moving.err.constData());
-    QCOMPARE(QFile::exists(folder_.filePath(QStringLiteral("film.mp4"))), can);
+    QCOMPARE(QFile::exists(program_.path(QStringLiteral("film.mp4"))), can);
     QVERIFY(can || moving.err.contains("ffmpeg"));
   }
 
   void aBagIsFetchedOnce() {
     const Outcome first = run(QStringLiteral("download %1 -o a.bag --json").arg(bag()));
     QVERIFY2(first.code == 0, first.err.constData());
-    QFile file(folder_.filePath(QStringLiteral("a.bag")));
+    QFile file(program_.path(QStringLiteral("a.bag")));
     QCOMPARE(file.size(), qint64(first.object()[QStringLiteral("bytes")].toDouble()));
     QCOMPARE(run(QStringLiteral("download %1 -o a.bag").arg(bag())).code, 2);
   }
@@ -772,7 +753,7 @@ class BagsCommandTest : public QObject {
       const Outcome made = run(QStringLiteral("snapshot %1 --at %2 -o %3 --size 400x300")
                                    .arg(bag(), at(200), QLatin1String(name)));
       if (made.code != 0) qWarning("%s", made.err.constData());
-      QFile file(folder_.filePath(QLatin1String(name)));
+      QFile file(program_.path(QLatin1String(name)));
       return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     };
     const QByteArray first = picture("1.png");

@@ -6,48 +6,28 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
 
+#include "program.h"
 #include "test_program.h"
 
 namespace test_command_line {
 
 namespace {
 
-struct Outcome {
-  int code = -1;
-  QString out, err;
-};
+using Outcome = mapwright::tests::Ended;
 
 }  // namespace
 
 class CommandLineTest : public QObject {
   Q_OBJECT
  private:
-  QTemporaryDir folder_;
+  mapwright::tests::Program program_;
 
-  QProcessEnvironment environment() const {
-    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
-    for (const char* name :
-         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"}) {
-      env.remove(QLatin1String(name));
-    }
-    env.insert(QStringLiteral("XDG_CACHE_HOME"), folder_.filePath(QStringLiteral("cache")));
-    env.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_.filePath(QStringLiteral("config")));
-    return env;
+  Outcome run(const QStringList& arguments, const QMap<QString, QString>& more = {}) const {
+    return program_.run(arguments, {.environment = more});
   }
-  Outcome run(const QStringList& arguments, const QProcessEnvironment& env) const {
-    QProcess process;
-    process.setProcessEnvironment(env);
-    process.setWorkingDirectory(folder_.path());
-    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), arguments);
-    if (!process.waitForFinished(120'000)) return {};
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
-  }
-  Outcome run(const QStringList& arguments) const { return run(arguments, environment()); }
-  QString at(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+  QString at(const char* name) const { return program_.path(name); }
 
  private Q_SLOTS:
   void helpAndVersionAreThereOnEveryLevel() {
@@ -199,7 +179,7 @@ class CommandLineTest : public QObject {
 
   void namesCommandNoTerminal() {
     const QString evil = QStringLiteral("evil\x1b[2J") + QChar(0x9b) + QStringLiteral("31m") + QChar(0x202e);
-    QVERIFY(QDir(folder_.path()).mkdir(QStringLiteral("evil")));
+    QVERIFY(QDir(program_.folder()).mkdir(QStringLiteral("evil")));
     QFile map(at("evil/") + evil + QStringLiteral(".pgm"));
     QVERIFY(map.open(QIODevice::WriteOnly));
     map.write("P5\n2 2\n255\n\x01\x02\x03\x04");
@@ -249,14 +229,14 @@ class CommandLineTest : public QObject {
     QFETCH(QString, fault);
     QFETCH(int, code);
     QProcess robot;
-    robot.setProcessEnvironment(environment());
+    robot.setProcessEnvironment(program_.environment());
     robot.start(QStringLiteral(MAPWRIGHT_PROGRAM), QStringLiteral("simulate --paused --start-at 30 %1")
                                                        .arg(fault)
                                                        .split(QLatin1Char(' '), Qt::SkipEmptyParts));
     QVERIFY(robot.waitForReadyRead(30'000));
     const QJsonObject ready = QJsonDocument::fromJson(robot.readLine()).object();
-    QProcessEnvironment env = environment();
-    env.insert(QStringLiteral("MAPWRIGHT_ROBOT"), ready[QLatin1String("axbot")].toString());
+    const QMap<QString, QString> env{
+        {QStringLiteral("MAPWRIGHT_ROBOT"), ready[QLatin1String("axbot")].toString()}};
     const auto perform = [&](const char* line) {
       QFile::remove(at("r.json"));
       const Outcome outcome = run(QString::fromLatin1(line).split(QLatin1Char(' ')), env);
@@ -290,7 +270,7 @@ class CommandLineTest : public QObject {
 
   void simulateServesUntilItIsToldToStopAndSnapshotReadsIt() {
     QProcess robot;
-    robot.setProcessEnvironment(environment());
+    robot.setProcessEnvironment(program_.environment());
     robot.start(QStringLiteral(MAPWRIGHT_PROGRAM), {QStringLiteral("simulate"), QStringLiteral("--paused"),
                                                     QStringLiteral("--start-at"), QStringLiteral("30")});
     QVERIFY(robot.waitForReadyRead(30'000));
@@ -298,8 +278,7 @@ class CommandLineTest : public QObject {
     const QString address = ready[QLatin1String("axbot")].toString();
     QVERIFY(address.startsWith(QStringLiteral("axbot+http://127.0.0.1:")));
 
-    QProcessEnvironment env = environment();
-    env.insert(QStringLiteral("MAPWRIGHT_ROBOT"), address);
+    const QMap<QString, QString> env{{QStringLiteral("MAPWRIGHT_ROBOT"), address}};
     const QStringList snapshot{
         QStringLiteral("snapshot"), QStringLiteral("--output"), at("one.png"),
         QStringLiteral("--size"),   QStringLiteral("300x200"),  QStringLiteral("--json")};

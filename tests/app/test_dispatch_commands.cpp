@@ -7,11 +7,11 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "app/map_request.h"
+#include "program.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 
@@ -21,17 +21,9 @@ using namespace mapwright;
 
 namespace {
 
-struct Ran {
-  int exit_code = -1;
-  QByteArray out, error;
-};
+using Ran = tests::EndedBytes;
 
-Ran run(const QStringList& words) {
-  QProcess process;
-  process.start(QStringLiteral(MAPWRIGHT_PROGRAM), words);
-  if (!process.waitForFinished(120'000)) process.kill();
-  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
-}
+Ran run(const QStringList& words) { return tests::Program().runForBytes(words); }
 
 QString text(const char* latin) { return QString::fromLatin1(latin); }
 
@@ -86,13 +78,13 @@ class DispatchCommandsTest : public QObject {
   void aRegionIsExportedWhereItLies() {
     start();
     const Ran ran = exportRegion(file("part.yaml"), "10,-20,8,4");
-    QVERIFY2(ran.exit_code == 0, ran.error.constData());
+    QVERIFY2(ran.code == 0, ran.err.constData());
     QFile yaml(file("part.yaml"));
     QVERIFY(yaml.open(QIODevice::ReadOnly));
     const QByteArray placed = yaml.readAll();
     QVERIFY2(placed.contains("origin: [6") && placed.contains(", -22"), placed.constData());
     const Ran png = exportRegion(file("part.png"), "10,-20,8,4");
-    QVERIFY2(png.exit_code == 0, png.error.constData());
+    QVERIFY2(png.code == 0, png.err.constData());
     QCOMPARE(QImage(file("part.png")).size(), QSize(160, 80));
     const Ran shown = run({text("maps"), text("show"), text("--json"), text("--robot"), file("part.yaml")});
     QCOMPARE(QJsonDocument::fromJson(shown.out)[text("grid")][text("size")][0].toInt(), 160);
@@ -101,29 +93,29 @@ class DispatchCommandsTest : public QObject {
   void nothingIsNoFile() {
     start();
     const Ran ran = exportRegion(file("nothing.png"), "5000,0,10,10");
-    QCOMPARE(ran.exit_code, 1);
-    QCOMPARE(ran.error.count('\n'), 1);
+    QCOMPARE(ran.code, 1);
+    QCOMPARE(ran.err.count('\n'), 1);
     QVERIFY(!QFile::exists(file("nothing.png")));
   }
 
   void anAnswerOfAnotherRegionIsSaid() {
     start([](simulator::Options& options) { options.faults.ros.dispatcher.answer = "elsewhere"; });
     const Ran ran = exportRegion(file("elsewhere.png"), "0,0,10,10");
-    QCOMPARE(ran.exit_code, 1);
-    QVERIFY2(ran.error.contains("another part"), ran.error.constData());
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.err.contains("another part"), ran.err.constData());
   }
 
   void whatTheRobotRefusesIsItsOwnWords() {
     start();
     const Ran ran = exportRegion(file("large.png"), "0,0,1000,1000");
-    QCOMPARE(ran.exit_code, 4);
-    QVERIFY2(ran.error.contains("not enough memory"), ran.error.constData());
+    QCOMPARE(ran.code, 4);
+    QVERIFY2(ran.err.contains("not enough memory"), ran.err.constData());
   }
 
   void theWholeMapIsHadByWhoAsksForIt() {
     start([](simulator::Options& options) { options.ros.dispatcher.edge_m = 20; });
     const Ran ran = ask({text("maps"), text("export"), text("-o"), file("whole.png")});
-    QVERIFY2(ran.exit_code == 0, ran.error.constData());
+    QVERIFY2(ran.code == 0, ran.err.constData());
     QCOMPARE(QImage(file("whole.png")).size(), QSize(400, 400));
   }
 
@@ -133,7 +125,7 @@ class DispatchCommandsTest : public QObject {
       const Ran ran =
           ask({text("snapshot"), text("--mode"), text(mode), text("--center"), text("0,0"), text("--scale"),
                text("0.05"), text("--size"), text("500x500"), text("--raw"), text("-o"), file("all.png")});
-      QVERIFY2(ran.exit_code == 0, ran.error.constData());
+      QVERIFY2(ran.code == 0, ran.err.constData());
       // 400 x 400 cells, and nothing around them.
       const QImage picture = QImage(file("all.png")).convertToFormat(QImage::Format_ARGB32);
       QCOMPARE(picture.size(), QSize(500, 500));
@@ -141,33 +133,33 @@ class DispatchCommandsTest : public QObject {
       QCOMPARE(qAlpha(picture.pixel(20, 250)), 0);
     }
     const Ran shown = ask({text("maps"), text("show"), text("live"), text("--json")});
-    QVERIFY2(shown.exit_code == 0, shown.error.constData());
+    QVERIFY2(shown.code == 0, shown.err.constData());
   }
 
   void whoDoesNotSayHowMuchIsToldOfRegions() {
     start();
     const Ran ran = ask({text("snapshot"), text("-o"), file("none.png")});
-    QCOMPARE(ran.exit_code, 4);
-    QVERIFY2(ran.error.contains("--region") && ran.error.contains("--mode whole"), ran.error.constData());
+    QCOMPARE(ran.code, 4);
+    QVERIFY2(ran.err.contains("--region") && ran.err.contains("--mode whole"), ran.err.constData());
     QVERIFY(!QFile::exists(file("none.png")));
   }
 
   void aRobotWithoutSubmapsIsNotWaitedFor() {
     start();
     const Ran ran = ask({text("snapshot"), text("--mode"), text("submaps"), text("-o"), file("all.png")});
-    QCOMPARE(ran.exit_code, 4);
-    QVERIFY2(ran.error.count('\n') == 1 && ran.error.contains("submaps"), ran.error.constData());
+    QCOMPARE(ran.code, 4);
+    QVERIFY2(ran.err.count('\n') == 1 && ran.err.contains("submaps"), ran.err.constData());
   }
 
   void whatCameOfARegionIsShownThoughItLiesBeside() {
     start([](simulator::Options& options) { options.faults.ros.dispatcher.answer = "elsewhere"; });
     // The first, small question is answered a few metres to the right: that much lies in the region.
     const Ran part = picture("0,0,40,20", "part.png");
-    QVERIFY2(part.exit_code == 1, part.error.constData());
-    QVERIFY2(part.error.contains("another region"), part.error.constData());
+    QVERIFY2(part.code == 1, part.err.constData());
+    QVERIFY2(part.err.contains("another region"), part.err.constData());
     QCOMPARE(QImage(file("part.png")).size(), QSize(800, 400));
     const Ran none = picture("0,0,6,6", "none.png");
-    QCOMPARE(none.exit_code, 3);
+    QCOMPARE(none.code, 3);
     QVERIFY(!QFile::exists(file("none.png")));
   }
 
@@ -175,7 +167,7 @@ class DispatchCommandsTest : public QObject {
     start();
     const Ran ran = ask({text("snapshot"), text("--raw"), text("--region"), text("0.013,0.017,2.03,1.01"),
                          text("--scale"), text("0.01"), text("-o"), file("fine.png")});
-    QVERIFY2(ran.exit_code == 0, ran.error.constData());
+    QVERIFY2(ran.code == 0, ran.err.constData());
     const QImage picture(file("fine.png"));
     QCOMPARE(picture.size(), QSize(203, 101));
     int blank = 0;
@@ -192,7 +184,7 @@ class DispatchCommandsTest : public QObject {
     start([](simulator::Options& options) { options.faults.ros.dispatcher.cloud.lie = "cells"; });
     const Ran ran = ask({text("snapshot"), text("--region"), text("0,0,60,40"), text("--layers"),
                          text("none"), text("-o"), file("odd.png"), text("--report"), file("odd.json")});
-    QVERIFY2(ran.exit_code == 0, ran.error.constData());
+    QVERIFY2(ran.code == 0, ran.err.constData());
     QFile report(file("odd.json"));
     QVERIFY(report.open(QIODevice::ReadOnly));
     const QByteArray told = report.readAll();
@@ -207,14 +199,14 @@ class DispatchCommandsTest : public QObject {
     QFETCH(QByteArray, too_much);
     start();
     const Ran whole = picture("20,10,70,60", "whole.png");
-    QVERIFY2(whole.exit_code == 0, whole.error.constData());
+    QVERIFY2(whole.code == 0, whole.err.constData());
     start([&](simulator::Options& options) {
       options.faults.ros.dispatcher.most_cells = 200'000;
       options.faults.ros.dispatcher.too_much = too_much.toStdString();
     });
     const Ran pieces = picture("20,10,70,60", "pieces.png");
-    QVERIFY2(pieces.exit_code == 0, pieces.error.constData());
-    QVERIFY(!pieces.error.contains("smaller"));
+    QVERIFY2(pieces.code == 0, pieces.err.constData());
+    QVERIFY(!pieces.err.contains("smaller"));
     QCOMPARE(QImage(file("pieces.png")), QImage(file("whole.png")));
   }
 
@@ -222,8 +214,8 @@ class DispatchCommandsTest : public QObject {
     start();
     const Ran ran = ask({text("maps"), text("export"), text("12"), text("--region"), text("0,0,1,1"),
                          text("-o"), file("other.png")});
-    QCOMPARE(ran.exit_code, 2);
-    QCOMPARE(exportRegion(file("other.png"), "0,0,0,1").exit_code, 2);
+    QCOMPARE(ran.code, 2);
+    QCOMPARE(exportRegion(file("other.png"), "0,0,0,1").code, 2);
   }
 
   void aRobotWithoutOneSaysSo() {
@@ -234,33 +226,33 @@ class DispatchCommandsTest : public QObject {
                                      QStringList{text("maps"), text("save-on-robot"), text("a.png")}}) {
       const Ran ran =
           run(QStringList(words) << text("--robot") << QString::fromStdString(robot_->rosAddress()));
-      QCOMPARE(ran.exit_code, 4);
-      QCOMPARE(ran.error.count('\n'), 1);
+      QCOMPARE(ran.code, 4);
+      QCOMPARE(ran.err.count('\n'), 1);
     }
   }
 
   void theRobotSavesItsMap() {
     start();
     const Ran saved = ask({text("maps"), text("save-on-robot"), text("office.png")});
-    QVERIFY2(saved.exit_code == 0, saved.error.constData());
+    QVERIFY2(saved.code == 0, saved.err.constData());
     QVERIFY(saved.out.contains("office.png"));
     const Ran refused = ask({text("maps"), text("save-on-robot"), text("office.docx")});
-    QCOMPARE(refused.exit_code, 4);
-    QVERIFY2(refused.error.contains("office.docx"), refused.error.constData());
-    QCOMPARE(ask({text("maps"), text("save-on-robot"), text("a\nb")}).exit_code, 2);
+    QCOMPARE(refused.code, 4);
+    QVERIFY2(refused.err.contains("office.docx"), refused.err.constData());
+    QCOMPARE(ask({text("maps"), text("save-on-robot"), text("a\nb")}).code, 2);
   }
 
   void projectionsAreListed() {
     start();
     const Ran listed = ask({text("projections"), text("list"), text("--json")});
-    QVERIFY2(listed.exit_code == 0, listed.error.constData());
+    QVERIFY2(listed.code == 0, listed.err.constData());
     const QJsonArray rows = QJsonDocument::fromJson(listed.out).array();
     QCOMPARE(rows.size(), 2);
     QCOMPARE(rows[0][text("frame")].toString(), text("map"));
     QCOMPARE(rows[0][text("width")].toDouble(), 40.0);
     const Ran refused = ask({text("projections"), text("set"), text("--projection"), text("0,0,3,2,0,2")});
-    QCOMPARE(refused.exit_code, 4);
-    QVERIFY2(refused.error.contains("only be read"), refused.error.constData());
+    QCOMPARE(refused.code, 4);
+    QVERIFY2(refused.err.contains("only be read"), refused.err.constData());
   }
 
   void withoutRosapiProjectionsAreFoundOrCannotBeTold() {
@@ -272,12 +264,12 @@ class DispatchCommandsTest : public QObject {
     const QString address = QString::fromStdString(robot_->rep130Address()) + text("?ns=/map_dispatcher");
     const auto there = [&](QStringList words) { return run(words << text("--robot") << address); };
     const Ran listed = there({text("projections"), text("list"), text("--json")});
-    QVERIFY2(listed.exit_code == 0, listed.error.constData());
+    QVERIFY2(listed.code == 0, listed.err.constData());
     QCOMPARE(QJsonDocument::fromJson(listed.out).array().size(), 2);
-    QCOMPARE(there({text("projections"), text("set"), text("--none")}).exit_code, 0);
+    QCOMPARE(there({text("projections"), text("set"), text("--none")}).code, 0);
     const Ran unknown = there({text("projections"), text("list")});
-    QCOMPARE(unknown.exit_code, 1);
-    QVERIFY2(unknown.error.contains("projections are unknown"), unknown.error.constData());
+    QCOMPARE(unknown.code, 1);
+    QVERIFY2(unknown.err.contains("projections are unknown"), unknown.err.constData());
     QVERIFY(unknown.out.isEmpty());
   }
 
@@ -304,8 +296,8 @@ class DispatchCommandsTest : public QObject {
     });
     const Ran ran = ask({text("clouds"), text("export"), text("--box"), text("0,0,1,10,8,4"), text("-o"),
                          file("part.pcd"), text("--force"), text("--json")});
-    QVERIFY2(ran.exit_code == exit_code, ran.error.constData());
-    QVERIFY2(said.isEmpty() ? ran.error.isEmpty() : ran.error.contains(said), ran.error.constData());
+    QVERIFY2(ran.code == exit_code, ran.err.constData());
+    QVERIFY2(said.isEmpty() ? ran.err.isEmpty() : ran.err.contains(said), ran.err.constData());
     if (answer == "elsewhere") return;
     const QJsonObject json = QJsonDocument::fromJson(ran.out).object();
     QVERIFY(json[text("points")].toInt() > 0);
@@ -319,7 +311,7 @@ class DispatchCommandsTest : public QObject {
     start([](simulator::Options& options) { options.ros.dispatcher.writable = true; });
     const Ran set = ask({text("projections"), text("set"), text("--projection"), text("1.04,0,3,2,4,5"),
                          text("--projection"), text("0,0,5,5,0,2,map"), text("--json")});
-    QVERIFY2(set.exit_code == 0, set.error.constData());
+    QVERIFY2(set.code == 0, set.err.constData());
     const QJsonArray rows = QJsonDocument::fromJson(set.out).array();
     QCOMPARE(rows.size(), 2);
     QVERIFY(std::abs(rows[0][text("x")].toDouble() - 1) < 1e-6);  // whole decimetres
@@ -327,11 +319,11 @@ class DispatchCommandsTest : public QObject {
     // What it does not do as it was told is said.
     const Ran other =
         ask({text("projections"), text("set"), text("--projection"), text("0,0,900,5,0,2"), text("--json")});
-    QCOMPARE(other.exit_code, 1);
+    QCOMPARE(other.code, 1);
     QCOMPARE(QJsonDocument::fromJson(other.out).array().size(), 1);
     for (const char* wrong : {"0,0,3,2,0", "0,0,0,2,0,2", "0,0,3,2,2,0", "a,0,3,2,0,2"})
-      QCOMPARE(ask({text("projections"), text("set"), text("--projection"), text(wrong)}).exit_code, 2);
-    QCOMPARE(ask({text("projections"), text("set")}).exit_code, 2);
+      QCOMPARE(ask({text("projections"), text("set"), text("--projection"), text(wrong)}).code, 2);
+    QCOMPARE(ask({text("projections"), text("set")}).code, 2);
   }
 };
 

@@ -4,10 +4,9 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
 
+#include "program.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 
@@ -17,12 +16,7 @@ using namespace mapwright;
 
 namespace {
 
-struct Outcome {
-  int code = -1;
-  QString out, err;
-  QJsonObject object() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
-  QJsonArray array() const { return QJsonDocument::fromJson(out.toUtf8()).array(); }
-};
+using Outcome = tests::Ended;
 
 QJsonValue at(const QJsonValue& row, const char* member) { return row[QLatin1String(member)]; }
 
@@ -30,7 +24,7 @@ QJsonValue at(const QJsonValue& row, const char* member) { return row[QLatin1Str
 
 class KabamWaypointsTest : public QObject {
   Q_OBJECT
-  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<tests::Program> program_;
   std::unique_ptr<simulator::Simulator> robot_;
 
   void start(const std::function<void(simulator::Options&)>& change = {}) {
@@ -41,22 +35,13 @@ class KabamWaypointsTest : public QObject {
     QVERIFY(!robot_->start());
   }
   Outcome run(const QStringList& words) const {
-    QProcess process;
-    process.setWorkingDirectory(folder_->path());
-    process.start(QStringLiteral(MAPWRIGHT_PROGRAM),
-                  QStringList{QStringLiteral("waypoints")} + words +
-                      QStringList{QStringLiteral("--robot"), QString::fromStdString(robot_->kabamAddress())});
-    if (!process.waitForFinished(120'000)) process.kill();
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
+    return program_->run(
+        QStringList{QStringLiteral("waypoints")} + words +
+        QStringList{QStringLiteral("--robot"), QString::fromStdString(robot_->kabamAddress())});
   }
   Outcome run(const char* words) const { return run(QString::fromLatin1(words).split(QLatin1Char(' '))); }
   QJsonArray listed() const { return run("list --json").array(); }
-  void put(const char* name, const QByteArray& bytes) const {
-    QFile file(folder_->filePath(QLatin1String(name)));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QCOMPARE(file.write(bytes), bytes.size());
-  }
+  void put(const char* name, const QByteArray& bytes) const { program_->put(name, bytes); }
   /// A plan in which the first three go by each other's names.
   void planRing(const QJsonArray& rows) const {
     QByteArray csv = "id,name,x,y,yaw_rad\n";
@@ -84,7 +69,7 @@ class KabamWaypointsTest : public QObject {
   }
 
  private Q_SLOTS:
-  void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+  void init() { program_ = std::make_unique<tests::Program>(); }
   void cleanup() { robot_.reset(); }
 
   // Each call is the last one of its link.

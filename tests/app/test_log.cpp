@@ -1,13 +1,12 @@
 // --log and MAPWRIGHT_LOG: what they switch on, and what never stands in the log.
 #include <QEventLoop>
 #include <QFile>
-#include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "../robot/scripted_bridge.h"
 #include "../robot/scripted_robot.h"
 #include "app/log.h"
+#include "program.h"
 #include "test_program.h"
 
 namespace test_log {
@@ -19,10 +18,7 @@ namespace {
 using robot::testing::ScriptedBridge;
 using robot::testing::ScriptedRobot;
 
-struct Outcome {
-  int code = -1;
-  QByteArray out, err;
-};
+using Outcome = tests::EndedBytes;
 
 const QByteArray kSecret = "hush-hush";
 
@@ -31,27 +27,11 @@ const QByteArray kSecret = "hush-hush";
 class LogTest : public QObject {
   Q_OBJECT
  private:
-  QTemporaryDir folder_;
+  tests::Program program_;
 
-  QString at(const char* name) const { return folder_.filePath(QLatin1String(name)); }
-  /// The servers of a test live on this thread: its events go on meanwhile.
+  QString at(const char* name) const { return program_.path(name); }
   Outcome run(const QString& line, const QMap<QString, QString>& more = {}) const {
-    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
-    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "QT_LOGGING_RULES",
-                             "QT_MESSAGE_PATTERN", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET", "MAPWRIGHT_LOG"})
-      env.remove(QLatin1String(name));
-    env.insert(QStringLiteral("XDG_CACHE_HOME"), at("cache"));
-    env.insert(QStringLiteral("XDG_CONFIG_HOME"), at("config"));
-    for (auto it = more.begin(); it != more.end(); ++it) env.insert(it.key(), it.value());
-    QProcess process;
-    process.setProcessEnvironment(env);
-    process.setWorkingDirectory(folder_.path());
-    QEventLoop loop;
-    connect(&process, &QProcess::finished, &loop, &QEventLoop::quit);
-    connect(&process, &QProcess::errorOccurred, &loop, &QEventLoop::quit);
-    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), line.split(QLatin1Char(' ')));
-    if (process.state() != QProcess::NotRunning) loop.exec();
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+    return program_.runForBytes(line.split(QLatin1Char(' ')), {.environment = more});
   }
   QString secretFile() const {
     QFile file(at("secret"));

@@ -3,14 +3,13 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QFile>
-#include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "../net/scripted_server.h"
 #include "../net/secure_server.h"
 #include "../robot/scripted_robot.h"
 #include "net/trust.h"
+#include "program.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 
@@ -24,10 +23,7 @@ using robot::testing::ScriptedRobot;
 
 namespace {
 
-struct Outcome {
-  int code = -1;
-  QString out, err;
-};
+using Outcome = tests::Ended;
 
 QString axbot(const QUrl& url) { return QStringLiteral("axbot+%1").arg(url.toString(QUrl::RemovePath)); }
 QString aimdk(const QUrl& url) { return QStringLiteral("aimdk+%1").arg(url.toString(QUrl::RemovePath)); }
@@ -37,33 +33,16 @@ QString aimdk(const QUrl& url) { return QStringLiteral("aimdk+%1").arg(url.toStr
 class OtherRobotsTest : public QObject {
   Q_OBJECT
  private:
-  QTemporaryDir folder_;
+  tests::Program program_;
 
-  QString at(const QString& name) const { return folder_.filePath(name); }
+  QString at(const QString& name) const { return program_.path(name); }
   QString file(const QString& name, const QByteArray& content) const {
     QFile out(at(name));
     if (out.open(QIODevice::WriteOnly)) out.write(content);
     return out.fileName();
   }
-  /// The servers of a test live on this thread: its events go on meanwhile.
   Outcome run(const QStringList& arguments, const QMap<QString, QString>& more = {}) const {
-    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
-    for (const char* name :
-         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
-      env.remove(QLatin1String(name));
-    env.insert(QStringLiteral("XDG_CACHE_HOME"), at(QStringLiteral("cache")));
-    env.insert(QStringLiteral("XDG_CONFIG_HOME"), at(QStringLiteral("config")));
-    for (auto it = more.begin(); it != more.end(); ++it) env.insert(it.key(), it.value());
-    QProcess process;
-    process.setProcessEnvironment(env);
-    process.setWorkingDirectory(folder_.path());
-    QEventLoop loop;
-    connect(&process, &QProcess::finished, &loop, &QEventLoop::quit);
-    connect(&process, &QProcess::errorOccurred, &loop, &QEventLoop::quit);
-    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), arguments);
-    if (process.state() != QProcess::NotRunning) loop.exec();
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
+    return program_.run(arguments, {.environment = more});
   }
   Outcome run(const QString& line) const { return run(line.split(QLatin1Char(' '))); }
 

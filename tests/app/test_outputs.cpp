@@ -9,19 +9,16 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
 
+#include "program.h"
 #include "test_program.h"
 
 namespace test_outputs {
 
 namespace {
 
-struct Outcome {
-  int code = -1;
-  QByteArray out, err;
-};
+using Outcome = mapwright::tests::EndedBytes;
 
 QByteArray read(const QString& path) {
   QFile file(path);
@@ -37,44 +34,24 @@ bool isPng(const QByteArray& bytes) { return bytes.startsWith("\x89PNG") && byte
 class OutputsTest : public QObject {
   Q_OBJECT
  private:
-  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<mapwright::tests::Program> program_;
 
-  QString at(const char* name) const { return folder_->filePath(QLatin1String(name)); }
-  void put(const char* name, const QByteArray& bytes) {
-    QFile file(at(name));
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
-  }
+  QString at(const char* name) const { return program_->path(name); }
+  void put(const char* name, const QByteArray& bytes) { program_->put(name, bytes); }
   /// `most_bytes`: no file may become longer. `output`: where the standard output goes.
   Outcome run(const QStringList& arguments, rlim_t most_bytes = RLIM_INFINITY, const QString& output = {},
               const QString& cache = {}) const {
-    QProcess process;
-    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
-    for (const char* name :
-         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
-      env.remove(QLatin1String(name));
-    env.insert(QStringLiteral("XDG_CACHE_HOME"),
-               cache.isEmpty() ? folder_->filePath(QStringLiteral("cache")) : cache);
-    env.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_->filePath(QStringLiteral("config")));
-    process.setProcessEnvironment(env);
-    process.setWorkingDirectory(folder_->path());
-    if (!output.isEmpty()) process.setStandardOutputFile(output);
-    process.setChildProcessModifier([most_bytes] {
-      const rlimit limit{most_bytes, most_bytes};
-      if (most_bytes != RLIM_INFINITY) ::setrlimit(RLIMIT_FSIZE, &limit);
-    });
-    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), arguments);
-    if (!process.waitForFinished(120'000)) {
-      process.kill();
-      process.waitForFinished();
-      return {};
+    mapwright::tests::Program::Means means{.output = output};
+    if (!cache.isEmpty()) means.environment[QStringLiteral("XDG_CACHE_HOME")] = cache;
+    if (most_bytes != RLIM_INFINITY) {
+      means.in_child = [limit = rlimit{most_bytes, most_bytes}] { ::setrlimit(RLIMIT_FSIZE, &limit); };
     }
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-            process.readAllStandardOutput(), process.readAllStandardError()};
+    return program_->runForBytes(arguments, means);
   }
 
  private Q_SLOTS:
   void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
+    program_ = std::make_unique<mapwright::tests::Program>();
     QByteArray cells(64 * 64, '\xfe');
     for (int i = 0; i < cells.size(); i += 7) cells[i] = char(0);
     put("map.pgm", "P5\n64 64\n255\n" + cells);
@@ -106,12 +83,12 @@ class OutputsTest : public QObject {
     const Outcome full = run(line.split(QLatin1Char(' ')), 16);
     QCOMPARE(full.code, 2);
     QVERIFY2(full.err.contains("cannot be written"), full.err.constData());
-    for (const QString& file : files) QCOMPARE(read(folder_->filePath(file)), QByteArray("what was there"));
+    for (const QString& file : files) QCOMPARE(read(program_->path(file)), QByteArray("what was there"));
     const Outcome roomy = run(line.split(QLatin1Char(' ')));
     QVERIFY2(roomy.code == 0, roomy.err.constData());
-    for (const QString& file : files) QVERIFY(read(folder_->filePath(file)) != "what was there");
+    for (const QString& file : files) QVERIFY(read(program_->path(file)) != "what was there");
     const QStringList left =
-        QDir(folder_->path()).entryList({QStringLiteral(".*part*")}, QDir::Files | QDir::Hidden);
+        QDir(program_->folder()).entryList({QStringLiteral(".*part*")}, QDir::Files | QDir::Hidden);
     QVERIFY2(left.isEmpty(), qPrintable(left.join(QLatin1Char(' '))));
   }
 

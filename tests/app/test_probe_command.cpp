@@ -4,15 +4,14 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTcpServer>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "../net/scripted_server.h"
 #include "../net/secure_server.h"
 #include "app/robot_factory.h"
 #include "jobs/robot_search.h"
+#include "program.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/found_sentence.h"
 #include "simulator/simulator.h"
@@ -28,10 +27,7 @@ using robot::FoundRobot;
 
 namespace {
 
-struct Outcome {
-  int code = -1;
-  QString out, err;
-};
+using Outcome = tests::Ended;
 
 /// What was found, and the reasons of those that were not, by title and scheme ("Autoxing http").
 struct Result {
@@ -70,24 +66,11 @@ QString at(const char* prefix, int port) {
 
 class TestProbeCommand : public QObject {
   Q_OBJECT
-  QTemporaryDir folder_;
+  tests::Program program_;
 
-  /// Servers of the test live on this thread: its events go on meanwhile.
   Outcome run(const QStringList& arguments) const {
-    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
-    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT"})
-      env.remove(QLatin1String(name));
-    env.insert(QStringLiteral("MAPWRIGHT_SECRET"), QStringLiteral("hunter2"));
-    env.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_.filePath(QStringLiteral("config")));
-    QProcess process;
-    process.setProcessEnvironment(env);
-    QEventLoop loop;
-    connect(&process, &QProcess::finished, &loop, &QEventLoop::quit);
-    connect(&process, &QProcess::errorOccurred, &loop, &QEventLoop::quit);
-    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), arguments);
-    if (process.state() != QProcess::NotRunning) loop.exec();
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
+    return program_.run(arguments,
+                        {.environment = {{QStringLiteral("MAPWRIGHT_SECRET"), QStringLiteral("hunter2")}}});
   }
 
  private Q_SLOTS:

@@ -6,9 +6,9 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
-#include <QTemporaryDir>
 #include <QtTest>
 
+#include "program.h"
 #include "recording/source.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
@@ -19,19 +19,16 @@ using namespace mapwright;
 
 namespace {
 
-struct Ended {
-  int code = -1;
-  QByteArray out, errors;
-};
+using Ended = tests::EndedBytes;
 
 }  // namespace
 
 class RecordCommandTest : public QObject {
   Q_OBJECT
-  QTemporaryDir folder_;
+  tests::Program program_;
   std::unique_ptr<simulator::Simulator> simulator_;
 
-  QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+  QString path(const char* name) const { return program_.path(name); }
   QStringList words(const QString& file, const QStringList& more = {}) const {
     return QStringList{QStringLiteral("record"),
                        QStringLiteral("--robot"),
@@ -46,11 +43,7 @@ class RecordCommandTest : public QObject {
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
             process.readAllStandardOutput(), process.readAllStandardError()};
   }
-  static Ended run(const QStringList& words) {
-    QProcess process;
-    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), words);
-    return ended(process);
-  }
+  Ended run(const QStringList& words) const { return program_.runForBytes(words); }
   /// Runs until messages can be read in its file, and then gets `signal`.
   Ended runUntilRead(const QString& file, int signal) {
     QProcess process;
@@ -103,8 +96,7 @@ class RecordCommandTest : public QObject {
                                         QStringLiteral("--submaps"), QStringLiteral("none"),
                                         QStringLiteral("--topics"), QStringLiteral("/nope,/tracked_pose")}));
     QCOMPARE(done.code, 1);
-    QVERIFY2(done.errors.contains("/nope") && !done.errors.contains("/tracked_pose"),
-             done.errors.constData());
+    QVERIFY2(done.err.contains("/nope") && !done.err.contains("/tracked_pose"), done.err.constData());
     const QJsonArray silent = QJsonDocument::fromJson(done.out)[QStringLiteral("silent_topics")].toArray();
     QCOMPARE(silent, QJsonArray{QStringLiteral("/nope")});
   }
@@ -138,7 +130,7 @@ class RecordCommandTest : public QObject {
     robot.stop();
     const Ended done = ended(process);
     QCOMPARE(done.code, 1);
-    QVERIFY2(done.errors.contains("The connection was lost"), done.errors.constData());
+    QVERIFY2(done.err.contains("The connection was lost"), done.err.constData());
     const QJsonObject said = QJsonDocument::fromJson(done.out).object();
     QVERIFY(said[QStringLiteral("interruptions")].toInt() >= 1);
     QVERIFY(!said[QStringLiteral("complete")].toBool(true));
@@ -163,7 +155,7 @@ class RecordCommandTest : public QObject {
     const QStringList shortly{QStringLiteral("--duration"), QStringLiteral("1")};
     const Ended refused = run(words(file, shortly));
     QCOMPARE(refused.code, 2);
-    QVERIFY(refused.errors.contains("--force"));
+    QVERIFY(refused.err.contains("--force"));
     QVERIFY(there.open(QIODevice::ReadOnly));
     QCOMPARE(there.readAll(), QByteArray("precious"));
     QCOMPARE(run(words(file, shortly + QStringList{QStringLiteral("--force")})).code, 0);
@@ -176,7 +168,7 @@ class RecordCommandTest : public QObject {
         run({QStringLiteral("record"), QStringLiteral("--robot"), QStringLiteral("axbot+http://127.0.0.1:1"),
              QStringLiteral("-o"), file, QStringLiteral("--timeout"), QStringLiteral("1")});
     QCOMPARE(done.code, 3);
-    QVERIFY(!done.errors.isEmpty());
+    QVERIFY(!done.err.isEmpty());
     QVERIFY(!QFile::exists(file));
   }
 
@@ -200,7 +192,7 @@ class RecordCommandTest : public QObject {
     }
     const Ended done = run(all);
     QCOMPARE(done.code, 2);
-    QCOMPARE(done.errors.count('\n'), 1);
+    QCOMPARE(done.err.count('\n'), 1);
     QVERIFY(!QFile::exists(path("wrong.mcap")));
   }
 
@@ -216,7 +208,7 @@ class RecordCommandTest : public QObject {
                                    QStringLiteral("--streams"), QStringLiteral("pose,cloud,costmap-low")}));
     const Ended done = ended(process);
     QCOMPARE(done.code, 1);
-    QVERIFY2(done.errors.contains("full.mcap"), done.errors.constData());
+    QVERIFY2(done.err.contains("full.mcap"), done.err.constData());
     QVERIFY(!QJsonDocument::fromJson(done.out).object()[QStringLiteral("complete")].toBool(true));
     const Film film = read(file);
     QVERIFY(film.opened);

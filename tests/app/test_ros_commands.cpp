@@ -4,10 +4,10 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "program.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 
@@ -17,17 +17,9 @@ using namespace mapwright;
 
 namespace {
 
-struct Ran {
-  int exit_code = -1;
-  QByteArray out, error;
-};
+using Ran = tests::EndedBytes;
 
-Ran run(const QStringList& words) {
-  QProcess process;
-  process.start(QStringLiteral(MAPWRIGHT_PROGRAM), words);
-  if (!process.waitForFinished(120'000)) process.kill();
-  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
-}
+Ran run(const QStringList& words) { return tests::Program().runForBytes(words); }
 
 QByteArray bytesOf(const QString& path) {
   QFile file(path);
@@ -83,7 +75,7 @@ class RosCommandsTest : public QObject {
       const QString path = folder.filePath(QLatin1String(name));
       const Ran ran = run({QStringLiteral("snapshot"), QStringLiteral("--mode"), QStringLiteral("whole"),
                            QStringLiteral("--robot"), ros(), QStringLiteral("-o"), path});
-      QVERIFY2(ran.exit_code == 0, ran.error.constData());
+      QVERIFY2(ran.code == 0, ran.err.constData());
       pictures << bytesOf(path);
     }
     QVERIFY(!pictures[0].isEmpty());
@@ -101,14 +93,14 @@ class RosCommandsTest : public QObject {
     QVERIFY2(!current.isEmpty() && !other.isEmpty(), QJsonDocument(before).toJson().constData());
     const Ran shown = run({QStringLiteral("maps"), QStringLiteral("show"), current, QStringLiteral("--json"),
                            QStringLiteral("--robot"), kabam()});
-    QVERIFY2(shown.exit_code == 0, shown.error.constData());
+    QVERIFY2(shown.code == 0, shown.err.constData());
     QCOMPARE(QJsonDocument::fromJson(shown.out)[QLatin1String("waypoints")].toArray().size(), 12);
     // Of the others the robot sends no picture: the rest is told, and that one is missing.
     const Ran bare = run({QStringLiteral("maps"), QStringLiteral("show"), other, QStringLiteral("--json"),
                           QStringLiteral("--robot"), kabam()});
-    QCOMPARE(bare.exit_code, 1);
-    QCOMPARE(bare.error.count('\n'), 1);
-    QVERIFY2(bare.error.contains("only sends its current map"), bare.error.constData());
+    QCOMPARE(bare.code, 1);
+    QCOMPARE(bare.err.count('\n'), 1);
+    QVERIFY2(bare.err.contains("only sends its current map"), bare.err.constData());
     const QJsonObject told = QJsonDocument::fromJson(bare.out).object();
     QCOMPARE(told[QLatin1String("id")].toString(), other);
     QVERIFY(!told[QLatin1String("name")].toString().isEmpty());
@@ -119,18 +111,18 @@ class RosCommandsTest : public QObject {
              QJsonDocument::fromJson(listed.out).array().size());
     const Ran for_people =
         run({QStringLiteral("maps"), QStringLiteral("show"), other, QStringLiteral("--robot"), kabam()});
-    QVERIFY(for_people.exit_code == 1 && for_people.out.contains("picture"));
+    QVERIFY(for_people.code == 1 && for_people.out.contains("picture"));
     // The live map has the waypoints of the one that the robot works with.
     const Ran live = run({QStringLiteral("maps"), QStringLiteral("show"), QStringLiteral("--json"),
                           QStringLiteral("--robot"), kabam()});
-    QVERIFY2(live.exit_code == 0, live.error.constData());
+    QVERIFY2(live.code == 0, live.err.constData());
     QCOMPARE(QJsonDocument::fromJson(live.out)[QLatin1String("waypoints")].toArray().size(), 12);
     const Ran renamed = run({QStringLiteral("maps"), QStringLiteral("rename"), other, QStringLiteral("Attic"),
                              QStringLiteral("--robot"), kabam()});
-    QVERIFY2(renamed.exit_code == 0, renamed.error.constData());
+    QVERIFY2(renamed.code == 0, renamed.err.constData());
     const Ran loaded =
         run({QStringLiteral("maps"), QStringLiteral("load"), other, QStringLiteral("--robot"), kabam()});
-    QVERIFY2(loaded.exit_code == 0, loaded.error.constData());
+    QVERIFY2(loaded.code == 0, loaded.err.constData());
     const Ran now = run({QStringLiteral("maps"), QStringLiteral("current"), QStringLiteral("--json"),
                          QStringLiteral("--robot"), ros()});
     QCOMPARE(QJsonDocument::fromJson(now.out)[QLatin1String("name")].toString(), QStringLiteral("Attic"));
@@ -145,7 +137,7 @@ class RosCommandsTest : public QObject {
                  QStringList{QStringLiteral("--robot"), ros()});
     };
     const Ran listed = topics({QStringLiteral("list"), QStringLiteral("--json")});
-    QVERIFY2(listed.exit_code == 0, listed.error.constData());
+    QVERIFY2(listed.code == 0, listed.err.constData());
     const QJsonArray rows = QJsonDocument::fromJson(listed.out).array();
     const QJsonObject map{{QStringLiteral("topic"), QStringLiteral("/map")},
                           {QStringLiteral("type"), QStringLiteral("nav_msgs/msg/OccupancyGrid")}};
@@ -155,20 +147,20 @@ class RosCommandsTest : public QObject {
 
     const Ran echoed = topics(
         {QStringLiteral("echo"), QStringLiteral("/odom"), QStringLiteral("--count"), QStringLiteral("3")});
-    QVERIFY2(echoed.exit_code == 0, echoed.error.constData());
+    QVERIFY2(echoed.code == 0, echoed.err.constData());
     const QList<QByteArray> lines = echoed.out.trimmed().split('\n');
     QCOMPARE(lines.size(), 3);
     for (const QByteArray& line : lines)
       QVERIFY2(QJsonDocument::fromJson(line)[QLatin1String("pose")].isObject(), line.constData());
     const Ran silent = topics({QStringLiteral("echo"), QStringLiteral("/cmd_vel"), QStringLiteral("--count"),
                                QStringLiteral("1"), QStringLiteral("--timeout"), QStringLiteral("2")});
-    QCOMPARE(silent.exit_code, 1);
-    QVERIFY2(silent.error.contains("/cmd_vel"), silent.error.constData());
+    QCOMPARE(silent.code, 1);
+    QVERIFY2(silent.err.contains("/cmd_vel"), silent.err.constData());
 
     // What is counted is not held back to spare the network: /tf comes fifty times a second.
     const Ran counted = topics({QStringLiteral("hz"), QStringLiteral("/tf"), QStringLiteral("/cmd_vel"),
                                 QStringLiteral("--seconds"), QStringLiteral("3"), QStringLiteral("--json")});
-    QCOMPARE(counted.exit_code, 1);
+    QCOMPARE(counted.code, 1);
     const QJsonArray rates = QJsonDocument::fromJson(counted.out).array();
     QCOMPARE(rates.size(), 2);
     QVERIFY2(rates[0][QLatin1String("hz")].toDouble() > 15, counted.out.constData());
@@ -180,9 +172,9 @@ class RosCommandsTest : public QObject {
     start(false, false);
     const Ran listed =
         run({QStringLiteral("topics"), QStringLiteral("list"), QStringLiteral("--robot"), ros()});
-    QCOMPARE(listed.exit_code, 1);
+    QCOMPARE(listed.code, 1);
     QVERIFY(listed.out.contains("/map"));
-    QVERIFY2(listed.error.contains("rosapi"), listed.error.constData());
+    QVERIFY2(listed.err.contains("rosapi"), listed.err.constData());
   }
 
   void aLayerIsTakenFromTheTopicThatIsNamed() {
@@ -196,20 +188,20 @@ class RosCommandsTest : public QObject {
       return std::pair(ran, bytesOf(path));
     };
     const auto [usual, usual_bytes] = picture(QStringLiteral("costmap"));
-    QVERIFY2(usual.exit_code == 0, usual.error.constData());
+    QVERIFY2(usual.code == 0, usual.err.constData());
     const auto [chosen, chosen_bytes] = picture(QStringLiteral("costmap=/local_costmap/costmap"));
-    QVERIFY2(chosen.exit_code == 0, chosen.error.constData());
+    QVERIFY2(chosen.code == 0, chosen.err.constData());
     QVERIFY(chosen_bytes != usual_bytes);
     const auto [absent, absent_bytes] = picture(QStringLiteral("costmap=/nowhere"));
-    QCOMPARE(absent.exit_code, 1);
-    QVERIFY2(absent.error.contains("/local_costmap/costmap"), absent.error.constData());
+    QCOMPARE(absent.code, 1);
+    QVERIFY2(absent.err.contains("/local_costmap/costmap"), absent.err.constData());
     const auto [wrong, wrong_bytes] = picture(QStringLiteral("grid=/map"));
-    QCOMPARE(wrong.exit_code, 2);
-    QVERIFY2(wrong.error.contains("costmap"), wrong.error.constData());
+    QCOMPARE(wrong.code, 2);
+    QVERIFY2(wrong.err.contains("costmap"), wrong.err.constData());
     // A layer that no topic fills says so.
     const auto [empty, empty_bytes] = picture(QStringLiteral("trajectory"));
-    QCOMPARE(empty.exit_code, 0);
-    QVERIFY2(empty.error.contains("trajectory"), empty.error.constData());
+    QCOMPARE(empty.code, 0);
+    QVERIFY2(empty.err.contains("trajectory"), empty.err.constData());
   }
 
   // Transforms come in any order: none of it makes another frame of the map.
@@ -221,7 +213,7 @@ class RosCommandsTest : public QObject {
                          QStringLiteral("--layers"), QStringLiteral("all"), QStringLiteral("--robot"),
                          kabam(), QStringLiteral("-o"), folder.filePath(QStringLiteral("a.png")),
                          QStringLiteral("--report"), report});
-    QVERIFY2(ran.exit_code == 0, ran.error.constData());
+    QVERIFY2(ran.code == 0, ran.err.constData());
     const QByteArray told = bytesOf(report);
     QVERIFY2(!told.isEmpty() && !told.contains("was left out"), told.constData());
   }
@@ -239,26 +231,26 @@ class RosCommandsTest : public QObject {
     QVERIFY(call[QLatin1String("args")].toObject().contains(QLatin1String("waypoint_info")));
     // It has no turn: the robot makes one of zero of that.
     const Ran made = waypoints(QStringLiteral("create New --at 1,2 --json"));
-    QVERIFY2(made.exit_code == 0, made.error.constData());
+    QVERIFY2(made.code == 0, made.err.constData());
     QCOMPARE(json(made)[QLatin1String("x")].toDouble(), 1.0);
     // What others change meanwhile goes together with a plan.
     QTemporaryDir folder;
     const QString csv = folder.filePath(QStringLiteral("w.csv")),
                   plan = folder.filePath(QStringLiteral("p.json"));
-    QVERIFY(waypoints(QStringLiteral("export -o ") + csv).exit_code == 0);
+    QVERIFY(waypoints(QStringLiteral("export -o ") + csv).code == 0);
     QFile file(csv);
     QVERIFY(file.open(QIODevice::Append));
     file.write(",Last,5,5,,,map,\r\n");
     file.close();
-    QVERIFY(waypoints(QStringLiteral("plan %1 -o %2").arg(csv, plan)).exit_code == 0);
-    QVERIFY(waypoints(QStringLiteral("move New --at 3,4,90")).exit_code == 0);
+    QVERIFY(waypoints(QStringLiteral("plan %1 -o %2").arg(csv, plan)).code == 0);
+    QVERIFY(waypoints(QStringLiteral("move New --at 3,4,90")).code == 0);
     const Ran applied = waypoints(QStringLiteral("apply --json ") + plan);
-    QVERIFY2(applied.exit_code == 0, applied.error.constData());
+    QVERIFY2(applied.code == 0, applied.err.constData());
     QCOMPARE(json(applied)[QLatin1String("applied")].toInt(), 1);
     QCOMPARE(json(waypoints(QStringLiteral("get New --json")))[QLatin1String("x")].toDouble(), 3.0);
     const Ran twice = waypoints(QStringLiteral("create Last --at 1,2"));
-    QVERIFY2(twice.exit_code == 4 && twice.error.contains("was not changed"), twice.error.constData());
-    QVERIFY(waypoints(QStringLiteral("delete New Last --yes")).exit_code == 0);
+    QVERIFY2(twice.code == 4 && twice.err.contains("was not changed"), twice.err.constData());
+    QVERIFY(waypoints(QStringLiteral("delete New Last --yes")).code == 0);
   }
 
   void whatItDoesNotKeepIsLeftOutWithAWordAndNotSentAgain() {
@@ -280,13 +272,13 @@ class RosCommandsTest : public QObject {
     QVERIFY2(!change.contains(QLatin1String("type")), planned.out.constData());
     QCOMPARE(change[QLatin1String("yaw_rad")], QJsonValue(0.0));
     for (const char* word : {"Waypoint types cannot be stored here", "Every waypoint needs a heading here"})
-      QVERIFY2(planned.error.contains(word), planned.error.constData());
+      QVERIFY2(planned.err.contains(word), planned.err.constData());
     const Ran imported = waypoints(QStringLiteral("import --json ") + csv);
-    QVERIFY2(imported.exit_code == 0, (imported.out + imported.error).constData());
+    QVERIFY2(imported.code == 0, (imported.out + imported.err).constData());
     QCOMPARE(json(imported)[QLatin1String("applied")].toInt(), 1);
     const Ran again = waypoints(QStringLiteral("import --json ") + csv);
     QCOMPARE(json(again)[QLatin1String("applied")].toInt(-1), 0);
-    QCOMPARE(again.exit_code, 0);
+    QCOMPARE(again.code, 0);
   }
 
   void aNameTwiceIsNotSent() {
@@ -295,7 +287,7 @@ class RosCommandsTest : public QObject {
       return run(QStringList{QStringLiteral("waypoints")} + line.split(QLatin1Char(' ')) +
                  QStringList{QStringLiteral("--robot"), kabam()});
     };
-    QCOMPARE(waypoints(QStringLiteral("create Twice --at 1,2")).exit_code, 0);
+    QCOMPARE(waypoints(QStringLiteral("create Twice --at 1,2")).code, 0);
     const Ran shown = waypoints(QStringLiteral("create Twice --at 3,4 --dry-run --json"));
     QCOMPARE(QJsonDocument::fromJson(shown.out)[QLatin1String("calls")].toArray().size(), 0);
     const QJsonArray refused = QJsonDocument::fromJson(shown.out)[QLatin1String("refused")].toArray();
@@ -310,12 +302,12 @@ class RosCommandsTest : public QObject {
     file.close();
     const QString plan = folder.filePath(QStringLiteral("p.json"));
     const Ran whole = waypoints(QStringLiteral("import ") + csv);
-    QCOMPARE(whole.exit_code, 0);  // it is found by its name
+    QCOMPARE(whole.code, 0);  // it is found by its name
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write("id,name,x,y\r\n,Fresh 2,5,5\r\n,Fresh 3,6,6\r\n,Fresh 3,7,7\r\n");
     file.close();
     const Ran none = waypoints(QStringLiteral("import --json ") + csv);
-    QCOMPARE(none.exit_code, 4);
+    QCOMPARE(none.code, 4);
     const QJsonObject sent = QJsonDocument::fromJson(none.out).object();
     QCOMPARE(sent[QLatin1String("applied")].toInt(-1), 0);
     QCOMPARE(sent[QLatin1String("failed")].toArray().size(), 2);
@@ -337,9 +329,9 @@ class RosCommandsTest : public QObject {
         run({QStringLiteral("snapshot"), QStringLiteral("--timeout"), QStringLiteral("20"),
              QStringLiteral("--robot"), ros(), QStringLiteral("-o"), folder.filePath(QStringLiteral("a.png")),
              QStringLiteral("--report"), folder.filePath(QStringLiteral("r.json"))});
-    QCOMPARE(ran.exit_code, 4);
-    QVERIFY2(ran.error.contains("It is sending no map at the moment. Topic /static_map: "),
-             ran.error.constData());
+    QCOMPARE(ran.code, 4);
+    QVERIFY2(ran.err.contains("It is sending no map at the moment. Topic /static_map: "),
+             ran.err.constData());
     QVERIFY(bytesOf(folder.filePath(QStringLiteral("r.json"))).size() < 10'000);
   }
 
@@ -349,7 +341,7 @@ class RosCommandsTest : public QObject {
     const Ran ran = run({QStringLiteral("snapshot"), QStringLiteral("--settle"), QStringLiteral("3"),
                          QStringLiteral("--robot"), ros(), QStringLiteral("-o"),
                          folder.filePath(QStringLiteral("a.png"))});
-    QVERIFY2(ran.exit_code == 0, ran.error.constData());
+    QVERIFY2(ran.code == 0, ran.err.constData());
   }
 
   void aRobotWithoutAMapManagerHasItsLiveMap() {
@@ -359,11 +351,11 @@ class RosCommandsTest : public QObject {
     QCOMPARE(list.first()[QLatin1String("id")].toString(), QStringLiteral("live"));
     const Ran renamed = run({QStringLiteral("maps"), QStringLiteral("rename"), QStringLiteral("m1"),
                              QStringLiteral("x"), QStringLiteral("--robot"), ros()});
-    QVERIFY(renamed.exit_code != 0 && renamed.error.contains("KABAM"));
+    QVERIFY(renamed.code != 0 && renamed.err.contains("KABAM"));
     const Ran insisting =
         run({QStringLiteral("maps"), QStringLiteral("list"), QStringLiteral("--robot"), kabam()});
-    QCOMPARE(insisting.exit_code, 3);
-    QVERIFY(insisting.error.contains("/map_manager"));
+    QCOMPARE(insisting.code, 3);
+    QVERIFY(insisting.err.contains("/map_manager"));
   }
 };
 

@@ -8,10 +8,9 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
 
+#include "program.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
 
@@ -21,12 +20,7 @@ using namespace mapwright;
 
 namespace {
 
-struct Outcome {
-  int code = -1;
-  QString out, err;
-  QJsonObject object() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
-  QJsonArray array() const { return QJsonDocument::fromJson(out.toUtf8()).array(); }
-};
+using Outcome = tests::Ended;
 
 const char* const kTwo = R"({"type": "FeatureCollection", "features": [
   {"type": "Feature", "geometry": {"type": "Point", "coordinates": [1, 2]},
@@ -40,25 +34,10 @@ const char* const kTwo = R"({"type": "FeatureCollection", "features": [
 
 class WaypointsCommandTest : public QObject {
   Q_OBJECT
-  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<tests::Program> program_;
 
   Outcome run(const QStringList& words, const QByteArray& input = {}) const {
-    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
-    for (const char* name :
-         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
-      env.remove(QLatin1String(name));
-    env.insert(QStringLiteral("XDG_CACHE_HOME"), folder_->filePath(QStringLiteral("cache")));
-    env.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_->filePath(QStringLiteral("config")));
-    env.insert(QStringLiteral("XDG_DATA_HOME"), folder_->filePath(QStringLiteral("data")));
-    QProcess process;
-    process.setProcessEnvironment(env);
-    process.setWorkingDirectory(folder_->path());
-    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), QStringList{QStringLiteral("waypoints")} + words);
-    process.write(input);
-    process.closeWriteChannel();
-    if (!process.waitForFinished(120'000)) return {};
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
+    return program_->run(QStringList{QStringLiteral("waypoints")} + words, input);
   }
   /// Words that hold no blank, on hall.yaml.
   Outcome at(const QString& line) const {
@@ -66,14 +45,10 @@ class WaypointsCommandTest : public QObject {
                QStringList{QStringLiteral("--robot"), QStringLiteral("hall.yaml")});
   }
   QByteArray read(const char* name) const {
-    QFile file(folder_->filePath(QLatin1String(name)));
+    QFile file(program_->path(name));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("there is none");
   }
-  void put(const char* name, const QByteArray& bytes) const {
-    QFile file(folder_->filePath(QLatin1String(name)));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QCOMPARE(file.write(bytes), bytes.size());
-  }
+  void put(const char* name, const QByteArray& bytes) const { program_->put(name, bytes); }
   QByteArray kept() const { return read("hall.waypoints.geojson"); }
   void putMap(const char* name) const {
     put(qPrintable(QLatin1String(name) + QStringLiteral(".pgm")), "P5\n4 4\n255\n" + QByteArray(16, '\xfe'));
@@ -98,7 +73,7 @@ class WaypointsCommandTest : public QObject {
     put("many.csv",
         "id,name,x,y\nin,In,0.1,1\nout,Out,9,9\nnear,Near,0.35,1\nfree,Free,2,1\none,Twin,2.5,1\n"
         "two,Twin,3,1\ndark,Dark,3.9,2.9\n");
-    QFile::remove(folder_->filePath(QStringLiteral("hall.waypoints.geojson")));
+    QFile::remove(program_->path(QStringLiteral("hall.waypoints.geojson")));
     QCOMPARE(at(QStringLiteral("import many.csv")).code, 0);
   }
   static QMap<QString, QStringList> kindsOf(const QJsonArray& rows) {
@@ -113,7 +88,7 @@ class WaypointsCommandTest : public QObject {
 
  private Q_SLOTS:
   void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
+    program_ = std::make_unique<tests::Program>();
     putMap("hall");
     put("hall.waypoints.geojson", kTwo);
   }
@@ -134,7 +109,7 @@ class WaypointsCommandTest : public QObject {
     QCOMPARE(door[QStringLiteral("tags")].toArray(), QJsonArray{QStringLiteral("a")});
     QVERIFY(rows[1].toObject()[QStringLiteral("yaw_rad")].isNull());
     QVERIFY(at(QStringLiteral("list")).out.contains(QStringLiteral("Dock")));
-    QFile::remove(folder_->filePath(QStringLiteral("hall.waypoints.geojson")));
+    QFile::remove(program_->path(QStringLiteral("hall.waypoints.geojson")));
     QCOMPARE(at(QStringLiteral("list --json")).array().size(), 0);
     QCOMPARE(at(QStringLiteral("list")).code, 0);
   }
@@ -302,7 +277,7 @@ class WaypointsCommandTest : public QObject {
   void whatIsExportedIsImportedElsewhere() {
     putMap("copy");
     for (const char* name : {"out.csv", "out.geojson"}) {
-      QFile::remove(folder_->filePath(QStringLiteral("copy.waypoints.geojson")));
+      QFile::remove(program_->path(QStringLiteral("copy.waypoints.geojson")));
       const QString file = QLatin1String(name);
       QCOMPARE(at(QStringLiteral("export -o %1").arg(file)).code, 0);
       const Outcome imported = run({QStringLiteral("import"), file, QStringLiteral("--json"),
@@ -433,13 +408,13 @@ class WaypointsCommandTest : public QObject {
   void aListThatCannotBeWrittenIsSaid() {
     if (geteuid() == 0) {
       // Nothing is closed to root, but a folder is no file.
-      QFile::remove(folder_->filePath(QStringLiteral("hall.waypoints.geojson")));
-      QVERIFY(QDir(folder_->path()).mkdir(QStringLiteral("hall.waypoints.geojson")));
+      QFile::remove(program_->path(QStringLiteral("hall.waypoints.geojson")));
+      QVERIFY(QDir(program_->folder()).mkdir(QStringLiteral("hall.waypoints.geojson")));
     } else {
-      QFile(folder_->path()).setPermissions(QFile::ReadOwner | QFile::ExeOwner);
+      QFile(program_->folder()).setPermissions(QFile::ReadOwner | QFile::ExeOwner);
     }
     const Outcome outcome = at(QStringLiteral("create New --at 1,2"));
-    QFile(folder_->path()).setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    QFile(program_->folder()).setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     QVERIFY2(outcome.code == 2 && outcome.err.count(QLatin1Char('\n')) == 1, qPrintable(outcome.err));
   }
 
