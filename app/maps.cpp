@@ -448,6 +448,11 @@ CommandResult<int> mapsChange(RobotCommand& command, const MapsArguments& args, 
   if (isOfOneMap(change)) order.key = map::mapKeyFromText(args.id);
   if (names(change)) order.name = args.label;
   if (change == MapChange::Load) order.place = args.place;
+  if (names(change) && (*robot)->session().catalogue().offered()) {
+    const auto maps = (*robot)->catalogue();
+    const QString remark = maps ? jobs::alsoCalledSo(order, **maps) : QString();
+    if (!remark.isEmpty()) (*robot)->note((*robot)->about(remark));
+  }
   const auto entry = (*robot)->change(order);
   if (!entry) return passOn(entry);
   if (args.json || !entry->key.id.empty()) print(*entry, args.json);

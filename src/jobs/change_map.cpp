@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include "words/qt_plain.h"
 
@@ -26,6 +27,21 @@ QString whyNoMapName(const QString& name) {
   if (!isOneLine(name))
     return ChangeMapText::tr("The name of a map must be one line without control characters.");
   return {};
+}
+
+QString alsoCalledSo(const robot::MapOrder& order, const std::vector<map::CatalogueEntry>& maps) {
+  constexpr qsizetype kMostNamed = 5;
+  const QString name = words::plainName(order.name);
+  QStringList ids;
+  for (const map::CatalogueEntry& one : maps) {
+    if (one.key.kind == map::MapKind::Stored && one.key != order.key && words::plainName(one.name) == name)
+      ids << words::plainName(one.key.id);
+  }
+  if (ids.size() < 2)
+    return ids.isEmpty() ? QString()
+                         : ChangeMapText::tr("Another map has this name: id %1.").arg(ids.front());
+  if (ids.size() > kMostNamed) ids = ids.mid(0, kMostNamed) << QStringLiteral("…");
+  return ChangeMapText::tr("Other maps have this name: ids %1.").arg(ids.join(QStringLiteral(", ")));
 }
 
 QString whyNoFilename(const QString& name) {

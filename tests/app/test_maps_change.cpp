@@ -65,6 +65,19 @@ class MapsChangeTest : public QObject {
     QCOMPARE(changesIn(robot), 2);
   }
 
+  void aNameThatAnotherMapHasIsGivenWithAWarning() {
+    simulator::Simulator robot(paused());
+    QVERIFY(!robot.start());
+    for (const char* warning : {"", "Another map has this name: id 2."}) {
+      const QString id = *warning ? QStringLiteral("1") : QStringLiteral("2");
+      const Outcome renamed = run(robot, {QStringLiteral("rename"), id, QStringLiteral("Lobby")});
+      QCOMPARE(renamed.code, 0);
+      QVERIFY2(renamed.err.contains(QLatin1String(warning)), qPrintable(renamed.err));
+      QCOMPARE(renamed.err.count(QLatin1Char('\n')), *warning ? 1 : 0);
+    }
+    QCOMPARE(changesIn(robot), 2);
+  }
+
   void aChangeThatFailsSaysWhetherItWasMade_data() {
     QTest::addColumn<QString>("fault");
     QTest::addColumn<int>("code");

@@ -22,6 +22,27 @@ class TestChangeMap : public QObject {
     QVERIFY(!jobs::whyNoFilename(QString(4097, QLatin1Char('a'))).isEmpty());
   }
 
+  void othersOfTheSameNameAreNamed() {
+    const auto stored = [](const char* id, const char* name, map::MapKind kind = map::MapKind::Stored) {
+      map::CatalogueEntry made;
+      made.key = {kind, id};
+      made.name = name;
+      return made;
+    };
+    std::vector<map::CatalogueEntry> maps{stored("42", "Hall"), stored("7", "hall"),
+                                          stored("9", "Hall", map::MapKind::Mapping)};
+    const robot::MapOrder save{.change = MapChange::Save, .name = "Hall "};
+    QCOMPARE(jobs::alsoCalledSo(save, maps), QStringLiteral("Another map has this name: id 42."));
+    QVERIFY(jobs::alsoCalledSo({.change = MapChange::Rename, .key = maps[0].key, .name = "Hall"}, maps)
+                .isEmpty());
+    QVERIFY(jobs::alsoCalledSo({.change = MapChange::Save, .name = "Lobby"}, maps).isEmpty());
+    maps.push_back(stored("43", "Hall"));
+    QCOMPARE(jobs::alsoCalledSo(save, maps), QStringLiteral("Other maps have this name: ids 42, 43."));
+    for (const char* id : {"44", "45", "46", "47"}) maps.push_back(stored(id, "Hall"));
+    QCOMPARE(jobs::alsoCalledSo(save, maps),
+             QStringLiteral("Other maps have this name: ids 42, 43, 44, 45, 46, …."));
+  }
+
   void anAnswerThatDoesNotFitIsTold() {
     map::CatalogueEntry now;
     now.name = "other";

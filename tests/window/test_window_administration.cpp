@@ -121,6 +121,25 @@ class TestWindowAdministration : public QObject {
     QCOMPARE(desk.toasts(), QStringList{QStringLiteral("It is now called Loft.")});
   }
 
+  void aNameThatAnotherMapHasIsToldWhileItIsTyped() {
+    Desk desk;
+    ChangeDialog* const dialog = desk.ask("2", "Rename");
+    QVERIFY(dialog);
+    QTest::keyClicks(dialog->nameEdit(), QStringLiteral("Ground floor"));
+    QCOMPARE(dialog->errorShown(), QStringLiteral("Another map has this name: id 1."));
+    QVERIFY(dialog->acceptButton()->isEnabled());  // names need not be unique
+    QTest::keyClicks(dialog->nameEdit(), QStringLiteral(" 2"));
+    QVERIFY(dialog->errorShown().isEmpty());
+    dialog->reject();
+    desk.bench.action("saveNewMap")->trigger();
+    ChangeDialog* const save = desk.controller().dialog();
+    QVERIFY(save);
+    QTest::keyClicks(save->nameEdit(), QStringLiteral("Ground floor"));
+    QCOMPARE(save->errorShown(), QStringLiteral("Another map has this name: id 1."));
+    QTest::keyClick(save->nameEdit(), Qt::Key_Return);
+    QCOMPARE(desk.maps.orders.size(), std::size_t(1));
+  }
+
   void whatFailsIsSaidWhereItWasTypedAndNothingIsLost() {
     Desk desk;
     ChangeDialog* const dialog = desk.ask("2", "Rename");

@@ -20,6 +20,7 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "ui/kit/dialog_look.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
@@ -258,11 +259,13 @@ void ChangeDialog::check() {
   const QString why = whyNot();
   // The initial text is not an error yet.
   const bool touched = (name_ && name_->isModified()) || (typed_ && !typed_->text().isEmpty());
-  QPalette palette = error_->palette();
-  palette.setColor(QPalette::WindowText, appColors().secondary_text);
-  error_->setPalette(palette);
-  error_->setText(touched ? why : QString());
   accept_->setEnabled(why.isEmpty() && !waiting());
+  if (waiting()) return;
+  robot::MapOrder order = question_.order;
+  if (name_) order.name = name_->text().toStdString();
+  const QString remark = why.isEmpty() && name_ && question_.remark ? question_.remark(order) : QString();
+  setTextColor(*error_, remark.isEmpty() ? appColors().secondary_text : appColors().warning_text);
+  error_->setText(touched ? why + remark : remark);
 }
 
 void ChangeDialog::send() {
@@ -278,6 +281,7 @@ void ChangeDialog::send() {
     if (self) self->take(outcome);
   });
   check();
+  setTextColor(*error_, appColors().secondary_text);
   error_->setText(tr("Waiting for the robot…"));
 }
 
@@ -297,9 +301,7 @@ void ChangeDialog::take(const Outcome& outcome) {
     accept();
     return;
   }
-  QPalette palette = error_->palette();
-  palette.setColor(QPalette::WindowText, appColors().error_text);
-  error_->setPalette(palette);
+  setTextColor(*error_, appColors().error_text);
   error_->setText(QString::fromStdString(sentences::sentenceOf(outcome.error())));
 }
 
@@ -397,6 +399,10 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
   delete dialog_;
   ChangeQuestion question = questionFor(change, map, session->catalogue().current());
   question.asks_place = change == MapChange::Load && robots->loadAsksForPlace();
+  question.remark = [this](const robot::MapOrder& order) {
+    session::Session* const now = context_.current.session();
+    return now ? jobs::alsoCalledSo(order, now->catalogue().entries()) : QString();
+  };
   const bool places = question.asks_place;
   dialog_ = new ChangeDialog(
       std::move(question),
@@ -416,6 +422,8 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
       },
       &context_.window);
   dialog_->setAttribute(Qt::WA_DeleteOnClose);
+  connect(&session->catalogue(), &session::Catalogue::changed, dialog_, &ChangeDialog::check);
+  if (dialog_->nameEdit()) session->catalogue().refresh();  // names that others have given
   connect(dialog_, &ChangeDialog::done, this,
           [this, change](const map::CatalogueEntry&, const QString& said, bool as_asked) {
             context_.overlay.toasts()->add(as_asked ? Mark::Good : Mark::Warning, said);

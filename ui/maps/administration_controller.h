@@ -32,6 +32,8 @@ struct ChangeQuestion {
   QString typed = {};                // must be typed to prevent accidents; empty = nothing
   bool ends_something = false;       // it cannot be undone: Enter does not trigger it
   QString done = {};                 // the message on success; %1 is the new name of the map
+  /// What is worth knowing of a name that may be given.
+  std::function<QString(const robot::MapOrder&)> remark = {};
 };
 
 class ChangeDialog : public QDialog {
@@ -54,6 +56,9 @@ class ChangeDialog : public QDialog {
   QString errorShown() const;
   bool waiting() const { return call_.has_value(); }
 
+  /// Looks again at what is typed, and says what is to be said of it.
+  void check();
+
   void reject() override;
 
  Q_SIGNALS:
@@ -62,7 +67,6 @@ class ChangeDialog : public QDialog {
 
  private:
   QString whyNot() const;
-  void check();
   std::string place() const;
   void send();
   void take(const Outcome& outcome);
