@@ -273,10 +273,11 @@ QString SentWaypoints::whatBecame() const {
                         : Text::tr("The rest was not sent."));
   }
   QStringList lines;
-  for (const StepState state : {StepState::Unknown, StepState::Failed}) {
+  for (const StepState state : {StepState::Unknown, StepState::Failed, StepState::NotSent}) {
     for (const SentStep& sent : steps) {
-      if (sent.outcome.state == state)
-        lines << QStringLiteral("%1: %2").arg(shownName(sent.step), exchange::sentenceOf(sent.outcome));
+      const QString why = exchange::sentenceOf(sent.outcome);
+      if (sent.outcome.state == state && !why.isEmpty())
+        lines << QStringLiteral("%1: %2").arg(shownName(sent.step), why);
     }
   }
   if (lines.isEmpty() && failure) lines << QString::fromStdString(sentences::sentenceOf(*failure));

@@ -79,6 +79,12 @@ bool isSo(const robot::WaypointRequest& request, const edit::WaypointDocument& d
   });
 }
 
+/// What was not carried out for this reason was not even sent: nobody has refused it.
+bool neverLeft(map::FailureKind kind) {
+  return kind == map::FailureKind::Unreachable || kind == map::FailureKind::TimedOut ||
+         kind == map::FailureKind::Cancelled;
+}
+
 }  // namespace
 
 QString wordOf(StepKind kind) {
@@ -230,6 +236,7 @@ SentOutcome answered(const SentRequest& sent) {
   failure.asked_for = map::AskedFor::Change;
   const SentState state = failure.applied == map::Applied::Yes     ? SentState::Applied
                           : failure.applied == map::Applied::Maybe ? SentState::Unknown
+                          : neverLeft(failure.kind)                ? SentState::NotSent
                                                                    : SentState::Failed;
   return {state, std::move(failure)};
 }
@@ -264,8 +271,9 @@ SentCounts countsOf(const std::vector<SentRequest>& sent, const edit::WaypointDo
 }
 
 QString sentenceOf(const SentOutcome& outcome) {
-  if (outcome.state == SentState::Applied || outcome.state == SentState::NotSent) return {};
+  if (outcome.state == SentState::Applied) return {};
   if (outcome.failure) return QString::fromStdString(sentences::sentenceOf(*outcome.failure));
+  if (outcome.state == SentState::NotSent) return {};
   if (outcome.state == SentState::Unknown) return WaypointStepsText::tr("Whether it was changed is unknown.");
   return WaypointStepsText::tr("The robot accepted the change, but it has no effect.");
 }

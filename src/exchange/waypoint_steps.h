@@ -70,9 +70,9 @@ QStringList conflictLines(const WaypointConflicts& conflicts);
 
 enum class SentState {
   Applied,
-  Failed,   // it has not been made
+  Failed,   // it has not been made: it was refused, or has no effect
   Unknown,  // it was sent, but neither an answer nor the stored state tells
-  NotSent,
+  NotSent,  // with a failure: that kept it from being sent
 };
 
 struct SentOutcome {
@@ -95,7 +95,7 @@ struct SentCounts {
 };
 SentCounts countsOf(const std::vector<SentRequest>& sent, const edit::WaypointDocument* looked);
 
-/// Why it Failed or is Unknown; else empty.
+/// Why it Failed, is Unknown or could not be sent; else empty.
 QString sentenceOf(const SentOutcome& outcome);
 
 struct TemporaryName {

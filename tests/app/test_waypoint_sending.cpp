@@ -210,7 +210,7 @@ class WaypointSendingTest : public QObject {
     app::ListedWaypoints list{robot.get(), {}, {}, &store};
     const auto sent = app::sendWaypoints(list, threeMoves(store), app::AtFailure::GoOn);
     QVERIFY(sent.has_value());
-    QCOMPARE(states(*sent), QStringLiteral("FNN"));
+    QCOMPARE(states(*sent), QStringLiteral("NNN"));
     QCOMPARE(store.asked.size(), std::size_t(1));
     QVERIFY2(sent->sentence().contains(QStringLiteral("within 5 s")), qPrintable(sent->sentence()));
     QCOMPARE(sent->exitCode(), int(app::kUnreachable));

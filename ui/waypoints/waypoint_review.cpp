@@ -159,17 +159,18 @@ ReviewModel::Outcome ReviewModel::outcome(int row) const {
       return {Mark::Good, sent.state == State::Done ? tr("done") : tr("done, answer lost")};
     case exchange::SentState::NotSent:
       if (const QString* const why = whyRefused(row)) return {Mark::Bad, *why};
-      return {Mark::Neutral, tr("not sent")};
+      if (!outcome.failure) return {Mark::Neutral, tr("not sent")};
+      break;
     case exchange::SentState::Unknown:
     case exchange::SentState::Failed:
       break;
   }
   // The state first: the column is narrow, and its tooltip has the whole sentence.
-  const bool failed = outcome.state == exchange::SentState::Failed;
   const QString sentence = words::plainLine(exchange::sentenceOf(outcome));
   const QString why = outcome.failure ? whyText(*outcome.failure) : sentence;
-  return {failed ? Mark::Bad : Mark::Warning, failed ? tr("failed. %1").arg(why) : tr("unknown. %1").arg(why),
-          sentence};
+  if (outcome.state == exchange::SentState::Failed) return {Mark::Bad, tr("failed. %1").arg(why), sentence};
+  const bool unknown = outcome.state == exchange::SentState::Unknown;
+  return {Mark::Warning, (unknown ? tr("unknown. %1") : tr("not sent. %1")).arg(why), sentence};
 }
 
 exchange::SentCounts ReviewModel::counts() const {
@@ -451,11 +452,8 @@ QString WaypointReview::statusText() const {
                      .arg(figure(std::size_t(model_->requests())), figure(counts.applied),
                           figure(counts.failed), figure(counts.unknown), figure(counts.not_sent));
   // Only the reason: the result of each is shown in its row.
-  if (const auto why = list_->stoppedBy()) text = whyText(*why) + QLatin1Char(' ') + text;
-  if (!list_->looked())
-    text += QLatin1Char(' ') +
-            tr("The result could not be read yet; this happens as soon as the connection is back.");
-  return text;
+  const auto why = list_->stoppedBy();
+  return why ? whyText(*why) + QLatin1Char(' ') + text : text;
 }
 
 QString WaypointReview::refusedText() const {
@@ -481,7 +479,11 @@ void WaypointReview::keyPressEvent(QKeyEvent* event) {
 }
 
 QString WaypointReview::comparedText() const {
-  if (!sent_ || list_->saving() || !list_->looked() || wanted_.empty()) return {};
+  if (!sent_ || list_->saving() || wanted_.empty()) return {};
+  if (!list_->looked())
+    return tr(
+        "Not compared with the robot's waypoints yet: they could not be read. This happens as soon as "
+        "the connection is back.");
   QStringList names;
   std::size_t differ = 0;
   const edit::WaypointDocument& document = list_->document();
@@ -496,7 +498,7 @@ QString WaypointReview::comparedText() const {
   }
   const QLocale c = QLocale::c();
   const QString as_wanted = c.toString(qulonglong(wanted_.size() - differ));
-  if (differ == 0) return tr("Compared with the robot's waypoints: %1 as intended, 0 differ.").arg(as_wanted);
+  if (differ == 0) return tr("Compared with the robot's waypoints: all %1 as intended.").arg(as_wanted);
   if (qsizetype(differ) > names.size()) names << QStringLiteral("…");
   return tr("Compared with the robot's waypoints: %1 as intended, %2 differ: %3.")
       .arg(as_wanted, c.toString(qulonglong(differ)), names.join(QStringLiteral(", ")));
