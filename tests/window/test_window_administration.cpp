@@ -140,6 +140,25 @@ class TestWindowAdministration : public QObject {
     QCOMPARE(desk.maps.orders.size(), std::size_t(1));
   }
 
+  void aMappingThatWasAskedForIsNoAlarm() {
+    Desk desk;
+    const auto ask = [&] {
+      desk.bench.action("startMapping")->trigger();
+      desk.controller().dialog()->acceptButton()->click();
+    };
+    desk.bench.robot->list({test::entry(0, 0, 1, 0, 0)}, "session-a");
+    ask();
+    desk.bench.robot->list({test::entry(0, 0, 1, 0, 0)}, "session-b");
+    const QString begun = QStringLiteral("Mapping has started: the map is being made anew.");
+    QCOMPARE(desk.toasts(), QStringList{begun});
+    desk.maps.answer(test::catalogued("1", "Ground floor"));
+    // What was refused, and what nobody asked for.
+    ask();
+    desk.maps.answer(tl::make_unexpected(test::failed("no")));
+    desk.bench.robot->list({test::entry(0, 0, 1, 0, 0)}, "session-c");
+    QVERIFY(desk.toasts().join(QLatin1Char(' ')).contains(QLatin1String("The previous map is gone")));
+  }
+
   void whatFailsIsSaidWhereItWasTypedAndNothingIsLost() {
     Desk desk;
     ChangeDialog* const dialog = desk.ask("2", "Rename");

@@ -408,7 +408,17 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
       std::move(question),
       [this](const robot::MapOrder& order, robot::OutcomeTo<map::CatalogueEntry> reply) {
         // It may have disappeared since the question was asked; then its answer says so, later, as always.
-        if (robot::MapAdministration* const now = maps()) return now->carryOut(order, std::move(reply));
+        if (robot::MapAdministration* const now = maps()) {
+          if (order.change != MapChange::StartMapping) return now->carryOut(order, std::move(reply));
+          Q_EMIT mappingAsked(true);
+          return now->carryOut(order,
+                               [self = QPointer<AdministrationController>(this),
+                                reply = std::move(reply)](robot::Outcome<map::CatalogueEntry> outcome) {
+                                 if (self && !outcome && outcome.error().applied == map::Applied::No)
+                                   Q_EMIT self->mappingAsked(false);
+                                 reply(std::move(outcome));
+                               });
+        }
         QMetaObject::invokeMethod(
             this,
             [order, reply = std::move(reply)] {

@@ -92,6 +92,10 @@ class AdministrationController : public Controller {
   /// The question that is open; null = none.
   ChangeDialog* dialog() const { return dialog_; }
 
+ Q_SIGNALS:
+  /// The robot is asked to start mapping; false: it was not done.
+  void mappingAsked(bool asked);
+
  private:
   robot::MapAdministration* maps() const;
   void ask(robot::MapChange change, const map::CatalogueEntry* map);

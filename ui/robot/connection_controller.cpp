@@ -391,6 +391,7 @@ void ConnectionController::openCertificate() {
 
 void ConnectionController::setSession(session::Session* session) {
   last_uuid_.clear();
+  mapping_asked_ = false;
   if (!session) return;
   connect(session, &session::Session::identityChanged, this, &ConnectionController::noteIdentity);
   connect(session, &session::Session::sessionRestarted, this, &ConnectionController::noteRestart);
@@ -420,8 +421,12 @@ void ConnectionController::noteRestart() {
   const QString uuid = QString::fromStdString(session->submaps().uuid());
   if (uuid == last_uuid_) return;
   if (!last_uuid_.isEmpty() && !uuid.isEmpty()) {
-    context_.overlay.toasts()->add(Mark::Warning,
-                                   tr("The robot started a new SLAM session. The previous map is gone."));
+    if (std::exchange(mapping_asked_, false)) {
+      context_.overlay.toasts()->add(Mark::Neutral, tr("Mapping has started: the map is being made anew."));
+    } else {
+      context_.overlay.toasts()->add(Mark::Warning,
+                                     tr("The robot started a new SLAM session. The previous map is gone."));
+    }
   }
   last_uuid_ = uuid;
 }
