@@ -90,6 +90,7 @@ class TestWalls : public QObject {
   void thePictureShowsTheSameRooms();
   void noFeatureOfTheWindowKnowsAnother();
   void noControllerOfTheWindowKnowsAnother();
+  void everyNumberIsTypedInOurOwnFields();
 };
 
 void TestWalls::aRoomReachesEveryHeaderOfTheRoomsThatItNamesAndNoOther() {
@@ -187,6 +188,17 @@ void TestWalls::noControllerOfTheWindowKnowsAnother() {
     }
   }
   QVERIFY(controllers.size() >= 12);
+}
+
+void TestWalls::everyNumberIsTypedInOurOwnFields() {
+  static const QRegularExpression kMade(
+      QStringLiteral("new Q(Double)?SpinBox|Q(Double)?SpinBox \\w+[;({]|QInputDialog::get(Int|Double)"));
+  QDirIterator it(QStringLiteral(MAPWRIGHT_SOURCES "/ui"), {QStringLiteral("*.h"), QStringLiteral("*.cpp")},
+                  QDir::Files, QDirIterator::Subdirectories);
+  while (it.hasNext()) {
+    const QString path = it.next();
+    QVERIFY2(!QString::fromUtf8(contentOf(path)).contains(kMade), qPrintable(path));
+  }
 }
 
 void TestWalls::noTopicAndNoBackEndIsNamedWhereRobotsAreAlike() {

@@ -300,6 +300,42 @@ class TestWindowReference : public QObject {
     QCOMPARE(x->value(), was);
   }
 
+  void everyNotationOfANumberIsTypedWhole_data() {
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<double>("taken");
+    QTest::addColumn<QString>("said");
+    const auto row = [](const char* typed, double taken, const char* said) {
+      QTest::newRow(typed) << QString::fromLatin1(typed) << taken << QString::fromLatin1(said);
+    };
+    row("1e9", 5, "1e9 is too large: at most 10000000.000 m.");
+    row("1.5E2", 150, "");
+    row("0.0001", 0, "0.0001 has too many decimals: 0.000 m is taken.");
+    row("12345678901234567890", 5, "12345678901234567890 is too large: at most 10000000.000 m.");
+    row("0.12345678901234567890", 0.123, "0.12345678901234567890 has too many decimals: 0.123 m is taken.");
+    row("-2.", -2, "");
+    row("1e", 5, "1e is no number.");
+    row("-", 5, "- is no number.");
+  }
+  void everyNotationOfANumberIsTypedWhole() {
+    QFETCH(QString, typed);
+    QFETCH(double, taken);
+    QFETCH(QString, said);
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();
+    auto* const x = part<ReferenceDock>(window)->xBox();
+    x->setValue(5);
+    x->setFocus();
+    x->selectAll();
+    QTest::keyClicks(x, typed);
+    QVERIFY2(x->text().startsWith(typed), qPrintable(x->text()));
+    QTest::keyClick(x, Qt::Key_Return);
+    QCOMPARE(x->value(), taken);
+    QCOMPARE(bench.reference()->pose().x_m, taken);
+    auto* const note = window.findChild<QLabel*>(QStringLiteral("outOfRange"));
+    QCOMPARE(note ? note->text() : QString(), said);
+  }
+
   void escTakesTheFirstPointBackThenLeaves() {
     ReferenceBench bench;
     MainWindow& window = bench.openOnRobot();

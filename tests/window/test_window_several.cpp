@@ -105,6 +105,14 @@ class TestWindowSeveral : public QObject {
     desk.start();
     desk.drawLine();
     Desk::type(QStringLiteral("Corr "));
+    // What cannot be counted from is not cut, and makes no names.
+    for (const char* typed : {"12345678901234567890", "1e9", "0.5"}) {
+      desk.bar().firstEdit()->clear();
+      QTest::keyClicks(desk.bar().firstEdit(), QLatin1String(typed));
+      QCOMPARE(desk.bar().firstEdit()->text(), QLatin1String(typed));
+      QVERIFY(desk.bar().namesShown().contains(QLatin1String("at most 9")));
+      QVERIFY(!desk.bar().createButton()->isEnabled());
+    }
     desk.bar().firstEdit()->setText(QStringLiteral("1"));
     QCOMPARE(desk.bar().namesShown(), QStringLiteral("Corr 1 … Corr 6; Corr 2 is taken and left out"));
     // Another operator takes one more while it is typed.

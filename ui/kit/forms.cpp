@@ -10,6 +10,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStyle>
@@ -183,6 +184,19 @@ bool isUndoOfOthers(const QEvent& event, const QLineEdit& text) {
   const auto& key = static_cast<const QKeyEvent&>(event);
   return (key.matches(QKeySequence::Undo) && !text.isUndoAvailable()) ||
          (key.matches(QKeySequence::Redo) && !text.isRedoAvailable());
+}
+
+bool isNumberBegun(const QString& typed) {
+  static const QRegularExpression begun(QStringLiteral("^[+-]?\\d*([.,]\\d*)?([eE][+-]?\\d*)?$"));
+  return begun.match(typed).hasMatch();
+}
+
+QString roundedText(const QString& typed, const QString& taken) {
+  return QCoreApplication::translate("window", "%1 has too many decimals: %2 is taken.").arg(typed, taken);
+}
+
+QString noNumberText(const QString& typed) {
+  return QCoreApplication::translate("window", "%1 is no number.").arg(typed);
 }
 
 QString tooSmallText(const QString& typed, const QString& least) {

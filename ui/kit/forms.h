@@ -2,8 +2,10 @@
 // boxes that they share.
 #pragma once
 
+#include <cmath>
 #include <initializer_list>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <QBoxLayout>
@@ -70,15 +72,21 @@ void markBeyond(QAbstractSpinBox& box, bool beyond, const QString& range);
 /// Whether the key is one of undo or redo that the text has no use for: then it is the window's.
 bool isUndoOfOthers(const QEvent& event, const QLineEdit& text);
 
-/// Beside the field for a while: its number was not taken because it is too small or too large.
+/// A number, or what may become one by typing on: "-", "1.", "1e".
+bool isNumberBegun(const QString& typed);
+
+/// Beside the field for a while: its number was not taken, or not as it was typed.
 void sayOutOfRange(const QAbstractSpinBox& field, const QString& text);
 /// "0 is too small: at least 0.05 m."
 QString tooSmallText(const QString& typed, const QString& least);
 QString tooLargeText(const QString& typed, const QString& most);
+/// "0.0001 has too many decimals: 0.000 m is taken."
+QString roundedText(const QString& typed, const QString& taken);
+QString noNumberText(const QString& typed);
 
-/// A number outside of its range can be typed, and is marked. It is not taken: when the field is left the one
-/// before it is back, and the user is told. (Qt would drop the digits, or put the old number back, without a
-/// word.)
+/// Any notation of a number can be typed. One outside of the range is marked, and not taken: when the field
+/// is left the one before it is back, and the user is told, as of decimals that are rounded. (Qt would drop
+/// the characters, or put the old number back, without a word.)
 template <class Box>
 class RangedBox : public Box {
  public:
@@ -112,14 +120,23 @@ class RangedBox : public Box {
   }
   QValidator::State validate(QString& input, int& pos) const override {
     const QValidator::State state = Box::validate(input, pos);
-    const std::optional<double> number = numberIn(input);
-    const bool begun = plain(input) == QLatin1String("-");
-    return state == QValidator::Invalid && (begun || (number && isOut(*number))) ? QValidator::Intermediate
-                                                                                 : state;
+    return state == QValidator::Invalid && isNumberBegun(plain(input)) ? QValidator::Intermediate : state;
   }
   void fixup(QString& input) const override {
     const std::optional<double> number = numberIn(input);
-    if (!number || !isOut(*number)) return Box::fixup(input);
+    if (!number) {
+      if (const QString typed = plain(input); !typed.isEmpty()) sayOutOfRange(*this, noNumberText(typed));
+      if (before_) input = shown(*before_);
+      return;
+    }
+    if (!isOut(*number)) {
+      const Number taken = std::is_integral_v<Number> ? Number(std::llround(*number)) : Number(*number);
+      const QString text = shown(taken);
+      if (const auto written = numberIn(this->textFromValue(taken)); written && *written != *number)
+        sayOutOfRange(*this, roundedText(plain(input), text));
+      input = text;
+      return;
+    }
     const bool small = *number < this->minimum();
     const QString least =
         this->specialValueText().isEmpty() ? shown(this->minimum()) : this->specialValueText();

@@ -13,7 +13,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
-#include <QRegularExpressionValidator>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QSpinBox>
 
@@ -31,7 +31,7 @@ constexpr double kTickPx = 11;
 constexpr std::size_t kMostLineTicks = 500;  // more could not be distinguished
 
 constexpr int kLineBarMarginPx = 16;
-constexpr int kPrefixPx = 130, kNumberPx = 64, kLongestPrefix = 400, kMostStep = 1'000;
+constexpr int kPrefixPx = 130, kNumberPx = 64, kLongestPrefix = 400, kMostStep = 1'000, kMostFromDigits = 9;
 
 }  // namespace
 
@@ -225,8 +225,6 @@ LineBar::LineBar(LineTool* tool, WaypointEditing* editing, QWidget* map)
   first_->setToolTip(
       tr("The first number, with as many digits as all shall have: 1, 01, 001. Empty: the next "
          "free one"));
-  first_->setValidator(
-      new QRegularExpressionValidator(QRegularExpression(QStringLiteral("\\d{0,9}")), first_));
   first_->setFixedWidth(kNumberPx);
   step_->setRange(1, kMostStep);
   step_->setAccessibleName(tr("Step from number to number"));
@@ -292,6 +290,14 @@ const exchange::TakenNames& LineBar::taken() const {
   return *taken_;
 }
 
+/// Why the names cannot be counted from what is typed; empty if they can.
+QString LineBar::whyNotFrom() const {
+  static const QRegularExpression number(QStringLiteral("^\\d{0,%1}$").arg(kMostFromDigits));
+  return number.match(first_->text().trimmed()).hasMatch()
+             ? QString()
+             : tr("The first number has digits only, at most %1.").arg(kMostFromDigits);
+}
+
 exchange::SeriesNames LineBar::series() const {
   return exchange::namesOf({prefix_->text(), first_->text(), step_->value()},
                            qsizetype(tool_->spots().size()), taken());
@@ -303,6 +309,10 @@ void LineBar::noteCreated() { first_->clear(); }
 
 void LineBar::refreshNames() {
   first_->setPlaceholderText(exchange::nextNumber(prefix_->text(), taken()));
+  const QString why_not = whyNotFrom();
+  create_->setEnabled(tool_->ready() && !tool_->spots().empty() && why_not.isEmpty());
+  names_->setSecondary(why_not.isEmpty());
+  if (!why_not.isEmpty()) return names_->setText(why_not);
   const exchange::SeriesNames series = this->series();
   const auto shown = [](const QString& name) { return words::plainName(name); };
   QString text;
@@ -325,7 +335,6 @@ void LineBar::refresh() {
   count_->setText(tool_->length() <= 0 ? tr("No line yet")
                   : count == 0 ? tr("More than %1").arg(waypointsText(qsizetype(placing::kMostAlongLine)))
                                : tr("%1 on %2 m").arg(waypointsText(count), length));
-  create_->setEnabled(tool_->ready() && count > 0);
   refreshNames();
 }
 

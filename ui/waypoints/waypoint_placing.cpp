@@ -270,7 +270,7 @@ void PlacingActions::askForNumbers() {
 }
 
 void PlacingActions::createAlongLine() {
-  if (!line_->ready() || !editing_->editable()) return;
+  if (!line_->ready() || !editing_->editable() || !bar_->whyNotFrom().isEmpty()) return;
   std::vector<map::Waypoint> points;
   const QStringList names = bar_->names();
   for (const placing::Spot& spot : line_->spots()) {
