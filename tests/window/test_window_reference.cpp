@@ -228,8 +228,8 @@ class TestWindowReference : public QObject {
     bench.drag(bench.at(5, 0), bench.at(0, 5), Qt::ShiftModifier);
     QTest::mouseClick(dock->pairsButton(), Qt::LeftButton);
     bench.look();
-    bench.click(0, 0);
-    bench.click(3, 0);
+    bench.click(-2, 3);
+    bench.click(1, 3);
     dock->xBox()->setValue(7);
     const geometry::Pose2 last = bench.reference()->pose();
     QCOMPARE(dock->table()->model()->rowCount(), 1);
@@ -334,6 +334,40 @@ class TestWindowReference : public QObject {
     QCOMPARE(bench.reference()->pose().x_m, taken);
     auto* const note = window.findChild<QLabel*>(QStringLiteral("outOfRange"));
     QCOMPARE(note ? note->text() : QString(), said);
+  }
+
+  void liesAboveWhileItIsLaidAndBelowAfterwards() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();
+    auto* const dock = part<ReferenceDock>(window);
+    QVERIFY(!window.mapScene()->referenceAbove());
+    for (QPushButton* const button : {dock->moveButton(), dock->pairsButton()}) {
+      QTest::mouseClick(button, Qt::LeftButton);
+      QVERIFY(window.mapScene()->referenceAbove());
+      QTest::mouseClick(button, Qt::LeftButton);
+      QVERIFY(!window.mapScene()->referenceAbove());
+    }
+    QCOMPARE(window.mapScene()->layerOpacity(scene::Layer::Reference), 1.0);
+  }
+
+  void aPointOutsideOfTheReferenceMapIsRefused() {
+    ReferenceBench bench;
+    MainWindow& window = bench.openOnRobot();
+    bench.lay();  // 4 x 3 m from the origin
+    auto* const dock = part<ReferenceDock>(window);
+    QTest::mouseClick(dock->pairsButton(), Qt::LeftButton);
+    bench.look();
+    bench.click(8, 2);
+    QCOMPARE(part<MapOverlay>(window)->toasts()->texts().size(), qsizetype(1));
+    bench.click(-9, 2);
+    QCOMPARE(dock->table()->model()->rowCount(), 0);
+    bench.click(1, 1);
+    bench.click(9, 9);  // where it is may be anywhere
+    QCOMPARE(dock->table()->model()->rowCount(), 1);
+    bench.click(10, 10);  // the map has moved there
+    bench.click(11, 10);
+    QCOMPARE(dock->table()->model()->rowCount(), 2);
   }
 
   void escTakesTheFirstPointBackThenLeaves() {

@@ -104,6 +104,7 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
   tool_action_->setEnabled(false);
   context_.tools.add(tool_, tool_action_);
   connect(tool_action_, &QAction::toggled, this, [this](bool on) {
+    context_.scene.setReferenceAbove(on);
     if (!on) dock_->setTool(false, false);
     if (on && !dock_->pairsButton()->isChecked()) dock_->setTool(true, false);
   });
@@ -112,6 +113,8 @@ ReferenceController::ReferenceController(WindowContext& context, PicturePlacing&
   connect(&context_.undo, &QUndoGroup::activeStackChanged, this, [this](QUndoStack* stack) {
     if (stack != &steps_) other_steps_ = stack;
   });
+  connect(tool_, &ReferenceTool::refused, this,
+          [this](const QString& why) { context_.overlay.toasts()->add(Mark::Warning, why); });
   connect(tool_, &ReferenceTool::taken, this, [this] { ++drag_; });
   connect(tool_, &ReferenceTool::moved, this, [this](const geometry::Pose2& pose) {
     change(tr("move the reference map"), {pose, laid_.pairs}, drag_);
@@ -310,7 +313,7 @@ void ReferenceController::show() {
   if (slot_.phase() == session::MapSlot::Phase::Failed) said = sentences::sentenceOf(slot_.remark());
   dock_->setMap(said, there);
   dock_->setState(laid_.pose, laid_.pairs);
-  tool_->setState(laid_.pose, laid_.pairs);
+  tool_->setState(slot_.reference(), laid_.pose, laid_.pairs);
   allow(tool_action_, there, tr("There is no reference map."));
   if (!there && context_.tools.chosen() == tool_) context_.tools.putAway();
 }

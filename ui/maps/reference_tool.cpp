@@ -11,8 +11,9 @@ namespace mapwright::window {
 ReferenceTool::ReferenceTool(const scene::MapScene* scene, QObject* parent)
     : MapTool(parent), scene_(scene) {}
 
-void ReferenceTool::setState(const geometry::Pose2& world_from_map,
+void ReferenceTool::setState(const map::GridReference& grid, const geometry::Pose2& world_from_map,
                              const std::vector<placing::PointPair>& pairs) {
+  grid_ = grid;
   pose_ = world_from_map;
   pairs_ = pairs;
   Q_EMIT changed();
@@ -73,6 +74,8 @@ void ReferenceTool::clicked(const MapPoint& at) {
   hold_.reset();
   if (!pairing_) return;
   if (!first_m_) {
+    if (!isOnMap(at.world_m))
+      return Q_EMIT refused(tr("This is not on the reference map. Click one of its points first."));
     first_m_ = at.world_m;
   } else {
     const placing::PointPair pair{pose_.inverse().apply(*first_m_), at.world_m};
@@ -81,6 +84,13 @@ void ReferenceTool::clicked(const MapPoint& at) {
   }
   Q_EMIT changed();
   Q_EMIT hintChanged();
+}
+
+bool ReferenceTool::isOnMap(const Eigen::Vector2d& world_m) const {
+  const Eigen::Vector2d cell = grid_.cellFromWorld(pose_.inverse().apply(world_m));
+  const double reach = kReachPx * scene_->view().scale_m_per_px / grid_.resolution_m;
+  return cell.x() >= -reach && cell.y() >= -reach && cell.x() <= grid_.width + reach &&
+         cell.y() <= grid_.height + reach;
 }
 
 void ReferenceTool::hovered(const MapPoint& at) {

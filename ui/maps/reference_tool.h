@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/pose.h"
+#include "map/grid_reference.h"
 #include "placing/align.h"
 #include "scene/map_scene.h"
 #include "ui/view/map_tool.h"
@@ -19,7 +20,8 @@ class ReferenceTool : public MapTool {
   explicit ReferenceTool(const scene::MapScene* scene, QObject* parent = nullptr);
 
   /// What is laid at present.
-  void setState(const geometry::Pose2& world_from_map, const std::vector<placing::PointPair>& pairs);
+  void setState(const map::GridReference& grid, const geometry::Pose2& world_from_map,
+                const std::vector<placing::PointPair>& pairs);
   /// Clicks make pairs; otherwise drags move.
   void setPairing(bool pairing);
 
@@ -42,6 +44,7 @@ class ReferenceTool : public MapTool {
   /// While it is dragged; the last one counts.
   void moved(const mapwright::geometry::Pose2& world_from_map);
   void paired(const mapwright::placing::PointPair& pair);
+  void refused(const QString& why);
 
  private:
   struct Hold {
@@ -50,7 +53,11 @@ class ReferenceTool : public MapTool {
     bool turns;
   };
 
+  /// Of the cells, as a hand can hit them.
+  bool isOnMap(const Eigen::Vector2d& world_m) const;
+
   const scene::MapScene* scene_;
+  map::GridReference grid_;  // of the map, in its own coordinates
   geometry::Pose2 pose_;
   std::vector<placing::PointPair> pairs_;
   bool pairing_ = false;

@@ -536,6 +536,15 @@ void MapScene::setReference(std::optional<render::PlacedGrid> placed) {
   update();
 }
 
+void MapScene::setReferenceAbove(bool above) {
+  if (above == referenceAbove()) return;
+  items_->raster.reference()->setFaint(above);
+  items_->stack();
+  repaintAll();
+}
+
+bool MapScene::referenceAbove() const { return items_->raster.reference()->faint(); }
+
 void MapScene::setReferenceTrouble(std::optional<MapTrouble> trouble) {
   if (!trouble && !items_->context.reference_trouble) return;
   items_->context.reference_trouble = std::move(trouble);

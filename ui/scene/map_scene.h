@@ -134,6 +134,9 @@ class MapScene : public QGraphicsScene {
 
   /// A map from elsewhere, laid under the others; nullopt = none.
   void setReference(std::optional<render::PlacedGrid> placed);
+  /// Half transparent above the others: while it is laid by hand.
+  void setReferenceAbove(bool above);
+  bool referenceAbove() const;
   /// What is wrong with it; nullopt = all is well.
   void setReferenceTrouble(std::optional<MapTrouble> trouble);
   /// More of its cells have been read.

@@ -119,6 +119,7 @@ geometry::WorldRect RasterLayer::gridBounds() const {
 }
 
 void RasterLayer::paintPixels(QPainter& painter, const QRectF& exposed) {
+  if (faint_) painter.setOpacity(painter.opacity() / 2);
   drawRaster(painter, exposed, renderer_.drawing());
 }
 

@@ -23,6 +23,9 @@ class RasterLayer : public DeviceLayer {
   /// Of the grid; empty without one.
   geometry::WorldRect gridBounds() const;
   geometry::WorldRect contentBounds() const override { return gridBounds(); }
+  /// Half as opaque as its layer is.
+  void setFaint(bool faint) { faint_ = faint; }
+  bool faint() const { return faint_; }
   void setActive(bool active) override { renderer_.setActive(active); }
   bool settled() const override { return renderer_.settled(); }
   std::size_t cacheBytes() const override { return renderer_.cacheBytes(); }
@@ -33,6 +36,7 @@ class RasterLayer : public DeviceLayer {
 
  private:
   render::GridRenderer renderer_;
+  bool faint_ = false;
 };
 
 /// GUI thread. Makes the items; the scene that they are added to owns them.

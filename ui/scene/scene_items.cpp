@@ -273,6 +273,7 @@ void SceneItems::stack() {
   raster.compared()->setZValue(std::max(submaps, first(Layer::WholeMap).zValue()) + 1);
   raster.difference()->setZValue(raster.compared()->zValue() + 1);
   highlight->setZValue(first(Layer::Ids).zValue() + 1);
+  if (raster.reference()->faint()) raster.reference()->setZValue(z + 5);
   labels_below_->setZValue(z += 10);
   for (LayerItem* item : {stale, static_cast<LayerItem*>(mark), measure}) item->setZValue(z += 10);
   labels_above_->setZValue(z += 10);
