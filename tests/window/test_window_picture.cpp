@@ -20,6 +20,7 @@
 #include "ui/picture/picture_dock.h"
 #include "ui/picture/picture_drafts.h"
 #include "ui/picture/picture_tool.h"
+#include "ui/shell/map_drafts.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"

@@ -5,6 +5,7 @@
 
 #include "map/live_topics.h"
 #include "overlays/overlay_check.h"
+#include "overlays/overlay_merge.h"
 #include "overlays/overlay_shapes.h"
 #include "placing/warnings.h"
 #include "sentences/absence_sentence.h"
@@ -21,6 +22,7 @@
 #include "ui/overlays/overlay_tool.h"
 #include "ui/overlays/overlays_dock.h"
 #include "ui/shell/current_session.h"
+#include "ui/shell/map_drafts.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
@@ -525,39 +527,39 @@ void OverlaysController::watchDrafts() {
   drafts_.reset();
   may_leave_ = false;
   if (context_.edit.drafts_folder.isEmpty()) return;
-  drafts_ = std::make_unique<OverlayDrafts>(
-      edit::DraftIdentity{session_->robot().address(),
-                          QString::fromStdString(map::toText(target_->map) + target_->uid),
-                          QStringLiteral("overlays")},
-      context_.edit,
-      [this]() -> std::optional<OverlayDraft> {
-        if (!unsaved()) return std::nullopt;
-        return OverlayDraft{{}, editing_.document().draftBase(), editing_.document().mine()};
-      },
-      context_.workers);
-  connect(drafts_.get(), &OverlayDrafts::changed, this, [this] {
-    syncMap();  // they are read for it
-    if (drafts_->offered())
-      context_.overlay.toasts()->add(Mark::Neutral, drafts_->offer(),
-                                     {tr("Show"), [this] { context_.panels.open(dock_); }});
-  });
-  connect(drafts_.get(), &OverlayDrafts::remarked, this,
-          [this](const QString& sentence) { context_.overlay.toasts()->add(Mark::Warning, sentence); });
+  MapDrafts::Kind kind{
+      .of = {session_->robot().address(), QString::fromStdString(map::toText(target_->map) + target_->uid),
+             QStringLiteral("overlays")},
+      .offer = tr("There is an unsaved draft of the overlays of this map from %1: %2."),
+      .not_backed = tr("Changes to the overlays are not backed up: save them soon. %1"),
+      .lost = tr("The changes to the overlays are lost. %1")};
+  kind.content = [this, of = kind.of]() -> edit::DraftKeeper::Job {
+    if (!unsaved()) return {};
+    return [of, draft = OverlayDraft{context_.edit.now(), editing_.document().draftBase(),
+                                     editing_.document().mine()}] { return overlayDraftBytes(of, draft); };
+  };
+  kind.read = [](const QByteArray& bytes) -> std::optional<MapDrafts::Draft> {
+    auto draft = overlayDraftFrom(bytes);
+    if (!draft) return std::nullopt;
+    const auto changes = qsizetype(overlays::changesBetween(draft->base, draft->mine).size());
+    return MapDrafts::Draft{draft->made, overlayChangesText(changes), std::move(*draft)};
+  };
+  kind.unsaved = [this] { return unsaved(); };
+  drafts_ = std::make_unique<MapDrafts>(context_, dock_, std::move(kind));
+  connect(drafts_.get(), &MapDrafts::changed, this, &OverlaysController::syncMap);  // they are read for it
 }
 
-/// Unsaved changes stay as a draft; if that is impossible the user has to know.
+/// Unsaved changes stay as a draft.
 void OverlaysController::keepDraft() {
-  if (!drafts_) return;
-  const bool any = unsaved();
-  if (const auto trouble = drafts_->keep(); trouble && any)
-    context_.overlay.toasts()->add(
-        Mark::Bad, tr("The changes to the overlays are lost. %1").arg(sentences::wordsOf(*trouble)));
+  if (drafts_) drafts_->keepOrTell();
   drafts_.reset();
 }
 
 void OverlaysController::takeDraft() {
   if (!drafts_ || !drafts_->offered() || !editing_.editable()) return;
-  const OverlayDraft draft = drafts_->take();
+  MapDrafts::Left left = drafts_->take();
+  drafts_->replace(std::move(left.file));
+  const auto& draft = std::any_cast<const OverlayDraft&>(left.draft.content);
   editing_.takeUp(draft.base, draft.mine, tr("restore the draft"));
   if (!editing_.document().conflicts().empty()) {
     context_.panels.open(dock_);

@@ -23,8 +23,8 @@
 
 namespace mapwright::window {
 
+class MapDrafts;
 class OverlayActions;
-class OverlayDrafts;
 class OverlayHistoryDock;
 class OverlayReview;
 class OverlaySnapping;
@@ -127,7 +127,7 @@ class OverlaysController : public Controller {
   QString trouble_;                      // of saving
   bool was_unsaved_ = false, could_save_ = false, may_leave_ = false;
   quint64 opened_ = 0;  // counts maps: results about earlier ones are ignored
-  std::unique_ptr<OverlayDrafts> drafts_;
+  std::unique_ptr<MapDrafts> drafts_;
   QPointer<QMessageBox> question_;
   QPointer<OverlayReview> review_;
   std::function<void()> when_left_, when_saved_;

@@ -21,6 +21,7 @@
 #include "ui/picture/picture_dock.h"
 #include "ui/picture/picture_drafts.h"
 #include "ui/shell/current_session.h"
+#include "ui/shell/map_drafts.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/toast_stack.h"
@@ -90,9 +91,7 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
   connect(dock_, &PictureDock::discardWanted, &editing_, &PictureEditing::revert);
   connect(dock_, &PictureDock::compareWanted, this, &PictureController::compareWanted);
   connect(dock_, &PictureDock::copiesWanted, this, &PictureController::showCopies);
-  connect(dock_, &PictureDock::draftWanted, this, [this] {
-    if (drafts_) drafts_->takeUp();
-  });
+  connect(dock_, &PictureDock::draftWanted, this, &PictureController::takeDraft);
   connect(dock_, &PictureDock::draftNotWanted, this, [this] {
     if (drafts_) drafts_->turnDown();
   });
@@ -227,29 +226,46 @@ void PictureController::watchDrafts() {
   drafts_.reset();
   may_leave_ = false;
   if (context_.edit.drafts_folder.isEmpty()) return;
-  drafts_ = std::make_unique<PictureDrafts>(
-      &editing_,
-      edit::DraftIdentity{session_->robot().address(), QString::fromStdString(map::toText(*open_map_)),
-                          QStringLiteral("picture")},
-      context_.edit, context_.workers);
-  connect(drafts_.get(), &PictureDrafts::changed, this, [this] {
-    refresh();
-    if (drafts_->offered())
-      context_.overlay.toasts()->add(Mark::Neutral, drafts_->offer(),
-                                     {tr("Show"), [this] { context_.panels.open(dock_); }});
-  });
-  connect(drafts_.get(), &PictureDrafts::remarked, this,
-          [this](const QString& sentence) { context_.overlay.toasts()->add(Mark::Warning, sentence); });
+  MapDrafts::Kind kind{.of = {session_->robot().address(), QString::fromStdString(map::toText(*open_map_)),
+                              QStringLiteral("picture")},
+                       .offer = tr("There is an unsaved draft of this map from %1: %2."),
+                       .not_backed = tr("Changes to the map are not backed up: save them soon. %1"),
+                       .lost = tr("The changes to the map are lost. %1")};
+  kind.content = [this, of = kind.of]() -> edit::DraftKeeper::Job {
+    if (!editing_.isOpen() || !editing_.unsaved()) return {};
+    return [of, made = context_.edit.now(), now = editing_.snapshot(), saved = editing_.saved()] {
+      return pictureDraftBytes(of, made, *now, *saved);
+    };
+  };
+  kind.read = [grid = editing_.snapshot()](const QByteArray& bytes) -> std::optional<MapDrafts::Draft> {
+    auto draft = pictureDraftFrom(bytes);
+    const auto taken = draft ? window::takeDraft(*draft, *grid) : std::nullopt;
+    if (!taken) return std::nullopt;
+    return MapDrafts::Draft{draft->made, cellsText(taken->cells), std::move(*draft), taken->cells == 0};
+  };
+  kind.unsaved = [this] { return editing_.unsaved(); };
+  drafts_ = std::make_unique<MapDrafts>(context_, dock_, std::move(kind));
+  connect(drafts_.get(), &MapDrafts::changed, this, &PictureController::refresh);
 }
 
-/// Unsaved changes stay as a draft; if that is impossible the user has to know.
+/// Unsaved changes stay as a draft.
 void PictureController::keepDraft() {
-  if (!drafts_) return;
-  const bool unsaved = editing_.unsaved();
-  if (const auto trouble = drafts_->keep(); trouble && unsaved)
-    context_.overlay.toasts()->add(
-        Mark::Bad, tr("The changes to the map are lost. %1").arg(sentences::wordsOf(*trouble)));
+  if (drafts_) drafts_->keepOrTell();
   drafts_.reset();
+}
+
+void PictureController::takeDraft() {
+  if (!drafts_ || !drafts_->offered() || !editing_.isOpen()) return;
+  MapDrafts::Left left = drafts_->take();
+  auto taken = window::takeDraft(std::any_cast<const PictureDraft&>(left.draft.content), *editing_.grid());
+  if (!taken) return;
+  drafts_->replace(std::move(left.file));
+  editing_.takeUp(std::move(taken->patch), tr("restore the draft"));
+  if (taken->elsewhere > 0)
+    context_.overlay.toasts()->add(
+        Mark::Warning, tr("Since this draft was made, someone else has also changed these parts of the map: "
+                          "%1. Your changes are shown; use undo to see the others.")
+                           .arg(cellsText(taken->elsewhere)));
 }
 
 /// The same map has arrived with another picture: saved here, or changed by someone else.

@@ -23,7 +23,7 @@ namespace mapwright::window {
 
 class CopiesDialog;
 class PictureDock;
-class PictureDrafts;
+class MapDrafts;
 class PictureTool;
 
 class PictureController : public Controller {
@@ -41,8 +41,8 @@ class PictureController : public Controller {
   PictureEditing* editing() { return &editing_; }
   PictureTool* tool() const { return tool_; }
   PictureDock* dock() const { return dock_; }
-  PictureDrafts* drafts() const { return drafts_.get(); }  // null: there are none
-  QMessageBox* question() const { return question_; }      // null: nothing is asked
+  MapDrafts* drafts() const { return drafts_.get(); }  // null: there are none
+  QMessageBox* question() const { return question_; }  // null: nothing is asked
   /// The same, before a robot's map is overwritten.
   QMessageBox* sendingQuestion() const { return sending_question_; }
   CopiesDialog* copiesDialog() const;  // null: none is open
@@ -83,6 +83,7 @@ class PictureController : public Controller {
   void takeCopy(const QString& when, const tl::expected<ReadCopy, QString>& read);
   void turnInto(std::shared_ptr<const grids::GridPyramid> cells, const QString& when);
   void watchDrafts();
+  void takeDraft();
   void keepDraft();
   void answer(Leaving leaving);
   /// The stored map that corresponds to the live map on screen: it can be edited instead.
@@ -107,7 +108,7 @@ class PictureController : public Controller {
   bool saving_ = false, again_ = false;             // again: saves once more after merging theirs
   bool was_unsaved_ = false;
   bool conflicts_reported_ = false;  // only once, however often others paint there
-  std::unique_ptr<PictureDrafts> drafts_;
+  std::unique_ptr<MapDrafts> drafts_;
   bool may_leave_ = false;  // keeps the draft and leaves
   quint64 opened_ = 0;      // counts maps: results about earlier ones are ignored
   QString trouble_;         // of saving

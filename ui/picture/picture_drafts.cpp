@@ -3,9 +3,6 @@
 #include <set>
 #include <utility>
 
-#include "sentences/fault_sentence.h"
-#include "ui/shell/unsaved_question.h"
-
 namespace mapwright::window {
 namespace {
 
@@ -34,12 +31,8 @@ std::optional<QByteArray> unpacked(const QString& text) {
   return cells;
 }
 
-/// A draft applied to a grid of its size and code: its cells where they differ from those saved at that time.
-struct TakenDraft {
-  picture::Patch patch;
-  std::int64_t cells = 0;      // that become others
-  std::int64_t elsewhere = 0;  // of these, the ones that others have changed differently since
-};
+}  // namespace
+
 std::optional<TakenDraft> takeDraft(const PictureDraft& draft, const picture::EditedGrid& grid) {
   if (draft.width != grid.width() || draft.height != grid.height() || draft.code != grid.code())
     return std::nullopt;
@@ -63,8 +56,6 @@ std::optional<TakenDraft> takeDraft(const PictureDraft& draft, const picture::Ed
   taken.patch = canvas.take();
   return taken;
 }
-
-}  // namespace
 
 QByteArray pictureDraftBytes(const edit::DraftIdentity& of, const QDateTime& made,
                              const picture::EditedGrid& now, const picture::EditedGrid& saved) {
@@ -103,92 +94,4 @@ std::optional<PictureDraft> pictureDraftFrom(const QByteArray& bytes) {
   return draft;
 }
 
-PictureDrafts::PictureDrafts(PictureEditing* editing, edit::DraftIdentity of, edit::EditOptions options,
-                             const std::shared_ptr<work::Workers>& workers, QObject* parent)
-    : QObject(parent),
-      editing_(editing),
-      of_(std::move(of)),
-      options_(std::move(options)),
-      keeper_(
-          options_.drafts_folder, of_,
-          [this]() -> edit::DraftKeeper::Job {
-            if (!editing_->isOpen() || !editing_->unsaved()) return {};
-            return [of = of_, made = options_.now(), now = editing_->snapshot(), saved = editing_->saved()] {
-              return pictureDraftBytes(of, made, *now, *saved);
-            };
-          },
-          options_.later, workers),
-      share_(workers) {
-  connect(&keeper_, &edit::DraftKeeper::troubleChanged, this, &PictureDrafts::changed);
-  share_.startLong([this, folder = options_.drafts_folder, identity = of_, grid = editing_->snapshot()] {
-    const auto found = std::make_shared<Found>(look(folder, identity, *grid));
-    QMetaObject::invokeMethod(
-        this,
-        [this, found] {
-          left_ = std::move(found->drafts);
-          for (const QString& remark : std::as_const(found->remarks)) Q_EMIT remarked(remark);
-          if (offered()) Q_EMIT changed();
-        },
-        Qt::QueuedConnection);
-  });
-}
-
-PictureDrafts::Found PictureDrafts::look(const QString& folder, const edit::DraftIdentity& of,
-                                         const picture::EditedGrid& grid) {
-  Found found;
-  edit::LeftDrafts left = edit::leftDrafts(folder, of);
-  for (const Fault& note : left.notes) found.remarks << sentences::wordsOf(note);
-  for (edit::LeftDraft& file : left.drafts) {
-    auto draft = pictureDraftFrom(file.bytes);
-    const auto taken = draft ? takeDraft(*draft, grid) : std::nullopt;
-    if (!taken) {
-      found.remarks << sentences::wordsOf(edit::setAside(std::move(file)));
-    } else if (taken->cells == 0) {
-      edit::removeDraft(std::move(file));  // it has been saved after all
-    } else {
-      file.bytes.clear();
-      found.drafts.push_back({std::move(file), std::move(*draft), taken->cells});
-    }
-  }
-  return found;
-}
-
-QString PictureDrafts::offer() const {
-  if (!offered()) return {};
-  return tr("There is an unsaved draft of this map from %1: %2.")
-      .arg(draftTimeText(left_.front().draft.made, options_.now()), cellsText(left_.front().cells));
-}
-
-QString PictureDrafts::trouble() const {
-  // What is saved needs no draft.
-  if (!keeper_.trouble().any() || !editing_->unsaved()) return {};
-  return tr("Changes to the map are not backed up: save them soon. %1")
-      .arg(sentences::wordsOf(keeper_.trouble()));
-}
-
-void PictureDrafts::takeUp() {
-  if (!offered() || !editing_->isOpen()) return;
-  Left left = std::move(left_.front());
-  left_.erase(left_.begin());
-  if (auto taken = takeDraft(left.draft, *editing_->grid())) {
-    keeper_.replace(std::move(left.file));
-    editing_->takeUp(std::move(taken->patch), tr("restore the draft"));
-    if (taken->elsewhere > 0)
-      Q_EMIT remarked(tr("Since this draft was made, someone else has also changed these parts of the map: "
-                         "%1. Your changes are shown; use undo to see the others.")
-                          .arg(cellsText(taken->elsewhere)));
-  }
-  Q_EMIT changed();
-}
-
-void PictureDrafts::turnDown() {
-  if (!offered()) return;
-  if (const auto trouble = edit::removeDraft(std::move(left_.front().file)))
-    Q_EMIT remarked(sentences::wordsOf(*trouble));
-  left_.erase(left_.begin());
-  Q_EMIT changed();
-}
-
 }  // namespace mapwright::window
-
-#include "moc_picture_drafts.cpp"

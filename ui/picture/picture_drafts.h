@@ -1,21 +1,15 @@
-// Drafts of the unsaved changes of a map's picture, which are offered again.
+// Drafts of the unsaved changes of a map's picture, as bytes and applied.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include <QByteArray>
 #include <QDateTime>
-#include <QObject>
-#include <QString>
 
 #include "edit/drafts.h"
-#include "edit/open_waypoints.h"
-#include "fault/fault.h"
 #include "grids/grid_pyramid.h"
 #include "picture/merge.h"
-#include "ui/picture/picture_editing.h"
 
 namespace mapwright::window {
 
@@ -36,48 +30,12 @@ QByteArray pictureDraftBytes(const edit::DraftIdentity& of, const QDateTime& mad
 /// nullopt: not such a draft, or damaged. Contains nothing larger than a tile.
 std::optional<PictureDraft> pictureDraftFrom(const QByteArray& bytes);
 
-class PictureDrafts : public QObject {
-  Q_OBJECT
- public:
-  /// Looks for earlier drafts at once. `editing` must outlive this, with its map open.
-  PictureDrafts(PictureEditing* editing, edit::DraftIdentity of, edit::EditOptions options,
-                const std::shared_ptr<work::Workers>& workers, QObject* parent = nullptr);
-
-  /// Something has changed.
-  void touch() { keeper_.touch(); }
-  /// Writes the draft to disk; otherwise returns why not.
-  std::optional<Fault> keep() { return keeper_.flush(); }
-  /// Why it is not on disk; empty = nothing is wrong.
-  QString trouble() const;
-
-  bool offered() const { return !left_.empty(); }
-  /// The offer as a sentence; empty = none.
-  QString offer() const;
-  void takeUp();
-  void turnDown();
-
- Q_SIGNALS:
-  void changed();
-  void remarked(const QString& sentence);
-
- private:
-  struct Left {
-    edit::LeftDraft file;
-    PictureDraft draft;
-    std::int64_t cells = 0;
-  };
-  struct Found {
-    std::vector<Left> drafts;
-    QStringList remarks;
-  };
-  static Found look(const QString& folder, const edit::DraftIdentity& of, const picture::EditedGrid& grid);
-
-  PictureEditing* editing_;
-  edit::DraftIdentity of_;
-  edit::EditOptions options_;
-  std::vector<Left> left_;
-  edit::DraftKeeper keeper_;
-  work::Tasks share_;  // last
+/// A draft applied to a grid of its size and code: its cells where they differ from those saved at that time.
+struct TakenDraft {
+  picture::Patch patch;
+  std::int64_t cells = 0;      // that become others
+  std::int64_t elsewhere = 0;  // of these, the ones that others have changed differently since
 };
+std::optional<TakenDraft> takeDraft(const PictureDraft& draft, const picture::EditedGrid& grid);
 
 }  // namespace mapwright::window
