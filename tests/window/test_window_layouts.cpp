@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QStandardItemModel>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTableView>
 #include <QToolBar>
@@ -17,12 +18,16 @@
 
 #include "test_program.h"
 #include "ui/kit/name_column.h"
+#include "ui/kit/plain_label.h"
+#include "ui/kit/safety_badge.h"
 #include "ui/kit/wrapping_row.h"
 #include "ui/layers/layers_dock.h"
 #include "ui/maps/maps_dock.h"
 #include "ui/replay/events_dock.h"
 #include "ui/robot/connection_chip.h"
 #include "ui/robot/robot_dock.h"
+#include "ui/shell/notices.h"
+#include "ui/shell/window_status_bar.h"
 #include "ui/slam/inspector_dock.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
@@ -337,6 +342,60 @@ class TestWindowLayouts : public QObject {
     QCOMPARE(window.size(), QSize(800, 570));
     QVERIFY2(window.view()->width() >= 300 && window.view()->height() >= 200,
              qPrintable(QStringLiteral("%1 x %2").arg(window.view()->width()).arg(window.view()->height())));
+  }
+
+  void noTextThatComesAndGoesWidensTheWindow_data() { theWindowFitsASmallScreen_data(); }
+  void noTextThatComesAndGoesWidensTheWindow() {
+    QFETCH(QByteArray, layout);
+    Bench bench;
+    bench.prepare = [](test::FakeRobot& made) {
+      made.has_live = made.has_catalogue = true;
+      made.maps.entries = {test::catalogued("1", "A map whose name is longer than that of any other map")};
+      made.maps.entries[0].is_current = true;
+    };
+    MainWindow& window = bench.open({800, 570});
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    showAnew(bench, layout);
+    const QString longest =
+        QStringLiteral("nothing for 12 min 34 s, as nobody would ever have thought ").repeated(4);
+    part<ConnectionChip>(window)->setSafety({Mark::Bad, false, longest, longest, longest});
+    part<ConnectionChip>(window)->setRobot(longest, Mark::Busy, longest, longest);
+    map::AlertsMessage alerts;
+    for (int code = 6000; code < 6020; ++code)
+      alerts.alerts.push_back({code, map::AlertLevel::Error, longest.toStdString(), 0});
+    bench.robot->say(alerts);
+    bench.robot->goAway(longest);
+    bench.action("compare")->trigger();
+    for (const auto rank : {NoticeRank::Link, NoticeRank::Replay})
+      part<Notices>(window)->set(rank, {Mark::Bad, longest, longest, {}, true});
+    for (auto* label : window.findChildren<PlainLabel*>()) label->setText(longest);
+    for (auto* label : window.findChildren<StateLabel*>()) label->setState({Mark::Warning, longest});
+    for (auto* badge : window.findChildren<SafetyBadge*>())
+      badge->setSafety({Mark::Bad, false, longest, longest, longest});
+    for (QWidget* part : window.statusBar()->findChildren<QWidget*>()) {
+      part->show();
+      if (auto* const button = qobject_cast<QToolButton*>(part)) button->setText(longest);
+    }
+    // Laid out, and nothing else: the window itself would soon say something shorter.
+    for (int turn = 0; turn < 4; ++turn) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    QVERIFY2(window.minimumSizeHint().width() <= 800,
+             qPrintable(QString::number(window.minimumSizeHint().width())));
+    QCOMPARE(window.size(), QSize(800, 570));
+    // Nothing in the bar lies over anything else; the bars give way to the texts.
+    std::map<int, QRect> places;
+    QStringList said;
+    for (QWidget* part : window.statusBar()->findChildren<QWidget*>()) {
+      if (!part->isVisible() || part->layout() || qobject_cast<ThinBar*>(part)) continue;
+      places[part->x()] = part->geometry();
+      said << QStringLiteral("%1 at %2").arg(part->width()).arg(part->x());
+    }
+    int right = 0;
+    for (const auto& [left, place] : places) {
+      QVERIFY2(left >= right && place.width() >= 20, qPrintable(said.join(QLatin1String(", "))));
+      right = place.right() + 1;
+    }
+    QVERIFY2(places.size() >= 10 && right <= 800, qPrintable(said.join(QLatin1String(", "))));
   }
 
   void alertsMoveNoTool() {

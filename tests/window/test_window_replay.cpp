@@ -31,6 +31,7 @@
 #include "ui/replay/replay_controller.h"
 #include "ui/replay/timeline_dock.h"
 #include "ui/shell/replay_clock.h"
+#include "ui/shell/window_status_bar.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
 #include "ui/view/notice_bar.h"
@@ -161,6 +162,23 @@ class TestWindowReplay : public QObject {
     QVERIFY(!desk.list().recordButton()->isEnabled());
     QVERIFY(!desk.timeline().view()->notice().isEmpty());
     QVERIFY(!desk.action("replayPlay")->isEnabled());
+  }
+
+  void theControlsFitASmallScreen() {
+    Desk desk;
+    desk.window->resize(800, 570);
+    desk.action("layoutReplay")->trigger();
+    QCoreApplication::processEvents();
+    const int before = desk.window->minimumSizeHint().width();
+    desk.replay(kGap);
+    for (auto* label : desk.window->findChildren<StateLabel*>())
+      label->setState({Mark::Warning, QStringLiteral("the range is missing ").repeated(20)});
+    for (auto* button : desk.timeline().findChildren<QPushButton*>()) button->show();
+    QCoreApplication::processEvents();
+    QVERIFY2(desk.window->minimumSizeHint().width() <= 800,
+             qPrintable(QString::number(desk.window->minimumSizeHint().width())));
+    QCOMPARE(desk.window->minimumSizeHint().width(), before);
+    QCOMPARE(desk.window->width(), 800);
   }
 
   void listsSortsAndSearches() {

@@ -1,5 +1,7 @@
 #include "ui/shell/window_status_bar.h"
 
+#include <algorithm>
+
 #include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QPainter>
@@ -16,8 +18,28 @@
 namespace mapwright::window {
 
 namespace {
+
 constexpr int kMapNamePx = 200;
-}
+// Of what is under the cursor.
+constexpr double kKeptInCrowd = 0.6;
+
+/// Keeps a part of its text while there is room for that. (A minimum width would be kept in any case, and the
+/// labels of a crowded bar would lie over each other.)
+class BarLabel : public PlainLabel {
+ public:
+  explicit BarLabel(QWidget* parent, double kept = 1, int most_px = QWIDGETSIZE_MAX)
+      : PlainLabel(parent), kept_(kept), most_px_(most_px) {}
+  QSize minimumSizeHint() const override {
+    const QSize hint = sizeHint();
+    return {std::min(int(hint.width() * kept_), most_px_), hint.height()};
+  }
+
+ private:
+  double kept_;
+  int most_px_;
+};
+
+}  // namespace
 
 ThinBar::ThinBar(QWidget* parent) : QWidget(parent) { setFixedSize(64, 20); }
 
@@ -90,18 +112,20 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
     : QStatusBar(parent),
       connection_(new StateLabel(this)),
       safety_(new SafetyBadge(this)),
-      loading_(new PlainLabel(this)),
+      loading_(new BarLabel(this)),
       bar_(new ThinBar(this)),
       traffic_(new PlainLabel(this)),
-      map_(new PlainLabel(this)),
+      map_(new BarLabel(this, 1, kMapNamePx)),
       map_bar_(new ThinBar(this)),
       problems_(new QToolButton(this)),
-      coordinates_(new PlainLabel(this)),
-      occupancy_(new PlainLabel(this)),
-      scale_(new PlainLabel(this)),
-      rotation_(new PlainLabel(this)) {
+      coordinates_(new BarLabel(this, kKeptInCrowd)),
+      occupancy_(new BarLabel(this, kKeptInCrowd)),
+      scale_(new BarLabel(this, kKeptInCrowd)),
+      rotation_(new BarLabel(this, kKeptInCrowd)) {
   setSizeGripEnabled(false);
   setFixedHeight(28);
+  // What it says comes and goes: the window is not to become wider for it. The longest text is cut first.
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   problems_->setIcon(themedIcon(QStringLiteral("problem")));
   problems_->setIconSize({14, 14});
   problems_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -137,12 +161,10 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
   line->addWidget(problems_, 0);
   line->addStretch(1);
   for (PlainLabel* label : {coordinates_, occupancy_, scale_, rotation_}) {
-    // If the bar is crowded they shrink before the window has to grow.
-    const int width = label->sizeHint().width();
-    label->setMinimumWidth(width * 6 / 10);
-    label->setMaximumWidth(width);
+    label->setMaximumWidth(label->sizeHint().width());
     line->addWidget(label, 0);
   }
+  for (ThinBar* bar : {bar_, map_bar_}) bar->setMinimumWidth(0);
   addWidget(row, 1);
 
   countdown_.setInterval(250);
@@ -205,8 +227,6 @@ void WindowStatusBar::refreshRows() {
   const session::SubmapCounts counts = session_ ? session_->counts() : session::SubmapCounts{};
   loading_->setText(session_ && submaps_in_view_ ? loadingText(counts) : QString());
   loading_->setHidden(loading_->text().isEmpty());
-  // Counts are never truncated: the reason next to them is complete in the tooltip and the notice.
-  loading_->setMinimumWidth(loading_->sizeHint().width());
   traffic_->setText(trafficText(counts));
   traffic_->setHidden(traffic_->text().isEmpty());
   // The bar is only visible while something is loading.
@@ -219,11 +239,8 @@ void WindowStatusBar::refreshMap() {
   QString text;
   if (session_)
     text = whole_in_view_ ? mapShownText(session_->wholeMap()) : mapProgressText(session_->wholeMap());
-  const bool named = whole_in_view_ || (text.isEmpty() && submaps_in_view_);
   if (session_ && text.isEmpty() && submaps_in_view_ && !whole_in_view_) text = submaps_of_;
   map_->setText(text);
-  // The map's name is truncated last.
-  map_->setMinimumWidth(named ? qMin(kMapNamePx, map_->sizeHint().width()) : 0);
   if (map_->isHidden() != text.isEmpty()) map_->setVisible(!text.isEmpty());
   const bool reading = session_ && session_->wholeMap().phase() == session::MapSlot::Phase::Reading;
   if (map_bar_->isHidden() == reading) map_bar_->setVisible(reading);
