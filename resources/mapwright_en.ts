@@ -401,6 +401,26 @@
     </message>
 </context>
 <context>
+    <name>mapwright::window::OverlayMarksDialog</name>
+    <message numerus="yes">
+        <source>Take over %1 marks</source>
+        <translation>
+            <numerusform>Take over %1 mark</numerusform>
+            <numerusform>Take over %1 marks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mapwright::window::OverlayTeaching</name>
+    <message numerus="yes">
+        <source>%1 marks</source>
+        <translation>
+            <numerusform>%1 mark</numerusform>
+            <numerusform>%1 marks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::window::PictureDock</name>
     <message numerus="yes">
         <source>%1 specks</source>

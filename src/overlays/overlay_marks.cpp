@@ -90,8 +90,8 @@ std::vector<MarkOffer> offersOf(const OverlayDocument& among, const std::vector<
 }
 
 Feature markFeature(const OverlayDocument& among, const Mark& mark, const std::string& id) {
-  Feature feature = newFeature(among, Shape::Point, {mark.at_m}, typeOf(mark.kind), id);
-  feature = withProperty(feature, "name", std::nullopt);
+  // Named by what it is known by, so that people can tell it from others.
+  Feature feature = newFeature(among, Shape::Point, {mark.at_m}, typeOf(mark.kind), id, mark.id);
   if (mark.yaw_deg) feature = withYaw(feature, mark.yaw_deg);
   return asOthers(among, withProperty(feature, idProperty(mark.kind), json::quoted(mark.id)));
 }

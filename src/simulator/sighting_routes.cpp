@@ -22,7 +22,7 @@ HttpAnswer seen(const Robot& robot, const Request& request) {
     return charger || rack ? valueAnswer(200, Value::Object{{"pose", Value()}})
                            : errorAnswer(500, "Nothing was detected.");
   // It stands with its back to a charger, and within a rack, a pallet or a trailer.
-  const geometry::Pose2 from = charger                       ? geometry::Pose2{-0.45, 0, std::numbers::pi}
+  const geometry::Pose2 from = charger                         ? geometry::Pose2{-0.45, 0, std::numbers::pi}
                                : edge == "center_of_rear_edge" ? geometry::Pose2{-0.5, 0, std::numbers::pi}
                                                                : geometry::Pose2{0.5, 0, 0};
   Value answer = Value::Object{{"pose", placeOf(robot.state.robotPose() * from)}};

@@ -91,7 +91,7 @@ class OverlayToolsTest : public QObject {
     const Feature mark = markFeature(among, offers[0].mark, "id");
     QCOMPARE(mark.type(), kLandmark);
     QCOMPARE(mark.property("landmarkId")->string(), std::string("landmark_2"));
-    QVERIFY(!mark.property("name"));
+    QCOMPARE(mark.name(), std::string("landmark_2"));
     const Feature moved = withMark(among.features()[1], offers[2].mark);
     QCOMPARE(coordinatesOf(moved), std::string("[5,6]"));
     QVERIFY(offersOf(document(moved.text()), {offers[2].mark}).empty());

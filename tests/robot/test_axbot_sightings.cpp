@@ -78,8 +78,7 @@ class AxbotSightingsTest : public QObject {
       const auto seen = bench.look(what);
       QVERIFY(seen);
       QVERIFY(std::hypot(seen->pose.x_m - charger->pose.x_m, seen->pose.y_m - charger->pose.y_m) < 1.5);
-      QCOMPARE(seen->reference,
-               what == Sight::Charger ? std::string() : std::string("center_of_front_edge"));
+      QCOMPARE(seen->reference, what == Sight::Charger ? std::string() : std::string("center_of_front_edge"));
     }
     const auto rear = bench.look(Sight::Rack, SightEdge::Rear);
     QVERIFY(rear);

@@ -94,9 +94,9 @@ std::vector<overlays::MarkOffer> OverlayMarksDialog::chosen() const {
 
 void OverlayMarksDialog::refresh() {
   const auto count = qsizetype(chosen().size());
-  take_->setText(count == 0
-                     ? tr("Add")
-                     : sentences::counted(tr("Add %1 marks", nullptr, sentences::formOf(count)), count));
+  take_->setText(
+      count == 0 ? tr("Take over")
+                 : sentences::counted(tr("Take over %1 marks", nullptr, sentences::formOf(count)), count));
   take_->setEnabled(count > 0);
 }
 

@@ -208,6 +208,7 @@ void OverlaysDock::setMenus(QMenu* from_robot, QMenu* arrange, QAction* snap, QM
   arrange_->setMenu(arrange);
   snap_->setDefaultAction(snap);
   snap_->setMenu(snap_to);
+  snap_->setMinimumWidth(snap_->iconSize().width() + 26);  // the arrow beside the picture
   defaults_->setDefaultAction(defaults);
 }
 

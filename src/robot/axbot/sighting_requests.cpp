@@ -62,9 +62,7 @@ Outcome<Sighting> sightingOf(const net::HttpAnswer& answer, Sight what) {
 
 }  // namespace
 
-QStringList sightingTopics() {
-  return {QStringLiteral("/landmarks"), QStringLiteral("/collected_barcode")};
-}
+QStringList sightingTopics() { return {QStringLiteral("/landmarks"), QStringLiteral("/collected_barcode")}; }
 
 tl::expected<Sighting, Fault> parseSighting(std::string_view body, Sight what) {
   wire::JsonReader reader;
@@ -98,17 +96,15 @@ tl::expected<std::vector<std::string>, Fault> parseCollectedNames(std::string_vi
 
 void SightingRequests::look(const Task& task, Sight what, SightEdge edge, OutcomeTo<Sighting> reply) {
   net::HttpRequest request = server_.request(sightPath(what), edgeQuery(edge));
-  wire::send(
-      task, server_.http, request,
-      [this, task, request, what, reply = std::move(reply)](const net::HttpAnswer& answer) mutable {
-        if (!wire::isUnknownThere(answer)) return reply(sightingOf(answer, what));
-        // Some firmware wants it as a POST, like other services. It changes nothing either way.
-        request.method = net::HttpMethod::Post;
-        request.body = "{}";
-        wire::send(task, server_.http, request, [what, reply](const net::HttpAnswer& posted) {
-          reply(sightingOf(posted, what));
-        });
-      });
+  wire::send(task, server_.http, request,
+             [this, task, request, what, reply = std::move(reply)](const net::HttpAnswer& answer) mutable {
+               if (!wire::isUnknownThere(answer)) return reply(sightingOf(answer, what));
+               // Some firmware wants it as a POST, like other services. It changes nothing either way.
+               request.method = net::HttpMethod::Post;
+               request.body = "{}";
+               wire::send(task, server_.http, request,
+                          [what, reply](const net::HttpAnswer& posted) { reply(sightingOf(posted, what)); });
+             });
 }
 
 struct SightingRequests::Collecting {
