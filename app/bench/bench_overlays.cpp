@@ -26,27 +26,30 @@ using overlays::OverlayDocument;
 std::string overlaysText(int count) {
   std::string text = R"({"type": "FeatureCollection", "features": [)";
   for (int i = 0; i < count; ++i) {
-    const auto at = [&](double dx, double dy) {
-      return "[" + overlays::coordinateText(i % 100 * 2 + dx) + ", " +
-             overlays::coordinateText(i / 100 * 2 + dy) + "]";
+    const int x = i % 100 * 2, y = i / 100 * 2;
+    const auto place = [&](std::initializer_list<std::pair<int, int>> corners) {
+      for (const auto& [dx, dy] : corners) {
+        if (text.back() == ']') text += ", ";
+        text.append("[").append(std::to_string(x + dx)).append(".25, ");
+        text.append(std::to_string(y + dy)).append(".5]");
+      }
     };
-    const std::string id = "65a00000000000000" + std::to_string(1'000'000 + i);
-    std::string geometry,
-        properties = R"("name": "Shelf )" + std::to_string(i) + "\", \"mapOverlay\": true, ";
+    text.append(i > 0 ? ",\n" : "\n").append(R"({"id": "65a00000000000000)");
+    text.append(std::to_string(1'000'000 + i)).append(R"(", "type": "Feature", "geometry": {"type": ")");
     if (i % 3 == 0) {
-      geometry = R"({"type": "Point", "coordinates": )" + at(0.5, 0.5) + "}";
-      properties += R"("type": "34", "yaw": 90)";
+      text.append(R"(Point", "coordinates": )");
+      place({{0, 0}});
+      text.append(R"(}, "properties": {"type": "34", "yaw": 90)");
     } else if (i % 3 == 1) {
-      geometry =
-          R"({"type": "LineString", "coordinates": [)" + at(0, 0) + ", " + at(1, 0) + ", " + at(1, 1) + "]}";
-      properties += R"("lineType": "2")";
+      text.append(R"(LineString", "coordinates": [)");
+      place({{0, 0}, {1, 0}, {1, 1}});
+      text.append(R"(]}, "properties": {"lineType": "2")");
     } else {
-      geometry = R"({"type": "Polygon", "coordinates": [[)" + at(0, 0) + ", " + at(1, 0) + ", " + at(1, 1) +
-                 ", " + at(0, 1) + ", " + at(0, 0) + "]]}";
-      properties += R"("regionType": 1, "blocked": false)";
+      text.append(R"(Polygon", "coordinates": [[)");
+      place({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}});
+      text.append(R"(]]}, "properties": {"regionType": 1, "blocked": false)");
     }
-    text += (i > 0 ? ",\n" : "\n") + (R"({"id": ")" + id) + R"(", "type": "Feature", "geometry": )" +
-            geometry + R"(, "properties": {)" + properties + "}}";
+    text.append(R"(, "mapOverlay": true, "name": "Shelf )").append(std::to_string(i)).append("\"}}");
   }
   return text + "]}";
 }
