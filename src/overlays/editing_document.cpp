@@ -12,6 +12,7 @@ const Version kNowhere;
 
 bool areSame(const Version& a, const Version& b) {
   if (!a || !b) return !a && !b;
+  if (&a->text() == &b->text()) return true;  // the very same: features are shared
   return changesOf(*a, *b).empty();
 }
 
@@ -126,7 +127,12 @@ EditingDocument::State EditingDocument::state(FeatureKey key) const {
   const Version &was = findBase(key), &now = find(key);
   if (!was) return now ? State::New : State::Same;
   if (!now) return State::Deleted;
-  return areSame(was, now) ? State::Same : State::Changed;
+  if (&was->text() == &now->text()) return State::Same;
+  auto known = compared_.find(key);
+  if (known == compared_.end() || &known->second.was.text() != &was->text() ||
+      &known->second.now.text() != &now->text())
+    known = compared_.insert_or_assign(key, Compared{*was, *now, areSame(was, now)}).first;
+  return known->second.same ? State::Same : State::Changed;
 }
 
 std::size_t EditingDocument::unsavedCount() const {

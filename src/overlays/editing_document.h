@@ -104,6 +104,11 @@ class EditingDocument {
   Version collection_base_, collection_now_;
   std::vector<std::vector<FeatureEdit>> steps_;
   std::size_t done_ = 0;
+  struct Compared {
+    Feature was, now;
+    bool same = false;
+  };
+  mutable std::map<FeatureKey, Compared> compared_;  // of those that were edited, as long as they are these
   std::set<FeatureKey> changed_there_;
   std::set<Conflict> met_;
   std::map<FeatureKey, Version> before_conflict_;  // the base, before they changed it

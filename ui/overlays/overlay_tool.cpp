@@ -225,7 +225,7 @@ std::optional<QPointF> OverlayTool::handle() const {
     const double heading = geometry::radiansFromDegrees(yaw.value_or(0)) + scene_->view().rotation_rad;
     return px(points[0][0]) + QPointF(std::cos(heading), -std::sin(heading)) * kHandlePx;
   }
-  const geometry::WorldRect bounds = editing_->bounds();
+  const geometry::WorldRect bounds = on_map_->boundsOf(editing_->selected());
   if (bounds.empty()) return std::nullopt;
   double top = 1e9;
   for (const double x : {bounds.min_x, bounds.max_x}) {
@@ -604,7 +604,7 @@ void OverlayTool::paint(QPainter& painter) {
   paintVertices(painter);
   const scene::MapTheme& theme = scene_->theme();
   if (const auto grip = handle()) {
-    const geometry::WorldRect bounds = editing_->bounds();
+    const geometry::WorldRect bounds = on_map_->boundsOf(editing_->selected());
     const QPointF from = px({(bounds.min_x + bounds.max_x) / 2, (bounds.min_y + bounds.max_y) / 2});
     for (const auto& [color, width] : {std::pair(theme.text_halo, 3.5), std::pair(theme.accent, 1.5)}) {
       painter.setPen(QPen(color, width, Qt::DotLine, Qt::RoundCap));
@@ -630,19 +630,22 @@ void OverlayTool::paintSelected(QPainter& painter) const {
     const Feature* const feature = editing_->find(key);
     if (!feature) continue;
     const bool selected = editing_->selected().contains(key);
-    for (const overlays::Path& path : overlays::shapesOf(*feature).paths) {
-      if (path.points.empty()) continue;
-      for (const auto& [color, width] : {std::pair(theme.text_halo, 5.0), std::pair(theme.accent, 2.5)}) {
-        painter.setPen(
-            QPen(color, width, selected ? Qt::SolidLine : Qt::DotLine, Qt::RoundCap, Qt::RoundJoin));
-        if (path.shape == Shape::Point) {
-          painter.drawEllipse(px(path.points[0]), 11, 11);
-          continue;
+    const auto* const parts = on_map_->partsOf(key);
+    for (const map::OverlayFeature& part : parts ? *parts : std::vector<map::OverlayFeature>()) {
+      for (const auto& ring : part.parts) {
+        if (ring.empty()) continue;
+        for (const auto& [color, width] : {std::pair(theme.text_halo, 5.0), std::pair(theme.accent, 2.5)}) {
+          painter.setPen(
+              QPen(color, width, selected ? Qt::SolidLine : Qt::DotLine, Qt::RoundCap, Qt::RoundJoin));
+          if (part.shape == map::OverlayShape::Point) {
+            painter.drawEllipse(px(ring[0]), 11, 11);
+            continue;
+          }
+          std::vector<Vector2d> points = ring;
+          if (part.shape == map::OverlayShape::Polygon) points.push_back(points.front());
+          for (const QPolygonF& line : scene::visibleLines(scene_->view(), points, 8))
+            painter.drawPolyline(line);
         }
-        std::vector<Vector2d> points = path.points;
-        if (path.shape == Shape::Polygon) points.push_back(points.front());
-        for (const QPolygonF& line : scene::visibleLines(scene_->view(), points, 8))
-          painter.drawPolyline(line);
       }
     }
   }

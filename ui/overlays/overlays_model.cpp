@@ -25,29 +25,65 @@ OverlaysModel::OverlaysModel(OverlayEditing* editing, QObject* parent)
 void OverlaysModel::setFlawed(std::set<FeatureKey> keys) {
   if (keys == flawed_) return;
   flawed_ = std::move(keys);
-  if (!rows_.empty()) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+  take();
+}
+
+OverlaysModel::Row OverlaysModel::rowOf(FeatureKey key, const Row* before) const {
+  const Feature& feature = *shown(key);
+  Row row{key, feature, {}, {}, stateText(key), false, bits(key)};
+  // Features never change: it is the same text or another feature.
+  if (before && &before->feature->text() == &feature.text()) {
+    row.name = before->name;
+    row.kind = before->kind;
+    row.nameless = before->nameless;
+  } else {
+    row.name = overlayName(feature);
+    row.kind = overlayKind(feature);
+    row.nameless = feature.name().empty();
+  }
+  return row;
 }
 
 void OverlaysModel::take() {
   const auto& document = editing_->document();
-  std::vector<FeatureKey> rows;
-  for (FeatureKey key = 0; editing_->isOpen() && key < document.size(); ++key) {
-    if (document.find(key) || document.state(key) == State::Deleted) rows.push_back(key);
-  }
   conflicting_.clear();
   for (const auto& conflict : document.conflicts()) conflicting_.insert(conflict.first);
-  if (rows == rows_) {
-    if (!rows_.empty()) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+  std::vector<Row> rows;
+  rows.reserve(rows_.size());
+  bool same_keys = true;
+  std::vector<std::pair<int, int>> changed;  // rows, both included
+  for (FeatureKey key = 0; editing_->isOpen() && key < document.size(); ++key) {
+    if (!document.find(key) && document.state(key) != State::Deleted) continue;
+    const std::size_t at = rows.size();
+    const Row* const before = at < rows_.size() && rows_[at].key == key ? &rows_[at] : nullptr;
+    same_keys = same_keys && before;
+    rows.push_back(rowOf(key, before));
+    const bool same = before && &before->feature->text() == &rows[at].feature->text() &&
+                      before->bits == rows[at].bits && before->state == rows[at].state;
+    if (same) continue;
+    if (!changed.empty() && changed.back().second + 1 == int(at)) {
+      changed.back().second = int(at);
+    } else {
+      changed.emplace_back(int(at), int(at));
+    }
+  }
+  if (!same_keys || rows.size() != rows_.size()) {
+    beginResetModel();
+    rows_ = std::move(rows);
+    endResetModel();
     return;
   }
-  beginResetModel();
   rows_ = std::move(rows);
-  endResetModel();
+  // Each of them may be sorted in anew: of many, all at once is quicker.
+  constexpr std::size_t kMostAlone = 100;
+  if (changed.size() > kMostAlone) changed = {{changed.front().first, changed.back().second}};
+  for (const auto& [first, last] : changed) Q_EMIT dataChanged(index(first, 0), index(last, kColumns - 1));
 }
 
 QModelIndex OverlaysModel::indexOf(FeatureKey key) const {
-  const auto row = std::lower_bound(rows_.begin(), rows_.end(), key);
-  return row == rows_.end() || *row != key ? QModelIndex() : index(int(row - rows_.begin()), NameColumn);
+  const auto row = std::lower_bound(rows_.begin(), rows_.end(), key,
+                                    [](const Row& each, FeatureKey wanted) { return each.key < wanted; });
+  return row == rows_.end() || row->key != key ? QModelIndex() : index(int(row - rows_.begin()), NameColumn);
 }
 
 int OverlaysModel::rowCount(const QModelIndex& parent) const {
@@ -85,21 +121,19 @@ QString OverlaysModel::stateText(FeatureKey key) const {
 
 QVariant OverlaysModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  const FeatureKey at = key(index);
-  const Feature* const feature = shown(at);
-  if (!feature) return {};
+  const Row& row = rows_[std::size_t(index.row())];
+  const FeatureKey at = row.key;
+  const Feature* const feature = &*row.feature;
   const int column = index.column();
   switch (role) {
     case Qt::DisplayRole:
-      return column == NameColumn   ? overlayName(*feature)
-             : column == TypeColumn ? overlayKind(*feature)
-                                    : stateText(at);
+      return column == NameColumn ? row.name : column == TypeColumn ? row.kind : row.state;
     case kBitsRole:
-      return bits(at);
+      return row.bits;
     case kNamelessRole:
-      return column == NameColumn && feature->name().empty();
+      return column == NameColumn && row.nameless;
     case Qt::DecorationRole: {
-      const int is = bits(at);
+      const int is = row.bits;
       if (column == NameColumn) return is & kOverlayFlawed ? QVariant(markPixmap(Mark::Warning)) : QVariant();
       if (column != StateColumn) return {};
       const Mark mark = is & kOverlayInConflict     ? Mark::Bad
@@ -115,14 +149,14 @@ QVariant OverlaysModel::data(const QModelIndex& index, int role) const {
       return struck;
     }
     case Qt::ForegroundRole: {
-      const bool quiet = !editing_->document().find(at) || feature->name().empty() ||
-                         (column == StateColumn && bits(at) % kOverlayFlawed == 0);
+      const bool quiet = !editing_->document().find(at) || row.nameless ||
+                         (column == StateColumn && row.bits % kOverlayFlawed == 0);
       return quiet && column != TypeColumn ? QVariant(appColors().secondary_text) : QVariant();
     }
     case Qt::ToolTipRole: {
-      QStringList lines{overlayName(*feature), overlayKind(*feature)};
+      QStringList lines{row.name, row.kind};
       if (!feature->id().empty()) lines << tr("Id %1").arg(words::plainName(feature->id()));
-      lines << stateText(at);
+      lines << row.state;
       return plainToolTip(lines.join(QLatin1Char('\n')));
     }
     default:

@@ -1,6 +1,7 @@
 // The rows of the list of overlays, and which of them are shown.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -31,7 +32,7 @@ class OverlaysModel : public QAbstractTableModel {
   explicit OverlaysModel(OverlayEditing* editing, QObject* parent = nullptr);
   void setFlawed(std::set<FeatureKey> keys);
 
-  FeatureKey key(const QModelIndex& index) const { return rows_[std::size_t(index.row())]; }
+  FeatureKey key(const QModelIndex& index) const { return rows_[std::size_t(index.row())].key; }
   QModelIndex indexOf(FeatureKey key) const;  // invalid: it has no row
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -47,7 +48,17 @@ class OverlaysModel : public QAbstractTableModel {
   const Feature* shown(FeatureKey key) const;
 
   OverlayEditing* editing_;
-  std::vector<FeatureKey> rows_;
+  /// What is shown of one, made once for as long as it stays the same.
+  struct Row {
+    FeatureKey key = 0;
+    std::optional<Feature> feature;
+    QString name, kind, state;
+    bool nameless = false;
+    int bits = 0;
+  };
+  Row rowOf(FeatureKey key, const Row* before) const;
+
+  std::vector<Row> rows_;
   std::set<FeatureKey> flawed_, conflicting_;
 };
 

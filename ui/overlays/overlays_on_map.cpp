@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <numbers>
+#include <utility>
 
 #include "overlays/overlay_shapes.h"
 #include "scene/drawing.h"
@@ -54,8 +55,8 @@ std::vector<map::OverlayFeature> partsToDraw(const Feature& feature) {
 
 OverlaysOnMap::OverlaysOnMap(OverlayEditing* editing, scene::MapScene* scene, QObject* parent)
     : QObject(parent), editing_(editing), scene_(scene) {
-  for (const auto signal : {&OverlayEditing::changed, &OverlayEditing::previewChanged})
-    connect(editing_, signal, this, &OverlaysOnMap::draw);
+  connect(editing_, &OverlayEditing::changed, this, &OverlaysOnMap::draw);
+  connect(editing_, &OverlayEditing::previewChanged, this, &OverlaysOnMap::drawPreview);
 }
 
 void OverlaysOnMap::setMap(const map::MapKey& map, bool robots) {
@@ -65,29 +66,69 @@ void OverlaysOnMap::setMap(const map::MapKey& map, bool robots) {
   draw();
 }
 
+bool OverlaysOnMap::take(FeatureKey key) {
+  Drawn& drawn = drawn_[key];
+  const Feature* const feature = editing_->find(key);
+  // Features never change: it is the same text or another feature.
+  if (feature ? drawn.feature && &drawn.feature->text() == &feature->text() : !drawn.feature) return true;
+  const std::size_t before = drawn.parts.size();
+  drawn.feature = feature ? std::optional(*feature) : std::nullopt;
+  drawn.parts = feature ? partsToDraw(*feature) : std::vector<map::OverlayFeature>();
+  return drawn.parts.size() == before;
+}
+
 void OverlaysOnMap::draw() {
   keys_.clear();
+  of_preview_.clear();
+  all_ = {map_, robots_, {}};
   if (!editing_->isOpen()) {
     drawn_.clear();
     return scene_->setOverlays(std::nullopt);
   }
-  scene::DrawnOverlays drawn{map_, robots_, {}};
-  for (FeatureKey key = 0; key < editing_->document().size(); ++key) {
-    const Feature* const feature = editing_->find(key);
-    if (!feature) {
-      drawn_.erase(key);
-      continue;
-    }
-    auto known = drawn_.find(key);
-    // Features never change: it is the same text or another feature.
-    if (known == drawn_.end() || &known->second.feature.text() != &feature->text())
-      known = drawn_.insert_or_assign(key, Drawn{*feature, partsToDraw(*feature)}).first;
-    for (const map::OverlayFeature& part : known->second.parts) {
-      drawn.features.push_back(part);
+  drawn_.resize(editing_->document().size());
+  all_.features.reserve(drawn_.size());
+  keys_.reserve(drawn_.size());
+  for (FeatureKey key = 0; key < drawn_.size(); ++key) {
+    take(key);
+    drawn_[key].first = keys_.size();
+    for (const map::OverlayFeature& part : drawn_[key].parts) {
+      all_.features.push_back(part);
       keys_.push_back(key);
     }
   }
-  scene_->setOverlays(std::move(drawn));
+  for (const auto& [key, feature] : editing_->preview()) of_preview_.insert(key);
+  scene_->setOverlays(all_);
+}
+
+void OverlaysOnMap::drawPreview() {
+  // What is in the hand, and what was; all else stays as it is.
+  std::set<FeatureKey> keys = std::exchange(of_preview_, {});
+  for (const auto& [key, feature] : editing_->preview()) of_preview_.insert(of_preview_.end(), key);
+  keys.insert(of_preview_.begin(), of_preview_.end());
+  if (!editing_->isOpen() || drawn_.size() != editing_->document().size()) return draw();
+  for (const FeatureKey key : keys) {
+    if (!take(key)) return draw();
+    std::copy(drawn_[key].parts.begin(), drawn_[key].parts.end(),
+              all_.features.begin() + std::ptrdiff_t(drawn_[key].first));
+  }
+  scene_->setOverlays(all_);
+}
+
+const std::vector<map::OverlayFeature>* OverlaysOnMap::partsOf(FeatureKey key) const {
+  return key < drawn_.size() && drawn_[key].feature ? &drawn_[key].parts : nullptr;
+}
+
+geometry::WorldRect OverlaysOnMap::boundsOf(const std::set<FeatureKey>& keys) const {
+  geometry::WorldRect bounds;
+  for (const FeatureKey key : keys) {
+    if (key >= drawn_.size()) continue;
+    for (const map::OverlayFeature& part : drawn_[key].parts) {
+      for (const auto& points : part.parts) {
+        for (const Eigen::Vector2d& point : points) bounds.extend(point);
+      }
+    }
+  }
+  return bounds;
 }
 
 std::optional<FeatureKey> OverlaysOnMap::at(const Eigen::Vector2d& world_m, double reach_px) const {
@@ -100,7 +141,8 @@ std::optional<FeatureKey> OverlaysOnMap::at(const Eigen::Vector2d& world_m, doub
 
 void OverlaysOnMap::eachShape(
     const std::function<void(FeatureKey, const std::vector<overlays::Path>& paths)>& with) const {
-  for (const auto& [key, drawn] : drawn_) {
+  for (FeatureKey key = 0; key < drawn_.size(); ++key) {
+    const Drawn& drawn = drawn_[key];
     std::vector<overlays::Path> paths;
     for (const map::OverlayFeature& part : drawn.parts) {
       const overlays::Shape shape = part.shape == map::OverlayShape::Line      ? overlays::Shape::Line
@@ -114,7 +156,8 @@ void OverlaysOnMap::eachShape(
 
 std::set<FeatureKey> OverlaysOnMap::within(const QRectF& frame_px) const {
   std::set<FeatureKey> keys;
-  for (const auto& [key, drawn] : drawn_) {
+  for (FeatureKey key = 0; key < drawn_.size(); ++key) {
+    const Drawn& drawn = drawn_[key];
     bool inside = !drawn.parts.empty();
     for (const map::OverlayFeature& part : drawn.parts) {
       for (const auto& points : part.parts) {

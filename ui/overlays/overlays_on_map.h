@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -25,24 +24,33 @@ class OverlaysOnMap : public QObject {
   void setMap(const map::MapKey& map, bool robots);
   /// The topmost one.
   std::optional<FeatureKey> at(const Eigen::Vector2d& world_m, double reach_px) const;
-  /// What is drawn, in world metres.
+  /// What is drawn of it, in world metres; null: nothing.
+  const std::vector<map::OverlayFeature>* partsOf(FeatureKey key) const;
+  geometry::WorldRect boundsOf(const std::set<FeatureKey>& keys) const;
+  /// The same of all.
   void eachShape(const std::function<void(FeatureKey, const std::vector<overlays::Path>& paths)>& with) const;
   /// Those that lie in a rectangle of the viewport completely.
   std::set<FeatureKey> within(const QRectF& frame_px) const;
 
  private:
   struct Drawn {
-    Feature feature;
+    std::optional<Feature> feature;  // nullopt: it is not there
     std::vector<map::OverlayFeature> parts;
+    std::size_t first = 0;  // of its parts among all
   };
   void draw();
+  /// False: it has another number of parts now.
+  bool take(FeatureKey key);
+  void drawPreview();
 
   OverlayEditing* editing_;
   scene::MapScene* scene_;
   map::MapKey map_;
   bool robots_ = false;
-  std::map<FeatureKey, Drawn> drawn_;  // kept while its feature is the same
-  std::vector<FeatureKey> keys_;       // of what the scene has
+  std::vector<Drawn> drawn_;              // by key; kept while its feature is the same
+  std::vector<FeatureKey> keys_;          // of what the scene has
+  scene::DrawnOverlays all_;              // what it has
+  std::set<FeatureKey> of_preview_ = {};  // that are drawn as they would be
 };
 
 }  // namespace mapwright::window
