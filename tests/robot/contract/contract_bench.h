@@ -22,7 +22,9 @@
 #include "robot/axbot/axbot_robot.h"
 #include "robot/bag_library.h"
 #include "robot/files/file_robot.h"
+#include "robot/localization.h"
 #include "robot/map_administration.h"
+#include "robot/map_transfer.h"
 #include "robot/map_dispatch.h"
 #include "robot/picture_store.h"
 #include "robot/recorded/recorded_robot.h"
@@ -198,7 +200,13 @@ class Bench {
                      },
                      true});
     }
+    if (auto* transfer = robot->mapTransfer()) {
+      all.push_back({"facts", [=, of = key](auto end) { return transfer->facts(of, tell(end)); }});
+      all.push_back({"parts", [=, of = key](auto end) { return transfer->parts(of, tell(end)); }});
+    }
     if (auto* maps = robot->mapAdministration()) {
+      if (maps->tellsProgress())
+        all.push_back({"mapping", [=](auto end) { return maps->progress(tell(end)); }});
       all.push_back({"rename",
                      [=, of = key](auto end) {
                        return maps->carryOut({MapChange::Rename, of, "Lobby"}, tell(end));

@@ -319,7 +319,9 @@ class RobotContractTest : public QObject {
         {Capability::PictureEditing, robot.pictureStore() != nullptr},
         {Capability::OverlayEditing, robot.overlayStore() != nullptr},
         {Capability::Bags, robot.bagLibrary() != nullptr},
-        {Capability::Dispatch, robot.mapDispatch() != nullptr}};
+        {Capability::Dispatch, robot.mapDispatch() != nullptr},
+        {Capability::Localization, robot.localization() != nullptr},
+        {Capability::MapTransfer, robot.mapTransfer() != nullptr}};
     for (const auto& [capability, there] : all) {
       if (there) continue;
       const QString why = sentences::whyAbsent(capability, robot.whyNot(capability));
