@@ -1,0 +1,325 @@
+#include "ui/maps/transfer_controller.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <QAction>
+#include <QBuffer>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImageReader>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStandardPaths>
+
+#include "jobs/export_map.h"
+#include "jobs/map_folder.h"
+#include "jobs/new_map.h"
+#include "sentences/failure_sentence.h"
+#include "ui/kit/dialog_look.h"
+#include "ui/kit/folders.h"
+#include "ui/kit/forms.h"
+#include "ui/kit/status_text.h"
+#include "ui/kit/ui_colors.h"
+#include "ui/maps/new_map_dialog.h"
+#include "ui/shell/current_session.h"
+#include "ui/view/map_overlay.h"
+#include "ui/view/toast_stack.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::window {
+
+namespace {
+
+const QString kDownloadsKey = QStringLiteral("maps/downloads");
+constexpr int kPreviewPx = 800;
+
+/// Where this map is downloaded to below `parent`: an interrupted download goes on, a whole one is kept.
+QString folderFor(const QString& parent, const map::CatalogueEntry& map) {
+  const QString name = jobs::fileNameFrom(
+      QStringLiteral("%1-%2").arg(words::plainName(map.name).left(60), QString::fromStdString(map.key.id)));
+  for (int number = 1;; ++number) {
+    const QString folder =
+        QDir(parent).filePath(number == 1 ? name : QStringLiteral("%1-%2").arg(name).arg(number));
+    if (jobs::whyNoMapFolder(folder, false).isEmpty()) return folder;
+  }
+}
+
+struct PreviewedPicture {
+  QSize size;
+  QImage shown;
+};
+
+tl::expected<PreviewedPicture, QString> previewOf(const QString& path) {
+  const auto bytes = jobs::readMapPicture(path);
+  if (!bytes) return tl::make_unexpected(bytes.error());
+  const auto& png = *bytes;
+  const auto size = jobs::sizeOfMapPicture(png);
+  if (!size) return tl::make_unexpected(size.error());
+  PreviewedPicture picture{{size->width, size->height}, {}};
+  QByteArray raw = QByteArray::fromRawData(png->data(), qsizetype(png->size()));
+  QBuffer buffer(&raw);
+  QImageReader reader(&buffer, "png");
+  reader.setScaledSize(picture.size.scaled(kPreviewPx, kPreviewPx, Qt::KeepAspectRatio));
+  picture.shown = reader.read();
+  return picture;
+}
+
+}  // namespace
+
+TransferDialog::TransferDialog(const QString& title, const QString& what, QWidget* parent)
+    : QDialog(parent),
+      what_(wrappedLabel(what, this)),
+      said_(wrappedLabel({}, this)),
+      bar_(new QProgressBar(this)),
+      again_(new QPushButton(this)),
+      cancel_(new QPushButton(tr("Cancel"), this)) {
+  setWindowTitle(title);
+  setMinimumWidth(460);
+  makeLine(*bar_);
+  bar_->setVisible(true);
+  bar_->setAccessibleName(tr("Progress"));
+  again_->setVisible(false);
+  giveRoles(*again_, {cancel_});
+  said_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  said_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  said_->setText(tr("Asking the robot…"));
+  setLayout(columnOf({what_, bar_, said_, rowOf({LayoutItem::rest(), cancel_, again_}, 8)}, 10,
+                     QMargins(16, 16, 16, 16)));
+  connect(again_, &QPushButton::clicked, this, &TransferDialog::againWanted);
+  connect(cancel_, &QPushButton::clicked, this, &TransferDialog::reject);
+}
+
+void TransferDialog::setCall(const robot::Call& call) {
+  call_ = call;
+  call.onProgress([self = QPointer<TransferDialog>(this)](robot::Progress progress) {
+    if (self) self->setProgress(progress);
+  });
+}
+
+void TransferDialog::setProgress(const robot::Progress& progress) {
+  const qint64 of = progress.of_bytes.value_or(0);
+  bar_->setValue(of > 0 ? int(std::min<qint64>(1000, progress.bytes * 1000 / of)) : 0);
+  said_->setText(of > 0 ? tr("%1 of %2").arg(bytesText(progress.bytes), bytesText(of))
+                        : bytesText(progress.bytes));
+}
+
+void TransferDialog::setFailed(const QString& sentence, const QString& again) {
+  failed_ = true;
+  call_.reset();
+  setTextColor(*said_, appColors().error_text);
+  said_->setText(sentence);
+  again_->setText(again);
+  again_->setVisible(!again.isEmpty());
+  cancel_->setText(tr("Close"));
+}
+
+QString TransferDialog::said() const { return said_->text(); }
+
+void TransferDialog::reject() {
+  // Its outcome closes the dialog.
+  if (call_ && !call_->over()) {
+    said_->setText(tr("Cancelling…"));
+    return call_->cancel();
+  }
+  QDialog::reject();
+}
+
+TransferController::TransferController(WindowContext& context, QObject* parent)
+    : Controller(parent), context_(context), share_(context.workers) {
+  upload_ =
+      context_.actions.add({.id = "uploadMap",
+                            .text = tr("&Add a downloaded map…"),
+                            .tip = tr("Add a map that was downloaded from a robot to this robot's maps"),
+                            .menu = {MenuGroup::Mapping, 40}},
+                           this, [this] {
+                             const QString folder = QFileDialog::getExistingDirectory(
+                                 &context_.window, tr("Choose the folder of a downloaded map"),
+                                 context_.settings.value(kDownloadsKey).toString());
+                             if (!folder.isEmpty()) upload(folder);
+                           });
+  create_ = context_.actions.add({.id = "createMap",
+                                  .text = tr("Add a map from a p&icture…"),
+                                  .tip = tr("Make a map of a PNG and add it to this robot's maps"),
+                                  .menu = {MenuGroup::Mapping, 50}},
+                                 this, [this] {
+                                   const QString path = QFileDialog::getOpenFileName(
+                                       &context_.window, tr("Choose a picture"),
+                                       lastMapFolder(context_.settings), tr("PNG pictures (*.png)"));
+                                   if (path.isEmpty()) return;
+                                   rememberMapFolder(context_.settings, QFileInfo(path).absolutePath());
+                                   create(path);
+                                 });
+  connect(&context_.current, &CurrentSession::stateChanged, this, &TransferController::refresh);
+  refresh();
+}
+
+robot::MapTransfer* TransferController::transfer() const {
+  session::Session* const session = context_.current.session();
+  return session ? session->robot().mapTransfer() : nullptr;
+}
+
+void TransferController::setSession(session::Session* session) {
+  ++asked_;
+  if (dialog_ && !dialog_->failed())
+    context_.overlay.toasts()->add(
+        Mark::Warning,
+        tr("The transfer stopped when the robot was disconnected. A download goes on when it is "
+           "started again."));
+  delete dialog_;
+  delete new_map_;
+  if (session)
+    connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &TransferController::refresh);
+  refresh();
+}
+
+void TransferController::refresh() {
+  const session::Session* const session = context_.current.session();
+  const bool online = session && session->connection().phase == robot::ConnectionPhase::Online;
+  for (QAction* const action : {upload_, create_}) {
+    action->setVisible(transfer() != nullptr);
+    action->setEnabled(online && transfer() && !dialog_);
+  }
+}
+
+void TransferController::fillMenu(QMenu* menu, const map::MapKey& key) {
+  if (!transfer() || key.kind != map::MapKind::Stored) return;
+  QAction* const action =
+      menu->addAction(tr("Download with its data…"), this, [this, key] { askWhereTo(key); });
+  action->setEnabled(!dialog_);
+}
+
+void TransferController::askWhereTo(const map::MapKey& key) {
+  session::Session* const session = context_.current.session();
+  const map::CatalogueEntry* const map = session ? session->catalogue().find(key) : nullptr;
+  if (!map) return;
+  const map::CatalogueEntry entry = *map;
+  const QString downloads = QStandardPaths::writableLocation(QStandardPaths::DownloadLocation);
+  const QString parent = QFileDialog::getExistingDirectory(
+      &context_.window,
+      tr("Choose where the folder of %1 is made").arg(words::plainName(entry.name).left(60)),
+      folderToWriteInto({context_.settings.value(kDownloadsKey).toString(), downloads}));
+  if (parent.isEmpty()) return;
+  context_.settings.setValue(kDownloadsKey, parent);
+  download(key, words::plainName(entry.name), folderFor(parent, entry));
+}
+
+void TransferController::begin(const QString& title, const QString& what) {
+  delete dialog_;
+  dialog_ = new TransferDialog(title, what, &context_.window);
+  dialog_->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog_, &QObject::destroyed, this, &TransferController::refresh, Qt::QueuedConnection);
+  dialog_->show();
+  refresh();
+}
+
+void TransferController::download(const map::MapKey& key, const QString& name, const QString& folder) {
+  robot::MapTransfer* const robots = transfer();
+  if (!robots) return;
+  const QString where = words::plainName(folder.toStdString());
+  begin(tr("Download a map"), tr("%1 goes to %2").arg(name, where));
+  connect(dialog_, &TransferDialog::againWanted, this, [this, key, name, folder] {
+    // The dialog is the one that asks.
+    QMetaObject::invokeMethod(
+        this, [=, this] { download(key, name, folder); }, Qt::QueuedConnection);
+  });
+  dialog_->setCall(jobs::downloadMap(
+      *robots, key, folder, [this, name, where](const robot::Outcome<jobs::DownloadedMap>& done) {
+        if (!dialog_) return;
+        if (!done) {
+          const QString said = QString::fromStdString(sentences::sentenceOf(done.error()));
+          return dialog_->setFailed(said, tr("Go on"));
+        }
+        context_.overlay.toasts()->add(
+            done->has_data ? Mark::Good : Mark::Warning,
+            done->has_data
+                ? tr("%1 was downloaded to %2, %3.").arg(name, where, bytesText(done->bytes))
+                : tr("%1 was downloaded to %2 without data: the robot has none for it.").arg(name, where));
+        dialog_->accept();
+      }));
+}
+
+void TransferController::upload(const QString& folder) {
+  const QString where = words::plainName(folder.toStdString());
+  add(tr("Add a downloaded map"), tr("%1 goes to the robot").arg(where),
+      [folder] { return jobs::readMapFolder(folder, false); });
+}
+
+void TransferController::create(const QString& path) {
+  share_.startLong([this, path, asked = asked_] {
+    auto preview = std::make_shared<tl::expected<PreviewedPicture, QString>>(previewOf(path));
+    QMetaObject::invokeMethod(
+        this,
+        [this, path, asked, preview] {
+          if (asked != asked_) return;
+          if (*preview) return askForPlace(path, (*preview)->size, (*preview)->shown);
+          context_.overlay.toasts()->add(
+              Mark::Bad, tr("%1 cannot be a map: %2")
+                             .arg(words::plainName(QFileInfo(path).fileName().toStdString()).left(80),
+                                  preview->error()));
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void TransferController::askForPlace(const QString& path, const QSize& size, const QImage& shown) {
+  session::Session* const session = context_.current.session();
+  if (!session || !transfer()) return;
+  delete new_map_;
+  new_map_ = new NewMapDialog(path, size, shown, &context_.window);
+  new_map_->setAttribute(Qt::WA_DeleteOnClose);
+  new_map_->setPresent(context_.scene.contentBounds(), session->live().robot_pose);
+  connect(new_map_, &QDialog::accepted, this, [this] {
+    const jobs::PictureMap picture = new_map_->picture();
+    add(tr("A map from a picture"),
+        tr("%1 goes to the robot").arg(words::plainName(picture.name.toStdString())),
+        [picture] { return jobs::newMapFrom(picture); });
+  });
+  new_map_->open();
+}
+
+void TransferController::add(const QString& title, const QString& what,
+                             std::function<tl::expected<robot::NewMap, QString>()> read) {
+  if (!transfer()) return;
+  begin(title, what);
+  share_.startLong([this, read = std::move(read), asked = asked_] {
+    auto map = std::make_shared<tl::expected<robot::NewMap, QString>>(read());
+    QMetaObject::invokeMethod(
+        this,
+        [this, asked, map] {
+          if (asked != asked_ || !dialog_) return;
+          if (!*map) return dialog_->setFailed(map->error(), {});
+          send(**map);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void TransferController::send(const robot::NewMap& map) {
+  robot::MapTransfer* const robots = transfer();
+  if (!robots) return;
+  dialog_->setCall(robots->add(map, [this, map](const robot::Outcome<robot::MapFacts>& now) {
+    if (!dialog_) return;
+    if (!now) {
+      map::Failure failure = now.error();
+      failure.asked_for = map::AskedFor::Change;
+      return dialog_->setFailed(QString::fromStdString(sentences::sentenceOf(failure)), {});
+    }
+    const QStringList odd = jobs::differences(map, *now);
+    const QString name = words::plainName(now->name).left(80);
+    context_.overlay.toasts()->add(odd.isEmpty() ? Mark::Good : Mark::Warning,
+                                   odd.isEmpty() ? tr("%1 was added to the robot's maps.").arg(name)
+                                                 : tr("The robot accepted %1, but keeps it otherwise: %2.")
+                                                       .arg(name, odd.join(QStringLiteral("; "))));
+    if (session::Session* const session = context_.current.session()) session->catalogue().refresh();
+    dialog_->accept();
+  }));
+}
+
+}  // namespace mapwright::window
+
+#include "moc_transfer_controller.cpp"
