@@ -10,7 +10,9 @@
 #include <QTimer>
 
 #include "../session/topic_names.h"
+#include "robot/localization.h"
 #include "robot/map_administration.h"
+#include "robot/map_transfer.h"
 #include "robot/robot.h"
 #include "robot/ros/faults.h"
 #include "robot/second_server.h"
@@ -155,6 +157,8 @@ class FakeRobot : public robot::Robot,
     return {robot::Absence::Reason::ReadOnly, {read_only_maker.toStdString()}};
   }
   robot::MapAdministration* mapAdministration() override { return administration; }
+  robot::Localization* localization() override { return localizing; }
+  robot::MapTransfer* mapTransfer() override { return transferring; }
   robot::WaypointStore* waypointStore() override { return waypoint_store; }
   robot::WaypointSource* waypointSource() override { return told_waypoints ? this : nullptr; }
 
@@ -261,6 +265,8 @@ class FakeRobot : public robot::Robot,
   bool has_submaps = true, has_catalogue = false, has_live = false;
   QString read_only_maker;
   robot::MapAdministration* administration = nullptr;  // not owned
+  robot::Localization* localizing = nullptr;           // likewise
+  robot::MapTransfer* transferring = nullptr;          // likewise
   robot::WaypointStore* waypoint_store = nullptr;      // not owned
   robot::PictureStore* picture_store = nullptr;        // not owned
   const map::WaypointList* told_waypoints = nullptr;   // those that can only be read; not owned

@@ -142,7 +142,8 @@ class TestWindowParts : public QObject {
     const QMenuBar& bar = *bench.open().menuBar();
     QCOMPARE(idsOf(menuCalled(bar, "&Robot")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("connect demo - retry disconnect robotLook record showRecordings * - "
-                            "startMapping stopMapping saveNewMap"));
+                            "robotPose startMapping extendMap stopMapping cancelMapping saveNewMap uploadMap "
+                            "createMap"));
     QCOMPARE(idsOf(menuCalled(bar, "&File")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("openFile * closeFile readAgain - export - quit"));
     QCOMPARE(idsOf(menuCalled(bar, "&Edit")->actions()).join(QLatin1Char(' ')),
@@ -155,7 +156,7 @@ class TestWindowParts : public QObject {
         idsOf(menuCalled(bar, "&Map")->actions()).join(QLatin1Char(' ')),
         QStringLiteral("zoomIn zoomOut native fit - follow goTo identify - northUp robotTurn rotateLeft "
                        "rotateRight - pan "
-                       "measure fetchRegion cloudRegion cloudSection projections referenceTool - "
+                       "measure fetchRegion cloudRegion cloudSection projections referenceTool setPose - "
                        "compare referenceMap refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot "
                        "mapProperties - "
                        "copyCoordinates "

@@ -13,17 +13,21 @@
 #include <QMenu>
 #include <QPointer>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "jobs/change_map.h"
+#include "jobs/set_pose.h"
 #include "map/waypoint.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
+#include "ui/kit/panels.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/maps/mapping_dock.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
@@ -63,14 +67,11 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       break;
     case MapChange::Load:
       ask(ChangeDialog::tr("Load on the robot"),
-          current ? ChangeDialog::tr("The robot will switch from %2 to %1. It may believe itself elsewhere "
-                                     "there, and its current task may be "
-                                     "aborted.")
-                        .arg(name, present)
-                  : ChangeDialog::tr("The robot will switch to %1. It may believe itself elsewhere there, "
-                                     "and its current task may be "
-                                     "aborted.")
-                        .arg(name),
+          (current ? ChangeDialog::tr("The robot will switch from %2 to %1. Its current task may be aborted.")
+                         .arg(name, present)
+                   : ChangeDialog::tr("The robot will switch to %1. Its current task may be aborted.")
+                         .arg(name)) +
+              QLatin1Char(' ') + jobs::beliefMoves(),
           ChangeDialog::tr("Load"), ChangeDialog::tr("The robot now uses %1."));
       question.ends_something = true;
       break;
@@ -113,10 +114,10 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       question.ends_something = true;
       break;
     case MapChange::CancelMapping:
-      ask(ChangeDialog::tr("Cancel mapping"),
+      ask(ChangeDialog::tr("Discard the mapping"),
           ChangeDialog::tr("The robot will stop mapping, and what it has mapped since the start is lost. It "
                            "cannot be undone."),
-          ChangeDialog::tr("Cancel mapping"), ChangeDialog::tr("Mapping was cancelled."));
+          ChangeDialog::tr("Discard"), ChangeDialog::tr("The mapping was discarded."));
       question.ends_something = true;
       break;
     case MapChange::StopMapping:
@@ -317,8 +318,10 @@ void ChangeDialog::reject() {
 
 using robot::Obstacle;
 
+constexpr int kLookEveryMs = 3'000;
+
 AdministrationController::AdministrationController(WindowContext& context, QObject* parent)
-    : Controller(parent), context_(context) {
+    : Controller(parent), context_(context), look_(new QTimer(this)) {
   const auto add = [this](MapChange change, const char* id, const QString& text, const QString& tip,
                           int rank) {
     QAction* const action =
@@ -329,10 +332,21 @@ AdministrationController::AdministrationController(WindowContext& context, QObje
   };
   add(MapChange::StartMapping, "startMapping", tr("Start &mapping…"), tr("Make the robot start a new map"),
       10);
+  add(MapChange::ContinueMapping, "extendMap", tr("E&xtend the map…"),
+      tr("Make the robot map more of its current map"), 15);
   add(MapChange::StopMapping, "stopMapping", tr("S&top mapping…"), tr("Make the robot finish its new map"),
       20);
+  add(MapChange::CancelMapping, "cancelMapping", tr("&Discard mapping…"),
+      tr("Make the robot drop what it has mapped since the start"), 25);
   add(MapChange::Save, "saveNewMap", tr("Save the &new map…"),
       tr("Store the map that the robot has made, under a name"), 30);
+  QList<QAction*> actions;
+  for (const Row& row : mapping_) actions << row.action;
+  mapping_dock_ = new MappingDock(actions, &context.window);
+  context_.panels.add(mapping_dock_,
+                      {.side = PanelPlace::Side::Right, .tab = 71, .menu_rank = 38, .open = false});
+  look_->setInterval(kLookEveryMs);
+  connect(look_, &QTimer::timeout, this, &AdministrationController::lookAtMapping);
   connect(&context_.current, &CurrentSession::stateChanged, this, &AdministrationController::refresh);
   refresh();
 }
@@ -344,6 +358,10 @@ robot::MapAdministration* AdministrationController::maps() const {
 
 void AdministrationController::setSession(session::Session* session) {
   delete dialog_;  // its question concerns the robot that is left
+  looking_ = {};
+  progress_.reset();
+  trouble_.clear();
+  was_mapping_.reset();
   if (session) {
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &AdministrationController::refresh);
     connect(&session->robot(), &robot::Robot::mapsChanged, this, &AdministrationController::refresh);
@@ -360,6 +378,72 @@ void AdministrationController::refresh() {
     const QString tip = row.action->property("tip").toString();
     row.action->setToolTip(obstacle ? plainToolTip(sentences::whyNotNow(row.change, *obstacle)) : tip);
   }
+  noteMapping();
+}
+
+/// Notices when a mapping begins or ends, whoever did it.
+void AdministrationController::noteMapping() {
+  session::Session* const session = context_.current.session();
+  const robot::MapAdministration* const robots = maps();
+  const auto starts = robots ? robots->obstacle(MapChange::StartMapping, nullptr) : Obstacle::NotOffered;
+  const auto stops = robots ? robots->obstacle(MapChange::StopMapping, nullptr) : Obstacle::NotOffered;
+  const bool running = starts == Obstacle::WhileMapping, none = stops == Obstacle::NotMapping;
+  const bool online = session && session->connection().phase == robot::ConnectionPhase::Online;
+  if (running && was_mapping_ != true) {
+    was_mapping_ = true;
+    noticed_.start();
+    context_.panels.suggest(mapping_dock_);
+    // A change made here says so itself.
+    if (!dialog_ || !dialog_->waiting())
+      context_.overlay.toasts()->add(Mark::Neutral, tr("The robot is mapping: see the panel Mapping."));
+    session->catalogue().refresh();
+    lookAtMapping();
+  } else if (none && was_mapping_ != false) {
+    if (was_mapping_ == true) session->catalogue().refresh();
+    was_mapping_ = false;
+    progress_.reset();
+    trouble_.clear();
+  }
+  const bool looks = running && online && robots->tellsProgress();
+  if (looks != look_->isActive()) looks ? look_->start() : look_->stop();
+  showMapping();
+}
+
+void AdministrationController::lookAtMapping() {
+  robot::MapAdministration* const robots = maps();
+  if (!robots || !robots->tellsProgress() || !looking_.over()) return;
+  looking_ = robots->progress([this](const robot::Outcome<std::optional<robot::MappingProgress>>& told) {
+    trouble_ = told ? QString() : QString::fromStdString(sentences::sentenceOf(told.error()));
+    if (told) progress_ = *told;
+    showMapping();
+  });
+}
+
+void AdministrationController::showMapping() {
+  session::Session* const session = context_.current.session();
+  const bool online = session && session->connection().phase == robot::ConnectionPhase::Online;
+  MappingState state;
+  if (was_mapping_ == true) {
+    state.phase = online ? MappingState::Phase::Running : MappingState::Phase::Away;
+  } else if (maps() && !was_mapping_) {
+    state.phase = MappingState::Phase::Unknown;
+  }
+  if (was_mapping_ == true) {
+    state.trouble = trouble_;
+    state.seen_s = double(noticed_.elapsed()) / 1000;
+    state.submaps = session->counts().listed;
+    const geometry::WorldRect bounds = session->contentBounds();
+    if (!bounds.empty()) {
+      state.width_m = bounds.width();
+      state.height_m = bounds.height();
+    }
+    if (progress_) {
+      state.lasts_s = progress_->lasts_s;
+      const map::CatalogueEntry* const current = session->catalogue().current();
+      if (progress_->continues.value_or(false) && current) state.extends = called(current);
+    }
+  }
+  mapping_dock_->setState(state);
 }
 
 void AdministrationController::fillMenu(QMenu* menu, const map::MapKey& key) {
@@ -438,6 +522,9 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
           [this, change](const map::CatalogueEntry&, const QString& said, bool as_asked) {
             context_.overlay.toasts()->add(as_asked ? Mark::Good : Mark::Warning, said);
             if (session::Session* const now = context_.current.session()) now->catalogue().refresh();
+            if (change == MapChange::StartMapping || change == MapChange::ContinueMapping)
+              context_.panels.open(mapping_dock_);
+            refresh();
             // After mapping the user usually wants to save the map; not within this call, since its dialog is
             // closing.
             if (change == MapChange::StopMapping) {

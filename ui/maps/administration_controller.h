@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <QDialog>
+#include <QElapsedTimer>
 #include <QPointer>
 
 #include "map/catalogue.h"
@@ -20,8 +21,11 @@ class QLabel;
 class QLineEdit;
 class QMenu;
 class QPushButton;
+class QTimer;
 
 namespace mapwright::window {
+
+class MappingDock;
 
 /// The question to ask before a map of the robot is changed.
 struct ChangeQuestion {
@@ -91,6 +95,9 @@ class AdministrationController : public Controller {
   void fillMenu(QMenu* menu, const map::MapKey& key);
   /// The question that is open; null = none.
   ChangeDialog* dialog() const { return dialog_; }
+  MappingDock* mappingDock() const { return mapping_dock_; }
+  /// Asks the robot how its mapping is going.
+  void lookAtMapping();
 
  Q_SIGNALS:
   /// The robot is asked to start mapping; false: it was not done.
@@ -101,6 +108,8 @@ class AdministrationController : public Controller {
   void ask(robot::MapChange change, const map::CatalogueEntry* map);
   void askForPlaces(const map::MapKey& key);
   void refresh();
+  void showMapping();
+  void noteMapping();
 
   WindowContext& context_;
   struct Row {
@@ -109,6 +118,13 @@ class AdministrationController : public Controller {
   };
   std::vector<Row> mapping_;  // of no map
   QPointer<ChangeDialog> dialog_;
+  MappingDock* mapping_dock_;
+  QTimer* look_;                                    // while the robot may be mapping
+  std::optional<robot::MappingProgress> progress_;  // as last told
+  QString trouble_;                                 // why it told nothing
+  std::optional<bool> was_mapping_;                 // nullopt: not known yet
+  robot::Call looking_;
+  QElapsedTimer noticed_;  // since was_mapping_
 };
 
 }  // namespace mapwright::window

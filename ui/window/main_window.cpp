@@ -22,7 +22,9 @@
 #include "ui/maps/files_controller.h"
 #include "ui/maps/maps_controller.h"
 #include "ui/maps/maps_dock.h"
+#include "ui/maps/pose_controller.h"
 #include "ui/maps/reference_controller.h"
+#include "ui/maps/transfer_controller.h"
 #include "ui/objects/objects_controller.h"
 #include "ui/overlays/overlays_controller.h"
 #include "ui/picture/picture_controller.h"
@@ -173,6 +175,8 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(problems_);
   make(maps_);
   make(administration_);
+  make(transfer_);
+  make(pose_);
   make(reference_, *placing_,
        [connect = dependencies.connect](const QString& address) { return connect(address, {}); });
   make(robot_);
@@ -211,6 +215,7 @@ void MainWindow::connectControllers() {
   connect(picture_, &PictureController::fileWanted, files_, &FilesController::open);
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
+  connect(maps_->dock(), &MapsDock::menuOpening, transfer_, &TransferController::fillMenu);
   connect(maps_->dock(), &MapsDock::menuOpening, administration_, &AdministrationController::fillMenu);
   connect(administration_, &AdministrationController::mappingAsked, connection_,
           &ConnectionController::expectMapping);

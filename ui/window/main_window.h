@@ -51,6 +51,7 @@ class OverlaysController;
 class PictureController;
 class PicturePlacing;
 class PlotsController;
+class PoseController;
 class ProblemsController;
 class ProjectionsController;
 class RecordingsController;
@@ -59,6 +60,7 @@ class RegionsController;
 class ReplayController;
 class RecordingController;
 class RobotController;
+class TransferController;
 class ViewController;
 class WaypointsController;
 class WindowStatusBar;
@@ -157,6 +159,7 @@ class MainWindow : public QMainWindow {
   PictureController* picture_ = nullptr;
   PicturePlacing* placing_ = nullptr;
   PlotsController* plots_ = nullptr;
+  PoseController* pose_ = nullptr;
   ProblemsController* problems_ = nullptr;
   RecordingsController* recordings_ = nullptr;
   ReplayController* replay_ = nullptr;
@@ -164,6 +167,7 @@ class MainWindow : public QMainWindow {
   ReferenceController* reference_ = nullptr;
   RegionsController* regions_ = nullptr;
   RobotController* robot_ = nullptr;
+  TransferController* transfer_ = nullptr;
   ViewController* view_control_ = nullptr;
   WaypointsController* waypoints_ = nullptr;
   std::vector<Controller*> controllers_;  // in order of creation
