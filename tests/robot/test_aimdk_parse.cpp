@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "robot/aimdk/faults.h"
 #include "robot/aimdk/parse_rpc.h"
 #include "sentences/fault_sentence.h"
 #include "test_program.h"
@@ -151,6 +152,31 @@ class AimdkParseTest : public QObject {
     QCOMPARE(off->points[0].position_m, Eigen::Vector2d(11.6, -2.45));
     QCOMPARE(off->notes.size(), std::size_t(1));
     QVERIFY(parseTopology(point("1520", "0"), nullptr)->notes.empty());
+  }
+
+  void theMeaningOfTheResolutionIsComparedWithThePoints() {
+    ParsedMap frame;
+    frame.pixels_per_m = 20;
+    frame.u0 = frame.v0 = 100;
+    const auto notesAt = [&](double scale, double spread_m, int count) {
+      std::string rows;
+      for (int i = 1; i <= count; ++i) {
+        const double at = i * spread_m;
+        rows += (i > 1 ? "," : "") + ("{\"point_id\":" + std::to_string(i)) +
+                ",\"pixel_pose\":{\"position\":{\"u\":" + std::to_string(100 + at * scale) +
+                ",\"v\":" + std::to_string(100 - at * scale) +
+                "}},\"pose\":{\"position\":{\"x\":" + std::to_string(at) + ",\"y\":" + std::to_string(at) +
+                "}}}";
+      }
+      return parseTopology("{\"data\":{\"points\":[" + rows + "]}}", &frame)->notes;
+    };
+    QVERIFY(notesAt(20, 5, 4).empty());
+    QVERIFY(notesAt(5, 5, 1).front().code == fault::ScaleInCentimetres);
+    QVERIFY(notesAt(5, 5, 4).front().code == fault::ScaleInCentimetres);
+    QVERIFY(notesAt(20, 0.01, 3).front().code == fault::ScaleFitsBoth);
+    QVERIFY(notesAt(50, 5, 4).front().code == fault::ScaleFitsNeither);
+    frame.pixels_per_m = 10;  // the same either way
+    QVERIFY(notesAt(10, 0.01, 3).empty());
   }
 
   void headingsAreRadiansUpToAFullTurnAndDegreesBeyond() {

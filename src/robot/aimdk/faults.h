@@ -42,6 +42,24 @@ inline constexpr FaultCode PointOff{"aimdk",
                                     QT_TRANSLATE_NOOP("aimdk",
                                                       "Point %1 (%2): its pixel and metre coordinates differ "
                                                       "by %3 px. It is shown at its metre coordinates.")};
+/// resolution
+inline constexpr FaultCode ScaleInCentimetres{
+    "aimdk", QT_TRANSLATE_NOOP(
+                 "aimdk",
+                 "The pixels of its points fit their metres only if its resolution %1 means centimetres per "
+                 "pixel. It was read as pixels per metre: the picture has a wrong scale.")};
+/// resolution
+inline constexpr FaultCode ScaleFitsBoth{
+    "aimdk",
+    QT_TRANSLATE_NOOP("aimdk",
+                      "Whether its resolution %1 means pixels per metre or centimetres per pixel cannot "
+                      "be told by its points: both fit. It was read as pixels per metre.")};
+/// resolution
+inline constexpr FaultCode ScaleFitsNeither{
+    "aimdk", QT_TRANSLATE_NOOP(
+                 "aimdk",
+                 "The pixels of its points fit their metres neither if its resolution %1 means pixels per "
+                 "metre nor if it means centimetres per pixel: its picture may lie elsewhere.")};
 /// how many
 inline constexpr FaultCode MorePointsOff{
     "aimdk", QT_TRANSLATE_N_NOOP("aimdk", "%1 more points have pixel and metre coordinates that differ.")};

@@ -95,16 +95,41 @@ std::optional<double> headingOf(const Json& point, bool degrees) {
   return geometry::normalizeAngle(degrees ? geometry::radiansFromDegrees(*angle) : *angle);
 }
 
-/// The distance between a point's pixels and its metres; nullopt if it has no pixels.
-std::optional<double> pixelsOff(const Json& point, const Eigen::Vector2d& position, const ParsedMap& frame) {
+/// The distance between a point's pixels and its metres at a scale; nullopt if it has no pixels.
+std::optional<double> pixelsOff(const Json& point, const Eigen::Vector2d& position, const ParsedMap& frame,
+                                double pixels_per_m) {
   const auto pixel_pose = wire::member(point, {"pixel_pose"});
   const auto pixel = pixel_pose ? wire::member(*pixel_pose, {"position"}) : std::nullopt;
   if (!pixel) return std::nullopt;
   const auto u = wire::number(*pixel, {"u", "x"}), v = wire::number(*pixel, {"v", "y"});
   if (!u || !v) return std::nullopt;
-  const double du = *u - (frame.u0 + position.x() * frame.pixels_per_m);
-  const double dv = *v - (frame.v0 - position.y() * frame.pixels_per_m);
+  const double du = *u - (frame.u0 + position.x() * pixels_per_m);
+  const double dv = *v - (frame.v0 - position.y() * pixels_per_m);
   return std::max(std::abs(du), std::abs(dv));
+}
+
+/// Some programs read the resolution as pixels per metre, others as centimetres per pixel: what the points
+/// say of that. None: the first fits, or there is no point that could tell.
+Fault doubtOfScale(const wire::JsonList& points, const ParsedMap& frame) {
+  constexpr double kRoundingPx = 1;
+  const double first = frame.pixels_per_m, other = 100 / first;
+  int told = 0, fit_first = 0, fit_other = 0;
+  for (const Json point : points) {
+    const auto pose = wire::member(point, {"pose"});
+    const auto position = pose ? wire::asPoint(*pose) : std::nullopt;
+    const auto off = position ? pixelsOff(point, *position, frame, first) : std::nullopt;
+    if (!off) continue;
+    ++told;
+    if (*off <= kRoundingPx) ++fit_first;
+    if (*pixelsOff(point, *position, frame, other) <= kRoundingPx) ++fit_other;
+  }
+  // A few points that were moved prove nothing. At 10 both readings are the same.
+  const bool first_fits = 2 * fit_first > told, other_fits = 2 * fit_other > told;
+  if (told == 0 || first == other || (first_fits && !other_fits)) return {};
+  if (first_fits) return told > 1 ? Fault(fault::ScaleFitsBoth, {first}) : Fault();
+  if (other_fits) return {fault::ScaleInCentimetres, {first}};
+  constexpr int kEnough = 3;
+  return told >= kEnough ? Fault(fault::ScaleFitsNeither, {first}) : Fault();
 }
 
 }  // namespace
@@ -197,6 +222,8 @@ Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* fr
   const auto rows = wire::asList(*member);
   if (!rows) return refused(robot::wire::fault::PointsAreNoList);
   const bool degrees = anglesAreDegrees(*rows);
+  const Fault scale = frame ? doubtOfScale(*rows, *frame) : Fault();
+  if (scale.any()) list.notes.push_back(scale);
   std::size_t unplaced = 0, unsaid = 0;
   const auto note = [&](Fault odd) {
     if (list.notes.size() < kMaxNotes) {
@@ -214,7 +241,7 @@ Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* fr
     }
     map::Waypoint point{wire::text(row, {"point_id", "id"}), wire::text(row, {"name"}),
                         wire::text(row, {"point_type", "type"}), *position, headingOf(row, degrees)};
-    const auto off = frame ? pixelsOff(row, *position, *frame) : std::nullopt;
+    const auto off = frame ? pixelsOff(row, *position, *frame, frame->pixels_per_m) : std::nullopt;
     if (off && !(*off <= 1)) {
       note({fault::PointOff, {point.id, point.name, *off}});
     }
