@@ -39,6 +39,16 @@ QString whyNoPlaceOfMap(double resolution_m, double x_m, double y_m) {
   return {};
 }
 
+tl::expected<std::shared_ptr<const std::string>, QString> readMapPicture(const QString& path) {
+  const auto no = [](const QString& sentence) { return tl::make_unexpected(sentence); };
+  const QString shown = words::plainName(path.toStdString());
+  auto bytes = disk::readFile(path.toStdString(), kMostPictureBytes + 1);
+  if (!bytes)
+    return no(NewMapText::tr("%1 cannot be read: %2.").arg(shown, sentences::wordsOf(bytes.error().cause)));
+  if (bytes->size() > kMostPictureBytes) return no(NewMapText::tr("%1 is larger than 128 MiB.").arg(shown));
+  return std::make_shared<const std::string>(std::move(*bytes));
+}
+
 tl::expected<PictureSize, QString> sizeOfMapPicture(const std::shared_ptr<const std::string>& png) {
   const auto no = [](const QString& sentence) { return tl::make_unexpected(sentence); };
   if (!png || !isPng(*png)) return no(NewMapText::tr("It is not a PNG picture."));
@@ -62,15 +72,13 @@ tl::expected<robot::NewMap, QString> newMapFrom(const PictureMap& picture) {
   if (const QString why = whyNoMapName(picture.name); !why.isEmpty()) return no(why);
   if (const QString why = whyNoPlaceOfMap(picture.resolution_m, picture.x_m, picture.y_m); !why.isEmpty())
     return no(why);
-  const QString shown = words::plainName(picture.path.toStdString());
-  auto bytes = disk::readFile(picture.path.toStdString(), kMostPictureBytes + 1);
-  if (!bytes)
-    return no(NewMapText::tr("%1 cannot be read: %2.").arg(shown, sentences::wordsOf(bytes.error().cause)));
-  if (bytes->size() > kMostPictureBytes) return no(NewMapText::tr("%1 is larger than 128 MiB.").arg(shown));
+  auto bytes = readMapPicture(picture.path);
+  if (!bytes) return no(bytes.error());
   robot::NewMap made;
-  made.picture = std::make_shared<const std::string>(std::move(*bytes));
+  made.picture = std::move(*bytes);
   const auto size = sizeOfMapPicture(made.picture);
-  if (!size) return no(QStringLiteral("%1: %2").arg(shown, size.error()));
+  if (!size)
+    return no(QStringLiteral("%1: %2").arg(words::plainName(picture.path.toStdString()), size.error()));
   made.name = picture.name.toStdString();
   made.grid = {size->width, size->height, picture.resolution_m, {picture.x_m, picture.y_m, 0}};
   return made;

@@ -1,6 +1,7 @@
 // A map that is added to those of a robot: what is checked before, and what the robot holds of it afterwards.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include <QString>
@@ -25,6 +26,8 @@ struct PictureMap {
 QString whyNoPlaceOfMap(double resolution_m, double x_m, double y_m);
 /// Ready to be sent; the error is a sentence. Blocks while it reads the picture.
 tl::expected<robot::NewMap, QString> newMapFrom(const PictureMap& picture);
+/// A picture file as it is, within the size that can be sent; the error is a sentence. Blocks.
+tl::expected<std::shared_ptr<const std::string>, QString> readMapPicture(const QString& path);
 /// The size of a picture that can be a map: checked to its last row.
 struct PictureSize {
   int width = 0, height = 0;

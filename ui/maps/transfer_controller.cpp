@@ -227,9 +227,13 @@ void TransferController::download(const map::MapKey& key, const QString& name, c
     QMetaObject::invokeMethod(
         this, [=, this] { download(key, name, folder); }, Qt::QueuedConnection);
   });
+  // The checksum may be finished after the robot is left.
+  const auto wanted = [self = QPointer<TransferController>(this), asked = asked_] {
+    return self && asked == self->asked_ && self->dialog_;
+  };
   dialog_->setCall(jobs::downloadMap(
-      *robots, key, folder, [this, name, where](const robot::Outcome<jobs::DownloadedMap>& done) {
-        if (!dialog_) return;
+      *robots, key, folder, [this, wanted, name, where](const robot::Outcome<jobs::DownloadedMap>& done) {
+        if (!wanted()) return;
         if (!done) {
           const QString said = QString::fromStdString(sentences::sentenceOf(done.error()));
           return dialog_->setFailed(said, tr("Go on"));

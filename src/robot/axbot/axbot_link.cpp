@@ -1,6 +1,7 @@
 #include "robot/axbot/axbot_link.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QDateTime>
 
@@ -103,6 +104,7 @@ AxbotLink::AxbotLink(LinkOptions options)
   connect(&socket_, &net::WebSocketLink::changed, this, &AxbotLink::publishState);
   connect(&socket_, &net::WebSocketLink::opened, this, [this] {
     places_->deliveries.forget();
+    robot_ahead_s_.reset();
     delivered_definition_ = false;
     topics_confirmed_ = false;
     subscribed_ = false;
@@ -269,9 +271,9 @@ void AxbotLink::takeText(const QByteArray& utf8) {
   TextFrame frame = topic_reader_.read(wire::view(utf8));
   deliver(std::make_shared<const std::string>(wire::view(utf8)), frame.topic, "json", frame.stamp_s);
   if (passesRaw(utf8.size())) Q_EMIT rawReceived(rawText(frame.topic, wire::view(utf8)));
-  if (frame.topic == "/tracked_pose" || frame.topic == "/slam/state") {
-    if (frame.stamp_s) robot_ahead_s_ = *frame.stamp_s - options_.wall_s();
-  }
+  // A message may be sent again long after it was stamped: the newest stamp counts.
+  if (frame.stamp_s)
+    robot_ahead_s_ = std::max(robot_ahead_s_.value_or(-HUGE_VAL), *frame.stamp_s - options_.wall_s());
   if (frame.message) {
     emitTopic(frame.topic, std::move(*frame.message));
     if (frame.left_out) emitTopic(frame.topic, std::move(*frame.left_out));

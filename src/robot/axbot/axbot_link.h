@@ -122,7 +122,7 @@ class AxbotLink : public wire::RobotLink {
   map::Streams streams_;                 // that are wanted
   QStringList topics_;                   // that are wanted by name
   QStringList held_;                     // that are needed for a request under way
-  std::optional<double> robot_ahead_s_;  // of the clock here, by the last message with a stamp
+  std::optional<double> robot_ahead_s_;  // of the clock here, by the newest stamp
   map::Streams older_;  // streams whose older names are subscribed as well on this connection
   std::map<std::string, int> heard_topics_;  // number of messages on this connection
   bool delivered_definition_ = false;        // likewise: the definition of binary frames

@@ -28,8 +28,16 @@ std::optional<Obstacle> Administration::obstacle(MapChange change, const map::Ca
 }
 
 Call Administration::carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
+  // What it answers is newer than the last message about its state.
+  OutcomeTo<map::CatalogueEntry> noted = [this, change = order.change,
+                                          reply = std::move(reply)](Outcome<map::CatalogueEntry> now) {
+    const bool starts = change == MapChange::StartMapping || change == MapChange::ContinueMapping;
+    const bool ends = change == MapChange::StopMapping || change == MapChange::CancelMapping;
+    if (now && (starts || ends)) mapping_ = starts;
+    reply(std::move(now));
+  };
   return changes_.change(order.key.id.empty() ? wire::kMapList : map::subjectOf(order.key),
-                         changes_.telling(changed_, std::move(reply)), &MapChanges::carryOut, order);
+                         changes_.telling(changed_, std::move(noted)), &MapChanges::carryOut, order);
 }
 
 Call Administration::progress(OutcomeTo<std::optional<MappingProgress>> reply) {
