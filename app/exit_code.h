@@ -35,8 +35,11 @@ constexpr ExitCode exitCodeOf(map::FailureKind failure, ExitCode otherwise = kRo
   return otherwise;
 }
 
-/// A change without an answer may have taken effect, so its result counts as unknown.
+/// An id that is none was typed. A change without an answer may have taken effect, so its result counts as
+/// unknown.
 inline ExitCode exitCodeOf(const map::Failure& failure) {
+  // Nothing was requested.
+  if (failure.reason == map::FailureReason::NoSuchId) return kUsage;
   const ExitCode code = exitCodeOf(failure.kind);
   const bool unknown = code == kUnreachable && failure.asked_for == map::AskedFor::Change &&
                        failure.applied == map::Applied::Maybe;

@@ -171,10 +171,10 @@ class AimdkParseTest : public QObject {
       return parseTopology("{\"data\":{\"points\":[" + rows + "]}}", &frame)->notes;
     };
     QVERIFY(notesAt(20, 5, 4).empty());
-    QVERIFY(notesAt(5, 5, 1).front().code == fault::ScaleInCentimetres);
-    QVERIFY(notesAt(5, 5, 4).front().code == fault::ScaleInCentimetres);
-    QVERIFY(notesAt(20, 0.01, 3).front().code == fault::ScaleFitsBoth);
-    QVERIFY(notesAt(50, 5, 4).front().code == fault::ScaleFitsNeither);
+    QVERIFY(notesAt(5, 5, 1).front().code == robot::aimdk::fault::ScaleInCentimetres);
+    QVERIFY(notesAt(5, 5, 4).front().code == robot::aimdk::fault::ScaleInCentimetres);
+    QVERIFY(notesAt(20, 0.01, 3).front().code == robot::aimdk::fault::ScaleFitsBoth);
+    QVERIFY(notesAt(50, 5, 4).front().code == robot::aimdk::fault::ScaleFitsNeither);
     frame.pixels_per_m = 10;  // the same either way
     QVERIFY(notesAt(10, 0.01, 3).empty());
   }

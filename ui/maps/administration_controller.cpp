@@ -392,6 +392,7 @@ void AdministrationController::noteMapping() {
   if (running && was_mapping_ != true) {
     was_mapping_ = true;
     noticed_.start();
+    mapping_dock_->show();  // once: whoever closes it has seen it
     context_.panels.suggest(mapping_dock_);
     // A change made here says so itself.
     if (!dialog_ || !dialog_->waiting())
@@ -429,7 +430,7 @@ void AdministrationController::showMapping() {
     state.phase = MappingState::Phase::Unknown;
   }
   if (was_mapping_ == true) {
-    state.trouble = trouble_;
+    if (online) state.trouble = trouble_;
     state.seen_s = double(noticed_.elapsed()) / 1000;
     state.submaps = session->counts().listed;
     const geometry::WorldRect bounds = session->contentBounds();

@@ -1,5 +1,6 @@
 #include "robot/axbot/resumed_download.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -103,12 +104,14 @@ struct Download {
   }
   bool take(const net::HttpPart& received) {
     if (!begun && !begin(received)) return false;
-    // What waits in a buffer is not on the disk, which may be full.
+    // What waits in a buffer is not on the disk, which may be full. QFile does not say why only a part of it
+    // was written.
+    errno = 0;
     if (part.write(received.bytes) == received.bytes.size() && part.flush()) {
       task->tell({part.pos(), of_bytes});
       return true;
     }
-    trouble = notWritten(part.errorString());
+    trouble = notWritten(errno != 0 ? qt_error_string(errno) : part.errorString());
     return false;
   }
 };
