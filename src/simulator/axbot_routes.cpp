@@ -306,6 +306,10 @@ HttpAnswer AxbotRoutes::write(const HttpQuestion& question) {
       answer.body = std::make_shared<const std::string>(
           "<html><head><title>502 Bad Gateway</title></head><body><h1>502 Bad Gateway</h1></body></html>");
     }
+  } else if (fault == WriteFault::Ignore && question.method == "PATCH") {
+    HttpQuestion look = question;
+    look.method = "GET";
+    answer = routed(look);
   } else if (fault == WriteFault::Ignore) {
     answer = question.method == "DELETE" ? emptyAnswer(204) : jsonAnswer(200, "{}");
   } else if (fault != WriteFault::Drop) {

@@ -227,6 +227,9 @@ void AxbotServer::keepFaultSchedule(steady_clock::time_point now) {
     robot_.state.restartSlam();
     publish(kSubmapListTopic);
   }
+  if (isTime(faults.overlay_edit_every_s, overlays_edited_at_, now)) {
+    if (const auto map = robot_.library.current()) robot_.library.editOverlays(map->id);
+  }
 }
 
 void AxbotServer::publishList() {

@@ -57,7 +57,7 @@ class AxbotServer {
   ListStamp published_;
   MapEdits published_maps_;
   bool published_mapping_ = false;
-  std::chrono::steady_clock::time_point list_at_, tick_at_, dropped_at_, restarted_at_;
+  std::chrono::steady_clock::time_point list_at_, tick_at_, dropped_at_, restarted_at_, overlays_edited_at_;
   std::vector<Periodic> periodic_;
   HttpService axbot_, aimdk_;
   Loop loop_{2};

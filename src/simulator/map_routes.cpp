@@ -250,6 +250,7 @@ HttpAnswer changeMap(const Robot& robot, const StoredMap& map, const Request& re
   if (fields.has("overlays") && (!patch.overlays || !isOverlays(*patch.overlays)))
     return errorAnswer(400, "overlays: must be the text of a GeoJSON FeatureCollection.");
   if (!patch.name && !patch.overlays) return shownMap(robot, map);
+  if (patch.overlays && robot.faults.faults().overlay_edit_before_writes) robot.library.editOverlays(map.id);
   const std::optional<StoredMap> changed = robot.library.patch(map.id, patch);
   return changed ? shownMap(robot, *changed) : noSuchMap();
 }

@@ -263,6 +263,33 @@ bool MapLibrary::setCurrentOverlays(std::string overlays) {
   return true;
 }
 
+void MapLibrary::editOverlays(int id) {
+  const std::lock_guard lock(mutex_);
+  StoredMap* const map = id < 0 && current_ ? &*current_ : byId(maps_, id);
+  if (map == nullptr) return;
+  std::string text = map->overlays && !map->overlays->empty() ? *map->overlays : noOverlays();
+  const std::string_view name = R"("name":"Somebody )";
+  const std::string number = std::to_string(map->overlays_version + 1);
+  if (const auto at = text.find(name); at != std::string::npos) {
+    const auto begin = at + name.size();
+    text.replace(begin, text.find('"', begin) - begin, number);
+  } else {
+    const auto list = text.find('[', text.find(R"("features")"));
+    if (list == std::string::npos) return;
+    const auto next = text.find_first_not_of(" \t\r\n", list + 1);
+    const bool any = next != std::string::npos && text[next] != ']';
+    text.insert(list + 1,
+                R"({"id":"somebody","type":"Feature","geometry":{"type":"Point","coordinates":[1.50,1.0]},)"
+                R"("properties":{"type":"25",)" +
+                    std::string(name) + number + "\"}}" + (any ? "," : ""));
+  }
+  touch(*map, {std::nullopt, std::move(text)});
+  if (current_ && current_->id == id) {
+    current_ = *map;
+    ++edits_.info;
+  }
+}
+
 void MapLibrary::change() {
   const std::lock_guard lock(mutex_);
   if (!current_) return;

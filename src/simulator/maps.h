@@ -69,6 +69,8 @@ class MapLibrary {
   void setCurrentFromData(StoredMap map);
   /// The overlays of the current map; false if there is none.
   bool setCurrentOverlays(std::string overlays);
+  /// Somebody else changes its overlays: the first time there is one more, later that gets another name.
+  void editOverlays(int id);
   /// The current map gets another picture and version.
   void change();
   MapEdits edits() const;

@@ -138,10 +138,12 @@ struct Faults {
   double drop_writes = 0;         // the connection is closed without an answer; nothing is changed
   double lose_write_answers = 0;  // the connection is closed without an answer, and all is changed
   bool sees_nothing = false;      // no charger, rack, pallet or trailer; nothing was collected
-  double ignore_writes = 0;       // 200 or 204; nothing is changed
+  double ignore_writes = 0;       // answered as if all was well; nothing is changed
   /// Only writes to paths that begin with this fail; empty = all.
   std::string write_fault_path;
-  double cut_downloads = 0;  // a .pbstream breaks off half-way
+  double cut_downloads = 0;      // a .pbstream breaks off half-way
+  int overlay_edit_every_s = 0;  // > 0: somebody else changes the overlays of the current map this often
+  bool overlay_edit_before_writes = false;  // and right before every change of them
   RosFaults ros;
 };
 

@@ -15,7 +15,9 @@ namespace {
 using Kind = OverlayMark::Kind;
 
 constexpr double kAbove = 1e6;  // all layers and names
-constexpr double kPlacePx = 9;
+constexpr double kPlacePx = 9, kStatePx = 5.5;
+constexpr std::size_t kMostStates = 2'000;
+constexpr QPointF kStateAside(11, -11);  // not on the thing itself
 
 /// They differ in their dashes, too.
 QPen penOf(Kind kind, const scene::MapTheme& theme) {
@@ -30,7 +32,10 @@ QPen penOf(Kind kind, const scene::MapTheme& theme) {
       return QPen(theme.accent, 3.5);
     case Kind::Way:
       return QPen(theme.accent, 3, Qt::DashDotLine);
+    case Kind::BlockedWay:
+      return QPen(theme.bad, 2.5, Qt::DotLine);
     case Kind::Blocked:
+    case Kind::State:
       break;
   }
   return QPen(theme.bad, 3);
@@ -51,6 +56,40 @@ std::vector<OverlayMark> marksOf(const overlays::OverlayChange& change,
   const bool changed = change.from && change.to;
   if (change.from) addMarks(before.features()[*change.from], changed ? Kind::Before : Kind::Removed, marks);
   if (change.to) addMarks(after.features()[*change.to], changed ? Kind::After : Kind::Added, marks);
+  return marks;
+}
+
+std::vector<OverlayMark> marksOf(const overlays::Way& way) {
+  std::vector<OverlayMark> marks;
+  if (!way.open.empty()) marks.push_back({Kind::Way, overlays::Shape::Line, way.open});
+  if (way.blocked.empty()) return marks;
+  marks.push_back({Kind::BlockedWay, overlays::Shape::Line, way.blocked});
+  marks.push_back({Kind::Blocked, overlays::Shape::Point, {way.blocked.front()}});
+  return marks;
+}
+
+std::vector<OverlayMark> stateMarksOf(const overlays::EditingDocument& document) {
+  using State = overlays::EditingDocument::State;
+  using scene::WaypointMark;
+  std::set<FeatureKey> in_conflict;
+  for (const auto& conflict : document.conflicts()) in_conflict.insert(conflict.first);
+  std::vector<OverlayMark> marks;
+  for (FeatureKey key = 0; key < document.size() && marks.size() < kMostStates; ++key) {
+    const State state = document.state(key);
+    const bool there = document.changedThere().contains(key);
+    if (state == State::Same && !there) continue;
+    const auto& feature = document.find(key) ? document.find(key) : document.findBase(key);
+    if (!feature) continue;
+    const auto paths = overlays::shapesOf(*feature).paths;
+    if (paths.empty() || paths.front().points.empty()) continue;
+    const auto& points = paths.front().points;
+    const WaypointMark mark = in_conflict.contains(key) ? WaypointMark::Conflict
+                              : state == State::New     ? WaypointMark::New
+                              : state == State::Deleted ? WaypointMark::Deleted
+                              : state == State::Changed ? WaypointMark::Unsaved
+                                                        : WaypointMark::Theirs;
+    marks.push_back({Kind::State, overlays::Shape::Point, {points[points.size() / 2]}, mark});
+  }
   return marks;
 }
 
@@ -109,6 +148,10 @@ class OverlayMarks::Item : public QGraphicsItem {
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setBrush(Qt::NoBrush);
     for (const OverlayMark& mark : marks_) {
+      if (mark.kind == Kind::State) {
+        paintState(*painter, mark);
+        continue;
+      }
       const QPen pen = penOf(mark.kind, scene_->theme());
       paintMark(*painter, mark, QPen(scene_->theme().text_halo, pen.widthF() + 3));
       paintMark(*painter, mark, pen);
@@ -116,6 +159,17 @@ class OverlayMarks::Item : public QGraphicsItem {
   }
 
  private:
+  void paintState(QPainter& painter, const OverlayMark& mark) const {
+    using scene::WaypointMark;
+    const scene::MapTheme& theme = scene_->theme();
+    const QColor fill = mark.state == WaypointMark::Conflict || mark.state == WaypointMark::Deleted
+                            ? theme.bad
+                        : mark.state == WaypointMark::Theirs ? theme.accent
+                                                             : theme.warn;
+    const QPointF at = scene::toPoint(scene_->view().pixelFromWorld(mark.points.front())) + kStateAside;
+    scene::paintWaypointMark(painter, at, kStatePx, mark.state, fill, theme.text_halo);
+    painter.setBrush(Qt::NoBrush);
+  }
   void paintMark(QPainter& painter, const OverlayMark& mark, const QPen& pen) const {
     painter.setPen(pen);
     std::vector<Eigen::Vector2d> points = mark.points;

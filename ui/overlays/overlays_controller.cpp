@@ -48,6 +48,8 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
       actions_(new OverlayActions(context, &editing_, tool_, snapping_, dock_, this)),
       history_(history, context.workers),
       marks_(&context.scene),
+      way_(&context.scene),
+      states_(&context.scene),
       history_dock_(new OverlayHistoryDock(&history_, &context.scene, &marks_, &context.window)),
       share_(context.workers) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 15, .menu_rank = 46, .open = false});
@@ -85,6 +87,16 @@ OverlaysController::OverlaysController(WindowContext& context, const std::string
   connect(dock_, &OverlaysDock::cutWanted, transfer, &OverlayTransfer::cut);
   connect(dock_, &OverlaysDock::pasteWanted, transfer, [transfer] { transfer->paste(std::nullopt); });
   connect(dock_, &OverlaysDock::locateWanted, this, &OverlaysController::locate);
+  connect(dock_, &OverlaysDock::wayWanted, this, &OverlaysController::showWay);
+  connect(dock_->flaws(), &OverlayFlaws::optionsChanged, this, [this] {
+    ++ways_;
+    way_.show({});
+    check();
+  });
+  connect(&editing_, &OverlayEditing::selectionChanged, this, [this] {
+    ++ways_;
+    way_.show({});
+  });
   connect(dock_, &OverlaysDock::placeWanted, this, [this](const Eigen::Vector2d& at_m) {
     geometry::WorldRect around;
     around.extend(at_m);
@@ -148,8 +160,15 @@ void OverlaysController::setSession(session::Session* session) {
   syncMap();
 }
 
-void OverlaysController::recall(const QSettings& settings) { snapping_->recall(settings); }
-void OverlaysController::remember(QSettings& settings) { snapping_->remember(settings); }
+void OverlaysController::recall(const QSettings& settings) {
+  snapping_->recall(settings);
+  dock_->flaws()->recall(settings);
+}
+
+void OverlaysController::remember(QSettings& settings) {
+  snapping_->remember(settings);
+  dock_->flaws()->remember(settings);
+}
 
 std::optional<OverlaysController::Target> OverlaysController::target() const {
   if (!session_ || !session_->robot().overlayStore()) return std::nullopt;
@@ -187,6 +206,8 @@ void OverlaysController::syncMap() {
     if (target_ && other) watchDrafts();
   }
   if (target_ && !editing_.isOpen() && !reading_ && !failure_ && wanted()) read();
+  const bool was_under = std::exchange(under_, mapUnder());
+  if (was_under != under_ && editing_.isOpen()) check();  // the map is here now
   refresh();
 }
 
@@ -448,8 +469,51 @@ void OverlaysController::tellOutcome(const jobs::OverlayOutcome& outcome) {
 void OverlaysController::takeChange() {
   may_leave_ = false;
   if (drafts_) drafts_->touch();
+  ++ways_;
+  way_.show({});
+  states_.show(editing_.isOpen() ? stateMarksOf(editing_.document()) : std::vector<OverlayMark>());
   check();
   refresh();
+}
+
+bool OverlaysController::mapUnder() const {
+  if (!session_ || !target_) return false;
+  const session::MapSlot& slot = session_->wholeMap();
+  return slot.cells() && slot.cells()->complete() &&
+         (slot.shown().key == target_->map ||
+          (target_->robots && slot.shown().key.kind == map::MapKind::Live));
+}
+
+overlays::CheckOptions OverlaysController::checkOptions() const {
+  overlays::CheckOptions options;
+  options.off = dock_->flaws()->off();
+  const session::MapSlot& slot = session_->wholeMap();
+  if (mapUnder()) options.map = {slot.cells(), slot.reference(), false};
+  const double reported = placing::radiusOf(session_->live().model);
+  const double told = reported > 0 ? reported : placing::kUsualRadiusM;
+  dock_->flaws()->setToldRadius(told);
+  options.radius_m = dock_->flaws()->radius().value_or(told);
+  return options;
+}
+
+void OverlaysController::showWay(FeatureKey key) {
+  const auto keys = editing_.document().keysOfMine();
+  const auto at = std::find(keys.begin(), keys.end(), key);
+  if (at == keys.end() || !session_) return;
+  share_.startLong([this, asked = ++ways_, index = std::size_t(at - keys.begin()), options = checkOptions(),
+                    document = editing_.document().mine()] {
+    const auto way = overlays::wayTo(index, document, options.map, options.radius_m);
+    QMetaObject::invokeMethod(
+        this,
+        [this, asked, way] {
+          if (asked != ways_ || !way) return;
+          way_.show(marksOf(*way));
+          geometry::WorldRect area;
+          for (const Eigen::Vector2d& point : way->blocked) area.extend(point);
+          if (!area.empty()) context_.view.fit(area.grown(kAroundM), true);
+        },
+        Qt::QueuedConnection);
+  });
 }
 
 void OverlaysController::check() {
@@ -459,14 +523,7 @@ void OverlaysController::check() {
     return;
   }
   checking_ = true;
-  overlays::CheckOptions options;
-  const session::MapSlot& slot = session_->wholeMap();
-  const bool under =
-      slot.cells() && slot.cells()->complete() && target_ &&
-      (slot.shown().key == target_->map || (target_->robots && slot.shown().key.kind == map::MapKind::Live));
-  if (under) options.map = {slot.cells(), slot.reference(), false};
-  const double reported = placing::radiusOf(session_->live().model);
-  options.radius_m = reported > 0 ? reported : placing::kUsualRadiusM;
+  const overlays::CheckOptions options = checkOptions();
   const auto document = std::make_shared<OverlayDocument>(editing_.document().mine());
   share_.startLong([this, document, options, keys = editing_.document().keysOfMine(), opened = opened_] {
     auto found = std::make_shared<std::vector<ShownFlaw>>();
@@ -475,7 +532,7 @@ void OverlaysController::check() {
       const Feature& feature = document->features()[flaw.feature];
       QString sentence = overlayCalled(feature) + QStringLiteral(": ") + sentences::sentenceOf(flaw.why);
       sentence[0] = sentence[0].toUpper();
-      found->push_back({keys[flaw.feature], sentence, flaw.at_m});
+      found->push_back({keys[flaw.feature], sentence, flaw.at_m, flaw.rule});
     }
     QMetaObject::invokeMethod(
         this,

@@ -11,6 +11,7 @@
 #include <QPointer>
 
 #include "jobs/change_overlays.h"
+#include "overlays/overlay_check.h"
 #include "robot/overlay_store.h"
 #include "ui/kit/controller.h"
 #include "ui/overlays/overlay_editing.h"
@@ -54,6 +55,9 @@ class OverlaysController : public Controller {
   OverlayActions* actions() const { return actions_; }
   OverlayHistoryDock* historyDock() const { return history_dock_; }
   const OverlayMarks& marks() const { return marks_; }
+  /// The way to the flaw that is selected.
+  const OverlayMarks& way() const { return way_; }
+  const OverlayMarks& states() const { return states_; }
   OverlayReview* review() const;                       // null: none is open
   QMessageBox* question() const { return question_; }  // null: nothing is asked
   /// Something is on its way to or from the robot that has to end first.
@@ -93,6 +97,10 @@ class OverlaysController : public Controller {
   void askToDecide();
   void takeChange();
   void check();
+  /// The whole map that the overlays lie on is on screen, and read.
+  bool mapUnder() const;
+  overlays::CheckOptions checkOptions() const;
+  void showWay(FeatureKey key);
   void refresh();
   QString whyNot() const;
   void watchDrafts();
@@ -115,7 +123,7 @@ class OverlaysController : public Controller {
   OverlaysDock* dock_;
   OverlayActions* actions_;
   OverlayHistory history_;
-  OverlayMarks marks_;
+  OverlayMarks marks_, way_, states_;
   OverlayHistoryDock* history_dock_;
   QAction* tool_action_ = nullptr;
   std::optional<Target> target_;
@@ -131,7 +139,8 @@ class OverlaysController : public Controller {
   QPointer<QMessageBox> question_;
   QPointer<OverlayReview> review_;
   std::function<void()> when_left_, when_saved_;
-  bool checking_ = false, check_again_ = false;
+  bool checking_ = false, check_again_ = false, under_ = false;
+  quint64 ways_ = 0;   // counts those that were asked for
   work::Tasks share_;  // last
 };
 

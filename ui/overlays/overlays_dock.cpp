@@ -59,7 +59,7 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
       tabs_(new QTabWidget(this)),
       form_(new OverlayForm(editing, this)),
       points_(new OverlayPoints(editing, this)),
-      flaw_list_(new QListWidget(this)),
+      flaws_(new OverlayFlaws(this)),
       empty_(wrappedLabel({}, this)),
       status_(wrappedLabel({}, this)),
       conflict_(textLabel({}, conflict_box_)),
@@ -80,9 +80,6 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   buildConflict();
   buildOffer();
   for (QLabel* label : {empty_, status_}) label->setContentsMargins(8, 4, 8, 4);
-  flaw_list_->setAccessibleName(tr("What is wrong with the overlays"));
-  flaw_list_->setWordWrap(true);
-  flaw_list_->setToolTip(tr("Click one to see it on the map"));
   auto* const scrolled = new QScrollArea(tabs_);  // a low dock has less room than the form needs
   scrolled->setWidget(form_);
   scrolled->setWidgetResizable(true);
@@ -90,7 +87,7 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   tabs_->addTab(scrolled, tr("Properties"));
   tabs_->addTab(points_, tr("Points"));
-  tabs_->addTab(flaw_list_, tr("Flaws"));
+  tabs_->addTab(flaws_, tr("Flaws"));
   tabs_->setDocumentMode(true);
   review_->setIcon(themedIcon(QStringLiteral("save")));
 
@@ -120,13 +117,11 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   connect(history_, &QToolButton::clicked, this, &OverlaysDock::historyWanted);
   connect(restore_, &QPushButton::clicked, this, &OverlaysDock::draftWanted);
   connect(forget_, &QPushButton::clicked, this, &OverlaysDock::draftNotWanted);
-  const auto show_flaw = [this](QListWidgetItem* item) {
-    const ShownFlaw flaw = flaws_[std::size_t(flaw_list_->row(item))];
-    editing_->select({flaw.key});
-    flaw.at_m ? Q_EMIT placeWanted(*flaw.at_m) : Q_EMIT locateWanted(flaw.key);
-  };
-  connect(flaw_list_, &QListWidget::itemClicked, this, show_flaw);
-  connect(flaw_list_, &QListWidget::itemActivated, this, show_flaw);
+  connect(flaws_, &OverlayFlaws::chosen, this, [this](const ShownFlaw chosen) {
+    editing_->select({chosen.key});
+    chosen.at_m ? Q_EMIT placeWanted(*chosen.at_m) : Q_EMIT locateWanted(chosen.key);
+    if (chosen.rule == overlays::Rule::Unreachable) Q_EMIT wayWanted(chosen.key);
+  });
   connect(sorted_, &QAbstractItemModel::modelReset, this, &OverlaysDock::showSelection);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &OverlaysDock::takeSelection);
@@ -298,20 +293,15 @@ void OverlaysDock::setOffer(const QString& sentence) {
 }
 
 void OverlaysDock::setFlaws(std::vector<ShownFlaw> flaws) {
-  flaws_ = std::move(flaws);
   std::set<FeatureKey> keys;
-  flaw_list_->clear();
-  for (const ShownFlaw& flaw : flaws_) {
-    keys.insert(flaw.key);
-    flaw_list_->addItem(new QListWidgetItem(markPixmap(Mark::Warning), flaw.sentence));
-  }
+  for (const ShownFlaw& flaw : flaws) keys.insert(flaw.key);
   model_->setFlawed(std::move(keys));
-  tabs_->setTabText(2, flaws_.empty() ? tr("Flaws") : tr("Flaws (%1)").arg(flaws_.size()));
-  tabs_->setTabEnabled(2, !flaws_.empty());
+  tabs_->setTabText(2, flaws.empty() ? tr("Flaws") : tr("Flaws (%1)").arg(flaws.size()));
+  flaws_->setFlaws(std::move(flaws));
 }
 
 bool OverlaysDock::hasUnsavedFlaws() const {
-  return std::any_of(flaws_.begin(), flaws_.end(),
+  return std::any_of(flaws_->flaws().begin(), flaws_->flaws().end(),
                      [this](const ShownFlaw& flaw) { return editing_->document().isUnsaved(flaw.key); });
 }
 

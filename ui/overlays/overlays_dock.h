@@ -7,6 +7,7 @@
 
 #include <QDockWidget>
 
+#include "ui/overlays/overlay_flaws.h"
 #include "ui/overlays/overlay_tool.h"
 
 class QAction;
@@ -27,13 +28,6 @@ class OverlayFilter;
 class OverlayForm;
 class OverlayPoints;
 class OverlaysModel;
-
-/// A flaw of a feature, as a sentence.
-struct ShownFlaw {
-  FeatureKey key = 0;
-  QString sentence;
-  std::optional<Eigen::Vector2d> at_m;
-};
 
 class OverlaysDock : public QDockWidget {
   Q_OBJECT
@@ -62,7 +56,8 @@ class OverlaysDock : public QDockWidget {
   OverlaysModel* model() const { return model_; }
   OverlayForm* form() const { return form_; }
   OverlayPoints* points() const { return points_; }
-  QListWidget* flawList() const { return flaw_list_; }
+  OverlayFlaws* flaws() const { return flaws_; }
+  QListWidget* flawList() const { return flaws_->list(); }
   QPushButton* mineButton() const { return mine_; }
   QPushButton* theirsButton() const { return theirs_; }
   QPushButton* discardButton() const { return discard_; }
@@ -92,6 +87,8 @@ class OverlaysDock : public QDockWidget {
   void historyWanted();
   void locateWanted(mapwright::overlays::FeatureKey key);
   void placeWanted(const Eigen::Vector2d& at_m);
+  /// The way to a point that cannot be reached.
+  void wayWanted(mapwright::overlays::FeatureKey key);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -127,11 +124,10 @@ class OverlaysDock : public QDockWidget {
   QTabWidget* tabs_;
   OverlayForm* form_;
   OverlayPoints* points_;
-  QListWidget* flaw_list_;
+  OverlayFlaws* flaws_;
   QLabel *empty_, *status_, *conflict_, *offer_;
   QPushButton *mine_, *theirs_, *next_, *discard_, *review_, *restore_, *forget_, *retry_;
   QToolButton* history_;
-  std::vector<ShownFlaw> flaws_;
   std::optional<overlays::EditingDocument::Conflict> deciding_;
 };
 
