@@ -143,6 +143,43 @@ class OverlaysCommandTest : public QObject {
     QCOMPARE(run("set none.geojson --replace").code, 2);
   }
 
+  void whatSomebodyElseDoesAtTheSameMomentIsSaid() {
+    simulator::Faults faults;
+    faults.overlay_edit_before_writes = true;
+    start(faults);
+    program_->put("mine.geojson", edited("\"Charger\"", "\"Lader\""));
+    const Ended between = run("set mine.geojson --base base.geojson");
+    QCOMPARE(between.code, 1);
+    QVERIFY2(between.err.contains(
+                 QStringLiteral("Somebody else changed the overlays between the look and the request")) &&
+                 between.err.contains(QStringLiteral("overwritten")),
+             qPrintable(between.err));
+    QVERIFY(held().contains("\"Lader\"") && !held().contains("Somebody"));
+  }
+
+  void whatTheRobotOnlySaysThatItDidIsNotDone() {
+    simulator::Faults faults;
+    faults.ignore_writes = 1;
+    start(faults);
+    program_->put("mine.geojson", edited("\"Charger\"", "\"Lader\""));
+    const Ended ignored = run("set mine.geojson --base base.geojson");
+    QCOMPARE(ignored.code, 1);
+    QVERIFY2(ignored.err.contains(QStringLiteral("holds something else than was sent")),
+             qPrintable(ignored.err));
+    QVERIFY(held().contains("\"Charger\""));
+  }
+
+  void whatSomebodyElseDidBeforeIsMerged() {
+    simulator::Faults faults;
+    faults.overlay_edit_every_s = 1;
+    start(faults);
+    program_->put("mine.geojson", edited("\"Charger\"", "\"Lader\""));
+    QTRY_VERIFY_WITH_TIMEOUT(held().contains("Somebody"), 20'000);
+    const Ended merged = run("set mine.geojson --base base.geojson");
+    QVERIFY2(merged.code == 0 || merged.code == 1, qPrintable(merged.err));  // 1: again at that very moment
+    QVERIFY(held().contains("\"Lader\"") && held().contains("Somebody"));
+  }
+
   void whatBecameOfALostChangeIsLookedFor() {
     simulator::Faults faults;
     faults.lose_write_answers = 1;
