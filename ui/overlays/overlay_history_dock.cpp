@@ -353,7 +353,7 @@ void OverlayHistoryDock::compare() {
   if (rows.size() == 2) {
     older = shown_[rows.back()];
   } else if (against_->currentIndex() == 1) {
-    if (const auto open = open_ ? open_() : std::nullopt) here = open->document;
+    if (const auto open = open_ ? open_() : std::nullopt) here = open->document();
     if (!here) return showCompared({}, tr("No overlays are open."));
   } else if (rows.front() + 1 < shown_.size()) {
     older = shown_[rows.front() + 1];

@@ -29,7 +29,7 @@ class OverlayHistoryDock : public QDockWidget {
   /// What is open for editing.
   struct Open {
     history::MapName map;
-    overlays::OverlayDocument document;  // as it is here
+    std::function<overlays::OverlayDocument()> document;  // as it is here; as long as it is open
     bool editable = false;
   };
   /// All must outlive this.

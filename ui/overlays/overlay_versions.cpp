@@ -26,7 +26,8 @@ void OverlaysController::addHistory() {
                       {.side = PanelPlace::Side::Right, .tab = 16, .menu_rank = 47, .open = false});
   history_dock_->setOpen([this]() -> std::optional<OverlayHistoryDock::Open> {
     if (!editing_.isOpen() || !target_) return std::nullopt;
-    return OverlayHistoryDock::Open{openMap(), editing_.document().mine(), editing_.editable()};
+    return OverlayHistoryDock::Open{openMap(), [this] { return editing_.document().mine(); },
+                                    editing_.editable()};
   });
   connect(dock_, &OverlaysDock::historyWanted, this, [this] {
     context_.panels.open(history_dock_);
