@@ -12,7 +12,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
@@ -93,10 +92,7 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
   } else {
     head->addSpacing(25);
   }
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addLayout(head);
+  setLayout(columnOf({head}, 0, QMargins()));
   connect(eye_, &QToolButton::toggled, this, [this](bool on) { scene_->setLayerVisible(layer_, on); });
   connect(eye_, &EyeButton::soloWanted, this, &LayerRow::soloWanted);
   connect(opacity_, &QSlider::valueChanged, this,

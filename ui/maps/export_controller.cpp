@@ -15,7 +15,6 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
@@ -80,14 +79,10 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   giveRoles(*export_, {browse_, cancel_});
   makeLine(*progress_);
   for (QLabel* label : {content_, error_}) label->setTextFormat(Qt::PlainText);
-  QPalette grey = content_->palette();
-  grey.setColor(QPalette::WindowText, appColors().secondary_text);
-  content_->setPalette(grey);
+  setTextColor(*content_, appColors().secondary_text);
   content_->setWordWrap(true);
   error_->setWordWrap(true);
-  QPalette red = error_->palette();
-  red.setColor(QPalette::WindowText, appColors().error_text);
-  error_->setPalette(red);
+  setTextColor(*error_, appColors().error_text);
   error_->hide();
 
   auto* form = new QFormLayout;
@@ -97,17 +92,9 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   form->addRow(QString(), hidden_);
   form->addRow(QString(), content_);
   form->addRow(resolution_label_, resolution_);
-  auto* path_row = new QHBoxLayout;
-  path_row->addWidget(path_, 1);
-  path_row->addWidget(browse_);
   auto* path_label = new QLabel(tr("&File"), this);
   path_label->setBuddy(path_);
-  form->addRow(path_label, path_row);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addStretch();
-  buttons->addWidget(cancel_);
-  buttons->addWidget(export_);
+  form->addRow(path_label, rowOf({{path_, 1}, browse_}));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
   column->setSpacing(8);
@@ -117,7 +104,7 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   column->addWidget(world_file_);
   column->addWidget(error_);
   column->addWidget(progress_);
-  column->addLayout(buttons);
+  column->addLayout(rowOf({LayoutItem::rest(), cancel_, export_}, 8));
 
   // In visual order, not in order of creation.
   QWidget* const order[] = {map_picture_, map_server_, view_picture_, source_, hidden_, resolution_,

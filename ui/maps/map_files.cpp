@@ -7,14 +7,14 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include "map/grid_reference.h"
 #include "sentences/fault_sentence.h"
+#include "ui/kit/dialog_look.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/ui_colors.h"
 
 namespace mapwright::window {
@@ -142,9 +142,7 @@ PictureDialog::PictureDialog(const QString& path, const QStringList& named_by, c
   error_->setWordWrap(true);
   error_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   error_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  QPalette red = error_->palette();
-  red.setColor(QPalette::WindowText, appColors().error_text);
-  error_->setPalette(red);
+  setTextColor(*error_, appColors().error_text);
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(12);
   form->setVerticalSpacing(6);
@@ -152,23 +150,10 @@ PictureDialog::PictureDialog(const QString& path, const QStringList& named_by, c
   form->addRow(tr("Origin &x, metres"), x_);
   form->addRow(tr("Origin &y, metres"), y_);
   form->addRow(tr("Origin ya&w, degrees"), yaw_);
-  open_->setObjectName(QStringLiteral("primary"));
-  open_->setDefault(true);
   auto* cancel = new QPushButton(tr("Cancel"), this);
-  cancel->setObjectName(QStringLiteral("secondary"));
-  cancel->setAutoDefault(false);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addStretch();
-  buttons->addWidget(cancel);
-  buttons->addWidget(open_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 16, 16, 16);
-  column->setSpacing(10);
-  column->addWidget(intro_);
-  column->addLayout(form);
-  column->addWidget(error_);
-  column->addLayout(buttons);
+  giveRoles(*open_, {cancel});
+  setLayout(columnOf({intro_, form, error_, rowOf({LayoutItem::rest(), cancel, open_}, 8)}, 10,
+                     QMargins(16, 16, 16, 16)));
   for (QLineEdit* field : {resolution_, x_, y_, yaw_})
     connect(field, &QLineEdit::textChanged, this, &PictureDialog::check);
   connect(open_, &QPushButton::clicked, this, &QDialog::accept);

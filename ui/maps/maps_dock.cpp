@@ -1,7 +1,6 @@
 #include "ui/maps/maps_dock.h"
 
 #include <QApplication>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -11,7 +10,6 @@
 #include <QPushButton>
 #include <QStyledItemDelegate>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
@@ -192,22 +190,11 @@ MapsDock::MapsDock(QWidget* parent)
   retry_->setObjectName(QStringLiteral("compact"));
 
   auto* body = new QWidget(this);
-  auto* top = new QHBoxLayout;
-  top->setContentsMargins(6, 6, 6, 4);
-  top->setSpacing(4);
-  top->addWidget(search_, 1);
-  top->addWidget(refresh_);
-  auto* bottom = new QHBoxLayout;
-  bottom->setContentsMargins(0, 0, 6, 2);
-  bottom->addWidget(status_, 1);
-  bottom->addWidget(retry_);
-  auto* column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addLayout(top);
-  column->addWidget(empty_);
-  column->addWidget(list_, 1);
-  column->addLayout(bottom);
+  body->setLayout(columnOf({rowOf({{search_, 1}, refresh_}, 4, QMargins(6, 6, 6, 4)),
+                            empty_,
+                            {list_, 1},
+                            rowOf({{status_, 1}, retry_}, -1, QMargins(0, 0, 6, 2))},
+                           0, QMargins()));
   setWidget(body);
 
   connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
@@ -272,10 +259,7 @@ void MapsDock::refresh() {
   empty_->setText(emptyText());
   empty_->setVisible(!empty_->text().isEmpty());
   retry_->setVisible(!error.isEmpty() && !loading);
-  const UiColors colors = appColors();
-  QPalette palette = status_->palette();
-  palette.setColor(QPalette::WindowText, error.isEmpty() ? colors.secondary_text : colors.error_text);
-  status_->setPalette(palette);
+  setTextColor(*status_, error.isEmpty() ? appColors().secondary_text : appColors().error_text);
   QString text;
   if (loading) {
     text = tr("Asking the robot…");

@@ -9,7 +9,6 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QVBoxLayout>
 
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
@@ -67,13 +66,9 @@ CopiesDialog::CopiesDialog(const QString& folder, std::function<QString(const Pi
   open_->setToolTip(tr("Open it as a local map"));
   auto* const close = new QPushButton(tr("&Close"), this);
   giveRoles(*put_back_, {open_, show_, close});
-  auto* const column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 16, 16, 16);
-  column->setSpacing(12);
-  column->addWidget(about_);
-  column->addWidget(table_, 1);
-  column->addWidget(status_);
-  column->addLayout(rowOf({show_, open_, LayoutItem::rest(), close, put_back_}, 8));
+  setLayout(
+      columnOf({about_, {table_, 1}, status_, rowOf({show_, open_, LayoutItem::rest(), close, put_back_}, 8)},
+               12, QMargins(16, 16, 16, 16)));
   connect(table_, &QTableWidget::itemSelectionChanged, this, &CopiesDialog::refresh);
   connect(put_back_, &QPushButton::clicked, this, [this] {
     if (const PictureCopy* const copy = chosen()) Q_EMIT putBackWanted(PictureCopy(*copy));

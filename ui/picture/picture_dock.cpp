@@ -74,10 +74,7 @@ PictureDock::PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* pa
   empty_->setContentsMargins(8, 4, 8, 4);
   empty_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* all = new QWidget(this);
-  auto* rows = new QVBoxLayout(all);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->addWidget(empty_);
-  rows->addWidget(body_, 1);
+  all->setLayout(columnOf({empty_, {body_, 1}}, -1, QMargins()));
   all->setMinimumWidth(220);
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
@@ -170,14 +167,10 @@ void PictureDock::buildKinds(QVBoxLayout* column) {
   size_->setToolTip(tr("Width of brush, eraser and line (on the map: comma and full stop)"));
   size_m_ = new QLabel(body_);
   connect(size_, &QSpinBox::valueChanged, editing_, &PictureEditing::setAcross);
-  auto* sizes = new QHBoxLayout;
-  sizes->setSpacing(8);
-  sizes->addWidget(size_);
-  sizes->addWidget(size_m_, 1);
   grid->addWidget(new QLabel(tr("Paint"), body_), 0, 0);
   grid->addLayout(row, 0, 1);
   grid->addWidget(new QLabel(tr("Size"), body_), 1, 0);
-  grid->addLayout(sizes, 1, 1);
+  grid->addLayout(rowOf({size_, {size_m_, 1}}, 8), 1, 1);
   grid->setColumnStretch(1, 1);
   column->addLayout(grid);
 }

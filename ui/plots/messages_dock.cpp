@@ -11,9 +11,9 @@
 #include <QSplitter>
 #include <QStringListModel>
 #include <QTableView>
-#include <QVBoxLayout>
 
 #include "sentences/absence_sentence.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/name_column.h"
 #include "ui/kit/plain_label.h"
@@ -69,11 +69,7 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
   caption_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 
   auto* right = new QWidget(this);
-  auto* right_column = new QVBoxLayout(right);
-  right_column->setContentsMargins(8, 2, 0, 0);
-  right_column->setSpacing(2);
-  right_column->addWidget(caption_);
-  right_column->addWidget(message_, 1);
+  right->setLayout(columnOf({caption_, {message_, 1}}, 2, QMargins(8, 2, 0, 0)));
   split_ = new QSplitter(Qt::Horizontal, this);
   split_->addWidget(table_);
   split_->addWidget(right);
@@ -82,11 +78,7 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
   split_->setHandleWidth(1);
   split_->setChildrenCollapsible(false);
   auto* body = new QWidget(this);
-  auto* column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(buildControls());
-  column->addWidget(split_, 1);
+  body->setLayout(columnOf({buildControls(), {split_, 1}}, 0, QMargins()));
   setWidget(body);
 
   refresh_timer_.setSingleShot(true);

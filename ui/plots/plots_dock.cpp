@@ -16,6 +16,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "words/qt_plain.h"
 
@@ -41,18 +42,13 @@ PlotsDock::PlotsDock(PlotFeed& feed, QWidget* parent)
       said_(new PlainLabel(this)) {
   setObjectName(QStringLiteral("plots"));
   auto* const body = new QWidget(this);
-  auto* const column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(buildControls());
   said_->setSecondary(true);
   said_->setSample(QStringLiteral("x"));
   said_->setContentsMargins(8, 0, 8, 0);
   said_->hide();
-  column->addWidget(said_);
   stack_->setChildrenCollapsible(false);
   stack_->setHandleWidth(1);
-  column->addWidget(stack_, 1);
+  body->setLayout(columnOf({buildControls(), said_, {stack_, 1}}, 0, QMargins()));
   setWidget(body);
   connect(&feed_, &PlotFeed::changed, this, &PlotsDock::refresh);
   connect(&follow_timer_, &QTimer::timeout, this, &PlotsDock::follow);

@@ -6,7 +6,6 @@
 
 #include <QActionGroup>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -72,18 +71,13 @@ SaveMapDialog::SaveMapDialog(robot::MapDispatch* dispatch, std::function<void(Ma
   save_ = new QPushButton(tr("Save"), this);
   auto* const cancel = new QPushButton(tr("Cancel"), this);
   giveRoles(*save_, {cancel});
-  auto* const buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addStretch();
-  buttons->addWidget(cancel);
-  buttons->addWidget(save_);
   auto* const column = new QVBoxLayout(this);
   column->setSpacing(12);
   column->addLayout(form);
   column->addWidget(about);
   column->addWidget(state_);
   column->addStretch();
-  column->addLayout(buttons);
+  column->addLayout(rowOf({LayoutItem::rest(), cancel, save_}, 8));
   // Wrapped text needs less height than requested before the width is known.
   resize(kWidthPx, column->totalHeightForWidth(kWidthPx));
   connect(name_, &QLineEdit::textChanged, this, &SaveMapDialog::look);

@@ -1,12 +1,10 @@
 #include "ui/replay/list_dock.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableView>
-#include <QVBoxLayout>
 
 #include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
@@ -53,12 +51,7 @@ void ListDock::layOut(QAbstractItemModel* rows, std::initializer_list<QWidget*> 
     button->setObjectName(QStringLiteral("compact"));
     row->add(button);
   }
-  auto* const column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addLayout(row);
-  column->addWidget(empty_, 1);
-  column->addWidget(table_, 1);
+  body->setLayout(columnOf({row, {empty_, 1}, {table_, 1}}, 0, QMargins()));
   setWidget(body);
 }
 

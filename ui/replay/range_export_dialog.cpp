@@ -9,19 +9,18 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QVBoxLayout>
 
 #include "jobs/export_map.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
 #include "ui/kit/dialog_look.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/replay/timeline_axis.h"
@@ -143,37 +142,21 @@ void RangeExportDialog::layOut() {
   form->setHorizontalSpacing(12);
   form->setVerticalSpacing(6);
   const auto add_time = [&](const QString& name, QLineEdit* edit, QPushButton* here) {
-    auto* const row = new QHBoxLayout;
-    row->addWidget(edit, 1);
-    row->addWidget(here);
     auto* const label = new QLabel(name, this);
     label->setBuddy(edit);
     here->setToolTip(tr("The time that the replay shows now"));
     here->setVisible(bool(offer_.now));
-    form->addRow(label, row);
+    form->addRow(label, rowOf({{edit, 1}, here}));
   };
   add_time(tr("F&rom (UTC)"), from_, from_here_);
   add_time(tr("&To (UTC)"), to_, to_here_);
   form->addRow(tr("&What"), kind_);
-  auto* const path_row = new QHBoxLayout;
-  path_row->addWidget(path_, 1);
-  path_row->addWidget(browse_);
   auto* const path_label = new QLabel(tr("&File"), this);
   path_label->setBuddy(path_);
-  form->addRow(path_label, path_row);
+  form->addRow(path_label, rowOf({{path_, 1}, browse_}));
   form->addRow(tr("Video by &command"), film_);
-  auto* const buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addStretch();
-  buttons->addWidget(close_);
-  buttons->addWidget(export_);
-  auto* const column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 16, 16, 16);
-  column->setSpacing(8);
-  column->addLayout(form);
-  column->addWidget(said_);
-  column->addWidget(progress_);
-  column->addLayout(buttons);
+  setLayout(columnOf({form, said_, progress_, rowOf({LayoutItem::rest(), close_, export_}, 8)}, 8,
+                     QMargins(16, 16, 16, 16)));
   QWidget* const order[] = {from_, from_here_, to_, to_here_, kind_, path_, browse_, film_, close_, export_};
   for (std::size_t i = 1; i < std::size(order); ++i) setTabOrder(order[i - 1], order[i]);
 }
@@ -183,10 +166,7 @@ QString RangeExportDialog::said() const { return said_->isHidden() ? QString() :
 void RangeExportDialog::say(const QString& sentence, bool bad) {
   asked_.clear();
   letEnterPress(*export_, true);
-  const UiColors colors = appColors();
-  QPalette palette = said_->palette();
-  palette.setColor(QPalette::WindowText, bad ? colors.error_text : colors.text);
-  said_->setPalette(palette);
+  setTextColor(*said_, bad ? appColors().error_text : appColors().text);
   said_->setText(sentence);
   said_->setVisible(!sentence.isEmpty());
 }

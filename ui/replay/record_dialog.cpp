@@ -1,13 +1,11 @@
 #include "ui/replay/record_dialog.h"
 
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSpinBox>
-#include <QVBoxLayout>
 
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
@@ -42,16 +40,7 @@ RecordDialog::RecordDialog(QWidget* parent)
   form->addRow(tr("&Duration"), duration_);
   auto* const cancel = new QPushButton(tr("Cancel"), this);
   giveRoles(*record_, {cancel});
-  auto* const buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addStretch();
-  buttons->addWidget(cancel);
-  buttons->addWidget(record_);
-  auto* const column = new QVBoxLayout(this);
-  column->setSpacing(12);
-  column->addLayout(form);
-  column->addWidget(said_);
-  column->addLayout(buttons);
+  setLayout(columnOf({form, said_, rowOf({LayoutItem::rest(), cancel, record_}, 8)}, 12));
   connect(suffix_, &QLineEdit::textChanged, this, &RecordDialog::check);
   connect(record_, &QPushButton::clicked, this, &RecordDialog::recordWanted);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
@@ -60,10 +49,7 @@ RecordDialog::RecordDialog(QWidget* parent)
 
 void RecordDialog::say(const QString& sentence, bool bad) {
   bad_ = bad;
-  const UiColors colors = appColors();
-  QPalette palette = said_->palette();
-  palette.setColor(QPalette::WindowText, bad ? colors.error_text : colors.secondary_text);
-  said_->setPalette(palette);
+  setTextColor(*said_, bad ? appColors().error_text : appColors().secondary_text);
   said_->setText(sentence);
   said_->setVisible(!sentence.isEmpty());
 }

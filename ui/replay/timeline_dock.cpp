@@ -13,9 +13,9 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QToolTip>
-#include <QVBoxLayout>
 
 #include "sentences/failure_sentence.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
@@ -181,11 +181,7 @@ void TimelineDock::layOut() {
   row->add(state_, 1, kStatePx);
   row->add(retry_);
   row->add(back_);
-  auto* const column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addLayout(row);
-  column->addWidget(view_, 1);
+  body->setLayout(columnOf({row, {view_, 1}}, 0, QMargins()));
   setWidget(body);
 }
 

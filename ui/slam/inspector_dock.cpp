@@ -261,21 +261,9 @@ QWidget* InspectorDock::buildControls(QAction* show_ids, QAction* show_outlines)
     button->setFixedSize(26, 24);
     first->addWidget(button);
   }
-  auto* second = new QHBoxLayout;
-  second->setSpacing(8);
-  second->addWidget(colors_, 1);
-  second->addWidget(slice_, 1);
-  auto* third = new QHBoxLayout;
-  third->setSpacing(12);
-  third->addWidget(incremental_);
-  third->addWidget(nearby_);
-  third->addStretch();
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(8, 4, 8, 8);
-  column->setSpacing(6);
-  column->addLayout(second);
-  column->addLayout(third);
-  column->addLayout(first);
+  box->setLayout(columnOf(
+      {rowOf({{colors_, 1}, {slice_, 1}}, 8), rowOf({incremental_, nearby_, LayoutItem::rest()}, 12), first},
+      6, QMargins(8, 4, 8, 8)));
 
   connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
     filtered_->setFilter(SubmapFilter(text));

@@ -8,7 +8,6 @@
 #include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QPainter>
 #include <QPainterPath>
 #include <QToolButton>
@@ -16,6 +15,7 @@
 
 #include "geometry/pose.h"
 #include "ui/kit/actions.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/view/compare_bar.h"
@@ -46,9 +46,7 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
       hint_(new PlainLabel(hint_frame_)) {
   furniture_->setParent(view);
   hint_frame_->setObjectName(QStringLiteral("furniture"));
-  auto* row = new QHBoxLayout(hint_frame_);
-  row->setContentsMargins(12, 4, 12, 4);
-  row->addWidget(hint_);
+  hint_frame_->setLayout(rowOf({hint_}, -1, QMargins(12, 4, 12, 4)));
   hint_->setAlignment(Qt::AlignCenter);
   hint_frame_->hide();
   // The map stays usable under the hint.

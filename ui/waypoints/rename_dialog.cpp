@@ -14,7 +14,6 @@
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QTableView>
-#include <QVBoxLayout>
 
 #include "placing/arrange.h"
 #include "sentences/plural.h"
@@ -123,14 +122,12 @@ RenameDialog::RenameDialog(WaypointEditing* editing, std::function<std::vector<e
   header->resizeSection(NewNamesModel::TroubleColumn, 34 * fontMetrics().averageCharWidth());
   auto* const cancel = new QPushButton(tr("Cancel"), this);
   giveRoles(*rename_, {cancel});
-  auto* const column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 16, 16, 16);
-  column->setSpacing(12);
-  column->addLayout(rowOf({how_, LayoutItem::rest()}));
-  column->addWidget(pages_);
-  column->addWidget(table_, 1);
-  column->addWidget(status_);
-  column->addLayout(rowOf({LayoutItem::rest(), cancel, rename_}, 8));
+  setLayout(columnOf({rowOf({how_, LayoutItem::rest()}),
+                      pages_,
+                      {table_, 1},
+                      status_,
+                      rowOf({LayoutItem::rest(), cancel, rename_}, 8)},
+                     12, QMargins(16, 16, 16, 16)));
 
   connect(how_, &QComboBox::currentIndexChanged, this, [this](int page) {
     pages_->setCurrentIndex(page);

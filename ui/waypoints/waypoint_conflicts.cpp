@@ -3,11 +3,9 @@
 #include <algorithm>
 
 #include <QCoreApplication>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include "placing/arrange.h"
 #include "ui/kit/forms.h"
@@ -96,11 +94,8 @@ ConflictBox::ConflictBox(QWidget* parent)
     button->setAccessibleName(button->toolTip());
     button->setMaximumWidth(28);
   }
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 6, 8, 6);
-  column->setSpacing(4);
-  column->addWidget(text_);
-  column->addLayout(rowOf({mine_, theirs_, locate_, LayoutItem::rest(), previous_, next_}, 6));
+  setLayout(columnOf({text_, rowOf({mine_, theirs_, locate_, LayoutItem::rest(), previous_, next_}, 6)}, 4,
+                     QMargins(8, 6, 8, 6)));
   connect(mine_, &QPushButton::clicked, this, [this] { Q_EMIT decided(current_, true); });
   connect(theirs_, &QPushButton::clicked, this, [this] { Q_EMIT decided(current_, false); });
   connect(locate_, &QPushButton::clicked, this, [this] { Q_EMIT locateWanted(current_); });

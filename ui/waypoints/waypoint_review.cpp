@@ -4,7 +4,6 @@
 #include <array>
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -12,7 +11,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTimer>
-#include <QVBoxLayout>
 
 #include "exchange/waypoint_plan.h"
 #include "exchange/waypoint_steps.h"
@@ -277,13 +275,12 @@ WaypointReview::WaypointReview(QWidget* parent)
   send_->setDefault(true);
   for (QPushButton* button : {cancel_, close_}) button->setAutoDefault(false);
 
-  auto* column = new QVBoxLayout(this);
-  column->addWidget(heading_);
-  column->addWidget(table_, 1);
-  column->addWidget(progress_);
-  column->addWidget(status_);
-  column->addWidget(compared_);
-  column->addLayout(rowOf({go_on_, LayoutItem::rest(), cancel_, close_, send_}));
+  setLayout(columnOf({heading_,
+                      {table_, 1},
+                      progress_,
+                      status_,
+                      compared_,
+                      rowOf({go_on_, LayoutItem::rest(), cancel_, close_, send_})}));
 
   connect(send_, &QPushButton::clicked, this, &WaypointReview::send);
   connect(cancel_, &QPushButton::clicked, this, [this] {

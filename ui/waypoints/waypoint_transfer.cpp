@@ -10,14 +10,12 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMimeData>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QVBoxLayout>
 
 #include "disk/file_error.h"
 #include "disk/read_file.h"
@@ -117,11 +115,10 @@ ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, co
   apply_->setDefault(true);
   auto* const cancel = new QPushButton(tr("Cancel"), this);
 
-  auto* column = new QVBoxLayout(this);
-  column->addLayout(rowOf({separator_, header_, comma_, turns_, LayoutItem::rest()}));
-  column->addWidget(table_, 1);
-  column->addWidget(status_);
-  column->addLayout(rowOf({others_, LayoutItem::rest(), cancel, apply_}));
+  setLayout(columnOf({rowOf({separator_, header_, comma_, turns_, LayoutItem::rest()}),
+                      {table_, 1},
+                      status_,
+                      rowOf({others_, LayoutItem::rest(), cancel, apply_})}));
 
   for (QCheckBox* box : {header_, comma_, others_})
     connect(box, &QCheckBox::toggled, this, &ImportDialog::look);

@@ -4,7 +4,6 @@
 
 #include <QApplication>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -13,7 +12,6 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "edit/open_waypoints.h"
 #include "sentences/fault_sentence.h"
@@ -76,24 +74,17 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   next_warning_->hide();
 
   auto* body = new QWidget(this);
-  auto* top = new QHBoxLayout;
-  top->setContentsMargins(6, 6, 6, 4);
-  top->setSpacing(4);
-  top->addWidget(filter_, 1);
-  top->addWidget(pending_);
   auto* buttons = rowOf({add_, remove_, LayoutItem::rest(), next_warning_, retry_, cancel_, save_}, 6);
   buttons->setContentsMargins(8, 4, 8, 4);
-  auto* column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addLayout(top);
-  column->addWidget(empty_);
-  column->addWidget(table_, 1);
-  column->addWidget(conflicts_);
-  column->addWidget(form_);
-  column->addWidget(group_);
-  column->addLayout(buttons);
-  column->addWidget(status_);
+  body->setLayout(columnOf({rowOf({{filter_, 1}, pending_}, 4, QMargins(6, 6, 6, 4)),
+                            empty_,
+                            {table_, 1},
+                            conflicts_,
+                            form_,
+                            group_,
+                            buttons,
+                            status_},
+                           0, QMargins()));
   body->setMinimumWidth(220);
   setWidget(body);
 

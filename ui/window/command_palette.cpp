@@ -9,9 +9,9 @@
 #include <QListWidget>
 #include <QPainter>
 #include <QStyledItemDelegate>
-#include <QVBoxLayout>
 
 #include "ui/kit/actions.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/ui_colors.h"
 
@@ -93,11 +93,7 @@ CommandPalette::CommandPalette(const Actions& actions, const Findings& findings,
   list_->setFocusPolicy(Qt::NoFocus);
   list_->setIconSize({18, 18});
   list_->setUniformItemSizes(true);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->setSpacing(8);
-  column->addWidget(field_);
-  column->addWidget(list_, 1);
+  setLayout(columnOf({field_, {list_, 1}}, 8, QMargins(8, 8, 8, 8)));
   connect(field_, &QLineEdit::textChanged, this, &CommandPalette::fill);
   connect(list_, &QListWidget::itemClicked, this, &CommandPalette::run);
   if (parent) {
