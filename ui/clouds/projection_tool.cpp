@@ -55,14 +55,12 @@ void ProjectionTool::setEditable(bool editable, bool takes) {
 
 void ProjectionTool::refresh() {
   if (hold_ && hold_->index >= int(draft_->wanted().size())) hold_.reset();
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 void ProjectionTool::letGo() {
   hold_.reset();
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 void ProjectionTool::deactivate() { letGo(); }
@@ -101,8 +99,7 @@ void ProjectionTool::dragged(const MapPoint& at) {
     Q_EMIT changedTo(hold_->index, moved(hold_->before, hold_->grip, at.world_m - hold_->from_m));
     return;
   }
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 void ProjectionTool::released(const MapPoint& at) {

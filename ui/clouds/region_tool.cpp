@@ -17,8 +17,7 @@ void RegionTool::deactivate() { forget(); }
 void RegionTool::forget() {
   from_.reset();
   to_.reset();
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 void RegionTool::setShape(RegionShape shape) {
@@ -34,8 +33,7 @@ bool RegionTool::pressed(const MapPoint& at) {
 
 void RegionTool::dragged(const MapPoint& at) {
   to_ = at.world_m;
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 void RegionTool::released(const MapPoint& at) {

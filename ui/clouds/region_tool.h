@@ -19,7 +19,6 @@ class RegionTool : public MapTool {
   explicit RegionTool(const scene::MapScene* scene, QObject* parent = nullptr);
 
   QString name() const override { return QStringLiteral("cloudRegion"); }
-  QCursor cursor() const override { return Qt::CrossCursor; }
   void deactivate() override;
   bool pressed(const MapPoint& at) override;
   void dragged(const MapPoint& at) override;

@@ -23,8 +23,7 @@ bool SectionTool::pressed(const MapPoint& at) {
 void SectionTool::dragged(const MapPoint& at) {
   if (!line_) return;
   line_->to_m = at.world_m;
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 void SectionTool::released(const MapPoint& at) {
@@ -35,14 +34,12 @@ void SectionTool::released(const MapPoint& at) {
   } else {
     line_ = before_;
   }
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 void SectionTool::dragCancelled() {
   line_ = before_;
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 bool SectionTool::keyPressed(const MapKeyPress& press) {
@@ -71,8 +68,7 @@ void SectionTool::forget() {
   line_.reset();
   before_.reset();
   mark_.reset();
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
   Q_EMIT lineGone();
 }
 

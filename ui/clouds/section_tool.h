@@ -18,7 +18,6 @@ class SectionTool : public MapTool {
   explicit SectionTool(const scene::MapScene* scene, QObject* parent = nullptr);
 
   QString name() const override { return QStringLiteral("cloudSection"); }
-  QCursor cursor() const override { return Qt::CrossCursor; }
   void deactivate() override;
   bool pressed(const MapPoint& at) override;
   void dragged(const MapPoint& at) override;

@@ -23,8 +23,7 @@ void ReferenceTool::setPairing(bool pairing) {
   if (pairing == pairing_) return;
   pairing_ = pairing;
   first_m_.reset();
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 void ReferenceTool::deactivate() {
@@ -82,8 +81,7 @@ void ReferenceTool::clicked(const MapPoint& at) {
     first_m_.reset();
     Q_EMIT paired(pair);
   }
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 bool ReferenceTool::isOnMap(const Eigen::Vector2d& world_m) const {
@@ -105,8 +103,7 @@ bool ReferenceTool::keyPressed(const MapKeyPress& press) {
     return true;
   }
   first_m_.reset();
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
   return true;
 }
 

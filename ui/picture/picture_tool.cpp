@@ -38,10 +38,7 @@ BecomesLook becomesLook(picture::Kind kind) {
 
 PictureTool::PictureTool(PictureEditing* editing, scene::MapScene* scene, QObject* parent)
     : MapTool(parent), editing_(editing), scene_(scene) {
-  connect(editing_, &PictureEditing::stateChanged, this, [this] {
-    Q_EMIT changed();
-    Q_EMIT hintChanged();
-  });
+  connect(editing_, &PictureEditing::stateChanged, this, [this] { tell(); });
   connect(editing_, &PictureEditing::tooLarge, this, [this] {
     Q_EMIT refused(
         tr("This area is too large to change at once. Draw lines to divide it, then change the parts."));
@@ -53,8 +50,7 @@ void PictureTool::setMode(PaintMode mode) {
   giveUp();
   mode_ = mode;
   Q_EMIT modeChanged();
-  Q_EMIT hintChanged();
-  Q_EMIT changed();
+  tell();
 }
 
 void PictureTool::activate() { Q_EMIT activated(); }
@@ -126,8 +122,7 @@ void PictureTool::clicked(const MapPoint& at) {
   } else {
     end(at);
   }
-  Q_EMIT hintChanged();
-  Q_EMIT changed();
+  tell();
 }
 
 void PictureTool::end(const MapPoint& at) {
@@ -155,8 +150,7 @@ void PictureTool::end(const MapPoint& at) {
     default:
       break;
   }
-  Q_EMIT hintChanged();
-  Q_EMIT changed();
+  tell();
 }
 
 void PictureTool::dragCancelled() {

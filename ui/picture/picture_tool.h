@@ -32,7 +32,6 @@ class PictureTool : public MapTool {
   void setMode(PaintMode mode);
 
   QString name() const override { return QStringLiteral("picture"); }
-  QCursor cursor() const override { return Qt::CrossCursor; }
   bool takesEveryPress() const override { return true; }
   void activate() override;
   void deactivate() override;

@@ -28,8 +28,7 @@ bool RectangleTool::pressed(const MapPoint& at) {
 void RectangleTool::dragged(const MapPoint& at) {
   if (!from_) return;
   to_ = at.world_m;
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 void RectangleTool::released(const MapPoint& at) {
@@ -43,8 +42,7 @@ void RectangleTool::released(const MapPoint& at) {
 void RectangleTool::dragCancelled() {
   from_.reset();
   to_.reset();
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 bool RectangleTool::keyPressed(const MapKeyPress& press) {

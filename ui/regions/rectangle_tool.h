@@ -19,7 +19,6 @@ class RectangleTool : public MapTool {
                 std::function<QString(const geometry::WorldRect&)> describe, QObject* parent = nullptr);
 
   QString name() const override { return QStringLiteral("region"); }
-  QCursor cursor() const override { return Qt::CrossCursor; }
   void deactivate() override { dragCancelled(); }
   bool pressed(const MapPoint& at) override;
   void dragged(const MapPoint& at) override;

@@ -34,7 +34,7 @@ class MapTool : public QObject {
   using QObject::QObject;
 
   virtual QString name() const = 0;  // as remembered in the settings
-  virtual QCursor cursor() const = 0;
+  virtual QCursor cursor() const { return Qt::CrossCursor; }
   /// Every press counts, however fast it follows the previous one: there are no double clicks.
   virtual bool takesEveryPress() const { return false; }
   virtual void activate() {}
@@ -65,6 +65,13 @@ class MapTool : public QObject {
   void hintChanged();
   void changed();   // what it paints, or its cursor
   void finished();  // the tool is done: back to panning
+
+ protected:
+  /// What it paints and its hint are others now.
+  void tell() {
+    Q_EMIT changed();
+    Q_EMIT hintChanged();
+  }
 };
 
 /// The initial tool: only drags; others handle its clicks.

@@ -18,7 +18,6 @@ class MeasureTool : public MapTool {
   explicit MeasureTool(scene::MapScene* scene, QObject* parent = nullptr);
 
   QString name() const override { return QStringLiteral("measure"); }
-  QCursor cursor() const override { return Qt::CrossCursor; }
   void activate() override;
   void deactivate() override;
   void clicked(const MapPoint& at) override;

@@ -49,8 +49,7 @@ void LineTool::deactivate() {
 }
 
 void LineTool::tell() {
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  MapTool::tell();
   Q_EMIT lineChanged();
 }
 

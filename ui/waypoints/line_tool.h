@@ -31,7 +31,6 @@ class LineTool : public MapTool {
   LineTool(const scene::MapScene* scene, WaypointSnapping* snapping, QObject* parent = nullptr);
 
   QString name() const override { return QStringLiteral("waypointLine"); }
-  QCursor cursor() const override { return Qt::CrossCursor; }
   void activate() override;
   void deactivate() override;
   bool pressed(const MapPoint& at) override;

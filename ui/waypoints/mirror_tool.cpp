@@ -25,15 +25,13 @@ void MirrorTool::forget() {
   to_.reset();
   first_press_ = false;
   if (any) editing_->setPreview({});
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 bool MirrorTool::pressed(const MapPoint& at) {
   first_press_ = !from_;
   if (first_press_) from_ = snapping_->place(at.world_m, at.modifiers, [](const Hit&) { return false; }).at_m;
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
   return true;
 }
 

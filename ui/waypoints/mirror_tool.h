@@ -19,7 +19,6 @@ class MirrorTool : public MapTool {
              QObject* parent = nullptr);
 
   QString name() const override { return QStringLiteral("mirrorWaypoints"); }
-  QCursor cursor() const override { return Qt::CrossCursor; }
   void activate() override;
   void deactivate() override { forget(); }
   bool pressed(const MapPoint& at) override;

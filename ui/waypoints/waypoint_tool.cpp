@@ -37,8 +37,7 @@ WaypointTool::WaypointTool(WaypointEditing* editing, const scene::MapScene* scen
     : MapTool(parent), editing_(editing), scene_(scene), hits_(hits), snapping_(snapping) {
   const auto look_anew = [this] {
     group_.reset();
-    Q_EMIT changed();
-    Q_EMIT hintChanged();
+    tell();
   };
   connect(editing, &WaypointEditing::selectionChanged, this, look_anew);
   connect(editing, &WaypointEditing::previewChanged, this, look_anew);
@@ -114,8 +113,7 @@ void WaypointTool::dragged(const MapPoint& at) {
     case Drag::None:
       return;
     case Drag::Frame:
-      Q_EMIT changed();
-      Q_EMIT hintChanged();
+      tell();
       return;
     case Drag::Move:
       return move(at);
@@ -220,8 +218,7 @@ void WaypointTool::dragCancelled() {
 void WaypointTool::endDrag() {
   drag_ = Drag::None;
   snapped_ = {};
-  Q_EMIT changed();
-  Q_EMIT hintChanged();
+  tell();
 }
 
 void WaypointTool::clicked(const MapPoint& at) {
