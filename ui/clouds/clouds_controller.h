@@ -24,8 +24,6 @@ class CloudsController : public Controller {
   CloudsDock* dock() const { return dock_; }
   clouds::CloudStore& store() const { return clouds_; }
   SectionDock* sectionDock() const { return section_dock_; }
-  SectionTool* sectionTool() const { return section_tool_; }
-  RegionTool* regionTool() const { return region_tool_; }
   void setSession(session::Session* session) override;
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;

@@ -29,7 +29,6 @@ class ReferenceDock : public QDockWidget {
   void setState(const geometry::Pose2& world_from_map, const std::vector<placing::PointPair>& pairs);
   void setTool(bool moving, bool pairing);
 
-  QPushButton* chooseButton() const { return choose_; }
   QPushButton* removeButton() const { return remove_; }
   QPushButton* moveButton() const { return move_; }
   QPushButton* pairsButton() const { return pair_; }

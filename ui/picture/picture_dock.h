@@ -38,7 +38,6 @@ class PictureDock : public QDockWidget {
   QSpinBox* tidySize(Tidying what) const { return tidy_sizes_[std::size_t(what)]; }
   QPushButton* tidyButton(Tidying what) const { return tidy_buttons_[std::size_t(what)]; }
   QPushButton* applyButton() const { return apply_; }
-  QPushButton* copiesButton() const { return copies_; }
   QPushButton* takeTheirsButton() const { return theirs_; }
   /// An earlier draft; empty = none.
   void setOffer(const QString& sentence);

@@ -84,7 +84,6 @@ class EventsDock : public ListDock {
 
   EventsModel* model() const { return model_; }
   QComboBox* groupBox() const { return group_; }
-  QToolButton* followButton() const { return follow_; }
   QPushButton* readButton() const { return read_; }
   QPushButton* retryButton() const { return retry_; }
   QPushButton* saveButton() const { return save_; }

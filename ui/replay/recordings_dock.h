@@ -95,7 +95,6 @@ class RecordingsDock : public ListDock {
   void setState(const RecordingsState& state);
 
   QPushButton* openButton() const { return open_; }
-  QPushButton* downloadButton() const { return download_; }
   QPushButton* stopButton() const { return stop_; }
   QPushButton* deleteButton() const { return delete_; }
   QPushButton* recordButton() const { return record_; }

@@ -48,13 +48,11 @@ class RenameDialog : public QDialog {
 
   QComboBox* howChoice() const { return how_; }
   QLineEdit* patternEdit() const { return pattern_; }
-  QSpinBox* firstBox() const { return first_; }
   QSpinBox* stepBox() const { return step_; }
   QComboBox* orderChoice() const { return order_; }
   QCheckBox* reverseBox() const { return reverse_; }
   QLineEdit* findEdit() const { return find_; }
   QLineEdit* replacementEdit() const { return replacement_; }
-  QCheckBox* caseBox() const { return case_; }
   QPushButton* renameButton() const { return rename_; }
   NewNamesModel* model() const { return model_; }
   QString statusShown() const;

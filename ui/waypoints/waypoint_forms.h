@@ -72,7 +72,6 @@ class GroupForm : public QWidget {
 
   QLabel* placeLabel() const { return place_; }
   QDoubleSpinBox* shiftX() const { return dx_; }
-  QDoubleSpinBox* shiftY() const { return dy_; }
   QPushButton* renameButton() const { return rename_; }
   QPushButton* shiftButton() const { return shift_; }
   QComboBox* turnChoice() const { return turn_how_; }
