@@ -11,7 +11,6 @@
 
 #include "app/command_text.h"
 #include "map/failure.h"
-#include "replay/reading.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"

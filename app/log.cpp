@@ -6,7 +6,6 @@
 #include <set>
 
 #include <CLI/CLI.hpp>
-#include <QLoggingCategory>
 #include <QRegularExpression>
 
 #include "app/command_text.h"

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <utility>
-#include <vector>
 
 #include <QApplication>
 #include <QDeadlineTimer>

@@ -10,7 +10,6 @@
 #include "app/command_text.h"
 #include "app/log.h"
 #include "jobs/export_map.h"
-#include "robot/address.h"
 #include "robot/aimdk/aimdk_address.h"
 #include "robot/aimdk/aimdk_probe.h"
 #include "robot/aimdk/aimdk_robot.h"

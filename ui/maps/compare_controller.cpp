@@ -5,7 +5,6 @@
 
 #include "sentences/failure_sentence.h"
 #include "ui/kit/folders.h"
-#include "ui/maps/map_files.h"
 #include "ui/shell/current_session.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"

@@ -24,7 +24,6 @@
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
-#include "jobs/export_map.h"
 #include "robot/address.h"
 #include "sentences/fault_sentence.h"
 #include "ui/kit/dialog_look.h"

@@ -16,8 +16,6 @@ class QToolButton;
 
 namespace mapwright::window {
 
-class PlainLabel;
-
 class MapsDock : public QDockWidget {
   Q_OBJECT
  public:

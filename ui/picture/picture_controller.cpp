@@ -6,7 +6,6 @@
 
 #include <QDesktopServices>
 #include <QDir>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QUrl>
 

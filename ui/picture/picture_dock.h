@@ -8,7 +8,6 @@
 
 #include "ui/picture/picture_tool.h"
 
-class QButtonGroup;
 class QLabel;
 class QPushButton;
 class QSpinBox;

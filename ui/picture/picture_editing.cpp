@@ -1,7 +1,6 @@
 #include "ui/picture/picture_editing.h"
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
 #include <tuple>
 #include <utility>

@@ -12,7 +12,6 @@
 #include "ui/plots/plot_selection.h"
 #include "ui/plots/topics_model.h"
 
-class QCompleter;
 class QLineEdit;
 class QPushButton;
 class QSplitter;

@@ -8,7 +8,6 @@
 
 #include "replay/replay_robot.h"
 #include "series/fields.h"
-#include "series/series.h"
 
 namespace mapwright::window {
 

@@ -4,7 +4,6 @@
 
 #include "ui/kit/panels.h"
 #include "ui/plots/plots_dock.h"
-#include "ui/shell/replay_clock.h"
 
 namespace mapwright::window {
 

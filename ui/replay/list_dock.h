@@ -6,7 +6,6 @@
 #include <QDockWidget>
 
 class QAbstractItemModel;
-class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;

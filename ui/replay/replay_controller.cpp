@@ -30,7 +30,6 @@
 #include "ui/shell/viewpoint.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
-#include "ui/view/on_screen.h"
 #include "ui/view/replay_state.h"
 #include "ui/view/toast_stack.h"
 

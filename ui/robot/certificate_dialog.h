@@ -5,7 +5,6 @@
 
 #include "robot/robot.h"
 
-class QFormLayout;
 class QPushButton;
 
 namespace mapwright::window {

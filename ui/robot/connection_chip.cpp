@@ -6,7 +6,6 @@
 
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
-#include "ui/kit/safety_badge.h"
 #include "ui/kit/state_mark.h"
 #include "ui/robot/robot_look.h"
 

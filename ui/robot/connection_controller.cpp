@@ -14,7 +14,6 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/robot/certificate_dialog.h"
-#include "ui/robot/connect_dialog.h"
 #include "ui/robot/connection_chip.h"
 #include "ui/robot/robot_look.h"
 #include "ui/shell/current_session.h"

@@ -7,7 +7,6 @@
 #include "session/session.h"
 #include "ui/robot/problems_model.h"
 
-class QLabel;
 class QPushButton;
 class QTableView;
 

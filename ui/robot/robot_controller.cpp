@@ -2,7 +2,6 @@
 
 #include "map/whereabouts.h"
 #include "ui/kit/panels.h"
-#include "ui/kit/safety_badge.h"
 #include "ui/kit/status_text.h"
 #include "ui/robot/robot_dock.h"
 #include "ui/shell/current_session.h"

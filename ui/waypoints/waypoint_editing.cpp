@@ -1,7 +1,6 @@
 #include "ui/waypoints/waypoint_editing.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <QUuid>
 

@@ -12,7 +12,6 @@
 #include <QPushButton>
 
 #include "geometry/pose.h"
-#include "placing/arrange.h"
 #include "scene/drawing.h"
 #include "session/lacks_picture.h"
 #include "ui/kit/dialog_look.h"
@@ -24,7 +23,6 @@
 #include "ui/view/tool_choice.h"
 #include "ui/waypoints/line_tool.h"
 #include "ui/waypoints/waypoint_arranging.h"
-#include "ui/waypoints/waypoint_snapping.h"
 #include "ui/waypoints/waypoint_text.h"
 
 namespace mapwright::window {

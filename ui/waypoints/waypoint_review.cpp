@@ -13,7 +13,6 @@
 #include <QTimer>
 
 #include "exchange/waypoint_plan.h"
-#include "exchange/waypoint_steps.h"
 #include "sentences/plural.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/name_column.h"

@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 
-#include "exchange/waypoint_steps.h"
 #include "geometry/pose.h"
 #include "map/waypoint.h"
 #include "sentences/failure_sentence.h"

@@ -21,7 +21,6 @@
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "exchange/waypoint_json.h"
-#include "exchange/waypoint_table.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
 #include "ui/kit/folders.h"

@@ -12,7 +12,6 @@
 #include "ui/clouds/clouds_controller.h"
 #include "ui/clouds/projections_controller.h"
 #include "ui/clouds/section_dock.h"
-#include "ui/kit/actions.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/panels.h"
 #include "ui/layers/layers_controller.h"
