@@ -66,6 +66,26 @@ class LabelPlanTest : public QObject {
     QVERIFY(!label.leader);
   }
 
+  void aLabelIsNotCutWhereTheViewBecameSmaller() {
+    LabelTask one = task({wish(1, 700, 300)});
+    const LabelPlan before = placeLabels(one);
+    QVERIFY(before.labels.at(0).box.right() > 760);
+    one.view.setWidth(750);
+    const LabelPlan plan = placeLabels(one, before.memory);
+    QVERIFY(one.view.contains(plan.labels.at(0).box));
+    // What is dragged over the edge keeps its place.
+    one.steady = one.panned = true;
+    QCOMPARE(placeLabels(one, before.memory).labels.at(0).box, before.labels.at(0).box);
+  }
+
+  void whatStandsAwayFromItsThingHasALine() {
+    const LabelTask all = crowd(300, 600);
+    for (const PlacedLabel& label : placeLabels(all).labels) {
+      const QRectF near = all.wishes[label.wish].mark.adjusted(-4, -4, 4, 4);
+      QVERIFY(label.leader || near.intersects(label.box));
+    }
+  }
+
   void noLabelCoversAnotherOneOrASymbol_data() {
     QTest::addColumn<int>("count");
     for (const int count : {10, 60, 300, 3'000}) QTest::addRow("%d", count) << count;

@@ -47,6 +47,15 @@ bool alike(const QImage& a, const QImage& b) {
   return true;
 }
 
+/// Nothing else is drawn there.
+void sameWithin(const QImage& a, const QImage& b, const QRect& area) {
+  for (int y = area.top(); y <= area.bottom(); ++y) {
+    for (int x = area.left(); x <= area.right(); ++x)
+      QVERIFY2(std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) < 8,
+               qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
+  }
+}
+
 }  // namespace
 
 class LabelsTest : public QObject {
@@ -133,13 +142,41 @@ class LabelsTest : public QObject {
     scene->setCovered({QRectF(buttons)});
     scene->setLayerVisible(Layer::Landmarks, true);
     const QImage image = painted(*scene);
-    for (const QRect& area : {bar, buttons}) {
-      for (int y = area.top() + 3; y < area.bottom(); ++y) {
-        for (int x = area.left() + 3; x < area.right() - 2; ++x)
-          QVERIFY2(std::abs(qGray(image.pixel(x, y)) - qGray(without.pixel(x, y))) < 8,
-                   qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
-      }
-    }
+    for (const QRect& area : {bar, buttons}) sameWithin(image, without, area.adjusted(3, 3, -2, 0));
+  }
+
+  void namesKeepClearOfSmallRegions() {
+    const geometry::ViewTransform view{{0, 0}, 0.149, 0, kWidth, kHeight};
+    // One that is smaller than a name, to the right of a thing that is named.
+    map::MapInfo info;
+    map::OverlayFeature region;
+    region.shape = map::OverlayShape::Polygon;
+    region.name = "a region whose name is longer than itself";
+    region.parts = {{{2, -2}, {6, -2}, {6, 2}, {2, 2}}};
+    info.overlays = {region};
+    robot_->say(info);
+    robot_->say(map::LandmarksMessage{{{"mmmmmmmmmm", {0, 0}, true}}});
+    const auto scene = sceneOf(false, view);
+    scene->setLayerVisible(Layer::Overlays, true);
+    scene->setLayerVisible(Layer::Landmarks, false);
+    const QImage without = painted(*scene);
+    scene->setLayerVisible(Layer::Landmarks, true);
+    sameWithin(painted(*scene), without, QRect(265, 187, 24, 26));
+  }
+
+  void namesKeepClearOfThoseOfASwipe() {
+    const geometry::ViewTransform view{{0, 0}, 0.02, 0, kWidth, kHeight};
+    // To the left of both names.
+    robot_->say(map::LandmarksMessage{{{"mmmmmmmmmmmmmmmm", {-3.6, 3.52}, true}}});
+    const auto scene = sceneOf(false, view);
+    scene->setCompareMode(scene::CompareMode::Swipe);
+    scene->setHalfNames(QStringLiteral("the first map, with a long name"), QStringLiteral("the second map"));
+    scene->setLayerVisible(Layer::Landmarks, false);
+    const QImage without = painted(*scene);
+    scene->setLayerVisible(Layer::Landmarks, true);
+    const QImage image = painted(*scene);
+    QVERIFY(image != without);
+    sameWithin(image, without, QRect(90, 14, 140, 20));
   }
 
   void aSnapshotDoesNotDependOnWhatWasBefore() {

@@ -145,9 +145,8 @@ QColor pointColor(const MapTheme& theme, int type) {
 }
 
 /// A small area is a symbol; a large one is ground on which something lies.
-void keepSmallClear(LabelCollector& labels, const QRectF& area) {
-  constexpr double kLargestPx = 120;
-  if (std::max(area.width(), area.height()) <= kLargestPx) labels.symbol(area);
+void keepSmallClear(LabelCollector& labels, const QRectF& area, double largest_px = 120) {
+  if (std::max(area.width(), area.height()) <= largest_px) labels.symbol(area);
 }
 
 /// Doors with their state, as shape and colour.
@@ -390,6 +389,9 @@ class OverlaysLayer : public LayerItem {
       }
       // The first ring is the outer one.
       const QRectF bounds = toPolygon(context_.view, feature.parts[0]).boundingRect();
+      // What lies in it still finds room around it.
+      constexpr double kRegionSymbolPx = 40;
+      if (!labels.fits(nameOf(feature), bounds)) keepSmallClear(labels, bounds, kRegionSymbolPx);
       if (!labels.named(bounds)) continue;
       labels.add(LabelWish::Place::Within, LabelRank::Region, bounds, id, nameOf(feature),
                  regionColor(context_.theme, feature.type));

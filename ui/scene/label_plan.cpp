@@ -203,7 +203,10 @@ class Placing {
 
   int spotFor(const LabelWish& wish) const {
     const auto kept = keptBy(wish);
-    if (kept && *kept != kHiddenLabel && fits(wish, *kept, 0)) return *kept;
+    // Only what was dragged over the edge may be cut there.
+    const bool cut = !task_.steady && !task_.panned && kept && *kept != kHiddenLabel &&
+                     task_.view.contains(wish.mark.center()) && !task_.view.contains(boxAt(wish, *kept));
+    if (kept && *kept != kHiddenLabel && !cut && fits(wish, *kept, 0)) return *kept;
     const double room = kept && *kept == kHiddenLabel ? kReturnPx : 0;
     const int spots = spotsOf(wish);
     // What is in view is named in view, if that is possible.

@@ -30,13 +30,20 @@ bool LabelCollector::named(const QRectF& mark) const {
 void LabelCollector::add(LabelWish::Place place, LabelRank rank, const QRectF& mark, std::uint64_t id,
                          const QString& text, const QColor& color, bool struck_through) {
   if (text.isEmpty() || !isFinite(mark) || !area_.intersects(mark.adjusted(-1, -1, 1, 1))) return;
-  // One pixel for the halo on each side.
-  const QSizeF size = ink_.sizeOf(text, theme_) + QSizeF(2, 0);
+  const QSizeF size = sizeOf(text);
   // Ids of robots are not always unique.
   std::uint64_t key = qHashMulti(owner_, id);
   while (!keys_.insert(key).second) ++key;
   wishes_.push_back({key, rank, place, mark, size});
   looks_.push_back({text, color, struck_through});
+}
+
+// One pixel for the halo on each side.
+QSizeF LabelCollector::sizeOf(const QString& text) const { return ink_.sizeOf(text, theme_) + QSizeF(2, 0); }
+
+bool LabelCollector::fits(const QString& text, const QRectF& mark) const {
+  const QSizeF size = sizeOf(text);
+  return size.width() <= mark.width() && size.height() <= mark.height();
 }
 
 void LabelCollector::symbol(const QRectF& mark) {

@@ -41,6 +41,8 @@ class LabelCollector {
   void add(LabelWish::Place place, LabelRank rank, const QRectF& mark, std::uint64_t id, const QString& text,
            const QColor& color, bool struck_through = false);
   void symbol(const QRectF& mark);
+  /// The text has room in the mark.
+  bool fits(const QString& text, const QRectF& mark) const;
 
  private:
   friend class Labels;
@@ -50,6 +52,8 @@ class LabelCollector {
     bool struck_through = false;
     bool operator==(const Look&) const = default;
   };
+
+  QSizeF sizeOf(const QString& text) const;
 
   LabelInk& ink_;
   const MapTheme& theme_;

@@ -101,26 +101,43 @@ class SwipeItem : public LayerItem {
     painter->fillRect(QRectF(x - 2, 0, 4, context_.view.height_px), context_.theme.text_halo);
     painter->fillRect(QRectF(x - 1, 0, 2, context_.view.height_px), context_.theme.accent);
     painter->setRenderHint(QPainter::Antialiasing);
-    paintName(*painter, context_.left_name, 0, x, true);
-    paintName(*painter, context_.right_name, x, context_.view.width_px, false);
+    painter->setFont(context_.theme.label_font);
+    for (const auto& [box, text] : names()) {
+      painter->setPen(Qt::NoPen);
+      painter->setBrush(context_.theme.text_halo);
+      painter->drawRoundedRect(box, 4, 4);
+      painter->setPen(context_.theme.text);
+      painter->drawText(box, Qt::AlignCenter, text);
+    }
+  }
+  LabelUse labelUse() const override { return LabelUse::Symbols; }
+  void collectLabels(LabelCollector& labels) const override {
+    for (const auto& [box, text] : names()) labels.symbol(box);
   }
 
  private:
-  void paintName(QPainter& painter, const QString& name, double from_px, double to_px, bool at_end) const {
+  struct Name {
+    QRectF box;
+    QString text;
+  };
+  std::vector<Name> names() const {
+    const double x = std::round(context_.swipe_at * context_.view.width_px);
+    std::vector<Name> names;
+    addName(names, context_.left_name, 0, x, true);
+    addName(names, context_.right_name, x, context_.view.width_px, false);
+    return names;
+  }
+  void addName(std::vector<Name>& names, const QString& name, double from_px, double to_px,
+               bool at_end) const {
     constexpr double kLineGapPx = 18, kPadPx = 8, kTopPx = 12, kHeightPx = 24, kLeastPx = 32, kMostPx = 420;
     const QFontMetricsF metrics(context_.theme.label_font);
     const double room = std::min(kMostPx, to_px - from_px - 2 * kLineGapPx) - 2 * kPadPx;
     if (name.isEmpty() || room < kLeastPx) return;
     const QString text = metrics.elidedText(name, Qt::ElideRight, room);
     const double width = std::ceil(metrics.horizontalAdvance(text)) + 2 * kPadPx;
-    const QRectF box(at_end ? to_px - kLineGapPx - width : from_px + kLineGapPx,
-                     context_.covered_top_px + kTopPx, width, kHeightPx);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(context_.theme.text_halo);
-    painter.drawRoundedRect(box, 4, 4);
-    painter.setPen(context_.theme.text);
-    painter.setFont(context_.theme.label_font);
-    painter.drawText(box, Qt::AlignCenter, text);
+    names.push_back({{at_end ? to_px - kLineGapPx - width : from_px + kLineGapPx,
+                      context_.covered_top_px + kTopPx, width, kHeightPx},
+                     text});
   }
 };
 
