@@ -109,7 +109,7 @@ std::optional<Host> Addresses::bareHost(const QString& typed) const {
   if (copied.hasMatch()) text = copied.captured(2);
   static const QRegularExpression like(
       QRegularExpression::anchoredPattern(QStringLiteral("(?:\\[([0-9A-Fa-f:.%a-z]+)\\]|([^\\s:/?#@\\[\\]]+))"
-                                                         "(?::([0-9]{1,5}))?")));
+                                                         "(?::([0-9]{1,5}))?(/[^?#]*)?")));
   // Of an IPv6 address without brackets everything is the host.
   static const QRegularExpression bare_v6(QRegularExpression::anchoredPattern(
       QStringLiteral("[0-9A-Fa-f]*:[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]*(?:%\\w+)?")));
@@ -117,7 +117,7 @@ std::optional<Host> Addresses::bareHost(const QString& typed) const {
   const QRegularExpressionMatch match = like.match(text);
   if (!match.hasMatch()) return std::nullopt;
   Host host{match.captured(1).isEmpty() ? match.captured(2) : match.captured(1), std::nullopt,
-            copied.captured(3), !copied.captured(1).isEmpty()};
+            copied.hasMatch() ? copied.captured(3) : match.captured(4), !copied.captured(1).isEmpty()};
   while (host.path.endsWith(QLatin1Char('/'))) host.path.chop(1);
   if (!match.captured(3).isEmpty()) host.port = match.captured(3).toInt();
   const bool possible = !host.port || isPort(*host.port);

@@ -195,7 +195,10 @@ class AddressTest : public QObject {
     row("", "", -1);
     row("192.0.2.7:0", "", -1);
     row("192.0.2.7:99999", "", -1);
-    row("192.0.2.7/path", "", -1);
+    row("192.0.2.7/path", "192.0.2.7", 0);
+    row("dock-3:9090/robots/7/", "dock-3", 9090);
+    row("192.0.2.7/path?a=b", "", -1);
+    row("192.0.2.7:0/path", "", -1);
     row("http://192.0.2.7:8090/maps/?a=b#c", "192.0.2.7", 8090);
     row("http://user:pw@192.0.2.7/maps", "", -1);
     row("user:pw@192.0.2.7", "", -1);
@@ -243,6 +246,9 @@ class AddressTest : public QObject {
   void whatABrowserShowedIsKeptForAKind() {
     const auto host = known().bareHost(QStringLiteral("https://proxy/robots/7/"));
     QVERIFY(host && host->encrypted);
+    const auto typed = known().bareHost(QStringLiteral("proxy/robots/7/"));
+    QVERIFY(typed && !typed->encrypted);
+    QCOMPARE(typed->path, host->path);
     QCOMPARE(addressAt(axbot::addressScheme(), *host, host->encrypted),
              QStringLiteral("axbot+https://proxy:8090/robots/7"));
   }

@@ -270,6 +270,21 @@ class TestWindowDialogs : public QObject {
     QCOMPARE(test.bench.recents.look(known).called, QStringLiteral("Dock 3"));
   }
 
+  void whatIsLookedForIsSaidAsItWasTyped() {
+    Looking test;
+    auto* const made = test.dialog->findChild<QLabel*>(QStringLiteral("made"));
+    test.type("127.0.0.1:1234");
+    QVERIFY2(made->text().contains(QLatin1String("looked for at 127.0.0.1:1234.")), qPrintable(made->text()));
+    // A path makes no kind of it: it is looked for, too.
+    test.dialog->findChild<QLineEdit*>(QStringLiteral("address"))->clear();
+    test.type("127.0.0.1/x");
+    QCOMPARE(test.main()->text(), QStringLiteral("Search"));
+    test.main()->click();
+    QVERIFY(test.wish.address.isEmpty());
+    QCOMPARE(test.hosts.at(0).name, QStringLiteral("127.0.0.1"));
+    QCOMPARE(test.hosts.at(0).path, QStringLiteral("/x"));
+  }
+
   void saysThatThereIsNoRobot() {
     Looking test;
     test.type("192.0.2.7");
@@ -337,14 +352,23 @@ class TestWindowDialogs : public QObject {
     auto* const kind = test.dialog->findChild<QComboBox*>(QStringLiteral("kind"));
     kind->setCurrentIndex(kind->findText(QStringLiteral("Agibot")));
     auto* const port = test.dialog->findChild<QSpinBox*>(QStringLiteral("port"));
+    test.dialog->findChild<QLineEdit*>(QStringLiteral("address"))->setText(QStringLiteral("192.0.2.7"));
+    QVERIFY(test.main()->isEnabled());
     const int usual = port->value();
     port->setFocus();
     port->selectAll();
     QTest::keyClicks(port, QStringLiteral("99999"));
     QVERIFY2(port->text().endsWith(QLatin1String("99999")), qPrintable(port->text()));
     QVERIFY(port->property("beyond").toBool());
+    // Nothing is connected to with another port than the one that can be seen.
+    auto* const made = test.dialog->findChild<QLabel*>(QStringLiteral("made"));
+    QCOMPARE(made->text(), QStringLiteral("A port is a number from 1 to 65535."));
+    QVERIFY(!test.main()->isEnabled());
     QTest::keyClick(port, Qt::Key_Tab);
     QCOMPARE(port->value(), usual);
+    QCOMPARE(test.dialog->findChild<QLabel*>(QStringLiteral("outOfRange"))->text(),
+             QStringLiteral("99999 is too large: at most 65535."));
+    QVERIFY2(!made->text().contains(QLatin1String("from 1 to")), qPrintable(made->text()));
     port->setFocus();
     port->selectAll();
     QTest::keyClicks(port, QStringLiteral("0"));

@@ -1,6 +1,7 @@
 #include "ui/kit/forms.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <QAccessible>
 #include <QAction>
@@ -207,6 +208,45 @@ QString tooLargeText(const QString& typed, const QString& most) {
   return QCoreApplication::translate("window", "%1 is too large: at most %2.").arg(typed, most);
 }
 
+namespace {
+
+/// Where a note covers no other field, or few: above or below its field, else beside the panel.
+QPoint placeBeside(const QAbstractSpinBox& field, const QSize& size) {
+  const QWidget* const window = field.window();
+  const QRect at(field.mapTo(window, QPoint()), field.size());
+  const QWidget* panel = &field;
+  while (panel != window && panel->parentWidget() != window && !qobject_cast<const QDockWidget*>(panel))
+    panel = panel->parentWidget();
+  const QRect around(panel->mapTo(window, QPoint()), panel->size());
+  const int above = at.top() - size.height() - kNoteGapPx, below = at.bottom() + 1 + kNoteGapPx;
+  const int middle = at.center().y() - size.height() / 2;
+  std::optional<QPoint> best;
+  qint64 least = 0;
+  for (const QPoint& wanted : {QPoint(at.left(), above), QPoint(at.right() + 1 - size.width(), above),
+                               QPoint(at.left(), below), QPoint(at.right() + 1 - size.width(), below),
+                               QPoint(around.left() - size.width() - kNoteGapPx, middle),
+                               QPoint(around.right() + 1 + kNoteGapPx, middle)}) {
+    const QPoint place(std::clamp(wanted.x(), 0, std::max(0, window->width() - size.width())),
+                       std::clamp(wanted.y(), 0, std::max(0, window->height() - size.height())));
+    const QRect note(place, size);
+    qint64 covered = 0;
+    for (const QWidget* const other : window->findChildren<QWidget*>()) {
+      const bool field_or_button = other->inherits("QAbstractSpinBox") || other->inherits("QLineEdit") ||
+                                   other->inherits("QComboBox") || other->inherits("QAbstractButton");
+      if (!field_or_button || !other->isVisible() || other->visibleRegion().isEmpty()) continue;
+      const QRect shared = note & QRect(other->mapTo(window, QPoint()), other->size());
+      covered += qint64(shared.width()) * shared.height();
+    }
+    if (!best || covered < least) {
+      best = place;
+      least = covered;
+    }
+  }
+  return *best;
+}
+
+}  // namespace
+
 void sayOutOfRange(const QAbstractSpinBox& field, const QString& text) {
   QWidget* const window = field.window();
   const QString name = QStringLiteral("outOfRange");
@@ -222,15 +262,15 @@ void sayOutOfRange(const QAbstractSpinBox& field, const QString& text) {
     away->setSingleShot(true);
     QObject::connect(away, &QTimer::timeout, note, &QWidget::hide);
   }
-  note->setText(words::plainText(text));
+  QString said = text;
+  // Its prefix names the field, and not the number.
+  if (const auto* const whole = qobject_cast<const QSpinBox*>(&field); whole && !whole->prefix().isEmpty())
+    said.remove(whole->prefix());
+  note->setText(words::plainText(said));
   note->setAccessibleName(note->text());
   setTextColor(*note, appColors().error_text);
   note->adjustSize();
-  const QRect room = window->rect();
-  const QPoint below = field.mapTo(window, QPoint(0, field.height() + kNoteGapPx));
-  const QPoint above = field.mapTo(window, QPoint(0, -note->height() - kNoteGapPx));
-  const QPoint at = above.y() >= 0 ? above : below;  // what is filled in next is below
-  note->move(std::clamp(at.x(), 0, std::max(0, room.width() - note->width())), std::max(0, at.y()));
+  note->move(placeBeside(field, note->size()));
   note->show();
   note->raise();
   note->findChild<QTimer*>()->start(kNoteMs);

@@ -103,6 +103,8 @@ ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, Probes prob
       look_.setLook(parsed && !unknownHost() ? recents_.look(parsed->text) : RobotLook());
   });
   connect(port_, &QSpinBox::valueChanged, this, &ConnectDialog::check);
+  // A number that is not taken changes only the text.
+  connect(port_->findChild<QLineEdit*>(), &QLineEdit::textChanged, this, &ConnectDialog::check);
   connect(encrypted_, &QCheckBox::toggled, this, &ConnectDialog::check);
   connect(secret_, &QLineEdit::textEdited, this, [this] { setError({}); });
   connect(look_.name, &QLineEdit::editingFinished, this, &ConnectDialog::noteLook);
@@ -152,6 +154,7 @@ QWidget* ConnectDialog::buildForm() {
   made_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   // The list below stays where it is while the hint changes: a double-click would miss it.
   made_->setMinimumHeight(2 * made_->fontMetrics().lineSpacing());
+  made_->setAlignment(Qt::AlignTop);
   setTextColor(*made_, appColors().secondary_text);
   secret_->setObjectName(QStringLiteral("secret"));
   secret_->setEchoMode(QLineEdit::Password);
@@ -289,8 +292,15 @@ void ConnectDialog::takeApart() {
   encrypted_->setChecked(parsed->url.scheme().endsWith(QLatin1Char('s')));
 }
 
+bool ConnectDialog::portBeyond() const { return !port_->isHidden() && port_->property("beyond").toBool(); }
+
 QString ConnectDialog::hint(const QString& made, const std::optional<robot::Host>& host) const {
-  if (host) return tr("Every kind of robot is looked for at %1. No secret is sent.").arg(host->name);
+  if (portBeyond()) return tr("A port is a number from 1 to %1.").arg(kLargestPort);
+  if (host) {
+    const QString where =
+        host->port ? robot::serverAt(QStringLiteral("http"), *host, *host->port).authority() : host->name;
+    return tr("Every kind of robot is looked for at %1. No secret is sent.").arg(where);
+  }
   if (made.isEmpty())
     return kind() ? tr("The name or address of the robot's computer.")
                   : tr("A host such as 192.0.2.7 or dock-3.local:9090, or a full address such as %1.")
@@ -314,7 +324,7 @@ void ConnectDialog::check() {
   const bool nothing = address_->text().trimmed().isEmpty();
   port_->setEnabled(nothing || (bare && !bare->port));
   encrypted_->setEnabled(nothing || (bare && !bare->encrypted));
-  connect_->setEnabled(!made.isEmpty());
+  connect_->setEnabled(!made.isEmpty() && !portBeyond());
   connect_->setText(host ? tr("Search") : tr("Connect"));
   secret_->setPlaceholderText(tr("Only if the robot asks for one"));
   made_->setText(words::plainText(hint(made, host)));

@@ -55,6 +55,8 @@ class ConnectDialog : public QDialog {
   void chooseKind();
   /// A kind was chosen for a whole address of another one: its host stays.
   void takeApart();
+  /// A port that is none is being typed.
+  bool portBeyond() const;
   QString hint(const QString& made, const std::optional<robot::Host>& host) const;
   void check();  // while typing: does not complain about unfinished input
   void go();     // what the main button does now
