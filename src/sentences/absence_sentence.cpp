@@ -127,6 +127,8 @@ QString whyAbsent(Capability capability, const Absence& absence) {
 }
 
 QString limitsOf(robot::Robot& robot) {
+  // Without a single map the reason for that is enough.
+  if (robot.isLocal() && robot.connection().phase == robot::ConnectionPhase::Refused) return {};
   QStringList limits;
   const auto add = [&](Capability capability) {
     const Absence absence = robot.whyNot(capability);

@@ -243,6 +243,18 @@ class TestWindowFiles : public QObject {
     QVERIFY(part<MapOverlay>(window)->toasts()->texts().last().contains(QLatin1String("changed on disk")));
   }
 
+  void aRecordingDoesNotChangeOnDiskWhileItIsPlayed() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(QStringLiteral("file:/recordings/night.mcap")));
+    window.session()->openMap({map::MapKind::Live, {}});
+    QVERIFY(window.session()->wholeMap().phase() != session::MapSlot::Phase::Empty);
+    Q_EMIT bench.robot->mapsChanged();
+    const QString said = part<MapOverlay>(window)->toasts()->texts().join(QLatin1Char('\n'));
+    QVERIFY2(!said.contains(QLatin1String("changed on disk")), qPrintable(said));
+  }
+
   void exportsTheWholeMap() {
     Bench bench;
     bench.offerMaps();

@@ -541,6 +541,7 @@ class TestWindowWaypoints : public QObject {
     QCOMPARE(desk.editing().selected(), std::set<edit::Key>{"b"});
     QCOMPARE(int(desk.store.asked.size()), sent);
     desk.dock().conflicts()->mineButton()->click();
+    QVERIFY2(desk.toasts().isEmpty(), qPrintable(desk.toasts().join(QLatin1Char('\n'))));
     desk.key(Qt::Key_S, Qt::ControlModifier);
     // What was said of it before is over.
     QTRY_COMPARE(desk.toasts(), QStringList{QStringLiteral("Waypoints of Map 1 saved")});

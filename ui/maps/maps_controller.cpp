@@ -124,7 +124,8 @@ void MapsController::noteOtherFile() {
   const session::Session* const session = context_.current.session();
   if (!session || !session->robot().isLocal()) return;
   const session::MapSlot& slot = session->wholeMap();
-  if (slot.phase() == session::MapSlot::Phase::Empty) return;
+  // Of a recording another time is shown, and nothing has changed on disk.
+  if (slot.phase() == session::MapSlot::Phase::Empty || slot.key().kind != map::MapKind::File) return;
   context_.overlay.toasts()->add(
       Mark::Good, tr("%1 changed on disk and is being reloaded.").arg(mapCalled(slot.name(), slot.key())));
 }

@@ -309,11 +309,16 @@ void OverlaysController::setBusy(bool busy) {
   refresh();
 }
 
+QString OverlaysController::decideText() {
+  return tr(
+      "The overlays are not saved yet: some were changed both here and on the robot. Choose which version "
+      "to keep.");
+}
+
 void OverlaysController::askToDecide() {
   when_saved_ = nullptr;
-  context_.overlay.toasts()->add(Mark::Warning,
-                                 tr("The overlays are not saved yet: some were changed both here "
-                                    "and on the robot. Choose which version to keep."));
+  context_.overlay.toasts()->add(Mark::Warning, decideText());
+  asked_ = true;
   context_.panels.open(dock_);
   dock_->showConflicts();
 }
@@ -569,6 +574,8 @@ void OverlaysController::refresh() {
   if (trouble.isEmpty() && editing_.isOpen() && failure_) trouble = sentence;
   dock_->setSaving(busy_, editing_.isOpen() ? trouble : QString());
   dock_->setOffer(drafts_ && editing_.isOpen() ? drafts_->offer() : QString());
+  if (editing_.document().conflicts().empty() && std::exchange(asked_, false))
+    context_.overlay.toasts()->withdraw(decideText());
   tool_->setWhyNot(sentence);
   const bool usable = target_.has_value();
   allow(tool_action_, usable, sentence);

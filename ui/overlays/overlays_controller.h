@@ -94,6 +94,7 @@ class OverlaysController : public Controller {
   void readBack(std::function<void()> then);
   void setBusy(bool busy);
   void notSaved(const QString& sentence);
+  static QString decideText();
   void askToDecide();
   void takeChange();
   void check();
@@ -140,8 +141,9 @@ class OverlaysController : public Controller {
   QPointer<OverlayReview> review_;
   std::function<void()> when_left_, when_saved_;
   bool checking_ = false, check_again_ = false, under_ = false;
-  quint64 ways_ = 0;   // counts those that were asked for
-  work::Tasks share_;  // last
+  bool asked_ = false;  // to decide, and it is not answered yet
+  quint64 ways_ = 0;    // counts those that were asked for
+  work::Tasks share_;   // last
 };
 
 }  // namespace mapwright::window

@@ -364,18 +364,24 @@ void PictureController::refresh() {
   dock_->setWhyNot(sentence);
   dock_->setSaving(saving_, !trouble_.isEmpty() || !drafts_ ? trouble_ : drafts_->trouble());
   dock_->setOffer(drafts_ ? drafts_->offer() : QString());
+  if (editing_.conflicts() == 0 && std::exchange(asked_, false))
+    context_.overlay.toasts()->withdraw(decideText());
   const bool usable = sentence.isEmpty() || mapInstead() || opening();
   allow(tool_action_, usable, sentence);
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
   if (std::exchange(was_unsaved_, unsaved()) != unsaved()) Q_EMIT unsavedChanged();
 }
 
+QString PictureController::decideText() {
+  return tr(
+      "The map is not saved yet: some cells were changed both here and elsewhere. Choose which ones to "
+      "keep.");
+}
+
 void PictureController::askToDecide() {
   when_saved_ = nullptr;
-  context_.overlay.toasts()->add(Mark::Warning,
-                                 tr("The map is not saved yet: some cells were changed both "
-                                    "here and elsewhere. Choose which ones to keep."),
-                                 {}, kSaving);
+  context_.overlay.toasts()->add(Mark::Warning, decideText(), {}, kSaving);
+  asked_ = true;
   context_.panels.open(dock_);
 }
 

@@ -70,6 +70,7 @@ class PictureController : public Controller {
   void noteWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
                    const robot::Outcome<robot::PictureReceipt>& outcome);
   void noteMerged(qint64 taken, const std::string& revision);
+  static QString decideText();
   void askToDecide();
   void askToSend();
   void send();
@@ -125,7 +126,8 @@ class PictureController : public Controller {
     std::optional<std::uint8_t> between;  // a cell that cannot be
   };
   CellCheck cell_check_;
-  work::Tasks share_;  // last
+  work::Tasks share_;   // last
+  bool asked_ = false;  // to decide, and it is not answered yet
 };
 
 }  // namespace mapwright::window

@@ -319,6 +319,9 @@ void WaypointsController::refresh() {
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
   revert_action_->setEnabled(unsaved());
   refreshNotice();
+  // It has been answered.
+  if (!asked_.isEmpty() && asked_ != decideText())
+    context_.overlay.toasts()->withdraw(std::exchange(asked_, QString()));
   const bool changed = was_unsaved_ != unsaved() || could_save_ != maySave();
   was_unsaved_ = unsaved();
   could_save_ = maySave();
@@ -381,11 +384,15 @@ void WaypointsController::askToDecide() {
   when_saved_ = nullptr;
   context_.panels.open(dock_);
   dock_->goToConflict();
-  context_.overlay.toasts()->add(
-      Mark::Warning,
-      tr("Nothing was saved: %1 changed here and elsewhere. Choose which version to keep.")
-          .arg(waypointsText(qsizetype(list_->document().conflicts().size()))),
-      {}, kSaving);
+  asked_ = decideText();
+  context_.overlay.toasts()->add(Mark::Warning, asked_, {}, kSaving);
+}
+
+QString WaypointsController::decideText() const {
+  const std::size_t conflicts = list_ ? list_->document().conflicts().size() : 0;
+  if (conflicts == 0) return {};
+  return tr("Nothing was saved: %1 changed here and elsewhere. Choose which version to keep.")
+      .arg(waypointsText(qsizetype(conflicts)));
 }
 
 void WaypointsController::save() {

@@ -66,6 +66,7 @@ class WaypointsController : public Controller {
   void takeOffer();
   std::optional<LeftName> nameLeft() const;
   void askToDecide();
+  QString decideText() const;  // empty: there is nothing to decide
   void revertAll();
   void askName(const edit::Key& key, edit::Gesture gesture);
   void followNamed();  // it has moved, on the screen or on the map
@@ -95,6 +96,7 @@ class WaypointsController : public Controller {
   bool was_unsaved_ = false, could_save_ = false, said_decide_ = false;
   std::set<edit::Key> accepted_names_;  // that look temporary and may stay
   bool may_leave_ = false;              // the draft is to be kept as it is
+  QString asked_;                       // the last request to decide, until it is answered
 };
 
 }  // namespace mapwright::window
