@@ -52,6 +52,23 @@ bool near(const Eigen::Vector2d& a, double x, double y) { return (a - Eigen::Vec
 class TestWindowOverlays : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void tabGoesDownTheForm() {
+    Desk desk;
+    desk.open();
+    desk.editing().select({2});  // a point
+    QStringList seen;
+    auto* const name = desk.dock().findChild<OverlayForm*>()->findChild<QLineEdit*>();
+    name->setFocus();
+    for (int i = 0; i < 5; ++i) {
+      seen << QApplication::focusWidget()->accessibleName();
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    }
+    QCOMPARE(seen, (QStringList{QStringLiteral("Name of the overlay"), QStringLiteral("Type of the overlay"),
+                                QStringLiteral("Heading of the overlay"),
+                                QStringLiteral("Properties of the overlay"),
+                                QStringLiteral("Name of the new property")}));
+  }
+
   void whatIsDraggedIsMovedAndNothingElse() {
     Desk desk;
     desk.open();

@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QTabWidget>
 
 namespace mapwright::window {
 
@@ -39,6 +40,8 @@ void collect(QWidget* widget, std::vector<QWidget*>& stops) {
     if (area->widget()) collect(area->widget(), stops);
   } else if (auto* const splitter = qobject_cast<QSplitter*>(widget)) {
     for (int i = 0; i < splitter->count(); ++i) collect(splitter->widget(i), stops);
+  } else if (auto* const tabs = qobject_cast<QTabWidget*>(widget)) {
+    for (int i = 0; i < tabs->count(); ++i) collect(tabs->widget(i), stops);
   } else if (widget->layout()) {
     collect(widget->layout(), stops);
   }
