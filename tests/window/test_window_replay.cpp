@@ -9,6 +9,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTabBar>
 #include <QTableView>
 #include <QToolButton>
 #include <QtTest>
@@ -179,6 +180,32 @@ class TestWindowReplay : public QObject {
              qPrintable(QString::number(desk.window->minimumSizeHint().width())));
     QCOMPARE(desk.window->minimumSizeHint().width(), before);
     QCOMPARE(desk.window->width(), 800);
+  }
+
+  void spacePlaysWhereverNothingIsTyped() {
+    Desk desk;
+    desk.replay(kGap);
+    desk.action("layoutReplay")->trigger();
+    QCoreApplication::processEvents();
+    QCoreApplication::processEvents();
+    desk.clock().seek(desk.clock().start());
+    auto* const events = desk.window->findChild<EventsDock*>();
+    const auto plays = [&](QWidget* at) {
+      at->setFocus();
+      const bool before = desk.clock().playing();
+      QTest::keyClick(at, Qt::Key_Space);
+      return desk.clock().playing() != before;
+    };
+    QVERIFY(plays(desk.window->view()));
+    for (QAbstractItemView* const list : {events->findChild<QAbstractItemView*>(),
+                                          part<MessagesDock>(*desk.window)->findChild<QAbstractItemView*>()})
+      QVERIFY(plays(list));
+    QVERIFY(plays(&desk.axis()));
+    for (QTabBar* const tabs : desk.window->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+      if (tabs->isVisible()) QVERIFY(plays(tabs));
+    auto* const filter = part<MessagesDock>(*desk.window)->findChild<QLineEdit*>();
+    QVERIFY(!plays(filter));
+    QCOMPARE(filter->text(), QStringLiteral(" "));
   }
 
   void listsSortsAndSearches() {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QDir>
 #include <QFileDialog>
@@ -90,6 +91,8 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
   connect(&context_.view, &MapView::movedByHand, this, [this] { fits_track_ = false; });
   context_.view.installEventFilter(this);
   context_.view.viewport()->installEventFilter(this);
+  // What no widget has a use for comes there.
+  context_.window.installEventFilter(this);
 }
 
 void ReplayController::addActions() {
@@ -262,6 +265,9 @@ void ReplayController::setSession(session::Session* session) {
     dock_->setOpening(tr("Opening %1…").arg(bagCalled(*robot)));
     clock_->attach(*robot, *session);
     context_.panels.open(dock_);
+    // They would take Space for a search.
+    for (QAbstractItemView* const list : context_.window.findChildren<QAbstractItemView*>())
+      list->installEventFilter(this);
   } else if (was_replay && !std::exchange(dock_was_open_, true)) {
     dock_->hide();
   }
@@ -443,7 +449,20 @@ void ReplayController::remember(QSettings& settings) {
   settings.setValue(kFollowEventsKey, events_->follows());
 }
 
+bool ReplayController::takeSpace(QObject& at, QKeyEvent& key) {
+  if (key.key() != Qt::Key_Space || key.modifiers() || key.isAutoRepeat() || !clock_->isOpen()) return false;
+  if (const auto* const list = qobject_cast<QAbstractItemView*>(&at)) {
+    const bool switches = list->currentIndex().flags() & Qt::ItemIsUserCheckable;
+    if (switches || list->window() != &context_.window) return false;
+  }
+  clock_->togglePlaying();
+  return true;
+}
+
 bool ReplayController::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress && watched != &context_.view &&
+      takeSpace(*watched, static_cast<QKeyEvent&>(*event)))
+    return true;
   // Space with a mouse drag moves the map; Space alone plays.
   if (event->type() == QEvent::MouseButtonPress) space_pressed_ = false;
   if (watched == &context_.view &&

@@ -16,6 +16,7 @@
 #include "ui/view/on_screen.h"
 
 class QAction;
+class QKeyEvent;
 class QMenu;
 
 namespace mapwright::window {
@@ -66,6 +67,8 @@ class ReplayController : public Controller {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// Space plays wherever it has no other use.
+  bool takeSpace(QObject& at, QKeyEvent& key);
   /// The submenu of the Robot menu.
   void addActions();
   template <typename What>
