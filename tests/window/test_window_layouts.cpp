@@ -194,6 +194,77 @@ class TestWindowLayouts : public QObject {
     QTRY_VERIFY(inFront(part<InspectorDock>(window)));
   }
 
+  void whatFailedDecidesNothing() {
+    WaypointsDesk desk;
+    MainWindow& window = desk.open();
+    const auto prepare = desk.prepare;
+    desk.prepare = [](test::FakeRobot& made) { made.auto_online = false; };
+    QVERIFY(!window.connectTo(kAddress));
+    QCOMPARE(part<LayoutController>(window)->role(), Role::Inspect);
+    desk.prepare = prepare;
+    QVERIFY(!window.connectTo(kAddress));
+    QCOMPARE(part<LayoutController>(window)->role(), Role::Operate);
+    // What is opened afterwards leaves it.
+    desk.prepare = {};
+    QVERIFY(!window.connectTo(kAddress));
+    QCOMPARE(part<LayoutController>(window)->role(), Role::Operate);
+  }
+
+  void theFocusStaysWhereItCanBeSeen() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    showAnew(bench, "layoutInspect");
+    QLineEdit* const filter = part<InspectorDock>(window)->filterEdit();
+    filter->setFocus();
+    for (int turn = 0; turn < 2; ++turn) {  // arranged, then restored
+      bench.action("layoutReplay")->trigger();
+      QCoreApplication::processEvents();
+      QCoreApplication::processEvents();
+      QCOMPARE(window.focusWidget(), static_cast<QWidget*>(window.view()));
+      bench.action("layoutInspect")->trigger();
+      QCoreApplication::processEvents();
+      QCoreApplication::processEvents();
+      QCOMPARE(window.focusWidget(), static_cast<QWidget*>(window.view()));
+      filter->setFocus();
+    }
+    auto* const chip = part<ConnectionChip>(window);
+    chip->setFocus();
+    bench.action("layoutOperate")->trigger();
+    QCoreApplication::processEvents();
+    QCOMPARE(window.focusWidget(), static_cast<QWidget*>(chip));
+  }
+
+  void whatIsChosenIsStoredBeforeTheEnd() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    const auto stored = [&](const char* key) {
+      bench.settings.sync();
+      return QSettings(bench.settings.fileName(), QSettings::IniFormat).value(QLatin1String(key));
+    };
+    bench.key(Qt::Key_3, Qt::ControlModifier);
+    QTRY_COMPARE(stored("layout/role").toString(), QStringLiteral("replay"));
+    QVERIFY(!stored("layout/replay").toByteArray().isEmpty());
+    QVERIFY(stored("window/geometry").isValid());
+    QAction* const dark = bench.action("themeDark");
+    dark->trigger();
+    bench.key(Qt::Key_G);
+    QTRY_COMPARE(stored("view/theme").toString(), QStringLiteral("dark"));
+    QVERIFY(window.isVisible());
+  }
+
+  void otherPanelsOpenWhereThereIsTheMostRoom() {
+    Bench bench;
+    MainWindow& window = bench.open({1920, 1080});
+    showAnew(bench, "layoutOperate");
+    QDockWidget* const overlays = window.findChild<QDockWidget*>(QStringLiteral("overlays"));
+    overlays->toggleViewAction()->trigger();
+    QTRY_VERIFY(inFront(overlays));
+    QVERIFY2(overlays->height() > 450, qPrintable(QString::number(overlays->height())));
+    QVERIFY(inFront(part<RobotDock>(window)));
+  }
+
   void laterTheUsersChoiceStands() {
     WaypointsDesk desk;
     {
@@ -674,6 +745,20 @@ class TestWindowLayouts : public QObject {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Left);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);  // at the far end: the palette
     QTRY_VERIFY(window.findChild<QDialog*>());
+  }
+
+  void whatARobotCannotDoIsOffAndSaysWhy() {
+    Bench bench;
+    bench.prepare = [](test::FakeRobot& made) { made.auto_online = false; };
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QVERIFY(bench.action("cloudRegion")->isEnabled());  // not known yet
+    bench.robot->goOnline();
+    for (const char* id : {"cloudRegion", "cloudSection"}) {
+      const QAction& action = *bench.action(id);
+      QVERIFY2(!action.isEnabled(), id);
+      QVERIFY2(action.toolTip() != action.property("tip").toString(), qPrintable(action.toolTip()));
+    }
   }
 
   void namesSayByThemselvesWhatTheyDo() {

@@ -150,7 +150,10 @@ void Actions::setSession(robot::Robot* robot) {
 
 void Actions::noteCapabilities(robot::Robot* robot) {
   for (const auto& [action, capability] : need_of_robot_) {
-    const bool lacks = robot && robot->isLocal() && !has(*robot, capability);
+    // Robots tell what they can do once they are connected.
+    const bool told =
+        robot && (robot->isLocal() || robot->connection().phase == robot::ConnectionPhase::Online);
+    const bool lacks = told && !has(*robot, capability);
     allow(action, robot && !lacks,
           lacks ? sentences::whyAbsent(capability, robot->whyNot(capability)) : QString());
   }

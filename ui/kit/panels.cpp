@@ -151,6 +151,8 @@ std::vector<QDockWidget*> Panels::docks() const {
 std::vector<std::vector<Panels::Panel>> Panels::stacksOn(Side side) const {
   std::vector<std::vector<Panel>> stacks;
   QStringList named;
+  std::size_t largest = 0;
+  int most = 0;
   for (const Layout::Stack& stack : layout_.stacks) {
     named += stack.docks;
     if (stack.side != side) continue;
@@ -159,7 +161,12 @@ std::vector<std::vector<Panels::Panel>> Panels::stacksOn(Side side) const {
       std::copy_if(panels_.begin(), panels_.end(), std::back_inserter(found),
                    [&](const Panel& panel) { return panel.dock->objectName() == name; });
     }
-    if (!found.empty()) stacks.push_back(std::move(found));
+    if (found.empty()) continue;
+    if (stack.share >= most) {
+      largest = stacks.size();
+      most = stack.share;
+    }
+    stacks.push_back(std::move(found));
   }
   std::vector<Panel> others;
   std::copy_if(panels_.begin(), panels_.end(), std::back_inserter(others), [&](const Panel& panel) {
@@ -168,7 +175,8 @@ std::vector<std::vector<Panels::Panel>> Panels::stacksOn(Side side) const {
   std::stable_sort(others.begin(), others.end(),
                    [](const Panel& a, const Panel& b) { return a.place.tab < b.place.tab; });
   if (stacks.empty() && !others.empty()) stacks.emplace_back();
-  if (!others.empty()) stacks.back().insert(stacks.back().end(), others.begin(), others.end());
+  // Where there is the most room.
+  if (!others.empty()) stacks[largest].insert(stacks[largest].end(), others.begin(), others.end());
   return stacks;
 }
 

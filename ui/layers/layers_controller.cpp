@@ -190,9 +190,15 @@ void LayersController::recall(const QSettings& settings) {
   sync();
 }
 
-void LayersController::remember(QSettings& settings) {
+void LayersController::note(QSettings& settings) {
   settings.setValue(QStringLiteral("view/colors"), colorModeName(context_.scene.colorMode()));
   dock_->saveFolds(settings);
+  // Both are taken back, and would have to be now.
+  if (!dock_->solo() && !mode_before_) saveLayers(context_.scene, settings);
+}
+
+void LayersController::remember(QSettings& settings) {
+  note(settings);
   dock_->endSolo();  // nobody could end it at the next start
   // A robot without submaps must not determine what the next one shows.
   const bool forced = mode_before_.has_value();

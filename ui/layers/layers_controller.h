@@ -29,6 +29,8 @@ class LayersController : public Controller {
   void setSession(session::Session* session) override;
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
+  /// While the window is used.
+  void note(QSettings& settings);
   void reset() override;
 
  Q_SIGNALS:

@@ -36,6 +36,7 @@ ReferenceDock::ReferenceDock(QWidget* parent)
   setObjectName(QStringLiteral("reference"));
   map_->setMostLines(2);
   told_->setSecondary(true);
+  told_->setMostLines(2);
   const auto field = [this](const QString& name, double most, const QString& unit) {
     QDoubleSpinBox* const box = numberField(this, {-most, most, 3, 0.05, unit, name, 90});
     box->setKeyboardTracking(false);

@@ -1,9 +1,12 @@
 #include "window/layout_controller.h"
 
+#include <utility>
+
 #include <QActionGroup>
 #include <QScreen>
 
 #include "ui/kit/panels.h"
+#include "ui/shell/current_session.h"
 #include "ui/shell/viewpoint.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
@@ -48,6 +51,8 @@ LayoutController::LayoutController(WindowContext& context, QObject* parent)
                      .bar = {BarGroup::Layouts, 30}});
   auto* const group = new QActionGroup(this);
   for (const auto& [role, action] : actions_) group->addAction(action);
+  // Only then it is known which panels are in front.
+  connect(&context_.panels, &Panels::arranged, this, &LayoutController::keepFocus);
 }
 
 Layout LayoutController::fresh() const {
@@ -64,22 +69,35 @@ void LayoutController::choose(Role role) {
 
 void LayoutController::show(Role role) {
   if (role == role_) return;
+  had_focus_ = context_.window.focusWidget();
   Q_EMIT leaving();
   states_[role_] = context_.panels.state();
   role_ = role;
   if (role == Role::Replay) context_.overlay.toasts()->withdraw(offer());
   actions_[role]->setChecked(true);
-  if (!context_.panels.restore(states_[role], fresh())) context_.panels.arrange(fresh());
-  // What had the focus may be gone.
-  const QWidget* const focused = context_.window.focusWidget();
-  if (focused && !focused->isVisible()) context_.view.setFocus();
+  const bool restored = context_.panels.restore(states_[role], fresh());
+  if (!restored) context_.panels.arrange(fresh());
+  if (restored) keepFocus();
   Q_EMIT shown(role);
+}
+
+void LayoutController::keepFocus() {
+  if (!had_focus_) return;
+  // Whatever takes it from a panel that goes is in nobody's mind: keys would be typed there.
+  QWidget* const had = std::exchange(had_focus_, nullptr);
+  const bool there = had->isVisible() && !had->visibleRegion().isEmpty();
+  (there ? had : &context_.view)->setFocus();
 }
 
 void LayoutController::setSession(session::Session* session) {
   if (!replayOf(session)) context_.overlay.toasts()->withdraw(offer());
   if (!session) return;
-  if (!chosen_ && !std::exchange(opened_, true)) {
+  if (!chosen_ && !opened_) {
+    const auto note = [this, session] {
+      opened_ = opened_ || session->connection().phase == robot::ConnectionPhase::Online;
+    };
+    connect(session, &session::Session::connectionChanged, this, note);
+    note();
     // Robots tell what they can do once they are connected.
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, [this, session] {
       if (!chosen_ && !context_.viewpoint.chosen()) pick(*session);
@@ -120,6 +138,16 @@ void LayoutController::recall(const QSettings& settings) {
 void LayoutController::remember(QSettings& settings) {
   Q_EMIT leaving();
   states_[role_] = context_.panels.state();
+  store(settings);
+}
+
+void LayoutController::note(QSettings& settings) {
+  // What belongs to a replay is taken away when that ends, and not while it is looked at.
+  if (!replayOf(context_.current.session())) states_[role_] = context_.panels.state();
+  store(settings);
+}
+
+void LayoutController::store(QSettings& settings) {
   for (const auto& [role, state] : states_) settings.setValue(stateKey(role), state);
   if (chosen_) settings.setValue(kRoleKey, idOf(role_));
   settings.remove(kOldStateKey);

@@ -4,6 +4,8 @@
 #include <map>
 
 #include <QByteArray>
+#include <QPointer>
+#include <QWidget>
 
 #include "ui/kit/controller.h"
 #include "ui/shell/window_context.h"
@@ -25,6 +27,8 @@ class LayoutController : public Controller {
   void setSession(session::Session* session) override;
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
+  /// While the window is used.
+  void note(QSettings& settings);
   void reset() override;
 
  Q_SIGNALS:
@@ -34,6 +38,9 @@ class LayoutController : public Controller {
 
  private:
   void show(Role role);
+  /// Where it was before another layout was shown, if that is still to be seen; otherwise on the map.
+  void keepFocus();
+  void store(QSettings& settings);
   /// As long as the user has not chosen: by what was opened.
   void pick(session::Session& session);
   void offerReplay();
@@ -44,8 +51,9 @@ class LayoutController : public Controller {
   std::map<Role, QAction*> actions_;
   std::map<Role, QByteArray> states_;  // of the panels, as they were left
   Role role_ = Role::Inspect;
+  QPointer<QWidget> had_focus_;
   bool chosen_ = false;   // by the user, at any time
-  bool opened_ = false;   // something, since the start
+  bool opened_ = false;   // something that was there, since the start
   bool offered_ = false;  // the layout of replays
 };
 

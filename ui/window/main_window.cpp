@@ -1,5 +1,6 @@
 #include "window/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QGuiApplication>
@@ -60,6 +61,7 @@ namespace mapwright::window {
 namespace {
 
 constexpr int kFramePx = 8, kTitleBarPx = 40;
+constexpr int kNoteAfterMs = 1'000;
 const QString kGeometryKey = QStringLiteral("window/geometry");
 
 template <typename Options>
@@ -126,6 +128,10 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   connect(view_, &MapView::escaped, this, &MainWindow::escape);
 
   restoreSettings();
+  note_soon_.setSingleShot(true);
+  note_soon_.setInterval(kNoteAfterMs);
+  connect(&note_soon_, &QTimer::timeout, this, &MainWindow::noteSettings);
+  qApp->installEventFilter(this);
   tellControllers(nullptr);
   Q_EMIT current_->stateChanged();
   view_->setFocus();
@@ -269,6 +275,28 @@ void MainWindow::saveSettings() {
   for (Controller* controller : controllers_) controller->remember(settings_);
 }
 
+void MainWindow::noteSettings() {
+  settings_.setValue(kGeometryKey, saveGeometry());
+  for (Controller* controller : controllers_) {
+    if (controller == layout_) {
+      layout_->note(settings_);
+    } else if (controller == layers_) {
+      layers_->note(settings_);
+    } else {
+      controller->remember(settings_);
+    }
+  }
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  const QEvent::Type type = event->type();
+  const bool by_user = type == QEvent::MouseButtonRelease || type == QEvent::KeyRelease ||
+                       type == QEvent::Wheel ||
+                       (watched == this && (type == QEvent::Resize || type == QEvent::Move));
+  if (by_user && !note_soon_.isActive() && isVisible()) note_soon_.start();
+  return QMainWindow::eventFilter(watched, event);
+}
+
 void MainWindow::resetLayout() {
   for (Controller* controller : controllers_) controller->reset();
 }
@@ -308,6 +336,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     });
     return;
   }
+  note_soon_.stop();
   saveSettings();
   QMainWindow::closeEvent(event);
 }

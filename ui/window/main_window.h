@@ -11,6 +11,7 @@
 #include <QMainWindow>
 #include <QSettings>
 #include <QString>
+#include <QTimer>
 #include <QUndoGroup>
 #include <tl/expected.hpp>
 
@@ -114,6 +115,7 @@ class MainWindow : public QMainWindow {
  protected:
   void closeEvent(QCloseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void createControllers(const Dependencies& dependencies);
@@ -124,6 +126,8 @@ class MainWindow : public QMainWindow {
   void tellControllers(session::Session* session);
   void restoreSettings();
   void saveSettings();
+  /// Some time after the user has done something, so that little is lost with the program.
+  void noteSettings();
   void escape();
   void showMapMenu(const QPoint& global_pos, const QPointF& viewport_px);
 
@@ -170,6 +174,7 @@ class MainWindow : public QMainWindow {
   TransferController* transfer_ = nullptr;
   ViewController* view_control_ = nullptr;
   WaypointsController* waypoints_ = nullptr;
+  QTimer note_soon_;
   std::vector<Controller*> controllers_;  // in order of creation
   bool may_close_ = false;                // unsaved changes have been dealt with
 };
