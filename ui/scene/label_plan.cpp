@@ -209,14 +209,10 @@ class Placing {
     if (kept && *kept != kHiddenLabel && !cut && fits(wish, *kept, 0)) return *kept;
     const double room = kept && *kept == kHiddenLabel ? kReturnPx : 0;
     const int spots = spotsOf(wish);
-    // What is in view is named in view, if that is possible.
-    if (task_.view.contains(wish.mark.center())) {
-      for (int spot = 0; spot < spots; ++spot) {
-        if (task_.view.contains(boxAt(wish, spot)) && fits(wish, spot, room)) return spot;
-      }
-    }
+    // What is in view is named in view, or not at all: half a name tells nothing.
+    const bool seen = task_.view.contains(wish.mark.center());
     for (int spot = 0; spot < spots; ++spot) {
-      if (fits(wish, spot, room)) return spot;
+      if ((!seen || task_.view.contains(boxAt(wish, spot))) && fits(wish, spot, room)) return spot;
     }
     return kHiddenLabel;
   }
