@@ -20,8 +20,6 @@ namespace mapwright::window {
 namespace {
 
 constexpr int kMapNamePx = 200;
-// Of what is under the cursor.
-constexpr double kKeptInCrowd = 0.6;
 
 /// Keeps a part of its text while there is room for that. (A minimum width would be kept in any case, and the
 /// labels of a crowded bar would lie over each other.)
@@ -118,13 +116,14 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
       map_(new BarLabel(this, 1, kMapNamePx)),
       map_bar_(new ThinBar(this)),
       problems_(new QToolButton(this)),
-      coordinates_(new BarLabel(this, kKeptInCrowd)),
-      occupancy_(new BarLabel(this, kKeptInCrowd)),
-      scale_(new BarLabel(this, kKeptInCrowd)),
-      rotation_(new BarLabel(this, kKeptInCrowd)) {
+      coordinates_(new BarLabel(this, 0)),
+      occupancy_(new BarLabel(this, 0)),
+      scale_(new BarLabel(this)),
+      rotation_(new BarLabel(this)) {
   setSizeGripEnabled(false);
   setFixedHeight(28);
-  // What it says comes and goes: the window is not to become wider for it. The longest text is cut first.
+  // What it says comes and goes: the window is not to become wider for it. What is under the cursor gives way
+  // first, then the longest text.
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   problems_->setIcon(themedIcon(QStringLiteral("problem")));
   problems_->setIconSize({14, 14});
