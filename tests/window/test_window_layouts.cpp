@@ -469,6 +469,20 @@ class TestWindowLayouts : public QObject {
     QVERIFY2(places.size() >= 8 && right <= 800, qPrintable(said.join(QLatin1String(", "))));
   }
 
+  void messagesFitTheMapOfASmallScreen() {
+    Bench bench;
+    MainWindow& window = bench.open({800, 570});
+    showAnew(bench, "layoutInspect");
+    ToastStack* const toasts = part<MapOverlay>(window)->toasts();
+    const QString text =
+        QStringLiteral("The layout Replay has the timeline and all the rest of it. ").repeated(2);
+    toasts->add(Mark::Warning, text, {QStringLiteral("Show all of them"), [] {}});
+    toasts->add(Mark::Warning, text);
+    QTRY_VERIFY(toasts->isVisible());
+    QVERIFY2(toasts->x() >= 0, qPrintable(QString::number(toasts->x())));
+    QVERIFY(toasts->geometry().right() < window.view()->width());
+  }
+
   void alertsMoveNoTool() {
     Bench bench;
     MainWindow& window = bench.open();

@@ -1,5 +1,7 @@
 #include "ui/view/toast_stack.h"
 
+#include <algorithm>
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -18,14 +20,15 @@ namespace mapwright::window {
 namespace {
 
 constexpr int kAtMost = 4;
-constexpr int kWidestText = 380;
+constexpr int kWidestText = 380, kNarrowestText = 120;
+constexpr int kAroundTextPx = 140;  // mark, button to close, margins
 constexpr QChar kMayBreak(0x200b);
 
 /// Words wider than a line (paths, names) may be broken anywhere.
-QString breakable(const QString& text, const QFontMetrics& metrics) {
+QString breakable(const QString& text, const QFontMetrics& metrics, int widest) {
   QStringList words = text.split(QLatin1Char(' '));
   for (QString& word : words) {
-    if (metrics.horizontalAdvance(word) <= kWidestText) continue;
+    if (metrics.horizontalAdvance(word) <= widest) continue;
     QTextBoundaryFinder finder(QTextBoundaryFinder::Grapheme, word);
     QString pieces;
     for (qsizetype from = 0, to = finder.toNextBoundary(); to > from;
@@ -87,16 +90,25 @@ void ToastStack::add(Mark mark, const QString& text, ToastOffer offer, const QSt
   toast->setProperty("says", same);
   toast->setProperty("times", times);
   toast->setProperty("about", about);
+  QPushButton* const take = offer.words.isEmpty() ? nullptr : new QPushButton(offer.words, toast);
+  if (take) {
+    take->setObjectName(QStringLiteral("compact"));
+    take->setFocusPolicy(Qt::NoFocus);
+  }
+  const int around = kAroundTextPx + (take ? take->sizeHint().width() : 0);
+  const int widest = parentWidget()
+                         ? std::clamp(parentWidget()->width() - around, kNarrowestText, kWidestText)
+                         : kWidestText;
   auto* label = new QLabel(toast);
   label->setObjectName(QStringLiteral("toastText"));
   label->setTextFormat(Qt::PlainText);
   const QString plain = counted(words::plainText(text), times);
-  label->setText(breakable(plain, label->fontMetrics()));
+  label->setText(breakable(plain, label->fontMetrics(), widest));
   label->setAccessibleName(plain);
-  label->setWordWrap(label->fontMetrics().horizontalAdvance(plain) > kWidestText ||
+  label->setWordWrap(label->fontMetrics().horizontalAdvance(plain) > widest ||
                      plain.contains(QLatin1Char('\n')));
-  label->setMaximumWidth(kWidestText);
-  if (label->wordWrap()) label->setFixedSize(kWidestText, label->heightForWidth(kWidestText));
+  label->setMaximumWidth(widest);
+  if (label->wordWrap()) label->setFixedSize(widest, label->heightForWidth(widest));
   auto* close = new QToolButton(toast);
   close->setIcon(themedIcon(QStringLiteral("close")));
   close->setIconSize({14, 14});
@@ -107,12 +119,7 @@ void ToastStack::add(Mark mark, const QString& text, ToastOffer offer, const QSt
   row->setSpacing(10);
   row->addWidget(new MarkBox(mark, toast), 0, Qt::AlignVCenter);
   row->addWidget(label, 1);
-  QPushButton* const take = offer.words.isEmpty() ? nullptr : new QPushButton(offer.words, toast);
-  if (take) {
-    take->setObjectName(QStringLiteral("compact"));
-    take->setFocusPolicy(Qt::NoFocus);
-    row->addWidget(take);
-  }
+  if (take) row->addWidget(take);
   row->addWidget(close);
   column_->addWidget(toast, 0, Qt::AlignRight);
   const auto dismiss = [this, toast] {
