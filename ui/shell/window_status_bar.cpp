@@ -20,6 +20,8 @@ namespace mapwright::window {
 namespace {
 
 constexpr int kMapNamePx = 200;
+// Enough for the usual ones.
+constexpr double kScaleKept = 0.93, kRotationKept = 0.45;
 
 /// Keeps a part of its text while there is room for that. (A minimum width would be kept in any case, and the
 /// labels of a crowded bar would lie over each other.)
@@ -118,8 +120,8 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
       problems_(new QToolButton(this)),
       coordinates_(new BarLabel(this, 0)),
       occupancy_(new BarLabel(this, 0)),
-      scale_(new BarLabel(this)),
-      rotation_(new BarLabel(this)) {
+      scale_(new BarLabel(this, kScaleKept)),
+      rotation_(new BarLabel(this, kRotationKept)) {
   setSizeGripEnabled(false);
   setFixedHeight(28);
   // What it says comes and goes: the window is not to become wider for it. What is under the cursor gives way
@@ -149,7 +151,7 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
   auto* row = new QWidget(this);
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(8, 0, 8, 0);
-  line->setSpacing(12);
+  line->setSpacing(10);
   line->addWidget(safety_, 0);
   line->addWidget(connection_, 0);
   line->addWidget(loading_, 0);
@@ -255,6 +257,7 @@ void WindowStatusBar::refreshProblems() {
 void WindowStatusBar::showCursor(const QString& coordinates, const QString& occupancy) {
   coordinates_->setText(coordinates);
   occupancy_->setText(occupancy);
+  for (PlainLabel* label : {coordinates_, occupancy_}) label->setHidden(label->text().isEmpty());
 }
 
 void WindowStatusBar::showView(const geometry::ViewTransform& view) {
