@@ -303,6 +303,7 @@ class TestWindowMap : public QObject {
 
   void followsTheRobotUntilPanned() {
     Bench bench;
+    bench.prepare = [](test::FakeRobot& made) { made.has_live = true; };
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.robot->say(map::TrackedPose{{3, 4, 0}});
