@@ -52,6 +52,10 @@ Version versionOn(const Version& base, const Version& mine, const Version& their
     if (met && partOf(merged, part.part) != partOf(*theirs, part.part) && !changesOf(merged, *theirs).empty())
       clash(part.part);
   }
+  // What held the properties goes with the last of them, as it did here.
+  const auto held = merged.root().member("properties");
+  if (held && held->isObject() && held->children().empty() && !mine->root().member("properties"))
+    merged = withPart(merged, {Part::Of::Member, "properties"}, std::nullopt);
   return merged;
 }
 

@@ -257,10 +257,11 @@ class OverlayToolsTest : public QObject {
     bare.noteSaved();
     QVERIFY(!bare.unsaved());
     // Undone after saving it is as it was, to the byte, whatever the robot tells meanwhile.
-    bare.rebase(bare.mine());
+    bare.rebase(document(R"({"id":"a"})", R"("properties": { "defaultPalletWidth":1.20 }, )"));
+    QVERIFY(!bare.unsaved());
     bare.undo();
     QVERIFY(bare.unsaved());
-    QCOMPARE(bare.mine().text(), document(R"({"id":"a"})").text());
+    QVERIFY(bare.mine().text().find("properties") == std::string::npos);
   }
 
   void halfASurrogatePairCanBeEdited() {
