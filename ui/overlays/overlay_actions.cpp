@@ -65,12 +65,12 @@ void OverlayActions::addSnapping() {
              tr("Points, ends and corners of other overlays"), &SnapKinds::vertices},
         Kind{"snapOverlayEdges", tr("&Edges of overlays"), tr("Lines and outlines of other overlays"),
              &SnapKinds::edges},
-        Kind{"snapOverlayAngles", tr("&Angles of 15°"), tr("From the point before, while a line is drawn"),
-             &SnapKinds::angles},
-        Kind{"snapOverlayGrid", tr("A &grid"), tr("Lines at a regular distance, see Spacing"),
+        Kind{"snapOverlayAngles", tr("&Angles of 15° for overlays"),
+             tr("From the point before, while a line is drawn"), &SnapKinds::angles},
+        Kind{"snapOverlayGrid", tr("&Grid for overlays"), tr("Lines at a regular distance, see Spacing"),
              &SnapKinds::grid},
-        Kind{"snapOverlayWalls", tr("&Walls of the map"), tr("The edges of what is occupied on the map"),
-             &SnapKinds::walls}}) {
+        Kind{"snapOverlayWalls", tr("&Walls of the map below"),
+             tr("The edges of what is occupied on the map"), &SnapKinds::walls}}) {
     QAction* const action =
         context_.actions.addToggle(edit, QLatin1String(id), text, {}, {}, Reach::Everywhere, tip);
     connect(action, &QAction::triggered, this, [this, kind = kind](bool checked) {
@@ -84,9 +84,9 @@ void OverlayActions::addSnapping() {
     snap_menu_->addAction(action);
   }
   snap_menu_->addSeparator();
-  QAction* const spacing =
-      context_.actions.add(edit, QStringLiteral("snapOverlaySpacing"), tr("&Spacing of the grid…"), {}, {},
-                           Reach::Everywhere, tr("The distance between the lines that overlays snap to"));
+  QAction* const spacing = context_.actions.add(
+      edit, QStringLiteral("snapOverlaySpacing"), tr("&Spacing of the grid for overlays…"), {}, {},
+      Reach::Everywhere, tr("The distance between the lines that overlays snap to"));
   connect(spacing, &QAction::triggered, this, &OverlayActions::askSpacing);
   snap_menu_->addAction(spacing);
 }

@@ -30,25 +30,25 @@ OverlayArranging::OverlayArranging(WindowContext& context, OverlayEditing* editi
     QString text, tip;
     Alignment how;
   };
-  for (const Line& line :
-       {Line{"alignOverlaysLeft", tr("Align &left edges"),
-             tr("Along the x axis, to the smallest x of the selection"), Alignment::Left},
-        Line{"alignOverlaysCentre", tr("Align &centres in x"), tr("One above the other"), Alignment::CentreX},
-        Line{"alignOverlaysRight", tr("Align &right edges"), tr("To the largest x of the selection"),
-             Alignment::Right},
-        Line{"alignOverlaysTop", tr("Align &top edges"), tr("To the largest y of the selection"),
-             Alignment::Top},
-        Line{"alignOverlaysMiddle", tr("Align centres in &y"), tr("One beside the other"),
-             Alignment::CentreY},
-        Line{"alignOverlaysBottom", tr("Align &bottom edges"), tr("To the smallest y of the selection"),
-             Alignment::Bottom}})
+  for (const Line& line : {Line{"alignOverlaysLeft", tr("Align &left edges of overlays"),
+                                tr("Along the x axis, to the smallest x of the selection"), Alignment::Left},
+                           Line{"alignOverlaysCentre", tr("Align &centres of overlays in x"),
+                                tr("One above the other"), Alignment::CentreX},
+                           Line{"alignOverlaysRight", tr("Align &right edges of overlays"),
+                                tr("To the largest x of the selection"), Alignment::Right},
+                           Line{"alignOverlaysTop", tr("Align &top edges of overlays"),
+                                tr("To the largest y of the selection"), Alignment::Top},
+                           Line{"alignOverlaysMiddle", tr("Align centres of overlays in &y"),
+                                tr("One beside the other"), Alignment::CentreY},
+                           Line{"alignOverlaysBottom", tr("Align &bottom edges of overlays"),
+                                tr("To the smallest y of the selection"), Alignment::Bottom}})
     add(line.id, line.text, line.tip, 2, [how = line.how](const std::vector<WorldRect>& boxes) {
       return overlays::shiftsToAlign(boxes, how);
     });
   menu_->addSeparator();
-  add("spreadOverlaysX", tr("Equal &gaps in x"), tr("The outermost two stay"), 3,
+  add("spreadOverlaysX", tr("Equal &gaps of overlays in x"), tr("The outermost two stay"), 3,
       [](const std::vector<WorldRect>& boxes) { return overlays::shiftsToSpread(boxes, Spread::X); });
-  add("spreadOverlaysY", tr("Equal gaps in y"), tr("The outermost two stay"), 3,
+  add("spreadOverlaysY", tr("Equal gaps of overlays in y"), tr("The outermost two stay"), 3,
       [](const std::vector<WorldRect>& boxes) { return overlays::shiftsToSpread(boxes, Spread::Y); });
   connect(editing_, &OverlayEditing::changed, this, &OverlayArranging::refresh);
   connect(editing_, &OverlayEditing::selectionChanged, this, &OverlayArranging::refresh);

@@ -45,19 +45,19 @@ OverlayTeaching::OverlayTeaching(WindowContext& context, OverlayEditing* editing
   menu_->addAction(place_);
   menu_->addSeparator();
   things_.reserve(5);  // they are referred to
-  addThing("overlayCharger", tr("&Charger that it sees"), tr("charger"), Sight::Charger,
+  addThing("overlayCharger", tr("&Charger that the robot sees"), tr("charger"), Sight::Charger,
            SightEdge::AsTheRobotHasIt, overlays::kCharger);
-  addThing("overlayRackFront", tr("&Rack that it sees, front edge"), tr("rack point"), Sight::Rack,
+  addThing("overlayRackFront", tr("&Rack that the robot sees, front edge"), tr("rack point"), Sight::Rack,
            SightEdge::Front, overlays::kRackPoint);
-  addThing("overlayRackRear", tr("Rack that it sees, r&ear edge"), tr("rack point"), Sight::Rack,
+  addThing("overlayRackRear", tr("Rack that the robot sees, r&ear edge"), tr("rack point"), Sight::Rack,
            SightEdge::Rear, overlays::kRackPoint);
-  addThing("overlayPallet", tr("Pa&llet that it sees"), tr("pallet"), Sight::Pallet,
+  addThing("overlayPallet", tr("Pa&llet that the robot sees"), tr("pallet"), Sight::Pallet,
            SightEdge::AsTheRobotHasIt, overlays::kRackPoint);
-  addThing("overlayTrailer", tr("&Trailer that it sees"), tr("trailer"), Sight::Trailer,
+  addThing("overlayTrailer", tr("&Trailer that the robot sees"), tr("trailer"), Sight::Trailer,
            SightEdge::AsTheRobotHasIt, overlays::kRackPoint);
   menu_->addSeparator();
   marks_ =
-      context_.actions.add(edit, QStringLiteral("overlayMarks"), tr("&Landmarks and barcodes…"), {}, {},
+      context_.actions.add(edit, QStringLiteral("overlayMarks"), tr("Add landmar&ks and barcodes…"), {}, {},
                            Reach::Everywhere, tr("Add landmarks and barcodes that the robot has collected"));
   connect(marks_, &QAction::triggered, this, &OverlayTeaching::collect);
   menu_->addAction(marks_);

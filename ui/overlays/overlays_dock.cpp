@@ -42,6 +42,7 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
       sorted_(new OverlayFilter(this)),
       mode_row_(new QWidget(this)),
       tool_row_(new QWidget(this)),
+      radius_row_(new QWidget(this)),
       body_(new QWidget(this)),
       conflict_box_(new QFrame(this)),
       offer_box_(new QFrame(this)),
@@ -51,7 +52,7 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
       arrange_(iconButton(QStringLiteral("arrange"), 18, tr("Arrange what is selected"), tool_row_)),
       snap_(iconButton(QStringLiteral("snap"), 18, tr("Snap overlays"), tool_row_)),
       defaults_(iconButton(QStringLiteral("settings"), 18, tr("Defaults of the map"), tool_row_)),
-      radius_(numberField(tool_row_, {0, 1000, 3, 0.1, QStringLiteral(" m"), tr("Radius of new circles")})),
+      radius_(numberField(radius_row_, {0, 1000, 3, 0.1, QStringLiteral(" m"), tr("Radius of new circles")})),
       new_type_(new QComboBox(this)),
       bits_(new QComboBox(this)),
       filter_(new QLineEdit(this)),
@@ -102,8 +103,8 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   split->setStretchFactor(1, 1);
   body_->setLayout(columnOf({{split, 1}}, 0, QMargins()));
   auto* const whole = new QWidget(this);
-  auto* const column =
-      columnOf({mode_row_, tool_row_, offer_box_, empty_, {body_, 1}, conflict_box_}, 0, QMargins());
+  auto* const column = columnOf(
+      {mode_row_, tool_row_, radius_row_, offer_box_, empty_, {body_, 1}, conflict_box_}, 0, QMargins());
   column->addLayout(
       rowOf({discard_, history_, LayoutItem::rest(), retry_, review_}, 6, QMargins(8, 4, 8, 4)));
   column->addWidget(status_);
@@ -175,7 +176,7 @@ void OverlaysDock::buildModes() {
   new_type_->setAccessibleName(tr("Type of what is drawn"));
   new_type_->setToolTip(tr("Type of what is drawn"));
   new_type_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  new_type_->setMinimumContentsLength(8);
+  new_type_->setMinimumContentsLength(4);
   // The buttons stay where they are.
   QSizePolicy keeps = new_type_->sizePolicy();
   keeps.setRetainSizeWhenHidden(true);
@@ -188,8 +189,9 @@ void OverlaysDock::buildModes() {
   radius_->setToolTip(tr("Radius of new circles"));
   for (QToolButton* button : {robot_, arrange_}) button->setPopupMode(QToolButton::InstantPopup);
   snap_->setPopupMode(QToolButton::MenuButtonPopup);
-  tool_row_->setLayout(
-      rowOf({{new_type_, 1}, {radius_, 1}, robot_, arrange_, snap_, defaults_}, 2, QMargins(6, 2, 6, 0)));
+  tool_row_->setLayout(rowOf({{new_type_, 1}, robot_, arrange_, snap_, defaults_}, 2, QMargins(6, 2, 6, 0)));
+  radius_row_->setLayout(
+      rowOf({new QLabel(tr("Radius"), radius_row_), {radius_, 1}}, 6, QMargins(6, 2, 6, 0)));
   connect(radius_, &QDoubleSpinBox::valueChanged, tool_, &OverlayTool::setCircleRadius);
   connect(duplicate_, &QToolButton::clicked, editing_, &OverlayEditing::duplicateSelected);
   connect(remove_, &QToolButton::clicked, editing_, &OverlayEditing::removeSelected);
@@ -311,7 +313,7 @@ void OverlaysDock::refreshMode() {
   const bool drawing = shape != overlays::Shape::None;
   if (drawing) showTypes(*new_type_, shape, tool_->newType(shape));
   new_type_->setVisible(drawing);
-  radius_->setVisible(tool_->mode() == OverlayMode::Circle);
+  radius_row_->setVisible(tool_->mode() == OverlayMode::Circle);
 }
 
 void OverlaysDock::refresh() {

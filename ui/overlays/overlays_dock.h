@@ -115,7 +115,7 @@ class OverlaysDock : public QDockWidget {
   OverlaysModel* model_;
   OverlayFilter* sorted_;
   std::array<QToolButton*, kOverlayModes> modes_{};
-  QWidget *mode_row_, *tool_row_, *body_, *conflict_box_, *offer_box_;
+  QWidget *mode_row_, *tool_row_, *radius_row_, *body_, *conflict_box_, *offer_box_;
   QToolButton *duplicate_, *remove_, *robot_, *arrange_, *snap_, *defaults_;
   QDoubleSpinBox* radius_;
   QComboBox *new_type_, *bits_;
