@@ -223,7 +223,12 @@ void EditingDocument::rebase(const OverlayDocument& theirs) {
     if (!key) key = newKey();
   }
   std::vector<Version> there(now_.size());
-  for (std::size_t i = 0; i < keys.size(); ++i) there[*keys[i]] = theirs.features()[i];
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    // The same text stays the same feature: whoever made something of it need not do so again.
+    const Version& base = base_of_[*keys[i]];
+    const Feature& feature = theirs.features()[i];
+    there[*keys[i]] = base && base->text() == feature.text() ? base : Version(feature);
+  }
 
   const auto ignored = [](const Part&) {};
   const Version collection_there = collectionOf(theirs);
