@@ -569,8 +569,14 @@ class AxbotRobotTest : public QObject {
     }
     QVERIFY(!fetch({map::MapKind::Stored, "404"}).has_value());
     QVERIFY(!fetch({map::MapKind::Live, {}}).has_value());
-    QVERIFY(!fetch({map::MapKind::Stored, "../device/info?x#y"}).has_value());
-    QVERIFY(server_->asked.last().path.startsWith("/maps/..%2Fdevice"));
+    const auto asked = server_->asked.size();
+    for (const char* id : {"", ".", "..", "/", "%2f", "1?x", "1/", "../device/info?x#y"}) {
+      for (const map::MapKind kind : {map::MapKind::Stored, map::MapKind::Mapping}) {
+        const auto refused = fetch({kind, id});
+        QVERIFY2(!refused && refused.error().reason == map::FailureReason::NoSuchId, id);
+      }
+    }
+    QCOMPARE(server_->asked.size(), asked);  // none of them was part of an address
   }
 
   void theOverviewIsAsked() {

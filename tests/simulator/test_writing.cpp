@@ -401,6 +401,40 @@ class TestWriting : public QObject {
     QCOMPARE(name, changes ? QStringLiteral("New") : QStringLiteral("Ground floor"));
   }
 
+  void ignoredWritesAreAcceptedAndChangeNothingWhereTheyAreWanted() {
+    Options options = paused();
+    options.faults.ignore_writes = 1;
+    options.faults.write_fault_path = "/maps/";
+    Simulator robot(options);
+    QVERIFY(!robot.start());
+    QCOMPARE(raw::send(robot.port(), "PATCH", "/maps/1", R"({"map_name":"New"})").status, 200);
+    QCOMPARE(raw::send(robot.port(), "DELETE", "/maps/2", "").status, 204);
+    QCOMPARE(mapOf(robot, 1)[QLatin1String("map_name")].toString(), QStringLiteral("Ground floor"));
+    QCOMPARE(raw::get(robot.port(), "/maps/2").status, 200);
+    QCOMPARE(raw::send(robot.port(), "POST", "/chassis/current-map", R"({"map_id":2})").status, 200);
+    QCOMPARE(currentOf(robot)[QLatin1String("id")].toInt(), 2);
+  }
+
+  void theDataOfAMapComesFromAnyPlaceOnWhileItIsTheSame() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const std::string path = "/maps/1.pbstream";
+    const auto whole = raw::get(robot.port(), path);
+    const std::string tag = whole.headers.at("etag");
+    QCOMPARE(std::size_t(mapOf(robot, 1)[QLatin1String("pbstream_size")].toInt()), whole.body.size());
+    const auto rest = raw::get(robot.port(), path, {{"Range", "bytes=1000-"}, {"If-Range", tag}});
+    QCOMPARE(rest.status, 206);
+    QCOMPARE(rest.body, whole.body.substr(1000));
+    robot.publishMapChange();
+    const auto other = raw::get(robot.port(), path, {{"Range", "bytes=1000-"}, {"If-Range", tag}});
+    QCOMPARE(other.status, 200);
+    QVERIFY(other.headers.at("etag") != tag && other.body != whole.body);
+    Faults faults;
+    faults.cut_downloads = 1;
+    robot.setFaults(faults);
+    QVERIFY(!raw::get(robot.port(), path).whole);
+  }
+
   void someWritesFailAndTheSameOnesOnEveryRun() {
     QList<QList<int>> seen;
     for (int run = 0; run < 2; ++run) {
