@@ -200,7 +200,7 @@ class TestWindowMoves : public QObject {
     QVERIFY(!desk.pose().setButton()->isEnabled());
     QVERIFY(desk.toasts().isEmpty());
     desk.localization.poses.answer(order.pose);
-    QVERIFY(desk.pose().outcomeShown().contains(QLatin1String("0.00 m and 0.0°")));
+    QVERIFY(desk.pose().outcomeShown().contains(QStringLiteral("0.00 m and 0.0°")));
     QCOMPARE(desk.toasts().size(), 1);
     QVERIFY(!desk.pose().placeButton()->isChecked());
   }

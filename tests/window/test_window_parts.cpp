@@ -156,7 +156,7 @@ class TestWindowParts : public QObject {
         idsOf(menuCalled(bar, "&Map")->actions()).join(QLatin1Char(' ')),
         QStringLiteral("zoomIn zoomOut native fit - follow goTo identify - northUp robotTurn rotateLeft "
                        "rotateRight - pan "
-                       "measure fetchRegion cloudRegion cloudSection projections referenceTool setPose - "
+                       "measure fetchRegion cloudRegion cloudSection projections referenceTool - "
                        "compare referenceMap refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot "
                        "mapProperties - "
                        "copyCoordinates "

@@ -385,6 +385,7 @@ void AdministrationController::refresh() {
 void AdministrationController::noteMapping() {
   session::Session* const session = context_.current.session();
   const robot::MapAdministration* const robots = maps();
+  if (!session) was_mapping_.reset();  // the robot is being left
   const auto starts = robots ? robots->obstacle(MapChange::StartMapping, nullptr) : Obstacle::NotOffered;
   const auto stops = robots ? robots->obstacle(MapChange::StopMapping, nullptr) : Obstacle::NotOffered;
   const bool running = starts == Obstacle::WhileMapping, none = stops == Obstacle::NotMapping;
@@ -424,12 +425,12 @@ void AdministrationController::showMapping() {
   session::Session* const session = context_.current.session();
   const bool online = session && session->connection().phase == robot::ConnectionPhase::Online;
   MappingState state;
-  if (was_mapping_ == true) {
+  if (session && was_mapping_ == true) {
     state.phase = online ? MappingState::Phase::Running : MappingState::Phase::Away;
   } else if (maps() && !was_mapping_) {
     state.phase = MappingState::Phase::Unknown;
   }
-  if (was_mapping_ == true) {
+  if (session && was_mapping_ == true) {
     if (online) state.trouble = trouble_;
     state.seen_s = double(noticed_.elapsed()) / 1000;
     state.submaps = session->counts().listed;

@@ -47,8 +47,7 @@ PoseController::PoseController(WindowContext& context, QObject* parent)
   tool_action_ = context_.actions.add({.id = "setPose",
                                        .text = tr("Place the robo&t"),
                                        .tip = tr("Click where the robot is; drag towards where it looks"),
-                                       .toggle = true,
-                                       .menu = {MenuGroup::Tools, 210}});
+                                       .toggle = true});
   context_.tools.add(tool_, tool_action_);
   connect(tool_action_, &QAction::toggled, this, [this](bool on) {
     dock_->setPlacing(on);
