@@ -529,6 +529,7 @@ void OverlaysController::check() {
   }
   checking_ = true;
   const overlays::CheckOptions options = checkOptions();
+  dock_->flaws()->setMapThere(bool(options.map.cells));
   const auto document = std::make_shared<OverlayDocument>(editing_.document().mine());
   share_.startLong([this, document, options, keys = editing_.document().keysOfMine(), opened = opened_] {
     auto found = std::make_shared<std::vector<ShownFlaw>>();
