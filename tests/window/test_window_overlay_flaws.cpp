@@ -21,7 +21,7 @@ const char* const kCut =
 {"id":"c","type":"Feature","geometry":{"type":"Point","coordinates":[-20.6,-9.2]},"properties":{"type":"9","name":"Dock","dockingPointId":"d"}},
 {"id":"d","type":"Feature","geometry":{"type":"Point","coordinates":[-18,-9.2]},"properties":{"type":"36","name":"D"}},
 {"id":"p","type":"Feature","geometry":{"type":"Point","coordinates":[-5,-9.2]},"properties":{"type":"25","name":"Desk"}},
-{"id":"w","type":"Feature","geometry":{"type":"LineString","coordinates":[[-10,-60],[-10,60]]},"properties":{"lineType":"2","name":"W"}}]})";
+{"id":"w","type":"Feature","geometry":{"type":"LineString","coordinates":[[-10,-15.5],[-10,20]]},"properties":{"lineType":"2","name":"W"}}]})";
 
 QStringList flawsOf(Desk& desk) {
   QStringList all;
