@@ -100,7 +100,9 @@ void LayoutController::setSession(session::Session* session) {
     note();
     // Robots tell what they can do once they are connected.
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, [this, session] {
-      if (!chosen_ && !context_.viewpoint.chosen()) pick(*session);
+      // No panel is taken away from whoever is working there.
+      const bool elsewhere = context_.window.focusWidget() != &context_.view;
+      if (!chosen_ && !elsewhere && !context_.viewpoint.chosen()) pick(*session);
     });
     return pick(*session);
   }
