@@ -270,6 +270,28 @@ class TestWindowDialogs : public QObject {
     QCOMPARE(test.bench.recents.look(known).called, QStringLiteral("Dock 3"));
   }
 
+  void theRecentRobotsStayWhereTheyAreWhateverIsSaidAbove() {
+    Looking test;
+    test.dialog->show();
+    QVERIFY(QTest::qWaitForWindowExposed(test.dialog.get()));
+    auto* const kind = test.dialog->findChild<QComboBox*>(QStringLiteral("kind"));
+    auto* const address = test.dialog->findChild<QLineEdit*>(QStringLiteral("address"));
+    const auto* const list = test.dialog->findChild<QListWidget*>(QStringLiteral("recents"));
+    const auto where = [&] {
+      QCoreApplication::processEvents();
+      return list->mapTo(test.dialog.get(), QPoint());
+    };
+    for (const QString& prefix : {QString(), QStringLiteral("Autoxing"), QStringLiteral("Agibot")}) {
+      kind->setCurrentIndex(prefix.isEmpty() ? 0 : kind->findText(prefix));
+      const QPoint before = where();
+      for (const char* typed : {"", "192.0.2.7", "axbot+http://192.0.2.9:9000/robots/7", "/maps/office.yaml",
+                                "aimdk+https://a-robot-with-a-long-name.example.org:50807"}) {
+        address->setText(QLatin1String(typed));
+        QCOMPARE(where(), before);
+      }
+    }
+  }
+
   void whatIsLookedForIsSaidAsItWasTyped() {
     Looking test;
     auto* const made = test.dialog->findChild<QLabel*>(QStringLiteral("made"));

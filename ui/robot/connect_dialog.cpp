@@ -153,7 +153,7 @@ QWidget* ConnectDialog::buildForm() {
   made_->setObjectName(QStringLiteral("made"));
   made_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   // The list below stays where it is while the hint changes: a double-click would miss it.
-  made_->setMinimumHeight(2 * made_->fontMetrics().lineSpacing());
+  made_->setFixedHeight(2 * made_->fontMetrics().lineSpacing());
   made_->setAlignment(Qt::AlignTop);
   setTextColor(*made_, appColors().secondary_text);
   secret_->setObjectName(QStringLiteral("secret"));
@@ -328,6 +328,7 @@ void ConnectDialog::check() {
   connect_->setText(host ? tr("Search") : tr("Connect"));
   secret_->setPlaceholderText(tr("Only if the robot asks for one"));
   made_->setText(words::plainText(hint(made, host)));
+  made_->setToolTip(plainToolTip(made_->text()));
   setError({});
 }
 
