@@ -116,6 +116,20 @@ class TestWindowOverlayHistory : public QObject {
     QCOMPARE(desk.held(), std::string(kOverlays));
   }
 
+  void whatBelongsToAllOverlaysIsBroughtBackToo() {
+    HistoryDesk desk;
+    desk.open();
+    QVERIFY(desk.hand(desk.with("1.50", "2.5")));
+    desk.control().tool()->activate();
+    desk.show();
+    QTRY_COMPARE(desk.past().table()->rowCount(), 2);
+    desk.pick(1);
+    QTRY_VERIFY(desk.past().bringBackButton()->isEnabled());
+    QTest::mouseClick(desk.past().bringBackButton(), Qt::LeftButton);
+    QTRY_VERIFY(desk.control().unsaved());
+    QCOMPARE(desk.document().mine().text(), std::string(kOverlays));
+  }
+
   void whatIsDeletedHereIsTheSameFeatureAgain() {
     HistoryDesk desk;
     desk.open();

@@ -313,6 +313,8 @@ void OverlayEditing::become(const OverlayDocument& version, const QString& text)
       const FeatureKey key = again.empty() ? document_.newKey() : again.mapped();
       edits.push_back({key, std::nullopt, version.features()[i]});
     }
+    edits.push_back({kCollectionKey, document_.find(kCollectionKey),
+                     overlays::EditingDocument(version).find(kCollectionKey)});
     document_.change(std::move(edits));
   });
 }

@@ -51,13 +51,10 @@ history::MapName OverlaysController::openMap() const {
 
 void OverlaysController::bringBack(const overlays::OverlayDocument& version, const QString& called) {
   if (!editing_.editable()) return;
-  const auto changes = overlays::changesBetween(editing_.document().mine(), version);
-  const bool of_all = !changes.empty() && changes.front().collection;
   editing_.become(version, tr("bring back %1").arg(called));
   context_.panels.open(dock_);
-  QString sentence = tr("The overlays are here as in %1. Nothing was sent yet.").arg(called);
-  if (of_all) sentence += QLatin1Char(' ') + tr("What belongs to all of them stays as it is.");
-  context_.overlay.toasts()->add(of_all ? Mark::Warning : Mark::Good, sentence);
+  context_.overlay.toasts()->add(Mark::Good,
+                                 tr("The overlays are here as in %1. Nothing was sent yet.").arg(called));
 }
 
 void OverlaysController::saveVersion(const QString& suggested, const std::string& text) {
