@@ -286,7 +286,7 @@ class TestWindowMoves : public QObject {
     desk.bench.robot->goOnline();
     controller.lookAtMapping();
     desk.mapping.looks.answer(tl::make_unexpected(test::failed("busy")));
-    QVERIFY(dock.said().contains(QLatin1String("busy")));
+    QVERIFY(dock.said().contains(QLatin1String("Busy")));
   }
 
   void aMappingIsDiscardedOnlyAfterAQuestion() {
