@@ -141,9 +141,10 @@ class TestWindowParts : public QObject {
     Bench bench;
     const QMenuBar& bar = *bench.open().menuBar();
     QCOMPARE(idsOf(menuCalled(bar, "&Robot")->actions()).join(QLatin1Char(' ')),
-             QStringLiteral("connect demo - retry disconnect robotLook record showRecordings * - "
-                            "robotPose startMapping extendMap stopMapping cancelMapping saveNewMap uploadMap "
-                            "createMap"));
+             QStringLiteral(
+                 "connect demo - retry disconnect robotLook record showRecordings * - "
+                 "robotPose setPose startMapping extendMap stopMapping cancelMapping saveNewMap uploadMap "
+                 "createMap"));
     QCOMPARE(idsOf(menuCalled(bar, "&File")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("openFile * closeFile readAgain - export - quit"));
     QCOMPARE(idsOf(menuCalled(bar, "&Edit")->actions()).join(QLatin1Char(' ')),

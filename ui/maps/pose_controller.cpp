@@ -47,7 +47,8 @@ PoseController::PoseController(WindowContext& context, QObject* parent)
   tool_action_ = context_.actions.add({.id = "setPose",
                                        .text = tr("Place the robo&t"),
                                        .tip = tr("Click where the robot is; drag towards where it looks"),
-                                       .toggle = true});
+                                       .toggle = true,
+                                       .menu = {MenuGroup::Mapping, 6}});
   context_.tools.add(tool_, tool_action_);
   connect(tool_action_, &QAction::toggled, this, [this](bool on) {
     dock_->setPlacing(on);
