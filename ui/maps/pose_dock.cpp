@@ -12,6 +12,7 @@
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 #include "ui/kit/ui_colors.h"
+#include "ui/kit/wrapping_row.h"
 
 namespace mapwright::window {
 
@@ -49,14 +50,15 @@ PoseDock::PoseDock(QWidget* parent)
   outcome_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* const body = new QWidget(this);
   auto* const form = new QFormLayout;
+  auto* const buttons = new WrappingRow(QMargins());
+  for (QPushButton* const button : {place_, set_, find_}) buttons->add(button);
   form->addRow(tr("Now"), present_);
   form->addRow(tr("&x"), x_);
   form->addRow(tr("&y"), y_);
   form->addRow(tr("&Heading"), yaw_);
-  body->setLayout(
-      columnOf({warning_, form, adjust_, rowOf({place_, set_, find_, LayoutItem::rest()}, 8), outcome_,
-                rowOf({confirm_, reject_, cancel_, LayoutItem::rest()}, 8), LayoutItem::rest()},
-               8, QMargins(8, 6, 8, 6)));
+  body->setLayout(columnOf({warning_, form, adjust_, buttons, outcome_,
+                            rowOf({confirm_, reject_, cancel_, LayoutItem::rest()}, 8), LayoutItem::rest()},
+                           8, QMargins(8, 6, 8, 6)));
   setScrolledWidget(*this, body);
   connect(place_, &QPushButton::clicked, this, &PoseDock::placeWanted);
   connect(set_, &QPushButton::clicked, this, &PoseDock::setWanted);
