@@ -421,6 +421,16 @@
     </message>
 </context>
 <context>
+    <name>mapwright::window::OverlayFlaws</name>
+    <message numerus="yes">
+        <source>%1 more are not listed.</source>
+        <translation>
+            <numerusform>%1 more is not listed.</numerusform>
+            <numerusform>%1 more are not listed.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::window::PictureDock</name>
     <message numerus="yes">
         <source>%1 specks</source>
