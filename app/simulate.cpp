@@ -135,7 +135,8 @@ void SimulateOptions::addFaults() {
        tr("Share of these that take effect but get no response"));
   flag("--sees-nothing", f.sees_nothing,
        tr("The robot sees no charger, rack, pallet or trailer, and has collected no landmarks"));
-  rate("--ignore-writes", f.ignore_writes, tr("Share of these that change nothing but are answered as if"));
+  rate("--ignore-writes", f.ignore_writes,
+       tr("Share of these that are answered as if all was well, but change nothing"));
   option("--write-fault-path", f.write_fault_path,
          tr("Only writes to paths that begin with this fail, for example /maps/"));
   rate("--cut-downloads", f.cut_downloads, tr("Share of .pbstream downloads that break off half-way"));
