@@ -130,6 +130,9 @@ inline constexpr FaultCode SightingUnreadable{
 // Where the robot is.
 inline constexpr FaultCode PoseNotTold{
     "axbot", QT_TRANSLATE_NOOP("axbot", "the robot accepted the pose, but does not say where it is")};
+inline constexpr FaultCode PoseAsBefore{
+    "axbot", QT_TRANSLATE_NOOP(
+                 "axbot", "The robot accepted the pose, but says that it is still where it was before.")};
 inline constexpr FaultCode ResultNotTold{
     "axbot", QT_TRANSLATE_NOOP("axbot", "the robot accepted it, but does not say what came of it")};
 
@@ -148,6 +151,8 @@ inline constexpr FaultCode NotListedYet{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the new map, but does not list it.")};
 inline constexpr FaultCode NotMapping{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted it, but is not mapping.")};
+inline constexpr FaultCode MapsAlready{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot is mapping already. Stop or discard that mapping first.")};
 inline constexpr FaultCode StillMapping{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted it, but is still mapping.")};
 inline constexpr FaultCode NothingMapped{

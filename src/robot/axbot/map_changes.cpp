@@ -58,6 +58,12 @@ map::Failure otherwise(const Change& change, const FaultCode& what) {
           .cause = what};
 }
 
+bool isMapping(const std::vector<map::CatalogueEntry>& list) {
+  return std::any_of(list.begin(), list.end(), [](const map::CatalogueEntry& entry) {
+    return entry.key.kind == map::MapKind::Mapping && entry.state == "running";
+  });
+}
+
 }  // namespace
 
 void MapChanges::carryOut(const Task& task, const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
@@ -154,27 +160,25 @@ void MapChanges::remove(const ChangePtr& change) {
     change->before = std::move(*before);
     send(change, net::HttpMethod::Delete, pathOfMap(change->order.key), {},
          [this](const ChangePtr& of, Seen seen) {
-           maps_.list(of->task, [of, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
-             if (!list) return seen(fail(std::move(list.error())), false);
-             const bool there =
-                 std::any_of(list->begin(), list->end(),
-                             [&](const map::CatalogueEntry& entry) { return entry.key == of->order.key; });
-             if (!there) return seen(std::move(of->before), true);
-             seen(fail(otherwise(*of, fault::StillListed)), false);
-           });
+           maps_.listAll(of->task,
+                         [of, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
+                           if (!list) return seen(fail(std::move(list.error())), false);
+                           const bool there = std::any_of(
+                               list->begin(), list->end(),
+                               [&](const map::CatalogueEntry& entry) { return entry.key == of->order.key; });
+                           if (!there) return seen(std::move(of->before), true);
+                           seen(fail(otherwise(*of, fault::StillListed)), false);
+                         });
          });
   });
 }
 
 MapChanges::Look MapChanges::lookForMapping(bool wanted) {
   return [this, wanted](const ChangePtr& of, Seen seen) {
-    maps_.list(
+    maps_.listAll(
         of->task, [of, wanted, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
           if (!list) return seen(fail(std::move(list.error())), false);
-          const bool running = std::any_of(list->begin(), list->end(), [](const map::CatalogueEntry& entry) {
-            return entry.key.kind == map::MapKind::Mapping && entry.state == "running";
-          });
-          if (running != wanted)
+          if (isMapping(*list) != wanted)
             return seen(fail(otherwise(*of, wanted ? fault::NotMapping : fault::StillMapping)), false);
           const auto used = std::find_if(list->begin(), list->end(),
                                          [](const map::CatalogueEntry& entry) { return entry.is_current; });
@@ -184,11 +188,19 @@ MapChanges::Look MapChanges::lookForMapping(bool wanted) {
 }
 
 void MapChanges::startMapping(const ChangePtr& change, bool continues) {
-  send(change, net::HttpMethod::Post, kMappingsPath,
-       {{QStringLiteral("continue_mapping"), continues},
-        {QStringLiteral("start_pose_type"),
-         continues ? QStringLiteral("current_pose") : QStringLiteral("zero")}},
-       lookForMapping(true));
+  // One that was running before would be taken for the new one, and might be lost.
+  maps_.listAll(change->task, [this, change, continues](Outcome<std::vector<map::CatalogueEntry>> list) {
+    if (!list) {
+      list.error().asked_for = map::AskedFor::Change;
+      return change->reply(fail(std::move(list.error())));
+    }
+    if (isMapping(*list)) return change->reply(fail(otherwise(*change, fault::MapsAlready)));
+    send(change, net::HttpMethod::Post, kMappingsPath,
+         {{QStringLiteral("continue_mapping"), continues},
+          {QStringLiteral("start_pose_type"),
+           continues ? QStringLiteral("current_pose") : QStringLiteral("zero")}},
+         lookForMapping(true));
+  });
 }
 
 void MapChanges::endMapping(const ChangePtr& change, const QString& state) {
@@ -213,7 +225,7 @@ void MapChanges::progress(const Task& task, OutcomeTo<std::optional<MappingProgr
 
 /// The result of the latest mapping that was finished.
 void MapChanges::save(const ChangePtr& change) {
-  maps_.list(change->task, [this, change](Outcome<std::vector<map::CatalogueEntry>> list) {
+  maps_.listAll(change->task, [this, change](Outcome<std::vector<map::CatalogueEntry>> list) {
     if (!list) {
       list.error().asked_for = map::AskedFor::Change;
       return change->reply(fail(std::move(list.error())));
@@ -237,20 +249,21 @@ void MapChanges::save(const ChangePtr& change) {
 }
 
 void MapChanges::saveMapping(const ChangePtr& change, const std::string& mapping) {
-  send(change, net::HttpMethod::Post, kMapsPath,
-       {{QStringLiteral("map_name"), QString::fromStdString(change->order.name)},
-        {QStringLiteral("mapping_id"), idValue(mapping)}},
-       [this](const ChangePtr& of, Seen seen) {
-         maps_.list(of->task, [of, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
-           if (!list) return seen(fail(std::move(list.error())), false);
-           const auto made = std::find_if(list->begin(), list->end(), [&](const map::CatalogueEntry& entry) {
-             return entry.key.kind == map::MapKind::Stored && entry.name == of->order.name &&
-                    !of->ids_before.contains(entry.key.id);
-           });
-           if (made != list->end()) return seen(std::move(*made), true);
-           seen(fail(otherwise(*of, fault::NotListedYet)), false);
-         });
-       });
+  send(
+      change, net::HttpMethod::Post, kMapsPath,
+      {{QStringLiteral("map_name"), QString::fromStdString(change->order.name)},
+       {QStringLiteral("mapping_id"), idValue(mapping)}},
+      [this](const ChangePtr& of, Seen seen) {
+        maps_.listAll(of->task, [of, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
+          if (!list) return seen(fail(std::move(list.error())), false);
+          const auto made = std::find_if(list->begin(), list->end(), [&](const map::CatalogueEntry& entry) {
+            return entry.key.kind == map::MapKind::Stored && entry.name == of->order.name &&
+                   !of->ids_before.contains(entry.key.id);
+          });
+          if (made != list->end()) return seen(std::move(*made), true);
+          seen(fail(otherwise(*of, fault::NotListedYet)), false);
+        });
+      });
 }
 
 void MapChanges::lookAt(const Task& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {

@@ -47,6 +47,7 @@ struct MapRequests::Listing {
   std::vector<map::CatalogueEntry> maps, mappings;
   CurrentMap current;
   int open = 3;
+  bool all = false;                    // a part that cannot be read is a failure
   std::vector<map::Failure> failures;  // of the two lists
   OutcomeTo<std::vector<map::CatalogueEntry>> reply;
 };
@@ -90,6 +91,17 @@ void MapRequests::getPicture(const Task& task, const QUrl& url, Reply reply) {
 void MapRequests::list(const Task& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
   auto listing = std::make_shared<Listing>();
   listing->reply = std::move(reply);
+  fill(task, listing);
+}
+
+void MapRequests::listAll(const Task& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
+  auto listing = std::make_shared<Listing>();
+  listing->reply = std::move(reply);
+  listing->all = true;
+  fill(task, listing);
+}
+
+void MapRequests::fill(const Task& task, const std::shared_ptr<Listing>& listing) {
   getList(task, QStringLiteral("/maps/"), [this, listing](const net::HttpAnswer& answer) {
     addRows(*listing, answer, map::MapKind::Stored);
     finishPart(*listing);
@@ -146,7 +158,7 @@ void MapRequests::finishPart(Listing& listing) {
   }
   // Mappings alone are worth showing; an empty list although maps failed would be wrong.
   const bool nothing = listing.maps.empty() && listing.mappings.empty();
-  if (!listing.failures.empty() && (nothing || listing.failures.size() == 2)) {
+  if (!listing.failures.empty() && (listing.all || nothing || listing.failures.size() == 2)) {
     listing.reply(fail(listing.failures.front()));
     return;
   }

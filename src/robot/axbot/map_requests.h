@@ -26,7 +26,10 @@ class MapRequests {
   using Task = wire::TaskPtr;
   explicit MapRequests(RobotServer server) : server_(std::move(server)) {}
 
+  /// Maps and mappings, as far as they can be read: what is missing is reported.
   void list(const Task& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  /// The same, and a failure if some cannot be read: for conclusions from what is not listed.
+  void listAll(const Task& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
   void describe(const Task& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
   void thumbnail(const Task& task, const map::MapKey& key, OutcomeTo<std::string> reply);
   void fetch(const Task& task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
@@ -40,6 +43,7 @@ class MapRequests {
   struct Listing;
   struct Fetch;
 
+  void fill(const Task& task, const std::shared_ptr<Listing>& listing);
   void getJson(const Task& task, const QString& path, Reply reply);
   /// Requests "/maps/" and, if that does not exist, "/maps".
   void getList(const Task& task, const QString& path, Reply reply);

@@ -101,7 +101,7 @@ void TransferRequests::download(const Task& task, const MapFacts& of, const QStr
 
 void TransferRequests::add(const Task& task, const NewMap& map, OutcomeTo<MapFacts> reply) {
   const auto addition = std::make_shared<Addition>(Addition{task, map, std::move(reply)});
-  maps_.list(task, [this, addition](Outcome<std::vector<map::CatalogueEntry>> list) {
+  maps_.listAll(task, [this, addition](Outcome<std::vector<map::CatalogueEntry>> list) {
     if (!list) {
       list.error().asked_for = map::AskedFor::Change;
       return addition->reply(fail(std::move(list.error())));
@@ -152,38 +152,38 @@ void TransferRequests::send(const AdditionPtr& addition) {
 
 void TransferRequests::findNew(const AdditionPtr& addition, const std::string& told_id,
                                std::optional<map::Failure> doubt) {
-  maps_.list(addition->task,
-             [this, addition, told_id, doubt](Outcome<std::vector<map::CatalogueEntry>> list) {
-               if (!list) {
-                 map::Failure failure = doubt ? *doubt : std::move(list.error());
-                 failure.asked_for = map::AskedFor::Change;
-                 failure.applied = map::Applied::Maybe;
-                 return addition->reply(fail(std::move(failure)));
-               }
-               const map::CatalogueEntry* found = nullptr;
-               for (const map::CatalogueEntry& entry : *list) {
-                 if (entry.key.kind != map::MapKind::Stored || addition->ids_before.contains(entry.key.id))
-                   continue;
-                 const bool is = !told_id.empty()             ? entry.key.id == told_id
-                                 : !addition->map.uid.empty() ? entry.uid == addition->map.uid
-                                                              : entry.name == addition->map.name;
-                 if (is) found = &entry;
-               }
-               if (!found) {
-                 if (doubt) return addition->reply(fail(*doubt));
-                 return addition->reply(fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
-                                                          .subject = addition->subject(),
-                                                          .asked_for = map::AskedFor::Change,
-                                                          .reason = map::FailureReason::Unfit,
-                                                          .cause = fault::NotListedYet}));
-               }
-               facts(addition->task, found->key, [addition](Outcome<MapFacts> now) {
-                 if (now) return addition->reply(std::move(now));
-                 now.error().asked_for = map::AskedFor::Change;
-                 now.error().applied = map::Applied::Yes;  // it is listed
-                 addition->reply(std::move(now));
-               });
-             });
+  maps_.listAll(addition->task,
+                [this, addition, told_id, doubt](Outcome<std::vector<map::CatalogueEntry>> list) {
+                  if (!list) {
+                    map::Failure failure = doubt ? *doubt : std::move(list.error());
+                    failure.asked_for = map::AskedFor::Change;
+                    failure.applied = map::Applied::Maybe;
+                    return addition->reply(fail(std::move(failure)));
+                  }
+                  const map::CatalogueEntry* found = nullptr;
+                  for (const map::CatalogueEntry& entry : *list) {
+                    if (entry.key.kind != map::MapKind::Stored || addition->ids_before.contains(entry.key.id))
+                      continue;
+                    const bool is = !told_id.empty()             ? entry.key.id == told_id
+                                    : !addition->map.uid.empty() ? entry.uid == addition->map.uid
+                                                                 : entry.name == addition->map.name;
+                    if (is) found = &entry;
+                  }
+                  if (!found) {
+                    if (doubt) return addition->reply(fail(*doubt));
+                    return addition->reply(fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                                                             .subject = addition->subject(),
+                                                             .asked_for = map::AskedFor::Change,
+                                                             .reason = map::FailureReason::Unfit,
+                                                             .cause = fault::NotListedYet}));
+                  }
+                  facts(addition->task, found->key, [addition](Outcome<MapFacts> now) {
+                    if (now) return addition->reply(std::move(now));
+                    now.error().asked_for = map::AskedFor::Change;
+                    now.error().applied = map::Applied::Yes;  // it is listed
+                    addition->reply(std::move(now));
+                  });
+                });
 }
 
 }  // namespace mapwright::robot::axbot
