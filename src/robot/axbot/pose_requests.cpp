@@ -18,6 +18,8 @@ namespace {
 constexpr double kSameM = 0.15, kSameRad = 0.1;
 // An answer that is lost is replaced by a pose that is near enough to have been set.
 constexpr double kNearM = 0.5, kNearRad = 0.35;
+// It has not moved.
+constexpr double kStillM = 0.02, kStillRad = 0.02;
 
 const map::Subject kRobot(map::SubjectKind::Robot);
 
@@ -67,41 +69,68 @@ void PoseRequests::hear(const map::TopicMessage& message) {
 
 void PoseRequests::setPose(const Task& task, const PoseOrder& order, OutcomeTo<geometry::Pose2> reply) {
   begin();
+  pose_.reset();
+  const auto finish = [this, reply = std::move(reply)](Outcome<geometry::Pose2> outcome) {
+    end();
+    reply(std::move(outcome));
+  };
+  // Where it is before, or else a pose near to that one would be taken for what was set.
+  waits_.await(
+      task, patience_.held, [this] { return pose_.has_value(); },
+      [this, task, order, finish](wire::WaitList::End how) {
+        if (how == wire::WaitList::End::Cancelled || how == wire::WaitList::End::Dropped) {
+          map::Failure failure = cancelled();
+          failure.applied = map::Applied::No;
+          return finish(fail(std::move(failure)));
+        }
+        sendPose(task, order, finish);
+      });
+}
+
+void PoseRequests::sendPose(const Task& task, const PoseOrder& order, OutcomeTo<geometry::Pose2> reply) {
   net::HttpRequest request = server_.request(QStringLiteral("/chassis/pose"));
   request.method = net::HttpMethod::Post;
   QJsonObject body{{QStringLiteral("position"), QJsonArray{order.pose.x_m, order.pose.y_m, 0}},
                    {QStringLiteral("ori"), order.pose.yaw_rad}};
   if (order.adjust) body[QStringLiteral("adjust_position")] = true;
   request.body = QJsonDocument(body).toJson(QJsonDocument::Compact);
-  const auto finish = [this, reply = std::move(reply)](Outcome<geometry::Pose2> outcome) {
-    end();
-    reply(std::move(outcome));
-  };
-  wire::send(task, server_.http, request, [this, task, order, finish](const net::HttpAnswer& answer) {
-    std::optional<map::Failure> doubt;
-    if (answer.ok()) {
-      if (auto refusal = refusalIn(answer, kRobot)) return finish(fail(std::move(*refusal)));
-    } else {
-      doubt = wire::failed(answer, kRobot, map::AskedFor::Change);
-      if (doubt->applied == map::Applied::No || doubt->kind == map::FailureKind::Cancelled)
-        return finish(fail(std::move(*doubt)));
-      doubt->applied = map::Applied::Maybe;
-    }
-    awaitPose(task, order, std::move(doubt), finish);
-  });
+  wire::send(task, server_.http, request,
+             [this, task, order, reply = std::move(reply)](const net::HttpAnswer& answer) {
+               std::optional<map::Failure> doubt;
+               if (answer.ok()) {
+                 if (auto refusal = refusalIn(answer, kRobot)) return reply(fail(std::move(*refusal)));
+               } else {
+                 doubt = wire::failed(answer, kRobot, map::AskedFor::Change);
+                 if (doubt->applied == map::Applied::No || doubt->kind == map::FailureKind::Cancelled)
+                   return reply(fail(std::move(*doubt)));
+                 doubt->applied = map::Applied::Maybe;
+               }
+               awaitPose(task, order, std::exchange(pose_, std::nullopt), std::move(doubt), reply);
+             });
 }
 
-void PoseRequests::awaitPose(const Task& task, const PoseOrder& order, std::optional<map::Failure> doubt,
-                             OutcomeTo<geometry::Pose2> reply) {
-  pose_.reset();
+void PoseRequests::awaitPose(const Task& task, const PoseOrder& order, std::optional<geometry::Pose2> before,
+                             std::optional<map::Failure> doubt, OutcomeTo<geometry::Pose2> reply) {
+  const bool asks_move = before && !within(*before, order.pose, kStillM, kStillRad);
+  const auto isStill = [this, before, asks_move] {
+    return pose_ && asks_move && within(*pose_, *before, kStillM, kStillRad);
+  };
   waits_.await(
-      task, patience_.pose, [this, order] { return pose_ && within(*pose_, order.pose, kSameM, kSameRad); },
-      [this, order, doubt, reply = std::move(reply)](wire::WaitList::End how) {
+      task, patience_.pose,
+      [this, order, isStill] { return pose_ && !isStill() && within(*pose_, order.pose, kSameM, kSameRad); },
+      [this, order, doubt, isStill, reply = std::move(reply)](wire::WaitList::End how) {
         if (how == wire::WaitList::End::Cancelled || how == wire::WaitList::End::Dropped)
           return reply(fail(cancelled()));
-        const bool near = pose_ && within(*pose_, order.pose, kNearM, kNearRad);
+        const bool near = pose_ && !isStill() && within(*pose_, order.pose, kNearM, kNearRad);
         if (doubt && !near) return reply(fail(*doubt));
         if (!pose_) return reply(fail(unknown(fault::PoseNotTold)));
+        if (isStill() && within(*pose_, order.pose, kNearM, kNearRad)) {
+          return reply(fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                                         .subject = kRobot,
+                                         .asked_for = map::AskedFor::Change,
+                                         .reason = map::FailureReason::Unfit,
+                                         .cause = fault::PoseAsBefore}));
+        }
         reply(*pose_);
       });
 }
@@ -126,20 +155,29 @@ void PoseRequests::findItself(const Task& task, OutcomeTo<map::GlobalPositioning
       if (doubt->applied == map::Applied::No || doubt->kind == map::FailureKind::Cancelled)
         return finish(fail(std::move(*doubt)));
     }
-    // The last result is sent again to whoever subscribes: only one after a search, or another one, counts.
-    const auto before = std::make_shared<std::optional<map::GlobalPositioning>>(result_);
-    const auto isNew = [this, before] {
-      if (!result_ || result_->state == "running") return false;
-      if (!*before) *before = result_;
-      return searching_ || **before != *result_;
-    };
     const auto patience = doubt ? patience_.pose * 5 : patience_.search;
-    waits_.await(task, patience, isNew, [this, doubt, finish](wire::WaitList::End how) {
-      if (how == wire::WaitList::End::Held) return finish(*result_);
-      if (how != wire::WaitList::End::TooLate) return finish(fail(cancelled()));
-      if (doubt) return finish(fail(*doubt));
-      finish(fail(unknown(fault::ResultNotTold)));
-    });
+    // The last result is sent again to whoever subscribes: that one does not count.
+    waits_.await(
+        task, patience_.held, [this] { return result_.has_value(); },
+        [this, task, patience, doubt, finish](wire::WaitList::End how) {
+          if (how == wire::WaitList::End::Cancelled || how == wire::WaitList::End::Dropped)
+            return finish(fail(cancelled()));
+          awaitResult(task, patience, doubt, finish);
+        });
+  });
+}
+
+void PoseRequests::awaitResult(const Task& task, std::chrono::milliseconds patience,
+                               std::optional<map::Failure> doubt, OutcomeTo<map::GlobalPositioning> reply) {
+  const auto isNew = [this, before = result_] {
+    if (!result_ || result_->state == "running") return false;
+    return searching_ || !before || *before != *result_;
+  };
+  waits_.await(task, patience, isNew, [this, doubt, reply = std::move(reply)](wire::WaitList::End how) {
+    if (how == wire::WaitList::End::Held) return reply(*result_);
+    if (how != wire::WaitList::End::TooLate) return reply(fail(cancelled()));
+    if (doubt) return reply(fail(*doubt));
+    reply(fail(unknown(fault::ResultNotTold)));
   });
 }
 

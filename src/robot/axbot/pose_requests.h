@@ -20,6 +20,7 @@ class PoseRequests {
   struct Patience {
     std::chrono::milliseconds pose{2'000};     // of the pose that was set
     std::chrono::milliseconds search{90'000};  // of the result of a search
+    std::chrono::milliseconds held{1'000};     // of what the robot sends to whoever subscribes
   };
   /// `hold`: subscribes to these topics besides those that are wanted; none = no longer.
   PoseRequests(RobotServer server, std::function<void(const QStringList&)> hold, Patience patience)
@@ -32,8 +33,11 @@ class PoseRequests {
   void hear(const map::TopicMessage& message);
 
  private:
-  void awaitPose(const Task& task, const PoseOrder& order, std::optional<map::Failure> doubt,
-                 OutcomeTo<geometry::Pose2> reply);
+  void sendPose(const Task& task, const PoseOrder& order, OutcomeTo<geometry::Pose2> reply);
+  void awaitPose(const Task& task, const PoseOrder& order, std::optional<geometry::Pose2> before,
+                 std::optional<map::Failure> doubt, OutcomeTo<geometry::Pose2> reply);
+  void awaitResult(const Task& task, std::chrono::milliseconds patience, std::optional<map::Failure> doubt,
+                   OutcomeTo<map::GlobalPositioning> reply);
   void begin();
   void end();
 
@@ -42,7 +46,7 @@ class PoseRequests {
   const Patience patience_;
   wire::WaitList waits_;
   int under_way_ = 0;
-  std::optional<geometry::Pose2> pose_;           // the last one since a request was answered
+  std::optional<geometry::Pose2> pose_;           // the last one since a request began, or was answered
   std::optional<map::GlobalPositioning> result_;  // the last one, whatever it is of
   bool searching_ = false;                        // it reported that since a request was sent
 };
