@@ -32,6 +32,7 @@ using robot::Outcome;
 
 const QString kFactsFile = QStringLiteral("map.json"), kPictureFile = QStringLiteral("map.png"),
               kDataFile = QStringLiteral("map.pbstream"), kOverlaysFile = QStringLiteral("overlays.geojson");
+const QString kPart = QStringLiteral(".part");  // a download that is not finished
 const QString kFormat = QStringLiteral("mapwright map");
 constexpr std::size_t kMostFactsBytes = std::size_t(1) << 20;
 constexpr std::size_t kMostOverlayBytes = std::size_t(256) << 20;
@@ -116,8 +117,6 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
           disk::notWritten({done_.folder.toStdString(),
                             Fault(disk::fault::NoFileInFolder,
                                   {done_.folder.toStdString(), qt_error_string().toStdString()})}))));
-    // From now on it is not whole.
-    QFile::remove(in(done_.folder, kFactsFile));
     under_way_ = transfer_.download(
         parts_.facts, in(done_.folder, kDataFile),
         [self = shared_from_this()](Outcome<robot::DataDownload> data) { self->takeData(std::move(data)); });
@@ -130,10 +129,12 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
   void takeData(Outcome<robot::DataDownload> data) {
     const QString path = in(done_.folder, kDataFile);
     if (!data && data.error().robot_code == "404" && !parts_.facts.data_bytes) {
+      notWhole();
       QFile::remove(path);  // it has none
       return place();
     }
     if (!data) return end(robot::fail(std::move(data.error())));
+    notWhole();
     done_.resumed = data->resumed;
     if (data->bytes == 0) {
       QFile::remove(path);
@@ -144,6 +145,9 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
     if (!file_.open(QIODevice::ReadOnly)) return endByFile(file_.errorString());
     hash();
   }
+
+  /// A map that was there is replaced from now on, and not before.
+  void notWhole() { QFile::remove(in(done_.folder, kFactsFile)); }
 
   void endByFile(const QString& why) {
     end(robot::fail(aboutFile(parts_.facts, Fault(disk::fault::FileNotWritten, {done_.folder.toStdString()},
@@ -235,6 +239,11 @@ QString whyNoMapFolder(const QString& folder, bool force) {
   if (info.exists() && !info.isDir()) return MapFolderText::tr("%1 is not a folder.").arg(shown);
   if (!force && QFileInfo::exists(in(folder, kFactsFile)))
     return MapFolderText::tr("%1 already holds a map.").arg(shown);
+  const bool begun = QFileInfo::exists(in(folder, kDataFile + kPart));
+  for (const QString& file : {kPictureFile, kDataFile, kOverlaysFile}) {
+    if (!force && !begun && QFileInfo::exists(in(folder, file)))
+      return MapFolderText::tr("%1 already holds a file %2 that is of no downloaded map.").arg(shown, file);
+  }
   return {};
 }
 
@@ -252,7 +261,7 @@ tl::expected<robot::NewMap, QString> readMapFolder(const QString& folder, bool a
   const auto no = [](const QString& sentence) { return tl::make_unexpected(sentence); };
   const auto text = disk::readFile(in(folder, kFactsFile).toStdString(), kMostFactsBytes);
   if (!text) {
-    if (QFileInfo::exists(in(folder, kDataFile + QStringLiteral(".part"))))
+    if (QFileInfo::exists(in(folder, kDataFile + kPart)))
       return no(MapFolderText::tr("The download into %1 is not finished.").arg(shown));
     return no(MapFolderText::tr("%1 holds no downloaded map: there is no %2 that can be read.")
                   .arg(shown, kFactsFile));
@@ -260,9 +269,11 @@ tl::expected<robot::NewMap, QString> readMapFolder(const QString& folder, bool a
   const QJsonObject json =
       QJsonDocument::fromJson(QByteArray(text->data(), qsizetype(text->size()))).object();
   const QJsonObject grid = json.value(QLatin1String("grid")).toObject();
+  const QJsonValue uid = json.value(QLatin1String("uid"));
   const QJsonArray origin = grid.value(QLatin1String("origin")).toArray();
   if (json.value(QLatin1String("format")).toString() != kFormat ||
-      json.value(QLatin1String("version")).toInt() != 1 || origin.size() != 2)
+      json.value(QLatin1String("version")).toInt() != 1 || origin.size() != 2 || !origin[0].isDouble() ||
+      !origin[1].isDouble() || !(uid.isString() || uid.isNull() || uid.isUndefined()))
     return no(MapFolderText::tr("The %2 of %1 does not describe a downloaded map.").arg(shown, kFactsFile));
   robot::NewMap map;
   map.name = json.value(QLatin1String("name")).toString().toStdString();
@@ -272,6 +283,11 @@ tl::expected<robot::NewMap, QString> readMapFolder(const QString& folder, bool a
   const QString why = whyNoPlaceOfMap(map.grid.resolution_m, map.grid.origin.x_m, map.grid.origin.y_m);
   if (!why.isEmpty()) return no(why);
   const QJsonObject files = json.value(QLatin1String("files")).toObject();
+  for (const QString& file : {kDataFile, kOverlaysFile}) {
+    if (!files.contains(file) && QFileInfo::exists(in(folder, file)))
+      return no(MapFolderText::tr("The %3 of %1 does not list %2, which lies beside it.")
+                    .arg(shown, file, kFactsFile));
+  }
   auto picture = fileOf(folder, files, kPictureFile, kMostOverlayBytes);
   if (!picture) return no(picture.error());
   map.picture = std::make_shared<const std::string>(std::move(*picture));
@@ -294,7 +310,7 @@ tl::expected<robot::NewMap, QString> readMapFolder(const QString& folder, bool a
     const QJsonValue value = json.value(QLatin1String(name));
     return value.isDouble() ? std::optional(value.toInt()) : std::nullopt;
   };
-  map.uid = json.value(QLatin1String("uid")).toString().toStdString();
+  map.uid = uid.toString().toStdString();
   map.map_version = version("map_version");
   map.overlays_version = version("overlays_version");
   return map;

@@ -229,6 +229,37 @@ class MapMovesTest : public QObject {
     QCOMPARE(changesIn(robot), 0);
   }
 
+  void filesOfOthersStayWhereAMapIsDownloaded() {
+    simulator::Simulator robot(paused());
+    QVERIFY(!robot.start());
+    QVERIFY(QDir(program_.folder()).mkdir(QStringLiteral("mine")));
+    program_.put("mine/map.png", "a picture of mine");
+    const Ended refused = run(robot, download("2", "mine"));
+    QVERIFY2(refused.code == 2 && refused.err.contains(QStringLiteral("map.png")), qPrintable(refused.err));
+    QCOMPARE(program_.bytes("mine/map.png"), QByteArray("a picture of mine"));
+  }
+
+  void whatAListThatCannotBeReadDoesNotShowIsNotConcluded() {
+    simulator::Simulator robot(paused());
+    QVERIFY(!robot.start());
+    QCOMPARE(run(robot, download("2", "kept")).code, 0);
+    QCOMPARE(run(robot, {QStringLiteral("start-mapping")}).code, 0);  // mappings are listed
+    QCOMPARE(run(robot, {QStringLiteral("stop-mapping")}).code, 0);
+    const int before = changesIn(robot);
+    simulator::Faults faults;
+    faults.map_list_error = true;
+    faults.ignore_writes = 1;
+    robot.setFaults(faults);
+    // The map may be there already.
+    QVERIFY(run(robot, {QStringLiteral("upload"), program_.path("kept")}).code != 0);
+    QCOMPARE(changesIn(robot), before);
+    const Ended deleted =
+        run(robot, {QStringLiteral("delete"), QStringLiteral("7"), QStringLiteral("--yes")});
+    QVERIFY2(deleted.code != 0 && deleted.err.contains(QStringLiteral("is unknown")),
+             qPrintable(deleted.err));
+    QCOMPARE(changesIn(robot), before + 1);
+  }
+
   void aMapThatWasNotAddedIsNotClaimed_data() { aPoseThatWasNotSetIsNotClaimed_data(); }
   void aMapThatWasNotAddedIsNotClaimed() {
     QFETCH(QString, fault);
