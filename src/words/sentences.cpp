@@ -39,7 +39,9 @@ std::string asSentence(std::string words) {
   if (words.ends_with("..") && !words.ends_with("...")) words = withoutStop(std::move(words));
   if (words.empty()) return words;
   if (!hasEnd(words)) words += '.';
-  if (words[0] >= 'a' && words[0] <= 'z') words[0] = char(words[0] - 'a' + 'A');
+  // A path stays as it is.
+  const bool path = words.substr(0, words.find(' ')).find('/') != std::string::npos;
+  if (!path && words[0] >= 'a' && words[0] <= 'z') words[0] = char(words[0] - 'a' + 'A');
   return words;
 }
 

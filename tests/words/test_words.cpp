@@ -79,6 +79,8 @@ class WordsTest : public QObject {
     row("  no answer\n", "No answer.");
     row("500", "500.");
     row("größe", "Größe.");
+    row("maps/one cannot be read", "maps/one cannot be read.");
+    row("/tmp/one is full", "/tmp/one is full.");
     row(" ", "");
     row("", "");
     row("..", "");
