@@ -142,8 +142,8 @@ class TestWindowAdministration : public QObject {
 
   void aMappingThatWasAskedForIsNoAlarm() {
     Desk desk;
-    const auto ask = [&] {
-      desk.bench.action("startMapping")->trigger();
+    const auto ask = [&](const char* action = "startMapping") {
+      desk.bench.action(action)->trigger();
       desk.controller().dialog()->acceptButton()->click();
     };
     desk.bench.robot->list({test::entry(0, 0, 1, 0, 0)}, "session-a");
@@ -151,6 +151,11 @@ class TestWindowAdministration : public QObject {
     desk.bench.robot->list({test::entry(0, 0, 1, 0, 0)}, "session-b");
     const QString begun = QStringLiteral("Mapping has started: the map is being made anew.");
     QCOMPARE(desk.toasts(), QStringList{begun});
+    desk.maps.answer(test::catalogued("1", "Ground floor"));
+    // Its end begins another session, too.
+    ask("stopMapping");
+    desk.bench.robot->list({test::entry(0, 0, 1, 0, 0)}, "session-of-the-map");
+    QVERIFY(!desk.toasts().join(QLatin1Char(' ')).contains(QLatin1String("The previous map is gone")));
     desk.maps.answer(test::catalogued("1", "Ground floor"));
     // What was refused, and what nobody asked for.
     ask();

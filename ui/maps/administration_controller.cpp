@@ -39,10 +39,28 @@ namespace {
 
 using robot::MapChange;
 
+constexpr int kSessionFollowsMs = 15'000;
+
 QString called(const map::CatalogueEntry* map) {
   if (!map) return {};
   return map->name.empty() ? QString::fromStdString(map::toText(map->key))
                            : words::plainName(map->name).left(80);
+}
+
+/// What is said of the robot's new session when one follows from the change; empty: nothing. nullopt: none
+/// does.
+std::optional<QString> ofNewSession(MapChange change) {
+  switch (change) {
+    case MapChange::StartMapping:
+      return AdministrationController::tr("Mapping has started: the map is being made anew.");
+    case MapChange::ContinueMapping:
+    case MapChange::StopMapping:
+    case MapChange::CancelMapping:
+    case MapChange::Load:
+      return QString();
+    default:
+      return std::nullopt;
+  }
 }
 
 /// `map`: null for changes without a map. `current`: the robot's current map, if any.
@@ -495,13 +513,18 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
       [this](const robot::MapOrder& order, robot::OutcomeTo<map::CatalogueEntry> reply) {
         // It may have disappeared since the question was asked; then its answer says so, later, as always.
         if (robot::MapAdministration* const now = maps()) {
-          if (order.change != MapChange::StartMapping) return now->carryOut(order, std::move(reply));
-          Q_EMIT mappingAsked(true);
+          const auto expected = ofNewSession(order.change);
+          if (!expected) return now->carryOut(order, std::move(reply));
+          Q_EMIT sessionExpected(expected);
           return now->carryOut(order,
                                [self = QPointer<AdministrationController>(this),
                                 reply = std::move(reply)](robot::Outcome<map::CatalogueEntry> outcome) {
                                  if (self && !outcome && outcome.error().applied == map::Applied::No)
-                                   Q_EMIT self->mappingAsked(false);
+                                   Q_EMIT self->sessionExpected(std::nullopt);
+                                 // A later one has another cause.
+                                 if (self && outcome)
+                                   QTimer::singleShot(kSessionFollowsMs, self.data(),
+                                                      [self] { Q_EMIT self->sessionExpected(std::nullopt); });
                                  reply(std::move(outcome));
                                });
         }

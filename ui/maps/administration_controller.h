@@ -100,8 +100,9 @@ class AdministrationController : public Controller {
   void lookAtMapping();
 
  Q_SIGNALS:
-  /// The robot is asked to start mapping; false: it was not done.
-  void mappingAsked(bool asked);
+  /// The robot is asked for what may begin a new session, of which `sentence` is said (empty: nothing);
+  /// nullopt: it was not done, or is over.
+  void sessionExpected(const std::optional<QString>& sentence);
 
  private:
   robot::MapAdministration* maps() const;

@@ -390,7 +390,7 @@ void ConnectionController::openCertificate() {
 
 void ConnectionController::setSession(session::Session* session) {
   last_uuid_.clear();
-  mapping_asked_ = false;
+  expected_.reset();
   if (!session) return;
   connect(session, &session::Session::identityChanged, this, &ConnectionController::noteIdentity);
   connect(session, &session::Session::sessionRestarted, this, &ConnectionController::noteRestart);
@@ -420,8 +420,8 @@ void ConnectionController::noteRestart() {
   const QString uuid = QString::fromStdString(session->submaps().uuid());
   if (uuid == last_uuid_) return;
   if (!last_uuid_.isEmpty() && !uuid.isEmpty()) {
-    if (std::exchange(mapping_asked_, false)) {
-      context_.overlay.toasts()->add(Mark::Neutral, tr("Mapping has started: the map is being made anew."));
+    if (const auto expected = std::exchange(expected_, std::nullopt)) {
+      if (!expected->isEmpty()) context_.overlay.toasts()->add(Mark::Neutral, *expected);
     } else {
       context_.overlay.toasts()->add(Mark::Warning,
                                      tr("The robot started a new SLAM session. The previous map is gone."));

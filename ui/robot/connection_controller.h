@@ -58,8 +58,8 @@ class ConnectionController : public Controller {
   ConnectionChip* chip() const { return chip_; }
   ConnectDialog* secretDialog() const;  // null: not open
   void setSafety(const SafetyText& text);
-  /// The robot was asked to start mapping: that it begins anew is no surprise.
-  void expectMapping(bool asked) { mapping_asked_ = asked; }
+  /// That the robot begins anew is no surprise, and `sentence` is said of it (empty: nothing).
+  void expectSession(const std::optional<QString>& sentence) { expected_ = sentence; }
   void setSession(session::Session* session) override;
 
  Q_SIGNALS:
@@ -106,7 +106,7 @@ class ConnectionController : public Controller {
   QTimer stale_tick_;  // while the connection is lost
   SafetyText safety_;
   QString last_uuid_;
-  bool mapping_asked_ = false;
+  std::optional<QString> expected_;
   QString secret_of_;           // an address
   QByteArray secret_;           // was typed for it
   bool settings_told_ = false;  // it was reported that they cannot be saved

@@ -222,8 +222,8 @@ void MainWindow::connectControllers() {
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
   connect(maps_->dock(), &MapsDock::menuOpening, transfer_, &TransferController::fillMenu);
   connect(maps_->dock(), &MapsDock::menuOpening, administration_, &AdministrationController::fillMenu);
-  connect(administration_, &AdministrationController::mappingAsked, connection_,
-          &ConnectionController::expectMapping);
+  connect(administration_, &AdministrationController::sessionExpected, connection_,
+          &ConnectionController::expectSession);
   connect(export_, &ExportController::wholeExported, regions_, &RegionsController::noteExported);
   connect(maps_, &MapsController::regionsWanted, regions_, &RegionsController::showRegions);
   connect(maps_, &MapsController::retryWanted, connection_, &ConnectionController::retry);
