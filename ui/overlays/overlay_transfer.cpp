@@ -88,7 +88,7 @@ void OverlayTransfer::paste(std::optional<Eigen::Vector2d> at_m) {
   if (!features) {
     context_.overlay.toasts()->add(
         Mark::Warning,
-        tr("Nothing was pasted from the clipboard: %1.").arg(sentences::wordsOf(features.error())));
+        tr("Nothing was pasted from the clipboard. %1").arg(sentences::sentenceOf(features.error())));
     return;
   }
   editing_->paste(*features, at_m);
