@@ -240,15 +240,23 @@ class TestWindowOverlayTools : public QObject {
     QVERIFY(near(desk.points(*desk.editing().only())[0], -5, -3, 0.05));
   }
 
+  void allAreSelectedByTheirKey() {
+    Desk desk;
+    desk.open();
+    desk.key(Qt::Key_A, Qt::ControlModifier);
+    QCOMPARE(desk.editing().selected().size(), std::size_t(3));
+  }
+
   void foreignTextIsPastedOrItsErrorTold() {
     Desk desk;
     desk.open();
     setClipboard(QStringLiteral("{\"type\":\"FeatureCollection\",\n\"features\":[{]}"));
     desk.key(Qt::Key_V, Qt::ControlModifier);
-    QVERIFY2(desk.says("line 2, column 14"), qPrintable(desk.toasts().join(QLatin1Char('\n'))));
+    QVERIFY2(desk.says("Line 2, column 14") && !desk.says(".."),
+             qPrintable(desk.toasts().join(QLatin1Char('\n'))));
     setClipboard(QStringLiteral("no overlays"));
     desk.key(Qt::Key_V, Qt::ControlModifier);
-    QVERIFY(desk.says("it contains no overlays"));
+    QVERIFY(desk.says("It contains no overlays"));
     QVERIFY(!desk.control().unsaved());
     setClipboard(QStringLiteral("{\"type\":\"Point\",\"coordinates\":[7.25,8]}"));
     desk.key(Qt::Key_V, Qt::ControlModifier);

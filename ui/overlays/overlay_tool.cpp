@@ -544,6 +544,13 @@ bool OverlayTool::keyPressed(const MapKeyPress& press) {
     const bool shift = press.modifiers & Qt::ShiftModifier;
     if (press.key == Qt::Key_C && !shift) return Q_EMIT copyWanted(), true;
     if (press.key == Qt::Key_X && !shift) return Q_EMIT cutWanted(), true;
+    if (press.key == Qt::Key_A && !shift && editing_->isOpen()) {
+      std::set<FeatureKey> all;
+      for (FeatureKey key = 0; key < editing_->document().size(); ++key)
+        if (editing_->document().find(key)) all.insert(key);
+      editing_->select(std::move(all));
+      return true;
+    }
     if (press.key != Qt::Key_V) return false;
     Q_EMIT pasteWanted(shift ? std::optional(hand_.value_or(scene_->view().center_m)) : std::nullopt);
     return true;
