@@ -273,7 +273,7 @@ void OverlaysController::takeRead(robot::Outcome<robot::OverlayText> outcome) {
   }
   auto held = OverlayDocument::read(outcome->text);
   if (!held) {
-    trouble_ = tr("The overlays of this map cannot be read: %1.").arg(sentences::wordsOf(held.error()));
+    trouble_ = tr("The overlays of this map cannot be read. %1").arg(sentences::sentenceOf(held.error()));
     failure_ =
         map::Failure{.kind = map::FailureKind::MalformedAnswer, .subject = map::subjectOf(target_->map)};
     return refresh();
@@ -354,7 +354,8 @@ void OverlaysController::look() {
     }
     takeRead(std::move(outcome));
     if (failure_) {
-      when_saved_ = nullptr;
+      notSaved(tr("The overlays were not saved. %1").arg(trouble_));
+      refresh();
     } else if (!editing_.document().conflicts().empty()) {
       askToDecide();
     } else if (unsaved()) {

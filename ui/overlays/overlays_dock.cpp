@@ -429,12 +429,13 @@ void OverlaysDock::showMenu(const QPoint& at) {
 
 QString OverlaysDock::statusText() const {
   if (saving_) return tr("Saving…");
-  if (!trouble_.isEmpty()) return trouble_;
-  if (!editing_->isOpen()) return {};
+  if (!editing_->isOpen()) return trouble_;
   std::size_t count = 0;
   for (FeatureKey key = 0; key < editing_->document().size(); ++key)
     count += editing_->document().find(key) ? 1 : 0;
   const auto unsaved = qsizetype(editing_->document().unsavedCount());
+  if (!trouble_.isEmpty())
+    return unsaved > 0 ? tr("%1 %2 not saved.").arg(trouble_, overlayChangesText(unsaved)) : trouble_;
   const QString all = featuresText(qsizetype(count));
   return unsaved > 0 ? tr("%1, %2 not saved.").arg(all, overlayChangesText(unsaved)) : tr("%1.").arg(all);
 }
