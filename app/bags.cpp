@@ -385,14 +385,12 @@ void addBags(Commands& commands) {
       "bags", help(Text::tr("Bags and recordings of a robot: list, inspect, download, record")));
   bags->require_subcommand(1);
   for (const BagCommand& one : bagCommands()) {
-    CLI::App* const command = bags->add_subcommand(one.name, help(one.about));
-    addRobot(*command, *args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
-    addTimeout(*command, args->timeout_s);
-    addReport(*command, args->report);
+    CLI::App* const command =
+        addReading(commands, *bags, one.name, one.about, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"), args,
+                   one.run, [](BagsArguments& typed, const Invocation& before) {
+                     takeRecording(typed.robot, typed.name, before.robot);
+                   });
     addBagOptions(one.name, *command, *args);
-    addReading(commands, command, args, one.run, [](BagsArguments& typed, const Invocation& before) {
-      takeRecording(typed.robot, typed.name, before.robot);
-    });
   }
   addBagPictures(commands, *bags);
 }

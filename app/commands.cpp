@@ -106,4 +106,13 @@ void refuseOddWords(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands({})) refuseOddWords(*command);
 }
 
+CLI::App* addRobotCommand(CLI::App& parent, const char* name, const QString& about, const QString& robots,
+                          RobotArguments& args) {
+  CLI::App* const command = parent.add_subcommand(name, help(about));
+  addRobot(*command, args, robots);
+  addTimeout(*command, args.timeout_s);
+  addReport(*command, args.report);
+  return command;
+}
+
 }  // namespace mapwright::app

@@ -118,4 +118,8 @@ void addClouds(Commands& commands);
 void addTopics(Commands& commands);
 void addProbe(Commands& commands);
 
+/// A subcommand with the options that all commands for a robot have.
+CLI::App* addRobotCommand(CLI::App& parent, const char* name, const QString& about, const QString& robots,
+                          RobotArguments& args);
+
 }  // namespace mapwright::app

@@ -502,15 +502,12 @@ void addMaps(Commands& commands) {
       "maps", help(Text::tr("Maps stored on a robot or in a folder: list, export, compare, change")));
   maps->require_subcommand(1);
   using Run = std::function<CommandResult<int>(RobotCommand&, const MapsArguments&)>;
-  const auto addOne = [&](const char* name, const std::string& what, Run run) {
-    CLI::App* command = maps->add_subcommand(name, what);
-    addRobot(*command, args, Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"));
-    addTimeout(*command, args.timeout_s);
-    addReport(*command, args.report);
-    addReading(commands, command, shared, std::move(run));
-    return command;
+  const auto addOne = [&](const char* name, const QString& what, Run run) {
+    return addReading(commands, *maps, name, what,
+                      Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"), shared,
+                      std::move(run));
   };
-  const auto add = [&](const char* name, const std::string& what, Run run) {
+  const auto add = [&](const char* name, const QString& what, Run run) {
     CLI::App* command = addOne(name, what, std::move(run));
     command->add_option("--resolution", args.resolution,
                         help(Text::tr("Metres per cell, for a plain picture file or for submaps "
@@ -522,14 +519,14 @@ void addMaps(Commands& commands) {
   const std::string which =
       help(Text::tr("Id of a stored map, mapping:ID, live, or submaps; by default the live or current one"));
   addJson(
-      *add("list", help(Text::tr("List all maps and mapping results; * marks the current one")), mapsList),
+      *add("list", Text::tr("List all maps and mapping results; * marks the current one"), mapsList),
       args.json);
-  addJson(*add("current", help(Text::tr("Show the robot's current map")), mapsCurrent), args.json);
-  CLI::App* show = add("show", help(Text::tr("Show size, place, dates and waypoints of a map")), mapsShow);
+  addJson(*add("current", Text::tr("Show the robot's current map"), mapsCurrent), args.json);
+  CLI::App* show = add("show", Text::tr("Show size, place, dates and waypoints of a map"), mapsShow);
   show->add_option("id", args.id, which);
   addJson(*show, args.json);
   CLI::App* exported =
-      add("export", help(Text::tr("Write a map as PNG, or as PGM and YAML for map_server")), mapsExport);
+      add("export", Text::tr("Write a map as PNG, or as PGM and YAML for map_server"), mapsExport);
   exported->add_option("id", args.id, which);
   exported
       ->add_option("-o,--output", args.output,
@@ -544,7 +541,7 @@ void addMaps(Commands& commands) {
                        help(Text::tr("Only this region of the live map of a map dispatcher (REP "
                                      "130): X,Y,LX,LY, its centre and side lengths in metres")));
   CLI::App* saved = addOne(
-      "save-on-robot", help(Text::tr("Make a map dispatcher (REP 130) write its map to a file on the robot")),
+      "save-on-robot", Text::tr("Make a map dispatcher (REP 130) write its map to a file on the robot"),
       mapsSaveOnRobot);
   saved
       ->add_option("file", args.filename,
@@ -552,7 +549,7 @@ void addMaps(Commands& commands) {
                                  ".pgm or .yaml for grids and .pcd, .ply or .vtk for clouds")))
       ->required();
   CLI::App* diff =
-      add("diff", help(Text::tr("Compare two maps cell by cell; exit code 1 when they differ")), mapsDiff);
+      add("diff", Text::tr("Compare two maps cell by cell; exit code 1 when they differ"), mapsDiff);
   diff->add_option("first", args.first,
                    help(Text::tr("A map of --robot (id, mapping:ID, live, submaps), or a file or address")))
       ->required();
@@ -562,7 +559,7 @@ void addMaps(Commands& commands) {
   diff->add_flag("--force", args.force, help(Text::tr("Overwrite a file even if a map was read from it")));
   addJson(*diff, args.json);
   for (const MapChangeCommand& one : mapChangeCommands()) {
-    CLI::App* command = addOne(one.name, help(one.about),
+    CLI::App* command = addOne(one.name, one.about,
                                [change = one.change](RobotCommand& each, const MapsArguments& typed) {
                                  return mapsChange(each, typed, change);
                                });

@@ -197,7 +197,7 @@ QJsonObject failureJson(const jobs::OverlayOrder& order, const map::Failure& fai
   jobs::OverlayOutcome outcome;
   if (order.base) outcome.merge.mine = overlays::changesBetween(*order.base, order.mine);
   QJsonObject json = outcomeJson(outcome, order.send);
-  const bool change = failure.asked_for == map::AskedFor::Change;
+  const bool change = map::changes(failure.asked_for);
   json[QStringLiteral("applied")] = !change || failure.applied == map::Applied::No ? QJsonValue(false)
                                     : failure.applied == map::Applied::Yes         ? QJsonValue(true)
                                                                                    : QJsonValue();
@@ -457,17 +457,15 @@ void addHistory(Commands& commands, CLI::App& overlays, const std::shared_ptr<Ov
   show->add_option("-o,--output", args.output,
                    help(Text::tr("Write the version as GeoJSON; - is the standard output")));
   show->add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
-  CLI::App* const restore = history->add_subcommand(
-      "restore", help(Text::tr("Replace what the robot holds by a version, and say what changes")));
-  addRobot(*restore, args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
-  addTimeout(*restore, args.timeout_s);
-  addReport(*restore, args.report);
+  CLI::App* const restore =
+      addReading(commands, *history, "restore",
+                 Text::tr("Replace what the robot holds by a version, and say what changes"),
+                 Text::tr("Robot address (or MAPWRIGHT_ROBOT)"), shared, historyRestore);
   restore->add_option("--map", args.map,
                       help(Text::tr("Id of a stored map; by default the one that it was of")));
   restore->add_flag("--dry-run", args.dry_run, help(Text::tr("Print the changes, send nothing")));
   addNumber(restore);
   addJson(*restore, args.json);
-  addReading(commands, restore, shared, historyRestore);
 }
 
 }  // namespace
@@ -480,12 +478,9 @@ void addOverlays(Commands& commands) {
   overlays->require_subcommand(1);
   using Run = std::function<CommandResult<int>(RobotCommand&, const OverlaysArguments&)>;
   const auto add = [&](const char* name, const QString& what, Run run) {
-    CLI::App* command = overlays->add_subcommand(name, help(what));
-    addRobot(*command, args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
-    addTimeout(*command, args.timeout_s);
-    addReport(*command, args.report);
+    CLI::App* command = addReading(commands, *overlays, name, what,
+                                   Text::tr("Robot address (or MAPWRIGHT_ROBOT)"), shared, std::move(run));
     command->add_option("--map", args.map, help(Text::tr("Id of a stored map; by default the current one")));
-    addReading(commands, command, shared, std::move(run));
     return command;
   };
   CLI::App* get = add("get", Text::tr("Write the overlays to a file, byte for byte as the robot keeps them"),

@@ -136,20 +136,18 @@ void addProjections(Commands& commands) {
       "projections",
       help(Text::tr("What a map dispatcher (REP 130) projects from its 3D map onto a plane: list, set")));
   projections->require_subcommand(1);
-  const auto add = [&](const char* name, const std::string& what, bool sets) {
-    CLI::App* command = projections->add_subcommand(name, what);
-    addRobot(*command, args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
-    addTimeout(*command, args.timeout_s);
-    addReport(*command, args.report);
+  const auto add = [&](const char* name, const QString& what, bool sets) {
+    CLI::App* command = addReading(commands, *projections, name, what,
+                                   Text::tr("Robot address (or MAPWRIGHT_ROBOT)"), shared,
+                                   [sets](RobotCommand& each, const ProjectionsArguments& typed) {
+                                     return runProjections(sets, each, typed);
+                                   });
     addJson(*command, args.json);
-    addReading(commands, command, shared, [sets](RobotCommand& each, const ProjectionsArguments& typed) {
-      return runProjections(sets, each, typed);
-    });
     return command;
   };
-  add("list", help(Text::tr("List the current projections")), false);
+  add("list", Text::tr("List the current projections"), false);
   CLI::App* command =
-      add("set", help(Text::tr("Replace all projections, then print what the robot projects")), true);
+      add("set", Text::tr("Replace all projections, then print what the robot projects"), true);
   command
       ->add_option("--projection", args.wanted,
                    help(Text::tr("X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, and "

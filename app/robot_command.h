@@ -174,4 +174,16 @@ void addReading(Commands& commands, const CLI::App* command, std::shared_ptr<Arg
   });
 }
 
+/// The same, made under `parent` with the options that all of these have. `about`, `robots`: help texts.
+template <typename Arguments>
+CLI::App* addReading(
+    Commands& commands, CLI::App& parent, const char* name, const QString& about, const QString& robots,
+    std::shared_ptr<Arguments> args,
+    std::type_identity_t<std::function<CommandResult<int>(RobotCommand&, const Arguments&)>> work,
+    std::type_identity_t<std::function<void(Arguments&, const Invocation&)>> prepare = {}) {
+  CLI::App* const command = addRobotCommand(parent, name, about, robots, *args);
+  addReading(commands, command, std::move(args), std::move(work), std::move(prepare));
+  return command;
+}
+
 }  // namespace mapwright::app
