@@ -75,7 +75,6 @@ std::vector<double> timeFrames(QWidget& viewport, Look look) {
     const auto from = Clock::now();
     look(i);
     QCoreApplication::processEvents();
-    viewport.repaint();
     ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - from).count());
   }
   return ms;

@@ -96,7 +96,6 @@ std::vector<double> timeFrames(QGraphicsView& view, Step step) {
     const auto from = Clock::now();
     step(i);
     QCoreApplication::processEvents();
-    view.viewport()->repaint();
     ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - from).count());
   }
   return ms;
