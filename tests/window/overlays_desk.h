@@ -38,7 +38,11 @@ struct Desk {
     other = makeRobot();
     QVERIFY(hand(kOverlays));
   }
-  ~Desk() { window.reset(); }
+  virtual ~Desk() { window.reset(); }
+  /// What the window is connected to.
+  virtual QString address() const { return QString::fromStdString(sim.address()); }
+  virtual robot::Addresses schemes() const { return robot::Addresses({robot::axbot::addressScheme()}); }
+  virtual std::unique_ptr<robot::Robot> shown() { return makeRobot(); }
   static simulator::Options options() {
     simulator::Options options;
     options.paused = true;
@@ -78,10 +82,10 @@ struct Desk {
     window.reset();
     MainWindow::Dependencies wanted{
         [this](const QString&, const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
-          return makeRobot();
+          return shown();
         },
         settings};
-    wanted.addresses = robot::Addresses({robot::axbot::addressScheme()});
+    wanted.addresses = schemes();
     if (keeps_versions) wanted.overlays_history = history();
     if (keeps_drafts) wanted.edit.drafts_folder = folder.filePath(QStringLiteral("drafts"));
     window = std::make_unique<MainWindow>(std::move(wanted));
@@ -89,7 +93,7 @@ struct Desk {
     window->show();
     window->view()->setAnimationMs(0);
     (void)QTest::qWaitForWindowActive(window.get());
-    QVERIFY(!window->connectTo(QString::fromStdString(sim.address())));
+    QVERIFY(!window->connectTo(address()));
     QTRY_VERIFY(action("overlayTool")->isEnabled());
   }
   /// Where versions are kept.

@@ -41,6 +41,9 @@ class OverlayEditing : public QObject {
   QUndoStack& undoStack() { return undo_; }
   /// Nothing can be changed at present.
   void setLocked(bool locked);
+  /// The overlays are in a file, not on a robot: texts say so.
+  void setInFile(bool in_file) { in_file_ = in_file; }
+  bool inFile() const { return in_file_; }
   bool editable() const { return open_ && !locked_; }
 
   const std::set<FeatureKey>& selected() const { return selected_; }
@@ -108,7 +111,7 @@ class OverlayEditing : public QObject {
 
   overlays::EditingDocument document_;
   QUndoStack undo_;
-  bool open_ = false, locked_ = false;
+  bool open_ = false, locked_ = false, in_file_ = false;
   std::set<FeatureKey> selected_;
   Preview preview_;
   Gesture gesture_ = 0, last_gesture_ = 0;

@@ -139,6 +139,7 @@ void OverlaysController::setSession(session::Session* session) {
   }
   closeMap();
   session_ = session;
+  editing_.setInFile(session_ && session_->robot().isLocal());
   if (session_) {
     connect(&session_->wholeMap(), &session::MapSlot::changed, this, &OverlaysController::syncMap);
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &OverlaysController::syncMap);
@@ -309,10 +310,13 @@ void OverlaysController::setBusy(bool busy) {
   refresh();
 }
 
-QString OverlaysController::decideText() {
-  return tr(
-      "The overlays are not saved yet: some were changed both here and on the robot. Choose which version "
-      "to keep.");
+QString OverlaysController::decideText() const {
+  return editing_.inFile()
+             ? tr("The overlays are not saved yet: some were changed both here and in the file. Choose which "
+                  "version to keep.")
+             : tr("The overlays are not saved yet: some were changed both here and on the robot. Choose "
+                  "which "
+                  "version to keep.");
 }
 
 void OverlaysController::askToDecide() {
@@ -446,6 +450,7 @@ void OverlaysController::readBack(std::function<void()> then) {
 
 void OverlaysController::tellOutcome(const jobs::OverlayOutcome& outcome) {
   using Between = jobs::OverlayOutcome::Between;
+  if (editing_.inFile()) Q_EMIT fileWritten();
   ToastStack* const toasts = context_.overlay.toasts();
   if (!outcome.differs.empty())
     return notSaved(

@@ -65,6 +65,10 @@ class OverlaysController : public Controller {
   /// The flaws shown are those of the overlays as they are.
   bool checked() const { return !checking_ && !check_again_; }
 
+ Q_SIGNALS:
+  /// The overlays were saved to a file: that it changes is no surprise.
+  void fileWritten();
+
  private:
   /// Whose overlays can be edited now.
   struct Target {
@@ -94,7 +98,7 @@ class OverlaysController : public Controller {
   void readBack(std::function<void()> then);
   void setBusy(bool busy);
   void notSaved(const QString& sentence);
-  static QString decideText();
+  QString decideText() const;
   void askToDecide();
   void takeChange();
   void check();

@@ -236,7 +236,7 @@ void OverlaysDock::buildTable() {
   bits_->setAccessibleName(tr("Filter overlays by state"));
   bits_->addItem(tr("All"), 0);
   bits_->addItem(tr("Unsaved"), int(kOverlayUnsaved));
-  bits_->addItem(tr("Changed on the robot"), int(kOverlayChangedThere));
+  bits_->addItem(tr("Changed by others"), int(kOverlayChangedThere));
   bits_->addItem(tr("In conflict"), int(kOverlayInConflict));
   bits_->addItem(tr("With flaws"), int(kOverlayFlawed));
   bits_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -358,7 +358,9 @@ void OverlaysDock::refreshConflict() {
   const bool of_all = key == kCollectionKey;
   const auto& feature = document.find(key) ? document.find(key) : document.findBase(key);
   const auto mine = document.mineOf(*deciding_), theirs = document.theirsOf(*deciding_);
-  conflict_->setText(tr("Changed here and on the robot (%1 of %2): %3, %4.\nMine: %5\nTheirs: %6")
+  conflict_->setText((editing_->inFile()
+                          ? tr("Changed here and in the file (%1 of %2): %3, %4.\nMine: %5\nTheirs: %6")
+                          : tr("Changed here and on the robot (%1 of %2): %3, %4.\nMine: %5\nTheirs: %6"))
                          .arg(std::find(open.begin(), open.end(), *deciding_) - open.begin() + 1)
                          .arg(open.size())
                          .arg(of_all    ? tr("defaults of the map")

@@ -116,7 +116,8 @@ QString OverlaysModel::stateText(FeatureKey key) const {
     case State::Same:
       break;
   }
-  return editing_->document().changedThere().contains(key) ? tr("changed on the robot") : tr("saved");
+  if (!editing_->document().changedThere().contains(key)) return tr("saved");
+  return editing_->inFile() ? tr("changed in the file") : tr("changed on the robot");
 }
 
 QVariant OverlaysModel::data(const QModelIndex& index, int role) const {
