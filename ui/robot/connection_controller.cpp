@@ -193,7 +193,7 @@ std::optional<QString> ConnectionController::connectAs(const ConnectDialog::Wish
     if (attempt != attempts_) return;  // somebody wanted another robot meanwhile
     if (answer.reason.any())
       context_.overlay.toasts()->add(
-          Mark::Warning, tr("The kept secret cannot be had: %1.").arg(sentences::wordsOf(answer.reason)));
+          Mark::Warning, tr("The kept secret cannot be had. %1").arg(sentences::sentenceOf(answer.reason)));
     if (const auto error = connectWith(wish.address, answer.secret, wish.look))
       context_.overlay.toasts()->add(Mark::Bad, *error);
   });
@@ -270,7 +270,7 @@ void ConnectionController::askToKeepSecret(const QString& address) {
       context_.overlay.toasts()->add(
           kept ? Mark::Good : Mark::Warning,
           kept ? tr("The secret is in the key ring.")
-               : tr("The secret was not kept: %1.").arg(sentences::wordsOf(answer.reason)));
+               : tr("The secret was not kept. %1").arg(sentences::sentenceOf(answer.reason)));
     });
   });
   question->open();
@@ -280,8 +280,8 @@ void ConnectionController::forget(const QString& address) {
   secrets_.forget(address, [this](const keyring::KeyRingAnswer& answer) {
     if (answer.reason.any())
       context_.overlay.toasts()->add(Mark::Warning,
-                                     tr("The secret could not be removed from the key ring: %1.")
-                                         .arg(sentences::wordsOf(answer.reason)));
+                                     tr("The secret could not be removed from the key ring. %1")
+                                         .arg(sentences::sentenceOf(answer.reason)));
   });
 }
 
