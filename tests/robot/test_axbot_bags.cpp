@@ -9,6 +9,7 @@
 #include "../net/scripted_server.h"
 #include "replay/reading.h"
 #include "robot/axbot/axbot_robot.h"
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_bags.h"
 #include "sentences/failure_sentence.h"
 #include "simulator/simulator.h"
@@ -516,6 +517,12 @@ class AxbotBagsTest : public QObject {
       return bench.ask<BagKey>(
           [&](OutcomeTo<BagKey> reply) { return bench.bags().remove(made->key, std::move(reply)); });
     };
+    simulator::Faults ignores;
+    ignores.ignore_writes = 1;
+    bench.sim.setFaults(ignores);
+    const auto ignored = remove();
+    QVERIFY(!ignored && ignored.error().cause.code == axbot::fault::StillThere);
+    bench.sim.setFaults({});
     QVERIFY(remove());
     const auto again = remove();
     QVERIFY(!again);

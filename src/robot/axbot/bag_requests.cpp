@@ -182,15 +182,38 @@ void BagRequests::record(const Task& task, const BagOrder& order, OutcomeTo<BagE
   });
 }
 
+Outcome<BagKey> BagRequests::goneFrom(const net::HttpAnswer& list, const BagKey& key) {
+  const auto rows = wire::outcomeOf(list, subjectOf(key),
+                                    [&key](std::string_view body) { return parseBagRows(body, key.kind); });
+  if (!rows) {
+    map::Failure failure = rows.error();
+    failure.asked_for = map::AskedFor::Change;
+    failure.applied = map::Applied::Maybe;
+    return fail(std::move(failure));
+  }
+  const bool there =
+      std::any_of(rows->begin(), rows->end(), [&](const BagEntry& entry) { return entry.key == key; });
+  if (!there) return key;
+  return fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                           .subject = subjectOf(key),
+                           .asked_for = map::AskedFor::Change,
+                           .reason = map::FailureReason::Unfit,
+                           .cause = fault::StillThere});
+}
+
 void BagRequests::remove(const Task& task, const BagKey& key, OutcomeTo<BagKey> reply) {
   const auto path = pathOfBag(key);
   if (!path) return reply(fail(noSuchName(key, map::AskedFor::Change)));
   net::HttpRequest request = server_.request(*path);
   request.method = net::HttpMethod::Delete;
-  wire::send(task, server_.http, request, [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
-    if (answer.ok()) return reply(key);
-    reply(fail(wire::failed(answer, subjectOf(key), map::AskedFor::Change)));
-  });
+  wire::send(task, server_.http, request,
+             [this, task, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
+               if (!answer.ok())
+                 return reply(fail(wire::failed(answer, subjectOf(key), map::AskedFor::Change)));
+               // What it lists is what counts.
+               wire::send(task, server_.http, server_.request(folderOf(key.kind)),
+                          [key, reply](const net::HttpAnswer& list) { reply(goneFrom(list, key)); });
+             });
 }
 
 void BagRequests::download(const Task& task, const BagKey& key, const QString& path,

@@ -36,6 +36,8 @@ class BagRequests {
 
  private:
   struct Listing;
+  /// What it lists tells whether a bag that was deleted is gone.
+  static Outcome<BagKey> goneFrom(const net::HttpAnswer& list, const BagKey& key);
   void addRows(Listing& listing, const net::HttpAnswer& answer, BagKind kind);
 
   const RobotServer server_;

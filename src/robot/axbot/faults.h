@@ -147,8 +147,15 @@ inline constexpr FaultCode UidTaken{"axbot",
 // Changing maps.
 inline constexpr FaultCode StillListed{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the deletion, but still lists the map.")};
+inline constexpr FaultCode StillThere{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the deletion, but still has it.")};
 inline constexpr FaultCode NotListedYet{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the new map, but does not list it.")};
+inline constexpr FaultCode MappingKept{
+    "axbot", QT_TRANSLATE_NOOP(
+                 "axbot", "The robot ended mapping, but kept what was mapped: it lists it as finished.")};
+inline constexpr FaultCode MappingDropped{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot ended mapping, but lists it as cancelled.")};
 inline constexpr FaultCode NotMapping{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted it, but is not mapping.")};
 inline constexpr FaultCode MapsAlready{
