@@ -41,8 +41,10 @@ CommandResult<int> mapsDownload(RobotCommand& command, const TransferArguments& 
   if (key.kind != map::MapKind::Stored || !isPlainId(key.id))
     return wrong(Text::tr("%1: pass the id of a stored map (see mapwright maps list).").arg(text(args.id)));
   const QString folder = text(args.folder);
-  if (const QString why = jobs::whyNoMapFolder(folder, args.force); !why.isEmpty())
-    return wrong(args.force ? why : QStringLiteral("%1 %2").arg(why, Text::tr("--force replaces it.")));
+  if (const QString why = jobs::whyNoMapFolder(folder, args.force); !why.isEmpty()) {
+    const bool forced = !args.force && jobs::whyNoMapFolder(folder, true).isEmpty();
+    return wrong(forced ? QStringLiteral("%1 %2").arg(why, Text::tr("--force replaces it.")) : why);
+  }
   const auto opened = command.open();
   if (!opened) return passOn(opened);
   RobotReading& reading = **opened;
@@ -86,19 +88,27 @@ CommandResult<int> addMap(RobotCommand& command, const TransferArguments& args, 
   RobotReading& reading = **opened;
   const auto transfer = transferOf(reading);
   if (!transfer) return passOn(transfer);
+  const auto maps = reading.catalogue();
+  const QString remark =
+      maps ? jobs::alsoCalledSo({.change = robot::MapChange::Save, .name = map.name}, **maps) : QString();
+  if (!remark.isEmpty()) reading.note(reading.about(remark));
   const auto line = std::make_shared<ProgressLine>();
-  const auto now = reading.ask<robot::MapFacts>([&](robot::OutcomeTo<robot::MapFacts> reply) {
+  const auto held = reading.ask<robot::MapParts>([&](robot::OutcomeTo<robot::MapParts> reply) {
     robot::Call call = (*transfer)->add(map, std::move(reply));
     showProgress(call, line);
     return call;
   });
   line->clear();
-  if (!now) {
-    map::Failure failure = now.error();
-    failure.asked_for = map::AskedFor::Change;
-    return reading.failure(failure);
+  if (!held) {
+    map::Failure failure = held.error();
+    failure.asked_for = map::AskedFor::Addition;
+    auto said = reading.failure(failure);
+    if (failure.kind == map::FailureKind::Conflict)
+      said.value().sentence += QLatin1Char(' ') + Text::tr("--as-new adds it as another map.");
+    return said;
   }
-  const QStringList odd = jobs::differences(map, *now);
+  const robot::MapFacts* const now = &held->facts;
+  const QStringList odd = jobs::differences(map, *held);
   if (args.json) {
     printJson(QJsonObject{{QStringLiteral("id"), text(now->key.id)},
                           {QStringLiteral("name"), text(now->name)},
@@ -140,12 +150,9 @@ CommandResult<int> mapsCreate(RobotCommand& command, const TransferArguments& ar
 void addMapTransfers(Commands& commands, CLI::App& maps) {
   const auto args = std::make_shared<TransferArguments>();
   const auto add = [&](const char* name, const QString& about, auto run) {
-    CLI::App* const command = maps.add_subcommand(name, help(about));
-    addRobot(*command, *args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
-    addTimeout(*command, args->timeout_s);
-    addReport(*command, args->report);
+    CLI::App* const command =
+        addReading(commands, maps, name, about, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"), args, run);
     addJson(*command, args->json);
-    addReading(commands, command, args, run);
     return command;
   };
   CLI::App* const download =

@@ -77,7 +77,7 @@ CommandResult<int> mapsLocate(RobotCommand& command, const PoseArguments& args) 
   line.clear();
   if (!found) {
     map::Failure failure = found.error();
-    failure.asked_for = map::AskedFor::Change;
+    failure.asked_for = map::AskedFor::Action;
     return reading.failure(failure);
   }
   const bool itself = jobs::foundItself(*found);
@@ -105,12 +105,9 @@ CommandResult<int> mapsLocate(RobotCommand& command, const PoseArguments& args) 
 void addPoses(Commands& commands, CLI::App& maps) {
   const auto args = std::make_shared<PoseArguments>();
   const auto add = [&](const char* name, const QString& about, auto run) {
-    CLI::App* const command = maps.add_subcommand(name, help(about));
-    addRobot(*command, *args, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"));
-    addTimeout(*command, args->timeout_s);
-    addReport(*command, args->report);
+    CLI::App* const command =
+        addReading(commands, maps, name, about, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"), args, run);
     addJson(*command, args->json);
-    addReading(commands, command, args, run);
     return command;
   };
   CLI::App* const set =

@@ -22,6 +22,11 @@ inline constexpr FaultCode AnotherMap{
     QT_TRANSLATE_NOOP(
         "jobs", "This version is of another map than \"%1\". Pass --map to use it there all the same.")};
 
+// Downloading maps.
+/// the folder
+inline constexpr FaultCode FolderInUse{
+    "jobs", QT_TRANSLATE_NOOP("jobs", "Another download into %1 is under way.")};
+
 // Looking for robots.
 /// seconds, as text
 inline constexpr FaultCode NothingWithin{"jobs", QT_TRANSLATE_NOOP("jobs", "no answer within %1 s")};

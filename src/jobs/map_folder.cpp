@@ -11,11 +11,13 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLockFile>
 #include <QTimer>
 
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "jobs/change_map.h"
+#include "jobs/faults.h"
 #include "jobs/new_map.h"
 #include "sentences/fault_sentence.h"
 #include "words/qt_plain.h"
@@ -32,6 +34,7 @@ using robot::Outcome;
 
 const QString kFactsFile = QStringLiteral("map.json"), kPictureFile = QStringLiteral("map.png"),
               kDataFile = QStringLiteral("map.pbstream"), kOverlaysFile = QStringLiteral("overlays.geojson");
+const QString kLockFile = QStringLiteral("map.lock");  // while it is downloaded
 const QString kPart = QStringLiteral(".part");  // a download that is not finished
 const QString kFormat = QStringLiteral("mapwright map");
 constexpr std::size_t kMostFactsBytes = std::size_t(1) << 20;
@@ -105,6 +108,7 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
 
   void end(Outcome<DownloadedMap> outcome) {
     state_->over = true;
+    lock_.reset();
     reply_(std::move(outcome));
   }
 
@@ -117,6 +121,10 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
           disk::notWritten({done_.folder.toStdString(),
                             Fault(disk::fault::NoFileInFolder,
                                   {done_.folder.toStdString(), qt_error_string().toStdString()})}))));
+    lock_ = std::make_unique<QLockFile>(in(done_.folder, kLockFile));
+    lock_->setStaleLockTime(0);
+    if (!lock_->tryLock(0))
+      return end(robot::fail(aboutFile(parts_.facts, Fault(fault::FolderInUse, {done_.folder.toStdString()}))));
     under_way_ = transfer_.download(
         parts_.facts, in(done_.folder, kDataFile),
         [self = shared_from_this()](Outcome<robot::DataDownload> data) { self->takeData(std::move(data)); });
@@ -205,6 +213,7 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
   robot::MapParts parts_;
   DownloadedMap done_;
   QFile file_;
+  std::unique_ptr<QLockFile> lock_;
   QCryptographicHash hash_{QCryptographicHash::Sha256};
   QJsonObject files_;
 };

@@ -25,6 +25,29 @@ constexpr std::int64_t kMostCells = 100'000'000;
 constexpr double kFarthestOriginM = 1e5;
 constexpr double kSameM = 1e-4;  // robots keep single precision
 
+/// Whether both show the same gray levels.
+bool showTheSame(const std::shared_ptr<const std::string>& one, const std::shared_ptr<const std::string>& two) {
+  if (one && two && *one == *two) return true;
+  const auto cellsOf =
+      [](const std::shared_ptr<const std::string>& png) -> std::shared_ptr<const grids::GridPyramid> {
+    if (!png) return nullptr;
+    grids::GridOptions every_gray;
+    every_gray.code = grids::CellCode::FullGray;
+    auto reading = grids::openGrid(png, every_gray);
+    if (!reading || (*reading)->read(std::atomic<bool>(false), [] {})) return nullptr;
+    return (*reading)->pyramid();
+  };
+  const auto first = cellsOf(one), second = cellsOf(two);
+  if (!first || !second || first->width() != second->width() || first->height() != second->height())
+    return false;
+  grids::GridRows sent(*first), held(*second);
+  for (int y = 0; y < first->height(); ++y) {
+    const std::uint8_t* const row = sent.row(y);
+    if (!std::equal(row, row + first->width(), held.row(y))) return false;
+  }
+  return true;
+}
+
 bool isPng(const std::string& bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\n"); }
 
 }  // namespace
@@ -62,8 +85,8 @@ tl::expected<PictureSize, QString> sizeOfMapPicture(const std::shared_ptr<const 
             .arg(width)
             .arg(height)
             .arg(kMostEdge));
-  if (const auto damage = (*reading)->read(std::atomic<bool>(false), [] {}))
-    return no(sentences::sentenceOf(*damage));
+  if ((*reading)->read(std::atomic<bool>(false), [] {}))
+    return no(NewMapText::tr("The picture is damaged or cut off."));
   return PictureSize{width, height};
 }
 
@@ -84,7 +107,8 @@ tl::expected<robot::NewMap, QString> newMapFrom(const PictureMap& picture) {
   return made;
 }
 
-QStringList differences(const robot::NewMap& sent, const robot::MapFacts& now) {
+QStringList differences(const robot::NewMap& sent, const robot::MapParts& held) {
+  const robot::MapFacts& now = held.facts;
   QStringList all;
   if (now.name != sent.name) all << NewMapText::tr("it is called \"%1\"").arg(words::plainName(now.name));
   const auto other = [](double one, double two) { return !(std::abs(one - two) <= kSameM); };
@@ -96,6 +120,7 @@ QStringList differences(const robot::NewMap& sent, const robot::MapFacts& now) {
                .arg(now.grid.origin.y_m);
   if (sent.data && now.data_bytes && *now.data_bytes != std::int64_t(sent.data->size()))
     all << NewMapText::tr("its data has %1 of %2 bytes").arg(*now.data_bytes).arg(sent.data->size());
+  if (!showTheSame(sent.picture, held.picture)) all << NewMapText::tr("its picture is another one");
   if (!sent.overlays.empty() && now.overlays.empty()) all << NewMapText::tr("it has no overlays");
   if (!sent.uid.empty() && now.uid != sent.uid) all << NewMapText::tr("it has another uid");
   return all;

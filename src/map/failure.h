@@ -38,8 +38,12 @@ enum class AskedFor {
   All,
   Picture,
   SmallPicture,
-  Change,  // it was to be changed
+  Change,    // it was to be changed
+  Addition,  // it was to be added
+  Action,    // the robot was to do something
 };
+/// Whether it happened is a question of its own (Failure::applied).
+constexpr bool changes(AskedFor asked_for) { return asked_for >= AskedFor::Change; }
 
 /// Why it failed, beyond its kind.
 enum class FailureReason {

@@ -68,8 +68,8 @@ class MapAdministration {
   /// Load needs to know where the robot stands.
   virtual bool loadAsksForPlace() const { return false; }
   /// The answer is the map as the robot reports it afterwards, including its name; for Delete the former
-  /// entry; for the start, stop and cancelling of mapping the robot's current map (without an id if there is
-  /// none).
+  /// entry; for the start, stop and cancelling of mapping that mapping if the robot lists mappings, else its
+  /// current map (without an id if there is none).
   virtual Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) = 0;
   /// Whether progress() can be requested.
   virtual bool tellsProgress() const { return false; }

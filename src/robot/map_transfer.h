@@ -53,14 +53,14 @@ class MapTransfer {
  public:
   virtual ~MapTransfer() = default;
   /// A stored map as the robot has it now.
-  virtual Call facts(const map::MapKey& key, OutcomeTo<MapFacts> reply) = 0;
   virtual Call parts(const map::MapKey& key, OutcomeTo<MapParts> reply) = 0;
   /// The data of `of` to a file: first next to `path` (".part"), then renamed. Resumes an earlier part of the
   /// same data if the robot supports it, otherwise starts over.
   virtual Call download(const MapFacts& of, const QString& path, OutcomeTo<DataDownload> reply) = 0;
-  /// Sent once; the answer is the new map as the robot lists it. If the failure's applied is Maybe, check the
+  /// Sent once; the answer is the new map, read back. A FailureKind::Conflict says that the robot has a map of
+  /// this uid. If the failure's applied is Maybe, check the
   /// catalogue before you repeat it.
-  virtual Call add(const NewMap& map, OutcomeTo<MapFacts> reply) = 0;
+  virtual Call add(const NewMap& map, OutcomeTo<MapParts> reply) = 0;
 };
 
 }  // namespace mapwright::robot

@@ -28,6 +28,20 @@ std::string toldBy(const Failure& failure) {
 }
 
 QString changeFailed(const Failure& failure) {
+  const bool addition = failure.asked_for == AskedFor::Addition;
+  if (addition || failure.asked_for == AskedFor::Action) {
+    switch (failure.applied) {
+      case Applied::No:
+        return addition ? FailureText::tr("It was not added") : FailureText::tr("It was not done");
+      case Applied::Maybe:
+        return addition ? FailureText::tr("Whether it was added is unknown")
+                        : FailureText::tr("Whether it was done is unknown");
+      case Applied::Yes:
+        break;
+    }
+    return addition ? FailureText::tr("It was added, but cannot be read back")
+                    : FailureText::tr("It was done, but the robot's answer was lost");
+  }
   switch (failure.applied) {
     case Applied::No:
       return FailureText::tr("It was not changed");
@@ -49,7 +63,7 @@ QString pictureFailed(const Failure& failure) {
 
 /// What did not work, without the reason.
 QString opening(const Failure& failure) {
-  if (failure.asked_for == AskedFor::Change) return changeFailed(failure);
+  if (map::changes(failure.asked_for)) return changeFailed(failure);
   if (failure.asked_for != AskedFor::All) return pictureFailed(failure);
   const bool read = map::isUnreadable(failure);
   switch (failure.subject.kind) {
@@ -115,7 +129,7 @@ QString notThere(const Failure& failure) {
 QString notOffered(const Failure& failure) {
   if (failure.asked_for == AskedFor::SmallPicture)
     return FailureText::tr("There are no thumbnails of maps here.");
-  if (failure.asked_for == AskedFor::Change) return FailureText::tr("It cannot be changed from here.");
+  if (map::changes(failure.asked_for)) return FailureText::tr("It cannot be changed from here.");
   return FailureText::tr("This robot does not offer this.");
 }
 

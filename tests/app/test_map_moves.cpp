@@ -5,6 +5,7 @@
 #include <QBuffer>
 #include <QDir>
 #include <QImage>
+#include <QLockFile>
 #include <QTest>
 
 #include "program.h"
@@ -139,6 +140,7 @@ class MapMovesTest : public QObject {
     const Ended same = run(robot, upload);
     QVERIFY2(same.code == 4 && same.err.contains(QStringLiteral("already has this map")),
              qPrintable(same.err));
+    QVERIFY2(same.err.contains(QStringLiteral("--as-new")), qPrintable(same.err));
     QCOMPARE(changesIn(robot), 0);
     simulator::Simulator other(paused());
     QVERIFY(!other.start());
@@ -151,9 +153,12 @@ class MapMovesTest : public QObject {
     for (const char* file : {"map.png", "map.pbstream", "overlays.geojson"})
       QCOMPARE(program_.bytes(qPrintable(QStringLiteral("again/") + QLatin1String(file))),
                program_.bytes(qPrintable(QStringLiteral("two/") + QLatin1String(file))));
-    QVERIFY(run(robot, upload + QStringList{QStringLiteral("--as-new"), QStringLiteral("--name"),
-                                            QStringLiteral("Copy")})
-                .code == 0);
+    const QStringList copy = upload + QStringList{QStringLiteral("--as-new"), QStringLiteral("--name"),
+                                                  QStringLiteral("Copy")};
+    QVERIFY(run(robot, copy).code == 0);
+    const Ended twice = run(robot, copy);
+    QVERIFY2(twice.code == 0 && twice.err.contains(QStringLiteral("Another map has this name")),
+             qPrintable(twice.err));
   }
 
   void aDownloadThatIsCutGoesOnUnlessTheMapHasChanged() {
@@ -222,6 +227,7 @@ class MapMovesTest : public QObject {
     for (const char* image : {"cut.png", "no.png", "wide.png", "missing.png"}) {
       const Ended made = run(robot, create(image, "0.05", "0,0"));
       QVERIFY2(made.code == 2 && made.err.count(QLatin1Char('\n')) == 1, qPrintable(made.err));
+      QVERIFY2(!made.err.contains(QStringLiteral("shown")), qPrintable(made.err));
     }
     for (const char* resolution : {"0", "-0.05", "0.0001", "50", "nan"})
       QVERIFY2(run(robot, create("good.png", resolution, "0,0")).code == 2, resolution);
@@ -238,6 +244,15 @@ class MapMovesTest : public QObject {
     const Ended refused = run(robot, download("2", "mine"));
     QVERIFY2(refused.code == 2 && refused.err.contains(QStringLiteral("map.png")), qPrintable(refused.err));
     QCOMPARE(program_.bytes("mine/map.png"), QByteArray("a picture of mine"));
+    QVERIFY(QDir(program_.folder()).mkdir(QStringLiteral("used")));
+    QLockFile other(program_.path("used/map.lock"));
+    QVERIFY(other.lock());
+    const Ended busy = run(robot, download("2", "used"));
+    QVERIFY2(busy.code == 2 && busy.err.contains(QStringLiteral("under way")), qPrintable(busy.err));
+    program_.put("file", "no folder");
+    const Ended no_folder = run(robot, download("2", "file"));
+    QVERIFY2(no_folder.code == 2 && !no_folder.err.contains(QStringLiteral("--force")),
+             qPrintable(no_folder.err));
   }
 
   void whatAListThatCannotBeReadDoesNotShowIsNotConcluded() {
@@ -289,6 +304,11 @@ class MapMovesTest : public QObject {
     QCOMPARE(run(robot, stop + QStringList{QStringLiteral("--cancel")}).code, 0);
     const QString list = run(robot, {QStringLiteral("list")}).out;
     QVERIFY2(list.contains(QStringLiteral("cancelled")), qPrintable(list));
+    // It is named, so that its result can be looked at.
+    const Ended started = run(robot, {QStringLiteral("start-mapping")});
+    QVERIFY2(started.out.contains(QStringLiteral("mapping:")), qPrintable(started.out));
+    QCOMPARE(run(robot, stop).out.section(QLatin1Char(' '), 0, 0),
+             started.out.section(QLatin1Char(' '), 0, 0));
   }
 
   void aMappingThatGoesOnIsNotSaidToHaveEnded() {

@@ -88,9 +88,6 @@ class FakeMapping : public robot::MapAdministration {
 
 class FakeTransfer : public robot::MapTransfer {
  public:
-  robot::Call facts(const map::MapKey&, robot::OutcomeTo<robot::MapFacts> reply) override {
-    return told.keep(std::move(reply));
-  }
   robot::Call parts(const map::MapKey& key, robot::OutcomeTo<robot::MapParts> reply) override {
     keys.push_back(key);
     return whole.keep(std::move(reply));
@@ -100,15 +97,14 @@ class FakeTransfer : public robot::MapTransfer {
     data_path = path;
     return data.keep(std::move(reply));
   }
-  robot::Call add(const robot::NewMap& map, robot::OutcomeTo<robot::MapFacts> reply) override {
+  robot::Call add(const robot::NewMap& map, robot::OutcomeTo<robot::MapParts> reply) override {
     added.push_back(map);
-    return told.keep(std::move(reply));
+    return put.keep(std::move(reply));
   }
   std::vector<map::MapKey> keys;
   std::vector<robot::NewMap> added;
   QString data_path;
-  Asked<robot::MapFacts> told;
-  Asked<robot::MapParts> whole;
+  Asked<robot::MapParts> put, whole;
   Asked<robot::DataDownload> data;
 };
 
@@ -343,7 +339,7 @@ class TestWindowMoves : public QObject {
     controller.upload(target);
     QTRY_COMPARE(desk.transfer.added.size(), std::size_t(1));
     QCOMPARE(*desk.transfer.added[0].data, std::string("data"));
-    desk.transfer.told.answer(tl::make_unexpected(unknown()));
+    desk.transfer.put.answer(tl::make_unexpected(unknown()));
     QVERIFY(controller.dialog()->said().contains(QLatin1String("is unknown")));
   }
 
@@ -375,7 +371,7 @@ class TestWindowMoves : public QObject {
     now.name = "Hall";
     now.grid = sent.grid;
     now.grid.resolution_m = 0.2;
-    desk.transfer.told.answer(now);
+    desk.transfer.put.answer(robot::MapParts{now, sent.picture});
     QTRY_VERIFY(desk.toasts().join(QLatin1Char(' ')).contains(QLatin1String("its resolution is 0.2 m")));
   }
 

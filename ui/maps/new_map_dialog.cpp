@@ -98,7 +98,6 @@ NewMapDialog::NewMapDialog(const QString& path, const QSize& size, const QImage&
       this, {-kFarthestM, kFarthestM, 3, 1, QStringLiteral(" m"), tr("x of the lower left corner"), 130});
   y_ = numberField(
       this, {-kFarthestM, kFarthestM, 3, 1, QStringLiteral(" m"), tr("y of the lower left corner"), 130});
-  setTextColor(*error_, appColors().error_text);
   error_->setMinimumHeight(fontMetrics().lineSpacing());
   auto* const about = wrappedLabel(tr("Black pixels are occupied, white ones free, gray ones unknown. A map "
                                       "made of a picture has no data by "
@@ -135,6 +134,11 @@ jobs::PictureMap NewMapDialog::picture() const {
   return {path_, name_->text(), resolution_->value(), x_->value(), y_->value()};
 }
 
+void NewMapDialog::setRemark(std::function<QString(const QString& name)> remark) {
+  remark_ = std::move(remark);
+  check();
+}
+
 QString NewMapDialog::sizeShown() const { return size_->text(); }
 QString NewMapDialog::errorShown() const { return error_->text(); }
 
@@ -142,7 +146,8 @@ void NewMapDialog::check() {
   const jobs::PictureMap now = picture();
   QString why = jobs::whyNoMapName(now.name);
   if (why.isEmpty()) why = jobs::whyNoPlaceOfMap(now.resolution_m, now.x_m, now.y_m);
-  error_->setText(why);
+  setTextColor(*error_, why.isEmpty() ? appColors().secondary_text : appColors().error_text);
+  error_->setText(!why.isEmpty() || !remark_ ? why : remark_(now.name));
   accept_->setEnabled(why.isEmpty());
   const double width = size_px_.width() * now.resolution_m, height = size_px_.height() * now.resolution_m;
   size_->setText(tr("%1 x %2 pixels, %3 x %4 m")

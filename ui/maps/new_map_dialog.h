@@ -1,6 +1,7 @@
 // Asks what a map made of a picture is called and where it lies, and shows it there.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -49,6 +50,8 @@ class NewMapDialog : public QDialog {
   NewMapDialog(const QString& path, const QSize& size, const QImage& shown, QWidget* parent = nullptr);
 
   void setPresent(const geometry::WorldRect& map, const std::optional<geometry::Pose2>& robot);
+  /// Says live what is to be known of a name; empty = nothing.
+  void setRemark(std::function<QString(const QString& name)> remark);
   jobs::PictureMap picture() const;
   QLineEdit* nameEdit() const { return name_; }
   QDoubleSpinBox* resolutionBox() const { return resolution_; }
@@ -66,6 +69,7 @@ class NewMapDialog : public QDialog {
   QLineEdit* name_;
   QDoubleSpinBox *resolution_, *x_, *y_;
   QLabel *size_, *error_;
+  std::function<QString(const QString&)> remark_;
   PlacePreview* preview_;
   QPushButton *accept_, *cancel_;
 };

@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
+#include "jobs/change_map.h"
 #include "jobs/export_map.h"
 #include "jobs/map_folder.h"
 #include "jobs/new_map.h"
@@ -247,10 +248,15 @@ void TransferController::download(const map::MapKey& key, const QString& name, c
       }));
 }
 
-void TransferController::upload(const QString& folder) {
+void TransferController::upload(const QString& folder, bool as_new) {
   const QString where = words::plainName(folder.toStdString());
   add(tr("Add a downloaded map"), tr("%1 goes to the robot").arg(where),
-      [folder] { return jobs::readMapFolder(folder, false); });
+      [folder, as_new] { return jobs::readMapFolder(folder, as_new); });
+  connect(dialog_, &TransferDialog::againWanted, this, [this, folder] {
+    // The dialog is the one that asks.
+    QMetaObject::invokeMethod(
+        this, [this, folder] { upload(folder, true); }, Qt::QueuedConnection);
+  });
 }
 
 void TransferController::create(const QString& path) {
@@ -275,6 +281,7 @@ void TransferController::askForPlace(const QString& path, const QSize& size, con
   if (!session || !transfer()) return;
   delete new_map_;
   new_map_ = new NewMapDialog(path, size, shown, &context_.window);
+  new_map_->setRemark([this](const QString& name) { return alsoCalledSo(name); });
   new_map_->setAttribute(Qt::WA_DeleteOnClose);
   new_map_->setPresent(context_.scene.contentBounds(), session->live().robot_pose);
   connect(new_map_, &QDialog::accepted, this, [this] {
@@ -306,22 +313,46 @@ void TransferController::add(const QString& title, const QString& what,
 void TransferController::send(const robot::NewMap& map) {
   robot::MapTransfer* const robots = transfer();
   if (!robots) return;
-  dialog_->setCall(robots->add(map, [this, map](const robot::Outcome<robot::MapFacts>& now) {
+  const QString also = alsoCalledSo(QString::fromStdString(map.name));
+  dialog_->setCall(robots->add(map, [this, map, also](const robot::Outcome<robot::MapParts>& held) {
     if (!dialog_) return;
-    if (!now) {
-      map::Failure failure = now.error();
-      failure.asked_for = map::AskedFor::Change;
-      return dialog_->setFailed(QString::fromStdString(sentences::sentenceOf(failure)), {});
+    if (!held) {
+      map::Failure failure = held.error();
+      failure.asked_for = map::AskedFor::Addition;
+      return dialog_->setFailed(
+          QString::fromStdString(sentences::sentenceOf(failure)),
+          failure.kind == map::FailureKind::Conflict ? tr("Add as another map") : QString());
     }
-    const QStringList odd = jobs::differences(map, *now);
-    const QString name = words::plainName(now->name).left(80);
-    context_.overlay.toasts()->add(odd.isEmpty() ? Mark::Good : Mark::Warning,
-                                   odd.isEmpty() ? tr("%1 was added to the robot's maps.").arg(name)
-                                                 : tr("The robot accepted %1, but keeps it otherwise: %2.")
-                                                       .arg(name, odd.join(QStringLiteral("; "))));
-    if (session::Session* const session = context_.current.session()) session->catalogue().refresh();
-    dialog_->accept();
+    share_.startLong([this, map, held = *held, also, asked = asked_] {
+      const QStringList odd = jobs::differences(map, held);
+      QMetaObject::invokeMethod(
+          this,
+          [this, asked, odd, also, name = words::plainName(held.facts.name).left(80)] {
+            if (asked == asked_ && dialog_) tellAdded(name, odd, also);
+          },
+          Qt::QueuedConnection);
+    });
   }));
+}
+
+void TransferController::tellAdded(const QString& name, const QStringList& odd, const QString& also) {
+  context_.overlay.toasts()->add(
+      odd.isEmpty() ? Mark::Good : Mark::Warning,
+      (odd.isEmpty()
+           ? QStringList{tr("%1 was added to the robot's maps.").arg(name), also}
+           : QStringList{tr("The robot accepted %1, but keeps it otherwise: %2.")
+                             .arg(name, odd.join(QStringLiteral("; ")))})
+          .join(QLatin1Char(' '))
+          .trimmed());
+  if (session::Session* const session = context_.current.session()) session->catalogue().refresh();
+  dialog_->accept();
+}
+
+QString TransferController::alsoCalledSo(const QString& name) const {
+  const session::Session* const session = context_.current.session();
+  return session ? jobs::alsoCalledSo({.change = robot::MapChange::Save, .name = name.toStdString()},
+                                      session->catalogue().entries())
+                 : QString();
 }
 
 }  // namespace mapwright::window

@@ -56,7 +56,8 @@ class TransferController : public Controller {
   void fillMenu(QMenu* menu, const map::MapKey& key);
   /// Into this folder, which becomes a map's folder.
   void download(const map::MapKey& key, const QString& name, const QString& folder);
-  void upload(const QString& folder);
+  /// `as_new`: as another map, with a uid of its own.
+  void upload(const QString& folder, bool as_new = false);
   /// Asks for the place of this picture.
   void create(const QString& path);
   TransferDialog* dialog() const { return dialog_; }       // null: none is under way
@@ -70,6 +71,9 @@ class TransferController : public Controller {
   void add(const QString& title, const QString& what,
            std::function<tl::expected<robot::NewMap, QString>()> read);
   void send(const robot::NewMap& map);
+  void tellAdded(const QString& name, const QStringList& odd, const QString& also);
+  /// A remark that other maps of the robot have this name; empty if none has.
+  QString alsoCalledSo(const QString& name) const;
   void begin(const QString& title, const QString& what);
   void refresh();
 

@@ -84,9 +84,6 @@ class Transfer : public MapTransfer {
   /// `changed`: as for Administration.
   Transfer(AxbotLink* link, std::function<void()> changed)
       : transfers_(link, &AxbotLink::transfers), changed_(std::move(changed)) {}
-  Call facts(const map::MapKey& key, OutcomeTo<MapFacts> reply) override {
-    return transfers_.ask(map::subjectOf(key), std::move(reply), &TransferRequests::facts, key);
-  }
   Call parts(const map::MapKey& key, OutcomeTo<MapParts> reply) override {
     return transfers_.ask(map::subjectOf(key), std::move(reply), &TransferRequests::parts, key);
   }
@@ -94,7 +91,7 @@ class Transfer : public MapTransfer {
     return transfers_.ask(map::subjectOf(of.key, of.name), std::move(reply), &TransferRequests::download, of,
                           path);
   }
-  Call add(const NewMap& map, OutcomeTo<MapFacts> reply) override {
+  Call add(const NewMap& map, OutcomeTo<MapParts> reply) override {
     return transfers_.change({map::SubjectKind::Map, {}, map.name},
                              transfers_.telling(changed_, std::move(reply)), &TransferRequests::add, map);
   }

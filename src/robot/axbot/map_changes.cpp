@@ -42,6 +42,7 @@ struct MapChanges::Change {
   OutcomeTo<map::CatalogueEntry> reply;
   map::CatalogueEntry before = {};
   std::set<std::string> ids_before = {};  // Save: of the maps
+  std::optional<map::MapKey> mapping = {};  // that is ended
 
   map::Subject subject() const { return map::subjectOf(order.key); }
 };
@@ -58,10 +59,9 @@ map::Failure otherwise(const Change& change, const FaultCode& what) {
           .cause = what};
 }
 
-bool isMapping(const std::vector<map::CatalogueEntry>& list) {
-  return std::any_of(list.begin(), list.end(), [](const map::CatalogueEntry& entry) {
-    return entry.key.kind == map::MapKind::Mapping && entry.state == "running";
-  });
+/// It is the mapping in progress.
+bool runs(const map::CatalogueEntry& entry) {
+  return entry.key.kind == map::MapKind::Mapping && entry.state == "running";
 }
 
 }  // namespace
@@ -175,15 +175,22 @@ void MapChanges::remove(const ChangePtr& change) {
 
 MapChanges::Look MapChanges::lookForMapping(bool wanted) {
   return [this, wanted](const ChangePtr& of, Seen seen) {
-    maps_.listAll(
-        of->task, [of, wanted, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
-          if (!list) return seen(fail(std::move(list.error())), false);
-          if (isMapping(*list) != wanted)
-            return seen(fail(otherwise(*of, wanted ? fault::NotMapping : fault::StillMapping)), false);
-          const auto used = std::find_if(list->begin(), list->end(),
-                                         [](const map::CatalogueEntry& entry) { return entry.is_current; });
-          seen(used == list->end() ? map::CatalogueEntry() : std::move(*used), true);
-        });
+    maps_.listAll(of->task, [of, wanted,
+                             seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
+      if (!list) return seen(fail(std::move(list.error())), false);
+      const auto running = std::find_if(list->begin(), list->end(), runs);
+      if ((running != list->end()) != wanted)
+        return seen(fail(otherwise(*of, wanted ? fault::NotMapping : fault::StillMapping)), false);
+      if (wanted) return seen(std::move(*running), true);
+      const auto ended = std::find_if(list->begin(), list->end(), [&](const map::CatalogueEntry& entry) {
+        return entry.key == of->mapping;
+      });
+      if (ended == list->end()) return seen(map::CatalogueEntry(), true);
+      const bool cancels = of->order.change == MapChange::CancelMapping;
+      if (ended->state == (cancels ? "finished" : "cancelled"))
+        return seen(fail(otherwise(*of, cancels ? fault::MappingKept : fault::MappingDropped)), false);
+      seen(std::move(*ended), true);
+    });
   };
 }
 
@@ -194,7 +201,7 @@ void MapChanges::startMapping(const ChangePtr& change, bool continues) {
       list.error().asked_for = map::AskedFor::Change;
       return change->reply(fail(std::move(list.error())));
     }
-    if (isMapping(*list)) return change->reply(fail(otherwise(*change, fault::MapsAlready)));
+    if (std::any_of(list->begin(), list->end(), runs)) return change->reply(fail(otherwise(*change, fault::MapsAlready)));
     send(change, net::HttpMethod::Post, kMappingsPath,
          {{QStringLiteral("continue_mapping"), continues},
           {QStringLiteral("start_pose_type"),
@@ -204,8 +211,18 @@ void MapChanges::startMapping(const ChangePtr& change, bool continues) {
 }
 
 void MapChanges::endMapping(const ChangePtr& change, const QString& state) {
-  send(change, net::HttpMethod::Patch, kRunningPath, {{QStringLiteral("state"), state}},
-       lookForMapping(false));
+  maps_.listAll(change->task, [this, change, state](Outcome<std::vector<map::CatalogueEntry>> list) {
+    if (!list && list.error().kind == map::FailureKind::Cancelled) {
+      list.error().asked_for = map::AskedFor::Change;
+      return change->reply(fail(std::move(list.error())));
+    }
+    if (list) {  // a mapping can be ended without knowing which
+      const auto running = std::find_if(list->begin(), list->end(), runs);
+      if (running != list->end()) change->mapping = running->key;
+    }
+    send(change, net::HttpMethod::Patch, kRunningPath, {{QStringLiteral("state"), state}},
+         lookForMapping(false));
+  });
 }
 
 void MapChanges::progress(const Task& task, OutcomeTo<std::optional<MappingProgress>> reply) {

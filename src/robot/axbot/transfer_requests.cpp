@@ -45,7 +45,7 @@ std::optional<QString> storedPath(const map::MapKey& key) {
 struct TransferRequests::Addition {
   Task task;
   NewMap map;
-  OutcomeTo<MapFacts> reply;
+  OutcomeTo<MapParts> reply;
   std::set<std::string> ids_before = {};
   map::Subject subject() const { return {map::SubjectKind::Map, {}, map.name}; }
 };
@@ -99,11 +99,11 @@ void TransferRequests::download(const Task& task, const MapFacts& of, const QStr
                   });
 }
 
-void TransferRequests::add(const Task& task, const NewMap& map, OutcomeTo<MapFacts> reply) {
+void TransferRequests::add(const Task& task, const NewMap& map, OutcomeTo<MapParts> reply) {
   const auto addition = std::make_shared<Addition>(Addition{task, map, std::move(reply)});
   maps_.listAll(task, [this, addition](Outcome<std::vector<map::CatalogueEntry>> list) {
     if (!list) {
-      list.error().asked_for = map::AskedFor::Change;
+      list.error().asked_for = map::AskedFor::Addition;
       return addition->reply(fail(std::move(list.error())));
     }
     for (const map::CatalogueEntry& entry : *list) {
@@ -112,7 +112,7 @@ void TransferRequests::add(const Task& task, const NewMap& map, OutcomeTo<MapFac
       if (addition->map.uid.empty() || entry.uid != addition->map.uid) continue;
       return addition->reply(fail(map::Failure{.kind = map::FailureKind::Conflict,
                                                .subject = addition->subject(),
-                                               .asked_for = map::AskedFor::Change,
+                                               .asked_for = map::AskedFor::Addition,
                                                .reason = map::FailureReason::Unfit,
                                                .cause = {fault::UidTaken, {entry.key.id, entry.name}}}));
     }
@@ -141,7 +141,7 @@ void TransferRequests::send(const AdditionPtr& addition) {
         return addition->reply(fail(std::move(*refusal)));
       return findNew(addition, parseNewId(wire::view(answer.body)), std::nullopt);
     }
-    map::Failure failure = wire::failed(answer, addition->subject(), map::AskedFor::Change);
+    map::Failure failure = wire::failed(answer, addition->subject(), map::AskedFor::Addition);
     if (failure.applied == map::Applied::No || failure.kind == map::FailureKind::Cancelled)
       return addition->reply(fail(std::move(failure)));
     failure.applied = map::Applied::Maybe;
@@ -156,7 +156,7 @@ void TransferRequests::findNew(const AdditionPtr& addition, const std::string& t
                 [this, addition, told_id, doubt](Outcome<std::vector<map::CatalogueEntry>> list) {
                   if (!list) {
                     map::Failure failure = doubt ? *doubt : std::move(list.error());
-                    failure.asked_for = map::AskedFor::Change;
+                    failure.asked_for = map::AskedFor::Addition;
                     failure.applied = map::Applied::Maybe;
                     return addition->reply(fail(std::move(failure)));
                   }
@@ -173,13 +173,13 @@ void TransferRequests::findNew(const AdditionPtr& addition, const std::string& t
                     if (doubt) return addition->reply(fail(*doubt));
                     return addition->reply(fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
                                                              .subject = addition->subject(),
-                                                             .asked_for = map::AskedFor::Change,
+                                                             .asked_for = map::AskedFor::Addition,
                                                              .reason = map::FailureReason::Unfit,
                                                              .cause = fault::NotListedYet}));
                   }
-                  facts(addition->task, found->key, [addition](Outcome<MapFacts> now) {
+                  parts(addition->task, found->key, [addition](Outcome<MapParts> now) {
                     if (now) return addition->reply(std::move(now));
-                    now.error().asked_for = map::AskedFor::Change;
+                    now.error().asked_for = map::AskedFor::Addition;
                     now.error().applied = map::Applied::Yes;  // it is listed
                     addition->reply(std::move(now));
                   });

@@ -15,13 +15,13 @@ class TransferRequests {
   /// `maps` outlives this.
   TransferRequests(RobotServer server, MapRequests& maps) : server_(std::move(server)), maps_(maps) {}
 
-  void facts(const Task& task, const map::MapKey& key, OutcomeTo<MapFacts> reply);
   void parts(const Task& task, const map::MapKey& key, OutcomeTo<MapParts> reply);
   void download(const Task& task, const MapFacts& of, const QString& path, OutcomeTo<DataDownload> reply);
-  void add(const Task& task, const NewMap& map, OutcomeTo<MapFacts> reply);
+  void add(const Task& task, const NewMap& map, OutcomeTo<MapParts> reply);
 
  private:
   struct Addition;
+  void facts(const Task& task, const map::MapKey& key, OutcomeTo<MapFacts> reply);
   using AdditionPtr = std::shared_ptr<Addition>;
   void send(const AdditionPtr& addition);
   /// Finds it among the maps that were not there before.

@@ -29,7 +29,7 @@ map::Failure failed(const CallAnswer& answer, map::Subject subject, map::AskedFo
   failure.subject = std::move(subject);
   failure.asked_for = asked_for;
   failure.detail = answer.words;
-  const bool change = asked_for == map::AskedFor::Change;
+  const bool change = map::changes(asked_for);
   if (change) failure.applied = answer.sent ? map::Applied::Maybe : map::Applied::No;
   if (failure.detail.empty() && failure.kind == Kind::TimedOut) failure.cause = fault::NoAnswerInTime;
   if (failure.detail.empty() && failure.kind == Kind::Unreachable) failure.cause = fault::LinkBrokeOff;

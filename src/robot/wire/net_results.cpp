@@ -78,7 +78,7 @@ map::Failure failed(const net::HttpAnswer& answer, map::Subject subject, map::As
   failure.kind = failureOf(answer);
   failure.subject = std::move(subject);
   failure.asked_for = asked_for;
-  if (asked_for == map::AskedFor::Change) failure.applied = appliedOf(answer);
+  if (map::changes(asked_for)) failure.applied = appliedOf(answer);
   if (answer.kind == net::HttpAnswer::Kind::Answered) {
     failure.robot_code = std::to_string(answer.status);
     if (answer.status == 409) failure.kind = map::FailureKind::Conflict;
