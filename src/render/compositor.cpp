@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 
 #include "render/block_painter.h"
 
@@ -209,7 +210,8 @@ bool usable(const PixelGrid& grid) {
 bool kernelAvailable(Kernel kernel) {
   if (kernel != Kernel::Avx2) return true;
 #if defined(__x86_64__) || defined(__i386__)
-  static const bool has_avx2 = avx2Compiled() && __builtin_cpu_supports("avx2") != 0;
+  static const bool has_avx2 =
+      avx2Compiled() && __builtin_cpu_supports("avx2") != 0 && !std::getenv("MAPWRIGHT_PORTABLE");
   return has_avx2;
 #else
   return false;

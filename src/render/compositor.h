@@ -65,7 +65,8 @@ enum class Quality {
   Preview,  // composed from reduced levels, one sample per pixel: fast, but walls are pale
 };
 
-/// Which inner loop to use. All give the same bytes.
+/// Which inner loop to use. All give the same bytes. With MAPWRIGHT_PORTABLE in the environment there is no
+/// Avx2.
 enum class Kernel { Best, Portable, Avx2 };
 bool kernelAvailable(Kernel kernel);
 

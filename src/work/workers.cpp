@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <condition_variable>
+#include <cstdlib>
 #include <deque>
 #include <list>
 #include <mutex>
@@ -28,6 +29,13 @@ void standBack() {
   errno = 0;
   const int now = getpriority(PRIO_PROCESS, 0);
   if (errno == 0) setpriority(PRIO_PROCESS, 0, std::min(now + kBack, kLeast));
+}
+
+int threadsByDefault() {
+  constexpr int kMost = 1024;
+  const char* const told = std::getenv("MAPWRIGHT_THREADS");
+  const int wanted = told ? std::atoi(told) : 0;
+  return wanted > 0 ? std::min(wanted, kMost) : std::max(1, int(std::thread::hardware_concurrency()));
 }
 
 }  // namespace
@@ -102,9 +110,7 @@ class Workers::Impl {
   }
 };
 
-Workers::Workers(int threads)
-    : impl_(std::make_unique<Impl>(threads > 0 ? threads
-                                               : std::max(1, int(std::thread::hardware_concurrency())))) {}
+Workers::Workers(int threads) : impl_(std::make_unique<Impl>(threads > 0 ? threads : threadsByDefault())) {}
 
 Workers::~Workers() {
   {

@@ -22,7 +22,7 @@ struct Account;  // the running and waiting jobs of one owner
 /// created on demand.
 class Workers {
  public:
-  /// 0 = one thread per processor.
+  /// 0 = as many threads as MAPWRIGHT_THREADS says, or else one per processor.
   explicit Workers(int threads = 0);
   /// All tasks are gone by now. Not called on a thread of the pool: no job may own the pool itself.
   ~Workers();
