@@ -27,6 +27,8 @@ bool isGeometry(const std::string& type) {
 std::optional<Fault> whyNot(const JsonValue& written, const Feature& feature, std::int64_t number) {
   if (!written.isObject()) return Fault(fault::PastedNoFeature, {number});
   const auto geometry = written.member("geometry");
+  // RFC 7946 has features without a place; they are kept as they are.
+  if (geometry ? geometry->kind() == JsonKind::Null : typeOf(written) == "Feature") return std::nullopt;
   if (!geometry || !geometry->isObject()) return Fault(fault::PastedWithoutPlace, {number});
   const std::string type = typeOf(*geometry);
   if (!isGeometry(type)) return Fault(fault::PastedGeometryUnknown, {number, type});

@@ -13,8 +13,9 @@ namespace mapwright::overlays {
 
 inline constexpr std::size_t kMostPasted = 100'000;
 
-/// Of a FeatureCollection, a list of features, one feature or a bare geometry. All of them can be used, or
-/// the fault says which cannot, and why; a text that is no JSON with the place of the error.
+/// Of a FeatureCollection, a list of features, one feature or a bare geometry. All of them can be used (also
+/// those without a geometry), or the fault says which cannot, and why; a text that is no JSON with the place
+/// of the error.
 tl::expected<std::vector<Feature>, Fault> pastedFeatures(const std::string& text);
 
 /// As they are, but for ids and names that features in `among`, or of them, have already: these become new

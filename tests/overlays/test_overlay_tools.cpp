@@ -161,6 +161,21 @@ class OverlayToolsTest : public QObject {
              std::size_t(1));
   }
 
+  void featuresWithoutAPlaceArePastedWithTheOthers() {
+    const std::string good = R"({"type":"Feature","geometry":{"type":"Point","coordinates":[1,2]}})";
+    const std::string none = R"({"type":"Feature","id":"n","geometry":null,"properties":{"name":"N"}})";
+    const auto pasted = pastedFeatures("[" + good + "," + none + R"(,{"type":"Feature"}])");
+    QVERIFY(pasted);
+    QCOMPARE(pasted->size(), std::size_t(3));
+    QCOMPARE((*pasted)[1].text(), none);
+    // Its id and name are taken then, and moving leaves it as it is.
+    OverlayDocument among;
+    among.add((*pasted)[1]);
+    const std::vector<Feature> free = madeFree(among, {(*pasted)[1]}, [] { return "new"; });
+    QCOMPARE(movedBy(free[0], {1, 1}).text(),
+             std::string(R"({"type":"Feature","id":"new","geometry":null,"properties":{"name":"N 2"}})"));
+  }
+
   void whatCannotBePastedIsToldWithItsPlace() {
     QCOMPARE(whyNotPasted("hello"), std::string("it contains no overlays"));
     QCOMPARE(whyNotPasted("{\n \"features\": [,]}"),
