@@ -47,7 +47,7 @@ class TestWindowOverlayFiles : public QObject {
     // A later change of the file has been noticed: so has that one.
     desk.put(kOverlays);
     QTRY_COMPARE(desk.coordinates(0), std::string("[[0.00,0],[4,0]]"));
-    QCOMPARE(desk.toasts().filter(QStringLiteral("changed on disk")).size(), 1);
+    QTRY_COMPARE(desk.toasts().filter(QStringLiteral("changed on disk")).size(), 1);
   }
 
   void aFileIsNotCalledARobot() {
@@ -61,6 +61,33 @@ class TestWindowOverlayFiles : public QObject {
     QVERIFY(!desk.says("robot"));
     for (const QLabel* label : desk.dock().findChildren<QLabel*>())
       QVERIFY2(!label->text().contains(QStringLiteral("on the robot")), qPrintable(label->text()));
+  }
+
+  void aBrokenFileIsNotCalledReadNorSavedOver() {
+    FileDesk desk;
+    desk.open();
+    desk.moveWallHere();
+    QVERIFY(desk.dock().reviewButton()->isEnabled());
+    desk.put("{\"features\": [}");
+    QTRY_VERIFY(desk.dock().statusShown().contains(QLatin1String("cannot be read")));
+    QVERIFY(!desk.dock().reviewButton()->isEnabled() && !desk.action("save")->isEnabled());
+    auto* const notice = part<MapOverlay>(*desk.window)->notice();
+    QTRY_VERIFY2(notice->sentence().startsWith(QStringLiteral("hall.geojson has not been readable since")),
+                 qPrintable(notice->sentence()));
+    QVERIFY(!desk.says("changed on disk"));
+    // What is changed here is still there, and can be saved when the file is well again.
+    desk.put(kOverlays);
+    QTRY_VERIFY(desk.dock().reviewButton()->isEnabled() && desk.action("save")->isEnabled());
+    QTRY_VERIFY(desk.says("changed on disk and was read again"));
+  }
+
+  void aFileThatCannotBeOpenedIsNamedOnce() {
+    FileDesk desk;
+    desk.put("{");
+    desk.start(false);
+    const auto* const card = part<MapOverlay>(*desk.window)->card();
+    QTRY_VERIFY(card->isVisible());
+    QTRY_COMPARE(card->findChild<QLabel*>(QStringLiteral("text"))->text().count(desk.path()), 1);
   }
 
   void whatSomebodyElseChangedIsChangedInTheFile() {

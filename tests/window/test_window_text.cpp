@@ -230,6 +230,10 @@ class TestWindowText : public QObject {
              QStringLiteral("No connection since 14:03:12, 1 min 48 s. Showing the last data received."));
     QVERIFY(lostConnectionSentence(QDateTime(QDate(2024, 4, 30), QTime(14, 3, 12)), now)
                 .contains(QLatin1String("2024-04-30")));
+    QCOMPARE(lostConnectionSentence(QDateTime(QDate(2024, 5, 1), QTime(14, 3, 12)), now,
+                                    QStringLiteral("hall.geojson")),
+             QStringLiteral("hall.geojson has not been readable since 14:03:12, 1 min 48 s. Showing what was "
+                            "read last."));
   }
 
   void climbsTheLadder() {

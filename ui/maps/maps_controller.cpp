@@ -55,6 +55,7 @@ void MapsController::setSession(session::Session* session) {
   fit_next_ = false;
   fitted_.reset();
   export_when_read_.reset();
+  changed_.reset();
   if (!session) return;
   connect(&session->wholeMap(), &session::MapSlot::changed, this, &MapsController::noteChange);
   connect(&session->robot(), &robot::Robot::mapsChanged, this, &MapsController::noteOtherFile);
@@ -111,9 +112,17 @@ void MapsController::openToExport(const map::MapKey& key) {
 
 void MapsController::noteChange() {
   const session::Session* const session = context_.current.session();
-  if (!session || !export_when_read_) return;
+  if (!session || !session->wholeMap().settled()) return;
   const session::MapSlot& slot = session->wholeMap();
-  if (!slot.settled()) return;
+  const auto before = std::exchange(changed_, std::nullopt);
+  // Files beside the picture may have changed, too.
+  const bool other =
+      before && (before->fingerprint.empty() || before->fingerprint != slot.shown().fingerprint ||
+                 before->grid != slot.shown().grid);
+  if (other && slot.phase() == session::MapSlot::Phase::Ready)
+    context_.overlay.toasts()->add(
+        Mark::Good, tr("%1 changed on disk and was read again.").arg(mapCalled(slot.name(), slot.key())));
+  if (!export_when_read_) return;
   const bool wanted = slot.key() == *export_when_read_ && slot.phase() == session::MapSlot::Phase::Ready;
   export_when_read_.reset();
   if (wanted) Q_EMIT exportWanted();
@@ -126,8 +135,7 @@ void MapsController::noteOtherFile() {
   const session::MapSlot& slot = session->wholeMap();
   // Of a recording another time is shown, and nothing has changed on disk.
   if (slot.phase() == session::MapSlot::Phase::Empty || slot.key().kind != map::MapKind::File) return;
-  context_.overlay.toasts()->add(
-      Mark::Good, tr("%1 changed on disk and is being reloaded.").arg(mapCalled(slot.name(), slot.key())));
+  changed_ = slot.shown();
 }
 
 void MapsController::fitNew() {

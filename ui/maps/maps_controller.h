@@ -49,6 +49,8 @@ class MapsController : public Controller {
   bool own_change_ = false;
   std::optional<map::MapKey> fitted_;
   std::optional<map::MapKey> export_when_read_;
+  /// What was on screen when its file changed, which is being read.
+  std::optional<map::WholeMap> changed_;
 };
 
 }  // namespace mapwright::window

@@ -46,23 +46,27 @@ std::vector<scene::ObjectProperty> mapFacts(const session::MapSlot& slot, const 
       add(MapText::tr("Changed"), QDateTime::fromSecsSinceEpoch(qint64(*entry->modified_s))
                                       .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
   }
-  add(MapText::tr("Size"), MapText::tr("%1 × %2 cells").arg(countText(grid.width), countText(grid.height)));
+  const bool no_cells = file && shown.path.empty();  // overlays alone
+  if (!no_cells)
+    add(MapText::tr("Size"), MapText::tr("%1 × %2 cells").arg(countText(grid.width), countText(grid.height)));
   add(MapText::tr("Extent"),
       QStringLiteral("%1 × %2").arg(scene::lengthText(grid.width * grid.resolution_m),
                                     scene::lengthText(grid.height * grid.resolution_m)));
-  add(MapText::tr("Resolution"), MapText::tr("%1 m per cell").arg(grid.resolution_m));
+  if (!no_cells) add(MapText::tr("Resolution"), MapText::tr("%1 m per cell").arg(grid.resolution_m));
   add(MapText::tr("Origin"), coordinatesText({grid.origin.x_m, grid.origin.y_m}, kFinestScale));
   add(MapText::tr("Turned by"), rotationText(grid.origin.yaw_rad));
   const geometry::WorldRect bounds = grid.bounds();
   add(MapText::tr("From"), coordinatesText({bounds.min_x, bounds.min_y}, kFinestScale));
   add(MapText::tr("To"), coordinatesText({bounds.max_x, bounds.max_y}, kFinestScale));
-  if (counts) {
+  if (counts && !no_cells) {
     add(MapText::tr("Free cells"), share(counts->free, grid, counts->all()));
     add(MapText::tr("Occupied cells"), share(counts->occupied, grid, counts->all()));
     add(MapText::tr("Unknown cells"), share(counts->unknown, grid, counts->all()));
   }
   add(MapText::tr("File"), plainWords(shown.path, 1000));
-  if (shown.path.empty()) add(MapText::tr("Robot"), plainWords(session.robot().address().toStdString(), 300));
+  if (shown.path.empty())
+    add(file ? MapText::tr("File") : MapText::tr("Robot"),
+        plainWords(session.robot().address().toStdString(), 300));
   return facts;
 }
 

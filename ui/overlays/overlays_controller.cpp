@@ -579,7 +579,7 @@ void OverlaysController::refresh() {
   QString trouble = trouble_;
   if (trouble.isEmpty() && drafts_) trouble = drafts_->trouble();
   if (trouble.isEmpty() && editing_.isOpen() && failure_) trouble = sentence;
-  dock_->setSaving(busy_, editing_.isOpen() ? trouble : QString());
+  dock_->setSaving(busy_, maySave(), editing_.isOpen() ? trouble : QString());
   dock_->setOffer(drafts_ && editing_.isOpen() ? drafts_->offer() : QString());
   if (editing_.document().conflicts().empty() && std::exchange(asked_, false))
     context_.overlay.toasts()->withdraw(decideText());

@@ -43,7 +43,7 @@ class OverlaysController : public Controller {
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
   bool unsaved() const override { return editing_.isOpen() && editing_.document().unsaved(); }
-  bool maySave() const override { return unsaved() && !busy_; }
+  bool maySave() const override { return unsaved() && !busy_ && !broken(); }
   /// Looks at what the robot holds, and shows the review.
   void save() override;
   void beforeLeaving(std::function<void()> then) override;
@@ -84,6 +84,8 @@ class OverlaysController : public Controller {
   void closeMap();
   /// A file with overlays was opened: they are what it is about.
   bool ofFile() const;
+  /// What is held cannot be read: nothing can be merged with it.
+  bool broken() const { return failure_ && failure_->kind == map::FailureKind::MalformedAnswer; }
   bool wanted() const;
   void read();
   void takeRead(robot::Outcome<robot::OverlayText> outcome);

@@ -283,8 +283,9 @@ void OverlaysDock::setWhyNot(const QString& sentence, bool may_retry) {
   refresh();
 }
 
-void OverlaysDock::setSaving(bool saving, const QString& trouble) {
+void OverlaysDock::setSaving(bool saving, bool may_save, const QString& trouble) {
   saving_ = saving;
+  may_save_ = may_save;
   trouble_ = trouble;
   refresh();
 }
@@ -329,7 +330,7 @@ void OverlaysDock::refresh() {
     button->setEnabled(editable && !editing_->selected().empty());
   const std::size_t unsaved = document.unsavedCount();
   discard_->setEnabled(editable && unsaved > 0);
-  review_->setEnabled(editable && unsaved > 0);
+  review_->setEnabled(editable && may_save_);
   restore_->setEnabled(editable);
   retry_->setVisible(may_retry_);
   const QString status = statusText();

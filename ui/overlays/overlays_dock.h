@@ -39,7 +39,7 @@ class OverlaysDock : public QDockWidget {
   /// Why nothing is shown; empty = something is. `may_retry`: reading failed.
   void setWhyNot(const QString& sentence, bool may_retry);
   /// The progress or problem of saving; empty = none.
-  void setSaving(bool saving, const QString& trouble);
+  void setSaving(bool saving, bool may_save, const QString& trouble);
   /// An earlier draft; empty = none.
   void setOffer(const QString& sentence);
   void setFlaws(std::vector<ShownFlaw> flaws);
@@ -111,7 +111,7 @@ class OverlaysDock : public QDockWidget {
   OverlayEditing* editing_;
   OverlayTool* tool_;
   QString why_not_, trouble_;
-  bool saving_ = false, may_retry_ = false, showing_selection_ = false;
+  bool saving_ = false, may_save_ = false, may_retry_ = false, showing_selection_ = false;
   OverlaysModel* model_;
   OverlayFilter* sorted_;
   std::array<QToolButton*, kOverlayModes> modes_{};

@@ -500,7 +500,9 @@ void ConnectionController::refreshNotices() {
     const robot::ConnectionState connection = session->connection();
     const bool refused = connection.phase == ConnectionPhase::Refused;
     link.mark = refused ? Mark::Bad : Mark::Warning;
-    link.sentence = lostConnectionSentence(*since, QDateTime::currentDateTime());
+    const bool local = session->robot().isLocal();
+    link.sentence = lostConnectionSentence(*since, QDateTime::currentDateTime(),
+                                           local ? context_.current.called() : QString());
     if (refused && connection.reason.any())
       link.sentence += QLatin1Char(' ') + sentences::sentenceOf(connection.reason);
     if (wantsSecret(connection)) {
@@ -510,7 +512,7 @@ void ConnectionController::refreshNotices() {
       link.offer = tr("Certificate…");
       link.take = [this] { openCertificate(); };
     } else {
-      link.offer = tr("Retry now");
+      link.offer = local ? tr("Read again") : tr("Retry now");
       link.take = [this] { retry(); };
     }
   }

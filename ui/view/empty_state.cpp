@@ -55,7 +55,7 @@ EmptyState cloudsInstead() {
 }
 
 /// Of files nobody is connected to.
-void sayOfFile(EmptyState& state) {
+void sayOfFile(EmptyState& state, const Fault& reason) {
   if (state.kind == EmptyState::Kind::Connecting)
     state.title = QCoreApplication::translate("window", "Opening…");
   if (state.kind == EmptyState::Kind::WaitingForList)
@@ -64,6 +64,10 @@ void sayOfFile(EmptyState& state) {
     state.text = QCoreApplication::translate("window", "Double-click one under Maps.");
   if (state.kind != EmptyState::Kind::Failed) return;
   state.title = QCoreApplication::translate("window", "This cannot be opened");
+  // Most reasons name the file, which is its address, too.
+  const QString why = reason.any() ? sentences::sentenceOf(reason) : QString();
+  const QString path = state.text.section(QLatin1Char('\n'), 0, 0).section(QLatin1Char(':'), 1);
+  if (!path.isEmpty() && why.contains(path)) state.text = why;
   state.offers = {CardOffer::Retry, CardOffer::File};
 }
 
@@ -80,7 +84,7 @@ std::optional<EmptyState> emptyState(session::Session* session, const MapsInView
   // Its waypoints are visible: the notice says what is missing.
   if (in_view.whole && session::lacksPicture(slot) && session->robot().waypointStore()) return std::nullopt;
   auto of_submaps = emptyState(session->robot().address(), session->connection(), &counts);
-  if (of_submaps && session->robot().isLocal()) sayOfFile(*of_submaps);
+  if (of_submaps && session->robot().isLocal()) sayOfFile(*of_submaps, session->connection().reason);
   const bool has_submaps = session->robot().submapSource() != nullptr;
   if (in_view.submaps && has_submaps) return of_submaps;
   if (!in_view.whole) return std::nullopt;  // nothing is requested
@@ -93,7 +97,7 @@ std::optional<EmptyState> emptyState(session::Session* session, const MapsInView
   const bool none_chosen = slot.phase() == Phase::Empty || slot.key().kind == map::MapKind::Live;
   if (online && none_chosen && givesCloudsOnly(session->robot())) return cloudsInstead();
   auto of_map = wholeMapState(slot, storesMaps(session->catalogue()), robot::sendsItsMap(session->robot()));
-  if (of_map && session->robot().isLocal()) sayOfFile(*of_map);
+  if (of_map && session->robot().isLocal()) sayOfFile(*of_map, {});
   return of_map;
 }
 

@@ -83,11 +83,16 @@ QString lengthText(qint64 seconds) {
       .arg(QString::number(s / 3600), QString::number(s % 3600 / 60));
 }
 
-QString lostConnectionSentence(const QDateTime& since, const QDateTime& now) {
+QString lostConnectionSentence(const QDateTime& since, const QDateTime& now, const QString& file) {
   const QString format =
       since.date() == now.date() ? QStringLiteral("HH:mm:ss") : QStringLiteral("yyyy-MM-dd HH:mm:ss");
+  const QString at = QLocale::c().toString(since, format), ago = lengthText(since.secsTo(now));
+  if (!file.isEmpty())
+    return QCoreApplication::translate("window",
+                                       "%1 has not been readable since %2, %3. Showing what was read last.")
+        .arg(file, at, ago);
   return QCoreApplication::translate("window", "No connection since %1, %2. Showing the last data received.")
-      .arg(QLocale::c().toString(since, format), lengthText(since.secsTo(now)));
+      .arg(at, ago);
 }
 
 }  // namespace mapwright::window

@@ -48,7 +48,8 @@ class NoticeBar : public QFrame {
 
 /// "12 s", "1 min 48 s", "26 h 3 min".
 QString lengthText(qint64 seconds);
-/// "No connection since 14:03:12, 1 min 48 s. Showing the last data received."
-QString lostConnectionSentence(const QDateTime& since, const QDateTime& now);
+/// "No connection since 14:03:12, 1 min 48 s. Showing the last data received." `file`: what a local one is
+/// called; empty: it is a robot.
+QString lostConnectionSentence(const QDateTime& since, const QDateTime& now, const QString& file = {});
 
 }  // namespace mapwright::window

@@ -243,11 +243,11 @@ map::CatalogueEntry entryOf(const map::MapKey& key, const QString& path, const P
   entry.name = QFileInfo(path).fileName().toStdString();
   entry.modified_s = double(QFileInfo(path).lastModified().toMSecsSinceEpoch()) / 1000;
   entry.bytes = std::uint64_t(QFileInfo(path).size());
-  if (const auto whole = readLocalMap(path, place, yamls, beside)) {
+  // Overlays alone have no cells.
+  if (const auto whole = readLocalMap(path, place, yamls, beside); whole && !whole->path.empty()) {
     entry.grid = whole->grid;
-    entry.has_thumbnail = !whole->path.empty();
-    if (!whole->path.empty())
-      entry.bytes = std::uint64_t(QFileInfo(QString::fromStdString(whole->path)).size());
+    entry.has_thumbnail = true;
+    entry.bytes = std::uint64_t(QFileInfo(QString::fromStdString(whole->path)).size());
   }
   return entry;
 }
