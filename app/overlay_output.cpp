@@ -7,6 +7,7 @@
 #include "app/output.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/overlay_sentence.h"
+#include "words/fixed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -135,7 +136,7 @@ void printFlaws(const OverlayDocument& document, const std::vector<overlays::Fla
     printLine(Text::tr("No flaws."));
     return;
   }
-  const auto metres = [](double value) { return QString::number(value, 'f', 2); };
+  const auto metres = [](double value) { return words::fixed(value, 2); };
   std::vector<QStringList> table{
       {Text::tr("RULE"), Text::tr("X (m)"), Text::tr("Y (m)"), Text::tr("FEATURE"), Text::tr("FLAW")}};
   for (const overlays::Flaw& flaw : flaws) {

@@ -8,6 +8,7 @@
 #include "jobs/set_pose.h"
 #include "robot/localization.h"
 #include "sentences/absence_sentence.h"
+#include "words/fixed.h"
 #include "words/text.h"
 
 namespace mapwright::app {
@@ -91,9 +92,8 @@ CommandResult<int> mapsLocate(RobotCommand& command, const PoseArguments& args) 
   QString said = jobs::searchReport(*found);
   if (!itself && found->pose && found->needs_confirmation.value_or(false)) {
     said += QLatin1Char(' ') + Text::tr("mapwright maps set-pose --at %1,%2,%3 does.")
-                                   .arg(found->pose->x_m, 0, 'f', 3)
-                                   .arg(found->pose->y_m, 0, 'f', 3)
-                                   .arg(geometry::degreesFromRadians(found->pose->yaw_rad), 0, 'f', 2);
+                                   .arg(words::fixed(found->pose->x_m, 3), words::fixed(found->pose->y_m, 3),
+                                        words::fixed(geometry::degreesFromRadians(found->pose->yaw_rad), 2));
   }
   if (!itself) return reading.failure(kIncomplete, said);
   if (!args.json) printLine(said);

@@ -15,6 +15,7 @@
 #include "robot/map_dispatch.h"
 #include "robot/ros/faults.h"
 #include "sentences/failure_sentence.h"
+#include "words/fixed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -65,7 +66,7 @@ void print(const Projections& all, bool json) {
     printLine(Text::tr("There are no projections."));
     return;
   }
-  const auto metres = [](double value) { return QString::number(value, 'f', 2); };
+  const auto metres = [](double value) { return words::fixed(value, 2); };
   std::vector<QStringList> table{{Text::tr("NUMBER"), Text::tr("X (m)"), Text::tr("Y (m)"),
                                   Text::tr("WIDTH (m)"), Text::tr("HEIGHT (m)"), Text::tr("MIN Z (m)"),
                                   Text::tr("MAX Z (m)"), Text::tr("FRAME")}};

@@ -21,6 +21,7 @@
 #include "geometry/pose.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
+#include "words/fixed.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -29,14 +30,13 @@ namespace {
 
 using words::text;
 
-QString metres(double value) { return QString::number(value, 'f', 3); }
+QString metres(double value) { return words::fixed(value, 3); }
 
 QStringList rowOf(const map::Waypoint& point) {
   return {words::plainName(point.id),
           metres(point.position_m.x()),
           metres(point.position_m.y()),
-          point.yaw_rad ? QString::number(geometry::degreesFromRadians(*point.yaw_rad), 'f', 1)
-                        : QStringLiteral("-"),
+          point.yaw_rad ? words::fixed(geometry::degreesFromRadians(*point.yaw_rad), 1) : QStringLiteral("-"),
           exchange::tagText(point),
           words::plainName(point.name)};
 }

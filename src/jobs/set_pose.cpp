@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 
+#include "words/fixed.h"
 #include "words/plain.h"
 #include "words/qt_plain.h"
 
@@ -18,8 +19,8 @@ constexpr double kFarthestM = 1e5;
 constexpr double kSetM = 0.5, kSetRad = 0.35;
 constexpr double kAdjustedM = 2, kAdjustedRad = 1;  // how far an adjustment may move a pose
 
-QString metres(double value) { return QString::number(value, 'f', 2); }
-QString degrees(double rad) { return QString::number(geometry::degreesFromRadians(rad), 'f', 1); }
+QString metres(double value) { return words::fixed(value, 2); }
+QString degrees(double rad) { return words::fixed(geometry::degreesFromRadians(rad), 1); }
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include "overlays/overlay_shapes.h"
 #include "sentences/overlay_name.h"
 #include "sentences/plural.h"
+#include "words/fixed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::sentences {
@@ -39,8 +40,7 @@ std::optional<double> movedBy(const Feature& before, const Feature& after) {
 }
 
 QString metresAt(const Eigen::Vector2d& at_m) {
-  const QLocale c = QLocale::c();
-  return QStringLiteral("%1, %2 m").arg(c.toString(at_m.x(), 'f', 2), c.toString(at_m.y(), 'f', 2));
+  return QStringLiteral("%1, %2 m").arg(words::fixed(at_m.x(), 2), words::fixed(at_m.y(), 2));
 }
 
 /// "3 points from 16.50, 3.25 m".

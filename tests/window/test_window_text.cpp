@@ -1,7 +1,10 @@
 // The sentences and numbers of the window, the filter, the colours.
+#include <QDoubleSpinBox>
 #include <QtTest>
 
+#include "jobs/set_pose.h"
 #include "test_program.h"
+#include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/pretty_json.h"
@@ -14,8 +17,10 @@
 #include "ui/view/map_view.h"
 #include "ui/view/measure_tool.h"
 #include "ui/view/notice_bar.h"
+#include "ui/waypoints/waypoint_text.h"
 #include "window/command_palette.h"
 #include "window/go_to_dialog.h"
+#include "words/fixed.h"
 #include "words/qt_plain.h"
 
 namespace test_window_text {
@@ -222,6 +227,18 @@ class TestWindowText : public QObject {
     counts.shown = 1;
     QVERIFY(!emptyState(address, online, &counts));
     QVERIFY(!emptyState(address, away, &counts));  // what was received stays
+  }
+
+  void zeroHasNoSign() {
+    QCOMPARE(words::fixed(-0.04, 1), QStringLiteral("0.0"));
+    QCOMPARE(words::fixed(-0.06, 1), QStringLiteral("-0.1"));
+    QCOMPARE(words::fixed(-0.4, 0), QStringLiteral("0"));
+    QCOMPARE(jobs::poseWords({-0.001, -0.006, -0.0004}), QStringLiteral("x 0.00 m, y -0.01 m, 0.0°"));
+    QCOMPARE(yawText(-0.0004), QStringLiteral("0.0°"));
+    QCOMPARE(rotationText(-0.0004), QStringLiteral("0°"));
+    const std::unique_ptr<QDoubleSpinBox> box(numberField(nullptr, {-360, 360, 1, 5, QStringLiteral("°")}));
+    box->setValue(-0.04);
+    QCOMPARE(box->text(), QStringLiteral("0.0°"));
   }
 
   void tellsSinceWhenTheLinkIsLost() {

@@ -22,6 +22,7 @@
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
+#include "words/fixed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -289,6 +290,8 @@ double DecimalBox::valueFromText(const QString& text) const {
   QString plain = text;
   return QDoubleSpinBox::valueFromText(plain.replace(QLatin1Char(','), QLatin1Char('.')));
 }
+
+QString DecimalBox::textFromValue(double value) const { return words::fixed(value, decimals()); }
 
 QDoubleSpinBox* numberField(QWidget* parent, const NumberField& field) {
   auto* const box = new DecimalBox(parent);

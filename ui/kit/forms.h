@@ -196,6 +196,7 @@ class DecimalBox : public RangedBox<QDoubleSpinBox> {
  protected:
   QValidator::State validate(QString& input, int& pos) const override;
   double valueFromText(const QString& text) const override;
+  QString textFromValue(double value) const override;
 };
 
 struct NumberField {

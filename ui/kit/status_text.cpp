@@ -11,6 +11,7 @@
 #include "robot/robot.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
+#include "words/fixed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -19,13 +20,6 @@ namespace {
 
 using robot::ConnectionPhase;
 using session::SubmapStatus;
-
-QString decimal(double value, int decimals) {
-  // No "-0.00".
-  const double unit = std::pow(10.0, -decimals);
-  if (std::abs(value) < unit / 2) value = 0;
-  return QString::number(value, 'f', decimals);
-}
 
 struct StatusLook {
   SubmapStatus status;
@@ -204,11 +198,12 @@ QString coordinatesText(const Eigen::Vector2d& world_m, double scale_m_per_px) {
   // The last digit is never finer than about a pixel: 2 cm and 5 cm per pixel give centimetres, 2 mm gives
   // millimetres.
   const int decimals = std::clamp(int(std::ceil(-std::log10(scale_m_per_px) - 1e-9)), 0, 3);
-  return QStringLiteral("x %1 y %2 m").arg(decimal(world_m.x(), decimals), decimal(world_m.y(), decimals));
+  return QStringLiteral("x %1 y %2 m")
+      .arg(words::fixed(world_m.x(), decimals), words::fixed(world_m.y(), decimals));
 }
 
 QString coordinatesForClipboard(const Eigen::Vector2d& world_m) {
-  return QStringLiteral("%1, %2").arg(decimal(world_m.x(), 3), decimal(world_m.y(), 3));
+  return QStringLiteral("%1, %2").arg(words::fixed(world_m.x(), 3), words::fixed(world_m.y(), 3));
 }
 
 QString occupancyText(std::optional<int> occupied_percent) {
@@ -247,7 +242,7 @@ QString rotationText(double rotation_rad) {
   double degrees = geometry::degreesFromRadians(geometry::normalizeAngle(rotation_rad));
   degrees = std::round(degrees * 10) / 10;
   if (degrees <= -180) degrees += 360;
-  return QStringLiteral("%1°").arg(decimal(degrees, degrees == std::round(degrees) ? 0 : 1));
+  return QStringLiteral("%1°").arg(words::fixed(degrees, degrees == std::round(degrees) ? 0 : 1));
 }
 
 QString bytesText(qint64 bytes) {

@@ -12,6 +12,7 @@
 #include "ui/kit/dialog_look.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/name_column.h"
+#include "words/fixed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -45,7 +46,6 @@ OverlayMarksDialog::OverlayMarksDialog(std::vector<overlays::MarkOffer> offers, 
   table_->horizontalHeader()->resizeSection(kMarkStateColumn, 210);
   new NameColumn(table_, table_->horizontalHeader(), kMarkColumn,
                  {{kMarkStateColumn, 120}, {kMarkPlaceColumn, 80}});
-  const QLocale c = QLocale::c();
   for (int row = 0; row < table_->rowCount(); ++row) {
     const overlays::MarkOffer& offer = offers_[std::size_t(row)];
     const QString id = words::plainName(offer.mark.id);
@@ -57,13 +57,13 @@ OverlayMarksDialog::OverlayMarksDialog(std::vector<overlays::MarkOffer> offers, 
     table_->setItem(row, kMarkColumn, mark);
     table_->setItem(row, kMarkPlaceColumn,
                     new QTableWidgetItem(QStringLiteral("%1, %2 m")
-                                             .arg(c.toString(offer.mark.at_m.x(), 'f', 2),
-                                                  c.toString(offer.mark.at_m.y(), 'f', 2))));
+                                             .arg(words::fixed(offer.mark.at_m.x(), 2),
+                                                  words::fixed(offer.mark.at_m.y(), 2))));
     table_->setItem(
         row, kMarkStateColumn,
-        new QTableWidgetItem(
-            offer.present ? tr("there already, %1 m away: moves it").arg(c.toString(offer.away_m, 'f', 2))
-                          : tr("new")));
+        new QTableWidgetItem(offer.present
+                                 ? tr("there already, %1 m away: moves it").arg(words::fixed(offer.away_m, 2))
+                                 : tr("new")));
   }
   auto* const about = wrappedLabel(
       table_->rowCount() == 0

@@ -14,6 +14,7 @@
 #include "overlays/overlay_types.h"
 #include "scene/drawing.h"
 #include "ui/overlays/overlay_text.h"
+#include "words/fixed.h"
 
 namespace mapwright::window {
 
@@ -742,7 +743,7 @@ void OverlayTool::paintShape(QPainter& painter) const {
 QString OverlayTool::hint() const {
   if (!editing_->isOpen()) return why_not_.isEmpty() ? tr("Loading the overlays. Esc leaves.") : why_not_;
   if (!editing_->editable()) return tr("The overlays are being saved.");
-  const auto metres = [](double value) { return QLocale::c().toString(value, 'f', 2); };
+  const auto metres = [](double value) { return words::fixed(value, 2); };
   if (drag_ == Drag::Frame)
     return tr("%1 in the frame. Esc cancels.")
         .arg(featuresText(qsizetype(on_map_->within(QRectF(press_px_, now_px_).normalized()).size())));

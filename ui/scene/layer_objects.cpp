@@ -13,6 +13,7 @@
 #include "scene/legend.h"
 #include "scene/scene_items.h"
 #include "sentences/overlay_name.h"
+#include "words/fixed.h"
 
 namespace mapwright::scene {
 namespace {
@@ -23,7 +24,7 @@ class ObjectText {
 
 constexpr qsizetype kLongestValue = 200;
 
-QString metres(double value) { return QStringLiteral("%1 m").arg(value, 0, 'f', 2); }
+QString metres(double value) { return QStringLiteral("%1 m").arg(words::fixed(value, 2)); }
 QString percent(double share) { return QStringLiteral("%1 %").arg(std::lround(share * 100)); }
 QString plain(const std::string& text) { return shortName(text, kLongestValue); }
 

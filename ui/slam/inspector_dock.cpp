@@ -31,6 +31,7 @@
 #include "ui/kit/status_text.h"
 #include "ui/kit/tree_view.h"
 #include "ui/slam/submap_row_delegate.h"
+#include "words/fixed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -85,9 +86,7 @@ QString submapDetails(const session::Session& session, map::SubmapId id) {
   if (pose && row->pose_usable) {
     const geometry::Pose2 flat = geometry::projectToPlane(*pose);
     where = QStringLiteral("x %1 y %2 m, %3")
-                .arg(flat.x_m, 0, 'f', 2)
-                .arg(flat.y_m, 0, 'f', 2)
-                .arg(rotationText(flat.yaw_rad));
+                .arg(words::fixed(flat.x_m, 2), words::fixed(flat.y_m, 2), rotationText(flat.yaw_rad));
   }
   if (const auto slices = int(row->slices.size()); slices > 0) {
     where += QStringLiteral(", %1, %2")

@@ -8,6 +8,7 @@
 #include "sentences/failure_sentence.h"
 #include "sentences/plural.h"
 #include "ui/shell/unsaved_question.h"
+#include "words/fixed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -19,8 +20,6 @@ struct WaypointsText {
 
 constexpr double kCloseM = 0.1;  // below, millimetres matter
 
-QString fixed(double value, int decimals) { return QLocale::c().toString(value, 'f', decimals); }
-
 QString fieldsText(const std::optional<map::Waypoint>& point, edit::FieldMask fields) {
   using namespace edit::waypoint_field;
   if (!point) return WaypointsText::tr("deleted");
@@ -28,7 +27,7 @@ QString fieldsText(const std::optional<map::Waypoint>& point, edit::FieldMask fi
   if (fields & kName) parts << WaypointsText::tr("name “%1”").arg(shortWaypointName(*point));
   if (fields & kPosition)
     parts << WaypointsText::tr("position %1, %2 m")
-                 .arg(fixed(point->position_m.x(), 3), fixed(point->position_m.y(), 3));
+                 .arg(words::fixed(point->position_m.x(), 3), words::fixed(point->position_m.y(), 3));
   if (fields & kYaw)
     parts << (point->yaw_rad ? WaypointsText::tr("heading %1").arg(yawText(point->yaw_rad))
                              : WaypointsText::tr("no heading"));
@@ -69,7 +68,7 @@ std::vector<std::string> tagsFrom(const QString& text) {
 
 QString yawText(const std::optional<double>& yaw_rad) {
   if (!yaw_rad) return {};
-  return fixed(geometry::degreesFromRadians(geometry::normalizeAngle(*yaw_rad)), 1) + QChar(0xb0);
+  return words::fixed(geometry::degreesFromRadians(geometry::normalizeAngle(*yaw_rad)), 1) + QChar(0xb0);
 }
 
 QString waypointsText(qsizetype count) {
@@ -131,7 +130,7 @@ QString deedText(const std::optional<map::Waypoint>& before, const std::optional
   }
   if (changed & kPosition) {
     const double by = (after->position_m - before->position_m).norm();
-    const QString metres = fixed(by, by < kCloseM ? 3 : 2);
+    const QString metres = words::fixed(by, by < kCloseM ? 3 : 2);
     add(WaypointsText::tr("Move %1 by %2 m").arg(name, metres),
         WaypointsText::tr("move it by %1 m").arg(metres));
   }

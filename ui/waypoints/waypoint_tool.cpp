@@ -10,6 +10,7 @@
 #include "geometry/pose.h"
 #include "scene/drawing.h"
 #include "ui/waypoints/waypoint_text.h"
+#include "words/fixed.h"
 
 namespace mapwright::window {
 namespace {
@@ -20,7 +21,7 @@ constexpr double kHandleRadiusPx = 6;
 constexpr double kInsidePx = 16;            // minimum distance of handles from the edge of the map
 constexpr std::size_t kMostTraces = 2'000;  // with more, individual paths are not drawn
 
-QString metresOf(double value) { return QLocale::c().toString(value, 'f', 2); }
+QString metresOf(double value) { return words::fixed(value, 2); }
 
 void haloLine(QPainter& painter, const scene::MapTheme& theme, const QPointF& a, const QPointF& b,
               Qt::PenStyle style) {

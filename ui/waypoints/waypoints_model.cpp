@@ -17,6 +17,7 @@
 #include "ui/kit/ui_colors.h"
 #include "ui/waypoints/waypoint_text.h"
 #include "ui/waypoints/waypoint_warnings.h"
+#include "words/fixed.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -25,7 +26,7 @@ namespace {
 constexpr std::size_t kManyRows = 200;  // more at once are signalled as a whole
 constexpr int kWaypointMarkPx = 16;
 
-QString metresText(double metres) { return QLocale::c().toString(metres, 'f', 2); }
+QString metresText(double metres) { return words::fixed(metres, 2); }
 
 QVariant stateMark(const edit::ItemState& state, int pending) {
   if (pending == 0 && !state.sent) return {};
