@@ -315,6 +315,48 @@ tl::expected<JsonText, JsonError> JsonText::read(std::string text) {
   return out;
 }
 
+JsonText JsonText::of(const JsonValue& value) {
+  const JsonText& from = *value.text_;
+  const std::uint32_t first = value.node_, base = from.nodes_[first].begin;
+  JsonText out;
+  out.text_ = value.text();
+  out.nodes_.assign(from.nodes_.begin() + first, from.nodes_.begin() + from.nodes_[first].next);
+  out.nodes_[0].key_begin = out.nodes_[0].key_end = base;
+  for (Node& node : out.nodes_) {
+    for (std::uint32_t* const at : {&node.begin, &node.end, &node.key_begin, &node.key_end})
+      *at -= std::min(*at, base);
+    node.next -= first;
+  }
+  return out;
+}
+
+JsonText JsonText::rewritten(std::vector<Rewrite> rewrites) {
+  std::sort(rewrites.begin(), rewrites.end(),
+            [](const Rewrite& a, const Rewrite& b) { return a.value.node_ < b.value.node_; });
+  const JsonText& from = *rewrites.front().value.text_;
+  JsonText out;
+  out.nodes_ = from.nodes_;
+  out.text_.reserve(from.text_.size() + 16 * rewrites.size());
+  std::vector<std::pair<std::size_t, std::uint32_t>> shifts{{0, 0}};  // from where on, by how much
+  std::size_t copied = 0;
+  for (const Rewrite& each : rewrites) {
+    out.text_.append(from.text_, copied, each.value.begin() - copied).append(each.text);
+    copied = each.value.end();
+    shifts.emplace_back(copied, std::uint32_t(out.text_.size() - copied));  // may go below 0, and back
+    out.nodes_[each.value.node_].kind = each.text.front() == '"' ? JsonKind::String : JsonKind::Number;
+  }
+  out.text_.append(from.text_, copied);
+  for (Node& node : out.nodes_) {
+    for (std::uint32_t* const at : {&node.begin, &node.end, &node.key_begin, &node.key_end}) {
+      const auto after =
+          std::upper_bound(shifts.begin(), shifts.end(), std::size_t(*at),
+                           [](std::size_t place, const auto& shift) { return place < shift.first; });
+      *at += std::prev(after)->second;
+    }
+  }
+  return out;
+}
+
 Fault faultOf(const JsonError& error) {
   return {fault::NotJson, {std::int64_t(error.line), std::int64_t(error.column)}, {error.reason}};
 }

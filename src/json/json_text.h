@@ -61,12 +61,23 @@ class JsonValue {
   std::uint32_t node_;
 };
 
+/// A string or number, and the one that is to stand in its place, as JSON.
+struct Rewrite {
+  JsonValue value;
+  std::string text;
+};
+
 class JsonText {
  public:
   static constexpr int kDeepest = 200;
   static constexpr std::size_t kLongest = std::size_t(1) << 30;
 
   static tl::expected<JsonText, JsonError> read(std::string text);
+  // What is known already is not read anew:
+  /// The value as a text of its own.
+  static JsonText of(const JsonValue& value);
+  /// The text of the values, which there must be, with the others in their places.
+  static JsonText rewritten(std::vector<Rewrite> rewrites);
 
   const std::string& text() const { return text_; }
   JsonValue root() const { return {this, 0}; }

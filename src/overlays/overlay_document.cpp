@@ -83,7 +83,7 @@ OverlayDocument OverlayDocument::taken(const JsonText& json, const std::optional
   document.head_ = text.substr(0, at);
   for (const JsonValue& feature : list->children()) {
     document.before_.push_back(text.substr(at, feature.begin() - at));
-    document.features_.emplace_back(std::string(feature.text()));
+    document.features_.emplace_back(JsonText::of(feature));
     at = feature.end();
   }
   document.tail_ = text.substr(at);

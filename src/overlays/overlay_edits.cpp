@@ -61,7 +61,7 @@ std::string rounded(double value) {
 }
 
 /// Only the numbers that become others.
-void place(std::vector<Replacement>& replacements, const JsonValue& position, const Vector2d& at) {
+void place(std::vector<json::Rewrite>& rewrites, const JsonValue& position, const Vector2d& at) {
   const auto numbers = position.children();
   for (int axis = 0; axis < 2; ++axis) {
     const JsonValue& written = numbers[std::size_t(axis)];
@@ -69,8 +69,12 @@ void place(std::vector<Replacement>& replacements, const JsonValue& position, co
     double now = 0;
     std::from_chars(text.data(), text.data() + text.size(), now);
     if (now != written.number() && std::abs(at[axis] - written.number()) > 1e-9)
-      replacements.push_back({written.begin(), written.end(), text});
+      rewrites.push_back({written, text});
   }
+}
+
+Feature rewritten(const Feature& feature, std::vector<json::Rewrite> rewrites) {
+  return rewrites.empty() ? feature : Feature(JsonText::rewritten(std::move(rewrites)));
 }
 
 void eachPosition(const JsonValue& value, int depth, const std::function<void(const JsonValue&)>& with) {
@@ -90,10 +94,10 @@ void eachPositionOf(const JsonValue& geometry, int depth, const std::function<vo
 Feature placed(const Feature& feature, const std::function<Vector2d(const Vector2d&)>& where) {
   const auto geometry = feature.root().member("geometry");
   if (!geometry) return feature;
-  std::vector<Replacement> replacements;
+  std::vector<json::Rewrite> rewrites;
   eachPositionOf(*geometry, kDeepestGeometry,
-                 [&](const JsonValue& position) { place(replacements, position, where(placeOf(position))); });
-  return replaced(feature, std::move(replacements));
+                 [&](const JsonValue& position) { place(rewrites, position, where(placeOf(position))); });
+  return rewritten(feature, std::move(rewrites));
 }
 
 /// The positions of one ring or line as written.
@@ -181,10 +185,10 @@ Feature withVertexAt(const Feature& feature, Vertex vertex, const Vector2d& at_m
   const auto rings = ringsOf(feature);
   if (vertex.ring >= rings.size() || vertex.index >= rings[vertex.ring].size()) return feature;
   const WrittenRing& ring = rings[vertex.ring];
-  std::vector<Replacement> replacements;
-  place(replacements, ring.positions[vertex.index], at_m);
-  if (ring.closed && vertex.index == 0) place(replacements, ring.positions.back(), at_m);
-  return replaced(feature, std::move(replacements));
+  std::vector<json::Rewrite> rewrites;
+  place(rewrites, ring.positions[vertex.index], at_m);
+  if (ring.closed && vertex.index == 0) place(rewrites, ring.positions.back(), at_m);
+  return rewritten(feature, std::move(rewrites));
 }
 
 Feature withVertexAfter(const Feature& feature, Vertex vertex, const Vector2d& at_m) {
@@ -284,6 +288,15 @@ Feature newFeature(const OverlayDocument& among, Shape shape, const std::vector<
 
 Feature duplicateOf(const Feature& feature, const std::string& id, const std::string& name) {
   if (!feature.root().isObject()) return feature;
+  // Usually both are there, and nothing else changes.
+  const auto own = feature.root().member("id"), inner = feature.property("id"),
+             old = feature.property("name");
+  const auto isString = [](const auto& value) { return value && value->kind() == JsonKind::String; };
+  if (isString(own) && !inner && (name.empty() || isString(old))) {
+    std::vector<json::Rewrite> rewrites{{*own, json::quoted(id)}};
+    if (!name.empty()) rewrites.push_back({*old, json::quoted(name)});
+    return rewritten(feature, std::move(rewrites));
+  }
   Feature copy = feature;
   if (feature.property("id")) copy = withProperty(copy, "id", json::quoted(id));
   if (feature.root().member("id") || !feature.property("id"))

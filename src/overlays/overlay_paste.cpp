@@ -75,7 +75,7 @@ tl::expected<std::vector<Feature>, Fault> pastedFeatures(const std::string& text
   std::vector<Feature> features;
   features.reserve(written.size());
   for (const JsonValue& value : written) {
-    Feature feature{std::string(value.text())};
+    Feature feature{JsonText::of(value)};
     if (const auto why = whyNot(value, feature, std::int64_t(features.size()) + 1))
       return tl::make_unexpected(*why);
     features.push_back(std::move(feature));

@@ -26,6 +26,14 @@ std::string without(const std::string& object, const char* name) {
   return withoutMember(read(object).root(), name);
 }
 
+/// All that is known of a value and of those in it.
+std::string known(const JsonValue& value) {
+  std::string all = value.key() + '=' + std::to_string(int(value.kind())) + std::string(value.text()) + ';' +
+                    std::to_string(value.begin()) + ',' + std::to_string(value.keyBegin()) + ';';
+  for (const JsonValue& child : value.children()) all += known(child);
+  return all;
+}
+
 bool same(const char* a, const char* b) { return sameValue(read(a).root(), read(b).root()); }
 
 }  // namespace
@@ -104,6 +112,23 @@ class JsonTextTest : public QObject {
     QVERIFY(JsonText::read(std::string(200, '[') + std::string(200, ']')));
     QVERIFY(!JsonText::read(std::string(100'000, '[')));
     QVERIFY(!JsonText::read(std::string(202, '[') + std::string(202, ']')));
+  }
+
+  void whatIsCutOutOrRewrittenIsAsIfItHadBeenRead() {
+    const JsonText whole = read(R"( {"a": [{"b" :"x", "c": [1, -2.50, []] }, 7], "d":"y"} )");
+    const JsonValue root = whole.root(), object = root.member("a")->children()[0];
+    const JsonText cut = JsonText::of(object);
+    QCOMPARE(cut.text(), std::string(R"({"b" :"x", "c": [1, -2.50, []] })"));
+    QCOMPARE(known(cut.root()), known(read(cut.text()).root()));
+    QCOMPARE(known(JsonText::of(root.member("a")->children()[1]).root()), known(read("7").root()));
+    // In any order, longer and shorter, and of another kind.
+    const auto numbers = object.member("c")->children();
+    const JsonText other = JsonText::rewritten({{numbers[1], "3"},
+                                                {*root.member("d"), "12"},
+                                                {numbers[0], "1.0001"},
+                                                {*object.member("b"), "\"long\""}});
+    QCOMPARE(other.text(), std::string(R"( {"a": [{"b" :"long", "c": [1.0001, 3, []] }, 7], "d":12} )"));
+    QCOMPARE(known(other.root()), known(read(other.text()).root()));
   }
 
   void aMemberIsSetWithoutTouchingTheOthers() {
