@@ -33,7 +33,8 @@ inline constexpr const char* kOverlays =
 {"id":"p1","type":"Feature","geometry":{"type":"Point","coordinates":[-2,1,0.5]},"properties":{"type":"25","yaw":"90","name":"Desk"}}]})";
 
 struct Desk {
-  Desk() : settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat), sim(options()) {
+  explicit Desk(simulator::Options options = Desk::options())
+      : settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat), sim(std::move(options)) {
     if (sim.start()) qFatal("no simulator");
     other = makeRobot();
     QVERIFY(hand(kOverlays));

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QTableWidget>
+#include <QTcpServer>
 #include <QToolButton>
 #include <QUndoGroup>
 #include <QtTest>
@@ -375,6 +376,49 @@ class TestWindowOverlays : public QObject {
     QVERIFY(!desk.control().unsaved());
     desk.sim.setFaults({});
     QCOMPARE(desk.held(), Desk::with("[[0.00,0],[4,0]]", desk.coordinates(0)));
+  }
+
+  void whatNobodyKnowsIsLookedAtWhenTheLinkIsBack_data() {
+    QTest::addColumn<bool>("applied");
+    QTest::newRow("it was saved") << true;
+    QTest::newRow("it was not saved") << false;
+  }
+  void whatNobodyKnowsIsLookedAtWhenTheLinkIsBack() {
+    QFETCH(bool, applied);
+    simulator::Options options = Desk::options();
+    {
+      QTcpServer free;
+      QVERIFY(free.listen(QHostAddress::LocalHost));
+      options.port = free.serverPort();
+    }
+    Desk desk(options);
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    simulator::Faults faults;
+    faults.write_latency_ms = 60'000;
+    if (!applied) faults.drop_writes = 1;
+    desk.sim.setFaults(faults);
+    desk.sim.clearRequestLog();
+    const auto written = [&] {
+      const auto log = desk.sim.requestLog();
+      return std::any_of(log.begin(), log.end(),
+                         [](const auto& request) { return request.method == "PATCH"; });
+    };
+    desk.review();
+    QTest::mouseClick(desk.control().review()->saveButton(), Qt::LeftButton);
+    QTRY_VERIFY(written());
+    desk.sim.stop();
+    QTRY_VERIFY(!desk.control().busy());
+    QVERIFY(desk.says("It is not known whether") && desk.control().unsaved());
+    QVERIFY(desk.dock().retryButton()->isVisible());
+    desk.sim.setFaults({});
+    QVERIFY(!desk.sim.start());
+    desk.window->session()->retryNow();
+    QTRY_VERIFY2(desk.says(applied ? "The robot holds the overlays as they are here."
+                                   : "were not saved: the robot does not hold them"),
+                 qPrintable(desk.toasts().join(QLatin1Char('|'))));
+    QCOMPARE(desk.control().unsaved(), !applied);
+    QVERIFY(!desk.dock().retryButton()->isVisible());
   }
 
   void draftsSurviveACrash() {

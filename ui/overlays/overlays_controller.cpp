@@ -144,7 +144,7 @@ void OverlaysController::setSession(session::Session* session) {
     connect(&session_->wholeMap(), &session::MapSlot::changed, this, &OverlaysController::syncMap);
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &OverlaysController::syncMap);
     connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &OverlaysController::syncMap);
-    connect(session_, &session::Session::connectionChanged, this, &OverlaysController::refresh);
+    connect(session_, &session::Session::connectionChanged, this, &OverlaysController::noteLink);
     connect(&session_->robot(), &robot::Robot::mapsChanged, this, [this] {
       // Somebody wrote the file, or a file beside it.
       if (editing_.isOpen() && session_->robot().isLocal() && !busy_) read();
@@ -158,7 +158,17 @@ void OverlaysController::setSession(session::Session* session) {
     });
   }
   actions_->teaching()->setSession(session);
+  online_ = false;
+  noteLink();
   syncMap();
+}
+
+/// What could not be read while there was no connection, and what nobody knows since, is looked at again.
+void OverlaysController::noteLink() {
+  const bool online = session_ && session_->connection().phase == robot::ConnectionPhase::Online;
+  const bool came = !std::exchange(online_, online) && online;
+  if (came && (failure_ || doubt_)) read();
+  refresh();
 }
 
 void OverlaysController::recall(const QSettings& settings) {
@@ -226,7 +236,7 @@ void OverlaysController::closeMap() {
   if (!target_) return;
   ++opened_;
   call_.cancel();
-  reading_ = read_again_ = busy_ = false;
+  reading_ = read_again_ = busy_ = doubt_ = false;
   failure_.reset();
   version_.reset();
   uid_.clear();
@@ -288,6 +298,8 @@ void OverlaysController::takeRead(robot::Outcome<robot::OverlayText> outcome) {
     if (ofFile()) context_.panels.open(dock_);
     context_.undo.setActiveStack(&editing_.undoStack());
   }
+  if (std::exchange(doubt_, false))
+    unsaved() ? notSaved(tr("The overlays were not saved: the robot does not hold them.")) : tellHeld();
   refresh();
 }
 
@@ -411,10 +423,9 @@ void OverlaysController::takeOutcome(robot::Outcome<jobs::OverlayOutcome> outcom
       return refresh();
     }
     return readBack([this, why] {
-      if (unsaved()) return notSaved(tr("It is not known whether the overlays were saved. %1").arg(why));
-      context_.overlay.toasts()->add(Mark::Good, tr("The robot holds the overlays as they are here."));
-      if (const auto then = std::exchange(when_saved_, nullptr))
-        QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+      doubt_ = unsaved();
+      if (doubt_) return notSaved(tr("It is not known whether the overlays were saved. %1").arg(why));
+      tellHeld();
     });
   }
   // What they changed just before comes below, conflicts included.
@@ -429,6 +440,12 @@ void OverlaysController::takeOutcome(robot::Outcome<jobs::OverlayOutcome> outcom
   // What it did not take stays unsaved.
   if (outcome->differs.empty() && !outcome->unreadable.any()) editing_.noteSaved();
   readBack([this, result = std::move(*outcome)] { tellOutcome(result); });
+}
+
+void OverlaysController::tellHeld() {
+  context_.overlay.toasts()->add(Mark::Good, tr("The robot holds the overlays as they are here."));
+  if (const auto then = std::exchange(when_saved_, nullptr))
+    QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
 }
 
 void OverlaysController::readBack(std::function<void()> then) {
@@ -575,7 +592,7 @@ QString OverlaysController::whyNot() const {
 
 void OverlaysController::refresh() {
   const QString sentence = whyNot();
-  dock_->setWhyNot(sentence, failure_.has_value() && !busy_);
+  dock_->setWhyNot(sentence, (failure_ || doubt_) && !busy_);
   QString trouble = trouble_;
   if (trouble.isEmpty() && drafts_) trouble = drafts_->trouble();
   if (trouble.isEmpty() && editing_.isOpen() && failure_) trouble = sentence;

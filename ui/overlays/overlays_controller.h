@@ -98,6 +98,9 @@ class OverlaysController : public Controller {
   void tellOutcome(const jobs::OverlayOutcome& outcome);
   /// Once more, after sending.
   void readBack(std::function<void()> then);
+  /// What was sent and never answered turns out to be there.
+  void tellHeld();
+  void noteLink();
   void setBusy(bool busy);
   void notSaved(const QString& sentence);
   QString decideText() const;
@@ -137,9 +140,11 @@ class OverlaysController : public Controller {
   robot::Call call_;
   bool reading_ = false, read_again_ = false, busy_ = false;
   std::optional<map::Failure> failure_;  // of the last reading
-  std::optional<int> version_;           // that was read last
-  std::string uid_, name_;               // of the map, as told then
-  QString trouble_;                      // of saving
+  bool doubt_ = false;                   // it is not known whether what was sent was applied
+  bool online_ = false;
+  std::optional<int> version_;  // that was read last
+  std::string uid_, name_;      // of the map, as told then
+  QString trouble_;             // of saving
   bool was_unsaved_ = false, could_save_ = false, may_leave_ = false;
   quint64 opened_ = 0;  // counts maps: results about earlier ones are ignored
   std::unique_ptr<MapDrafts> drafts_;
