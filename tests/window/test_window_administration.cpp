@@ -347,12 +347,28 @@ class TestWindowAdministration : public QObject {
     stop->trigger();
     desk.controller().dialog()->acceptButton()->click();
     desk.maps.answer(map::CatalogueEntry{});
+    desk.maps.obstacles = {{MapChange::StopMapping, Obstacle::NotMapping}};
+    Q_EMIT desk.bench.robot->capabilitiesChanged();
     // Who stops mapping is asked what the map is called.
     QTRY_VERIFY(desk.controller().dialog() && desk.controller().dialog()->nameEdit());
     desk.controller().dialog()->nameEdit()->setText(QStringLiteral("Hall 3"));
     desk.controller().dialog()->acceptButton()->click();
     QVERIFY(desk.maps.orders.back().change == MapChange::Save);
     QCOMPARE(desk.maps.orders.back().name, std::string("Hall 3"));
+    QAction* const save = desk.bench.action("saveNewMap");
+    QVERIFY(save->isEnabled());
+    map::CatalogueEntry saved;
+    saved.key = {map::MapKind::Stored, "9"};
+    saved.name = "Hall 3";
+    desk.maps.answer(saved);
+    QTRY_VERIFY(!desk.controller().dialog());
+    QVERIFY(!save->isEnabled() && save->toolTip().contains(QLatin1String("is saved")));
+    // Until the robot maps again.
+    desk.maps.obstacles = {{MapChange::StartMapping, Obstacle::WhileMapping}};
+    Q_EMIT desk.bench.robot->capabilitiesChanged();
+    desk.maps.obstacles = {{MapChange::StopMapping, Obstacle::NotMapping}};
+    Q_EMIT desk.bench.robot->capabilitiesChanged();
+    QVERIFY(save->isEnabled());
   }
 
   void aRobotThatCannotDoAnyOfItShowsNothingOfIt() {

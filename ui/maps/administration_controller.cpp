@@ -345,7 +345,6 @@ AdministrationController::AdministrationController(WindowContext& context, QObje
     QAction* const action =
         context_.actions.add({.id = id, .text = text, .tip = tip, .menu = {MenuGroup::Mapping, rank}}, this,
                              [this, change] { ask(change, nullptr); });
-    action->setProperty("tip", action->toolTip());
     mapping_.push_back({change, action});
   };
   add(MapChange::StartMapping, "startMapping", tr("Start &mapping…"), tr("Make the robot start a new map"),
@@ -380,6 +379,7 @@ void AdministrationController::setSession(session::Session* session) {
   progress_.reset();
   trouble_.clear();
   was_mapping_.reset();
+  saved_ = false;
   if (session) {
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &AdministrationController::refresh);
     connect(&session->robot(), &robot::Robot::mapsChanged, this, &AdministrationController::refresh);
@@ -392,9 +392,10 @@ void AdministrationController::refresh() {
   for (const Row& row : mapping_) {
     const auto obstacle = robots ? robots->obstacle(row.change, nullptr) : Obstacle::NotOffered;
     row.action->setVisible(obstacle != Obstacle::NotOffered);
-    row.action->setEnabled(!obstacle);
-    const QString tip = row.action->property("tip").toString();
-    row.action->setToolTip(obstacle ? plainToolTip(sentences::whyNotNow(row.change, *obstacle)) : tip);
+    const QString why = obstacle ? sentences::whyNotNow(row.change, *obstacle)
+                        : saved_ && row.change == MapChange::Save ? tr("The new map is saved.")
+                                                                  : QString();
+    allow(row.action, why.isEmpty(), why);
   }
   noteMapping();
 }
@@ -408,6 +409,7 @@ void AdministrationController::noteMapping() {
   const auto stops = robots ? robots->obstacle(MapChange::StopMapping, nullptr) : Obstacle::NotOffered;
   const bool running = starts == Obstacle::WhileMapping, none = stops == Obstacle::NotMapping;
   const bool online = session && session->connection().phase == robot::ConnectionPhase::Online;
+  if (running || !online) saved_ = false;  // there may be another one
   if (running && was_mapping_ != true) {
     was_mapping_ = true;
     noticed_.start();
@@ -547,6 +549,7 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
           [this, change](const map::CatalogueEntry&, const QString& said, bool as_asked) {
             context_.overlay.toasts()->add(as_asked ? Mark::Good : Mark::Warning, said);
             if (session::Session* const now = context_.current.session()) now->catalogue().refresh();
+            if (change == MapChange::Save) saved_ = true;
             if (change == MapChange::StartMapping || change == MapChange::ContinueMapping)
               context_.panels.open(mapping_dock_);
             refresh();
