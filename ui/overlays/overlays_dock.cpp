@@ -95,19 +95,21 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   auto* const list = new QWidget(body_);
   list->setLayout(
       columnOf({rowOf({{filter_, 1}, bits_}, 4, QMargins(6, 4, 6, 4)), {table_, 1}}, 0, QMargins()));
+  // What comes and goes below the tabs takes its room from them: nothing else moves under the hand.
+  auto* const below = new QWidget(body_);
+  below->setLayout(columnOf({{tabs_, 1}, conflict_box_, status_}, 0, QMargins()));
   auto* const split = new QSplitter(Qt::Vertical, body_);
   split->addWidget(list);
-  split->addWidget(tabs_);
+  split->addWidget(below);
   split->setChildrenCollapsible(false);
   split->setStretchFactor(0, 1);
   split->setStretchFactor(1, 1);
   body_->setLayout(columnOf({{split, 1}}, 0, QMargins()));
   auto* const whole = new QWidget(this);
-  auto* const column = columnOf(
-      {mode_row_, tool_row_, radius_row_, offer_box_, empty_, {body_, 1}, conflict_box_}, 0, QMargins());
+  auto* const column =
+      columnOf({mode_row_, tool_row_, radius_row_, offer_box_, empty_, {body_, 1}}, 0, QMargins());
   column->addLayout(
       rowOf({discard_, history_, LayoutItem::rest(), retry_, review_}, 6, QMargins(8, 4, 8, 4)));
-  column->addWidget(status_);
   whole->setLayout(column);
   whole->setMinimumWidth(240);
   setWidget(whole);
@@ -228,7 +230,7 @@ void OverlaysDock::buildTable() {
   header->resizeSection(OverlaysModel::TypeColumn, wide(tr("Forbidden region")));
   header->resizeSection(OverlaysModel::StateColumn, wide(tr("changed, unsaved")));
   new NameColumn(table_, header, OverlaysModel::NameColumn,
-                 {{OverlaysModel::StateColumn, 26}, {OverlaysModel::TypeColumn, 40}});
+                 {{OverlaysModel::TypeColumn, 40}, {OverlaysModel::StateColumn, 26}});
   filter_->setPlaceholderText(tr("Filter by name, type or id"));
   filter_->setClearButtonEnabled(true);
   filter_->setAccessibleName(tr("Filter overlays"));

@@ -48,6 +48,7 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
   hint_frame_->setObjectName(QStringLiteral("furniture"));
   hint_frame_->setLayout(rowOf({hint_}, -1, QMargins(12, 4, 12, 4)));
   hint_->setAlignment(Qt::AlignCenter);
+  hint_->setMostLines(3);
   hint_frame_->hide();
   // The map stays usable under the hint.
   hint_frame_->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -111,7 +112,7 @@ void MapOverlay::place() {
     const int room = area.width() - 2 * (furniture.width() + 2 * kMargin);
     const int width = std::clamp(hint_frame_->sizeHint().width() + 4, 0, std::max(0, room));
     hint_frame_->setGeometry((area.width() - width) / 2, top + kMargin, width,
-                             hint_frame_->sizeHint().height());
+                             hint_frame_->heightForWidth(width));
   }
   const QSize toasts = toasts_->sizeHint();
   toasts_->setGeometry(area.width() - toasts.width() - kMargin, area.height() - toasts.height() - kMargin,
