@@ -413,8 +413,11 @@ std::optional<JsonValue> JsonValue::member(std::string_view name) const {
     const JsonText::Node& node = text_->nodes_[child];
     const auto written =
         std::string_view(text_->text_).substr(node.key_begin + 1, node.key_end - node.key_begin - 2);
-    const bool plain = written.find('\\') == std::string_view::npos;
-    if (plain ? written == name : decoded(written) == name) found = JsonValue(text_, child);
+    // With escapes it is longer.
+    const bool same = written.size() > name.size()
+                          ? written.find('\\') != std::string_view::npos && decoded(written) == name
+                          : written == name;
+    if (same) found = JsonValue(text_, child);
   }
   return found;
 }

@@ -1,8 +1,9 @@
 #include "overlays/overlay_paste.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <array>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "overlays/faults.h"
@@ -22,6 +23,8 @@ bool isGeometry(const std::string& type) {
                                          "MultiLineString", "MultiPolygon", "GeometryCollection"};
   return std::find(std::begin(kTypes), std::end(kTypes), type) != std::end(kTypes);
 }
+
+constexpr std::size_t kShapes = std::size_t(Shape::Other) + 1;
 
 /// Nothing is lost when it is pasted. `number` counts from 1.
 std::optional<Fault> whyNot(const JsonValue& written, const Feature& feature, std::int64_t number) {
@@ -85,22 +88,26 @@ tl::expected<std::vector<Feature>, Fault> pastedFeatures(const std::string& text
 
 std::vector<Feature> madeFree(const OverlayDocument& among, const std::vector<Feature>& features,
                               const std::function<std::string()>& new_id) {
-  std::set<std::string> ids;
-  std::map<Shape, std::set<std::string>> names;
+  std::unordered_set<std::string> ids;
+  ids.reserve(among.features().size() + features.size());
+  std::array<std::unordered_set<std::string>, kShapes> names;
+  for (auto& taken : names) taken.reserve(ids.bucket_count() / kShapes);
   for (const Feature& feature : among.features()) {
     ids.insert(feature.id());
-    names[feature.shape()].insert(feature.name());
+    names[std::size_t(feature.shape())].insert(feature.name());
   }
-  std::map<std::string, std::string> renewed;
-  std::map<std::pair<Shape, std::string>, int> last;  // number of a name
+  std::unordered_map<std::string, std::string> renewed;
+  std::array<std::unordered_map<std::string, int>, kShapes> last;  // number of a name
   std::vector<Feature> free;
   free.reserve(features.size());
   for (const Feature& feature : features) {
     const std::string before = feature.id();
-    std::string name = feature.name();
-    std::set<std::string>& taken = names[feature.shape()];
+    const std::string own_name = feature.name();
+    std::string name = own_name;
+    const auto shape = std::size_t(feature.shape());
+    auto& taken = names[shape];
     if (!name.empty() && !taken.insert(name).second) {
-      int& number = last.try_emplace({feature.shape(), name}, 1).first->second;
+      int& number = last[shape].try_emplace(name, 1).first->second;
       std::string next;
       do next = name + ' ' + std::to_string(++number);
       while (!taken.insert(next).second);
@@ -110,12 +117,13 @@ std::vector<Feature> madeFree(const OverlayDocument& among, const std::vector<Fe
     const std::string id = keeps ? before : new_id();
     if (!keeps && !before.empty()) renewed.emplace(before, id);
     if (keeps) {
-      free.push_back(name == feature.name() ? feature : withProperty(feature, "name", json::quoted(name)));
+      free.push_back(name == own_name ? feature : withProperty(feature, "name", json::quoted(name)));
     } else {
       free.push_back(duplicateOf(feature, id, name));
     }
   }
   for (Feature& feature : free) {
+    if (renewed.empty()) break;
     const auto dock = feature.property("dockingPointId");
     const auto to = dock ? renewed.find(dock->string()) : renewed.end();
     if (to != renewed.end()) feature = withProperty(feature, "dockingPointId", json::quoted(to->second));
