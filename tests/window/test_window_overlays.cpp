@@ -8,6 +8,7 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSplitter>
 #include <QTableView>
 #include <QTableWidget>
 #include <QTcpServer>
@@ -22,6 +23,8 @@
 #include "robot/overlay_store.h"
 #include "simulator/simulator.h"
 #include "test_program.h"
+#include "ui/kit/panels.h"
+#include "ui/kit/plain_label.h"
 #include "ui/overlays/overlay_drafts.h"
 #include "ui/overlays/overlay_form.h"
 #include "ui/overlays/overlay_review.h"
@@ -287,6 +290,41 @@ class TestWindowOverlays : public QObject {
     const std::string at_first = "[[0.00,0],[4,0]]";
     wanted.replace(wanted.find(at_first), at_first.size(), desk.coordinates(0));
     QCOMPARE(desk.held(), wanted);
+  }
+
+  void whatComesAndGoesMovesNothingUnderTheHand() {
+    Desk desk;
+    desk.open();
+    desk.window->resize(1366, 768);
+    desk.action("layoutInspect")->trigger();
+    part<Panels>(*desk.window)->open(&desk.dock());
+    QTRY_VERIFY(desk.dock().isVisible() && !desk.dock().visibleRegion().isEmpty());
+    QVERIFY(desk.dock().table()->viewport()->height() / desk.dock().table()->rowHeight(0) >= 4);
+    const auto* const split = desk.dock().findChild<QSplitter*>();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    const QPoint table = desk.dock().table()->mapTo(desk.window.get(), QPoint());
+    const QList<int> sizes = split->sizes();
+    const QPoint button = desk.dock().reviewButton()->mapTo(desk.window.get(), QPoint());
+    QVERIFY(desk.hand(Desk::with("[[0.00,0],[4,0]]", "[[0.00,3],[4,3]]")));
+    desk.action("save")->trigger();
+    QTRY_VERIFY(!desk.dock().conflictShown().isEmpty());
+    QCOMPARE(split->sizes(), sizes);
+    QCOMPARE(desk.dock().table()->mapTo(desk.window.get(), QPoint()), table);
+    QCOMPARE(desk.dock().reviewButton()->mapTo(desk.window.get(), QPoint()), button);
+  }
+
+  void aLongHintTakesSeveralLines() {
+    Desk desk;
+    desk.open();
+    desk.window->resize(800, 600);
+    desk.click(desk.px(2, 0));
+    const auto labels = desk.window->view()->findChildren<PlainLabel*>();
+    const auto hint = std::find_if(labels.begin(), labels.end(), [&](const PlainLabel* label) {
+      return label->text() == part<MapOverlay>(*desk.window)->hint();
+    });
+    QVERIFY(hint != labels.end());
+    QTRY_VERIFY((*hint)->height() >= (*hint)->heightForWidth((*hint)->width()));
+    QVERIFY((*hint)->heightForWidth((*hint)->width()) > (*hint)->sizeHint().height());
   }
 
   void whatOthersChangeDuringADragIsKept() {

@@ -37,17 +37,19 @@ void PlacePreview::setPlace(const geometry::WorldRect& place) {
 void PlacePreview::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), palette().color(QPalette::Base));
+  painter.fillRect(rect(), appColors().border);  // most pictures are white
   painter.setPen(palette().color(QPalette::Mid));
   painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
   if (place_.empty()) return;
   double left = std::min(place_.min_x, 0.0), right = std::max(place_.max_x, 0.0);
   double low = std::min(place_.min_y, 0.0), high = std::max(place_.max_y, 0.0);
   if (!present_.empty()) {
-    left = std::min(left, present_.min_x);
-    right = std::max(right, present_.max_x);
-    low = std::min(low, present_.min_y);
-    high = std::max(high, present_.max_y);
+    // Of a small picture in the whole of a large map nothing would be seen.
+    const double around_m = std::max(right - left, high - low);
+    left = std::min(left, std::max(present_.min_x, left - around_m));
+    right = std::max(right, std::min(present_.max_x, right + around_m));
+    low = std::min(low, std::max(present_.min_y, low - around_m));
+    high = std::max(high, std::min(present_.max_y, high + around_m));
   }
   constexpr double kRimPx = 14;
   const double scale = std::min((width() - 2 * kRimPx) / std::max(right - left, 1e-6),

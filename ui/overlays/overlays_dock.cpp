@@ -218,7 +218,7 @@ void OverlaysDock::buildTable() {
   table_->setSortingEnabled(true);
   table_->sortByColumn(OverlaysModel::NameColumn, Qt::AscendingOrder);
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  table_->setMinimumHeight(60);
+  table_->setMinimumHeight(124);  // four rows, also where the dock is low
   table_->installEventFilter(this);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(table_, &QWidget::customContextMenuRequested, this, &OverlaysDock::showMenu);

@@ -48,6 +48,7 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
   hint_frame_->setObjectName(QStringLiteral("furniture"));
   hint_frame_->setLayout(rowOf({hint_}, -1, QMargins(12, 4, 12, 4)));
   hint_->setAlignment(Qt::AlignCenter);
+  hint_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   hint_->setMostLines(3);
   hint_frame_->hide();
   // The map stays usable under the hint.
