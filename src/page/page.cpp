@@ -28,11 +28,11 @@ table{border-collapse:collapse;margin:.4rem 0;font-variant-numeric:tabular-nums}
 th,td{padding:.25rem .9rem .25rem 0;text-align:left;vertical-align:top;border-bottom:1px solid var(--line)}
 thead th{color:var(--muted);font-weight:600;white-space:nowrap}
 table.facts th{color:var(--muted);font-weight:400;min-width:9rem}
-td.number,th.number{text-align:right}
+td.number{text-align:right;white-space:nowrap}
 td div+div{margin-top:.15rem}
 figure{margin:.6rem 0}figcaption{color:var(--muted);font-size:.9rem;margin-top:.25rem}
 img{display:block;max-width:100%;height:auto;border:1px solid var(--line);background:#fff}
-svg{display:block;max-width:100%;height:auto}
+svg{display:block;width:100%;max-width:38rem;height:auto}
 svg text{fill:var(--muted);font-size:11px;font-family:inherit}
 svg .line{stroke:var(--line);fill:none}svg .curve{stroke:var(--accent);fill:none;stroke-width:1.6;stroke-linejoin:round}
 svg .dot{fill:var(--accent)}svg .mark{stroke:var(--bad);fill:none;stroke-width:1.2}svg .area{fill:var(--soft)}
@@ -61,12 +61,12 @@ constexpr QChar kIsolate(0x2068), kEndOfIsolate(0x2069);
 }  // namespace
 
 QString escaped(const QString& text) {
-  QString html = text.toHtmlEscaped();
-  for (QChar& letter : html) {
-    // HTML knows none of these.
+  QString html;
+  for (const QChar letter : text.toHtmlEscaped()) {
+    // HTML knows none of these; those that turn the direction are never ours.
     const ushort code = letter.unicode();
-    if ((code < 0x20 && code != '\n' && code != '\t') || (code >= 0x7f && code < 0xa0))
-      letter = QLatin1Char(' ');
+    const bool control = (code < 0x20 && code != '\n' && code != '\t') || (code >= 0x7f && code < 0xa0);
+    if (code < 0x202a || code > 0x202e) html += control ? QChar(QLatin1Char(' ')) : letter;
   }
   return html;
 }
