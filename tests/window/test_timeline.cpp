@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "sentences/event_sentence.h"
 #include "test_program.h"
 #include "ui/replay/timeline_axis.h"
 #include "ui/replay/timeline_events.h"
@@ -211,9 +212,9 @@ class TestTimeline : public QObject {
     Event event = at(1, EventKind::AlertBegan);
     event.code = 1001;
     event.text = "<b>stuck</b>\nhere\u202e";
-    QCOMPARE(eventText(event), QStringLiteral("Alert 1001: <b>stuck</b> here"));
+    QCOMPARE(sentences::eventText(event), QStringLiteral("Alert 1001: <b>stuck</b> here"));
     event.text = std::string(100'000, 'x');
-    QVERIFY(eventText(event).size() < 200);
+    QVERIFY(sentences::eventText(event).size() < 200);
   }
 };
 

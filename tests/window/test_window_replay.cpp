@@ -20,6 +20,7 @@
 #include "robot/axbot/axbot_address.h"
 #include "robot/axbot/axbot_robot.h"
 #include "simulator/simulator.h"
+#include "sentences/event_sentence.h"
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
 #include "ui/plots/messages_dock.h"
@@ -558,7 +559,7 @@ class TestWindowReplay : public QObject {
     const auto* const first = nextEvent(events, desk.clock().start(), 1);
     QVERIFY(first);
     NEAR(desk.clock().at(), first->at_s, 1e-6);
-    QVERIFY(desk.axis().wordsAt(desk.pixelOf(first->at_s)).contains(eventText(*first)));
+    QVERIFY(desk.axis().wordsAt(desk.pixelOf(first->at_s)).contains(sentences::eventText(*first)));
     desk.key(Qt::Key_End);
     desk.key(Qt::Key_PageUp);
     NEAR(desk.clock().at(), nextEvent(events, desk.clock().end(), -1)->at_s, 1e-6);
@@ -648,7 +649,7 @@ class TestWindowReplay : public QObject {
     const QStringList lines =
         QGuiApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     QCOMPARE(lines.size(), int(events.size()));
-    QVERIFY(lines.front().contains(eventText(events.front())));
+    QVERIFY(lines.front().contains(sentences::eventText(events.front())));
     QVERIFY(lines.front().contains(clockText(events.front().at_s)));
 
     // Without the replay it is empty, and stays where the user has it.

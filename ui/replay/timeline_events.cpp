@@ -8,8 +8,6 @@
 #include <QPen>
 #include <QPolygonF>
 
-#include "words/qt_plain.h"
-
 namespace mapwright::window {
 
 using replay::Event;
@@ -21,7 +19,6 @@ class TimelineEventsText {
   Q_DECLARE_TR_FUNCTIONS(TimelineEvents)
 };
 
-constexpr qsizetype kTextLength = 120;
 // Manual steps end exactly at an event.
 constexpr double kSameInstantS = 1e-6;
 
@@ -49,44 +46,11 @@ constexpr const char* kGroups[] = {
     QT_TRANSLATE_NOOP("TimelineEvents", "Maps and SLAM sessions"),
     QT_TRANSLATE_NOOP("TimelineEvents", "Emergency stops")};
 
-QString said(const std::string& text) { return words::plainName(text).left(kTextLength); }
-
 }  // namespace
 
 EventMark markOf(const Event& event) {
   if (event.kind == EventKind::MoveState && event.text == "failed") return {EventShape::Tick, Mark::Warning};
   return kKinds[std::size_t(event.kind)].mark;
-}
-
-QString eventText(const Event& event) {
-  const QString text = said(event.text);
-  switch (event.kind) {
-    case EventKind::AlertBegan:
-      return text.isEmpty() ? TimelineEventsText::tr("Alert %1").arg(event.code)
-                            : TimelineEventsText::tr("Alert %1: %2").arg(QString::number(event.code), text);
-    case EventKind::AlertEnded:
-      return text.isEmpty()
-                 ? TimelineEventsText::tr("Alert %1 ended").arg(event.code)
-                 : TimelineEventsText::tr("Alert %1 ended: %2").arg(QString::number(event.code), text);
-    case EventKind::MoveState:
-      return text.isEmpty() ? TimelineEventsText::tr("Planner: idle")
-                            : TimelineEventsText::tr("Planner: %1").arg(text);
-    case EventKind::PositionJump:
-      return TimelineEventsText::tr("The position jumped by %1 m").arg(event.metres, 0, 'f', 1);
-    case EventKind::MapChanged:
-      return TimelineEventsText::tr("Map changed: %1").arg(text);
-    case EventKind::SessionChanged:
-      return TimelineEventsText::tr("New SLAM session");
-    case EventKind::QualityLow:
-      return TimelineEventsText::tr("Localization is poor or lost");
-    case EventKind::QualityGood:
-      return TimelineEventsText::tr("Localization is good again");
-    case EventKind::EmergencyStopOn:
-      return TimelineEventsText::tr("Emergency stop pressed");
-    case EventKind::EmergencyStopOff:
-      return TimelineEventsText::tr("Emergency stop released");
-  }
-  return {};
 }
 
 QString kindName(EventKind kind) { return TimelineEventsText::tr(kKinds[std::size_t(kind)].name); }

@@ -25,8 +25,6 @@ struct EventMark {
   Mark mark = Mark::Neutral;
 };
 EventMark markOf(const replay::Event& event);
-/// "Alert 1001: blocked", "Jumped 2.3 m". One line of plain text.
-QString eventText(const replay::Event& event);
 /// "Alert ended".
 QString kindName(replay::EventKind kind);
 

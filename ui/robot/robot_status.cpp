@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QTimeZone>
 
+#include "sentences/state_words.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -81,7 +82,7 @@ void addSlam(const map::SlamStatus& slam, std::vector<StatusSection>& sections) 
                       : quality == 0 ? Mark::Neutral
                       : quality == 1 ? Mark::Bad
                                      : Mark::Warning;
-    section.add(QT_TRANSLATE_NOOP("window", "Position"), qualityWord(quality), mark);
+    section.add(QT_TRANSLATE_NOOP("window", "Position"), sentences::qualityWord(quality), mark);
   }
   if (slam.reliable) {
     section.add(QT_TRANSLATE_NOOP("window", "Reliable"),
@@ -142,23 +143,6 @@ void addPositioning(const map::GlobalPositioning& positioning, std::vector<Statu
 }
 
 }  // namespace
-
-QString qualityWord(int quality) {
-  switch (quality) {
-    case 0:
-      return QCoreApplication::translate("window", "unknown");
-    case 1:
-      return QCoreApplication::translate("window", "lost");
-    case 3:
-      return QCoreApplication::translate("window", "poor");
-    case 8:
-      return QCoreApplication::translate("window", "good");
-    case 10:
-      return QCoreApplication::translate("window", "excellent");
-    default:
-      return QCoreApplication::translate("window", "quality %1").arg(quality);
-  }
-}
 
 std::vector<StatusSection> statusSections(const map::LiveState& live) {
   std::vector<StatusSection> sections;

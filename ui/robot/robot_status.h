@@ -35,7 +35,5 @@ struct AlertLine {
 std::vector<StatusSection> statusSections(const map::LiveState& live);
 /// Worst first, then oldest first.
 std::vector<AlertLine> alertLines(const std::vector<map::Alert>& alerts, const QDateTime& now);
-/// "excellent", "good", …; "quality 5" for an unknown number.
-QString qualityWord(int quality);
 
 }  // namespace mapwright::window

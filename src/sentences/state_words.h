@@ -1,0 +1,15 @@
+// Words for what a robot says of its state.
+#pragma once
+
+#include <string>
+
+#include <QString>
+
+namespace mapwright::sentences {
+
+/// "excellent", "good", …; "quality 5" for an unknown number.
+QString qualityWord(int quality);
+/// "driving to its target" for "moving"; what is not known in quotation marks, as one line of plain text.
+QString plannerWord(const std::string& move_state);
+
+}  // namespace mapwright::sentences
