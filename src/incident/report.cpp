@@ -1,0 +1,466 @@
+#include "incident/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include <QCoreApplication>
+#include <QDateTime>
+
+#include "geometry/pose.h"
+#include "map/safety.h"
+#include "page/page.h"
+#include "sentences/event_sentence.h"
+#include "sentences/overlay_name.h"
+#include "sentences/plural.h"
+#include "sentences/problem_sentence.h"
+#include "sentences/state_words.h"
+#include "sentences/subject_name.h"
+
+namespace mapwright::incident {
+namespace {
+
+using page::Cell;
+using page::named;
+using page::Tone;
+
+class ReportText {
+  Q_DECLARE_TR_FUNCTIONS(Incident)
+};
+
+constexpr double kStandsMPerS = 0.05, kAheadM = 1;
+constexpr double kEventsBeforeS = 300;
+constexpr std::size_t kMostEvents = 30, kMostOnTheWay = 40, kMostTopics = 200;
+constexpr std::size_t kLongestSaid = 400;
+constexpr int kDayLetters = 11;
+
+QString metres(double m) { return ReportText::tr("%1 m").arg(m, 0, 'f', 2); }
+
+/// "12.3 s", "4 min 10 s", "2 h 5 min".
+QString ageText(double s) {
+  if (s < 100) return ReportText::tr("%1 s").arg(s, 0, 'f', 1);
+  const auto whole = qint64(s);
+  if (whole < 3600) return ReportText::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
+  return ReportText::tr("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60);
+}
+
+QString poseText(const geometry::Pose2& pose) {
+  return ReportText::tr("x %1 m, y %2 m, heading %3°")
+      .arg(pose.x_m, 0, 'f', 2)
+      .arg(pose.y_m, 0, 'f', 2)
+      .arg(geometry::degreesFromRadians(geometry::normalizeAngle(pose.yaw_rad)), 0, 'f', 1);
+}
+
+std::optional<double> valueAt(const Run& run, series::Quantity quantity) {
+  for (const Curve& curve : run.curves) {
+    if (curve.quantity == quantity) return curve.at_moment;
+  }
+  return std::nullopt;
+}
+
+std::vector<OnTheWay> thingsOnTheWay(const Run& run) {
+  return onTheWay(remainingWay(run.live), radiusOf(run.live.model), run.overlays, run.live.doors);
+}
+
+Cell notSaid() { return {ReportText::tr("not known"), Tone::Muted}; }
+
+std::vector<Cell> qualityCells(const map::SlamStatus& slam) {
+  std::vector<Cell> cells;
+  if (slam.position_quality) {
+    const int quality = *slam.position_quality;
+    const Tone tone = quality >= 8   ? Tone::Good
+                      : quality == 1 ? Tone::Bad
+                      : quality == 3 ? Tone::Warning
+                                     : Tone::Plain;
+    cells.emplace_back(ReportText::tr("%1 (%2 of 10)").arg(sentences::qualityWord(quality)).arg(quality),
+                       tone);
+  }
+  if (slam.reliable)
+    cells.emplace_back(*slam.reliable ? ReportText::tr("The robot calls its position reliable.")
+                                      : ReportText::tr("The robot calls its position unreliable."),
+                       *slam.reliable ? Tone::Plain : Tone::Warning);
+  if (slam.lidar_matching_score)
+    cells.emplace_back(ReportText::tr("lidar matching %1").arg(*slam.lidar_matching_score, 0, 'f', 2));
+  if (slam.lidar_matched == false)
+    cells.emplace_back(ReportText::tr("The lidar does not match the map."), Tone::Warning);
+  if (slam.wheel_slipping == true) cells.emplace_back(ReportText::tr("The wheels slip."), Tone::Warning);
+  if (cells.empty()) cells.push_back(notSaid());
+  return cells;
+}
+
+std::vector<Cell> plannerCells(const map::LiveState& live) {
+  if (!live.planning) return {notSaid()};
+  const map::PlanningState& planning = *live.planning;
+  std::vector<Cell> cells;
+  cells.emplace_back(sentences::plannerWord(planning.move_state),
+                     planning.move_state == "failed" ? Tone::Bad : Tone::Plain);
+  if (!planning.action_type.empty())
+    cells.emplace_back(ReportText::tr("action: %1").arg(named(planning.action_type)));
+  if (!planning.fail_reason.empty())
+    cells.emplace_back(ReportText::tr("reason, as the robot says it: %1").arg(named(planning.fail_reason)),
+                       Tone::Bad);
+  if (!planning.stuck_state.empty())
+    cells.emplace_back(ReportText::tr("stuck, as the robot says it: %1").arg(named(planning.stuck_state)),
+                       Tone::Warning);
+  if (planning.remaining_distance_m && *planning.remaining_distance_m >= 0)
+    cells.emplace_back(ReportText::tr("%1 to go").arg(metres(*planning.remaining_distance_m)));
+  for (std::size_t i = 0; i < std::min<std::size_t>(planning.targets.size(), 3); ++i)
+    cells.emplace_back(ReportText::tr("target: %1").arg(poseText(planning.targets[i])));
+  return cells;
+}
+
+void writeState(page::Page& page, const Run& run) {
+  const map::LiveState& live = run.live;
+  std::vector<page::Page::Fact> facts;
+  const auto fact = [&](const QString& what, std::vector<Cell> values) {
+    facts.push_back({what, std::move(values)});
+  };
+  fact(ReportText::tr("Time"), {ReportText::tr("%1 UTC").arg(utcText(run.at_s))});
+  if (const robot::BagAway* const away = run.info.awayAt(run.at_s))
+    fact(ReportText::tr("Connection"),
+         {{ReportText::tr("lost since %1 UTC: nothing was recorded").arg(utcText(away->from_s)), Tone::Bad}});
+  fact(ReportText::tr("Position"), {live.robot_pose ? Cell(poseText(*live.robot_pose)) : notSaid()});
+  fact(ReportText::tr("Position quality"), qualityCells(live.slam));
+  if (!live.slam.state.empty()) fact(ReportText::tr("SLAM"), {named(live.slam.state)});
+  const auto speed = valueAt(run, series::Quantity::Speed);
+  fact(ReportText::tr("Speed"), {speed ? Cell(ReportText::tr("%1 m/s").arg(*speed, 0, 'f', 2)) : notSaid()});
+  fact(ReportText::tr("Planner"), plannerCells(live));
+  if (run.map_name.empty()) {
+    fact(ReportText::tr("Map"), {notSaid()});
+  } else {
+    std::vector<Cell> map{named(run.map_name)};
+    if (live.map_info && live.map_info->map_version)
+      map.emplace_back(ReportText::tr("version %1").arg(*live.map_info->map_version));
+    if (run.map_of_now)
+      map.emplace_back(
+          ReportText::tr("The bag holds no picture of the map: the robot's present one is drawn."),
+          Tone::Warning);
+    fact(ReportText::tr("Map"), std::move(map));
+  }
+  std::vector<Cell> battery;
+  if (live.battery && live.battery->level)
+    battery.emplace_back(ReportText::tr("%1 %").arg(*live.battery->level * 100, 0, 'f', 1));
+  if (live.battery && !live.battery->supply.empty()) battery.emplace_back(named(live.battery->supply));
+  if (battery.empty()) battery.push_back(notSaid());
+  fact(ReportText::tr("Battery"), std::move(battery));
+  if (live.sensors && !live.sensors->power_state.empty())
+    fact(ReportText::tr("Sensors"), {named(live.sensors->power_state)});
+  page.facts(facts);
+}
+
+void writeSafety(page::Page& page, const Run& run) {
+  const map::LiveState& live = run.live;
+  std::vector<page::Page::Fact> facts;
+  Cell stop = notSaid();
+  if (live.wheels && live.wheels->emergency_stop)
+    stop = *live.wheels->emergency_stop ? Cell(ReportText::tr("pressed"), Tone::Bad)
+                                        : Cell(ReportText::tr("not pressed"));
+  facts.push_back({ReportText::tr("Emergency stop"), {stop}});
+  Cell control = notSaid();
+  if (live.wheels && !live.wheels->control_mode.empty()) control = Cell(named(live.wheels->control_mode));
+  facts.push_back({ReportText::tr("Control"), {control}});
+  std::vector<Cell> conditions;
+  for (const map::SafetyCondition& condition : map::safetyOf(live, run.at_s)) {
+    const map::Problem problem = map::problemOf(condition);
+    QString words = QStringLiteral("%1: %2").arg(sentences::nameOf(problem.subject),
+                                                 named(sentences::sentenceOf(problem)));
+    if (condition.since_s > 0)
+      words = ReportText::tr("%1 (since %2, %3)")
+                  .arg(words, utcText(condition.since_s), ageText(run.at_s - condition.since_s));
+    conditions.emplace_back(words, condition.severity == map::Severity::Error ? Tone::Bad : Tone::Warning);
+  }
+  if (conditions.empty()) conditions.emplace_back(ReportText::tr("none that the robot reports"));
+  facts.push_back({ReportText::tr("Conditions"), std::move(conditions)});
+  for (const auto& [topic, said] : run.said)
+    facts.push_back({named(topic), {named(said.substr(0, kLongestSaid))}});
+  page.facts(facts);
+}
+
+void writeMap(page::Page& page, const Run& run) {
+  if (run.picture.isEmpty()) {
+    page.paragraph(
+        ReportText::tr("There is nothing to draw: the bag tells of no map and no position up to this time."),
+        Tone::Muted);
+  } else {
+    page.picture(run.picture, run.picture_px,
+                 ReportText::tr("The map around the robot at %1 UTC, with its path, scan and overlays")
+                     .arg(utcText(run.at_s)));
+  }
+  for (const QString& remark : run.remarks) page.paragraph(remark, Tone::Warning);
+}
+
+void writeCurves(page::Page& page, const Run& run) {
+  if (run.curves.empty())
+    page.paragraph(ReportText::tr("The bag holds no numbers of this minute."), Tone::Muted);
+  for (const Curve& curve : run.curves) page.drawing(svgOf(curve, run.at_s));
+  page.paragraph(ReportText::tr("0 s is %1 UTC.").arg(utcText(run.at_s)), Tone::Muted);
+}
+
+Tone toneOf(const replay::Event& event) {
+  switch (event.kind) {
+    case replay::EventKind::EmergencyStopOn:
+      return Tone::Bad;
+    case replay::EventKind::AlertBegan:
+    case replay::EventKind::PositionJump:
+    case replay::EventKind::QualityLow:
+      return Tone::Warning;
+    case replay::EventKind::MoveState:
+      return event.text == "failed" ? Tone::Bad : Tone::Plain;
+    default:
+      return Tone::Plain;
+  }
+}
+
+void writeEvents(page::Page& page, const Run& run) {
+  std::vector<const replay::Event*> shown;
+  std::size_t before = 0;
+  for (const replay::Event& event : run.events) {
+    if (event.at_s > run.at_s + kBesideS) break;
+    if (event.at_s < run.at_s - kEventsBeforeS) {
+      ++before;
+    } else {
+      shown.push_back(&event);
+    }
+  }
+  if (shown.size() > kMostEvents) {
+    before += shown.size() - kMostEvents;
+    shown.erase(shown.begin(), shown.end() - std::ptrdiff_t(kMostEvents));
+  }
+  if (before > 0)
+    page.paragraph(sentences::counted(ReportText::tr("%1 earlier events are left out.", nullptr,
+                                                     sentences::formOf(qint64(before))),
+                                      qint64(before)),
+                   Tone::Muted);
+  if (shown.empty()) {
+    page.paragraph(ReportText::tr("Nothing happened in the five minutes before."), Tone::Muted);
+    return;
+  }
+  page.beginTable({ReportText::tr("Time (UTC)"), ReportText::tr("Offset"), ReportText::tr("Event")});
+  const auto row = [&](double at_s, const Cell& what) {
+    // The day is that of the moment, mostly.
+    QString time = utcText(at_s), day = utcText(run.at_s).left(kDayLetters);
+    if (time.startsWith(day)) time.remove(0, day.size());
+    const double since_s = at_s - run.at_s;
+    page.row({page::figure(time),
+              page::figure(ReportText::tr("%1%2 s")
+                               .arg(since_s > 0 ? QStringLiteral("+") : QString())
+                               .arg(since_s, 0, 'f', 1)),
+              what});
+  };
+  bool told = false;
+  for (const replay::Event* const event : shown) {
+    if (event->at_s > run.at_s && !std::exchange(told, true))
+      row(run.at_s, {ReportText::tr("the moment of this report"), Tone::Muted});
+    row(event->at_s, {named(sentences::eventText(*event)), toneOf(*event)});
+  }
+  if (!told) row(run.at_s, {ReportText::tr("the moment of this report"), Tone::Muted});
+  page.endTable();
+}
+
+void writeOnTheWay(page::Page& page, const Run& run) {
+  const Way way = remainingWay(run.live);
+  if (way.points.empty()) {
+    page.paragraph(ReportText::tr("No path is known at this time."), Tone::Muted);
+    return;
+  }
+  const double radius_m = radiusOf(run.live.model);
+  if (way.local) page.paragraph(ReportText::tr("Only the local path is known."), Tone::Muted);
+  if (way.off_m > kAheadM)
+    page.paragraph(ReportText::tr("The robot is %1 away from this path.").arg(metres(way.off_m)),
+                   Tone::Warning);
+  const std::vector<OnTheWay> things = thingsOnTheWay(run);
+  if (things.empty()) {
+    page.paragraph(ReportText::tr("No wall, region or door lies on the rest of the path."));
+  } else {
+    page.beginTable({ReportText::tr("Along the path"), ReportText::tr("What"), ReportText::tr("How near")});
+    for (std::size_t i = 0; i < std::min(things.size(), kMostOnTheWay); ++i) {
+      const OnTheWay& thing = things[i];
+      QString near = thing.away_m > 0 ? ReportText::tr("%1 beside it").arg(metres(thing.away_m))
+                     : thing.here     ? ReportText::tr("the robot is there")
+                                      : ReportText::tr("on the path");
+      if (!thing.state.empty()) near += QStringLiteral(", ") + named(thing.state);
+      page.row({page::figure(metres(thing.along_m)), Cell(nameOf(thing)), Cell(near)});
+    }
+    page.endTable();
+    if (things.size() > kMostOnTheWay)
+      page.paragraph(ReportText::tr("Those that are farther away are left out."), Tone::Muted);
+  }
+  page.paragraph(radius_m > 0
+                     ? ReportText::tr("What the path crosses or passes within %1, half the robot's width.")
+                           .arg(metres(radius_m))
+                     : ReportText::tr("Only what the path crosses: the robot's width is not known."),
+                 Tone::Muted);
+}
+
+void writeNotKnown(page::Page& page, const Run& run) {
+  page.list(notKnown(run));
+  std::vector<std::pair<double, std::string>> old;
+  for (const auto& [topic, stamp_s] : run.topics) {
+    if (run.at_s - stamp_s > kOldS) old.emplace_back(run.at_s - stamp_s, topic);
+  }
+  if (old.empty()) return;
+  std::stable_sort(old.begin(), old.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  page.title(ReportText::tr("Older than %1 s at this time").arg(kOldS));
+  page.beginTable({ReportText::tr("Topic"), ReportText::tr("Last message (UTC)"), ReportText::tr("Age")});
+  for (std::size_t i = 0; i < std::min(old.size(), kMostTopics); ++i)
+    page.row({Cell(named(old[i].second)), Cell(utcText(run.at_s - old[i].first)),
+              page::figure(ageText(old[i].first))});
+  page.endTable();
+}
+
+QStringList inShort(const Run& run) {
+  QStringList all;
+  if (run.live.robot_pose) {
+    all << ReportText::tr("The robot believed to be at %1.").arg(poseText(*run.live.robot_pose));
+  } else {
+    all << ReportText::tr("Where the robot believed to be is not known.");
+  }
+  const auto things = thingsOnTheWay(run);
+  if (!things.empty())
+    all << (things.front().here ? ReportText::tr("It is at %1.").arg(nameOf(things.front()))
+                                : ReportText::tr("The next thing on its path is %1, after %2.")
+                                      .arg(nameOf(things.front()), metres(things.front().along_m)));
+  return all + consistent(run);
+}
+
+}  // namespace
+
+QString utcText(double epoch_s) {
+  if (!std::isfinite(epoch_s) || std::abs(epoch_s) > 4e11) return QStringLiteral("-");
+  return QDateTime::fromMSecsSinceEpoch(qint64(std::floor(epoch_s * 1000 + 0.5)), Qt::UTC)
+      .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz"));
+}
+
+QString nameOf(const OnTheWay& thing) {
+  const QString kind = thing.seen_door ? ReportText::tr("Door that the robot reports")
+                                       : sentences::nameOf(thing.shape, thing.type);
+  return thing.name.empty() ? kind : QStringLiteral("%1 %2").arg(kind, named(thing.name));
+}
+
+QStringList consistent(const Run& run) {
+  QStringList all;
+  const map::LiveState& live = run.live;
+  if (live.planning && !live.planning->fail_reason.empty())
+    all << ReportText::tr("The robot says itself why it failed: %1.").arg(named(live.planning->fail_reason));
+  for (const map::Alert& alert : live.alerts)
+    all << ReportText::tr("The robot reports alert %1: %2")
+               .arg(QString::number(alert.code),
+                    alert.text.empty() ? ReportText::tr("it gives no further text.") : named(alert.text));
+  const auto speed = valueAt(run, series::Quantity::Speed);
+  const bool stands = speed && *speed < kStandsMPerS;
+  if (live.wheels && live.wheels->emergency_stop == true) {
+    if (!speed)
+      all << ReportText::tr("The emergency stop is pressed.");
+    else if (stands)
+      all << ReportText::tr("It stands still, which is consistent with the emergency stop that is pressed.");
+    else
+      all << ReportText::tr("The emergency stop is pressed, and yet its positions change at %1 m/s.")
+                 .arg(*speed, 0, 'f', 2);
+  }
+  const std::vector<OnTheWay> things = thingsOnTheWay(run);
+  const bool wants =
+      live.planning && (live.planning->move_state == "moving" || live.planning->move_state == "failed");
+  if (stands && wants && !things.empty() && things.front().along_m <= kAheadM)
+    all << ReportText::tr(
+               "It stands still although it has a way to go, which is consistent with being held up at %1, "
+               "%2 ahead.")
+               .arg(nameOf(things.front()), metres(things.front().along_m));
+  const bool poor =
+      live.slam.reliable == false ||
+      (live.slam.position_quality && *live.slam.position_quality > 0 && *live.slam.position_quality <= 3);
+  const auto jump = std::find_if(run.events.rbegin(), run.events.rend(), [&](const replay::Event& event) {
+    return event.kind == replay::EventKind::PositionJump && std::abs(event.at_s - run.at_s) <= kBesideS;
+  });
+  if (jump != run.events.rend())
+    all << (poor ? ReportText::tr(
+                       "Its position jumped by %1 within this minute, which is consistent with the poor "
+                       "localization.")
+                 : ReportText::tr("Its position jumped by %1 within this minute."))
+               .arg(metres(jump->metres));
+  if (poor && jump == run.events.rend())
+    all << ReportText::tr("Its localization is poor: it may have been elsewhere.");
+  return all;
+}
+
+QStringList notKnown(const Run& run) {
+  const map::LiveState& live = run.live;
+  QStringList all;
+  const auto lacks = [&](bool known, const QString& what) {
+    if (!known) all << what;
+  };
+  lacks(live.robot_pose.has_value(), ReportText::tr("Position: the bag holds none up to this time."));
+  lacks(live.slam.position_quality || live.slam.reliable,
+        ReportText::tr("Position quality: the bag does not tell it up to this time."));
+  lacks(valueAt(run, series::Quantity::Speed).has_value(),
+        ReportText::tr("Speed: there are too few positions around this time."));
+  lacks(live.planning.has_value(),
+        ReportText::tr("Planner: the bag does not tell its state up to this time."));
+  lacks(live.path.size() > 1 || live.local_path.points.size() > 1,
+        ReportText::tr("Path: the bag holds none up to this time."));
+  lacks(live.wheels && live.wheels->emergency_stop,
+        ReportText::tr("Emergency stop: the bag does not tell it up to this time."));
+  lacks(!run.said.empty(), ReportText::tr("Bumpers: the bag has no topic about them up to this time."));
+  lacks(live.battery && live.battery->level,
+        ReportText::tr("Battery: the bag does not tell it up to this time."));
+  lacks(!live.clouds.empty(), ReportText::tr("Scan: the bag holds none up to this time."));
+  lacks(radiusOf(live.model) > 0,
+        ReportText::tr("The robot's outline: the bag does not tell it up to this time."));
+  lacks(!run.map_name.empty(),
+        ReportText::tr("Map: the bag does not tell which one was used up to this time."));
+  lacks(!run.overlays.empty(),
+        ReportText::tr("Overlays: none are known, so walls, regions and doors may be missing."));
+  for (const robot::BagTopic& topic : run.info.topics) {
+    if (!run.topics.contains(topic.name))
+      all << ReportText::tr("Topic %1 begins only later.").arg(named(topic.name));
+    if (std::size_t(all.size()) >= kMostTopics) break;
+  }
+  if (run.info.interrupted) all << ReportText::tr("The recording was interrupted, or is still going on.");
+  return all;
+}
+
+bool writeReport(QIODevice& out, const Report& report) {
+  const Run& run = report.run;
+  page::Page page(out, ReportText::tr("Incident report: %1, %2 UTC").arg(named(run.name), utcText(run.at_s)));
+  page.paragraph(
+      ReportText::tr(
+          "What the recording tells of this moment. All times are UTC. What is said to be consistent "
+          "was so at the same time; only what the robot says itself is a reason."),
+      Tone::Muted);
+  if (report.against) {
+    QString beside = ReportText::tr("Beside it: %1 at %2 UTC.")
+                         .arg(named(report.against->name), utcText(report.against->at_s));
+    if (report.against_m)
+      beside +=
+          QLatin1Char(' ') +
+          (report.nearest ? ReportText::tr("That is when this run came nearest to the same place: %1 away.")
+                          : ReportText::tr("Its robot is %1 away from the same place."))
+              .arg(metres(*report.against_m));
+    if (report.against->map_name != run.map_name)
+      beside += QLatin1Char(' ') +
+                ReportText::tr("The two runs use different maps, so their positions may not fit.");
+    page.paragraph(beside);
+  }
+  const auto both = [&](const QString& title, const std::function<void(const Run&)>& write) {
+    page.section(title);
+    if (!report.against) return write(run);
+    page.beginColumns();
+    for (const Run* const one : {&run, &*report.against}) {
+      if (one != &run) page.nextColumn();
+      page.title(ReportText::tr("%1, %2").arg(named(one->name), utcText(one->at_s)));
+      write(*one);
+    }
+    page.endColumns();
+  };
+  both(ReportText::tr("In short"), [&](const Run& one) { page.list(inShort(one)); });
+  both(ReportText::tr("Map"), [&](const Run& one) { writeMap(page, one); });
+  both(ReportText::tr("What the robot believed"), [&](const Run& one) { writeState(page, one); });
+  both(ReportText::tr("Safety"), [&](const Run& one) { writeSafety(page, one); });
+  both(ReportText::tr("On the way"), [&](const Run& one) { writeOnTheWay(page, one); });
+  both(ReportText::tr("The minute around it"), [&](const Run& one) { writeCurves(page, one); });
+  both(ReportText::tr("Events"), [&](const Run& one) { writeEvents(page, one); });
+  both(ReportText::tr("Not known"), [&](const Run& one) { writeNotKnown(page, one); });
+  return page.end();
+}
+
+}  // namespace mapwright::incident
