@@ -27,6 +27,7 @@ struct BagsArguments : RobotArguments {
   std::string format;                      // export, track; "" = by the extension of the file
   std::string suffix, duration, category;  // record
   std::vector<std::string> files;          // merge: the inputs
+  std::string against;                     // report: another bag, or one and its time: OTHER@TIME
   double every_s = 60;                     // split
   bool yes = false, force = false;
 };
@@ -92,5 +93,6 @@ CommandResult<int> bagsTrack(RobotCommand& command, const BagsArguments& args);
 CommandResult<int> bagsRepair(RobotCommand& command, const BagsArguments& args);
 CommandResult<int> bagsSplit(RobotCommand& command, const BagsArguments& args);
 CommandResult<int> bagsMerge(RobotCommand& command, const BagsArguments& args);
+CommandResult<int> bagsReport(RobotCommand& command, const BagsArguments& args);
 
 }  // namespace mapwright::app

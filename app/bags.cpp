@@ -305,6 +305,10 @@ std::vector<BagCommand> bagCommands() {
        bagsState},
       {"events", Text::tr("List alerts, planner states, position jumps, map changes and lost localization"),
        bagsEvents},
+      {"report",
+       Text::tr("Write what the robot believed at a given time as one HTML file: map, state, safety, curves, "
+                "events, what lies on the way, what is not known"),
+       bagsReport},
       {"download", Text::tr("Download one to a file, or resume an interrupted download"), bagsDownload},
       {"export", Text::tr("Export a part as MCAP or JSON lines"), bagsExport},
       {"track", Text::tr("Export the robot's path as CSV, GeoJSON or TUM"), bagsTrack},
@@ -360,7 +364,16 @@ void addBagOptions(const std::string& name, CLI::App& command, BagsArguments& ar
     command.add_option(
         "--kind", args.kinds,
         help(Text::tr("Only these, separated by commas: alerts, planner, position, maps, stops")));
-  if (is("state")) command.add_option("--at", args.at, time)->required();
+  if (is("state", "report")) command.add_option("--at", args.at, time)->required();
+  if (is("report")) {
+    command.add_option(
+        "--against", args.against,
+        help(Text::tr("Another run beside it: OTHER@TIME, or OTHER for when it was nearest to the "
+                      "same place")));
+    command.add_option("-o,--output", args.output, help(Text::tr("The HTML file; - is the standard output")))
+        ->required();
+    command.add_flag("--force", args.force, help(Text::tr("Replace an existing file")));
+  }
   if (is("download")) {
     command.add_option("-o,--output", args.output,
                        help(Text::tr("Output file; by default named after the bag")));

@@ -1,0 +1,105 @@
+// `mapwright bags report`: a moment of a bag as one HTML file.
+#include <QEventLoop>
+#include <QFileInfo>
+
+#include "app/bag_reading.h"
+#include "app/command_text.h"
+#include "app/output.h"
+#include "app/robot_factory.h"
+#include "ui/incident/report_job.h"
+#include "words/qt_plain.h"
+#include "words/text.h"
+
+namespace mapwright::app {
+namespace {
+
+const QString kFileScheme = QStringLiteral("file:");
+
+incident::ReportOrder::Part partOf(const QString& address, const std::string& bag, const RobotAccess& access,
+                                   std::optional<double> at_s) {
+  incident::ReportOrder::Part part;
+  part.robot = [address, access] { return makeRobot(address, access.forAddress(address), DemoTime::Frozen); };
+  part.bag.name = bag;
+  part.any_kind = true;
+  part.at_s = at_s;
+  return part;
+}
+
+/// OTHER@TIME, or OTHER.
+struct OtherRun {
+  std::string bag;
+  std::optional<double> at_s;
+};
+OtherRun otherRunFrom(const std::string& typed) {
+  const std::size_t split = typed.rfind('@');
+  if (split == std::string::npos || QFileInfo::exists(words::text(typed))) return {typed, std::nullopt};
+  const auto at_s = timeFrom(typed.substr(split + 1), {});
+  return at_s ? OtherRun{typed.substr(0, split), *at_s} : OtherRun{typed, std::nullopt};
+}
+
+}  // namespace
+
+CommandResult<int> bagsReport(RobotCommand&, const BagsArguments& args) {
+  const auto at_s = timeFrom(args.at, QStringLiteral("--at"));
+  if (!at_s) return passOn(at_s);
+  const QString address = words::text(args.robot), path = words::text(args.output);
+  if (address.isEmpty())
+    return wrong(Text::tr(
+        "Which robot? Pass --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in simulated robot."));
+  const auto access = RobotAccess::read(args.access, address);
+  if (!access) return wrong(access.error());
+  incident::ReportOrder order{partOf(address, args.name, *access, *at_s), std::nullopt, path};
+  QStringList sources{address};
+  if (!args.against.empty()) {
+    OtherRun other = otherRunFrom(args.against);
+    std::string robot;
+    takeRecording(robot, other.bag, address.startsWith(kFileScheme) ? std::string() : args.robot);
+    if (robot.empty())
+      return wrong(Text::tr("--against %1: there is no such file.").arg(words::plainName(args.against)));
+    sources << words::text(robot);
+    order.against = partOf(words::text(robot), other.bag, *access, other.at_s);
+  }
+  std::vector<std::string> files;
+  for (const QString& source : sources) {
+    if (source.startsWith(kFileScheme)) files.push_back(source.mid(kFileScheme.size()).toStdString());
+  }
+  if (const auto why = whyNotCreated(path, QFileInfo::exists(path), args.force, files)) return wrong(*why);
+  if (const auto why = whyNotTogether({path, args.json ? QStringLiteral("-") : QString()}))
+    return wrong(*why);
+
+  incident::ReportJob job(std::move(order), std::make_shared<work::Workers>());
+  ProgressLine progress;
+  QEventLoop loop;
+  QObject::connect(&job, &incident::ReportJob::progressed, &loop,
+                   [&](double share) { progress.tell(Text::tr("%1 % read").arg(int(share * 100))); });
+  QObject::connect(&job, &incident::ReportJob::ended, &loop, &QEventLoop::quit, Qt::QueuedConnection);
+  job.start();
+  loop.exec();
+  progress.clear();
+  if (!job.error().isEmpty()) {
+    const bool ours = address.startsWith(kFileScheme) || job.failure() == map::FailureKind::None ||
+                      job.failure() == map::FailureKind::Unsupported;
+    return tl::make_unexpected(
+        CommandFailure{ours ? int(kUsage) : int(exitCodeOf(job.failure())), job.error()});
+  }
+  const incident::Report& report = job.report();
+  if (args.json) {
+    QJsonObject json = incident::reportJson(report);
+    json[QStringLiteral("file")] = path;
+    printJson(json);
+  } else if (!isStandardOutput(path)) {
+    QString line = Text::tr("%1: %2 at %3")
+                       .arg(path, words::plainName(report.run.name), incident::utcText(report.run.at_s));
+    if (report.against) {
+      line += Text::tr(", beside %1 at %2")
+                  .arg(words::plainName(report.against->name), incident::utcText(report.against->at_s));
+      if (report.against_m) line += Text::tr(", %1 m away").arg(*report.against_m, 0, 'f', 2);
+    }
+    printLine(oneLine(line));
+  }
+  if (!report.run.remarks.isEmpty())
+    return tl::make_unexpected(CommandFailure{kIncomplete, report.run.remarks.first()});
+  return kDone;
+}
+
+}  // namespace mapwright::app
