@@ -1,0 +1,354 @@
+#include "ui/incident/gathering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QImage>
+#include <QPainter>
+
+#include "robot/sends_map.h"
+#include "scene/map_theme.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/problem_sentence.h"
+#include "sentences/subject_name.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::incident {
+namespace {
+
+class GatheringText {
+  Q_DECLARE_TR_FUNCTIONS(Incident)
+};
+
+constexpr int kLookEveryMs = 20, kTries = 3;
+constexpr QSize kPicturePx(1000, 700);
+constexpr double kAroundM = 6, kMostAroundM = 40, kPictureMarginPx = 40;
+constexpr double kDotsPerMeter = 96 / 0.0254;  // whatever screen there is
+constexpr double kRoundedS = 1;                // robots state whole seconds
+constexpr std::size_t kLongestMessage = 4096;
+
+const std::set<scene::Layer> kLayers{
+    scene::Layer::Grid,  scene::Layer::Overlays,     scene::Layer::Landmarks, scene::Layer::Doors,
+    scene::Layer::Boxes, scene::Layer::Path,         scene::Layer::LocalPath, scene::Layer::Target,
+    scene::Layer::Cloud, scene::Layer::NearbyRobots, scene::Layer::Trail,     scene::Layer::Footprint,
+    scene::Layer::Robot, scene::Layer::ScaleBar};
+
+session::Session::Options optionsOf(std::shared_ptr<work::Workers> workers) {
+  session::Session::Options options;
+  options.workers = std::move(workers);
+  // What is opened depends on the bag alone, not on how fast something comes.
+  options.overview = options.maps = false;
+  return options;
+}
+
+std::unique_ptr<replay::ReplayRobot> replayOf(std::unique_ptr<robot::Robot> origin,
+                                              const Gathering::Wanted& wanted) {
+  return wanted.any_kind ? std::make_unique<replay::ReplayRobot>(std::move(origin), wanted.bag.name)
+                         : std::make_unique<replay::ReplayRobot>(std::move(origin), wanted.bag);
+}
+
+/// Topics that tell of bumpers and stops, in whatever form.
+bool isAboutSafety(const std::string& topic) {
+  const QString name = QString::fromStdString(topic).toLower();
+  return name.contains(QLatin1String("bumper")) || name.contains(QLatin1String("safety")) ||
+         name.contains(QLatin1String("emergency")) || name.contains(QLatin1String("estop")) ||
+         name.contains(QLatin1String("e_stop")) || name.contains(QLatin1String("protective"));
+}
+
+}  // namespace
+
+Gathering::Gathering(std::unique_ptr<robot::Robot> origin, Wanted wanted,
+                     std::shared_ptr<work::Workers> workers, QObject* parent)
+    : QObject(parent),
+      wanted_(std::move(wanted)),
+      workers_(std::move(workers)),
+      session_(replayOf(std::move(origin), wanted_), optionsOf(workers_)),
+      replayed_(qobject_cast<replay::ReplayRobot*>(&session_.robot())) {
+  run_.name = wanted_.bag.name;
+  connect(replayed_, &replay::ReplayRobot::jumped, this,
+          [this](const map::World& world, replay::Knowledge knowledge) {
+            if (recalled_ || knowledge != replay::Knowledge::Exact) return;
+            recalled_ = true;
+            session_.reset(world);
+          });
+  map::Streams streams;
+  for (const scene::Layer layer : kLayers) streams.merge(scene::layerStreams(layer));
+  session_.want(QStringLiteral("incident"), streams);
+  connect(&poll_, &QTimer::timeout, this, &Gathering::look);
+}
+
+Gathering::~Gathering() = default;
+
+void Gathering::start() {
+  poll_.start(kLookEveryMs);
+  session_.open();
+}
+
+void Gathering::fail(const QString& sentence, map::FailureKind kind) {
+  error_ = sentence;
+  failure_ = kind;
+  end();
+}
+
+void Gathering::end() {
+  if (std::exchange(ended_, true)) return;
+  poll_.stop();
+  Q_EMIT ended();
+}
+
+bool Gathering::opened() {
+  const robot::ConnectionState link = session_.connection();
+  if (link.phase == robot::ConnectionPhase::Refused)
+    fail(QStringLiteral("%1: %2").arg(words::plainName(wanted_.bag.name), sentences::sentenceOf(link.reason)),
+         link.failure);
+  if (ended_ || link.phase != robot::ConnectionPhase::Online) return false;
+  if (replayed_->at() || minute_) return true;
+  const robot::BagInfo& info = *replayed_->reading()->info();
+  run_.info = info;
+  if (!wanted_.at_s) return true;
+  const double rounded_s = replayed_->isLocal() ? 0.001 : kRoundedS;
+  if (*wanted_.at_s < info.start_s - rounded_s || *wanted_.at_s > info.end_s + rounded_s) {
+    fail(GatheringText::tr("%1: %2 UTC is not within it: it lasts from %3 to %4 UTC.")
+             .arg(words::plainName(wanted_.bag.name), utcText(*wanted_.at_s), utcText(info.start_s),
+                  utcText(info.end_s)),
+         map::FailureKind::Unsupported);
+    return false;
+  }
+  return true;
+}
+
+bool Gathering::momentChosen() {
+  if (minute_) return true;
+  replay::Reading& reading = *replayed_->reading();
+  if (!wanted_.at_s) {
+    reading.setWhole(true);
+    if (!reading.chunks().wanted()) reading.want(reading.chunks().end_s());
+    if (!reading.chunks().wholeRead()) {
+      const replay::Cell* const gap = reading.chunks().gapUntil(1e300);
+      if (gap && gap->tries >= kTries)
+        fail(QString::fromStdString(sentences::sentenceOf(gap->failure)), gap->failure.kind);
+      return false;
+    }
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const auto& [from, digest] : reading.index().digests()) {
+      for (const replay::Digest::Pose& pose : digest.poses) {
+        const double away_m = (replay::placeOf(pose).position_m - *wanted_.near_m).norm();
+        if (away_m >= least_m) continue;
+        least_m = away_m;
+        wanted_.at_s = pose.stamp_s;
+      }
+    }
+    if (!wanted_.at_s) {
+      fail(
+          GatheringText::tr("%1 tells of no position, so the same place cannot be looked for. Name the time.")
+              .arg(words::plainName(wanted_.bag.name)),
+          map::FailureKind::Unsupported);
+      return false;
+    }
+  }
+  run_.at_s = *wanted_.at_s;
+  minute_.emplace(run_.at_s);
+  replayed_->goTo(run_.at_s);
+  return true;
+}
+
+void Gathering::look() {
+  if (ended_ || scene_ || !opened() || !momentChosen()) return;
+  replay::Reading& reading = *replayed_->reading();
+  const replay::Cell* const gap = reading.chunks().gapUntil(run_.at_s);
+  if (!recalled_ && gap && gap->tries >= kTries)
+    return fail(QString::fromStdString(sentences::sentenceOf(gap->failure)), gap->failure.kind);
+  if (!recalled_) {
+    const double from_s = reading.chunks().start_s();
+    Q_EMIT progressed(double(reading.chunks().messagesRead()) /
+                      double(std::max<std::int64_t>(run_.info.messages, 1)) * (from_s <= run_.at_s ? 1 : 0));
+    return;
+  }
+  if (!std::exchange(map_asked_, true)) openMap();
+  if (minuteRead() && mapIn()) draw();
+}
+
+bool Gathering::minuteRead() {
+  replay::Reading& reading = *replayed_->reading();
+  const double until_s = std::min(minute_->until(), reading.chunks().end_s());
+  if (!awaited_) {
+    reading.want(std::max(until_s, run_.at_s));
+    const replay::Cell* const gap = reading.chunks().gapUntil(until_s);
+    if (!reading.chunks().readUntil(until_s) && !(gap && gap->tries >= kTries)) return false;
+    std::set<replay::Tick> needed;
+    for (const auto& [from, cell] : reading.chunks().cells()) {
+      if (cell.state == replay::CellState::Read && replay::secondsOf(cell.until) > minute_->from() &&
+          replay::secondsOf(cell.from) <= minute_->until())
+        needed.insert(from);
+    }
+    for (const auto& [topic, stamp_s] : replayed_->topics()) {
+      const replay::Cell* const cell = isAboutSafety(topic) ? reading.chunks().cellAt(stamp_s) : nullptr;
+      if (cell) needed.insert(cell->from);
+    }
+    awaited_.emplace();
+    std::vector<replay::Tick> again;
+    for (const replay::Tick from : needed) {
+      awaited_->insert(from);
+      if (const replay::ChunkPtr chunk = reading.chunkAt(from)) {
+        take(chunk);
+      } else {
+        again.push_back(from);
+      }
+    }
+    connect(&reading, &replay::Reading::chunkRead, this, &Gathering::take);
+    if (!again.empty()) reading.readAgain(again);
+  }
+  for (auto it = awaited_->begin(); it != awaited_->end();) {
+    const replay::Cell* const cell = reading.chunks().find(*it);
+    it = !cell || cell->tries >= kTries ? awaited_->erase(it) : std::next(it);
+  }
+  return awaited_->empty();
+}
+
+void Gathering::take(const replay::ChunkPtr& chunk) {
+  if (awaited_->erase(replay::tickOf(chunk->from_s)) == 0) return;
+  minute_->take(*chunk);
+  takeSaid(*chunk);
+}
+
+void Gathering::takeSaid(const replay::Chunk& chunk) {
+  const std::size_t end = chunk.countUntil(run_.at_s);
+  for (std::size_t place = 0; place < end; ++place) {
+    const robot::BagMessage& message = chunk.at(place);
+    const std::string& topic = message.message.topic;
+    if (message.known || !replay::isRecorded(message) || message.size > kLongestMessage ||
+        !isAboutSafety(topic))
+      continue;
+    const auto last = replayed_->topics().find(topic);
+    if (last == replayed_->topics().end() || last->second != message.message.received_s) continue;
+    run_.said[topic] = std::string(chunk.source->textOf(message));
+  }
+}
+
+void Gathering::openMap() {
+  const map::World& world = session_.world();
+  if (world.submaps) return;
+  if (world.live.grids.contains(map::GridKind::WholeMap) || replayed_->picturesUnderWay() > 0) {
+    session_.openMap({map::MapKind::Live, {}});
+  } else if (session_.robot().mapCatalogue()) {
+    session_.catalogue().refresh();
+  }
+}
+
+bool Gathering::mapIn() {
+  if (replayed_->picturesUnderWay() > 0 || session_.layerGrids().busy()) return false;
+  if (session_.world().submaps) {
+    const geometry::ViewTransform view = chosenView();
+    session_.setView(view.visibleWorld(), view.center_m);
+    return session_.settled(kTries);
+  }
+  session::MapSlot& slot = session_.wholeMap();
+  if (session_.catalogue().loading()) return false;
+  if (session_.catalogue().asked() && slot.phase() == session::MapSlot::Phase::Empty) {
+    const auto& entries = session_.catalogue().entries();
+    const map::CatalogueEntry* entry = session_.catalogue().current();
+    if (!entry && entries.size() == 1) entry = &entries.front();
+    if (entry && !(robot::givesByRegion(session_.robot()) && !session_.robot().isLocal()))
+      session_.openMap(entry->key);
+  }
+  return slot.settled() && !slot.waypointsAwaited();
+}
+
+void Gathering::takeState() {
+  replay::Reading& reading = *replayed_->reading();
+  run_.live = session_.live();
+  run_.topics = replayed_->topics();
+  minute_->takePoses(reading.index().digests());
+  run_.curves = minute_->curves();
+  run_.events = replay::eventsOf(reading.index().digests());
+  std::erase_if(run_.events, [&](const replay::Event& event) { return event.at_s > minute_->until(); });
+  const session::MapSlot& slot = session_.wholeMap();
+  if (run_.live.map_info) {
+    run_.map_name = run_.live.map_info->name;
+    run_.overlays = run_.live.map_info->overlays;
+  }
+  if (slot.cells()) {
+    if (run_.map_name.empty()) run_.map_name = slot.name().toStdString();
+    if (run_.overlays.empty()) run_.overlays = slot.shown().overlays;
+    run_.map_of_now = slot.shown().key.kind != map::MapKind::Live && !session_.robot().isLocal();
+  }
+  if (slot.phase() == session::MapSlot::Phase::Failed && slot.remark())
+    run_.remarks << GatheringText::tr("The map is not drawn. %1").arg(sentences::sentenceOf(*slot.remark()));
+  const session::SubmapCounts counts = session_.counts();
+  if (session_.world().submaps && counts.shown < counts.listed)
+    run_.remarks << GatheringText::tr("Submaps that could not be drawn: %1 of %2.")
+                        .arg(counts.listed - counts.shown)
+                        .arg(counts.listed);
+  for (const session::LoggedProblem& row : session_.problems().rows()) {
+    if (!row.resolved && row.problem.subject.kind == map::SubjectKind::Bag)
+      run_.remarks << sentences::sentenceOf(row.problem);
+  }
+}
+
+geometry::ViewTransform Gathering::chosenView() const {
+  if (wanted_.view) return *wanted_.view;
+  geometry::ViewTransform view;
+  view.width_px = kPicturePx.width();
+  view.height_px = kPicturePx.height();
+  const auto& pose = session_.live().robot_pose;
+  geometry::WorldRect bounds;
+  if (!pose) {
+    bounds.extend(session_.contentBounds());
+    if (session_.wholeMap().cells()) bounds.extend(session_.wholeMap().reference().bounds());
+    return view.fitted(bounds, kPictureMarginPx);
+  }
+  const Eigen::Vector2d robot(pose->x_m, pose->y_m);
+  bounds.extend(robot);
+  bounds = bounds.grown(kAroundM);
+  for (const Eigen::Vector2d& point : remainingWay(session_.live()).points) {
+    if ((point - robot).norm() < kMostAroundM) bounds.extend(point);
+  }
+  return view.fitted(bounds, kPictureMarginPx);
+}
+
+void Gathering::draw() {
+  view_ = chosenView();
+  takeState();
+  // Drawing takes a while. Nothing may change meanwhile.
+  session_.standStill();
+  session_.close();
+  const bool whole = session_.wholeMap().cells() != nullptr;
+  if (!whole && !session_.world().submaps && !run_.live.robot_pose) return end();
+  render::TileRenderer::Options options;
+  options.workers = workers_;
+  options.previews = false;
+  scene_ = std::make_unique<scene::MapScene>(std::move(options));
+  scene_->setTheme(scene::lightMapTheme());
+  std::set<scene::Layer> layers = kLayers;
+  if (whole) layers.insert(scene::Layer::WholeMap);
+  if (session_.world().submaps) layers.insert(scene::Layer::Submaps);
+  scene_->setLayersVisible(layers);
+  scene_->setView(view_);
+  scene_->setSession(&session_);
+  connect(scene_.get(), &scene::MapScene::tilesSettled, this, &Gathering::lookAtPicture);
+  QTimer::singleShot(0, this, &Gathering::lookAtPicture);
+}
+
+void Gathering::lookAtPicture() {
+  if (ended_ || !scene_->picturesSettled()) return;
+  QImage image(view_.width_px, view_.height_px, QImage::Format_RGB32);
+  image.setDotsPerMeterX(int(kDotsPerMeter));
+  image.setDotsPerMeterY(int(kDotsPerMeter));
+  QPainter painter(&image);
+  const QRectF whole(image.rect());
+  scene_->render(&painter, whole, whole);
+  painter.end();
+  QBuffer buffer(&run_.picture);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  run_.picture_px = image.size();
+  end();
+}
+
+}  // namespace mapwright::incident
+
+#include "moc_gathering.cpp"

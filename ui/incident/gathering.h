@@ -1,0 +1,81 @@
+// One run of a report: reads the bag up to its moment and half a minute beyond, and draws the map around the
+// robot. Uses a session of its own, so a replay on screen is not disturbed.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+
+#include <QObject>
+#include <QTimer>
+
+#include "geometry/view_transform.h"
+#include "incident/report.h"
+#include "map/failure.h"
+#include "replay/replay_robot.h"
+#include "scene/map_scene.h"
+#include "session/session.h"
+#include "work/workers.h"
+
+namespace mapwright::incident {
+
+class Gathering : public QObject {
+  Q_OBJECT
+ public:
+  struct Wanted {
+    robot::BagKey bag = {};
+    bool any_kind = false;                             // only its name is known
+    std::optional<double> at_s = {};                   // the moment; else when the robot was nearest to:
+    std::optional<Eigen::Vector2d> near_m = {};        // world metres
+    std::optional<geometry::ViewTransform> view = {};  // of the picture; nullopt: around the robot
+  };
+  /// `origin` is not connected.
+  Gathering(std::unique_ptr<robot::Robot> origin, Wanted wanted, std::shared_ptr<work::Workers> workers,
+            QObject* parent = nullptr);
+  ~Gathering() override;
+  void start();
+
+  /// Why there is nothing; empty: it is complete, or still going on.
+  const QString& error() const { return error_; }
+  map::FailureKind failure() const { return failure_; }
+  /// Once it has ended well.
+  Run& run() { return run_; }
+  const geometry::ViewTransform& view() const { return view_; }
+
+ Q_SIGNALS:
+  void progressed(double share);  // of the bag, 0..1
+  void ended();
+
+ private:
+  void look();
+  bool opened();
+  bool momentChosen();
+  /// Asks for what the report shows besides the state; true: all of it is there.
+  bool minuteRead();
+  void take(const replay::ChunkPtr& chunk);
+  void takeSaid(const replay::Chunk& chunk);
+  void openMap();
+  bool mapIn();
+  void takeState();
+  geometry::ViewTransform chosenView() const;
+  void draw();
+  void lookAtPicture();
+  void fail(const QString& sentence, map::FailureKind kind);
+  void end();
+
+  Wanted wanted_;
+  std::shared_ptr<work::Workers> workers_;
+  session::Session session_;
+  replay::ReplayRobot* replayed_;
+  std::unique_ptr<scene::MapScene> scene_;
+  QTimer poll_;
+  Run run_;
+  std::optional<Minute> minute_;
+  std::optional<std::set<replay::Tick>> awaited_;  // ranges whose messages are still needed
+  geometry::ViewTransform view_;
+  bool recalled_ = false, map_asked_ = false, ended_ = false;
+  QString error_;
+  map::FailureKind failure_ = map::FailureKind::None;
+};
+
+}  // namespace mapwright::incident
