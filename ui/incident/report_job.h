@@ -1,0 +1,64 @@
+// The report of a moment as a file: gathers one run or two, and writes. For the window and commands alike.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+#include <tl/expected.hpp>
+
+#include "incident/report.h"
+#include "ui/incident/gathering.h"
+
+namespace mapwright::incident {
+
+struct ReportOrder {
+  struct Part {
+    /// Not connected. The error is a sentence.
+    std::function<tl::expected<std::unique_ptr<robot::Robot>, QString>()> robot;
+    robot::BagKey bag;
+    bool any_kind = false;       // only its name is known
+    std::optional<double> at_s;  // of `against`, nullopt: when it was nearest to the same place
+  };
+  Part run;
+  std::optional<Part> against;
+  QString path;  // "-" is the standard output
+};
+
+class ReportJob : public QObject {
+  Q_OBJECT
+ public:
+  ReportJob(ReportOrder order, std::shared_ptr<work::Workers> workers, QObject* parent = nullptr);
+  ~ReportJob() override;
+  /// Ends in ended(). Deleting it cancels.
+  void start();
+
+  /// Why there is no report: a sentence; empty: it is written.
+  const QString& error() const { return error_; }
+  map::FailureKind failure() const { return failure_; }
+  const Report& report() const { return report_; }
+  const QString& path() const { return order_.path; }
+
+ Q_SIGNALS:
+  void progressed(double share);  // 0..1
+  void ended();
+
+ private:
+  void gather(const ReportOrder::Part& part, Gathering::Wanted wanted);
+  void takeRun();
+  void write();
+  void fail(const QString& sentence, map::FailureKind kind = map::FailureKind::None);
+
+  ReportOrder order_;
+  std::shared_ptr<work::Workers> workers_;
+  std::unique_ptr<Gathering> gathering_;
+  Report report_;
+  bool first_done_ = false;
+  QString error_;
+  map::FailureKind failure_ = map::FailureKind::None;
+};
+
+}  // namespace mapwright::incident
