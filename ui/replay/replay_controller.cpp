@@ -6,16 +6,20 @@
 
 #include <QAbstractItemView>
 #include <QAction>
+#include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QStandardPaths>
+#include <QUrl>
 
 #include "disk/file_error.h"
 #include "disk/written_file.h"
+#include "jobs/export_map.h"
 #include "sentences/fault_sentence.h"
+#include "ui/incident/report_job.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/panels.h"
@@ -33,6 +37,7 @@
 #include "ui/view/map_view.h"
 #include "ui/view/replay_state.h"
 #include "ui/view/toast_stack.h"
+#include "words/file_name.h"
 
 namespace mapwright::window {
 
@@ -45,6 +50,8 @@ const QString kFollowEventsKey = QStringLiteral("replay/followEvents");
 const QString kRangeFolderKey = QStringLiteral("replay/exportFolder");
 const QString kSavingEvents = QStringLiteral("events");
 const QString kEventsFolderKey = QStringLiteral("replay/eventsFolder");
+const QString kReporting = QStringLiteral("report");
+const QString kReportFolderKey = QStringLiteral("replay/reportFolder");
 const QString kHiddenEventsKey = QStringLiteral("replay/hiddenEvents");
 constexpr double kNearTrackPx = 10, kRoomAroundTrackM = 8;
 constexpr double kOnePassS = 3;  // poses within this time belong to one pass of a place
@@ -132,6 +139,9 @@ void ReplayController::addActions() {
   });
   entry("replayExport", tr("E&xport a range…"), "export", "",
         tr("Write a part of the bag or the path of the robot to a file"), [this] { exportRange(); });
+  entry("replayReport", tr("&Report of this moment…"), "", "",
+        tr("Write what the robot believed at this time, with map and curves, as one HTML file"),
+        [this] { reportMoment(); });
   menu_->addSeparator();
   back_ = context_.actions.add(tr("Replay"), QStringLiteral("replayBack"), tr("Back to the r&obot"),
                                QStringLiteral("robot"), {}, Reach::Everywhere, tr("End the replay"));
@@ -193,6 +203,54 @@ void ReplayController::exportRange() {
             context_.overlay.toasts()->add(Mark::Good, sentence);
           });
   range_dialog_->show();
+}
+
+void ReplayController::reportMoment() {
+  const replay::Reading* const reading = clock_->reading();
+  if (!reading) return;
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const QDir folder(folderToWriteInto({context_.settings.value(kReportFolderKey).toString(), documents}));
+  const QString proposed =
+      words::fileName(QStringLiteral("%1 %2.html")
+                          .arg(QString::fromStdString(reading->key().name), incident::utcText(clock_->at())),
+                      QStringLiteral("report.html"));
+  QString path = QFileDialog::getSaveFileName(&context_.window, tr("Report of this moment"),
+                                              folder.filePath(proposed), tr("Web pages (*.html)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QLatin1String(".html");
+  context_.settings.setValue(kReportFolderKey, QFileInfo(path).absolutePath());
+  reportMoment(path);
+}
+
+void ReplayController::reportMoment(const QString& path) {
+  const replay::Reading* const reading = clock_->reading();
+  if (!reading || report_) return;
+  ToastStack* const toasts = context_.overlay.toasts();
+  const QString address = context_.current.address();
+  const auto source = context_.addresses.parse(address);
+  if (source && !jobs::firstOwnSource({path}, {source->path.toStdString()}).isEmpty())
+    return toasts->add(
+        Mark::Bad, tr("%1 is the recording itself. Choose another name.").arg(QDir::toNativeSeparators(path)),
+        {}, kReporting);
+  incident::ReportOrder order;
+  order.run.robot = [this, address] { return make_robot_(address); };
+  order.run.bag = reading->key();
+  order.run.at_s = clock_->at();
+  order.path = path;
+  report_ = std::make_unique<incident::ReportJob>(std::move(order), context_.workers);
+  toasts->add(Mark::Busy, tr("The report is being written…"), {}, kReporting);
+  // Queued: the one that has ended is deleted.
+  connect(
+      report_.get(), &incident::ReportJob::ended, this,
+      [this, toasts] {
+        const std::unique_ptr<incident::ReportJob> job = std::move(report_);
+        if (!job->error().isEmpty()) return toasts->add(Mark::Bad, job->error(), {}, kReporting);
+        const QUrl file = QUrl::fromLocalFile(job->path());
+        toasts->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(job->path())),
+                    {tr("Open"), [file] { QDesktopServices::openUrl(file); }}, kReporting);
+      },
+      Qt::QueuedConnection);
+  report_->start();
 }
 
 void ReplayController::saveEvents() {

@@ -19,6 +19,10 @@ class QAction;
 class QKeyEvent;
 class QMenu;
 
+namespace mapwright::incident {
+class ReportJob;
+}
+
 namespace mapwright::window {
 
 class EventsDock;
@@ -52,6 +56,10 @@ class ReplayController : public Controller {
   /// Asks which part of the open bag to export.
   void exportRange();
   RangeExportDialog* rangeDialog() const;  // null: not open
+  /// Writes the report of the present moment to a file that is asked for.
+  void reportMoment();
+  /// The same to this file; a toast says what came of it.
+  void reportMoment(const QString& path);
   /// A click on the robot's path goes to the time when it was there.
   void clickedOnMap(const Eigen::Vector2d& world_m);
 
@@ -98,6 +106,7 @@ class ReplayController : public Controller {
   TimelineDock* dock_;
   EventsDock* events_;
   QPointer<RangeExportDialog> range_dialog_;
+  std::unique_ptr<incident::ReportJob> report_;  // being written
   QMenu* menu_ = nullptr;
   std::vector<QAction*> of_open_bag_;
   QAction *read_all_ = nullptr, *end_loop_ = nullptr, *back_ = nullptr;
