@@ -1,4 +1,5 @@
 // `mapwright bags report`: a moment of a recording as one HTML file.
+#include <algorithm>
 #include <cmath>
 #include <sched.h>
 
@@ -45,31 +46,31 @@ class BagReportTest : public QObject {
       recording::Channel channel;
       channel.topic = topic;
       channel.message_encoding = "json";
-      const std::string text = "{\"topic\":\"" + channel.topic + "\"," + rest + "}";
+      std::string text = "{'topic':'" + channel.topic + "'," + rest + "}";
+      std::replace(text.begin(), text.end(), '\'', '"');
       const std::int64_t at_ns = kStartNs + std::llround(after_s * 1e9);
       (void)(*writer)->write(*(*writer)->addChannel(channel), {at_ns, at_ns, 0},
                              {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     };
     say(0, "/map/info",
-        R"("name":")" + kOdd +
-            R"(","uid":"u1","map_version":3,"overlays":{"type":"FeatureCollection","features":[)" +
-            R"({"type":"Feature","geometry":{"type":"LineString","coordinates":[[2.5,-5],[2.5,5]]},)" +
-            R"("properties":{"lineType":"2","name":")" + kOdd + R"("}}]})");
-    say(0.1, "/robot_model", R"("footprint":[[0.3,0.25],[-0.3,0.25],[-0.3,-0.25],[0.3,-0.25]],"width":0.5)");
+        "'name':'" + kOdd +
+            "','uid':'u1','map_version':3,'overlays':{'type':'FeatureCollection','features':[" +
+            "{'type':'Feature','geometry':{'type':'LineString','coordinates':[[2.5,-5],[2.5,5]]}," +
+            "'properties':{'lineType':'2','name':'" + kOdd + "'}}]}");
+    say(0.1, "/robot_model", "'footprint':[[0.3,0.25],[-0.3,0.25],[-0.3,-0.25],[0.3,-0.25]],'width':0.5");
     const std::string y = std::to_string(drive.y_m);
-    say(0.2, "/path", R"("positions":[[0,)" + y + "],[10," + y + "]]");
-    say(0.3, "/planning_state", R"("move_state":"moving","action_type":"standard","remaining_distance":10)");
+    say(0.2, "/path", "'positions':[[0," + y + "],[10," + y + "]]");
+    say(0.3, "/planning_state", "'move_state':'moving','action_type':'standard','remaining_distance':10");
     for (int i = 3; i < 600; ++i) {
       const double now_s = i * 0.1;
       const double x = std::min(now_s, drive.stops_s) * 0.05;
-      if (drive.poses)
-        say(now_s, "/tracked_pose", R"("pos":[)" + std::to_string(x) + "," + y + "],\"ori\":0");
-      if (i % 10 == 0) say(now_s, "/battery_state", "\"percentage\":" + std::to_string(0.8 - now_s / 1000));
+      if (drive.poses) say(now_s, "/tracked_pose", "'pos':[" + std::to_string(x) + "," + y + "],\"ori\":0");
+      if (i % 10 == 0) say(now_s, "/battery_state", "'percentage':" + std::to_string(0.8 - now_s / 1000));
       if (i % 10 == 0)
-        say(now_s, "/slam/state", R"("state":"positioning","reliable":true,"position_quality":10)");
+        say(now_s, "/slam/state", "'state':'positioning','reliable':true,'position_quality':10");
     }
-    say(60, "/bumper_state", R"("front":")" + kOdd + "\"");
-    say(60, "/alerts", R"("alerts":[{"code":6001,"level":"error","msg":")" + kOdd + "\"}]");
+    say(60, "/bumper_state", "'front':'" + kOdd + "'");
+    say(60, "/alerts", "'alerts':[{'code':6001,'level':'error','msg':'" + kOdd + "'}]");
     (void)(*writer)->close();
     return path;
   }

@@ -2,6 +2,7 @@
 // and keys, on the simulator.
 #include <QClipboard>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLineEdit>
@@ -15,12 +16,13 @@
 #include <QtTest>
 
 #include "excerpt/excerpt.h"
+#include "incident/report.h"
 #include "recorder/layout.h"
 #include "recording/source.h"
 #include "robot/axbot/axbot_address.h"
 #include "robot/axbot/axbot_robot.h"
-#include "simulator/simulator.h"
 #include "sentences/event_sentence.h"
+#include "simulator/simulator.h"
 #include "test_program.h"
 #include "ui/kit/plain_label.h"
 #include "ui/plots/messages_dock.h"
@@ -786,6 +788,42 @@ class TestWindowReplay : public QObject {
     QCOMPARE(view.selectionModel()->selectedRows().front().row(), 50'001);
     model.setAt(events[70'000].at_s);
     QCOMPARE(model.presentRow(), 70'001);
+  }
+
+  void theReportOfTheMomentIsWrittenFromTheMenu() {
+    Desk desk;
+    QVERIFY(!desk.action("replayReport")->isEnabled());
+    desk.replay(kWhole);
+    desk.clock().seek(desk.clock().start() + 100);
+    QTRY_VERIFY(desk.isThere());
+    const double at_s = desk.clock().at();
+    const QString path = desk.folder.filePath(QStringLiteral("moment.html"));
+    QTimer chooses;
+    chooses.setInterval(10);
+    connect(&chooses, &QTimer::timeout, this, [&] {
+      auto* const dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      auto* const name = dialog ? dialog->findChild<QLineEdit*>() : nullptr;
+      if (!name) return;
+      chooses.stop();
+      QVERIFY(name->text().contains(QLatin1String("same_stamps.bag")));
+      name->setText(path);
+      QTest::keyClick(name, Qt::Key_Return);
+    });
+    chooses.start();
+    desk.action("replayReport")->trigger();
+    const ToastStack* const toasts = part<MapOverlay>(*desk.window)->toasts();
+    QTRY_VERIFY(toasts->texts().join(QLatin1Char(' ')).contains(QLatin1String("moment.html")));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QString html = QString::fromUtf8(file.readAll());
+    QVERIFY(html.contains(incident::utcText(at_s)) && html.contains(QLatin1String("same_stamps.bag")));
+    QVERIFY(html.contains(QLatin1String("data:image/png")) && html.endsWith(QLatin1String("</html>\n")));
+    // The replay on screen is where it was.
+    QVERIFY(desk.clock().at() == at_s && desk.isThere());
+    const auto buttons = desk.window->findChildren<QAbstractButton*>();
+    QVERIFY(std::any_of(buttons.begin(), buttons.end(), [](const QAbstractButton* each) {
+      return each->isVisible() && each->text() == QLatin1String("Open");
+    }));
   }
 
   void aRangeBeginsAndEndsWhereTheReplayIs() {
