@@ -6,7 +6,7 @@
 #include "app/command_text.h"
 #include "app/output.h"
 #include "app/robot_factory.h"
-#include "ui/incident/report_job.h"
+#include "reporting/report_job.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -15,9 +15,9 @@ namespace {
 
 const QString kFileScheme = QStringLiteral("file:");
 
-incident::ReportOrder::Part partOf(const QString& address, const std::string& bag, const RobotAccess& access,
-                                   std::optional<double> at_s) {
-  incident::ReportOrder::Part part;
+reporting::ReportOrder::Part partOf(const QString& address, const std::string& bag, const RobotAccess& access,
+                                    std::optional<double> at_s) {
+  reporting::ReportOrder::Part part;
   part.robot = [address, access] { return makeRobot(address, access.forAddress(address), DemoTime::Frozen); };
   part.bag.name = bag;
   part.any_kind = true;
@@ -48,7 +48,7 @@ CommandResult<int> bagsReport(RobotCommand&, const BagsArguments& args) {
         "Which robot? Pass --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in simulated robot."));
   const auto access = RobotAccess::read(args.access, address);
   if (!access) return wrong(access.error());
-  incident::ReportOrder order{partOf(address, args.name, *access, *at_s), std::nullopt, path};
+  reporting::ReportOrder order{partOf(address, args.name, *access, *at_s), std::nullopt, path};
   QStringList sources{address};
   if (!args.against.empty()) {
     OtherRun other = otherRunFrom(args.against);
@@ -67,12 +67,12 @@ CommandResult<int> bagsReport(RobotCommand&, const BagsArguments& args) {
   if (const auto why = whyNotTogether({path, args.json ? QStringLiteral("-") : QString()}))
     return wrong(*why);
 
-  incident::ReportJob job(std::move(order), std::make_shared<work::Workers>());
+  reporting::ReportJob job(std::move(order), std::make_shared<work::Workers>());
   ProgressLine progress;
   QEventLoop loop;
-  QObject::connect(&job, &incident::ReportJob::progressed, &loop,
+  QObject::connect(&job, &reporting::ReportJob::progressed, &loop,
                    [&](double share) { progress.tell(Text::tr("%1 % read").arg(int(share * 100))); });
-  QObject::connect(&job, &incident::ReportJob::ended, &loop, &QEventLoop::quit, Qt::QueuedConnection);
+  QObject::connect(&job, &reporting::ReportJob::ended, &loop, &QEventLoop::quit, Qt::QueuedConnection);
   job.start();
   loop.exec();
   progress.clear();

@@ -126,6 +126,16 @@
     </message>
 </context>
 <context>
+    <name>Incident</name>
+    <message numerus="yes">
+        <source>%1 earlier events are left out.</source>
+        <translation>
+            <numerusform>%1 earlier event is left out.</numerusform>
+            <numerusform>%1 earlier events are left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>OverlayText</name>
     <message numerus="yes">
         <source>%1 points</source>

@@ -18,8 +18,8 @@
 #include "disk/file_error.h"
 #include "disk/written_file.h"
 #include "jobs/export_map.h"
+#include "reporting/report_job.h"
 #include "sentences/fault_sentence.h"
-#include "ui/incident/report_job.h"
 #include "ui/kit/actions.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/panels.h"
@@ -232,18 +232,18 @@ void ReplayController::reportMoment(const QString& path) {
     return toasts->add(
         Mark::Bad, tr("%1 is the recording itself. Choose another name.").arg(QDir::toNativeSeparators(path)),
         {}, kReporting);
-  incident::ReportOrder order;
+  reporting::ReportOrder order;
   order.run.robot = [this, address] { return make_robot_(address); };
   order.run.bag = reading->key();
   order.run.at_s = clock_->at();
   order.path = path;
-  report_ = std::make_unique<incident::ReportJob>(std::move(order), context_.workers);
+  report_ = std::make_unique<reporting::ReportJob>(std::move(order), context_.workers);
   toasts->add(Mark::Busy, tr("The report is being written…"), {}, kReporting);
   // Queued: the one that has ended is deleted.
   connect(
-      report_.get(), &incident::ReportJob::ended, this,
+      report_.get(), &reporting::ReportJob::ended, this,
       [this, toasts] {
-        const std::unique_ptr<incident::ReportJob> job = std::move(report_);
+        const std::unique_ptr<reporting::ReportJob> job = std::move(report_);
         if (!job->error().isEmpty()) return toasts->add(Mark::Bad, job->error(), {}, kReporting);
         const QUrl file = QUrl::fromLocalFile(job->path());
         toasts->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(job->path())),

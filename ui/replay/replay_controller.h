@@ -19,7 +19,7 @@ class QAction;
 class QKeyEvent;
 class QMenu;
 
-namespace mapwright::incident {
+namespace mapwright::reporting {
 class ReportJob;
 }
 
@@ -106,7 +106,7 @@ class ReplayController : public Controller {
   TimelineDock* dock_;
   EventsDock* events_;
   QPointer<RangeExportDialog> range_dialog_;
-  std::unique_ptr<incident::ReportJob> report_;  // being written
+  std::unique_ptr<reporting::ReportJob> report_;  // being written
   QMenu* menu_ = nullptr;
   std::vector<QAction*> of_open_bag_;
   QAction *read_all_ = nullptr, *end_loop_ = nullptr, *back_ = nullptr;

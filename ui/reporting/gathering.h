@@ -7,6 +7,7 @@
 #include <set>
 
 #include <QObject>
+#include <QSize>
 #include <QTimer>
 
 #include "geometry/view_transform.h"
@@ -17,7 +18,7 @@
 #include "session/session.h"
 #include "work/workers.h"
 
-namespace mapwright::incident {
+namespace mapwright::reporting {
 
 class Gathering : public QObject {
   Q_OBJECT
@@ -28,6 +29,7 @@ class Gathering : public QObject {
     std::optional<double> at_s = {};                   // the moment; else when the robot was nearest to:
     std::optional<Eigen::Vector2d> near_m = {};        // world metres
     std::optional<geometry::ViewTransform> view = {};  // of the picture; nullopt: around the robot
+    QSize picture_px = {1000, 700};
   };
   /// `origin` is not connected.
   Gathering(std::unique_ptr<robot::Robot> origin, Wanted wanted, std::shared_ptr<work::Workers> workers,
@@ -39,7 +41,7 @@ class Gathering : public QObject {
   const QString& error() const { return error_; }
   map::FailureKind failure() const { return failure_; }
   /// Once it has ended well.
-  Run& run() { return run_; }
+  incident::Run& run() { return run_; }
   const geometry::ViewTransform& view() const { return view_; }
 
  Q_SIGNALS:
@@ -69,8 +71,8 @@ class Gathering : public QObject {
   replay::ReplayRobot* replayed_;
   std::unique_ptr<scene::MapScene> scene_;
   QTimer poll_;
-  Run run_;
-  std::optional<Minute> minute_;
+  incident::Run run_;
+  std::optional<incident::Minute> minute_;
   std::optional<std::set<replay::Tick>> awaited_;  // ranges whose messages are still needed
   geometry::ViewTransform view_;
   bool recalled_ = false, map_asked_ = false, ended_ = false;
@@ -78,4 +80,4 @@ class Gathering : public QObject {
   map::FailureKind failure_ = map::FailureKind::None;
 };
 
-}  // namespace mapwright::incident
+}  // namespace mapwright::reporting

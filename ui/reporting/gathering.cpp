@@ -1,4 +1,4 @@
-#include "ui/incident/gathering.h"
+#include "reporting/gathering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +17,17 @@
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::incident {
+namespace mapwright::reporting {
 namespace {
+
+using incident::remainingWay;
+using incident::utcText;
 
 class GatheringText {
   Q_DECLARE_TR_FUNCTIONS(Incident)
 };
 
 constexpr int kLookEveryMs = 20, kTries = 3;
-constexpr QSize kPicturePx(1000, 700);
 constexpr double kAroundM = 6, kMostAroundM = 40, kPictureMarginPx = 40;
 constexpr double kDotsPerMeter = 96 / 0.0254;  // whatever screen there is
 constexpr double kRoundedS = 1;                // robots state whole seconds
@@ -163,9 +165,8 @@ void Gathering::look() {
   if (!recalled_ && gap && gap->tries >= kTries)
     return fail(QString::fromStdString(sentences::sentenceOf(gap->failure)), gap->failure.kind);
   if (!recalled_) {
-    const double from_s = reading.chunks().start_s();
-    Q_EMIT progressed(double(reading.chunks().messagesRead()) /
-                      double(std::max<std::int64_t>(run_.info.messages, 1)) * (from_s <= run_.at_s ? 1 : 0));
+    const auto all = double(std::max<std::int64_t>(run_.info.messages, 1));
+    Q_EMIT progressed(std::min(1.0, double(reading.chunks().messagesRead()) / all));
     return;
   }
   if (!std::exchange(map_asked_, true)) openMap();
@@ -292,8 +293,8 @@ void Gathering::takeState() {
 geometry::ViewTransform Gathering::chosenView() const {
   if (wanted_.view) return *wanted_.view;
   geometry::ViewTransform view;
-  view.width_px = kPicturePx.width();
-  view.height_px = kPicturePx.height();
+  view.width_px = wanted_.picture_px.width();
+  view.height_px = wanted_.picture_px.height();
   const auto& pose = session_.live().robot_pose;
   geometry::WorldRect bounds;
   if (!pose) {
@@ -349,6 +350,6 @@ void Gathering::lookAtPicture() {
   end();
 }
 
-}  // namespace mapwright::incident
+}  // namespace mapwright::reporting
 
 #include "moc_gathering.cpp"

@@ -11,9 +11,9 @@
 #include <tl/expected.hpp>
 
 #include "incident/report.h"
-#include "ui/incident/gathering.h"
+#include "reporting/gathering.h"
 
-namespace mapwright::incident {
+namespace mapwright::reporting {
 
 struct ReportOrder {
   struct Part {
@@ -39,7 +39,7 @@ class ReportJob : public QObject {
   /// Why there is no report: a sentence; empty: it is written.
   const QString& error() const { return error_; }
   map::FailureKind failure() const { return failure_; }
-  const Report& report() const { return report_; }
+  const incident::Report& report() const { return report_; }
   const QString& path() const { return order_.path; }
 
  Q_SIGNALS:
@@ -55,10 +55,10 @@ class ReportJob : public QObject {
   ReportOrder order_;
   std::shared_ptr<work::Workers> workers_;
   std::unique_ptr<Gathering> gathering_;
-  Report report_;
+  incident::Report report_;
   bool first_done_ = false;
   QString error_;
   map::FailureKind failure_ = map::FailureKind::None;
 };
 
-}  // namespace mapwright::incident
+}  // namespace mapwright::reporting

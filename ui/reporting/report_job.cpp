@@ -1,4 +1,4 @@
-#include "ui/incident/report_job.h"
+#include "reporting/report_job.h"
 
 #include <utility>
 
@@ -9,8 +9,12 @@
 #include "disk/written_file.h"
 #include "sentences/fault_sentence.h"
 
-namespace mapwright::incident {
+namespace mapwright::reporting {
 namespace {
+
+using incident::Run;
+
+constexpr QSize kBesidePx(660, 500);  // where two stand beside each other
 
 std::optional<Eigen::Vector2d> placeOf(const Run& run) {
   const auto& pose = run.live.robot_pose;
@@ -37,6 +41,7 @@ void ReportJob::gather(const ReportOrder::Part& part, Gathering::Wanted wanted) 
   if (!robot) return fail(robot.error());
   wanted.bag = part.bag;
   wanted.any_kind = part.any_kind;
+  if (order_.against) wanted.picture_px = kBesidePx;
   gathering_ = std::make_unique<Gathering>(std::move(*robot), std::move(wanted), workers_);
   connect(gathering_.get(), &Gathering::progressed, this, &ReportJob::progressed);
   // Queued: the one that has ended is deleted.
@@ -73,13 +78,13 @@ void ReportJob::write() {
   QByteArray html;
   QBuffer buffer(&html);
   buffer.open(QIODevice::WriteOnly);
-  writeReport(buffer, report_);
+  incident::writeReport(buffer, report_);
   if (const auto fault =
           disk::writeFile(order_.path.toStdString(), {html.constData(), std::size_t(html.size())}))
     return fail(sentences::wordsOf(disk::notWritten(*fault)));
   Q_EMIT ended();
 }
 
-}  // namespace mapwright::incident
+}  // namespace mapwright::reporting
 
 #include "moc_report_job.cpp"
