@@ -45,6 +45,12 @@ QString ageText(double s) {
   return ReportText::tr("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60);
 }
 
+/// The day is that of the moment, mostly.
+QString clockText(double at_s, const Run& run) {
+  const QString time = utcText(at_s), day = utcText(run.at_s).left(kDayLetters);
+  return time.startsWith(day) ? time.mid(day.size()) : time;
+}
+
 QString poseText(const geometry::Pose2& pose) {
   return ReportText::tr("x %1 m, y %2 m, heading %3°")
       .arg(pose.x_m, 0, 'f', 2)
@@ -166,8 +172,8 @@ void writeSafety(page::Page& page, const Run& run) {
     QString words = QStringLiteral("%1: %2").arg(sentences::nameOf(problem.subject),
                                                  named(sentences::sentenceOf(problem)));
     if (condition.since_s > 0)
-      words = ReportText::tr("%1 (since %2, %3)")
-                  .arg(words, utcText(condition.since_s), ageText(run.at_s - condition.since_s));
+      words = ReportText::tr("%1 (since %2, for %3)")
+                  .arg(words, clockText(condition.since_s, run), ageText(run.at_s - condition.since_s));
     conditions.emplace_back(words, condition.severity == map::Severity::Error ? Tone::Bad : Tone::Warning);
   }
   if (conditions.empty()) conditions.emplace_back(ReportText::tr("none that the robot reports"));
@@ -238,11 +244,8 @@ void writeEvents(page::Page& page, const Run& run) {
   }
   page.beginTable({ReportText::tr("Time (UTC)"), ReportText::tr("Offset"), ReportText::tr("Event")});
   const auto row = [&](double at_s, const Cell& what) {
-    // The day is that of the moment, mostly.
-    QString time = utcText(at_s), day = utcText(run.at_s).left(kDayLetters);
-    if (time.startsWith(day)) time.remove(0, day.size());
     const double since_s = at_s - run.at_s;
-    page.row({page::figure(time),
+    page.row({page::figure(clockText(at_s, run)),
               page::figure(ReportText::tr("%1%2 s")
                                .arg(since_s > 0 ? QStringLiteral("+") : QString())
                                .arg(since_s, 0, 'f', 1)),
@@ -316,6 +319,8 @@ QStringList inShort(const Run& run) {
   } else {
     all << ReportText::tr("Where the robot believed to be is not known.");
   }
+  if (run.live.planning && !run.live.planning->move_state.empty())
+    all << ReportText::tr("Its planner: %1.").arg(sentences::plannerWord(run.live.planning->move_state));
   const auto things = thingsOnTheWay(run);
   if (!things.empty())
     all << (things.front().here ? ReportText::tr("It is at %1.").arg(nameOf(things.front()))
@@ -333,8 +338,7 @@ QString utcText(double epoch_s) {
 }
 
 QString nameOf(const OnTheWay& thing) {
-  const QString kind = thing.seen_door ? ReportText::tr("Door that the robot reports")
-                                       : sentences::nameOf(thing.shape, thing.type);
+  const QString kind = thing.seen_door ? ReportText::tr("Door") : sentences::nameOf(thing.shape, thing.type);
   return thing.name.empty() ? kind : QStringLiteral("%1 %2").arg(kind, named(thing.name));
 }
 
@@ -394,7 +398,7 @@ QStringList notKnown(const Run& run) {
         ReportText::tr("Position quality: the bag does not tell it up to this time."));
   lacks(valueAt(run, series::Quantity::Speed).has_value(),
         ReportText::tr("Speed: there are too few positions around this time."));
-  lacks(live.planning.has_value(),
+  lacks(live.planning && !live.planning->move_state.empty(),
         ReportText::tr("Planner: the bag does not tell its state up to this time."));
   lacks(live.path.size() > 1 || live.local_path.points.size() > 1,
         ReportText::tr("Path: the bag holds none up to this time."));

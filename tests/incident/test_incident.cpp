@@ -164,6 +164,17 @@ class IncidentTest : public QObject {
     QCOMPARE(incident::notKnown(run).size(), 1);  // the topic that begins later
   }
 
+  /// Targets alone, as ROS robots tell them, are no state.
+  void aPlannerThatTellsOnlyItsTargetIsNotIdle() {
+    Run run;
+    run.at_s = kAt;
+    run.live.planning = map::PlanningState{};
+    run.live.planning->targets = {{1, 2, 0}};
+    const QString html = htmlOf({run, {}, {}, false});
+    QVERIFY(html.contains(QLatin1String("its state is not told")) && !html.contains(QLatin1String("idle")));
+    QVERIFY(html.contains(QLatin1String("Planner: the bag does not tell its state")));
+  }
+
   /// A report of nothing is a report.
   void aBagWithoutPosesIsReported() {
     Run run;
