@@ -25,15 +25,15 @@ using page::Cell;
 using page::named;
 using page::Tone;
 
-class ReportText {
-  Q_DECLARE_TR_FUNCTIONS(Incident)
-};
-
 constexpr double kStandsMPerS = 0.05, kAheadM = 1;
 constexpr double kEventsBeforeS = 300;
 constexpr std::size_t kMostEvents = 30, kMostOnTheWay = 40, kMostTopics = 200;
 constexpr std::size_t kLongestSaid = 400;
 constexpr int kDayLetters = 11;
+
+class ReportText {
+  Q_DECLARE_TR_FUNCTIONS(Incident)
+};
 
 QString metres(double m) { return ReportText::tr("%1 m").arg(m, 0, 'f', 2); }
 

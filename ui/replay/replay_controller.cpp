@@ -224,8 +224,9 @@ void ReplayController::reportMoment() {
 
 void ReplayController::reportMoment(const QString& path) {
   const replay::Reading* const reading = clock_->reading();
-  if (!reading || report_) return;
+  if (!reading) return;
   ToastStack* const toasts = context_.overlay.toasts();
+  if (report_) return toasts->add(Mark::Busy, tr("The report before is still being written."));
   const QString address = context_.current.address();
   const auto source = context_.addresses.parse(address);
   if (source && !jobs::firstOwnSource({path}, {source->path.toStdString()}).isEmpty())
