@@ -75,6 +75,10 @@ void SimulateOptions::addRobot() {
   option("--port", o.port, tr("Port of the Autoxing robot, 0 for any free port"))->capture_default_str();
   option("--aimdk-port", o.aimdk_port, tr("Port of the Agibot robot, 0 for any free port"))
       ->capture_default_str();
+  flag("--aimdk-newer", o.aimdk.newer,
+       tr("The Agibot robot has newer firmware: its maps and waypoints can be changed, and it can map"));
+  flag("--aimdk-centimetres", o.aimdk.centimetres,
+       tr("The resolution of the Agibot robot's maps means centimetres per pixel"));
   option("--scene", o.scene, tr("One of: %1").arg(scene_names.join(QStringLiteral(", "))))
       ->capture_default_str()
       ->check([scene_names](const std::string& given) {

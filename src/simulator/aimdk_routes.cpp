@@ -1,8 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "simulator/axbot_routes.h"
 
@@ -14,32 +16,35 @@ constexpr double kDegreesOfTurn = 180 / std::numbers::pi;
 constexpr int kNavigationPoints = 9;
 constexpr int kMisplacedPoint = 4;  // whose pixel_pose does not fit its pose
 constexpr double kMisplacedPixels = 6;
+constexpr std::string_view kFirstMap = "1764059676131";
+
+}  // namespace
 
 struct AimdkMap {
-  std::string_view id;  // 13 digits
-  std::string_view name;
+  std::string id;  // 13 digits
+  std::string name;
   int index;
   int trajectory;
   double resolution_m;
-  double rotate_deg;
-  bool data_url;   // map_data begins with "data:image/png;base64,"
-  int wrong_size;  // what the declared width and height are off by
+  double rotate_deg = 0;
+  bool data_url = false;  // map_data begins with "data:image/png;base64,"
+  int wrong_size = 0;     // what the declared width and height are off by
 };
-constexpr std::array<AimdkMap, 3> kMaps{{{"1764137567113", "River Park", 5, 3, 0.05, 0, true, 0},
-                                         {"1764059676131", "Park", 3, 0, 0.05, -5.512457272434708, false, 0},
-                                         {"1762584133656", "e2-8 <b>大厅</b> 🏭", 2, 2, 0.1, 90, false, 2}}};
-constexpr std::string_view kCurrent = "1764059676131";
 
-Value error(int code, std::string_view message) {
-  return Value::Object{{"error", Value::Object{{"code", code}, {"message", message}}}};
-}
-
-Value data(Value::Object members) { return Value::Object{{"data", std::move(members)}}; }
+struct AimdkPoint {
+  int id = 0;
+  std::string name = {}, type = {};
+  double x_m = 0, y_m = 0;
+  double u = 0, v = 0;
+  double angle_deg = 0;  // from +u to +v
+};
 
 /// The pixel of the world's origin, and pixels per metre.
 struct PixelFrame {
   double origin_u = 0, origin_v = 0, per_metre = 20;
 };
+
+namespace {
 
 PixelFrame frameOf(const MapPicture& picture) {
   PixelFrame frame;
@@ -56,53 +61,114 @@ PictureSpec specOf(const AimdkMap& map) {
   return spec;
 }
 
-Value navigationPoint(int number, const geometry::Pose2& pose, const PixelFrame& frame) {
-  constexpr std::array<std::string_view, 3> kTypes{"NaviPointType_NAVI_POINT", "NaviPointType_CHARGE_POINT",
-                                                   "NaviPointType_ELEVATOR_POINT"};
-  const double off = number == kMisplacedPoint ? kMisplacedPixels : 0;
-  const double x = std::round(pose.x_m * 1000) / 1000, y = std::round(pose.y_m * 1000) / 1000;
-  const Value pixel = Value::Object{{"u", std::round(frame.origin_u + x * frame.per_metre + off)},
-                                    {"v", std::round(frame.origin_v - y * frame.per_metre)}};
-  const double degrees = std::round(pose.yaw_rad * kDegreesOfTurn * 10) / 10;
-  return Value::Object{{"point_id", number},
-                       {"name", number == 3 ? "展台 <3>" : "Navigation Point " + std::to_string(number)},
-                       {"point_type", number == 2   ? kTypes[1]
-                                      : number == 7 ? kTypes[2]
-                                                    : kTypes[0]},
-                       {"pixel_pose", Value::Object{{"position", pixel}, {"angle", degrees}}},
-                       {"pose", Value::Object{{"position", Value::Object{{"x", x}, {"y", y}, {"z", 0}}}}}};
+Value error(int code, std::string_view message) {
+  return Value::Object{{"error", Value::Object{{"code", code}, {"message", message}}}};
 }
 
-Value storedMapNames(MapLibrary& library, const Faults&, const Value&) {
-  Value::List maps;
-  for (const AimdkMap& map : kMaps) {
-    if (library.scene().find(map.trajectory) == nullptr) continue;
-    maps.push_back(Value::Object{{"map_id", map.id}, {"map_name", map.name}, {"map_index", map.index}});
+/// As newer firmware refuses.
+Value refusal(std::string_view code, std::string_view message) {
+  return Value::Object{{"header", Value::Object{{"code", code}, {"msg", message}}}};
+}
+
+Value data(Value::Object members) { return Value::Object{{"data", std::move(members)}}; }
+
+}  // namespace
+
+struct AimdkState {
+  explicit AimdkState(const Robot& robot) : library(robot.library), options(robot.options.aimdk) {
+    const AimdkMap all[] = {{"1764137567113", "River Park", 5, 3, 0.05, 0, true},
+                            {std::string(kFirstMap), "Park", 3, 0, 0.05, -5.512457272434708},
+                            {"1762584133656", "e2-8 <b>大厅</b> 🏭", 2, 2, 0.1, 90, false, 2}};
+    for (const AimdkMap& map : all) {
+      if (library.scene().find(map.trajectory) != nullptr) maps.push_back(map);
+    }
+    if (!library.scene().trajectories.empty()) current = kFirstMap;
   }
+
+  AimdkMap* find(std::string_view id) {
+    const auto found =
+        std::find_if(maps.begin(), maps.end(), [&](const AimdkMap& map) { return map.id == id; });
+    return found == maps.end() ? nullptr : &*found;
+  }
+  /// Null if there is no such map.
+  MapPicturePtr picture(const AimdkMap* map) {
+    return map == nullptr ? nullptr : library.pictures().picture(specOf(*map));
+  }
+  /// Of a map that has a picture. As they are at first: along the route.
+  std::vector<AimdkPoint>& pointsOf(const AimdkMap& map, const PixelFrame& frame) {
+    const auto [entry, is_new] = points.try_emplace(map.id);
+    if (!is_new) return entry->second;
+    constexpr std::string_view kTypes[] = {"NaviPointType_NAVI_POINT", "NaviPointType_CHARGE_POINT",
+                                           "NaviPointType_ELEVATOR_POINT"};
+    const Trajectory* way = library.scene().find(map.trajectory);
+    for (int i = 1; way != nullptr && i <= kNavigationPoints; ++i) {
+      const geometry::Pose2 at = way->drive.at(way->drive.length_m() * i / (kNavigationPoints + 1));
+      AimdkPoint point{i, i == 3 ? "展台 <3>" : "Navigation Point " + std::to_string(i),
+                       std::string(kTypes[i == 2   ? 1
+                                          : i == 7 ? 2
+                                                   : 0])};
+      point.x_m = std::round(at.x_m * 1000) / 1000;
+      point.y_m = std::round(at.y_m * 1000) / 1000;
+      const double off = i == kMisplacedPoint ? kMisplacedPixels : 0;
+      point.u = std::round(frame.origin_u + point.x_m * frame.per_metre + off);
+      point.v = std::round(frame.origin_v - point.y_m * frame.per_metre);
+      point.angle_deg = -std::round(at.yaw_rad * kDegreesOfTurn * 10) / 10;
+      entry->second.push_back(std::move(point));
+    }
+    return entry->second;
+  }
+
+  MapLibrary& library;
+  const AimdkOptions options;
+  std::mutex mutex;
+  std::vector<AimdkMap> maps;
+  std::string current;
+  bool mapping = false;
+  std::int64_t next_id = 1'764'200'000'001;
+  std::map<std::string, std::vector<AimdkPoint>> points;  // by map
+};
+
+namespace {
+
+Value pointValue(const AimdkPoint& point) {
+  const Value pixel = Value::Object{{"u", point.u}, {"v", point.v}};
+  return Value::Object{
+      {"point_id", point.id},
+      {"name", point.name},
+      {"point_type", point.type},
+      {"pixel_pose", Value::Object{{"position", pixel}, {"angle", point.angle_deg}}},
+      {"pose", Value::Object{{"position", Value::Object{{"x", point.x_m}, {"y", point.y_m}, {"z", 0}}}}}};
+}
+
+Value storedMapNames(AimdkState& state, const Faults&, const Value&) {
+  Value::List maps;
+  for (const AimdkMap& map : state.maps)
+    maps.push_back(Value::Object{{"map_id", map.id}, {"map_name", map.name}, {"map_index", map.index}});
   return data({{"map_lists", std::move(maps)}});
 }
 
-Value currentAimdkMap(MapLibrary& library, const Faults&, const Value&) {
-  if (library.scene().trajectories.empty()) return data({});
-  return data({{"map_id", kCurrent}});
+Value currentAimdkMap(AimdkState& state, const Faults&, const Value&) {
+  if (state.current.empty()) return data({});
+  return data({{"map_id", state.current}});
 }
 
-Value wholeMap(MapLibrary& library, const Faults& faults, const Value& map_id) {
+Value wholeMap(AimdkState& state, const Faults& faults, const Value& request) {
   // The id is a text in this call.
-  const auto* id = map_id.as<std::string>();
+  const auto* id = request["map_id"].as<std::string>();
   if (id == nullptr) return error(-32602, "map_id has to be a string.");
-  const AimdkMap* map = byId(kMaps, *id);
-  const MapPicturePtr picture = map == nullptr ? nullptr : library.pictures().picture(specOf(*map));
+  const AimdkMap* map = state.find(*id);
+  const MapPicturePtr picture = state.picture(map);
   if (!picture) return data({});
   const PixelFrame frame = frameOf(*picture);
+  const double resolution = state.options.centimetres ? 100 / frame.per_metre : frame.per_metre;
   Value::Object members{{"map_id", map->id},
                         {"map_name", map->name},
                         {"width", picture->width + map->wrong_size},
                         {"height", picture->height + map->wrong_size}};
   if (faults.grid_fault != "no-resolution") {
     members.emplace_back("resolution", faults.grid_fault == "zero-resolution"       ? 0
-                                       : faults.grid_fault == "negative-resolution" ? -frame.per_metre
-                                                                                    : frame.per_metre);
+                                       : faults.grid_fault == "negative-resolution" ? -resolution
+                                                                                    : resolution);
   }
   if (faults.grid_fault != "no-origin") {
     members.emplace_back("origin_x", frame.origin_u);
@@ -116,41 +182,143 @@ Value wholeMap(MapLibrary& library, const Faults& faults, const Value& map_id) {
   return data(std::move(members));
 }
 
-Value topoMessages(MapLibrary& library, const Faults&, const Value& map_id) {
+Value topoMessages(AimdkState& state, const Faults&, const Value& request) {
   // The id is a number in this call.
-  const auto* id = map_id.as<std::int64_t>();
+  const auto* id = request["map_id"].as<std::int64_t>();
   if (id == nullptr) return error(-32602, "map_id has to be a number.");
-  const AimdkMap* map = byId(kMaps, std::to_string(*id));
-  const Trajectory* way = map == nullptr ? nullptr : library.scene().find(map->trajectory);
-  const MapPicturePtr picture = way == nullptr ? nullptr : library.pictures().picture(specOf(*map));
+  const AimdkMap* map = state.find(std::to_string(*id));
+  const MapPicturePtr picture = state.picture(map);
   if (!picture) return error(-1, "There is no topology for this map.");
-  const PixelFrame frame = frameOf(*picture);
   Value::List points;
-  for (int i = 1; i <= kNavigationPoints; ++i) {
-    const geometry::Pose2 at = way->drive.at(way->drive.length_m() * i / (kNavigationPoints + 1));
-    points.push_back(navigationPoint(i, at, frame));
-  }
+  for (const AimdkPoint& point : state.pointsOf(*map, frameOf(*picture))) points.push_back(pointValue(point));
   return data({{"points", std::move(points)}, {"paths", Value::List{}}, {"regions", Value::List{}}});
 }
 
-struct Call {
+// What newer firmware has.
+
+Value noSuchAimdkMap() { return refusal("1001", "There is no such map."); }
+
+Value realtimeMap(AimdkState& state, const Faults&, const Value&) {
+  const MapPicturePtr picture = state.mapping ? state.picture(state.find(state.current)) : nullptr;
+  if (!picture) return data({});
+  const Value position = Value::Object{{"u", 10}, {"v", 10}};
+  return data({{"map_data", base64(*picture->png)},
+               {"cur_pos", Value::Object{{"position", position}}},
+               {"lidar_points", Value::List{}},
+               {"trajectory", Value::List{}}});
+}
+
+Value startAimdkMapping(AimdkState& state, const Faults&, const Value&) {
+  if (std::exchange(state.mapping, true)) return refusal("1002", "Mapping is under way.");
+  return data({});
+}
+
+Value stopAimdkMapping(AimdkState& state, const Faults&, const Value& request) {
+  if (!state.mapping) return refusal("1003", "Mapping is not under way.");
+  if (request["command"].text() == "MappingCommand_SAVING_MAP") {
+    const AimdkMap* const like = state.find(state.current);
+    if (like == nullptr || request["map_name"].text().empty())
+      return refusal("1004", "The map needs a name.");
+    AimdkMap made{std::to_string(state.next_id++), request["map_name"].text(), 1, like->trajectory, 0.05};
+    for (const AimdkMap& map : state.maps) made.index = std::max(made.index, map.index + 1);
+    state.points[made.id] = {};  // nobody has set any
+    state.maps.push_back(std::move(made));
+  }
+  state.mapping = false;
+  return data({});
+}
+
+Value renameAimdkMap(AimdkState& state, const Faults&, const Value& request) {
+  AimdkMap* const map = state.find(request["map_id"].text());
+  if (map == nullptr) return noSuchAimdkMap();
+  if (map->name != request["old_name"].text()) return refusal("1005", "It has another name.");
+  map->name = request["new_name"].text();
+  return data({});
+}
+
+Value useAimdkMap(AimdkState& state, const Faults&, const Value& request) {
+  const AimdkMap* const map = state.find(request["map_id"].text());
+  if (map == nullptr) return noSuchAimdkMap();
+  state.current = map->id;
+  return data({});
+}
+
+Value deleteAimdkMap(AimdkState& state, const Faults&, const Value& request) {
+  const AimdkMap* const map = state.find(request["map_id"].text());
+  if (map == nullptr) return noSuchAimdkMap();
+  if (map->id == state.current) return refusal("1006", "The map is in use.");
+  state.points.erase(map->id);
+  std::erase_if(state.maps, [&](const AimdkMap& one) { return &one == map; });
+  return data({});
+}
+
+Value setNaviPoint(AimdkState& state, const Faults&, const Value& request) {
+  const auto* const id = request["map_id"].as<std::int64_t>();
+  const AimdkMap* const map = id == nullptr ? nullptr : state.find(std::to_string(*id));
+  const MapPicturePtr picture = state.picture(map);
+  if (!picture) return noSuchAimdkMap();
+  const Value& wanted = request["point"];
+  const Value& pixel = wanted["pixel_pose"]["position"];
+  const auto *const u = pixel["u"].as<std::int64_t>(), *const v = pixel["v"].as<std::int64_t>();
+  if (u == nullptr || v == nullptr) return refusal("1007", "u and v have to be whole numbers.");
+  const PixelFrame frame = frameOf(*picture);
+  std::vector<AimdkPoint>& points = state.pointsOf(*map, frame);
+  int number = static_cast<int>(wanted["point_id"].number()), last = 0;
+  for (const AimdkPoint& point : points) last = std::max(last, point.id);
+  if (number == 0) {
+    number = last + 1;
+    points.push_back({number});
+  }
+  const auto point =
+      std::find_if(points.begin(), points.end(), [&](const AimdkPoint& one) { return one.id == number; });
+  if (point == points.end()) return refusal("1008", "There is no such point.");
+  *point = {number,
+            wanted["name"].text(),
+            wanted["point_type"].text(),
+            (double(*u) - frame.origin_u) / frame.per_metre,
+            (frame.origin_v - double(*v)) / frame.per_metre,
+            double(*u),
+            double(*v),
+            wanted["pixel_pose"]["angle"].number()};
+  return data({{"point_id", number}});
+}
+
+struct AimdkCall {
   std::string_view method, command;
-  Value (*answer)(MapLibrary& library, const Faults& faults, const Value& map_id);
+  Value (*answer)(AimdkState& state, const Faults& faults, const Value& request);
+  bool newer = false, changes = false;
+  std::string_view other_command = {};
 };
-constexpr Call kCalls[] = {
+constexpr AimdkCall kCalls[] = {
     {"MappingService/GetStoredMapNames", "MappingCommand_GET_STORED_MAP_NAME", storedMapNames},
     {"MappingService/GetCurrentWorkingMap", "MappingCommand_GET_CURRENT_WORKING_MAP", currentAimdkMap},
     {"MappingService/Get2DWholeMap", "MappingCommand_GET_2D_WHOLE_MAP", wholeMap},
-    {"LocalizationService/GetTopoMsgs", "TopoCommand_GET_TOPO_MSG", topoMessages}};
+    {"LocalizationService/GetTopoMsgs", "TopoCommand_GET_TOPO_MSG", topoMessages},
+    {"MappingService/GetRealtimeMapData", "MappingCommand_GET_REALTIME_MAP", realtimeMap, true},
+    {"MappingService/StartMapping", "MappingCommand_START_MAPPING", startAimdkMapping, true, true},
+    {"MappingService/StopMapping", "MappingCommand_STOP_MAPPING", stopAimdkMapping, true, true,
+     "MappingCommand_SAVING_MAP"},
+    {"MappingService/RenameMap", "MappingCommand_RENAME_MAP", renameAimdkMap, true, true},
+    {"MappingService/SetCurrentWorkingMap", "MappingCommand_SET_CURRENT_WORKING_MAP", useAimdkMap, true,
+     true},
+    {"MappingService/DeleteMap", "MappingCommand_DELETE_MAP", deleteAimdkMap, true, true},
+    {"LocalizationService/SetNaviPoint", "TopoCommand_SET_NAVI_POINT", setNaviPoint, true, true}};
 
 }  // namespace
+
+AimdkRoutes::AimdkRoutes(const Robot& robot)
+    : state_(std::make_unique<AimdkState>(robot)), faults_(robot.faults) {}
+
+AimdkRoutes::~AimdkRoutes() = default;
 
 HttpAnswer AimdkRoutes::answer(const HttpQuestion& question) {
   const std::string_view path = pathOf(question.target);
   if (!path.starts_with(kPrefix)) return valueAnswer(404, error(404, "There is no such service."));
   const std::string_view method = path.substr(kPrefix.size());
-  const auto* const call = std::find_if(std::begin(kCalls), std::end(kCalls),
-                                        [&](const Call& one) { return one.method == method; });
+  const bool newer = state_->options.newer;
+  const auto* const call = std::find_if(std::begin(kCalls), std::end(kCalls), [&](const AimdkCall& one) {
+    return one.method == method && (newer || !one.newer);
+  });
   if (call == std::end(kCalls)) return valueAnswer(404, error(404, "There is no such method."));
   if (question.method != "POST") {
     HttpAnswer answer = valueAnswer(405, error(405, "Only POST is understood here."));
@@ -165,10 +333,26 @@ HttpAnswer AimdkRoutes::answer(const HttpQuestion& question) {
   const auto* command = request["command"].as<std::string>();
   if (command == nullptr)
     return valueAnswer(400, error(400, "The request is no JSON object with a command."));
-  HttpAnswer answer = valueAnswer(200, *command == call->command
-                                           ? call->answer(library_, faults, request["map_id"])
-                                           : error(-32602, "The command does not belong to this method."));
-  answer.delay_ms = faults.map_latency_ms;
+  const bool fits =
+      *command == call->command || (!call->other_command.empty() && *command == call->other_command);
+  std::uint64_t dice = 0;
+  const bool may_fail = call->changes && question.target.starts_with(faults.write_fault_path);
+  const WriteFault fault =
+      may_fail ? faults_.drawWrite("POST " + std::string(question.target), dice) : WriteFault::None;
+  Value said = data({});
+  if (!fits) {
+    said = error(-32602, "The command does not belong to this method.");
+  } else if (fault == WriteFault::None || fault == WriteFault::LoseAnswer) {
+    const std::lock_guard lock(state_->mutex);
+    said = call->answer(*state_, faults, request);
+  }
+  if (newer && !said.has("header") && !said.has("error"))
+    said.set("header", Value::Object{{"code", "0"}, {"msg", ""}});
+  HttpAnswer answer = fault == WriteFault::Error
+                          ? valueAnswer(500, error(500, "It could not be carried out."))
+                          : valueAnswer(200, said);
+  answer.drop = fault == WriteFault::Drop || fault == WriteFault::LoseAnswer;
+  answer.delay_ms = faults.map_latency_ms + (call->changes ? faults.write_latency_ms : 0);
   return answer;
 }
 

@@ -1,6 +1,7 @@
 // What the simulated robots answer over HTTP: pure of sockets, safe from any thread.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -74,19 +75,23 @@ class AxbotRoutes : public Answerer {
   const Robot robot_;
 };
 
+/// What the Agibot robot keeps, and can be told to change where its firmware is newer.
+struct AimdkState;
+
 /// The Agibot robot's: JSON by POST to /rpc/<service>/<method>
 /// (docs/protocols/agibot-aimdk.md). Its building is the Autoxing robot's.
 class AimdkRoutes : public Answerer {
  public:
-  explicit AimdkRoutes(const Robot& robot) : library_(robot.library), faults_(robot.faults) {}
+  explicit AimdkRoutes(const Robot& robot);
+  ~AimdkRoutes() override;
 
   HttpAnswer answer(const HttpQuestion& question) override;
   bool isSlow(std::string_view) const override { return true; }
   bool opensTopics(std::string_view) const override { return false; }
 
  private:
-  MapLibrary& library_;
-  const FaultPlan& faults_;
+  const std::unique_ptr<AimdkState> state_;
+  FaultPlan& faults_;
 };
 
 }  // namespace mapwright::simulator

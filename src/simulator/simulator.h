@@ -156,6 +156,12 @@ struct BagOptions {
   bool ranges = true;          // downloads can go on (Range)
 };
 
+/// The Agibot robot beyond what its maker documents (docs/protocols/agibot-aimdk.md, "Newer services").
+struct AimdkOptions {
+  bool newer = false;        // maps and points can be changed, and it can map
+  bool centimetres = false;  // `resolution` is centimetres per pixel, not pixels per metre
+};
+
 /// How the robot behaves and what it offers.
 struct Options {
   std::uint16_t port = 0;        // 0 = a free one
@@ -175,6 +181,7 @@ struct Options {
   int costmap_cells = 200;        // edge of /maps/5cm/1hz; 20..4000
   double pose_hz = 10;            // how often /tracked_pose comes; above 0, at most 100
   BagOptions bags;
+  AimdkOptions aimdk;
   RosOptions ros;
   Faults faults;
 };

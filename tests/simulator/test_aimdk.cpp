@@ -165,6 +165,43 @@ class TestAimdk : public QObject {
     QVERIFY(object(topo(robot, QStringLiteral("1"))).contains(QLatin1String("error")));
   }
 
+  void newerFirmwareIsThereOnRequestOnly() {
+    const auto ask = [](const Simulator& robot, const char* method, const char* members) {
+      return post(robot, kMapping + method, std::string("{\"header\":{},") + members + "}");
+    };
+    Simulator older(paused());
+    QVERIFY(!older.start());
+    const char* const realtime = "\"command\":\"MappingCommand_GET_REALTIME_MAP\"";
+    QCOMPARE(ask(older, "GetRealtimeMapData", realtime).status, 404);
+    Options options = paused();
+    options.aimdk.newer = true;
+    Simulator robot(options);
+    QVERIFY(!robot.start());
+    const auto code = [](const raw::HttpReply& reply) {
+      return object(reply)[QLatin1String("header")][QLatin1String("code")].toString();
+    };
+    QCOMPARE(code(ask(robot, "GetRealtimeMapData", realtime)), QStringLiteral("0"));
+    QVERIFY(data(ask(robot, "GetRealtimeMapData", realtime)).toObject().isEmpty());
+    QCOMPARE(code(ask(robot, "StartMapping", "\"command\":\"MappingCommand_START_MAPPING\"")),
+             QStringLiteral("0"));
+    QVERIFY(data(ask(robot, "GetRealtimeMapData", realtime)).toObject().contains(QLatin1String("map_data")));
+    QCOMPARE(code(ask(robot, "StartMapping", "\"command\":\"MappingCommand_START_MAPPING\"")),
+             QStringLiteral("1002"));
+    QCOMPARE(
+        code(ask(robot, "StopMapping", "\"command\":\"MappingCommand_SAVING_MAP\",\"map_name\":\"Yard\"")),
+        QStringLiteral("0"));
+    QCOMPARE(data(names(robot))[QLatin1String("map_lists")].toArray().size(), 4);
+    Faults faults;
+    faults.ignore_writes = 1;
+    robot.setFaults(faults);
+    const char* const removal = "\"command\":\"MappingCommand_DELETE_MAP\",\"map_id\":\"1764137567113\"";
+    QCOMPARE(code(ask(robot, "DeleteMap", removal)), QStringLiteral("0"));
+    QCOMPARE(data(names(robot))[QLatin1String("map_lists")].toArray().size(), 4);
+    robot.setFaults({});
+    QCOMPARE(code(ask(robot, "DeleteMap", removal)), QStringLiteral("0"));
+    QCOMPARE(data(names(robot))[QLatin1String("map_lists")].toArray().size(), 3);
+  }
+
   void itGoesWrongOnRequest() {
     Simulator robot(paused());
     QVERIFY(!robot.start());
