@@ -145,23 +145,13 @@ inline constexpr FaultCode UidTaken{"axbot",
                                     QT_TRANSLATE_NOOP("axbot", "the robot already has this map: %2 (id %1)")};
 
 // Changing maps.
-inline constexpr FaultCode StillListed{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the deletion, but still lists the map.")};
 inline constexpr FaultCode StillThere{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the deletion, but still has it.")};
-inline constexpr FaultCode NotListedYet{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted the new map, but does not list it.")};
 inline constexpr FaultCode MappingKept{
     "axbot", QT_TRANSLATE_NOOP(
                  "axbot", "The robot ended mapping, but kept what was mapped: it lists it as finished.")};
 inline constexpr FaultCode MappingDropped{
     "axbot", QT_TRANSLATE_NOOP("axbot", "The robot ended mapping, but lists it as cancelled.")};
-inline constexpr FaultCode NotMapping{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted it, but is not mapping.")};
-inline constexpr FaultCode MapsAlready{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot is mapping already. Stop or discard that mapping first.")};
-inline constexpr FaultCode StillMapping{
-    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot accepted it, but is still mapping.")};
 inline constexpr FaultCode NothingMapped{
     "axbot", QT_TRANSLATE_NOOP("axbot", "There is no finished mapping that could be saved.")};
 

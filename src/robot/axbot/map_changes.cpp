@@ -9,6 +9,7 @@
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_maps.h"
 #include "robot/wire/failures.h"
+#include "robot/wire/faults.h"
 #include "robot/wire/net_results.h"
 
 namespace mapwright::robot::axbot {
@@ -41,23 +42,13 @@ struct MapChanges::Change {
   MapOrder order;
   OutcomeTo<map::CatalogueEntry> reply;
   map::CatalogueEntry before = {};
-  std::set<std::string> ids_before = {};  // Save: of the maps
+  std::set<std::string> ids_before = {};    // Save: of the maps
   std::optional<map::MapKey> mapping = {};  // that is ended
 
   map::Subject subject() const { return map::subjectOf(order.key); }
 };
 
 namespace {
-
-/// The robot accepted it, and shows something else.
-template <typename Change>
-map::Failure otherwise(const Change& change, const FaultCode& what) {
-  return {.kind = map::FailureKind::RejectedByRobot,
-          .subject = change.subject(),
-          .asked_for = map::AskedFor::Change,
-          .reason = map::FailureReason::Unfit,
-          .cause = what};
-}
 
 /// It is the mapping in progress.
 bool runs(const map::CatalogueEntry& entry) {
@@ -167,7 +158,7 @@ void MapChanges::remove(const ChangePtr& change) {
                                list->begin(), list->end(),
                                [&](const map::CatalogueEntry& entry) { return entry.key == of->order.key; });
                            if (!there) return seen(std::move(of->before), true);
-                           seen(fail(otherwise(*of, fault::StillListed)), false);
+                           seen(fail(wire::otherwise(of->subject(), wire::fault::StillListed)), false);
                          });
          });
   });
@@ -175,22 +166,26 @@ void MapChanges::remove(const ChangePtr& change) {
 
 MapChanges::Look MapChanges::lookForMapping(bool wanted) {
   return [this, wanted](const ChangePtr& of, Seen seen) {
-    maps_.listAll(of->task, [of, wanted,
-                             seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
-      if (!list) return seen(fail(std::move(list.error())), false);
-      const auto running = std::find_if(list->begin(), list->end(), runs);
-      if ((running != list->end()) != wanted)
-        return seen(fail(otherwise(*of, wanted ? fault::NotMapping : fault::StillMapping)), false);
-      if (wanted) return seen(std::move(*running), true);
-      const auto ended = std::find_if(list->begin(), list->end(), [&](const map::CatalogueEntry& entry) {
-        return entry.key == of->mapping;
-      });
-      if (ended == list->end()) return seen(map::CatalogueEntry(), true);
-      const bool cancels = of->order.change == MapChange::CancelMapping;
-      if (ended->state == (cancels ? "finished" : "cancelled"))
-        return seen(fail(otherwise(*of, cancels ? fault::MappingKept : fault::MappingDropped)), false);
-      seen(std::move(*ended), true);
-    });
+    maps_.listAll(
+        of->task, [of, wanted, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
+          if (!list) return seen(fail(std::move(list.error())), false);
+          const auto running = std::find_if(list->begin(), list->end(), runs);
+          if ((running != list->end()) != wanted)
+            return seen(fail(wire::otherwise(of->subject(),
+                                             wanted ? wire::fault::NotMapping : wire::fault::StillMapping)),
+                        false);
+          if (wanted) return seen(std::move(*running), true);
+          const auto ended = std::find_if(list->begin(), list->end(), [&](const map::CatalogueEntry& entry) {
+            return entry.key == of->mapping;
+          });
+          if (ended == list->end()) return seen(map::CatalogueEntry(), true);
+          const bool cancels = of->order.change == MapChange::CancelMapping;
+          if (ended->state == (cancels ? "finished" : "cancelled"))
+            return seen(
+                fail(wire::otherwise(of->subject(), cancels ? fault::MappingKept : fault::MappingDropped)),
+                false);
+          seen(std::move(*ended), true);
+        });
   };
 }
 
@@ -201,7 +196,8 @@ void MapChanges::startMapping(const ChangePtr& change, bool continues) {
       list.error().asked_for = map::AskedFor::Change;
       return change->reply(fail(std::move(list.error())));
     }
-    if (std::any_of(list->begin(), list->end(), runs)) return change->reply(fail(otherwise(*change, fault::MapsAlready)));
+    if (std::any_of(list->begin(), list->end(), runs))
+      return change->reply(fail(wire::otherwise(change->subject(), wire::fault::MapsAlready)));
     send(change, net::HttpMethod::Post, kMappingsPath,
          {{QStringLiteral("continue_mapping"), continues},
           {QStringLiteral("start_pose_type"),
@@ -278,7 +274,7 @@ void MapChanges::saveMapping(const ChangePtr& change, const std::string& mapping
                    !of->ids_before.contains(entry.key.id);
           });
           if (made != list->end()) return seen(std::move(*made), true);
-          seen(fail(otherwise(*of, fault::NotListedYet)), false);
+          seen(fail(wire::otherwise(of->subject(), wire::fault::NotListedYet)), false);
         });
       });
 }

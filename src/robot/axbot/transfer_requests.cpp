@@ -10,6 +10,7 @@
 #include "robot/axbot/faults.h"
 #include "robot/axbot/resumed_download.h"
 #include "robot/wire/failures.h"
+#include "robot/wire/faults.h"
 #include "robot/wire/net_results.h"
 
 namespace mapwright::robot::axbot {
@@ -175,7 +176,7 @@ void TransferRequests::findNew(const AdditionPtr& addition, const std::string& t
                                                              .subject = addition->subject(),
                                                              .asked_for = map::AskedFor::Addition,
                                                              .reason = map::FailureReason::Unfit,
-                                                             .cause = fault::NotListedYet}));
+                                                             .cause = wire::fault::NotListedYet}));
                   }
                   parts(addition->task, found->key, [addition](Outcome<MapParts> now) {
                     if (now) return addition->reply(std::move(now));

@@ -33,6 +33,15 @@ inline map::Failure unfit(map::Subject subject, Fault cause) {
           .cause = std::move(cause)};
 }
 
+/// The robot accepted a change, and shows something else.
+inline map::Failure otherwise(map::Subject subject, Fault what) {
+  return {.kind = map::FailureKind::RejectedByRobot,
+          .subject = std::move(subject),
+          .asked_for = map::AskedFor::Change,
+          .reason = map::FailureReason::Unfit,
+          .cause = std::move(what)};
+}
+
 /// The map `key` of a list of all maps.
 inline Outcome<map::CatalogueEntry> entryOf(const map::MapKey& key,
                                             Outcome<std::vector<map::CatalogueEntry>> entries) {

@@ -26,6 +26,18 @@ inline constexpr FaultCode PointsUnplaced{
 inline constexpr FaultCode WaypointIdTwice{"wire",
                                            QT_TRANSLATE_NOOP("wire", "Two waypoints have the id %1.")};
 
+// Changing maps.
+inline constexpr FaultCode StillListed{
+    "wire", QT_TRANSLATE_NOOP("wire", "The robot accepted the deletion, but still lists the map.")};
+inline constexpr FaultCode NotListedYet{
+    "wire", QT_TRANSLATE_NOOP("wire", "The robot accepted the new map, but does not list it.")};
+inline constexpr FaultCode NotMapping{
+    "wire", QT_TRANSLATE_NOOP("wire", "The robot accepted it, but is not mapping.")};
+inline constexpr FaultCode MapsAlready{
+    "wire", QT_TRANSLATE_NOOP("wire", "The robot is mapping already. Stop or discard that mapping first.")};
+inline constexpr FaultCode StillMapping{
+    "wire", QT_TRANSLATE_NOOP("wire", "The robot accepted it, but is still mapping.")};
+
 // Live messages.
 inline constexpr FaultCode PointsWithoutFields{
     "wire", QT_TRANSLATE_NOOP("wire", "It has no fields x and y, or their type is unknown.")};
