@@ -131,6 +131,11 @@ map::Failure RobotReading::tooLate(map::Failure failure) const {
   return failure;
 }
 
+void RobotReading::noteUnconfirmed(robot::Capability capability) {
+  const QString sentence = sentences::unconfirmedOf(session_.robot(), capability);
+  if (!sentence.isEmpty()) note(about(sentence));
+}
+
 tl::unexpected<CommandFailure> RobotReading::lacks(robot::Capability capability) const {
   return failure(local() ? kUsage : kRobotError,
                  sentences::whyAbsent(capability, session_.robot().whyNot(capability)));
@@ -176,9 +181,10 @@ CommandResult<map::CatalogueEntry> RobotReading::change(const robot::MapOrder& o
   robot::MapAdministration* const maps = session_.robot().mapAdministration();
   if (!maps) return lacks(robot::Capability::Administration);
   const auto obstacle = maps->obstacle(order.change, nullptr);
-  if (obstacle == robot::Obstacle::NotOffered) {
+  if (obstacle == robot::Obstacle::NotOffered || obstacle == robot::Obstacle::EndsBySaving) {
     return failure(local() ? kUsage : kRobotError, sentences::whyNotNow(order.change, *obstacle));
   }
+  noteUnconfirmed(robot::Capability::Administration);
   auto outcome = ask<map::CatalogueEntry>(
       [&](robot::OutcomeTo<map::CatalogueEntry> reply) { return maps->carryOut(order, std::move(reply)); });
   if (outcome) return std::move(*outcome);

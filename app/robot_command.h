@@ -74,7 +74,10 @@ class RobotReading {
   tl::unexpected<CommandFailure> lacks(robot::Capability capability) const;
   /// Adds a remark that is printed at the end.
   void note(const QString& sentence) { notes_ << sentence; }
-  /// The same for something that was requested but could not be loaded; the result is incomplete then.
+  /// The remark that changing this is not confirmed by the robot's maker, where that is so.
+  void noteUnconfirmed(robot::Capability capability);
+  /// The same as note() for something that was requested but could not be loaded; the result is incomplete
+  /// then.
   void lack(const QString& sentence) {
     note(sentence);
     complete_ = false;

@@ -164,6 +164,7 @@ CommandResult<ListedWaypoints> listWaypoints(RobotCommand& command, const std::s
   auto stored = readAll(list, robot.waypointSource());
   if (!stored) return list.failure(stored.error());
   list.stored = std::move(*stored);
+  if (use == Use::Changing) reading.noteUnconfirmed(robot::Capability::WaypointEditing);
   for (const Fault& note : list.stored.notes)
     reading.note(QStringLiteral("%1: %2").arg(sentences::nameOf(map::placesOf(list.map)),
                                               sentences::sentenceOf(note)));

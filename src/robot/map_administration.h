@@ -54,7 +54,8 @@ enum class Obstacle {
   IsArchived,
   IsNotArchived,
   IsLoaded,
-  NotKnownYet,  // the present state of the robot is unknown
+  EndsBySaving,  // it ends a mapping by saving it, or by discarding it
+  NotKnownYet,   // the present state of the robot is unknown
 };
 
 /// Capability: rename, archive or switch stored maps. Nothing is sent twice: if the failure's applied is

@@ -257,6 +257,8 @@ class Robot : public QObject {
 
   /// Why a capability is missing. Meaningless for one that exists.
   virtual Absence whyNot(Capability) const { return {}; }
+  /// It is there, but only third parties tell of it: the robot's maker does not.
+  virtual bool isUnconfirmed(Capability) const { return false; }
 
  Q_SIGNALS:
   void connectionChanged();

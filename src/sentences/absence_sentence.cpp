@@ -126,6 +126,19 @@ QString whyAbsent(Capability capability, const Absence& absence) {
   return nothing(capability);
 }
 
+QString unconfirmedOf(robot::Robot& robot, Capability capability) {
+  if (capability == Capability::Administration && robot.mapAdministration() &&
+      robot.isUnconfirmed(capability))
+    return AbsenceText::tr(
+        "This is not confirmed by the robot's maker: how maps are changed is only known from third parties. "
+        "The result is read back.");
+  if (capability == Capability::WaypointEditing && robot.waypointStore() && robot.isUnconfirmed(capability))
+    return AbsenceText::tr(
+        "This is not confirmed by the robot's maker: how waypoints are changed is only known from third "
+        "parties. The result is read back.");
+  return {};
+}
+
 QString limitsOf(robot::Robot& robot) {
   // Without a single map the reason for that is enough.
   if (robot.isLocal() && robot.connection().phase == robot::ConnectionPhase::Refused) return {};
@@ -142,6 +155,11 @@ QString limitsOf(robot::Robot& robot) {
   };
   if (!robot.mapAdministration()) add(Capability::Administration);
   if (!robot.liveTopics()) add(Capability::Live);
+  if (!unconfirmedOf(robot, Capability::Administration).isEmpty())
+    limits << AbsenceText::tr(
+        "How maps and waypoints are changed on this robot is not confirmed by its maker: try it where "
+        "nothing "
+        "can go wrong.");
   limits.removeDuplicates();
   return limits.join(QLatin1Char(' '));
 }
@@ -168,6 +186,8 @@ QString whyNotNow(MapChange change, Obstacle obstacle) {
       return ObstacleText::tr("It is not archived.");
     case Obstacle::IsLoaded:
       return ObstacleText::tr("The robot already uses it.");
+    case Obstacle::EndsBySaving:
+      return ObstacleText::tr("This robot ends a mapping by saving the map, or by discarding it.");
     case Obstacle::NotKnownYet:
       return ObstacleText::tr("The robot has not reported its state yet.");
   }

@@ -12,7 +12,11 @@ namespace mapwright::sentences {
 /// "There are no submaps here, only whole maps." Plain text.
 QString whyAbsent(robot::Capability capability, const robot::Absence& absence);
 
-/// A notice to show right after connecting: that the robot is read-only, or has no live data; empty if there
+/// "This is not confirmed by the robot's maker: ..."; empty if the robot lacks it, or it is confirmed.
+QString unconfirmedOf(robot::Robot& robot, robot::Capability capability);
+
+/// A notice to show right after connecting: that the robot is read-only, has no live data, or is
+/// changed in a way that is not confirmed; empty if there
 /// is nothing to say.
 QString limitsOf(robot::Robot& robot);
 
