@@ -156,6 +156,7 @@ class FakeRobot : public robot::Robot,
     if (!limited) return {};
     return {robot::Absence::Reason::ReadOnly, {read_only_maker.toStdString()}};
   }
+  bool isUnconfirmed(robot::Capability) const override { return unconfirmed; }
   robot::MapAdministration* mapAdministration() override { return administration; }
   robot::Localization* localization() override { return localizing; }
   robot::MapTransfer* mapTransfer() override { return transferring; }
@@ -263,6 +264,7 @@ class FakeRobot : public robot::Robot,
 
   bool auto_online = true, hold = false;
   bool has_submaps = true, has_catalogue = false, has_live = false;
+  bool unconfirmed = false;  // whatever can be changed
   QString read_only_maker;
   robot::MapAdministration* administration = nullptr;  // not owned
   robot::Localization* localizing = nullptr;           // likewise

@@ -1,5 +1,6 @@
 // The maps of the robot, changed from the window: what is asked first, what is sent, what is said of it.
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
@@ -7,6 +8,7 @@
 
 #include "test_program.h"
 #include "ui/maps/administration_controller.h"
+#include "ui/maps/mapping_dock.h"
 #include "ui/maps/maps_dock.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/toast_stack.h"
@@ -54,10 +56,11 @@ class FakeAdministration : public robot::MapAdministration {
 };
 
 struct Desk {
-  Desk() {
+  explicit Desk(bool unconfirmed = false) {
     bench.offerMaps();
-    bench.prepare = [this, offer = bench.prepare](test::FakeRobot& robot) {
+    bench.prepare = [this, unconfirmed, offer = bench.prepare](test::FakeRobot& robot) {
       offer(robot);
+      robot.unconfirmed = unconfirmed;
       robot.administration = &maps;
       robot.told_waypoints = &points;
     };
@@ -119,6 +122,43 @@ class TestWindowAdministration : public QObject {
     desk.maps.answer(test::catalogued("2", "Loft"));
     QTRY_VERIFY(!desk.controller().dialog());
     QCOMPARE(desk.toasts(), QStringList{QStringLiteral("It is now called Loft.")});
+  }
+
+  void whatIsNotConfirmedByTheMakerIsCalledSoWhereverItIsOffered() {
+    for (const bool unconfirmed : {false, true}) {
+      Desk desk(unconfirmed);
+      const auto says = [](const QString& text) { return text.contains(QLatin1String("not confirmed")); };
+      const auto menu = desk.menu("2");
+      QCOMPARE(says(Desk::entry(*menu, "Rename")->toolTip()), unconfirmed);
+      QCOMPARE(says(desk.bench.action("startMapping")->toolTip()), unconfirmed);
+      QVERIFY(desk.bench.action("startMapping")->toolTip().contains(QLatin1String("start a new map")));
+      ChangeDialog* const dialog = desk.ask("2", "Rename");
+      QVERIFY(dialog);
+      QCOMPARE(says(dialog->textShown()), unconfirmed);
+      MappingDock* const dock = desk.controller().mappingDock();
+      dock->show();
+      bool shown = false;
+      for (const QLabel* label : dock->findChildren<QLabel*>())
+        shown = shown || (label->isVisibleTo(dock) && says(label->text()));
+      QCOMPARE(shown, unconfirmed);
+    }
+  }
+
+  void aMappingThatEndsBySavingSaysSo() {
+    Desk desk;
+    desk.maps.obstacles = {{MapChange::StartMapping, Obstacle::WhileMapping},
+                           {MapChange::StopMapping, Obstacle::EndsBySaving}};
+    Q_EMIT desk.bench.robot->capabilitiesChanged();
+    QAction* const stop = desk.bench.action("stopMapping");
+    QVERIFY(stop->isVisible() && !stop->isEnabled());
+    QVERIFY2(stop->toolTip().contains(QLatin1String("by saving the map")), qPrintable(stop->toolTip()));
+    desk.bench.action("saveNewMap")->trigger();
+    QVERIFY(desk.controller().dialog()->textShown().contains(QLatin1String("ends the mapping")));
+    delete desk.controller().dialog();
+    desk.maps.obstacles = {{MapChange::StopMapping, Obstacle::EndsBySaving},
+                           {MapChange::CancelMapping, Obstacle::NotMapping}};
+    Q_EMIT desk.bench.robot->capabilitiesChanged();
+    QVERIFY(desk.controller().mappingDock()->said().startsWith(QLatin1String("The robot is not mapping.")));
   }
 
   void aNameThatAnotherMapHasIsToldWhileItIsTyped() {

@@ -373,6 +373,20 @@ robot::MapAdministration* AdministrationController::maps() const {
   return session ? session->robot().mapAdministration() : nullptr;
 }
 
+QString AdministrationController::unconfirmed() const {
+  session::Session* const session = context_.current.session();
+  return session ? sentences::unconfirmedOf(session->robot(), robot::Capability::Administration) : QString();
+}
+
+/// The same tool tip, with the remark that it is not confirmed where that is so.
+QString AdministrationController::withUnconfirmed(const QString& tip) const {
+  const QString remark = unconfirmed();
+  if (remark.isEmpty()) return tip;
+  if (tip.isEmpty()) return plainToolTip(remark);
+  return QString(tip).replace(QLatin1String("</qt>"),
+                              QStringLiteral("<br>%1</qt>").arg(remark.toHtmlEscaped()));
+}
+
 void AdministrationController::setSession(session::Session* session) {
   delete dialog_;  // its question concerns the robot that is left
   looking_ = {};
@@ -396,7 +410,9 @@ void AdministrationController::refresh() {
                         : saved_ && row.change == MapChange::Save ? tr("The new map is saved.")
                                                                   : QString();
     allow(row.action, why.isEmpty(), why);
+    if (why.isEmpty()) row.action->setToolTip(withUnconfirmed(row.action->toolTip()));
   }
+  mapping_dock_->setUnconfirmed(unconfirmed());
   noteMapping();
 }
 
@@ -407,7 +423,9 @@ void AdministrationController::noteMapping() {
   if (!session) was_mapping_.reset();  // the robot is being left
   const auto starts = robots ? robots->obstacle(MapChange::StartMapping, nullptr) : Obstacle::NotOffered;
   const auto stops = robots ? robots->obstacle(MapChange::StopMapping, nullptr) : Obstacle::NotOffered;
-  const bool running = starts == Obstacle::WhileMapping, none = stops == Obstacle::NotMapping;
+  const auto ends = robots ? robots->obstacle(MapChange::CancelMapping, nullptr) : Obstacle::NotOffered;
+  const bool running = starts == Obstacle::WhileMapping;
+  const bool none = stops == Obstacle::NotMapping || ends == Obstacle::NotMapping;
   const bool online = session && session->connection().phase == robot::ConnectionPhase::Online;
   if (running || !online) saved_ = false;  // there may be another one
   if (running && was_mapping_ != true) {
@@ -494,7 +512,8 @@ void AdministrationController::fillMenu(QMenu* menu, const map::MapKey& key) {
         ask(change, entry_now);
     });
     action->setEnabled(!obstacle);
-    if (obstacle) action->setToolTip(plainToolTip(sentences::whyNotNow(entry.change, *obstacle)));
+    action->setToolTip(obstacle ? plainToolTip(sentences::whyNotNow(entry.change, *obstacle))
+                                : withUnconfirmed({}));
   }
 }
 
@@ -505,6 +524,10 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
   delete dialog_;
   ChangeQuestion question = questionFor(change, map, session->catalogue().current());
   question.asks_place = change == MapChange::Load && robots->loadAsksForPlace();
+  if (change == MapChange::Save &&
+      robots->obstacle(MapChange::StopMapping, nullptr) == Obstacle::EndsBySaving)
+    question.text += QLatin1Char(' ') + ChangeDialog::tr("Saving it ends the mapping.");
+  if (const QString remark = unconfirmed(); !remark.isEmpty()) question.text += QLatin1Char('\n') + remark;
   question.remark = [this](const robot::MapOrder& order) {
     session::Session* const now = context_.current.session();
     return now ? jobs::alsoCalledSo(order, now->catalogue().entries()) : QString();

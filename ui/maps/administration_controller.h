@@ -107,6 +107,8 @@ class AdministrationController : public Controller {
  private:
   robot::MapAdministration* maps() const;
   void ask(robot::MapChange change, const map::CatalogueEntry* map);
+  QString unconfirmed() const;
+  QString withUnconfirmed(const QString& tip) const;
   void askForPlaces(const map::MapKey& key);
   void refresh();
   void showMapping();

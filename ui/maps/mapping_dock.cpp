@@ -55,6 +55,7 @@ MappingDock::MappingDock(const QList<QAction*>& actions, QWidget* parent)
     : QDockWidget(tr("Mapping"), parent),
       said_(wrappedLabel({}, this)),
       trouble_(wrappedLabel({}, this)),
+      unconfirmed_(wrappedLabel({}, this)),
       lasts_(new PlainLabel(this)),
       submaps_(new PlainLabel(this)),
       size_(new PlainLabel(this)) {
@@ -66,9 +67,12 @@ MappingDock::MappingDock(const QList<QAction*>& actions, QWidget* parent)
   form->addRow(tr("Size"), size_);
   auto* const buttons = new WrappingRow(QMargins());
   for (QAction* const action : actions) buttons->add(buttonOf(action, body));
-  body->setLayout(columnOf({said_, form, trouble_, buttons, LayoutItem::rest()}, 8, QMargins(8, 6, 8, 6)));
+  body->setLayout(
+      columnOf({said_, form, trouble_, buttons, unconfirmed_, LayoutItem::rest()}, 8, QMargins(8, 6, 8, 6)));
   setScrolledWidget(*this, body);
   setTextColor(*trouble_, appColors().warning_text);
+  setTextColor(*unconfirmed_, appColors().secondary_text);
+  unconfirmed_->setVisible(false);
   state_.phase = MappingState::Phase::Unknown;
   setState({});
 }
@@ -88,6 +92,11 @@ void MappingDock::setState(const MappingState& state) {
                      : none);
   trouble_->setText(state.trouble);
   trouble_->setVisible(!state.trouble.isEmpty());
+}
+
+void MappingDock::setUnconfirmed(const QString& remark) {
+  unconfirmed_->setText(remark);
+  unconfirmed_->setVisible(!remark.isEmpty());
 }
 
 QString MappingDock::said() const {

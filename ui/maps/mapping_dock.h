@@ -33,12 +33,14 @@ class MappingDock : public QDockWidget {
   /// The buttons are those of the actions, in this order.
   explicit MappingDock(const QList<QAction*>& actions, QWidget* parent = nullptr);
   void setState(const MappingState& state);
+  /// A remark on what the buttons do; empty = none.
+  void setUnconfirmed(const QString& remark);
   const MappingState& state() const { return state_; }
   QString said() const;
 
  private:
   MappingState state_;
-  QLabel *said_, *trouble_;
+  QLabel *said_, *trouble_, *unconfirmed_;
   PlainLabel *lasts_, *submaps_, *size_;
 };
 

@@ -313,7 +313,9 @@ void WaypointsController::refresh() {
     sentence = failureText(*list_->failure());
   }
   placing_->warnings()->setZeroTurns(list_ ? list_->zeroTurns() : std::set<edit::Key>());
-  dock_->setList(list_.get(), sentence);
+  dock_->setList(
+      list_.get(), sentence,
+      session_ ? sentences::unconfirmedOf(session_->robot(), robot::Capability::WaypointEditing) : QString());
   const bool usable = editing_.document() != nullptr;
   allow(tool_action_, usable, sentence);
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();

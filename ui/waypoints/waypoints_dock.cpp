@@ -192,10 +192,11 @@ void WaypointsDock::buildFilter() {
   });
 }
 
-void WaypointsDock::setList(const edit::OpenWaypoints* list, const QString& sentence) {
+void WaypointsDock::setList(const edit::OpenWaypoints* list, const QString& sentence, const QString& remark) {
   if (list_) list_->disconnect(this);
   list_ = list;
   sentence_ = sentence;
+  remark_ = remark;
   if (list_) {
     connect(list_, &edit::OpenWaypoints::changed, this, &WaypointsDock::refresh);
     connect(list_, &QObject::destroyed, this, [this](QObject* gone) {
@@ -324,6 +325,7 @@ QString WaypointsDock::statusText() const {
   }
   for (std::size_t i = 0; i < std::min<std::size_t>(list_->notes().size(), 3); ++i)
     parts << sentences::sentenceOf(list_->notes()[i]);
+  if (!remark_.isEmpty()) parts << remark_;
   return parts.join(QLatin1Char('\n'));
 }
 

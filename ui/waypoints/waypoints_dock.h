@@ -34,7 +34,7 @@ class WaypointsDock : public QDockWidget {
   ~WaypointsDock() override;
 
   /// The list that can be edited; null = none, and `sentence` says why.
-  void setList(const edit::OpenWaypoints* list, const QString& sentence);
+  void setList(const edit::OpenWaypoints* list, const QString& sentence, const QString& remark = {});
 
   /// To what has to be decided: the selected one, otherwise the first.
   void goToConflict();
@@ -91,7 +91,7 @@ class WaypointsDock : public QDockWidget {
 
   WaypointEditing* editing_;
   const edit::OpenWaypoints* list_ = nullptr;
-  QString sentence_;
+  QString sentence_, remark_;
   WaypointsModel* model_;
   WaypointFilter* sorted_;
   QLineEdit* filter_;
