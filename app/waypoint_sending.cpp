@@ -168,7 +168,8 @@ class Sending {
   void judge() {
     for (SentStep& sent : sent_.steps) {
       const auto kept = sent_.kept.find(sent.step.key);
-      const bool is_so = exchange::isDone(sent.step, kept == sent_.kept.end() ? nullptr : &kept->second);
+      const bool is_so = exchange::isDone(sent.step, kept == sent_.kept.end() ? nullptr : &kept->second,
+                                          list_.store->keeps().pixel_m);
       sent.outcome = exchange::judged(std::move(sent.outcome), is_so);
     }
   }

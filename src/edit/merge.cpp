@@ -67,6 +67,7 @@ Item decided(const Conflict& conflict, Side side) {
 
 void fit(map::Waypoint& point, const robot::KeptFields& keeps) {
   if (!keeps.type) point.type.clear();
+  if (point.type.empty()) point.type = keeps.usual_type;
   if (!keeps.no_heading && !point.yaw_rad) point.yaw_rad = 0;
 }
 

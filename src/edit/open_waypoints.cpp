@@ -103,6 +103,7 @@ void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
   notes_ = stored.notes;
   zero_turns_ = stored.zero_turns;
   revision_ = stored.revision;
+  if (store_) keeps_.pixel_m = store_->keeps().pixel_m;
   looked_ = true;
   if (std::exchange(has_read_, true)) {
     const bool gone = !stored.there && !document_.kept().empty();

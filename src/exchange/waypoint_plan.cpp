@@ -149,7 +149,7 @@ FittedEdits fitted(std::vector<WaypointEdit> edits, const robot::KeptFields& kee
     if (!edit.after) continue;
     const map::Waypoint as_wanted = *edit.after;
     edit::fit(*edit.after, keeps);
-    typed += edit.after->type != as_wanted.type ? 1 : 0;
+    typed += !keeps.type && edit.after->type != as_wanted.type ? 1 : 0;
     unturned += edit.after->yaw_rad != as_wanted.yaw_rad ? 1 : 0;
   }
   std::erase_if(edits, [](const WaypointEdit& edit) { return edit::same(edit.before, edit.after); });

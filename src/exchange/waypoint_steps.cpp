@@ -25,8 +25,9 @@ class WaypointStepsText {
 
 using words::text;
 
-bool isNear(const map::Waypoint& wanted, const map::Waypoint& kept) {
-  if (!map::samePlace(wanted.position_m, kept.position_m)) return false;
+bool isNear(const map::Waypoint& wanted, const map::Waypoint& kept, double pixel_m) {
+  const double off_m = (wanted.position_m - kept.position_m).cwiseAbs().maxCoeff();
+  if (!map::samePlace(wanted.position_m, kept.position_m) && !(off_m <= pixel_m)) return false;
   // Some robots give everything a heading.
   if (!kept.yaw_rad) return !wanted.yaw_rad;
   return map::sameHeading(wanted.yaw_rad.value_or(0), *kept.yaw_rad);
@@ -113,13 +114,13 @@ std::vector<WaypointStep> stepsOf(const std::vector<WaypointEdit>& edits) {
   return steps;
 }
 
-bool isDone(const WaypointStep& step, const map::Waypoint* kept) {
+bool isDone(const WaypointStep& step, const map::Waypoint* kept, double pixel_m) {
   if (step.kind == StepKind::Delete || !kept) return step.kind == StepKind::Delete && !kept;
   switch (step.kind) {
     case StepKind::Create:
-      return isAlike(*step.after, *kept);
+      return isAlike(*step.after, *kept, pixel_m);
     case StepKind::Move:
-      return isNear(*step.after, *kept);
+      return isNear(*step.after, *kept, pixel_m);
     case StepKind::Rename:
       return step.after->name == kept->name;
     case StepKind::Retag:
@@ -132,8 +133,8 @@ bool isDone(const WaypointStep& step, const map::Waypoint* kept) {
   return false;
 }
 
-bool isAlike(const map::Waypoint& wanted, const map::Waypoint& kept) {
-  return isNear(wanted, kept) && wanted.name == kept.name && wanted.tags == kept.tags &&
+bool isAlike(const map::Waypoint& wanted, const map::Waypoint& kept, double pixel_m) {
+  return isNear(wanted, kept, pixel_m) && wanted.name == kept.name && wanted.tags == kept.tags &&
          wanted.type == kept.type;
 }
 

@@ -43,10 +43,11 @@ struct WaypointStep {
 std::vector<WaypointStep> stepsOf(const std::vector<WaypointEdit>& edits);
 
 /// Whether it has been done; `kept` is null if there is no such waypoint. Positions and headings may differ
-/// by rounding (map/waypoint.h), and one without a heading may be stored with 0.
-bool isDone(const WaypointStep& step, const map::Waypoint* kept);
+/// by rounding (map/waypoint.h; `pixel_m`: robot::KeptFields), and one without a heading may be stored with
+/// 0.
+bool isDone(const WaypointStep& step, const map::Waypoint* kept, double pixel_m = 0);
 /// The same for everything but the id.
-bool isAlike(const map::Waypoint& wanted, const map::Waypoint& kept);
+bool isAlike(const map::Waypoint& wanted, const map::Waypoint& kept, double pixel_m = 0);
 
 /// {"id"|null,"name","kind"} and the new values: "x","y","yaw_rad" of a move, "to" of a rename, "tags",
 /// "type", all of it for a create.

@@ -486,7 +486,7 @@ QString WaypointReview::comparedText() const {
   for (const auto& [key, change] : wanted_) {
     const auto steps = exchange::stepsOf({change});
     const bool as_wanted = std::all_of(steps.begin(), steps.end(), [&](const auto& step) {
-      return exchange::isDone(step, document.findKept(key));
+      return exchange::isDone(step, document.findKept(key), list_->keeps().pixel_m);
     });
     if (as_wanted) continue;
     ++differ;
