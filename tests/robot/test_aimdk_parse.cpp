@@ -143,47 +143,111 @@ class AimdkParseTest : public QObject {
   void pointsLieWhereTheirMetresSay() {
     const auto frame = parseWholeMap(wholeMap(kUsual), kKey);
     const auto good = parseTopology(point("1506", "0"), &*frame);
-    QCOMPARE(good->points.size(), std::size_t(1));
-    QCOMPARE(good->points[0].id, std::string("1"));
-    QCOMPARE(good->points[0].name, std::string("<b>🚪</b>"));
-    QCOMPARE(good->points[0].position_m, Eigen::Vector2d(11.6, -2.45));
-    QVERIFY(good->notes.empty());
+    QCOMPARE(good->list.points.size(), std::size_t(1));
+    QCOMPARE(good->list.points[0].id, std::string("1"));
+    QCOMPARE(good->list.points[0].name, std::string("<b>🚪</b>"));
+    QCOMPARE(good->list.points[0].position_m, Eigen::Vector2d(11.6, -2.45));
+    QVERIFY(good->list.notes.empty());
     const auto off = parseTopology(point("1520", "0"), &*frame);
-    QCOMPARE(off->points[0].position_m, Eigen::Vector2d(11.6, -2.45));
-    QCOMPARE(off->notes.size(), std::size_t(1));
-    QVERIFY(parseTopology(point("1520", "0"), nullptr)->notes.empty());
+    QCOMPARE(off->list.points[0].position_m, Eigen::Vector2d(11.6, -2.45));
+    QCOMPARE(off->list.notes.size(), std::size_t(1));
+    QVERIFY(parseTopology(point("1520", "0"), nullptr)->list.notes.empty());
   }
 
-  void theMeaningOfTheResolutionIsComparedWithThePoints() {
+  void theMeaningOfTheResolutionIsToldByThePoints() {
     ParsedMap frame;
-    frame.pixels_per_m = 20;
+    frame.resolution = 20;
     frame.u0 = frame.v0 = 100;
-    const auto notesAt = [&](double scale, double spread_m, int count) {
+    const auto at = [&](double scale, double spread_m, int count) {
       std::string rows;
       for (int i = 1; i <= count; ++i) {
-        const double at = i * spread_m;
+        const double at_m = i * spread_m;
         rows += (i > 1 ? "," : "") + ("{\"point_id\":" + std::to_string(i)) +
-                ",\"pixel_pose\":{\"position\":{\"u\":" + std::to_string(100 + at * scale) +
-                ",\"v\":" + std::to_string(100 - at * scale) +
-                "}},\"pose\":{\"position\":{\"x\":" + std::to_string(at) + ",\"y\":" + std::to_string(at) +
-                "}}}";
+                ",\"pixel_pose\":{\"position\":{\"u\":" + std::to_string(100 + at_m * scale) +
+                ",\"v\":" + std::to_string(100 - at_m * scale) +
+                "}},\"pose\":{\"position\":{\"x\":" + std::to_string(at_m) +
+                ",\"y\":" + std::to_string(at_m) + "}}}";
       }
-      return parseTopology("{\"data\":{\"points\":[" + rows + "]}}", &frame)->notes;
+      return parseTopology("{\"data\":{\"points\":[" + rows + "]}}", &frame)->scale;
     };
-    QVERIFY(notesAt(20, 5, 4).empty());
-    QVERIFY(notesAt(5, 5, 1).front().code == robot::aimdk::fault::ScaleInCentimetres);
-    QVERIFY(notesAt(5, 5, 4).front().code == robot::aimdk::fault::ScaleInCentimetres);
-    QVERIFY(notesAt(20, 0.01, 3).front().code == robot::aimdk::fault::ScaleFitsBoth);
-    QVERIFY(notesAt(50, 5, 4).front().code == robot::aimdk::fault::ScaleFitsNeither);
-    frame.pixels_per_m = 10;  // the same either way
-    QVERIFY(notesAt(10, 0.01, 3).empty());
+    const auto is = [](const Scale& scale, double pixels_per_m, bool certain, const FaultCode& note) {
+      return scale.pixels_per_m == pixels_per_m && scale.certain == certain && scale.note.code == note;
+    };
+    namespace fault = robot::aimdk::fault;
+    QVERIFY(is(at(20, 5, 4), 20, true, {}));
+    QVERIFY(is(at(5, 5, 1), 5, true, fault::ScaleInCentimetres));
+    QVERIFY(is(at(5, 5, 4), 5, true, fault::ScaleInCentimetres));
+    QVERIFY(is(at(20, 0.01, 3), 20, false, fault::ScaleUntold));
+    QVERIFY(is(at(20, 5, 0), 20, false, fault::ScaleUntold));
+    QVERIFY(is(at(50, 5, 1), 20, false, fault::ScaleUntold));  // it may have been moved
+    QVERIFY(is(at(50, 5, 4), 20, false, fault::ScaleFitsNeither));
+    frame.resolution = 10;  // the same either way
+    QVERIFY(is(at(10, 0.01, 3), 10, true, {}));
+    QVERIFY(is(at(10, 5, 0), 10, true, {}));
+  }
+
+  void aMapIsPlacedAsItsResolutionIsRead() {
+    auto parsed = parseWholeMap(
+        wholeMap(R"("width":2898,"height":2603,"resolution":5,"origin_x":1274,"origin_y":1371,)"), kKey);
+    QCOMPARE(parsed->map.grid.resolution_m, 0.2);
+    place(*parsed, {20, true, {robot::aimdk::fault::ScaleInCentimetres, {5.0}}});
+    QCOMPARE(parsed->map.grid.resolution_m, 0.05);
+    QCOMPARE(parsed->map.grid.origin.x_m, -1274 / 20.0);
+    QCOMPARE(parsed->map.notes.size(), std::size_t(1));
+  }
+
+  void whoKnowsTheNewerServicesIsToldByAnAnswer() {
+    QVERIFY(knowsService(200, R"({"header":{"code":"0"},"data":{}})"));
+    QVERIFY(knowsService(200, R"({"header":{"code":"3001","msg":"not mapping"}})"));
+    QVERIFY(knowsService(200, R"({"data":{"map_data":"AA=="}})"));
+    QVERIFY(!knowsService(404, R"({"header":{"code":"0"}})"));
+    QVERIFY(!knowsService(200, R"({"error":{"code":-32601}})"));
+    QVERIFY(!knowsService(200, R"({"header":{"code":404}})"));
+    QVERIFY(!knowsService(200, "<html>"));
+    QVERIFY(*parseRealtimeMap(R"({"header":{"code":"0"},"data":{"map_data":"AA=="}})"));
+    QVERIFY(!*parseRealtimeMap(R"({"header":{"code":"0"},"data":{"map_data":""}})"));
+    QVERIFY(!*parseRealtimeMap(R"({"header":{"code":"3001"}})"));
+  }
+
+  void changesAreAcceptedOrRefusedInAHeader() {
+    QVERIFY(parseAcceptance(R"({"header":{"code":"0"}})"));
+    QVERIFY(parseAcceptance(R"({"data":{}})"));
+    const auto refused = parseAcceptance(R"({"header":{"code":"1006","msg":"in use"}})");
+    QVERIFY(!refused && refused.error().refused);
+    QCOMPARE(refused.error().code, std::string("1006"));
+    QCOMPARE(refused.error().detail, std::string("in use"));
+    QVERIFY(!parseAcceptance("<html>").error().refused);
+    QCOMPARE(createdPoint(R"({"header":{"code":"0"},"data":{"point_id":12}})"), std::string("12"));
+    QVERIFY(createdPoint(R"({"header":{"code":"0"},"data":{}})").empty());
+  }
+
+  void aPointGoesBackWithWhatIsNotKnownOfIt() {
+    map::Waypoint point;
+    point.id = "7";
+    point.name = "Dock \"2\"";
+    point.type = "T";
+    point.source =
+        R"({"point_id":7,"name":"Dock","point_type":"T","speed":3,"pixel_pose":{"position":{"u":1,"v":2},)"
+        R"("angle":4.5},"pose":{"position":{"x":0,"y":0}}})";
+    QCOMPARE(
+        *pointRequest("1764059676131999999", point, std::nullopt),
+        QByteArray(
+            R"({"header":{},"command":"TopoCommand_SET_NAVI_POINT","map_id":1764059676131999999,"point":)"
+            R"({"point_id":7,"name":"Dock \"2\"","pixel_pose":{"angle":4.5,"position":{"u":1,"v":2}},)"
+            R"("point_type":"T","speed":3}})"));
+    QVERIFY(
+        pointRequest("17", point, PixelPose{5, 6})->contains(R"({"angle":4.5,"position":{"u":5,"v":6}})"));
+    QVERIFY(pointRequest("17", point, PixelPose{5, 6, -90})->contains(R"({"angle":-90,"position")"));
+    point.source.clear();  // it is new
+    QVERIFY(pointRequest("17", point, PixelPose{5, 6, 0})->contains(R"("point":{"point_id":0,)"));
+    QVERIFY(!pointRequest("x", point, PixelPose{5, 6, 0}));
   }
 
   void headingsAreRadiansUpToAFullTurnAndDegreesBeyond() {
-    QCOMPARE(*parseTopology(point("1506", "1.5"), nullptr)->points[0].yaw_rad, 1.5);
-    QCOMPARE(*parseTopology(point("1506", "\"90\""), nullptr)->points[0].yaw_rad,
-             geometry::radiansFromDegrees(90));
-    QVERIFY(!parseTopology(point("1506", "null"), nullptr)->points[0].yaw_rad);
+    QCOMPARE(*parseTopology(point("1506", "1.5"), nullptr)->list.points[0].yaw_rad, -1.5);
+    QCOMPARE(*parseTopology(point("1506", "\"90\""), nullptr)->list.points[0].yaw_rad,
+             geometry::radiansFromDegrees(-90));
+    QVERIFY(!parseTopology(point("1506", "null"), nullptr)->list.points[0].yaw_rad);
   }
 
   void oneAngleInDegreesMakesAllOfThemDegrees() {
@@ -191,15 +255,23 @@ class AimdkParseTest : public QObject {
         "{\"data\":{\"points\":[{\"pixel_pose\":{\"angle\":5},\"pose\":{\"position\":{\"x\":0,\"y\":0}}},"
         "{\"pixel_pose\":{\"angle\":-90},\"pose\":{\"position\":{\"x\":0,\"y\":0}}}]}}",
         nullptr);
-    QCOMPARE(*list->points.at(0).yaw_rad, geometry::radiansFromDegrees(5));
-    QCOMPARE(*list->points.at(1).yaw_rad, geometry::radiansFromDegrees(-90));
+    QCOMPARE(*list->list.points.at(0).yaw_rad, geometry::radiansFromDegrees(-5));
+    QCOMPARE(*list->list.points.at(1).yaw_rad, geometry::radiansFromDegrees(90));
+  }
+
+  void anOrientationInTheWorldCounts() {
+    const auto list = parseTopology(
+        "{\"data\":{\"points\":[{\"pixel_pose\":{\"angle\":5},\"pose\":{\"position\":{\"x\":0,\"y\":0},"
+        "\"orientation\":{\"x\":0,\"y\":0,\"z\":1,\"w\":1}}}]}}",
+        nullptr);
+    QVERIFY(map::sameHeading(list->list.points.at(0).yaw_rad, geometry::radiansFromDegrees(90)));
   }
 
   void pointsWithoutAPlaceAreCountedOnly() {
     const auto list =
         parseTopology(R"({"data":{"points":[{"point_id":1},7,{"pose":{"position":{"x":1}}}]}})", nullptr);
-    QVERIFY(list->points.empty());
-    QCOMPARE(list->notes.size(), std::size_t(1));
+    QVERIFY(list->list.points.empty());
+    QCOMPARE(list->list.notes.size(), std::size_t(1));
   }
 };
 

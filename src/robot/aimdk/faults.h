@@ -44,25 +44,63 @@ inline constexpr FaultCode PointOff{"aimdk",
                                                       "by %3 px. It is shown at its metre coordinates.")};
 /// resolution
 inline constexpr FaultCode ScaleInCentimetres{
-    "aimdk", QT_TRANSLATE_NOOP(
-                 "aimdk",
-                 "The pixels of its points fit their metres only if its resolution %1 means centimetres per "
-                 "pixel. It was read as pixels per metre: the picture has a wrong scale.")};
+    "aimdk",
+    QT_TRANSLATE_NOOP("aimdk",
+                      "Its resolution %1 was read as centimetres per pixel: only so do the pixels of "
+                      "its points fit their metres.")};
 /// resolution
-inline constexpr FaultCode ScaleFitsBoth{
+inline constexpr FaultCode ScaleUntold{
     "aimdk",
     QT_TRANSLATE_NOOP("aimdk",
                       "Whether its resolution %1 means pixels per metre or centimetres per pixel cannot "
-                      "be told by its points: both fit. It was read as pixels per metre.")};
+                      "be told by its points. It was read as pixels per metre, as its maker says.")};
 /// resolution
 inline constexpr FaultCode ScaleFitsNeither{
-    "aimdk", QT_TRANSLATE_NOOP(
-                 "aimdk",
-                 "The pixels of its points fit their metres neither if its resolution %1 means pixels per "
-                 "metre nor if it means centimetres per pixel: its picture may lie elsewhere.")};
+    "aimdk",
+    QT_TRANSLATE_NOOP(
+        "aimdk",
+        "The pixels of its points fit their metres neither if its resolution %1 means pixels per "
+        "metre nor if it means centimetres per pixel: its picture may lie elsewhere. It was read as pixels "
+        "per metre.")};
 /// how many
 inline constexpr FaultCode MorePointsOff{
     "aimdk", QT_TRANSLATE_N_NOOP("aimdk", "%1 more points have pixel and metre coordinates that differ.")};
+
+// What newer firmware has.
+/// because: how it answers
+inline constexpr FaultCode ServiceLacking{
+    "aimdk", QT_TRANSLATE_NOOP("aimdk", "Its firmware does not support this request (%1).")};
+inline constexpr FaultCode MapsNotNow{"aimdk", QT_TRANSLATE_NOOP("aimdk", "The robot is not mapping.")};
+
+// Waypoints that are changed.
+inline constexpr FaultCode PointScaleUntold{
+    "aimdk",
+    QT_TRANSLATE_NOOP("aimdk",
+                      "The robot takes pixels, and how many there are to a metre cannot be told by the "
+                      "waypoints that the map has: the waypoint might land at the wrong place. Set some "
+                      "waypoints on the robot itself first, apart from each other.")};
+inline constexpr FaultCode PointWithoutNumber{
+    "aimdk",
+    QT_TRANSLATE_NOOP("aimdk", "The waypoint, or its map, has no number by which it could be changed.")};
+inline constexpr FaultCode PointsStay{
+    "aimdk", QT_TRANSLATE_NOOP("aimdk", "Waypoints of this robot cannot be deleted from here.")};
+inline constexpr FaultCode PointsWithoutTags{
+    "aimdk", QT_TRANSLATE_NOOP("aimdk", "Waypoints of this robot cannot have tags.")};
+/// name
+inline constexpr FaultCode PointChangedMeanwhile{
+    "aimdk", QT_TRANSLATE_NOOP("aimdk", "\"%1\" was changed on the robot in the meantime")};
+/// name
+inline constexpr FaultCode PointNotListed{
+    "aimdk", QT_TRANSLATE_NOOP("aimdk", "The robot accepted the waypoint \"%1\", but does not list it.")};
+/// name
+inline constexpr FaultCode PointOtherwise{
+    "aimdk",
+    QT_TRANSLATE_NOOP("aimdk", "The robot accepted the change of \"%1\", but lists the waypoint otherwise.")};
+/// name, metres
+inline constexpr FaultCode PointElsewhere{
+    "aimdk", QT_TRANSLATE_NOOP("aimdk",
+                               "The robot accepted the waypoint \"%1\", but lists it %2 m from where it "
+                               "should be.")};
 
 // Topics of ROS that are asked for and silent.
 /// host; because: why

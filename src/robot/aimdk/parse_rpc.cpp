@@ -1,6 +1,8 @@
 #include "robot/aimdk/parse_rpc.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <tuple>
@@ -33,6 +35,8 @@ std::string explanation(const Json& object) {
       text.empty() && inner && inner->is_object()) {
     text = wire::text(*inner, {"message", "msg", "detail"});
   }
+  if (const auto header = wire::member(object, {"header"}); text.empty() && header)
+    text = wire::text(*header, {"message", "msg", "detail"});
   return text.substr(0, 300);
 }
 
@@ -42,7 +46,10 @@ std::optional<RpcError> failure(const Json& root) {
   bool truth = true;
   const bool has_error =
       error && (error->get(truth) || truth) && !(error->is_string() && wire::asText(*error).empty());
-  const auto code = wire::integer(root, {"code", "error_code", "err_code", "errcode"});
+  auto code = wire::integer(root, {"code", "error_code", "err_code", "errcode"});
+  // Newer firmware says it in a header.
+  const auto header = wire::member(root, {"header"});
+  if (header && !code) code = wire::integer(*header, {"code"});
   // 0 and 200 mean success.
   const bool bad_code = code && *code != 0 && *code != 200;
   if (!has_error && !bad_code) return std::nullopt;
@@ -53,13 +60,20 @@ std::optional<RpcError> failure(const Json& root) {
   return RpcError{true, inner && *inner != 0 ? std::to_string(*inner) : std::string(), explanation(root), {}};
 }
 
-/// The `data` of an answer.
-Read<Json> dataOf(wire::JsonReader& reader, std::string_view body) {
+/// An answer that tells of no error.
+Read<Json> goodAnswer(wire::JsonReader& reader, std::string_view body) {
   const auto root = reader.readKeepingDigits(body);
   if (!root || !root->is_object()) {
     return refused({fault::AnswerIsNoJson, {"Agibot"}});
   }
   if (auto why = failure(*root)) return passed(std::move(*why));
+  return *root;
+}
+
+/// The `data` of an answer.
+Read<Json> dataOf(wire::JsonReader& reader, std::string_view body) {
+  const auto root = goodAnswer(reader, body);
+  if (!root) return root;
   const auto data = wire::member(*root, {"data"});
   simdjson::dom::object members;
   if (!data || data->get(members) || members.size() == 0) {
@@ -81,7 +95,7 @@ std::optional<double> angleOf(const Json& point) {
 }
 
 /// The documentation gives no unit for the angle. If no point of a list exceeds one turn in radians they are
-/// taken as radians, otherwise all as degrees; counter-clockwise in both cases.
+/// taken as radians, otherwise all as degrees.
 bool anglesAreDegrees(const wire::JsonList& points) {
   for (const Json point : points) {
     if (const auto angle = angleOf(point); angle && std::abs(*angle) > 2 * std::numbers::pi) return true;
@@ -89,10 +103,19 @@ bool anglesAreDegrees(const wire::JsonList& points) {
   return false;
 }
 
+/// From +u to +v, which runs down: clockwise. Where the robot gives an orientation in the world, that counts.
 std::optional<double> headingOf(const Json& point, bool degrees) {
+  const auto pose = wire::member(point, {"pose"});
+  const auto turn = pose ? wire::member(*pose, {"orientation"}) : std::nullopt;
+  if (turn) {
+    const auto x = wire::number(*turn, {"x"}), y = wire::number(*turn, {"y"}), z = wire::number(*turn, {"z"}),
+               w = wire::number(*turn, {"w"});
+    const bool any = x && y && z && w && (*x != 0 || *y != 0 || *z != 0 || *w != 0);
+    if (any) return std::atan2(2 * (*w * *z + *x * *y), *w * *w + *x * *x - *y * *y - *z * *z);
+  }
   const auto angle = angleOf(point);
   if (!angle) return std::nullopt;
-  return geometry::normalizeAngle(degrees ? geometry::radiansFromDegrees(*angle) : *angle);
+  return geometry::normalizeAngle(-(degrees ? geometry::radiansFromDegrees(*angle) : *angle));
 }
 
 /// The distance between a point's pixels and its metres at a scale; nullopt if it has no pixels.
@@ -108,11 +131,9 @@ std::optional<double> pixelsOff(const Json& point, const Eigen::Vector2d& positi
   return std::max(std::abs(du), std::abs(dv));
 }
 
-/// Some programs read the resolution as pixels per metre, others as centimetres per pixel: what the points
-/// say of that. None: the first fits, or there is no point that could tell.
-Fault doubtOfScale(const wire::JsonList& points, const ParsedMap& frame) {
+Scale scaleBy(const wire::JsonList& points, const ParsedMap& frame) {
   constexpr double kRoundingPx = 1;
-  const double first = frame.pixels_per_m, other = 100 / first;
+  const double first = frame.resolution, other = 100 / first;
   int told = 0, fit_first = 0, fit_other = 0;
   for (const Json point : points) {
     const auto pose = wire::member(point, {"pose"});
@@ -123,13 +144,25 @@ Fault doubtOfScale(const wire::JsonList& points, const ParsedMap& frame) {
     if (*off <= kRoundingPx) ++fit_first;
     if (*pixelsOff(point, *position, frame, other) <= kRoundingPx) ++fit_other;
   }
-  // A few points that were moved prove nothing. At 10 both readings are the same.
+  // A few points that were moved prove nothing.
   const bool first_fits = 2 * fit_first > told, other_fits = 2 * fit_other > told;
-  if (told == 0 || first == other || (first_fits && !other_fits)) return {};
-  if (first_fits) return told > 1 ? Fault(fault::ScaleFitsBoth, {first}) : Fault();
-  if (other_fits) return {fault::ScaleInCentimetres, {first}};
+  if (first == other) return {first, first_fits || told == 0};  // at 10 both readings are the same
+  if (first_fits && !other_fits) return {first, true};
+  if (other_fits && !first_fits) return {other, true, {fault::ScaleInCentimetres, {first}}};
   constexpr int kEnough = 3;
-  return told >= kEnough ? Fault(fault::ScaleFitsNeither, {first}) : Fault();
+  if (!first_fits && told >= kEnough) return {first, false, {fault::ScaleFitsNeither, {first}}};
+  return untoldScale(frame);
+}
+
+QByteArray compactJson(const QJsonObject& object) {
+  return QJsonDocument(object).toJson(QJsonDocument::Compact);
+}
+
+QString qtText(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+
+bool isNumberId(std::string_view id) {
+  return !id.empty() && id.find_first_not_of("0123456789") == std::string_view::npos &&
+         (id == "0" || id.front() != '0');
 }
 
 }  // namespace
@@ -169,10 +202,10 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
   map::WholeMap& whole = parsed.map;
   whole.key = asked;
   whole.name = wire::text(*data, {"map_name", "name"});
-  parsed.pixels_per_m = wire::number(*data, {"resolution"}).value_or(kNaN);
+  parsed.resolution = wire::number(*data, {"resolution"}).value_or(kNaN);
   parsed.u0 = wire::number(*data, {"origin_x"}).value_or(kNaN);
   parsed.v0 = wire::number(*data, {"origin_y"}).value_or(kNaN);
-  if (!(parsed.pixels_per_m > 0) || !std::isfinite(parsed.pixels_per_m)) {
+  if (!(parsed.resolution > 0) || !std::isfinite(parsed.resolution)) {
     return refused(fault::ScaleNotPositive);
   }
   const std::string given = wire::text(*data, {"map_id"});
@@ -198,11 +231,7 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
   } else if (width <= 0 || height <= 0) {
     return refused(fault::HeightNotSaid);
   }
-  // Pixel (origin_x, origin_y) is the world's origin and rows run down: the lower-left corner is (height -
-  // origin_y) rows below it.
-  whole.grid.resolution_m = 1 / parsed.pixels_per_m;
-  whole.grid.origin = {-parsed.u0 / parsed.pixels_per_m,
-                       (parsed.v0 - double(whole.grid.height)) / parsed.pixels_per_m, 0};
+  place(parsed, {parsed.resolution});
   if (const auto why = map::whyUnusable(whole.grid)) return refused(*why);
   if (const auto degrees = wire::number(*data, {"rotate_angle"}); degrees && *degrees != 0) {
     whole.display_rotation_rad = geometry::radiansFromDegrees(*degrees);
@@ -212,18 +241,34 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
   return parsed;
 }
 
-Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* frame) {
+Scale untoldScale(const ParsedMap& map) {
+  return {map.resolution, false, {fault::ScaleUntold, {map.resolution}}};
+}
+
+void place(ParsedMap& map, const Scale& scale) {
+  map.pixels_per_m = scale.pixels_per_m;
+  // Pixel (origin_x, origin_y) is the world's origin and rows run down: the lower-left corner is (height -
+  // origin_y) rows below it.
+  map::GridReference& grid = map.map.grid;
+  grid.resolution_m = 1 / scale.pixels_per_m;
+  grid.origin = {-map.u0 / scale.pixels_per_m, (map.v0 - double(grid.height)) / scale.pixels_per_m, 0};
+  if (scale.note.any())
+    map.map.notes.push_back({map::Severity::Warning, map::subjectOf(map.map.key), scale.note});
+}
+
+Read<Topology> parseTopology(std::string_view body, const ParsedMap* frame) {
   wire::JsonReader reader;
   const auto data = dataOf(reader, body);
   if (!data) return passed(data.error());
-  map::WaypointList list;
+  Topology topology;
+  if (frame) topology.scale = untoldScale(*frame);
+  map::WaypointList& list = topology.list;
   const auto member = wire::member(*data, {"points"});
-  if (!member) return list;
+  if (!member) return topology;
   const auto rows = wire::asList(*member);
   if (!rows) return refused(robot::wire::fault::PointsAreNoList);
-  const bool degrees = anglesAreDegrees(*rows);
-  const Fault scale = frame ? doubtOfScale(*rows, *frame) : Fault();
-  if (scale.any()) list.notes.push_back(scale);
+  const bool degrees = topology.degrees = anglesAreDegrees(*rows);
+  if (frame) topology.scale = scaleBy(*rows, *frame);
   std::size_t unplaced = 0, unsaid = 0;
   const auto note = [&](Fault odd) {
     if (list.notes.size() < kMaxNotes) {
@@ -241,7 +286,8 @@ Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* fr
     }
     map::Waypoint point{wire::text(row, {"point_id", "id"}), wire::text(row, {"name"}),
                         wire::text(row, {"point_type", "type"}), *position, headingOf(row, degrees)};
-    const auto off = frame ? pixelsOff(row, *position, *frame, frame->pixels_per_m) : std::nullopt;
+    point.source = simdjson::minify(row);
+    const auto off = frame ? pixelsOff(row, *position, *frame, topology.scale.pixels_per_m) : std::nullopt;
     if (off && !(*off <= 1)) {
       note({fault::PointOff, {point.id, point.name, *off}});
     }
@@ -249,7 +295,45 @@ Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* fr
   }
   if (unplaced > 0) list.notes.push_back({robot::wire::fault::PointsUnplaced, {std::int64_t(unplaced)}});
   if (unsaid > 0) list.notes.push_back({fault::MorePointsOff, {std::int64_t(unsaid)}});
-  return list;
+  return topology;
+}
+
+bool knowsService(int status, std::string_view body) {
+  constexpr std::int64_t kNoSuchMethod[] = {12, 404, 405, 501, -32601};  // of gRPC, HTTP and JSON-RPC
+  const auto is = [&](std::int64_t code) {
+    return std::find(std::begin(kNoSuchMethod), std::end(kNoSuchMethod), code) != std::end(kNoSuchMethod);
+  };
+  if (status < 200 || status >= 300) return false;
+  wire::JsonReader reader;
+  const auto root = reader.readKeepingDigits(body);
+  if (!root || !root->is_object()) return false;
+  // An error in another form than that of the newer services may be older firmware's for all that it lacks.
+  const auto header = wire::member(*root, {"header"});
+  if (!header) return !failure(*root) && wire::member(*root, {"data"});
+  return !is(wire::integer(*header, {"code"}).value_or(0));
+}
+
+Read<bool> parseRealtimeMap(std::string_view body) {
+  wire::JsonReader reader;
+  const auto root = reader.readKeepingDigits(body);
+  if (!root || !root->is_object()) return refused({fault::AnswerIsNoJson, {"Agibot"}});
+  // Without a mapping there may be an error as well as no data.
+  const auto data = wire::member(*root, {"data"});
+  return data && !wire::text(*data, {"map_data"}).empty();
+}
+
+Read<void> parseAcceptance(std::string_view body) {
+  wire::JsonReader reader;
+  const auto root = goodAnswer(reader, body);
+  if (!root) return passed(root.error());
+  return {};
+}
+
+std::string createdPoint(std::string_view body) {
+  wire::JsonReader reader;
+  const auto data = dataOf(reader, body);
+  const std::string id = data ? wire::text(*data, {"point_id", "id"}) : std::string();
+  return id == "0" ? std::string() : id;
 }
 
 QByteArray mapNamesRequest() { return command("MappingCommand_GET_STORED_MAP_NAME"); }
@@ -262,12 +346,44 @@ QByteArray wholeMapRequest(std::string_view map_id) {
 }
 
 std::optional<QByteArray> topologyRequest(std::string_view map_id) {
-  const bool number = !map_id.empty() && map_id.find_first_not_of("0123456789") == std::string_view::npos &&
-                      (map_id == "0" || map_id.front() != '0');
-  if (!number) return std::nullopt;
+  if (!isNumberId(map_id)) return std::nullopt;
   // Written by hand: JSON libraries use doubles for numbers, which may lose digits.
   return R"({"command":"TopoCommand_GET_TOPO_MSG","map_id":)" +
          QByteArray(map_id.data(), qsizetype(map_id.size())) + '}';
+}
+
+QByteArray realtimeMapRequest() { return changeRequest("MappingCommand_GET_REALTIME_MAP"); }
+
+QByteArray changeRequest(const char* command, const std::vector<std::pair<const char*, std::string>>& texts) {
+  QJsonObject members{{QStringLiteral("header"), QJsonObject()},
+                      {QStringLiteral("command"), QLatin1String(command)}};
+  for (const auto& [name, value] : texts) members.insert(QLatin1String(name), qtText(value));
+  return compactJson(members);
+}
+
+std::optional<QByteArray> pointRequest(std::string_view map_id, const map::Waypoint& point,
+                                       const std::optional<PixelPose>& pose) {
+  const bool is_new = point.source.empty();
+  if (!isNumberId(map_id) || (!is_new && !isNumberId(point.id))) return std::nullopt;
+  // What is not known here goes back as it came, without the metres: pixels are what counts.
+  QJsonObject members = QJsonDocument::fromJson(QByteArray::fromStdString(point.source)).object();
+  members.remove(QStringLiteral("pose"));
+  members.remove(QStringLiteral("point_id"));
+  members[QStringLiteral("name")] = qtText(point.name);
+  members[QStringLiteral("point_type")] =
+      qtText(point.type.empty() ? std::string_view(kUsualPointType) : std::string_view(point.type));
+  if (pose) {
+    const QJsonObject position{{QStringLiteral("u"), qint64(pose->u)},
+                               {QStringLiteral("v"), qint64(pose->v)}};
+    const QString place = QStringLiteral("pixel_pose"), angle = QStringLiteral("angle");
+    const QJsonValue turn = pose->angle ? QJsonValue(*pose->angle) : members[place].toObject()[angle];
+    members[place] = QJsonObject{{QStringLiteral("position"), position}, {angle, turn}};
+  }
+  QByteArray rest = compactJson(members);
+  rest[0] = ',';
+  return R"({"header":{},"command":"TopoCommand_SET_NAVI_POINT","map_id":)" +
+         QByteArray(map_id.data(), qsizetype(map_id.size())) + R"(,"point":{"point_id":)" +
+         (is_new ? QByteArray("0") : QByteArray::fromStdString(point.id)) + rest + '}';
 }
 
 }  // namespace mapwright::robot::aimdk

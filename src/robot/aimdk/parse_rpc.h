@@ -1,9 +1,11 @@
 // Parses AimDK answers. Pure functions, any thread. Source: docs/protocols/agibot-aimdk.md.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <QByteArray>
@@ -28,15 +30,42 @@ using Read = tl::expected<T, RpcError>;
 Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body);
 /// GetCurrentWorkingMap: an id, empty if none is in use.
 Read<std::string> parseCurrentMap(std::string_view body);
-/// Get2DWholeMap.
+/// Get2DWholeMap, placed as its `resolution` is read: pixels per metre until place() says otherwise.
 struct ParsedMap {
   map::WholeMap map;
-  /// From world metres to pixels, according to the robot: u = u0 + x * scale, v = v0 - y * scale.
+  double resolution = 0;  // as the robot says
+  /// From world metres to pixels: u = u0 + x * scale, v = v0 - y * scale.
   double pixels_per_m = 0, u0 = 0, v0 = 0;
 };
 Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked);
-/// GetTopoMsgs. Without `frame` pixels are not compared with metres.
-Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* frame);
+/// What the points of a map say of its `resolution`, which some read as pixels per metre, others as
+/// centimetres per pixel.
+struct Scale {
+  double pixels_per_m = 0;
+  bool certain = false;  // the points fit this reading only, or both readings are the same
+  Fault note = {};       // what is to be said of it; none = it is as the maker says
+};
+/// Nothing tells: as the maker says.
+Scale untoldScale(const ParsedMap& map);
+void place(ParsedMap& map, const Scale& scale);
+/// GetTopoMsgs. Without `frame` pixels are not compared with metres, and the scale is untold.
+struct Topology {
+  map::WaypointList list;  // each with its source
+  bool degrees = false;    // the unit of their angles; otherwise radians
+  Scale scale = {};
+};
+Read<Topology> parseTopology(std::string_view body, const ParsedMap* frame);
+
+// The newer services (docs/protocols/agibot-aimdk.md, "Newer services").
+
+/// Whether an answer, of any status, can come from firmware that has the service.
+bool knowsService(int status, std::string_view body);
+/// GetRealtimeMapData: whether it is mapping.
+Read<bool> parseRealtimeMap(std::string_view body);
+/// A change that was accepted, or why not.
+Read<void> parseAcceptance(std::string_view body);
+/// SetNaviPoint: the id of a point that was created; empty if it is not told.
+std::string createdPoint(std::string_view body);
 
 /// The requests. One call takes ids as text, the other as a number, digit by digit; GetTopoMsgs is impossible
 /// for an id that is not a number.
@@ -44,5 +73,18 @@ QByteArray mapNamesRequest();
 QByteArray currentMapRequest();
 QByteArray wholeMapRequest(std::string_view map_id);
 std::optional<QByteArray> topologyRequest(std::string_view map_id);
+QByteArray realtimeMapRequest();
+/// A change of maps: a command with texts.
+QByteArray changeRequest(const char* command,
+                         const std::vector<std::pair<const char*, std::string>>& texts = {});
+inline constexpr const char* kUsualPointType = "NaviPointType_NAVI_POINT";
+/// SetNaviPoint: `point` as it is to be, on that pixel (nullopt: the one that its source says). nullopt if
+/// the id of the map, or that of a point that is not new, is no number.
+struct PixelPose {
+  std::int64_t u = 0, v = 0;
+  std::optional<double> angle = {};  // nullopt: as it was
+};
+std::optional<QByteArray> pointRequest(std::string_view map_id, const map::Waypoint& point,
+                                       const std::optional<PixelPose>& pose);
 
 }  // namespace mapwright::robot::aimdk
