@@ -6,6 +6,7 @@
 #include "net/plain_sentences.h"
 #include "robot/aimdk/faults.h"
 #include "robot/wire/failures.h"
+#include "robot/wire/forwarded.h"
 #include "robot/wire/net_results.h"
 #include "sentences/failure_sentence.h"
 
@@ -18,24 +19,12 @@ constexpr const char* kMapNames = "aimdk.protocol.MappingService/GetStoredMapNam
 constexpr const char* kCurrentMap = "aimdk.protocol.MappingService/GetCurrentWorkingMap";
 constexpr const char* kWholeMap = "aimdk.protocol.MappingService/Get2DWholeMap";
 constexpr const char* kTopology = "aimdk.protocol.LocalizationService/GetTopoMsgs";
+constexpr const char* kRealtimeMap = "aimdk.protocol.MappingService/GetRealtimeMapData";
 constexpr qint64 kMaxAnswerBytes = qint64(384) << 20;  // 256 MB of picture as base64
 
 bool knowsNoSuchCall(int status) { return status == 404 || status == 405 || status == 501; }
 
 map::Subject catalogueSubject(const char* part) { return {map::SubjectKind::Catalogue, part}; }
-
-/// The answer (2xx) contains something else.
-map::Failure said(const net::HttpAnswer& answer, map::Subject subject, const RpcError& error) {
-  qCInfo(lcAimdk, "%s %s: %s %s", error.refused ? "refused" : "unreadable answer", subject.id.c_str(),
-         error.code.c_str(), inEnglish(error.cause).c_str());
-  if (!error.refused)
-    return wire::misread(answer, std::move(subject), error.cause, map::FailureReason::Unfit);
-  return {.kind = map::FailureKind::RejectedByRobot,
-          .subject = std::move(subject),
-          .robot_code = error.code,
-          .detail = error.detail,
-          .cause = error.cause};
-}
 
 /// The result, or why there is none.
 template <typename T>
@@ -54,11 +43,46 @@ map::Failure unasked(map::Subject subject, const char* ids) {
 
 }  // namespace
 
+map::Failure said(const net::HttpAnswer& answer, map::Subject subject, const RpcError& error) {
+  qCInfo(lcAimdk, "%s %s: %s %s", error.refused ? "refused" : "unreadable answer", subject.id.c_str(),
+         error.code.c_str(), inEnglish(error.cause).c_str());
+  if (!error.refused)
+    return wire::misread(answer, std::move(subject), error.cause, map::FailureReason::Unfit);
+  return {.kind = map::FailureKind::RejectedByRobot,
+          .subject = std::move(subject),
+          .robot_code = error.code,
+          .detail = error.detail,
+          .cause = error.cause};
+}
+
+std::optional<map::Failure> notAccepted(const net::HttpAnswer& answer, map::Subject subject) {
+  if (answer.kind == net::HttpAnswer::Kind::Answered && knowsNoSuchCall(answer.status)) {
+    return map::Failure{.kind = map::FailureKind::Unsupported,
+                        .subject = std::move(subject),
+                        .asked_for = map::AskedFor::Change,
+                        .reason = map::FailureReason::Unfit,
+                        .cause = {fault::ServiceLacking, {}, {answer.reason}}};
+  }
+  if (!answer.ok()) return wire::failed(answer, std::move(subject), map::AskedFor::Change);
+  const auto accepted = parseAcceptance(wire::view(answer.body));
+  if (accepted) return std::nullopt;
+  map::Failure failure = said(answer, std::move(subject), accepted.error());
+  failure.asked_for = map::AskedFor::Change;
+  if (!accepted.error().refused) failure.applied = map::Applied::Maybe;
+  return failure;
+}
+
+bool isFinal(const map::Failure& of_change) {
+  return of_change.applied == map::Applied::No || of_change.kind == map::FailureKind::Cancelled;
+}
+
 AimdkLink::AimdkLink(LinkOptions options)
     : RobotLink(lcAimdk(), options.base),
       options_(std::move(options)),
       http_(options_.base, QByteArray(), nullptr),  // the interface knows no secret
-      backoff_(options_.backoff_first, options_.backoff_limit, options_.jitter_seed) {
+      backoff_(options_.backoff_first, options_.backoff_limit, options_.jitter_seed),
+      map_changes_(*this, options_.changes),
+      point_changes_(*this, options_.changes) {
   http_.setTrust(options_.trust);
   for (QTimer* timer : {&timer_, &healthy_, &quiet_}) timer->setSingleShot(true);
   connect(&quiet_, &QTimer::timeout, this, &AimdkLink::noteSilence);
@@ -147,7 +171,7 @@ void AimdkLink::attempt() {
     const auto maps = parseMapNames(wire::view(answer.body));
     if (answer.ok() && maps) {
       hear();
-      goOnline();
+      probe();
     } else if (answer.ok()) {
       // The server answers every request with success. JSON may come from a robot with a problem of its own.
       const bool json = answer.body.trimmed().startsWith('{');
@@ -160,6 +184,26 @@ void AimdkLink::attempt() {
       interrupt(answer);
     }
   });
+}
+
+void AimdkLink::probe() {
+  ask(kRealtimeMap, realtimeMapRequest(), [this](const net::HttpAnswer& answer) {
+    if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
+    asking_ = 0;
+    const std::string_view body = wire::view(answer.body);
+    NewerServices newer{knowsService(answer.status, body)};
+    if (const auto mapping = parseRealtimeMap(body); newer.there && mapping) newer.mapping = *mapping;
+    qCInfo(lcAimdk, "newer services: %s", newer.there ? "yes" : "no");
+    noteNewer(newer);
+    goOnline();
+  });
+}
+
+void AimdkLink::noteNewer(const NewerServices& newer) {
+  mapping_asked_.start();
+  if (newer_ == newer) return;
+  newer_ = newer;
+  Q_EMIT newerKnown(newer_);
 }
 
 void AimdkLink::goOnline() {
@@ -189,8 +233,33 @@ void AimdkLink::poll() {
     hear();
     if (was_silent) enter(phase_);
     if (answer.ok()) noteCurrent(parseCurrentMap(wire::view(answer.body)).value_or(std::string()));
+    if (newer_.there && mapping_asked_.hasExpired(options_.mapping_every.count())) return pollMapping();
     timer_.start(options_.poll_every);
   });
+}
+
+void AimdkLink::pollMapping() {
+  ask(kRealtimeMap, realtimeMapRequest(), [this](const net::HttpAnswer& answer) {
+    if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
+    asking_ = 0;
+    const auto mapping = answer.ok() ? parseRealtimeMap(wire::view(answer.body)) : Read<bool>(false);
+    if (answer.ok() && mapping) noteNewer({true, *mapping});
+    mapping_asked_.start();
+    timer_.start(options_.poll_every);
+  });
+}
+
+void AimdkLink::post(const wire::TaskPtr& task, const char* method, const QByteArray& body, Reply reply) {
+  wire::send(task, http_, request(method, body, options_.timeout), std::move(reply));
+}
+
+void AimdkLink::lookAtMapping(const wire::TaskPtr& task, OutcomeTo<bool> reply) {
+  post(task, kRealtimeMap, realtimeMapRequest(),
+       [this, reply = std::move(reply)](const net::HttpAnswer& answer) {
+         auto mapping = outcomeOf(answer, wire::kMapList, parseRealtimeMap(wire::view(answer.body)));
+         if (mapping) noteNewer({newer_.there, *mapping});
+         reply(std::move(mapping));
+       });
 }
 
 void AimdkLink::noteCurrent(const std::string& id) {
@@ -291,17 +360,13 @@ void AimdkLink::fetchParsed(const wire::TaskPtr& task, const map::MapKey& key, O
   const bool first = !entry;
   if (first) entry = std::make_shared<SharedFetch>(SharedFetch{std::make_shared<wire::Task>(), {}});
   const std::shared_ptr<SharedFetch> shared = entry;
-  const auto leave = [this, key](const std::shared_ptr<SharedFetch>& fetch) {
-    if (const auto found = fetching_.find(key); found != fetching_.end() && found->second == fetch)
-      fetching_.erase(found);
-  };
-  const int number = task->begun([leave, held = std::weak_ptr(shared), who = task.get()] {
-    const auto fetch = held.lock();
+  const int number = task->begun([this, key, held = std::weak_ptr(shared), who = task.get()] {
+    const std::shared_ptr<SharedFetch> fetch = held.lock();
     if (!fetch) return;
     // It has already been answered.
     std::erase_if(fetch->waiting, [&](const auto& one) { return one.first.get() == who; });
     if (!fetch->waiting.empty()) return;
-    leave(fetch);
+    leave(key, fetch);
     fetch->task->cancel();
   });
   shared->waiting.emplace_back(task, [task, number, reply = std::move(reply)](Outcome<ParsedMap> parsed) {
@@ -310,18 +375,46 @@ void AimdkLink::fetchParsed(const wire::TaskPtr& task, const map::MapKey& key, O
   });
   if (!first) return;
   wire::send(shared->task, http_, request(kWholeMap, wholeMapRequest(key.id), options_.map_timeout),
-             [this, key, shared, leave](const net::HttpAnswer& answer) {
-               leave(shared);
+             [this, key, shared](const net::HttpAnswer& answer) {
                auto parsed =
                    outcomeOf(answer, map::subjectOf(key), parseWholeMap(wire::view(answer.body), key));
                if (parsed) {
                  parsed->map.body_bytes = std::size_t(answer.body.size());
-                 frame_ = *parsed;
-                 frame_->map.bytes.reset();
+                 return placeFetched(key, shared, std::move(*parsed));
                }
-               for (const auto& [who, waiting_reply] : std::exchange(shared->waiting, {}))
-                 waiting_reply(parsed);
+               endFetch(key, shared, parsed);
              });
+}
+
+/// Its points tell how its resolution is meant. Without them it is shown all the same.
+void AimdkLink::placeFetched(const map::MapKey& key, const std::shared_ptr<SharedFetch>& shared,
+                             ParsedMap parsed) {
+  const auto body = topologyRequest(key.id);
+  if (!body) {
+    place(parsed, untoldScale(parsed));
+    return endFetch(key, shared, std::move(parsed));
+  }
+  wire::send(shared->task, http_, request(kTopology, *body, options_.timeout),
+             [this, key, shared, parsed = std::move(parsed)](const net::HttpAnswer& answer) mutable {
+               const auto topology = parseTopology(wire::view(answer.body), &parsed);
+               place(parsed, answer.ok() && topology ? topology->scale : untoldScale(parsed));
+               endFetch(key, shared, parsed);
+             });
+}
+
+void AimdkLink::leave(const map::MapKey& key, const std::shared_ptr<SharedFetch>& shared) {
+  if (const auto found = fetching_.find(key); found != fetching_.end() && found->second == shared)
+    fetching_.erase(found);
+}
+
+void AimdkLink::endFetch(const map::MapKey& key, const std::shared_ptr<SharedFetch>& shared,
+                         const Outcome<ParsedMap>& parsed) {
+  leave(key, shared);
+  if (parsed) {
+    frame_ = *parsed;
+    frame_->map.bytes.reset();
+  }
+  for (const auto& [who, waiting_reply] : std::exchange(shared->waiting, {})) waiting_reply(parsed);
 }
 
 void AimdkLink::fetch(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
@@ -335,30 +428,28 @@ void AimdkLink::fetch(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map:
 }
 
 void AimdkLink::waypoints(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::WaypointList> reply) {
-  const auto body = topologyRequest(key.id);
-  if (!body || key.kind != map::MapKind::Stored) {
-    reply(fail(unasked(map::placesOf(key), "1764059676131")));
-    return;
-  }
-  if (frame_ && frame_->map.key == key) {
-    askPoints(task, key, *body, std::move(reply));
-    return;
-  }
-  // Their pixels can be checked only once the map is known.
-  fetchParsed(task, key,
-              [this, task, key, body = *body, reply = std::move(reply)](const Outcome<ParsedMap>&) {
-                askPoints(task, key, body, reply);
-              });
+  topology(task, key, [reply = std::move(reply)](Outcome<Topology> points, const ParsedMap*) {
+    if (!points) return reply(fail(std::move(points.error())));
+    reply(std::move(points->list));
+  });
 }
 
-void AimdkLink::askPoints(const wire::TaskPtr& task, const map::MapKey& key, const QByteArray& body,
-                          OutcomeTo<map::WaypointList> reply) {
-  wire::send(task, http_, request(kTopology, body, options_.timeout),
-             [this, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
-               deliver(kTopology, answer);
-               const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;
-               reply(outcomeOf(answer, map::placesOf(key), parseTopology(wire::view(answer.body), frame)));
-             });
+void AimdkLink::topology(const wire::TaskPtr& task, const map::MapKey& key, TopologyReply reply) {
+  const auto body = topologyRequest(key.id);
+  if (!body || key.kind != map::MapKind::Stored) {
+    reply(fail(unasked(map::placesOf(key), "1764059676131")), nullptr);
+    return;
+  }
+  const auto ask = [this, task, key, body = *body, reply = std::move(reply)] {
+    post(task, kTopology, body, [this, key, reply](const net::HttpAnswer& answer) {
+      deliver(kTopology, answer);
+      const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;
+      reply(outcomeOf(answer, map::placesOf(key), parseTopology(wire::view(answer.body), frame)), frame);
+    });
+  };
+  if (frame_ && frame_->map.key == key) return ask();
+  // Their pixels can be checked only once the map is known.
+  fetchParsed(task, key, [ask](const Outcome<ParsedMap>&) { ask(); });
 }
 
 }  // namespace mapwright::robot::aimdk

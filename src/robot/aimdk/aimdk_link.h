@@ -17,7 +17,9 @@
 
 #include "net/backoff.h"
 #include "net/http_client.h"
+#include "robot/aimdk/map_changes.h"
 #include "robot/aimdk/parse_rpc.h"
+#include "robot/aimdk/point_changes.h"
 #include "robot/wire/robot_link.h"
 #include "robot/wire/task.h"
 
@@ -30,12 +32,29 @@ struct LinkOptions {
   std::chrono::milliseconds quiet_after{3'000};  // a poll without an answer for this long is reported
   std::chrono::milliseconds timeout{10'000};     // for the small questions
   std::chrono::milliseconds map_timeout{60'000};
+  std::chrono::milliseconds mapping_every{30'000};  // while online: whether it is mapping
+  ChangeTimes changes;
   std::chrono::milliseconds backoff_first{500}, backoff_limit{30'000};
   std::chrono::milliseconds healthy_after{
       30'000};  // online for this long = the next loss starts with the first backoff
   quint32 jitter_seed = 1;
   std::function<double()> wall_s = wire::secondsOfDay;  // seconds since the epoch, on any thread
 };
+
+/// What newer firmware has, which only third parties tell of.
+struct NewerServices {
+  bool there = false;
+  std::optional<bool> mapping = {};  // nullopt = not known
+  bool operator==(const NewerServices&) const = default;
+};
+
+/// What an answer (2xx) of the robot says instead of a result.
+map::Failure said(const net::HttpAnswer& answer, map::Subject subject, const RpcError& error);
+
+/// Why a change was not accepted, or is not known to be; nullopt: it was accepted.
+std::optional<map::Failure> notAccepted(const net::HttpAnswer& answer, map::Subject subject);
+/// Nothing more will be learned about the change by looking.
+bool isFinal(const map::Failure& of_change);
 
 class AimdkLink : public wire::RobotLink {
   Q_OBJECT
@@ -51,18 +70,35 @@ class AimdkLink : public wire::RobotLink {
   void fetch(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
   void waypoints(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::WaypointList> reply);
 
+  using Reply = std::function<void(const net::HttpAnswer&)>;
+  MapChanges& maps() { return map_changes_; }
+  PointChanges& points() { return point_changes_; }
+  /// A request of `task`.
+  void post(const wire::TaskPtr& task, const char* method, const QByteArray& body, Reply reply);
+  /// The points as they are now, and the map that they lie on, without its picture (null: it cannot be had).
+  using TopologyReply = std::function<void(Outcome<Topology>, const ParsedMap*)>;
+  void topology(const wire::TaskPtr& task, const map::MapKey& key, TopologyReply reply);
+  /// Whether it is mapping. Told by newerKnown(), too.
+  void lookAtMapping(const wire::TaskPtr& task, OutcomeTo<bool> reply);
+
  Q_SIGNALS:
   void currentMapChanged();
+  void newerKnown(const mapwright::robot::aimdk::NewerServices& newer);  // before it is online, and later
 
  private:
-  using Reply = std::function<void(const net::HttpAnswer&)>;
   net::HttpRequest request(const char* method, const QByteArray& body,
                            std::chrono::milliseconds timeout) const;
   /// A request of the connection itself.
   void ask(const char* method, const QByteArray& body, Reply reply);
   void deliver(const char* method, const net::HttpAnswer& answer);
   void attempt();
+  /// Asks for the newest thing that only reads, GetRealtimeMapData: whoever has it is taken to have all of
+  /// the newer services. None of the others can be tried without changing something, so their first use
+  /// tells.
+  void probe();
+  void noteNewer(const NewerServices& newer);
   void poll();
+  void pollMapping();
   void goOnline();
   void hear();
   void noteSilence();
@@ -70,8 +106,6 @@ class AimdkLink : public wire::RobotLink {
   void interrupt(const Fault& reason, map::FailureKind failure);
   void noteCurrent(const std::string& id);
   void enter(ConnectionPhase phase, std::optional<int> retry_in_ms = {});
-  void askPoints(const wire::TaskPtr& task, const map::MapKey& key, const QByteArray& body,
-                 OutcomeTo<map::WaypointList> reply);
   void fetchParsed(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<ParsedMap> reply);
 
   LinkOptions options_;
@@ -92,13 +126,21 @@ class AimdkLink : public wire::RobotLink {
   std::optional<UntrustedCertificate> certificate_;
   map::FailureKind failure_ = map::FailureKind::None;
   std::optional<std::string> current_;
+  NewerServices newer_;
+  QElapsedTimer mapping_asked_;  // since it was last told whether it is mapping
   /// One request for all concurrent callers; cancelled when none of them needs it any more.
   struct SharedFetch {
     wire::TaskPtr task;
     std::vector<std::pair<wire::TaskPtr, OutcomeTo<ParsedMap>>> waiting;
   };
+  void placeFetched(const map::MapKey& key, const std::shared_ptr<SharedFetch>& shared, ParsedMap parsed);
+  void endFetch(const map::MapKey& key, const std::shared_ptr<SharedFetch>& shared,
+                const Outcome<ParsedMap>& parsed);
+  void leave(const map::MapKey& key, const std::shared_ptr<SharedFetch>& shared);
   std::map<map::MapKey, std::shared_ptr<SharedFetch>> fetching_;
   std::optional<ParsedMap> frame_;  // of the last fetched map, without its picture: used to check points
+  MapChanges map_changes_;
+  PointChanges point_changes_;
 };
 
 }  // namespace mapwright::robot::aimdk

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QPointer>
 
 #include "robot/aimdk/faults.h"
@@ -46,6 +48,74 @@ class TopicsBeside : public LiveTopics {
 
 }  // namespace
 
+std::optional<Obstacle> AimdkAdministration::obstacle(MapChange change,
+                                                      const map::CatalogueEntry* map) const {
+  switch (change) {
+    case MapChange::Rename:
+    case MapChange::Load:
+    case MapChange::Delete:
+      if (!map || map->key.kind != map::MapKind::Stored) return Obstacle::NotOfThisMap;
+      if (change == MapChange::Rename) return std::nullopt;
+      if (mapping_ == true && (change == MapChange::Load || map->is_current)) return Obstacle::WhileMapping;
+      return change == MapChange::Load && map->is_current ? std::optional(Obstacle::IsLoaded) : std::nullopt;
+    case MapChange::StartMapping:
+      if (!mapping_) return Obstacle::NotKnownYet;
+      return *mapping_ ? std::optional(Obstacle::WhileMapping) : std::nullopt;
+    case MapChange::CancelMapping:
+    case MapChange::Save:
+      if (!mapping_) return Obstacle::NotKnownYet;
+      return *mapping_ ? std::nullopt : std::optional(Obstacle::NotMapping);
+    case MapChange::StopMapping:
+      return Obstacle::EndsBySaving;
+    default:
+      return Obstacle::NotOffered;
+  }
+}
+
+Call AimdkAdministration::carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
+  return changes_.change(isOfMapping(order.change) ? wire::kMapList : map::subjectOf(order.key),
+                         changes_.telling(changed_, std::move(reply)), &MapChanges::carryOut, order);
+}
+
+Call AimdkWaypointStore::read(const map::MapKey& key, OutcomeTo<StoredWaypoints> reply) {
+  OutcomeTo<PixelPoints> take = [this, reply = std::move(reply)](Outcome<PixelPoints> points) {
+    if (!points) return reply(fail(std::move(points.error())));
+    pixel_m_ = points->pixel_m;
+    reply(std::move(points->stored));
+  };
+  return points_.ask(map::placesOf(key), std::move(take), &PointChanges::read, key);
+}
+
+std::vector<WaypointRequest> AimdkWaypointStore::plan(const StoredWaypoints& now,
+                                                      const std::vector<WaypointChange>& changes) const {
+  std::vector<WaypointRequest> requests;
+  for (const WaypointChange& change : changes) {
+    if (change.before || change.after) requests.push_back({{change}, now.revision});
+  }
+  return requests;
+}
+
+WaypointCall AimdkWaypointStore::callOf(const map::MapKey& key, const WaypointRequest& request) const {
+  if (request.changes.empty() || !request.changes.front().after) return {};
+  const WaypointChange& change = request.changes.front();
+  const map::Waypoint& point = *change.after;
+  const auto qt = [](const std::string& text) { return QString::fromStdString(text); };
+  const QJsonObject arguments{
+      {QStringLiteral("map_id"), qt(key.id)},
+      {QStringLiteral("point_id"), change.before ? QJsonValue(qt(change.id)) : QJsonValue(0)},
+      {QStringLiteral("name"), qt(point.name)},
+      {QStringLiteral("point_type"), qt(point.type)},
+      {QStringLiteral("x"), point.position_m.x()},
+      {QStringLiteral("y"), point.position_m.y()},
+      {QStringLiteral("yaw"), point.yaw_rad.value_or(0)}};
+  return {"SetNaviPoint", QJsonDocument(arguments).toJson(QJsonDocument::Compact).toStdString()};
+}
+
+Call AimdkWaypointStore::perform(const map::MapKey& key, const WaypointRequest& request,
+                                 OutcomeTo<WaypointReceipt> reply) {
+  return points_.change(map::placesOf(key), std::move(reply), &PointChanges::perform, key, request);
+}
+
 AimdkRobot::AimdkRobot(QString address, LinkOptions options, RobotBeside beside, QObject* parent)
     : AimdkRobot(std::move(address),
                  wire::startLink<AimdkLink>(QStringLiteral("aimdk link"), std::move(options)),
@@ -57,8 +127,16 @@ AimdkRobot::AimdkRobot(QString address, wire::StartedLink<AimdkLink> started, Ro
       beside_(std::move(beside)),
       catalogue_(started.link),
       whole_maps_(started.link),
-      points_(started.link) {
+      points_(started.link),
+      administration_(started.link, [this] { Q_EMIT mapsChanged(); }),
+      waypoint_store_(started.link) {
+  qRegisterMetaType<NewerServices>();
   connect(started.link, &AimdkLink::currentMapChanged, this, &Robot::mapsChanged);
+  connect(started.link, &AimdkLink::newerKnown, this, [this](const NewerServices& newer) {
+    has_newer_ = newer.there;
+    administration_.setMapping(newer.mapping);
+    Q_EMIT capabilitiesChanged();
+  });
   if (beside_.robot) listenBeside();
 }
 
@@ -154,6 +232,10 @@ void AimdkRobot::noteBeside() {
 void AimdkRobot::recoverBeside() {
   if (!std::exchange(away_beside_, std::nullopt)) return;
   Q_EMIT recovered({{map::SubjectKind::Robot, beside_.host.toStdString()}, map::ProblemCode::Unavailable});
+}
+
+bool AimdkRobot::isUnconfirmed(Capability capability) const {
+  return capability == Capability::Administration || capability == Capability::WaypointEditing;
 }
 
 Absence AimdkRobot::whyNot(Capability capability) const {

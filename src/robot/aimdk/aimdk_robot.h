@@ -1,12 +1,17 @@
-// An Agibot robot behind the port: read-only maps and waypoints; its pose, if a rosbridge beside it provides
-// it. Source: docs/protocols/agibot-aimdk.md.
+// An Agibot robot behind the port: maps and waypoints, read-only unless its firmware is newer; its pose, if a
+// rosbridge beside it provides it. Source: docs/protocols/agibot-aimdk.md.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "robot/aimdk/aimdk_link.h"
+#include "robot/map_administration.h"
 #include "robot/second_server.h"
+#include "robot/waypoint_store.h"
 #include "robot/wire/forwarded.h"
 #include "robot/wire/network_robot.h"
 
@@ -17,6 +22,43 @@ namespace mapwright::robot::aimdk {
 struct RobotBeside {
   std::unique_ptr<Robot> robot;
   QString host;
+};
+
+class AimdkAdministration : public MapAdministration {
+ public:
+  /// `changed` is called, on the thread of the robot, before the answer to a change that may have been
+  /// applied.
+  AimdkAdministration(AimdkLink* link, std::function<void()> changed)
+      : changes_(link, &AimdkLink::maps), changed_(std::move(changed)) {}
+  void setMapping(std::optional<bool> mapping) { mapping_ = mapping; }
+  std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
+  Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) override;
+
+ private:
+  wire::LinkRef<MapChanges> changes_;
+  std::function<void()> changed_;
+  std::optional<bool> mapping_;  // nullopt: not known
+};
+
+/// One request for each change; a created waypoint gets its id from the robot.
+class AimdkWaypointStore : public WaypointStore {
+  Q_OBJECT
+ public:
+  explicit AimdkWaypointStore(AimdkLink* link) : points_(link, &AimdkLink::points) {}
+  KeptFields keeps() const override {
+    return {.no_heading = false, .usual_type = kUsualPointType, .pixel_m = pixel_m_};
+  }
+  Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) override;
+  std::vector<WaypointRequest> plan(const StoredWaypoints& now,
+                                    const std::vector<WaypointChange>& changes) const override;
+  /// In metres: only the link knows the pixels.
+  WaypointCall callOf(const map::MapKey& map, const WaypointRequest& request) const override;
+  Call perform(const map::MapKey& map, const WaypointRequest& request,
+               OutcomeTo<WaypointReceipt> reply) override;
+
+ private:
+  wire::LinkRef<PointChanges> points_;
+  double pixel_m_ = 0;
 };
 
 class AimdkRobot : public wire::NetworkRobot, public SecondServer {
@@ -35,7 +77,10 @@ class AimdkRobot : public wire::NetworkRobot, public SecondServer {
   MapCatalogue* mapCatalogue() override { return &catalogue_; }
   WholeMapSource* wholeMapSource() override { return &whole_maps_; }
   WaypointSource* waypointSource() override { return &points_; }
+  WaypointStore* waypointStore() override { return has_newer_ ? &waypoint_store_ : nullptr; }
+  MapAdministration* mapAdministration() override { return has_newer_ ? &administration_ : nullptr; }
   LiveTopics* liveTopics() override { return live_.get(); }
+  bool isUnconfirmed(Capability capability) const override;
   Absence whyNot(Capability capability) const override;
   /// For the interface and for the rosbridge beside it.
   void setDeliveryTap(DeliveryTap tap) override;
@@ -57,6 +102,9 @@ class AimdkRobot : public wire::NetworkRobot, public SecondServer {
   wire::CatalogueOf<AimdkLink> catalogue_;
   wire::WholeMapsOf<AimdkLink> whole_maps_;
   wire::WaypointsOf<AimdkLink> points_;
+  AimdkAdministration administration_;
+  AimdkWaypointStore waypoint_store_;
+  bool has_newer_ = false;  // firmware
 };
 
 }  // namespace mapwright::robot::aimdk
