@@ -34,7 +34,7 @@
 
 namespace mapwright::robot::testing {
 
-enum class Adapter { Axbot, Aimdk, Ros, Kabam, Rep130, Files, Recorded };
+enum class Adapter { Axbot, Aimdk, AimdkNewer, Ros, Kabam, Rep130, Files, Recorded };
 
 /// How a question of whatever kind ended: nullopt = in its value.
 using Ended = std::optional<map::Failure>;
@@ -65,6 +65,7 @@ class Bench {
       simulator::Options options;
       options.paused = true;
       options.faults = faults;
+      options.aimdk.newer = adapter == Adapter::AimdkNewer;
       options.ros.kabam = adapter == Adapter::Kabam;
       options.ros.dispatcher.there = adapter == Adapter::Rep130;
       options.ros.dispatcher.edge_m = 20;
@@ -142,6 +143,9 @@ class Bench {
       options.base = base;
       options.timeout = options.map_timeout = timeout;
       robot = std::make_unique<aimdk::AimdkRobot>(QStringLiteral("aimdk+test"), options);
+      if (adapter_ != Adapter::AimdkNewer) return;
+      robot->connectToRobot();  // what it can do is told by its answers
+      (void)QTest::qWaitFor([this] { return robot->waypointStore() != nullptr; }, 30'000);
     }
   }
 

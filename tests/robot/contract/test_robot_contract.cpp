@@ -61,6 +61,7 @@ class RobotContractTest : public QObject {
     QTest::addColumn<Adapter>("adapter");
     QTest::newRow("axbot") << Adapter::Axbot;
     QTest::newRow("aimdk") << Adapter::Aimdk;
+    QTest::newRow("aimdk, newer firmware") << Adapter::AimdkNewer;
     QTest::newRow("ros") << Adapter::Ros;
     QTest::newRow("kabam") << Adapter::Kabam;
     QTest::newRow("rep130") << Adapter::Rep130;
