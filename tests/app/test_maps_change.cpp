@@ -128,6 +128,30 @@ class MapsChangeTest : public QObject {
     QCOMPARE(changesIn(robot), 2);  // nothing is sent twice
   }
 
+  void whatTheMakerDoesNotConfirmIsDoneAndCalledSo() {
+    simulator::Options options = paused();
+    options.aimdk.newer = true;
+    simulator::Simulator robot(options);
+    QVERIFY(!robot.start());
+    const auto agibot = [&](const QString& words) { return run(robot, words.split(QLatin1Char(' ')), true); };
+    for (const char* words :
+         {"rename 1764137567113 Lobby", "load 1764137567113", "delete 1764059676131 --yes", "start-mapping",
+          "save Yard", "start-mapping", "stop-mapping --cancel"}) {
+      const Outcome done = agibot(QString::fromLatin1(words));
+      QVERIFY2(done.code == 0, qPrintable(QString::fromLatin1(words) + done.err));
+      QVERIFY2(done.err.count(QLatin1Char('\n')) == 1 && done.err.contains(QStringLiteral("not confirmed")),
+               qPrintable(done.err));
+    }
+    // Stopping without saving would lose what was mapped.
+    const Outcome stopped = agibot(QStringLiteral("stop-mapping"));
+    QVERIFY2(stopped.code == 4 && stopped.err.contains(QStringLiteral("by saving the map")),
+             qPrintable(stopped.err));
+    const Outcome listed = agibot(QStringLiteral("list"));
+    QVERIFY2(listed.code == 0 && listed.err.isEmpty(), qPrintable(listed.err));
+    QVERIFY(listed.out.contains(QStringLiteral("Lobby")) && listed.out.contains(QStringLiteral("Yard")));
+    QVERIFY(!listed.out.contains(QStringLiteral("1764059676131")));
+  }
+
   void whatCannotBeChangedIsSaidBeforeAnythingIsSent() {
     simulator::Simulator robot(paused());
     QVERIFY(!robot.start());

@@ -418,6 +418,32 @@ class WaypointsCommandTest : public QObject {
     QVERIFY2(outcome.code == 2 && outcome.err.count(QLatin1Char('\n')) == 1, qPrintable(outcome.err));
   }
 
+  void newerAgibotRobotsKeepThemOnWholePixels() {
+    for (const bool centimetres : {false, true}) {
+      simulator::Options options;
+      options.paused = true;
+      options.aimdk = {true, centimetres};
+      simulator::Simulator robot(options);
+      QVERIFY(!robot.start());
+      const auto agibot = [&](const char* words) {
+        return run(QString::fromLatin1(words).split(QLatin1Char(' ')) +
+                   QStringList{QStringLiteral("--robot"), QString::fromStdString(robot.aimdkAddress())});
+      };
+      for (const char* words :
+           {"create New --at 1.513,-2.04,30", "move New --at 3.02,1", "rename New Dock"}) {
+        const Outcome done = agibot(words);
+        QVERIFY2(done.code == 0 && done.err.contains(QStringLiteral("not confirmed")), qPrintable(done.err));
+      }
+      const QJsonObject kept = agibot("get Dock --json").object();
+      QVERIFY(std::abs(kept[QStringLiteral("x")].toDouble() - 3.02) < 0.03);
+      QVERIFY(std::abs(kept[QStringLiteral("y")].toDouble() - 1) < 0.03);
+      QVERIFY(std::abs(kept[QStringLiteral("yaw_rad")].toDouble() - 0.5236) < 0.001);
+      const Outcome deleted = agibot("delete Dock --yes");
+      QVERIFY2(deleted.code == 4 && deleted.err.contains(QStringLiteral("cannot be deleted")),
+               qPrintable(deleted.err));
+    }
+  }
+
   void aRobotThatCanOnlyBeReadIsNotChanged() {
     simulator::Options options;
     options.paused = true;
