@@ -1,3 +1,4 @@
+#include <QJsonDocument>
 #include <QTest>
 
 #include "robot/aimdk/faults.h"
@@ -224,22 +225,23 @@ class AimdkParseTest : public QObject {
   void aPointGoesBackWithWhatIsNotKnownOfIt() {
     map::Waypoint point;
     point.id = "7";
-    point.name = "Dock \"2\"";
+    point.name = "Dock 2";
     point.type = "T";
+    const std::string pixels = R"({"angle":4.5,"position":{"u":1,"v":2}})";
     point.source =
-        R"({"point_id":7,"name":"Dock","point_type":"T","speed":3,"pixel_pose":{"position":{"u":1,"v":2},)"
-        R"("angle":4.5},"pose":{"position":{"x":0,"y":0}}})";
-    QCOMPARE(
-        *pointRequest("1764059676131999999", point, std::nullopt),
-        QByteArray(
-            R"({"header":{},"command":"TopoCommand_SET_NAVI_POINT","map_id":1764059676131999999,"point":)"
-            R"({"point_id":7,"name":"Dock \"2\"","pixel_pose":{"angle":4.5,"position":{"u":1,"v":2}},)"
-            R"("point_type":"T","speed":3}})"));
-    QVERIFY(
-        pointRequest("17", point, PixelPose{5, 6})->contains(R"({"angle":4.5,"position":{"u":5,"v":6}})"));
-    QVERIFY(pointRequest("17", point, PixelPose{5, 6, -90})->contains(R"({"angle":-90,"position")"));
+        R"({"point_id":7,"name":"Dock","point_type":"T","speed":3,"pose":{"x":0},"pixel_pose":{}})";
+    point.source.replace(point.source.rfind("{}"), 2, pixels);
+    const QByteArray sent = *pointRequest("1764059676131999999", point, std::nullopt);
+    QVERIFY2(sent.contains("\"map_id\":1764059676131999999,\"point\":"), sent.constData());
+    QVERIFY2(sent.contains("\"point_id\":7,\"name\":\"Dock 2\",\"pixel_pose\":" +
+                           QByteArray::fromStdString(pixels) + ",\"point_type\":\"T\",\"speed\":3"),
+             sent.constData());
+    QVERIFY(!QJsonDocument::fromJson(sent).isNull() && !sent.contains("\"pose\""));
+    const QByteArray moved = *pointRequest("17", point, PixelPose{5, 6});
+    QVERIFY2(moved.contains(R"({"angle":4.5,"position":{"u":5,"v":6}})"), moved.constData());
+    QVERIFY(pointRequest("17", point, PixelPose{5, 6, -90})->contains("\"angle\":-90,"));
     point.source.clear();  // it is new
-    QVERIFY(pointRequest("17", point, PixelPose{5, 6, 0})->contains(R"("point":{"point_id":0,)"));
+    QVERIFY(pointRequest("17", point, PixelPose{5, 6, 0})->contains("\"point_id\":0,"));
     QVERIFY(!pointRequest("x", point, PixelPose{5, 6, 0}));
   }
 

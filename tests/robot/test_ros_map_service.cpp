@@ -154,7 +154,7 @@ class RosMapServiceTest : public QObject {
     });
     wantMap();
     QTRY_VERIFY(told(robot::ros::fault::MapServiceFailed));
-    QCOMPARE(problems_.back().reason.because.at(0), fault::said("no map yet"));
+    QCOMPARE(problems_.back().reason.because.at(0), robot::ros::fault::said("no map yet"));
     server_->serve(text("/static_map"), [](const QJsonObject&) {
       return QJsonObject{{text("map"), grid()}};
     });
