@@ -10,53 +10,19 @@
 #include "grids/band_builder.h"
 #include "grids/faults.h"
 #include "grids/grid_pyramid.h"
-#include "grids/picture_rows.h"
+#include "grids/pixel_colours.h"
 #include "words/figures.h"
 
 namespace mapwright::grids {
 
 namespace {
 
-using Argb = std::uint32_t;
 using Indices = std::vector<std::uint8_t>;
 
 constexpr std::size_t kPaletteSize = 256;
 
-Argb argbOf(int a, int r, int g, int b) { return Argb(a) << 24 | Argb(r) << 16 | Argb(g) << 8 | Argb(b); }
-
-/// The colour of pixels in any format.
-class Colours {
- public:
-  explicit Colours(const PixelFormat& format) : format_(format) {}
-  Argb at(const std::uint8_t* pixel) const {
-    if (format_.indexed) {
-      const PixelFormat::Colour& colour = format_.table[*pixel];
-      return visible(argbOf(colour.a, colour.r, colour.g, colour.b));
-    }
-    const int channels = format_.channels;
-    const bool colours = channels >= 3;
-    const std::array<int, 3> rgb{sample(pixel, 0), sample(pixel, colours ? 1 : 0),
-                                 sample(pixel, colours ? 2 : 0)};
-    int alpha = channels % 2 == 0 ? byteOf(sample(pixel, channels - 1)) : 255;
-    if (format_.transparent) {
-      const auto& key = *format_.transparent;
-      if (rgb[0] == key[0] && (!colours || (rgb[1] == key[1] && rgb[2] == key[2]))) alpha = 0;
-    }
-    return visible(argbOf(alpha, byteOf(rgb[0]), byteOf(rgb[1]), byteOf(rgb[2])));
-  }
-
- private:
-  int sample(const std::uint8_t* pixel, int channel) const {
-    return format_.sample_bytes == 1 ? pixel[channel] : pixel[2 * channel] << 8 | pixel[2 * channel + 1];
-  }
-  int byteOf(int sample) const {
-    return (std::min(sample, format_.sample_max) * 2 * 255 + format_.sample_max) / (2 * format_.sample_max);
-  }
-  /// All invisible colours are one.
-  static Argb visible(Argb colour) { return colour >> 24 == 0 ? 0 : colour; }
-
-  const PixelFormat& format_;
-};
+/// All invisible colours are one.
+Argb visible(Argb colour) { return colour >> 24 == 0 ? 0 : colour; }
 
 /// The set for pictures with more colours: transparent, half opaque (3 levels per channel) and opaque (6
 /// levels per channel, and 12 grays between).
@@ -123,7 +89,8 @@ class Quantiser {
 
   void take(const std::uint8_t* row, Indices& out) {
     const std::size_t unit = format_.pixelBytes();
-    for (int u = 0; u < format_.width; ++u, row += unit) out.push_back(indexOf(colours_.at(row), out));
+    for (int u = 0; u < format_.width; ++u, row += unit)
+      out.push_back(indexOf(visible(colours_.at(row)), out));
   }
   const std::vector<Argb>& palette() const { return palette_; }
 
@@ -159,7 +126,7 @@ class Quantiser {
 
   static constexpr std::size_t kMostRemembered = 1 << 16;
   PixelFormat format_;
-  Colours colours_;
+  PixelColours colours_;
   std::vector<Argb> palette_;
   std::unordered_map<Argb, std::uint8_t> indices_;
   std::optional<std::pair<Argb, std::uint8_t>> last_;
@@ -216,7 +183,7 @@ tl::expected<ColoredGrid, Fault> decodeColors(std::shared_ptr<const std::string>
     const std::uint8_t* pixels = (*rows)->next();
     if (pixels == nullptr) return tl::unexpected(brokenOff(format, row, (*rows)->problem()));
     if (gray) {
-      const Colours colours(format);
+      const PixelColours colours(format);
       for (int u = 0; u < format.width; ++u, pixels += format.pixelBytes()) {
         indices.push_back(std::uint8_t(colours.at(pixels)));
       }
