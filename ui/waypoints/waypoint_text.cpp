@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 
-#include "geometry/pose.h"
 #include "map/waypoint.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/plural.h"
@@ -17,8 +16,6 @@ namespace {
 struct WaypointsText {
   Q_DECLARE_TR_FUNCTIONS(mapwright::window::Waypoints)
 };
-
-constexpr double kCloseM = 0.1;  // below, millimetres matter
 
 QString fieldsText(const std::optional<map::Waypoint>& point, edit::FieldMask fields) {
   using namespace edit::waypoint_field;
@@ -46,12 +43,6 @@ QString shown(const std::string& name) {
 
 }  // namespace
 
-QString shortWaypointName(const map::Waypoint& point, int limit) {
-  QString text = words::plainName(point.name);
-  if (text.isEmpty()) text = words::plainName(point.id);
-  return text.size() > limit ? text.left(limit - 1) + QChar(0x2026) : text;
-}
-
 QString tagsText(const std::vector<std::string>& tags) {
   QStringList texts;
   for (const std::string& tag : tags) texts << words::plainName(tag);
@@ -64,11 +55,6 @@ std::vector<std::string> tagsFrom(const QString& text) {
     if (!tag.trimmed().isEmpty()) tags.push_back(tag.trimmed().toStdString());
   }
   return tags;
-}
-
-QString yawText(const std::optional<double>& yaw_rad) {
-  if (!yaw_rad) return {};
-  return words::fixed(geometry::degreesFromRadians(geometry::normalizeAngle(*yaw_rad)), 1) + QChar(0xb0);
 }
 
 QString waypointsText(qsizetype count) {
@@ -109,50 +95,6 @@ QString pendingText(const edit::ItemState& state, int pending) {
   if (pending & kRetagged) parts << WaypointsText::tr("retagged");
   if (parts.isEmpty()) return stateText(state);
   return WaypointsText::tr("Not saved yet: %1.").arg(parts.join(QStringLiteral(", ")));
-}
-
-QString deedText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after) {
-  using namespace edit::waypoint_field;
-  if (!before && !after) return {};
-  if (!before) return WaypointsText::tr("Create %1").arg(shortWaypointName(*after));
-  const QString name = shortWaypointName(*before);
-  if (!after) return WaypointsText::tr("Delete %1").arg(name);
-  const edit::FieldMask changed = edit::difference(*before, *after);
-  // The first one names it.
-  struct Deed {
-    QString of_it, also;
-  };
-  std::vector<Deed> deeds;
-  const auto add = [&](const QString& of_it, const QString& also) { deeds.push_back({of_it, also}); };
-  if (changed & kName) {
-    const QString to = shortWaypointName(*after);
-    add(WaypointsText::tr("Rename %1 to %2").arg(name, to), {});
-  }
-  if (changed & kPosition) {
-    const double by = (after->position_m - before->position_m).norm();
-    const QString metres = words::fixed(by, by < kCloseM ? 3 : 2);
-    add(WaypointsText::tr("Move %1 by %2 m").arg(name, metres),
-        WaypointsText::tr("move it by %1 m").arg(metres));
-  }
-  if (changed & kYaw) {
-    if (!after->yaw_rad) {
-      add(WaypointsText::tr("Remove the heading of %1").arg(name), WaypointsText::tr("remove its heading"));
-    } else if (!before->yaw_rad) {
-      const QString to = yawText(after->yaw_rad);
-      add(WaypointsText::tr("Turn %1 to %2").arg(name, to), WaypointsText::tr("turn it to %1").arg(to));
-    } else {
-      const QString by = yawText(*after->yaw_rad - *before->yaw_rad);
-      add(WaypointsText::tr("Turn %1 by %2").arg(name, by), WaypointsText::tr("turn it by %1").arg(by));
-    }
-  }
-  if (changed & kTags)
-    add(WaypointsText::tr("Change the tags of %1").arg(name), WaypointsText::tr("change its tags"));
-  if (changed & kType)
-    add(WaypointsText::tr("Change the kind of %1").arg(name), WaypointsText::tr("change its kind"));
-  QStringList texts;
-  for (const Deed& deed : deeds) texts << (texts.isEmpty() ? deed.of_it : deed.also);
-  return texts.isEmpty() ? WaypointsText::tr("Leave %1 as it is").arg(name)
-                         : texts.join(QStringLiteral(", "));
 }
 
 QString changeText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after) {

@@ -9,18 +9,19 @@
 
 #include "edit/document.h"
 #include "edit/open_waypoints.h"
+#include "exchange/waypoint_deed.h"
 #include "exchange/waypoint_steps.h"
 
 namespace mapwright::window {
 
-/// A name, or what stands for it, as one line that is not too long for a menu.
-QString shortWaypointName(const map::Waypoint& point, int limit = 40);
+using exchange::deedText;
+using exchange::shortWaypointName;
+using exchange::yawText;
+
 /// "dock, charger".
 QString tagsText(const std::vector<std::string>& tags);
 /// The reverse of what people type: separated by commas, without blanks around them and empty ones.
 std::vector<std::string> tagsFrom(const QString& text);
-/// "90.0°", empty without a heading.
-QString yawText(const std::optional<double>& yaw_rad);
 /// "1 waypoint", "12 waypoints".
 QString waypointsText(qsizetype count);
 /// "3 changes".
@@ -43,8 +44,6 @@ enum Pending : int {
 int pendingOf(const edit::ItemState& state, const map::Waypoint* kept, const map::Waypoint* now);
 /// "Not saved yet: renamed, moved."; empty when nothing is pending.
 QString pendingText(const edit::ItemState& state, int pending);
-/// What a change does, for people: "Create Corr 2", "Move Dock by 0.40 m", "Rename A to B, turn it by 15.0°".
-QString deedText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after);
 /// "name “A” to “B”, position 1.000, 2.000 m to 2.000, 2.000 m"; "new: …", "deleted".
 QString changeText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after);
 /// "Changed here: position 1.000, 2.000. Changed elsewhere: position 4.000, 2.000."
