@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <QCryptographicHash>
+
 #include "words/qt_plain.h"
 
 namespace mapwright::page {
@@ -38,11 +40,18 @@ svg .line{stroke:var(--line);fill:none}svg .curve{stroke:var(--accent);fill:none
 svg .dot{fill:var(--accent)}svg .mark{stroke:var(--bad);fill:none;stroke-width:1.2}svg .area{fill:var(--soft)}
 svg text.strong{fill:var(--ink)}
 .good{color:var(--good)}.warning{color:var(--warning)}.bad{color:var(--bad);font-weight:600}.muted{color:var(--muted)}
+.swipe div{position:relative;max-width:fit-content}
+.swipe .over{position:absolute;inset:0;clip-path:inset(0 0 0 var(--at,50%))}.swipe input{width:100%;margin:.4rem 0}
+.swipe p{display:flex;justify-content:space-between;margin:0;color:var(--muted);font-size:.9rem}
 .columns{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(26rem,100%),1fr));gap:0 2rem}
 .columns>div{min-width:0}
 @media print{body{max-width:none;padding:0;font-size:10pt}h2,h3{break-after:avoid}
 figure,tr,.facts{break-inside:avoid}.wide{overflow:visible}}
 )";
+
+constexpr const char* kSwipe =
+    "for(const s of document.querySelectorAll('.swipe input'))"
+    "s.oninput=()=>s.closest('.swipe').style.setProperty('--at',s.value+'%')";
 
 constexpr const char* kToneClass[] = {"", "good", "warning", "bad", "muted"};
 
@@ -81,13 +90,20 @@ Cell figure(QString text, Tone tone) {
   return cell;
 }
 
-Page::Page(QIODevice& out, const QString& title) : out_(out) {
+Page::Page(QIODevice& out, const QString& title, Scripts scripts) : out_(out), scripts_(scripts) {
+  QByteArray allowed;
+  if (scripts == Scripts::Swipe)
+    allowed = "; script-src 'sha256-" +
+              QCryptographicHash::hash(QByteArray(kSwipe), QCryptographicHash::Sha256).toBase64() + '\'';
   put(QStringLiteral(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-      "style-src 'unsafe-inline'\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"generator\" content=\"mapwright\">\n<title>"));
+      "style-src 'unsafe-inline'"));
+  put(allowed);
+  put(
+      QStringLiteral("\">\n"
+                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                     "<meta name=\"generator\" content=\"mapwright\">\n<title>"));
   put(escaped(title));
   put(QByteArray("</title>\n<style>"));
   put(QByteArray(kStyle));
@@ -109,6 +125,7 @@ void Page::endSection() {
 bool Page::end() {
   if (!std::exchange(ended_, true)) {
     endSection();
+    if (scripts_ == Scripts::Swipe) put(QByteArray("<script>") + kSwipe + QByteArray("</script>\n"));
     put(QByteArray("</body>\n</html>\n"));
   }
   return good_;
@@ -163,15 +180,32 @@ void Page::row(const std::vector<Cell>& cells) {
 
 void Page::endTable() { put(QByteArray("</tbody>\n</table></div>\n")); }
 
-void Page::picture(const QByteArray& png, const QSize& size_px, const QString& alt, const QString& caption) {
-  put(QByteArray("<figure><img src=\"data:image/png;base64,"));
+void Page::putImage(const QByteArray& png, const QSize& size_px, const QString& alt, const QString& more) {
+  put(QByteArray("<img src=\"data:image/png;base64,"));
   for (qsizetype at = 0; at < png.size(); at += kPiece) put(png.mid(at, kPiece).toBase64());
-  put(QStringLiteral("\" width=\"%1\" height=\"%2\" alt=\"").arg(size_px.width()).arg(size_px.height()));
-  put(escaped(alt));
-  put(QByteArray("\">"));
+  put(QByteArray("\""));
+  if (!size_px.isEmpty())
+    put(QStringLiteral(" width=\"%1\" height=\"%2\"").arg(size_px.width()).arg(size_px.height()));
+  put(QStringLiteral(" alt=\"") + escaped(alt) + QLatin1Char('"') + more + QLatin1Char('>'));
+}
+
+void Page::picture(const QByteArray& png, const QSize& size_px, const QString& alt, const QString& caption) {
+  put(QByteArray("<figure>"));
+  putImage(png, size_px, alt);
   if (!caption.isEmpty())
     put(QStringLiteral("<figcaption>") + escaped(caption) + QStringLiteral("</figcaption>"));
   put(QByteArray("</figure>\n"));
+}
+
+void Page::swipe(const QByteArray& left, const QByteArray& right, const QString& left_name,
+                 const QString& right_name) {
+  put(QByteArray("<figure class=\"swipe\"><div>"));
+  putImage(left, {}, left_name);
+  putImage(right, {}, right_name, QStringLiteral(" class=\"over\""));
+  put(QStringLiteral("</div><input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"") +
+      escaped(left_name + QStringLiteral(" – ") + right_name) + QStringLiteral("\">"));
+  put(QStringLiteral("<p><span>") + escaped(left_name) + QStringLiteral("</span><span>") +
+      escaped(right_name) + QStringLiteral("</span></p></figure>\n"));
 }
 
 void Page::drawing(const QByteArray& svg, const QString& caption) {

@@ -32,10 +32,13 @@ struct Cell {
 /// A cell of a table that is a figure.
 Cell figure(QString text, Tone tone = Tone::Plain);
 
+/// Swipe: the few lines that move the edge of swipe(). No other script runs in a page.
+enum class Scripts { None, Swipe };
+
 class Page {
  public:
   /// Writes the head and the title. `out` is open and outlives this.
-  Page(QIODevice& out, const QString& title);
+  Page(QIODevice& out, const QString& title, Scripts scripts = Scripts::None);
   /// Ends the page.
   ~Page();
   Page(const Page&) = delete;
@@ -57,8 +60,12 @@ class Page {
   void beginTable(const QStringList& head);
   void row(const std::vector<Cell>& cells);
   void endTable();
-  /// A PNG. `alt`: what it shows, for those who do not see it; the caption may be empty.
+  /// A PNG; an empty size is the picture's own. `alt`: what it shows, for those who do not see it; the
+  /// caption may be empty.
   void picture(const QByteArray& png, const QSize& size_px, const QString& alt, const QString& caption = {});
+  /// Two PNGs over each other; a slider moves the edge between them (Scripts::Swipe).
+  void swipe(const QByteArray& left, const QByteArray& right, const QString& left_name,
+             const QString& right_name);
   /// An SVG element, which is trusted. Its classes are those of the style sheet (page.cpp).
   void drawing(const QByteArray& svg, const QString& caption = {});
   /// What follows stands side by side where there is room, each from here or from nextColumn() on.
@@ -72,9 +79,11 @@ class Page {
  private:
   void put(const QByteArray& bytes);
   void put(const QString& html) { put(html.toUtf8()); }
+  void putImage(const QByteArray& png, const QSize& size_px, const QString& alt, const QString& more = {});
   void endSection();
 
   QIODevice& out_;
+  const Scripts scripts_;
   bool good_ = true, in_section_ = false, ended_ = false;
 };
 
