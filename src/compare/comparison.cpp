@@ -1,0 +1,223 @@
+#include "compare/comparison.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include <climits>
+#include <opencv2/imgproc.hpp>
+
+#include "compare/faults.h"
+#include "compare/picture_reading.h"
+#include "words/figures.h"
+
+namespace mapwright::compare {
+namespace {
+
+using grids::Argb;
+
+Fault notRead(const std::string& path, Fault why) {
+  return {fault::PictureNotRead, {path}, {std::move(why)}};
+}
+
+std::string textOf(PictureSize size) { return words::dimensions(size.width, size.height); }
+
+/// The greatest difference of a channel.
+int differenceOf(Argb a, Argb b) {
+  if (a == b) return 0;
+  int most = 0;
+  for (const int shift : {0, 8, 16, 24})
+    most = std::max(most, std::abs(int(a >> shift & 0xff) - int(b >> shift & 0xff)));
+  return most;
+}
+
+int grayOf(Argb colour) {
+  if (colour >> 24 == 0) return 0;
+  return int((colour >> 16 & 0xff) * 299 + (colour >> 8 & 0xff) * 587 + (colour & 0xff) * 114 + 500) / 1000;
+}
+
+/// Which groups (labels of `groups`) are dense.
+std::vector<bool> denseGroups(const cv::Mat& differs, const cv::Mat& groups, int count) {
+  std::vector<bool> dense(std::size_t(count), false);
+  cv::Mat filled;
+  cv::boxFilter(differs, filled, -1, {kDenseEdge, kDenseEdge}, {-1, -1}, false, cv::BORDER_CONSTANT);
+  for (int y = 0; y < filled.rows; ++y) {
+    const std::uint8_t* const row = filled.ptr(y);
+    const int* const group = groups.ptr<int>(y);
+    for (int x = 0; x < filled.cols; ++x) {
+      if (2 * row[x] >= kDenseEdge * kDenseEdge) dense[std::size_t(group[x])] = true;
+    }
+  }
+  cv::Mat pieces, stats, centroids;
+  const int piece_count = cv::connectedComponentsWithStats(differs, pieces, stats, centroids, 8, CV_32S);
+  for (int piece = 1; piece < piece_count; ++piece) {
+    if (stats.at<int>(piece, cv::CC_STAT_AREA) < kDensePixels) continue;
+    const int y = stats.at<int>(piece, cv::CC_STAT_TOP);
+    const int* const row = pieces.ptr<int>(y);
+    const int x = int(std::find(row, row + pieces.cols, piece) - row);
+    dense[std::size_t(groups.at<int>(y, x))] = true;
+  }
+  dense[0] = false;
+  return dense;
+}
+
+/// Gathers what differs within `within`.
+void gather(Comparison& made, const PixelBox& within) {
+  cv::setNumThreads(1);
+  const cv::Mat all(made.actual.height, made.actual.width, CV_8U, made.differs.data());
+  const cv::Mat differs = all({within.x, within.y, within.width, within.height});
+  cv::Mat near, groups, stats, centroids;
+  cv::dilate(differs, near, cv::Mat::ones(kNearPx + 1, kNearPx + 1, CV_8U));
+  const int count = cv::connectedComponentsWithStats(near, groups, stats, centroids, 8, CV_32S);
+  near.release();
+  struct Extent {
+    int left = INT_MAX, top = INT_MAX, right = -1, bottom = -1;
+    std::int64_t pixels = 0;
+  };
+  std::vector<Extent> extents{std::size_t(count)};
+  for (int y = 0; y < differs.rows; ++y) {
+    const std::uint8_t* const row = differs.ptr(y);
+    const int* const group = groups.ptr<int>(y);
+    for (int x = 0; x < differs.cols; ++x) {
+      if (row[x] == 0) continue;
+      Extent& extent = extents[std::size_t(group[x])];
+      extent.left = std::min(extent.left, x);
+      extent.right = std::max(extent.right, x);
+      extent.top = std::min(extent.top, y);
+      extent.bottom = y;
+      ++extent.pixels;
+    }
+  }
+  const std::vector<bool> dense = denseGroups(differs, groups, count);
+  for (int group = 1; group < count; ++group) {
+    const Extent& extent = extents[std::size_t(group)];
+    made.clusters.push_back({{within.x + extent.left, within.y + extent.top, extent.right - extent.left + 1,
+                              extent.bottom - extent.top + 1},
+                             extent.pixels,
+                             dense[std::size_t(group)]});
+    if (dense[std::size_t(group)]) ++made.clusters_dense;
+  }
+  made.clusters_in_all = std::int64_t(made.clusters.size());
+  std::stable_sort(made.clusters.begin(), made.clusters.end(),
+                   [](const Cluster& a, const Cluster& b) { return a.pixels > b.pixels; });
+  if (made.clusters.size() > kMostClusters) made.clusters.resize(kMostClusters);
+}
+
+}  // namespace
+
+PictureReading::PictureReading(std::string path, std::unique_ptr<grids::PictureRows> rows)
+    : path_(std::move(path)),
+      rows_(std::move(rows)),
+      colours_(rows_->format()),
+      row_(std::size_t(rows_->format().width)) {}
+
+tl::expected<PictureReading, Fault> PictureReading::open(const std::string& path) {
+  auto bytes = grids::ByteSource::open(path);
+  if (!bytes) return tl::make_unexpected(notRead(path, fault::said(std::strerror(errno))));
+  auto rows = grids::openPicture(std::move(*bytes));
+  if (!rows) return tl::make_unexpected(notRead(path, std::move(rows.error())));
+  PictureReading reading(path, std::move(*rows));
+  if (reading.size().pixels() > kMostPixels) {
+    return tl::make_unexpected(
+        notRead(path, {fault::PictureTooLarge, {textOf(reading.size()), words::grouped(kMostPixels)}}));
+  }
+  return reading;
+}
+
+const grids::Argb* PictureReading::next() {
+  const std::uint8_t* pixel = rows_->next();
+  if (pixel == nullptr) return nullptr;
+  ++came_;
+  const std::size_t unit = rows_->format().pixelBytes();
+  for (grids::Argb& colour : row_) {
+    colour = colours_.at(pixel);
+    pixel += unit;
+  }
+  return row_.data();
+}
+
+bool PictureReading::endsWell() {
+  rows_->checkEnd();
+  return !rows_->problem().any();
+}
+
+Fault PictureReading::problem() const {
+  return notRead(
+      path_, came_ < size().height
+                 ? Fault(fault::PictureEndsEarly, {words::grouped(came_), textOf(size())}, {rows_->problem()})
+                 : rows_->problem());
+}
+
+double Comparison::percent() const {
+  return 100.0 * double(differing) / double(std::max<std::int64_t>(1, expected.pixels()));
+}
+
+tl::expected<Comparison, Fault> comparePictures(const std::string& expected, const std::string& actual,
+                                                const Allowed& allowed) {
+  auto first = PictureReading::open(expected);
+  if (!first) return tl::make_unexpected(std::move(first.error()));
+  auto second = PictureReading::open(actual);
+  if (!second) return tl::make_unexpected(std::move(second.error()));
+  std::optional<PictureReading> mask;
+  if (!allowed.mask.empty()) {
+    auto opened = PictureReading::open(allowed.mask);
+    if (!opened) return tl::make_unexpected(std::move(opened.error()));
+    if (opened->size() != first->size()) {
+      return tl::make_unexpected(
+          Fault(fault::MaskOfOtherSize, {allowed.mask, textOf(opened->size()), textOf(first->size())}));
+    }
+    mask.emplace(std::move(*opened));
+  }
+  Comparison made;
+  made.expected = first->size();
+  made.actual = second->size();
+  const auto mark = [&made](int x, int y) {
+    if (made.differs.empty()) made.differs.resize(std::size_t(made.actual.pixels()));
+    made.differs[std::size_t(y) * std::size_t(made.actual.width) + std::size_t(x)] = 1;
+    ++made.differing;
+  };
+  const int common = std::min(made.expected.width, made.actual.width);
+  int left = made.actual.width, right = -1, top = -1, bottom = -1;
+  for (int y = 0; y < std::max(made.expected.height, made.actual.height); ++y) {
+    const Argb* const a = y < made.expected.height ? first->next() : nullptr;
+    if (a == nullptr && y < made.expected.height) return tl::make_unexpected(first->problem());
+    const Argb* const b = y < made.actual.height ? second->next() : nullptr;
+    if (b == nullptr && y < made.actual.height) return tl::make_unexpected(second->problem());
+    const Argb* const allows = mask && y < made.expected.height ? mask->next() : nullptr;
+    if (allows == nullptr && mask && y < made.expected.height) return tl::make_unexpected(mask->problem());
+    if (b == nullptr) {
+      made.differing += made.expected.width;
+      continue;
+    }
+    const std::int64_t before = made.differing;
+    const auto take = [&](int x) {
+      mark(x, y);
+      left = std::min(left, x);
+      right = std::max(right, x);
+    };
+    for (int x = 0; x < (a == nullptr ? 0 : common); ++x) {
+      const int difference = differenceOf(a[x], b[x]);
+      if (difference == 0) continue;
+      const int masked = allows == nullptr ? 0 : grayOf(allows[x]);
+      if (difference > masked) made.max = std::max(made.max, difference);
+      if (difference > std::max(allowed.tolerance, masked)) take(x);
+    }
+    for (int x = a == nullptr ? 0 : common; x < made.actual.width; ++x) take(x);
+    if (made.differing > before) {
+      if (top < 0) top = y;
+      bottom = y;
+    }
+    if (a != nullptr) made.differing += std::max(0, made.expected.width - made.actual.width);
+  }
+  for (PictureReading* const reading : {&*first, &*second}) {
+    if (!reading->endsWell()) return tl::make_unexpected(reading->problem());
+  }
+  if (right >= 0) gather(made, {left, top, right - left + 1, bottom - top + 1});
+  made.equal =
+      made.sameSize() && !(made.percent() > allowed.max_differing_percent) && made.clusters_dense == 0;
+  return made;
+}
+
+}  // namespace mapwright::compare
