@@ -1,0 +1,18 @@
+// What differs as a picture: the actual one in pale gray, what differs in a strong colour, clusters in boxes.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "compare/comparison.h"
+
+namespace mapwright::compare {
+
+/// Boxes stand around the first of the clusters only: more of them say nothing.
+inline constexpr std::size_t kMostBoxes = 200;
+
+/// Writes a PNG of the size of `actual`, the picture that was compared. Reads it again. nullopt = written.
+std::optional<Fault> writeDifference(const Comparison& comparison, const std::string& actual,
+                                     const std::string& path);
+
+}  // namespace mapwright::compare
