@@ -1,0 +1,55 @@
+// What made a picture: kept beside it, so that a picture that differs can be explained. Values.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QByteArray>
+#include <QString>
+#include <tl/expected.hpp>
+
+#include "geometry/pose.h"
+#include "geometry/rect.h"
+#include "geometry/view_transform.h"
+#include "map/overlay.h"
+#include "map/submap.h"
+#include "map/waypoint.h"
+
+namespace mapwright::suite {
+
+struct SubmapFact {
+  int version = 0;
+  geometry::Pose2 pose;
+  geometry::WorldRect box;  // empty: unknown
+};
+
+struct MapFact {
+  std::string id, name, uid;
+  std::optional<int> version, overlays_version;
+  std::string cells;  // a checksum of all of them; empty: unknown
+  geometry::WorldRect box;
+};
+
+/// Only what is drawn.
+struct Facts {
+  std::optional<geometry::ViewTransform> view;
+  std::string session;  // uuid of the SLAM session; empty = none
+  std::map<map::SubmapId, SubmapFact> submaps;
+  std::optional<MapFact> map;
+  std::string overlays;  // a FeatureCollection; empty = none are drawn
+  std::vector<map::Waypoint> waypoints;
+  std::optional<geometry::Pose2> robot;
+  std::map<std::string, double> stamps;  // of the messages of a bag, by topic: seconds since the epoch
+};
+
+/// As a FeatureCollection.
+std::string overlaysText(const std::vector<map::OverlayFeature>& features);
+
+/// JSON, the same bytes for the same facts.
+QByteArray factsBytes(const Facts& facts);
+/// The error is a sentence without the name of the file.
+tl::expected<Facts, QString> factsFrom(const QByteArray& bytes);
+
+}  // namespace mapwright::suite
