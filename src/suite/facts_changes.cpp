@@ -1,0 +1,257 @@
+#include "suite/facts_changes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "compare/comparison_sentence.h"
+#include "compare/picture_view.h"
+#include "exchange/waypoint_deed.h"
+#include "overlays/overlay_merge.h"
+#include "overlays/overlay_shapes.h"
+#include "sentences/overlay_sentence.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::suite {
+namespace {
+
+struct FactsChangesText {
+  Q_DECLARE_TR_FUNCTIONS(FactsChanges)
+};
+
+constexpr double kMovedM = 1e-3, kTurnedRad = 1e-3;
+/// What stands for a thing is drawn around it.
+constexpr double kDrawnAroundPx = 16, kRobotM = 0.5;
+constexpr qsizetype kMostNamed = 4;
+
+QString metres(double value) { return QLocale::c().toString(value, 'f', 2); }
+
+/// A sentence as a part of another one.
+QString beginningSmall(QString words) {
+  if (!words.isEmpty()) words[0] = words[0].toLower();
+  return words;
+}
+
+geometry::WorldRect pointBox(const Eigen::Vector2d& at_m) {
+  geometry::WorldRect box;
+  box.extend(at_m);
+  return box;
+}
+
+QString nameOf(const MapFact& map) {
+  const QString name = words::plainName(map.name);
+  return name.isEmpty() ? words::plainName(map.id) : name;
+}
+
+/// Empty: neither moved nor turned.
+QString movedText(const geometry::Pose2& before, const geometry::Pose2& after) {
+  const double by_m = std::hypot(after.x_m - before.x_m, after.y_m - before.y_m);
+  const double by_rad = geometry::normalizeAngle(after.yaw_rad - before.yaw_rad);
+  const QString degrees = QLocale::c().toString(geometry::degreesFromRadians(by_rad), 'f', 1);
+  const bool moved = by_m > kMovedM, turned = std::abs(by_rad) > kTurnedRad;
+  if (moved && turned)
+    return FactsChangesText::tr("moved by %1 m and turned by %2°").arg(metres(by_m), degrees);
+  if (moved) return FactsChangesText::tr("moved by %1 m").arg(metres(by_m));
+  return turned ? FactsChangesText::tr("turned by %1°").arg(degrees) : QString();
+}
+
+void compareMaps(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
+  if (!before.map || !after.map) {
+    if (after.map)
+      changes.push_back({FactsChangesText::tr("map %1 is drawn now").arg(nameOf(*after.map)), {}});
+    if (before.map)
+      changes.push_back({FactsChangesText::tr("map %1 is drawn no more").arg(nameOf(*before.map)), {}});
+    return;
+  }
+  const MapFact &was = *before.map, &is = *after.map;
+  const auto say = [&](const QString& words) { changes.push_back({words, {}}); };
+  if (was.uid != is.uid || was.id != is.id) {
+    say(FactsChangesText::tr("it is map %1 instead of %2").arg(nameOf(is), nameOf(was)));
+  } else {
+    if (was.version != is.version && was.version && is.version)
+      say(FactsChangesText::tr("map %1 went from version %2 to %3")
+              .arg(nameOf(is))
+              .arg(*was.version)
+              .arg(*is.version));
+    if (was.overlays_version != is.overlays_version && was.overlays_version && is.overlays_version)
+      say(FactsChangesText::tr("the overlays of map %1 went from version %2 to %3")
+              .arg(nameOf(is))
+              .arg(*was.overlays_version)
+              .arg(*is.overlays_version));
+  }
+  if (was.cells != is.cells && !was.cells.empty() && !is.cells.empty())
+    say(FactsChangesText::tr("the cells of map %1 changed").arg(nameOf(is)));
+}
+
+void compareSubmaps(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
+  if (before.session != after.session && !before.session.empty() && !after.session.empty())
+    changes.push_back({FactsChangesText::tr("it is another SLAM session"), {}});
+  for (const auto& [id, was] : before.submaps) {
+    const QString name = QString::fromStdString(map::toText(id));
+    const auto found = after.submaps.find(id);
+    if (found == after.submaps.end()) {
+      changes.push_back({FactsChangesText::tr("submap %1 is gone").arg(name), {was.box}});
+      continue;
+    }
+    const SubmapFact& is = found->second;
+    QStringList parts;
+    if (was.version != is.version)
+      parts << FactsChangesText::tr("went from version %1 to %2").arg(was.version).arg(is.version);
+    if (const QString moved = movedText(was.pose, is.pose); !moved.isEmpty()) parts << moved;
+    if (!parts.isEmpty())
+      changes.push_back(
+          {FactsChangesText::tr("submap %1 %2").arg(name, parts.join(FactsChangesText::tr(" and "))),
+           {was.box, is.box}});
+  }
+  for (const auto& [id, is] : after.submaps) {
+    if (!before.submaps.contains(id))
+      changes.push_back(
+          {FactsChangesText::tr("submap %1 is new").arg(QString::fromStdString(map::toText(id))), {is.box}});
+  }
+}
+
+void compareOverlays(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
+  const auto was = overlays::OverlayDocument::read(before.overlays);
+  const auto is = overlays::OverlayDocument::read(after.overlays);
+  if (!was || !is) return;
+  const auto box = [](const overlays::Feature& feature) {
+    geometry::WorldRect bounds;
+    for (const overlays::Path& path : overlays::shapesOf(feature).paths) {
+      for (const Eigen::Vector2d& point : path.points) bounds.extend(point);
+    }
+    return bounds;
+  };
+  for (const overlays::OverlayChange& change : overlays::changesBetween(*was, *is)) {
+    FactChange made{beginningSmall(sentences::changeText(change, *was, *is)), {}};
+    if (change.from) made.where.push_back(box(was->features()[*change.from]));
+    if (change.to) made.where.push_back(box(is->features()[*change.to]));
+    changes.push_back(std::move(made));
+  }
+}
+
+void compareWaypoints(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
+  const auto same = [](const map::Waypoint& a, const map::Waypoint& b) {
+    return a.id.empty() || b.id.empty() ? a.name == b.name : a.id == b.id;
+  };
+  std::vector<bool> met(after.waypoints.size(), false);
+  const auto alike = [](const map::Waypoint& a, const map::Waypoint& b) {
+    return a.name == b.name && a.type == b.type && a.tags == b.tags &&
+           map::samePlace(a.position_m, b.position_m) && a.yaw_rad.has_value() == b.yaw_rad.has_value() &&
+           map::sameHeading(a.yaw_rad, b.yaw_rad);
+  };
+  for (const map::Waypoint& was : before.waypoints) {
+    std::size_t at = 0;
+    while (at < after.waypoints.size() && (met[at] || !same(was, after.waypoints[at]))) ++at;
+    if (at == after.waypoints.size()) {
+      changes.push_back({beginningSmall(exchange::deedText(was, std::nullopt)), {pointBox(was.position_m)}});
+      continue;
+    }
+    met[at] = true;
+    const map::Waypoint& is = after.waypoints[at];
+    if (!alike(was, is))
+      changes.push_back(
+          {beginningSmall(exchange::deedText(was, is)), {pointBox(was.position_m), pointBox(is.position_m)}});
+  }
+  for (std::size_t at = 0; at < after.waypoints.size(); ++at) {
+    const map::Waypoint& is = after.waypoints[at];
+    if (!met[at])
+      changes.push_back({beginningSmall(exchange::deedText(std::nullopt, is)), {pointBox(is.position_m)}});
+  }
+}
+
+void compareRobot(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
+  const auto box = [](const geometry::Pose2& pose) { return pointBox({pose.x_m, pose.y_m}).grown(kRobotM); };
+  if (before.robot && after.robot) {
+    if (const QString moved = movedText(*before.robot, *after.robot); !moved.isEmpty())
+      changes.push_back(
+          {FactsChangesText::tr("the robot %1").arg(moved), {box(*before.robot), box(*after.robot)}});
+  } else if (before.robot) {
+    changes.push_back({FactsChangesText::tr("the robot is drawn no more"), {box(*before.robot)}});
+  } else if (after.robot) {
+    changes.push_back({FactsChangesText::tr("the robot is drawn now"), {box(*after.robot)}});
+  }
+}
+
+void compareStamps(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
+  QStringList topics;
+  for (const auto& [topic, stamp_s] : before.stamps) {
+    const auto found = after.stamps.find(topic);
+    if (found == after.stamps.end() || found->second != stamp_s) topics << words::plainName(topic);
+  }
+  for (const auto& [topic, stamp_s] : after.stamps) {
+    if (!before.stamps.contains(topic)) topics << words::plainName(topic);
+  }
+  if (!topics.isEmpty())
+    changes.push_back({FactsChangesText::tr("messages of other times: %1").arg(firstChanges(topics)), {}});
+}
+
+}  // namespace
+
+std::vector<FactChange> changesBetween(const Facts& before, const Facts& after) {
+  std::vector<FactChange> changes;
+  for (const auto compare :
+       {compareMaps, compareOverlays, compareWaypoints, compareSubmaps, compareRobot, compareStamps})
+    compare(before, after, changes);
+  return changes;
+}
+
+Explanation explained(const compare::Comparison& comparison, const geometry::ViewTransform& view,
+                      const std::vector<FactChange>& changes) {
+  Explanation made;
+  made.near.resize(std::min(kMostExplained, comparison.clusters.size()));
+  std::vector<geometry::WorldRect> places;
+  for (std::size_t i = 0; i < made.near.size(); ++i)
+    places.push_back(
+        compare::worldOf(view, comparison.clusters[i].box).grown(kDrawnAroundPx * view.scale_m_per_px));
+  for (const FactChange& change : changes) {
+    if (std::all_of(change.where.begin(), change.where.end(), [](const auto& box) { return box.empty(); })) {
+      made.everywhere << change.words;
+      continue;
+    }
+    bool near = false;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (std::none_of(change.where.begin(), change.where.end(),
+                       [&](const geometry::WorldRect& box) { return places[i].intersects(box); }))
+        continue;
+      made.near[i] << change.words;
+      near = true;
+    }
+    if (!near) made.elsewhere << change.words;
+  }
+  return made;
+}
+
+QString firstChanges(const QStringList& changes) {
+  const QString named = changes.mid(0, kMostNamed).join(QStringLiteral("; "));
+  if (changes.size() <= kMostNamed) return named;
+  return FactsChangesText::tr("%1 and %2 more")
+      .arg(named, QLocale::c().toString(changes.size() - kMostNamed));
+}
+
+QString explanationText(const compare::Comparison& comparison, const geometry::ViewTransform& view,
+                        const Explanation& explanation) {
+  QStringList causes;
+  for (const QStringList& near : explanation.near) {
+    for (const QString& words : near) {
+      if (!causes.contains(words)) causes << words;
+    }
+  }
+  causes += explanation.everywhere;
+  QString text = compare::clustersText(comparison, view);
+  if (text.isEmpty()) text = FactsChangesText::tr("Changed");
+  if (causes.isEmpty()) {
+    text += QStringLiteral(". ");
+    text += explanation.elsewhere.isEmpty() ? FactsChangesText::tr("No fact that is kept of it changed.")
+                                            : FactsChangesText::tr("Nothing changed there that is known.");
+  } else {
+    text += QStringLiteral(": ") + firstChanges(causes) + QLatin1Char('.');
+  }
+  if (!explanation.elsewhere.isEmpty())
+    text +=
+        QLatin1Char(' ') + FactsChangesText::tr("Elsewhere: %1.").arg(firstChanges(explanation.elsewhere));
+  return text;
+}
+
+}  // namespace mapwright::suite

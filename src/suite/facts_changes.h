@@ -1,0 +1,39 @@
+// Which facts of a picture changed, and which of them explain where it differs. Pure functions.
+#pragma once
+
+#include <vector>
+
+#include <QString>
+#include <QStringList>
+
+#include "compare/comparison.h"
+#include "suite/facts.h"
+
+namespace mapwright::suite {
+
+/// In words that begin small and end without a full stop: "submap 12-3 went from version 7 to 9".
+struct FactChange {
+  QString words;
+  std::vector<geometry::WorldRect> where;  // before and after; empty: it is about all of the picture
+};
+std::vector<FactChange> changesBetween(const Facts& before, const Facts& after);
+
+/// Changes by where the pictures differ.
+struct Explanation {
+  std::vector<QStringList> near;  // for each of the first clusters: what changed there
+  QStringList everywhere;         // changes that have no place
+  QStringList elsewhere;          // changes near none of the clusters
+};
+inline constexpr std::size_t kMostExplained = 50;  // clusters
+Explanation explained(const compare::Comparison& comparison, const geometry::ViewTransform& view,
+                      const std::vector<FactChange>& changes);
+
+/// "3 clusters, the largest 0.8 m² at (12.4, -3.1): move virtual wall W17 by 0.40 m; submap 12-3 went from
+/// version 7 to 9. Elsewhere: …" Names the first changes only.
+QString explanationText(const compare::Comparison& comparison, const geometry::ViewTransform& view,
+                        const Explanation& explanation);
+
+/// "a; b; c and 12 more".
+QString firstChanges(const QStringList& changes);
+
+}  // namespace mapwright::suite

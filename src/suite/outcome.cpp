@@ -1,0 +1,90 @@
+#include "suite/outcome.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "compare/comparison_sentence.h"
+#include "compare/picture_view.h"
+#include "sentences/plural.h"
+
+namespace mapwright::suite {
+namespace {
+
+struct OutcomeText {
+  Q_DECLARE_TR_FUNCTIONS(OutcomeText)
+};
+
+constexpr std::size_t kMostRows = 20;
+
+}  // namespace
+
+std::vector<ViewOutcome::ClusterRow> clusterRows(const compare::Comparison& comparison,
+                                                 const std::optional<geometry::ViewTransform>& view,
+                                                 const Explanation& explanation) {
+  std::vector<ViewOutcome::ClusterRow> rows;
+  for (const compare::Cluster& cluster : comparison.clusters) {
+    if (rows.size() == kMostRows) break;
+    ViewOutcome::ClusterRow row;
+    const compare::PixelBox& box = cluster.box;
+    row.box = QStringLiteral("%1 × %2 + %3 + %4").arg(box.width).arg(box.height).arg(box.x).arg(box.y);
+    row.size = QLocale::c().toString(cluster.pixels);
+    if (view) row.place = compare::placeText(compare::worldOf(*view, box).center());
+    if (rows.size() < explanation.near.size())
+      row.near = explanation.near[rows.size()].join(QStringLiteral("; "));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+Tally tallyOf(const std::vector<ViewOutcome>& outcomes) {
+  Tally tally;
+  for (const ViewOutcome& outcome : outcomes) {
+    switch (outcome.verdict) {
+      case Verdict::AsExpected:
+        ++tally.as_expected;
+        break;
+      case Verdict::Differs:
+        ++tally.differ;
+        break;
+      case Verdict::NotExpectedYet:
+        ++tally.not_expected_yet;
+        break;
+      case Verdict::Failed:
+        ++tally.failed;
+        break;
+    }
+  }
+  return tally;
+}
+
+QString tallyText(const Tally& tally) {
+  using sentences::counted;
+  using sentences::formOf;
+  QStringList parts{counted(OutcomeText::tr("%1 views as expected", nullptr, formOf(tally.as_expected)),
+                            tally.as_expected)};
+  if (tally.differ > 0)
+    parts << counted(OutcomeText::tr("%1 views differ", nullptr, formOf(tally.differ)), tally.differ);
+  if (tally.not_expected_yet > 0)
+    parts << counted(
+        OutcomeText::tr("%1 views have no expected picture", nullptr, formOf(tally.not_expected_yet)),
+        tally.not_expected_yet);
+  if (tally.failed > 0)
+    parts << counted(OutcomeText::tr("%1 views failed", nullptr, formOf(tally.failed)), tally.failed);
+  return parts.join(QStringLiteral(", ")) + QLatin1Char('.');
+}
+
+QString verdictText(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::AsExpected:
+      return OutcomeText::tr("as expected");
+    case Verdict::Differs:
+      return OutcomeText::tr("differs");
+    case Verdict::NotExpectedYet:
+      return OutcomeText::tr("not expected yet");
+    case Verdict::Failed:
+      break;
+  }
+  return OutcomeText::tr("failed");
+}
+
+}  // namespace mapwright::suite
