@@ -1,0 +1,88 @@
+#include "suite/suite_page.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "disk/read_file.h"
+#include "page/page.h"
+
+namespace mapwright::suite {
+namespace {
+
+struct SuitePageText {
+  Q_DECLARE_TR_FUNCTIONS(SuitePage)
+};
+
+constexpr std::size_t kMostPictureBytes = std::size_t(256) << 20;
+
+page::Tone toneOf(Verdict verdict) {
+  return verdict == Verdict::AsExpected       ? page::Tone::Good
+         : verdict == Verdict::NotExpectedYet ? page::Tone::Warning
+                                              : page::Tone::Bad;
+}
+
+/// Empty: there is none, or it cannot be read any more.
+QByteArray bytesOf(const QString& path) {
+  if (path.isEmpty()) return {};
+  const auto bytes = disk::readFile(path.toStdString(), kMostPictureBytes);
+  return bytes ? QByteArray::fromStdString(*bytes) : QByteArray();
+}
+
+void putPictures(const ViewOutcome& outcome, page::Page& page) {
+  const QByteArray expected = bytesOf(outcome.expected), actual = bytesOf(outcome.actual),
+                   difference = bytesOf(outcome.difference);
+  if (!expected.isEmpty() && !actual.isEmpty()) {
+    page.beginColumns();
+    page.swipe(expected, actual, SuitePageText::tr("Expected"), SuitePageText::tr("Actual"));
+    page.nextColumn();
+    if (!difference.isEmpty())
+      page.picture(difference, {}, SuitePageText::tr("Difference"),
+                   SuitePageText::tr("What differs, in a strong colour; clusters in boxes."));
+    page.endColumns();
+  } else if (!actual.isEmpty()) {
+    page.picture(actual, {}, SuitePageText::tr("Actual"), SuitePageText::tr("Actual"));
+  }
+}
+
+void putClusters(const ViewOutcome& outcome, page::Page& page) {
+  if (!outcome.clusters.empty()) {
+    page.beginTable({SuitePageText::tr("Box in pixels"), SuitePageText::tr("Pixels"),
+                     SuitePageText::tr("At, in metres"), SuitePageText::tr("What changed there")});
+    for (const ViewOutcome::ClusterRow& row : outcome.clusters)
+      page.row({row.box, page::figure(row.size), row.place, row.near});
+    page.endTable();
+  }
+  for (const auto& [title, changes] :
+       {std::pair(SuitePageText::tr("Changed as well"), &outcome.everywhere),
+        std::pair(SuitePageText::tr("Changed elsewhere"), &outcome.elsewhere)}) {
+    if (changes->isEmpty()) continue;
+    page.title(title);
+    page.list(*changes);
+  }
+}
+
+}  // namespace
+
+bool writePage(const QString& suite, const std::vector<ViewOutcome>& outcomes, QIODevice& out) {
+  const Tally tally = tallyOf(outcomes);
+  page::Page page(out, suite, page::Scripts::Swipe);
+  page.paragraph(tallyText(tally), tally.good() ? page::Tone::Good : page::Tone::Bad);
+  for (const ViewOutcome& outcome : outcomes) {
+    if (outcome.verdict == Verdict::AsExpected) continue;
+    page.section(outcome.name);
+    page.paragraph(verdictText(outcome.verdict), toneOf(outcome.verdict));
+    if (!outcome.sentence.isEmpty()) page.paragraph(outcome.sentence);
+    putPictures(outcome, page);
+    putClusters(outcome, page);
+  }
+  page.section(SuitePageText::tr("All views"));
+  page.beginTable({SuitePageText::tr("View"), SuitePageText::tr("Result"), SuitePageText::tr("Seconds")});
+  for (const ViewOutcome& outcome : outcomes) {
+    page.row({outcome.name, page::Cell(verdictText(outcome.verdict), toneOf(outcome.verdict)),
+              page::figure(QLocale::c().toString(outcome.seconds, 'f', 1))});
+  }
+  page.endTable();
+  return page.end();
+}
+
+}  // namespace mapwright::suite
