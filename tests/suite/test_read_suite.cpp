@@ -1,0 +1,113 @@
+// Suites as YAML: what is read, and where what is wrong stands.
+#include <QTest>
+
+#include "suite/read_suite.h"
+#include "test_program.h"
+
+namespace test_read_suite {
+
+using namespace mapwright;
+
+namespace {
+
+const suite::KnownOptions kKnown{{"robot", "size", "center", "layers", "robot-anyway-of"},
+                                 {"raw", "robot-anyway"}};
+
+suite::Suite good(const std::string& yaml) {
+  const auto read = suite::readSuite(yaml, kKnown);
+  if (!read) qFatal("%s", qPrintable(read.error()));
+  return *read;
+}
+
+}  // namespace
+
+class ReadSuiteTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void viewsTakeTheDefaultsAndTheirOwn() {
+    const suite::Suite read = good(
+        "defaults: {robot: office.yaml, size: 640x480, tolerance: 2, raw: true}\n"
+        "views:\n"
+        "  - name: hall\n"
+        "    center: [1, -2.5]\n"
+        "    max_differing: 0.1\n"
+        "  - {name: \"door <b> 🚪\", robot: other.yaml, raw: false, robot_anyway: true, mask: m.png}\n");
+    QCOMPARE(read.views.size(), std::size_t(2));
+    const suite::View& hall = read.views[0];
+    QCOMPARE(hall.name, QStringLiteral("hall"));
+    QCOMPARE(hall.at.line, 3);
+    QCOMPARE(hall.option("robot"), std::string("office.yaml"));
+    QCOMPARE(hall.option("center"), std::string("1,-2.5"));
+    QCOMPARE(hall.tolerance, 2);
+    QCOMPARE(hall.max_differing_percent, 0.1);
+    QCOMPARE(hall.options.size(), std::size_t(4));
+    const suite::View& door = read.views[1];
+    QCOMPARE(door.option("robot"), std::string("other.yaml"));
+    QCOMPARE(door.mask, QStringLiteral("m.png"));
+    QCOMPARE(std::count_if(door.options.begin(), door.options.end(),
+                           [](const auto& option) { return option.is_switch; }),
+             1);
+  }
+
+  void whatIsWrongIsSaidWithItsPlace_data() {
+    QTest::addColumn<QString>("yaml");
+    QTest::addColumn<QString>("place");
+    QTest::addColumn<QString>("word");
+    const auto row = [](const char* name, const char* yaml, const char* place, const char* word) {
+      QTest::newRow(name) << QString::fromUtf8(yaml) << QString::fromUtf8(place) << QString::fromUtf8(word);
+    };
+    const char* const in_view = "Line 2, column ";
+    row("an unknown key", "views:\n  - {name: a, colour: red}", "Line 2, column 15: ", "\"colour\"");
+    row("an unknown key above", "view:\n  - {name: a}", "Line 1, column 1: ", "\"view\"");
+    row("a key twice", "views:\n  - {name: a, size: 1x1, size: 2x2}", in_view, "twice");
+    row("no name", "views:\n  - {robot: a}", in_view, "no name");
+    row("an empty name", "views:\n  - {name: \"\"}", "Line 2, column 12: ", "empty");
+    row("a name that leaves", "views:\n  - {name: ../x}", in_view, "leave the folder");
+    row("an absolute name", "views:\n  - {name: /etc/x}", in_view, "leave the folder");
+    row("a backslash", "views:\n  - {name: 'a\\b'}", in_view, "leave the folder");
+    row("a hidden name", "views:\n  - {name: .x}", in_view, "leave the folder");
+    row("a name with a line break", "views:\n  - {name: \"a\\nb\"}", in_view, "cannot be seen");
+    row("a blank at the end", "views:\n  - {name: \"a \"}", in_view, "blanks");
+    row("two alike", "views:\n  - {name: Hall}\n  - {name: hall}", "Line 3, column 12: ", "line 2");
+    row("two alike by composition", "views:\n  - {name: \"\\u00e4\"}\n  - {name: \"a\\u0308\"}", "Line 3",
+        "line 2");
+    row("the name of a variant", "views:\n  - {name: hall}\n  - {name: hall.1}", "Line 3", "variant");
+    row("a default name", "defaults: {name: a}\nviews:\n  - {name: b}", "Line 1", "default");
+    row("a tolerance", "views:\n  - {name: a, tolerance: 300}", in_view, "0 to 255");
+    row("half a tolerance", "views:\n  - {name: a, tolerance: 1.5}", in_view, "whole");
+    row("a share", "views:\n  - {name: a, max_differing: -1}", in_view, "0 to 100");
+    row("a switch", "views:\n  - {name: a, raw: 1}", in_view, "true or false");
+    row("a map for a text", "views:\n  - {name: a, size: {w: 1}}", in_view, "text or a number");
+    row("an empty value", "views:\n  - {name: a, size: \"\"}", in_view, "no value");
+    row("a view that is a text", "views:\n  - hall", in_view, "keys");
+    row("no YAML", "views:\n  - {name: a", "Line ", "not YAML");
+    row("no views", "views: []", "Line 1", "no views");
+    row("nothing", "", "", "no views");
+    row("a text", "hello", "", "no views");
+  }
+  void whatIsWrongIsSaidWithItsPlace() {
+    QFETCH(QString, yaml);
+    QFETCH(QString, place);
+    QFETCH(QString, word);
+    const auto read = suite::readSuite(yaml.toStdString(), kKnown);
+    QVERIFY(!read);
+    QVERIFY2(read.error().startsWith(place), qPrintable(read.error()));
+    QVERIFY2(read.error().contains(word), qPrintable(read.error()));
+  }
+
+  void tenThousandViewsAreRead() {
+    std::string yaml = "views:\n";
+    for (int i = 0; i < 10'000; ++i) yaml += "  - {name: view " + std::to_string(i) + ", robot: a.yaml}\n";
+    QCOMPARE(good(yaml).views.size(), std::size_t(10'000));
+  }
+  void aListThatRefersToItselfAndOneThatIsHugeAreRefused() {
+    QVERIFY(!suite::readSuite("views: &a\n  - *a\n", kKnown));
+    QVERIFY(!suite::readSuite(std::string(std::size_t(100'000), '['), kKnown));
+    QVERIFY(!suite::readSuite(std::string(suite::kMostSuiteBytes + 1, ' '), kKnown));
+  }
+};
+
+}  // namespace test_read_suite
+
+MAPWRIGHT_TEST(test_read_suite, ReadSuiteTest, Core)
+#include "test_read_suite.moc"

@@ -1,0 +1,138 @@
+// Facts of pictures: they come back from their file, and what changed of them is named where the pictures
+// differ.
+#include <QTest>
+
+#include "suite/facts.h"
+#include "suite/facts_changes.h"
+#include "test_program.h"
+
+namespace test_suite_facts {
+
+using namespace mapwright;
+using suite::Facts;
+
+namespace {
+
+map::OverlayFeature wallAt(double x) {
+  map::OverlayFeature wall;
+  wall.shape = map::OverlayShape::Line;
+  wall.type = 2;
+  wall.id = "5f3a";
+  wall.name = "W17";
+  wall.parts = {{{x, -4}, {x, -2}}};
+  return wall;
+}
+
+geometry::WorldRect box(double x, double y, double size) { return {x, y, x + size, y + size}; }
+
+Facts facts() {
+  Facts facts;
+  facts.view = geometry::ViewTransform{{0, 0}, 0.05, 0, 800, 600};
+  facts.session = "u";
+  facts.submaps[{12, 3}] = {7, {1, 2, 0.5}, box(11, -5, 4)};
+  facts.submaps[{0, 1}] = {1, {0, 0, 0}, box(-18, 8, 2)};
+  facts.map = suite::MapFact{"12", "Office", "uid", 3, 4, "abc", box(-20, -15, 40)};
+  facts.overlays = suite::overlaysText({wallAt(12.4)});
+  map::Waypoint dock;
+  dock.id = "9";
+  dock.name = "Dock";
+  dock.position_m = {-15, 3};
+  dock.yaw_rad = 1;
+  facts.waypoints = {dock};
+  facts.robot = geometry::Pose2{3, 4, 0};
+  facts.stamps = {{"/scan", 1700000000.25}};
+  return facts;
+}
+
+QStringList wordsOf(const Facts& before, const Facts& after) {
+  QStringList words;
+  for (const suite::FactChange& change : suite::changesBetween(before, after)) words << change.words;
+  return words;
+}
+
+compare::Comparison differingAt(const std::vector<compare::PixelBox>& boxes) {
+  compare::Comparison made;
+  made.expected = made.actual = {800, 600};
+  made.equal = false;
+  for (const compare::PixelBox& one : boxes) {
+    made.clusters.push_back({one, std::int64_t(one.width) * one.height, true});
+    made.differing += made.clusters.back().pixels;
+  }
+  made.clusters_in_all = std::int64_t(boxes.size());
+  return made;
+}
+
+}  // namespace
+
+class SuiteFactsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void factsComeBackFromTheirFile() {
+    const QByteArray bytes = suite::factsBytes(facts());
+    const auto back = suite::factsFrom(bytes);
+    QVERIFY2(back, back ? "" : qPrintable(back.error()));
+    QCOMPARE(suite::factsBytes(*back), bytes);
+    QCOMPARE(wordsOf(facts(), *back), QStringList());
+    QCOMPARE(back->view->scale_m_per_px, 0.05);
+  }
+  void whatIsNoFileOfFactsIsRefused() {
+    for (const char* bytes : {"", "[]", "{}", "{\"mapwright\":\"facts\",\"submaps\":[{\"id\":\"x\"}]}"})
+      QVERIFY(!suite::factsFrom(bytes));
+  }
+
+  void everyChangeIsNamed() {
+    Facts after = facts();
+    after.submaps[{12, 3}].version = 9;
+    after.submaps[{0, 1}].pose.x_m = 0.25;
+    after.submaps[{0, 2}] = {1, {}, box(0, 0, 1)};
+    after.overlays = suite::overlaysText({wallAt(12.8)});
+    after.waypoints[0].position_m.x() = -14.5;
+    after.map->version = 5;
+    after.map->cells = "def";
+    after.robot->yaw_rad = 1;
+    after.stamps["/scan"] = 1700000001;
+    QCOMPARE(wordsOf(facts(), after),
+             (QStringList{QStringLiteral("map Office went from version 3 to 5"),
+                          QStringLiteral("the cells of map Office changed"),
+                          QStringLiteral("move virtual wall W17 by 0.40 m"),
+                          QStringLiteral("move Dock by 0.50 m"), QStringLiteral("submap 0-1 moved by 0.25 m"),
+                          QStringLiteral("submap 12-3 went from version 7 to 9"),
+                          QStringLiteral("submap 0-2 is new"), QStringLiteral("the robot turned by 57.3°"),
+                          QStringLiteral("messages of other times: /scan")}));
+    QVERIFY(wordsOf(after, facts()).contains(QStringLiteral("submap 0-2 is gone")));
+  }
+
+  void whatChangedNearAClusterIsItsCause() {
+    Facts after = facts();
+    after.submaps[{12, 3}].version = 9;
+    after.submaps[{0, 1}].version = 2;
+    after.overlays = suite::overlaysText({wallAt(12.8)});
+    // Around (12.4, -3.1), and far from everything.
+    const compare::Comparison made = differingAt({{638, 357, 20, 10}, {10, 590, 5, 5}});
+    const suite::Explanation why = suite::explained(made, *after.view, suite::changesBetween(facts(), after));
+    QCOMPARE(why.near[0], (QStringList{QStringLiteral("move virtual wall W17 by 0.40 m"),
+                                       QStringLiteral("submap 12-3 went from version 7 to 9")}));
+    QCOMPARE(why.near[1], QStringList());
+    QCOMPARE(why.elsewhere, QStringList{QStringLiteral("submap 0-1 went from version 1 to 2")});
+    QCOMPARE(suite::explanationText(made, *after.view, why),
+             QStringLiteral(
+                 "2 clusters, the largest 0.50 m² at (12.4, -3.1): move virtual wall W17 by 0.40 m; submap "
+                 "12-3 went from version 7 to 9. Elsewhere: submap 0-1 went from version 1 to 2."));
+  }
+  void thatNothingChangedIsSaid() {
+    const compare::Comparison made = differingAt({{10, 590, 6, 6}});
+    const suite::Explanation why = suite::explained(made, *facts().view, {});
+    QVERIFY(suite::explanationText(made, *facts().view, why)
+                .endsWith(QStringLiteral("No fact that is kept of it changed.")));
+  }
+  void manyChangesAreCounted() {
+    QStringList many;
+    for (int i = 0; i < 30; ++i) many << QString::number(i);
+    QCOMPARE(suite::firstChanges(many), QStringLiteral("0; 1; 2; 3 and 26 more"));
+  }
+};
+
+}  // namespace test_suite_facts
+
+MAPWRIGHT_TEST(test_suite_facts, SuiteFactsTest, Core)
+#include "test_suite_facts.moc"
