@@ -83,6 +83,30 @@
             <numerusform>Nothing was sent: %1 conflicts with what others changed since the base.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 accepted pictures</source>
+        <translation>
+            <numerusform>%1 accepted picture</numerusform>
+            <numerusform>%1 accepted pictures</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonText</name>
+    <message numerus="yes">
+        <source>%1 pixels</source>
+        <translation>
+            <numerusform>%1 pixel</numerusform>
+            <numerusform>%1 pixels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 pixels differ</source>
+        <translation>
+            <numerusform>%1 pixel differs</numerusform>
+            <numerusform>%1 pixels differ</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FetchCloud</name>
@@ -132,6 +156,37 @@
         <translation>
             <numerusform>%1 earlier event is left out.</numerusform>
             <numerusform>%1 earlier events are left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>OutcomeText</name>
+    <message numerus="yes">
+        <source>%1 views as expected</source>
+        <translation>
+            <numerusform>%1 view as expected</numerusform>
+            <numerusform>%1 views as expected</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 views differ</source>
+        <translation>
+            <numerusform>%1 view differs</numerusform>
+            <numerusform>%1 views differ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 views have no expected picture</source>
+        <translation>
+            <numerusform>%1 view has no expected picture</numerusform>
+            <numerusform>%1 views have no expected picture</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 views failed</source>
+        <translation>
+            <numerusform>%1 view failed</numerusform>
+            <numerusform>%1 views failed</numerusform>
         </translation>
     </message>
 </context>
@@ -411,6 +466,16 @@
     </message>
 </context>
 <context>
+    <name>mapwright::window::OverlayFlaws</name>
+    <message numerus="yes">
+        <source>%1 more are not listed.</source>
+        <translation>
+            <numerusform>%1 more is not listed.</numerusform>
+            <numerusform>%1 more are not listed.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mapwright::window::OverlayMarksDialog</name>
     <message numerus="yes">
         <source>Take over %1 marks</source>
@@ -427,16 +492,6 @@
         <translation>
             <numerusform>%1 mark</numerusform>
             <numerusform>%1 marks</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>mapwright::window::OverlayFlaws</name>
-    <message numerus="yes">
-        <source>%1 more are not listed.</source>
-        <translation>
-            <numerusform>%1 more is not listed.</numerusform>
-            <numerusform>%1 more are not listed.</numerusform>
         </translation>
     </message>
 </context>
