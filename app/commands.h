@@ -104,6 +104,8 @@ void refuseOddWords(CLI::App& app);
 // In the order of --help.
 void addSimulate(Commands& commands);
 void addSnapshot(Commands& commands);
+void addCompare(Commands& commands);
+void addSuite(Commands& commands);
 void addMaps(Commands& commands);
 /// Subcommands of `maps`: where the robot is.
 void addPoses(Commands& commands, CLI::App& maps);

@@ -294,6 +294,13 @@ void addSnapshotOptions(CLI::App* command, SnapshotArguments& args) {
   command->add_flag("--json", args.json, help(Text::tr("Print the report on standard output")));
 }
 
+void addSnapshotBag(CLI::App* command, SnapshotArguments& args) {
+  command->add_option("--bag", args.bag,
+                      help(Text::tr("Draw recorded data: the name of a bag, or a file (with --at)")));
+  command->add_option("--at", args.at,
+                      help(Text::tr("Time in the bag: seconds since 1970, or 2024-06-03T09:00:00Z")));
+}
+
 std::optional<QSize> pixelsOf(const geometry::WorldRect& region, double scale_m_per_px) {
   constexpr double kRounding = 1e-6;
   const double wide = std::max(1.0, std::ceil(region.width() / scale_m_per_px - kRounding));
@@ -486,10 +493,7 @@ void addSnapshot(Commands& commands) {
   CLI::App* const command = commands.program().add_subcommand(
       "snapshot", help(Text::tr("Draw a robot's map to a PNG, without a window")));
   addSnapshotOptions(command, *args);
-  command->add_option("--bag", args->bag,
-                      help(Text::tr("Draw recorded data: the name of a bag, or a file (with --at)")));
-  command->add_option("--at", args->at,
-                      help(Text::tr("Time in the bag: seconds since 1970, or 2024-06-03T09:00:00Z")));
+  addSnapshotBag(command, *args);
   commands.add(command, [args](const Invocation& before) { return snapshotOf(*args, before); });
 }
 

@@ -68,6 +68,8 @@ struct SnapshotOptions {
 
 /// Adds the options of a picture, of a robot or of a bag.
 void addSnapshotOptions(CLI::App* command, SnapshotArguments& args);
+/// --bag and --at.
+void addSnapshotBag(CLI::App* command, SnapshotArguments& args);
 
 /// The size in pixels of a region at this scale; nullopt = larger than a picture may be.
 std::optional<QSize> pixelsOf(const geometry::WorldRect& region, double scale_m_per_px);

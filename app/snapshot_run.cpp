@@ -65,9 +65,11 @@ QJsonValue secondsOrNull(double value) { return value < 0 ? QJsonValue() : QJson
 
 }  // namespace
 
-SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot, CommandStart start)
+SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot, CommandStart start,
+                         std::shared_ptr<work::Workers> workers)
     : automatic_(options.mode == SnapshotMode::Automatic),
       options_(decided(std::move(options), *robot)),
+      workers_(std::move(workers)),
       session_(std::move(robot), sessionFor(options_, workers_)),
       map_(session_, options_.map ? QString::fromStdString(map::toText(*options_.map)) : QString(),
            options_.layers.contains(scene::Layer::Waypoints)),

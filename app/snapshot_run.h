@@ -51,9 +51,10 @@ class SnapshotBoard {
 class SnapshotRun : public QObject {
   Q_OBJECT
  public:
-  /// --timeout counts from `start`.
+  /// --timeout counts from `start`. Several at once may share their `workers`.
   SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot,
-              CommandStart start = {std::chrono::steady_clock::now(), {}});
+              CommandStart start = {std::chrono::steady_clock::now(), {}},
+              std::shared_ptr<work::Workers> workers = std::make_shared<work::Workers>());
   ~SnapshotRun() override;
 
   void start();
@@ -65,6 +66,8 @@ class SnapshotRun : public QObject {
   const SnapshotOptions& options() const { return options_; }
   /// Of the picture, once it is complete.
   const geometry::ViewTransform& view() const { return view_; }
+  /// What the picture is made from; it stands still once contentChosen().
+  const session::Session& session() const { return session_; }
   /// A sentence if the picture or the report would replace a file that the map is read from.
   std::optional<QString> overItsSource() const;
 
@@ -139,7 +142,7 @@ class SnapshotRun : public QObject {
 
   const bool automatic_;  // the user did not choose what to draw
   SnapshotOptions options_;
-  std::shared_ptr<work::Workers> workers_ = std::make_shared<work::Workers>();
+  std::shared_ptr<work::Workers> workers_;
   session::Session session_;
   MapRequest map_;
   LayerSubscription live_layers_;
