@@ -1,0 +1,445 @@
+// `mapwright suite`: many views of maps against the pictures that are expected of them.
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QTemporaryDir>
+
+#include "app/command_text.h"
+#include "app/commands.h"
+#include "app/display.h"
+#include "app/output.h"
+#include "app/suite_drawing.h"
+#include "app/view_facts.h"
+#include "compare/comparison_sentence.h"
+#include "compare/difference_picture.h"
+#include "disk/read_file.h"
+#include "disk/written_file.h"
+#include "sentences/fault_sentence.h"
+#include "sentences/plural.h"
+#include "suite/facts_changes.h"
+#include "suite/junit.h"
+#include "suite/outcome.h"
+#include "suite/suite_page.h"
+#include "words/text.h"
+
+namespace mapwright::app {
+namespace {
+
+using suite::Verdict;
+using suite::ViewOutcome;
+using words::text;
+
+constexpr int kMostJobs = 64, kMostVariants = 99;
+constexpr std::size_t kMostPictureFileBytes = std::size_t(1) << 30, kMostFactsBytes = std::size_t(64) << 20;
+
+struct SuiteArguments : RobotArguments {
+  std::string suite, expected;  // `report`: the folder
+  std::vector<std::string> only;
+  int jobs = int(std::clamp(std::thread::hardware_concurrency(), 1u, 4u));
+};
+
+/// A suite that is ready to be drawn.
+struct PlannedSuite {
+  QString name, expected, report;
+  std::vector<suite::View> views;
+  std::vector<SnapshotOptions> options;  // of each
+
+  QString expectedPicture(std::size_t view, int variant = 0) const {
+    const QString number = variant == 0 ? QString() : QStringLiteral(".%1").arg(variant);
+    return QStringLiteral("%1/%2%3.png").arg(expected, views[view].name, number);
+  }
+  QString expectedFacts(std::size_t view) const {
+    return QStringLiteral("%1/%2.json").arg(expected, views[view].name);
+  }
+  /// "actual" or "difference".
+  QString made(const char* kind, std::size_t view) const {
+    return QStringLiteral("%1/%2/%3.png").arg(report, QLatin1String(kind), views[view].name);
+  }
+  /// All accepted pictures of a view.
+  QStringList expectedPictures(std::size_t view) const {
+    QStringList pictures;
+    for (int variant = 0; variant <= kMostVariants; ++variant) {
+      const QString picture = expectedPicture(view, variant);
+      if (!QFileInfo::exists(picture)) break;
+      pictures << picture;
+    }
+    return pictures;
+  }
+};
+
+tl::expected<suite::Suite, QString> suiteIn(const std::string& path) {
+  const auto yaml = disk::readFile(path, suite::kMostSuiteBytes + 1);
+  if (!yaml)
+    return tl::make_unexpected(
+        Text::tr("%1 cannot be read: %2").arg(text(path), sentences::sentenceOf(yaml.error().cause)));
+  auto read = suite::readSuite(*yaml, viewOptions());
+  if (!read) return tl::make_unexpected(QStringLiteral("%1: %2").arg(text(path), read.error()));
+  return std::move(*read);
+}
+
+/// A sentence if nothing can be written into this folder, which is made where it is missing.
+std::optional<QString> whyNoFolder(const QString& folder) {
+  if (QDir().mkpath(folder) && QFileInfo(folder).isWritable()) return std::nullopt;
+  return Text::tr("The folder %1 cannot be written.").arg(folder);
+}
+
+/// `draws`: pictures will be made.
+tl::expected<PlannedSuite, QString> planned(const SuiteArguments& args, bool draws) {
+  auto read = suiteIn(args.suite);
+  if (!read) return passOn(read);
+  const QFileInfo file(text(args.suite));
+  PlannedSuite plan;
+  plan.name = file.completeBaseName();
+  plan.expected = text(args.expected);
+  plan.report = text(args.report);
+  const auto wanted = [&args](const suite::View& view) {
+    return args.only.empty() ||
+           std::find(args.only.begin(), args.only.end(), view.name.toStdString()) != args.only.end();
+  };
+  for (const std::string& name : args.only) {
+    if (std::none_of(read->views.begin(), read->views.end(),
+                     [&](const suite::View& view) { return view.name.toStdString() == name; }))
+      return tl::make_unexpected(
+          Text::tr("--only: there is no view \"%1\" in %2.").arg(text(name), text(args.suite)));
+  }
+  if (draws) {
+    for (const char* const kind : {"", "/actual", "/difference"}) {
+      if (const auto why = whyNoFolder(plan.report + QLatin1String(kind))) return tl::make_unexpected(*why);
+    }
+    if (disk::sameFile(plan.report.toStdString(), plan.expected.toStdString()))
+      return tl::make_unexpected(
+          Text::tr("--expected and --report are the same folder. Choose two different ones."));
+  }
+  for (suite::View& view : read->views) {
+    if (!wanted(view)) continue;
+    const auto wrong_view = [&](const QString& sentence) {
+      return tl::make_unexpected(QStringLiteral("%1: %2").arg(text(args.suite), sentence));
+    };
+    if (!view.mask.isEmpty()) {
+      view.mask = file.dir().absoluteFilePath(view.mask);
+      if (!QFileInfo(view.mask).isFile())
+        return wrong_view(
+            suite::atPosition(view.at, Text::tr("%1: there is no mask %2.").arg(view.name, view.mask)));
+    }
+    plan.views.push_back(view);
+    const QString output = draws ? plan.made("actual", plan.views.size() - 1) : QStringLiteral("/dev/null");
+    auto options = snapshotOptionsOf(view, file.absolutePath(), args.robot, output);
+    if (!options) return wrong_view(options.error());
+    plan.options.push_back(std::move(*options));
+  }
+  return plan;
+}
+
+/// What came of comparing with all accepted pictures.
+struct Judged {
+  Verdict verdict = Verdict::Failed;
+  QString sentence, expected;  // of the nearest picture
+  std::optional<compare::Comparison> comparison;
+  bool unreadable = false;
+};
+
+Judged judged(const PlannedSuite& plan, std::size_t view) {
+  Judged best;
+  const QStringList pictures = plan.expectedPictures(view);
+  if (pictures.isEmpty()) {
+    best.verdict = Verdict::NotExpectedYet;
+    best.sentence = Text::tr("There is no expected picture %1. mapwright suite accept makes one.")
+                        .arg(plan.expectedPicture(view));
+    return best;
+  }
+  const suite::View& about = plan.views[view];
+  const compare::Allowed allowed{about.tolerance, about.max_differing_percent, about.mask.toStdString()};
+  for (const QString& picture : pictures) {
+    auto made =
+        compare::comparePictures(picture.toStdString(), plan.made("actual", view).toStdString(), allowed);
+    if (!made) {
+      best.verdict = Verdict::Failed;
+      best.unreadable = true;
+      best.sentence = sentences::sentenceOf(made.error());
+      return best;
+    }
+    const bool nearer = !best.comparison || made->equal || made->differing < best.comparison->differing;
+    if (!nearer) continue;
+    best.verdict = made->equal ? Verdict::AsExpected : Verdict::Differs;
+    best.expected = picture;
+    best.comparison = std::move(*made);
+    if (best.verdict == Verdict::AsExpected) break;
+  }
+  return best;
+}
+
+/// What is to be said of a view that differs, joined with the facts that changed. A note if those of the
+/// expected picture cannot be read.
+void explain(const PlannedSuite& plan, std::size_t view, const Judged& judged, const suite::Facts& facts,
+             ViewOutcome& outcome) {
+  const compare::Comparison& comparison = *judged.comparison;
+  suite::Explanation explanation;
+  QString why = compare::clustersText(comparison, facts.view);
+  if (!why.isEmpty()) why += QLatin1Char('.');
+  if (const auto bytes = disk::readFile(plan.expectedFacts(view).toStdString(), kMostFactsBytes)) {
+    const auto before = suite::factsFrom(QByteArray::fromStdString(*bytes));
+    if (before && facts.view) {
+      explanation = suite::explained(comparison, *facts.view, suite::changesBetween(*before, facts));
+      why = suite::explanationText(comparison, *facts.view, explanation);
+    } else if (!before) {
+      why += QLatin1Char(' ') + Text::tr("%1: %2").arg(plan.expectedFacts(view), before.error());
+    }
+  }
+  outcome.sentence =
+      QStringList{compare::sizesText(comparison), why, compare::amountText(comparison) + QLatin1Char('.')}
+          .join(QLatin1Char(' '))
+          .trimmed();
+  outcome.clusters = suite::clusterRows(comparison, facts.view, explanation);
+  outcome.everywhere = explanation.everywhere;
+  outcome.elsewhere = explanation.elsewhere;
+}
+
+/// Prints what there is to say of views in their order, as they come.
+class OrderedLines {
+ public:
+  explicit OrderedLines(std::size_t count) : lines_(count), there_(count, false) {}
+  void put(std::size_t at, const QString& line, ProgressLine& progress) {
+    lines_[at] = line;
+    there_[at] = true;
+    ++came_;
+    if (next_ < there_.size() && there_[next_]) progress.clear();
+    for (; next_ < there_.size() && there_[next_]; ++next_) {
+      if (!lines_[next_].isEmpty()) printLine(oneLine(lines_[next_]));
+      lines_[next_].clear();
+    }
+    progress.tell(Text::tr("%1 of %2 views").arg(came_).arg(there_.size()));
+  }
+
+ private:
+  std::vector<QString> lines_;
+  std::vector<bool> there_;
+  std::size_t next_ = 0, came_ = 0;
+};
+
+/// Draws all views; `take` says what came of each, in a line.
+void drawPlanned(const PlannedSuite& plan, const RobotAccess& access, int jobs,
+                 const std::function<QString(std::size_t, const DrawnView&)>& take) {
+  for (std::size_t view = 0; view < plan.views.size(); ++view) {
+    for (const char* const kind : {"actual", "difference"}) QFile::remove(plan.made(kind, view));
+  }
+  ProgressLine progress;
+  OrderedLines lines(plan.views.size());
+  drawViews(plan.options, access, jobs,
+            [&](std::size_t view, const DrawnView& drawn) { lines.put(view, take(view, drawn), progress); });
+}
+
+QString lineOf(const ViewOutcome& outcome) {
+  const QString line = QStringLiteral("%1: %2").arg(outcome.name, suite::verdictText(outcome.verdict));
+  return outcome.sentence.isEmpty() ? line : QStringLiteral("%1. %2").arg(line, outcome.sentence);
+}
+
+ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnView& drawn, bool& unreadable) {
+  ViewOutcome outcome;
+  outcome.name = plan.views[view].name;
+  outcome.seconds = drawn.seconds;
+  const QString actual = plan.made("actual", view), difference = plan.made("difference", view);
+  if (drawn.exit_code != kDone || !drawn.run) {
+    outcome.sentence = drawn.sentence;
+    QFile::remove(actual);
+    return outcome;
+  }
+  const Judged verdict = judged(plan, view);
+  outcome.verdict = verdict.verdict;
+  outcome.sentence = verdict.sentence;
+  unreadable = unreadable || verdict.unreadable;
+  if (outcome.verdict == Verdict::AsExpected) {
+    QFile::remove(actual);
+    return outcome;
+  }
+  outcome.actual = actual;
+  if (!verdict.comparison || verdict.unreadable) return outcome;
+  outcome.expected = verdict.expected;
+  explain(plan, view, verdict, factsOf(*drawn.run), outcome);
+  if (const auto fault =
+          compare::writeDifference(*verdict.comparison, actual.toStdString(), difference.toStdString())) {
+    outcome.sentence += QLatin1Char(' ') + sentences::sentenceOf(*fault);
+  } else {
+    outcome.difference = difference;
+  }
+  return outcome;
+}
+
+/// A file that is written whole or not at all, as a device.
+class WrittenDevice : public QIODevice {
+ public:
+  explicit WrittenDevice(const QString& path) : file_(path.toStdString()) { open(QIODevice::WriteOnly); }
+  /// nullopt = it is in its place.
+  std::optional<QString> place() {
+    const auto fault = file_.place();
+    return fault ? std::optional(sentences::sentenceOf(disk::notWritten(*fault))) : std::nullopt;
+  }
+
+ protected:
+  qint64 readData(char*, qint64) override { return -1; }
+  qint64 writeData(const char* bytes, qint64 count) override {
+    file_.write(bytes, std::size_t(count));
+    return file_.good() ? count : -1;
+  }
+
+ private:
+  disk::WrittenFile file_;
+};
+
+std::optional<QString> writeReports(const PlannedSuite& plan, const std::vector<ViewOutcome>& outcomes) {
+  struct Report {
+    const char* name;
+    bool (*write)(const QString&, const std::vector<ViewOutcome>&, QIODevice&);
+  };
+  for (const Report& report : {Report{"junit.xml", suite::writeJunit}, {"report.html", suite::writePage}}) {
+    WrittenDevice file(plan.report + QLatin1Char('/') + QLatin1String(report.name));
+    report.write(plan.name, outcomes, file);
+    if (const auto why = file.place()) return why;
+  }
+  return std::nullopt;
+}
+
+int suiteRun(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
+  std::vector<ViewOutcome> outcomes(plan.views.size());
+  bool unreadable = false;
+  drawPlanned(plan, access, jobs, [&](std::size_t view, const DrawnView& drawn) {
+    outcomes[view] = outcomeOf(plan, view, drawn, unreadable);
+    return lineOf(outcomes[view]);
+  });
+  if (const auto why = writeReports(plan, outcomes)) return refuse(kUsage, *why);
+  const suite::Tally tally = suite::tallyOf(outcomes);
+  printLine(suite::tallyText(tally));
+  return unreadable ? kUsage : tally.good() ? kDone : kIncomplete;
+}
+
+std::optional<QString> copied(const QString& from, const QString& to) {
+  const auto bytes = disk::readFile(from.toStdString(), kMostPictureFileBytes);
+  if (!bytes) return sentences::sentenceOf(bytes.error().cause);
+  const auto fault = disk::writeFile(to.toStdString(), *bytes);
+  return fault ? std::optional(sentences::sentenceOf(disk::notWritten(*fault))) : std::nullopt;
+}
+
+std::optional<QString> writeFacts(const PlannedSuite& plan, std::size_t view, const suite::Facts& facts) {
+  const auto fault =
+      disk::writeFile(plan.expectedFacts(view).toStdString(), suite::factsBytes(facts).toStdString());
+  return fault ? std::optional(sentences::sentenceOf(disk::notWritten(*fault))) : std::nullopt;
+}
+
+int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
+  if (const auto why = whyNoFolder(plan.expected)) return refuse(kUsage, *why);
+  int code = kDone;
+  drawPlanned(plan, access, jobs, [&](std::size_t view, const DrawnView& drawn) {
+    const QString& name = plan.views[view].name;
+    const auto fail = [&](int with, const QString& sentence) {
+      code = std::max(code, with);
+      return Text::tr("%1: nothing accepted. %2").arg(name, sentence);
+    };
+    if (drawn.exit_code != kDone || !drawn.run) return fail(kIncomplete, drawn.sentence);
+    const suite::Facts facts = factsOf(*drawn.run);
+    const QString picture = plan.expectedPicture(view);
+    const Judged verdict = judged(plan, view);
+    if (verdict.verdict == Verdict::AsExpected) {
+      if (!QFileInfo::exists(plan.expectedFacts(view))) {
+        if (const auto why = writeFacts(plan, view, facts)) return fail(kUsage, *why);
+      }
+      return Text::tr("%1: as expected, nothing is replaced").arg(name);
+    }
+    const bool replaces = QFileInfo::exists(picture);
+    ViewOutcome outcome;
+    if (verdict.comparison && !verdict.unreadable) explain(plan, view, verdict, facts, outcome);
+    if (verdict.unreadable) outcome.sentence = verdict.sentence;
+    if (const auto why = copied(plan.made("actual", view), picture)) return fail(kUsage, *why);
+    if (const auto why = writeFacts(plan, view, facts)) return fail(kUsage, *why);
+    return replaces ? Text::tr("%1: replaced %2. %3").arg(name, picture, outcome.sentence)
+                    : Text::tr("%1: new, %2").arg(name, picture);
+  });
+  return code;
+}
+
+int suiteList(const PlannedSuite& plan) {
+  std::vector<QStringList> rows;
+  for (std::size_t view = 0; view < plan.views.size(); ++view) {
+    const qsizetype accepted = plan.expected.isEmpty() ? 0 : plan.expectedPictures(view).size();
+    const QString expected =
+        plan.expected.isEmpty() ? QStringLiteral("-")
+        : accepted == 0
+            ? Text::tr("not expected yet")
+            : sentences::counted(Text::tr("%1 accepted pictures", nullptr, sentences::formOf(accepted)),
+                                 accepted);
+    rows.push_back({expected, plan.options[view].robot, plan.views[view].name});
+  }
+  printTable(rows);
+  return kDone;
+}
+
+enum class SuiteDeed { Run, Accept, List };
+
+int suiteCommand(SuiteDeed deed, SuiteArguments& args, const Invocation& before) {
+  inherit(args, before);
+  if (deed == SuiteDeed::Accept && qEnvironmentVariableIsSet("CI")) {
+    return refuse(
+        kUsage,
+        Text::tr(
+            "Expected pictures are accepted by people: accept does nothing where the variable CI is set."));
+  }
+  if (args.jobs < 1 || args.jobs > kMostJobs)
+    return refuse(kUsage, Text::tr("--jobs must be a number from 1 to %1.").arg(kMostJobs));
+  // accept needs a place for what it draws, and nobody looks at it afterwards.
+  std::unique_ptr<QTemporaryDir> aside;
+  if (deed == SuiteDeed::Accept && args.report.empty()) {
+    aside = std::make_unique<QTemporaryDir>();
+    args.report = aside->path().toStdString();
+  }
+  const auto fonts = chooseOffscreenPlatform();
+  QApplication application(before.argc, before.argv);
+  const auto plan = planned(args, deed != SuiteDeed::List);
+  if (!plan) return refuse(kUsage, plan.error());
+  if (deed == SuiteDeed::List) return suiteList(*plan);
+  const auto access = RobotAccess::read(args.access, text(args.robot));
+  if (!access) return refuse(kUsage, access.error());
+  return deed == SuiteDeed::Run ? suiteRun(*plan, *access, args.jobs)
+                                : suiteAccept(*plan, *access, args.jobs);
+}
+
+}  // namespace
+
+void addSuite(Commands& commands) {
+  CLI::App* const suite = commands.program().add_subcommand(
+      "suite", help(Text::tr("Compare many views with the pictures expected of them")));
+  suite->require_subcommand(1);
+  struct Deed {
+    const char* name;
+    SuiteDeed deed;
+    QString about;
+  };
+  for (const Deed& one :
+       {Deed{"run", SuiteDeed::Run,
+             Text::tr("Draw all views, compare them, write junit.xml and report.html")},
+        Deed{"accept", SuiteDeed::Accept, Text::tr("Draw all views and take them as the expected pictures")},
+        Deed{"list", SuiteDeed::List,
+             Text::tr("List the views and whether pictures are expected of them")}}) {
+    const auto args = std::make_shared<SuiteArguments>();
+    CLI::App* const command = suite->add_subcommand(one.name, help(one.about));
+    command->add_option("suite", args->suite, help(Text::tr("The list of views (YAML)")))->required();
+    auto* const expected = command->add_option(
+        "--expected", args->expected, help(Text::tr("The folder of the expected pictures and their facts")));
+    auto* const report = command->add_option(
+        "--report", args->report, help(Text::tr("The folder for the report and the pictures that differ")));
+    if (one.deed != SuiteDeed::List) expected->required();
+    if (one.deed == SuiteDeed::Run) report->required();
+    command->add_option("--only", args->only, help(Text::tr("Only this view; may be repeated")))
+        ->allow_extra_args(false);
+    command->add_option("--jobs", args->jobs, help(Text::tr("How many views are drawn at the same time")))
+        ->capture_default_str();
+    addRobot(*command, *args, Text::tr("Robot of the views that name none (or MAPWRIGHT_ROBOT)"));
+    commands.add(command, [args, deed = one.deed](const Invocation& before) {
+      return suiteCommand(deed, *args, before);
+    });
+  }
+}
+
+}  // namespace mapwright::app
