@@ -1,0 +1,298 @@
+// `compare` and `suite`: what a server that builds and tests sees, with differences that were planted.
+#include <QDir>
+#include <QImage>
+#include <QTest>
+#include <QXmlStreamReader>
+
+#include "program.h"
+#include "test_program.h"
+
+namespace test_suite_command {
+
+using namespace mapwright;
+using tests::Ended;
+
+namespace {
+
+QStringList words(const char* typed) { return QString::fromUtf8(typed).split(QLatin1Char(' ')); }
+
+/// Everything in a folder.
+void copyFolder(const QString& from, const QString& to) {
+  QDir().mkpath(to);
+  for (const QFileInfo& one : QDir(from).entryInfoList(QDir::AllEntries | QDir::NoDotAndDotDot)) {
+    const QString target = to + QLatin1Char('/') + one.fileName();
+    if (one.isDir())
+      copyFolder(one.filePath(), target);
+    else
+      QFile::copy(one.filePath(), target);
+  }
+}
+
+}  // namespace
+
+class SuiteCommandTest : public QObject {
+  Q_OBJECT
+  std::unique_ptr<tests::Program> program_;
+
+  Ended run(const QStringList& typed, const QMap<QString, QString>& environment = {}) const {
+    tests::Program::Means means;
+    means.environment = environment;
+    return program_->run(typed, means);
+  }
+  /// In an environment like that of people, wherever the tests run.
+  Ended accept(const char* more = "") const {
+    QStringList typed = words("suite accept suite.yaml --expected expected --report accepted");
+    if (*more) typed += words(more);
+    return program_->run(typed, {.in_child = [] { ::unsetenv("CI"); }});
+  }
+  Ended runSuite(const char* more = "") const {
+    QStringList typed = words("suite run suite.yaml --expected expected --report report");
+    if (*more) typed += words(more);
+    return run(typed);
+  }
+  void replaceIn(const char* file, const QByteArray& from, const QByteArray& to) const {
+    QByteArray bytes = program_->bytes(file);
+    if (!bytes.contains(from)) qFatal("%s is not in %s", from.constData(), file);
+    program_->put(file, bytes.replace(from, to));
+  }
+  /// Name -> kind and message of what failed.
+  QMap<QString, QString> failures() const {
+    QMap<QString, QString> found;
+    QXmlStreamReader xml(program_->bytes("report/junit.xml"));
+    QString name;
+    while (!xml.atEnd()) {
+      if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+      if (xml.name() == QLatin1String("testcase"))
+        name = xml.attributes().value(QLatin1String("name")).toString();
+      if (xml.name() == QLatin1String("failure") || xml.name() == QLatin1String("error"))
+        found[name] = xml.attributes().value(QLatin1String("message")).toString();
+    }
+    if (xml.hasError()) qFatal("junit.xml: %s", qPrintable(xml.errorString()));
+    return found;
+  }
+
+ private Q_SLOTS:
+  void init() {
+    program_ = std::make_unique<tests::Program>();
+    copyFolder(QStringLiteral(MAPWRIGHT_EXAMPLES "/maps-in-ci"), program_->folder());
+  }
+
+  void theExampleIsAsExpected() {
+    const Ended ended = runSuite();
+    QVERIFY2(ended.code == 0, qPrintable(ended.out + ended.err));
+    QVERIFY(ended.out.endsWith(QStringLiteral("3 views as expected.\n")));
+    QVERIFY(failures().isEmpty());
+    QVERIFY(program_->bytes("report/report.html").contains("wall W17"));
+    // What is as expected leaves no pictures.
+    QVERIFY(QDir(program_->path("report/actual")).isEmpty());
+  }
+
+  void severalAtOnceGiveTheSameBytes() {
+    QDir(program_->path("expected")).removeRecursively();
+    QByteArrayList one, four;
+    for (const auto& [jobs, into] : {std::pair("--jobs 1", &one), std::pair("--jobs 4", &four)}) {
+      QCOMPARE(runSuite(jobs).code, 1);
+      for (const char* name : {"cells", "overlays and waypoints", "wall W17"})
+        *into << program_->bytes(qPrintable(QStringLiteral("report/actual/%1.png").arg(QLatin1String(name))));
+    }
+    QVERIFY(!one.first().isEmpty());
+    QVERIFY(one == four);
+  }
+
+  void aWallThatMovedIsNamedAsTheCause() {
+    replaceIn("map/office.overlays.geojson", "[-6.0, -2.0], [-3.0, -2.0]", "[-6.0, -1.6], [-3.0, -1.6]");
+    const Ended ended = runSuite();
+    QCOMPARE(ended.code, 1);
+    const auto found = failures();
+    QCOMPARE(found.size(), 2);
+    const QString why = found[QStringLiteral("wall W17")];
+    QVERIFY2(why.contains(QStringLiteral("move virtual wall W17 by 0.40 m")), qPrintable(why));
+    QVERIFY2(why.contains(QStringLiteral(" m² at (")), qPrintable(why));
+    QVERIFY(!why.contains(QStringLiteral("Elsewhere")));
+    QVERIFY(QFile::exists(program_->path("report/difference/wall W17.png")));
+    QVERIFY(program_->bytes("report/report.html").contains("move virtual wall W17 by 0.40 m"));
+  }
+
+  void cellsThatChangedAreNamed() {
+    QByteArray bytes = program_->bytes("map/office.pgm");
+    for (int y = 60; y < 66; ++y) {
+      for (int x = 80; x < 86; ++x) bytes[bytes.size() - 160 * 100 + y * 160 + x] = 0;
+    }
+    program_->put("map/office.pgm", bytes);
+    QCOMPARE(runSuite().code, 1);
+    QVERIFY2(failures()[QStringLiteral("cells")].contains(QStringLiteral("the cells of map")),
+             qPrintable(failures()[QStringLiteral("cells")]));
+  }
+
+  void anotherVersionOfASubmapIsNamed() {
+    program_->put(
+        "suite.yaml",
+        "views:\n  - {name: slam, robot: \"demo:?submaps=6&seed=3\", mode: submaps, size: 300x200}\n");
+    const Ended first = accept();
+    QVERIFY2(first.code == 0, qPrintable(first.out + first.err));
+    QVERIFY(first.out.contains(QStringLiteral("slam: new, ")));
+    QCOMPARE(runSuite().code, 0);
+    // As if other submaps had been expected, and another picture.
+    QJsonObject facts = QJsonDocument::fromJson(program_->bytes("expected/slam.json")).object();
+    QJsonArray submaps = facts[QLatin1String("submaps")].toArray();
+    QCOMPARE(submaps.size(), 6);
+    QJsonObject one = submaps[2].toObject();
+    const int version = one[QLatin1String("version")].toInt();
+    one[QLatin1String("version")] = version - 1;
+    submaps[2] = one;
+    facts[QLatin1String("submaps")] = submaps;
+    program_->put("expected/slam.json", QJsonDocument(facts).toJson());
+    QImage picture(program_->path("expected/slam.png"));
+    picture.fill(Qt::red);
+    picture.save(program_->path("expected/slam.png"));
+    QCOMPARE(runSuite().code, 1);
+    const QString why = failures()[QStringLiteral("slam")];
+    QVERIFY2(why.contains(QStringLiteral("submap %1 went from version %2 to %3")
+                              .arg(one[QLatin1String("id")].toString())
+                              .arg(version - 1)
+                              .arg(version)),
+             qPrintable(why));
+  }
+
+  void acceptSaysWhatItReplacesAndIsRefusedOnServers() {
+    const Ended refused = run(words("suite accept suite.yaml --expected expected --report r"),
+                              {{QStringLiteral("CI"), QStringLiteral("true")}});
+    QCOMPARE(refused.code, 2);
+    QVERIFY(refused.err.contains(QStringLiteral("CI")));
+    QVERIFY(accept().out.contains(QStringLiteral("cells: as expected, nothing is replaced")));
+    replaceIn("map/office.overlays.geojson", "[-6.0, -2.0]", "[-6.0, -1.5]");
+    const Ended ended = accept();
+    QCOMPARE(ended.code, 0);
+    QVERIFY2(ended.out.contains(QStringLiteral("wall W17: replaced expected/wall W17.png. ")),
+             qPrintable(ended.out));
+    QCOMPARE(runSuite().code, 0);
+  }
+
+  void anAcceptedVariantIsAsGood() {
+    QVERIFY(QFile::rename(program_->path("expected/cells.png"), program_->path("expected/cells.1.png")));
+    QVERIFY(QFile::copy(program_->path("expected/wall W17.png"), program_->path("expected/cells.png")));
+    const Ended ended = runSuite("--only cells");
+    QVERIFY2(ended.code == 0, qPrintable(ended.out));
+    QVERIFY(ended.out.contains(QStringLiteral("1 view as expected.")));
+  }
+
+  void aViewThatDoesNotComeIsAFailureWithItsSentence() {
+    program_->put("suite.yaml",
+                  "views:\n  - {name: gone, robot: nowhere.yaml}\n"
+                  "  - {name: away, robot: \"axbot+http://127.0.0.1:9\", timeout: 2}\n");
+    QCOMPARE(runSuite().code, 1);
+    const auto found = failures();
+    QVERIFY2(found[QStringLiteral("gone")].contains(QStringLiteral("nowhere.yaml")),
+             qPrintable(found[QStringLiteral("gone")]));
+    QVERIFY(found[QStringLiteral("away")].contains(QStringLiteral("127.0.0.1")));
+    QVERIFY(!QFile::exists(program_->path("report/actual/gone.png")));
+  }
+
+  void namesWithMarkupStayText() {
+    program_->put("suite.yaml",
+                  "defaults: {robot: map/office.yaml, size: 100x80}\nviews:\n  - name: \"door <b>&'x' "
+                  "\xF0\x9F\x9A\xAA\"\n");
+    QCOMPARE(runSuite().code, 1);
+    QCOMPARE(failures().firstKey(), QString::fromUtf8("door <b>&'x' \xF0\x9F\x9A\xAA"));
+    QVERIFY(!program_->bytes("report/report.html").contains("<b>"));
+  }
+
+  void whatIsWrongIsRefused_data() {
+    QTest::addColumn<QByteArray>("yaml");
+    QTest::addColumn<QString>("word");
+    const auto row = [](const char* name, const char* yaml, const char* word) {
+      QTest::newRow(name) << QByteArray(yaml) << QString::fromUtf8(word);
+    };
+    row("an unknown key", "views:\n  - {name: a, robot: demo:, sizes: 1x1}", "Line 2, column 28");
+    row("an option that snapshot refuses", "views:\n  - {name: a, robot: demo:, size: big}",
+        "Line 2, column 34: a: --size");
+    row("options that exclude each other", "views:\n  - {name: a, robot: demo:, raw: true, theme: dark}",
+        "a: --raw");
+    row("no number", "views:\n  - {name: a, robot: demo:, scale: x}", "--scale");
+    row("no robot", "views:\n  - {name: a}", "names no robot");
+    row("a missing mask", "views:\n  - {name: a, robot: demo:, mask: none.png}", "none.png");
+    row("an option of files", "views:\n  - {name: a, robot: demo:, output: /tmp/x}", "\"output\"");
+    row("a secret", "views:\n  - {name: a, robot: demo:, secret-file: /tmp/x}", "\"secret-file\"");
+  }
+  void whatIsWrongIsRefused() {
+    QFETCH(QByteArray, yaml);
+    QFETCH(QString, word);
+    program_->put("suite.yaml", yaml);
+    const Ended ended = runSuite();
+    QCOMPARE(ended.code, 2);
+    QVERIFY2(ended.err.contains(word), qPrintable(ended.err));
+    QCOMPARE(ended.err.count(QLatin1Char('\n')), 1);
+  }
+  void foldersAndFilesThatAreNotThereAreRefused() {
+    QCOMPARE(run(words("suite run none.yaml --expected expected --report report")).code, 2);
+    QCOMPARE(run(words("suite run suite.yaml --expected expected --report suite.yaml")).code, 2);
+    QCOMPARE(run(words("suite run suite.yaml --expected expected --report expected")).code, 2);
+    QCOMPARE(runSuite("--only nobody").code, 2);
+    QCOMPARE(runSuite("--jobs 0").code, 2);
+    program_->put("expected/cells.png", "no picture");
+    QCOMPARE(runSuite().code, 2);
+    QVERIFY(failures().contains(QStringLiteral("cells")));
+  }
+  void listTellsWhatIsExpected() {
+    QFile::remove(program_->path("expected/cells.png"));
+    const Ended ended = run(words("suite list suite.yaml --expected expected"));
+    QCOMPARE(ended.code, 0);
+    QVERIFY2(ended.out.contains(QStringLiteral("not expected yet")), qPrintable(ended.out));
+    QVERIFY(ended.out.contains(QStringLiteral("1 accepted picture")));
+  }
+
+  // compare
+
+  void compareTellsWhatDiffersAndWhere() {
+    QCOMPARE(
+        run(words("snapshot --robot map/office.yaml --layers none -o a.png --report a.json --size 320x200"))
+            .code,
+        0);
+    QImage other(program_->path("a.png"));
+    for (int y = 50; y < 56; ++y) {
+      for (int x = 40; x < 46; ++x) other.setPixel(x, y, qRgb(200, 0, 0));
+    }
+    other.save(program_->path("b.png"));
+    const Ended ended = run(words("compare a.png b.png --max-differing 50 --diff d.png --json"));
+    QCOMPARE(ended.code, 1);
+    const QJsonObject json = ended.object();
+    QCOMPARE(json[QLatin1String("equal")].toBool(true), false);
+    QCOMPARE(json[QLatin1String("differing")].toInt(), 36);
+    const QJsonObject cluster = json[QLatin1String("clusters")].toArray().at(0).toObject();
+    QCOMPARE(cluster[QLatin1String("box")].toArray(), (QJsonArray{40, 50, 6, 6}));
+    QCOMPARE(cluster[QLatin1String("pixels")].toInt(), 36);
+    QCOMPARE(cluster[QLatin1String("world")].toArray().size(), 4);
+    QVERIFY(!json.contains(QLatin1String("sizes")));
+    QCOMPARE(QImage(program_->path("d.png")).size(), other.size());
+    QCOMPARE(run(words("compare a.png a.png")).code, 0);
+  }
+  void compareSaysOtherSizesFirst() {
+    QImage(10, 10, QImage::Format_Grayscale8).save(program_->path("a.png"));
+    QImage(12, 10, QImage::Format_Grayscale8).save(program_->path("b.png"));
+    const Ended ended = run(words("compare a.png b.png"));
+    QCOMPARE(ended.code, 1);
+    QVERIFY2(ended.out.startsWith(QStringLiteral("The sizes differ: 10 x 10 expected, 12 x 10 here.")),
+             qPrintable(ended.out));
+    const QJsonArray sizes =
+        run(words("compare a.png b.png --json")).object()[QLatin1String("sizes")].toArray();
+    QCOMPARE(sizes, (QJsonArray{QJsonArray{10, 10}, QJsonArray{12, 10}}));
+  }
+  void compareRefusesWhatItCannotRead() {
+    QImage(10, 10, QImage::Format_Grayscale8).save(program_->path("a.png"));
+    program_->put("bad.png", "no");
+    for (const char* typed :
+         {"compare a.png bad.png", "compare nowhere.png a.png", "compare a.png a.png --tolerance 256",
+          "compare a.png a.png --max-differing 101", "compare a.png a.png --mask bad.png",
+          "compare a.png a.png --diff a.png", "compare a.png a.png --report bad.png", "compare a.png"}) {
+      const Ended ended = run(words(typed));
+      QVERIFY2(ended.code == 2, typed);
+      QCOMPARE(ended.err.count(QLatin1Char('\n')), 1);
+    }
+    QCOMPARE(QImage(program_->path("a.png")).size(), QSize(10, 10));
+  }
+};
+
+}  // namespace test_suite_command
+
+MAPWRIGHT_TEST(test_suite_command, SuiteCommandTest, Core)
+#include "test_suite_command.moc"
