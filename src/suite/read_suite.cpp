@@ -35,9 +35,11 @@ Refused refusedAt(const YAML::Mark& mark, const QString& sentence) {
 
 QString shown(const std::string& text) { return words::plainName(text).left(80); }
 
+QString noScalarText(const QString& key) { return SuiteText::tr("%1 must be a text or a number.").arg(key); }
+QString noValueText(const QString& key) { return SuiteText::tr("%1 has no value.").arg(key); }
+
 std::string scalar(const YAML::Node& node, const QString& key) {
-  if (!node.IsScalar())
-    throw refusedAt(node.Mark(), SuiteText::tr("%1 must be a text or a number.").arg(key));
+  if (!node.IsScalar()) throw refusedAt(node.Mark(), noScalarText(key));
   return node.Scalar();
 }
 
@@ -45,12 +47,12 @@ std::string scalar(const YAML::Node& node, const QString& key) {
 std::string joined(const YAML::Node& node, const QString& key) {
   if (!node.IsSequence()) {
     const std::string text = scalar(node, key);
-    if (text.empty()) throw refusedAt(node.Mark(), SuiteText::tr("%1 has no value.").arg(key));
+    if (text.empty()) throw refusedAt(node.Mark(), noValueText(key));
     return text;
   }
   std::string text;
   for (const YAML::Node& item : node) text += (text.empty() ? "" : ",") + scalar(item, key);
-  if (text.empty()) throw refusedAt(node.Mark(), SuiteText::tr("%1 has no value.").arg(key));
+  if (text.empty()) throw refusedAt(node.Mark(), noValueText(key));
   return text;
 }
 
