@@ -1,57 +1,12 @@
 #include "ui/overlays/overlays_on_map.h"
 
 #include <algorithm>
-#include <charconv>
-#include <numbers>
 #include <utility>
 
-#include "overlays/overlay_shapes.h"
+#include "overlays/drawn_parts.h"
 #include "scene/drawing.h"
 
 namespace mapwright::window {
-namespace {
-
-map::OverlayShape drawnShape(overlays::Shape shape) {
-  return shape == overlays::Shape::Line      ? map::OverlayShape::Line
-         : shape == overlays::Shape::Polygon ? map::OverlayShape::Polygon
-                                             : map::OverlayShape::Point;
-}
-
-int typeAs(const Feature& feature, overlays::Shape shape) {
-  const auto value = feature.property(overlays::typeProperty(shape));
-  if (!value) return 0;
-  const std::string written =
-      value->kind() == overlays::JsonKind::String ? value->string() : std::string(value->text());
-  int type = 0;
-  std::from_chars(written.data(), written.data() + written.size(), type);
-  return type;
-}
-
-/// As the layer draws it: several for a shape of several parts.
-std::vector<map::OverlayFeature> partsToDraw(const Feature& feature) {
-  std::vector<map::OverlayFeature> parts;
-  int polygon = -1;
-  for (overlays::Path& path : overlays::shapesOf(feature).paths) {
-    if (path.points.empty()) continue;
-    if (path.shape == overlays::Shape::Polygon && path.polygon == polygon && !parts.empty()) {
-      parts.back().parts.push_back(std::move(path.points));
-      continue;
-    }
-    polygon = path.polygon;
-    map::OverlayFeature drawn;
-    drawn.shape = drawnShape(path.shape);
-    drawn.type = typeAs(feature, path.shape);
-    drawn.id = feature.id();
-    drawn.name = feature.name();
-    const auto degrees = overlays::yawOf(feature);
-    if (drawn.shape == map::OverlayShape::Point && degrees) drawn.yaw_rad = *degrees * std::numbers::pi / 180;
-    drawn.parts.push_back(std::move(path.points));
-    parts.push_back(std::move(drawn));
-  }
-  return parts;
-}
-
-}  // namespace
 
 OverlaysOnMap::OverlaysOnMap(OverlayEditing* editing, scene::MapScene* scene, QObject* parent)
     : QObject(parent), editing_(editing), scene_(scene) {
@@ -73,7 +28,7 @@ bool OverlaysOnMap::take(FeatureKey key) {
   if (feature ? drawn.feature && &drawn.feature->text() == &feature->text() : !drawn.feature) return true;
   const std::size_t before = drawn.parts.size();
   drawn.feature = feature ? std::optional(*feature) : std::nullopt;
-  drawn.parts = feature ? partsToDraw(*feature) : std::vector<map::OverlayFeature>();
+  drawn.parts = feature ? overlays::partsToDraw(*feature) : std::vector<map::OverlayFeature>();
   return drawn.parts.size() == before;
 }
 

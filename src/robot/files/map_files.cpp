@@ -178,6 +178,7 @@ Outcome<map::WholeMap> MapFiles::fetch(const map::MapKey& key) {
     return fail(std::move(unfit));
   }
   whole->key = key;
+  whole->overlays = overlaysBeside(path);
   return std::move(*whole);
 }
 

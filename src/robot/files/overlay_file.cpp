@@ -8,6 +8,7 @@
 #include "disk/folder_lock.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
+#include "overlays/drawn_parts.h"
 #include "robot/files/faults.h"
 
 namespace mapwright::robot::files {
@@ -20,14 +21,34 @@ QString overlayPathOf(const QString& map_path) {
   return !QFileInfo::exists(own) && QFileInfo::exists(plain) ? plain : own;
 }
 
+namespace {
+
+/// A picture and the map.yaml that describes it are one map.
+QString overlayPathOfMap(const QString& map_path) {
+  const QStringList described_by = yamlsNaming(map_path);
+  return overlayPathOf(described_by.size() == 1 ? described_by.front() : map_path);
+}
+
+}  // namespace
+
+std::vector<map::OverlayFeature> overlaysBeside(const QString& map_path) {
+  auto text = disk::readFile(overlayPathOfMap(map_path).toStdString(), kMaxOverlayBytes);
+  if (!text) return {};
+  const auto document = overlays::OverlayDocument::read(std::move(*text));
+  if (!document) return {};
+  std::vector<map::OverlayFeature> drawn;
+  for (const overlays::Feature& feature : document->features()) {
+    for (map::OverlayFeature& part : overlays::partsToDraw(feature)) drawn.push_back(std::move(part));
+  }
+  return drawn;
+}
+
 OverlayFiles::OverlayFiles(FileOptions options) : options_(std::move(options)) {}
 
 Outcome<OverlayFiles::Place> OverlayFiles::placeOf(const map::MapKey& key) const {
   Place place{key, mapPathOf(options_.path, key), {}};
   if (place.map.isEmpty()) return fail(failure(place, map::FailureKind::RejectedByRobot, fault::NoSuchMap));
-  // A picture and the map.yaml that describes it are one map.
-  const QStringList described_by = yamlsNaming(place.map);
-  place.path = overlayPathOf(described_by.size() == 1 ? described_by.front() : place.map);
+  place.path = overlayPathOfMap(place.map);
   return place;
 }
 
