@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include <CLI/CLI.hpp>
+#include <QCoreApplication>
 #include <QDir>
 #include <QEventLoop>
 #include <QFileInfo>
@@ -149,6 +150,7 @@ void drawViews(const std::vector<SnapshotOptions>& views, const RobotAccess& acc
   QMetaObject::invokeMethod(
       &loop, [&] { go_on(); }, Qt::QueuedConnection);
   loop.exec();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the last ones
 }
 
 }  // namespace mapwright::app

@@ -49,9 +49,10 @@ svg text.strong{fill:var(--ink)}
 figure,tr,.facts{break-inside:avoid}.wide{overflow:visible}}
 )";
 
-constexpr const char* kSwipe =
-    "for(const s of document.querySelectorAll('.swipe input'))"
-    "s.oninput=()=>s.closest('.swipe').style.setProperty('--at',s.value+'%')";
+constexpr const char* kSwipe = R"(
+for(const s of document.querySelectorAll('.swipe input'))
+s.oninput=()=>s.closest('.swipe').style.setProperty('--at',s.value+'%')
+)";
 
 constexpr const char* kToneClass[] = {"", "good", "warning", "bad", "muted"};
 

@@ -12,6 +12,7 @@
 #include "overlays/overlay_merge.h"
 #include "overlays/overlay_shapes.h"
 #include "sentences/overlay_sentence.h"
+#include "words/figures.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::suite {
@@ -227,7 +228,7 @@ QString firstChanges(const QStringList& changes) {
   const QString named = changes.mid(0, kMostNamed).join(QStringLiteral("; "));
   if (changes.size() <= kMostNamed) return named;
   return FactsChangesText::tr("%1 and %2 more")
-      .arg(named, QLocale::c().toString(changes.size() - kMostNamed));
+      .arg(named, QString::fromStdString(words::grouped(changes.size() - kMostNamed)));
 }
 
 QString explanationText(const compare::Comparison& comparison, const geometry::ViewTransform& view,

@@ -1,11 +1,11 @@
 #include "suite/outcome.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include "compare/comparison_sentence.h"
 #include "compare/picture_view.h"
 #include "sentences/plural.h"
+#include "words/figures.h"
 
 namespace mapwright::suite {
 namespace {
@@ -26,8 +26,8 @@ std::vector<ViewOutcome::ClusterRow> clusterRows(const compare::Comparison& comp
     if (rows.size() == kMostRows) break;
     ViewOutcome::ClusterRow row;
     const compare::PixelBox& box = cluster.box;
-    row.box = QStringLiteral("%1 × %2 + %3 + %4").arg(box.width).arg(box.height).arg(box.x).arg(box.y);
-    row.size = QLocale::c().toString(cluster.pixels);
+    row.box = OutcomeText::tr("%1 × %2 at %3, %4").arg(box.width).arg(box.height).arg(box.x).arg(box.y);
+    row.size = QString::fromStdString(words::grouped(cluster.pixels));
     if (view) row.place = compare::placeText(compare::worldOf(*view, box).center());
     if (rows.size() < explanation.near.size())
       row.near = explanation.near[rows.size()].join(QStringLiteral("; "));
