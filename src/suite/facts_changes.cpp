@@ -35,6 +35,13 @@ QString beginningSmall(QString words) {
   return words;
 }
 
+QString firstOf(const QStringList& changes, const QString& separator) {
+  const QString named = changes.mid(0, kMostNamed).join(separator);
+  if (changes.size() <= kMostNamed) return named;
+  return FactsChangesText::tr("%1 and %2 more")
+      .arg(named, QString::fromStdString(words::grouped(changes.size() - kMostNamed)));
+}
+
 geometry::WorldRect pointBox(const Eigen::Vector2d& at_m) {
   geometry::WorldRect box;
   box.extend(at_m);
@@ -185,7 +192,8 @@ void compareStamps(const Facts& before, const Facts& after, std::vector<FactChan
     if (!before.stamps.contains(topic)) topics << words::plainName(topic);
   }
   if (!topics.isEmpty())
-    changes.push_back({FactsChangesText::tr("messages of other times: %1").arg(firstChanges(topics)), {}});
+    changes.push_back(
+        {FactsChangesText::tr("messages of other times: %1").arg(firstOf(topics, QStringLiteral(", "))), {}});
 }
 
 }  // namespace
@@ -224,12 +232,7 @@ Explanation explained(const compare::Comparison& comparison, const geometry::Vie
   return made;
 }
 
-QString firstChanges(const QStringList& changes) {
-  const QString named = changes.mid(0, kMostNamed).join(QStringLiteral("; "));
-  if (changes.size() <= kMostNamed) return named;
-  return FactsChangesText::tr("%1 and %2 more")
-      .arg(named, QString::fromStdString(words::grouped(changes.size() - kMostNamed)));
-}
+QString firstChanges(const QStringList& changes) { return firstOf(changes, QStringLiteral("; ")); }
 
 QString explanationText(const compare::Comparison& comparison, const geometry::ViewTransform& view,
                         const Explanation& explanation) {

@@ -203,9 +203,9 @@ class SuiteCommandTest : public QObject {
     const auto row = [](const char* name, const char* yaml, const char* word) {
       QTest::newRow(name) << QByteArray(yaml) << QString::fromUtf8(word);
     };
-    row("an unknown key", "views:\n  - {name: a, robot: map/office.yaml, sizes: 1x1}", "Line 2, column 37");
+    row("an unknown key", "views:\n  - {name: a, robot: map/office.yaml, sizes: 1x1}", "Line 2, column 39");
     row("an option that snapshot refuses", "views:\n  - {name: a, robot: map/office.yaml, size: big}",
-        "Line 2, column 43: a: --size");
+        "Line 2, column 45: a: --size");
     row("options that exclude each other",
         "views:\n  - {name: a, robot: map/office.yaml, raw: true, theme: dark}", "a: --raw");
     row("no number", "views:\n  - {name: a, robot: map/office.yaml, scale: x}", "--scale");

@@ -1,5 +1,6 @@
 // Reports as HTML: nothing that is handed in becomes markup, and the same calls give the same bytes.
 #include <QBuffer>
+#include <QCryptographicHash>
 #include <QRegularExpression>
 #include <QTest>
 #include <QXmlStreamReader>
@@ -90,6 +91,24 @@ class PageTest : public QObject {
     QVERIFY(html.contains("src=\"data:image/png;base64," + QByteArray(20'000, 'p').toBase64() + "\""));
     for (const char* reaching : {"http:", "https:", "url(", "<script", "<link", "@import"})
       QVERIFY2(!html.contains(reaching), reaching);
+  }
+
+  /// Its script is the only one that may run: by its checksum.
+  void aSliderBringsItsOwnScriptAndNoOther() {
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    {
+      page::Page page(buffer, QStringLiteral("x"), page::Scripts::Swipe);
+      page.swipe("left", "right", kOdd, QStringLiteral("after"));
+    }
+    const QByteArray html = buffer.data();
+    QCOMPARE(html.count("<script"), 1);
+    const auto begin = html.indexOf("<script>") + 8;
+    const QByteArray script = html.mid(begin, html.indexOf("</script>") - begin);
+    const QByteArray sum = QCryptographicHash::hash(script, QCryptographicHash::Sha256).toBase64();
+    QVERIFY(html.contains("script-src 'sha256-" + sum + "'\""));
+    QVERIFY(html.contains(QByteArray("left").toBase64()) && html.contains(QByteArray("right").toBase64()));
+    QVERIFY(html.contains("type=\"range\"") && !html.contains("<b>"));
   }
 
   void theSameCallsGiveTheSameBytes() { QCOMPARE(reportAbout(kOdd), reportAbout(kOdd)); }

@@ -433,6 +433,24 @@ class FileRobotTest : public QObject {
     QVERIFY(stored("null"));
   }
 
+  void overlaysComeWithTheirMap() {
+    write(QStringLiteral("office.yaml"), kYaml);
+    write(QStringLiteral("office.pgm"), QByteArray("P5\n2 1\n255\n") + QByteArray(2, char(254)));
+    write(
+        QStringLiteral("office.overlays.geojson"),
+        R"({"type":"FeatureCollection","features":[{"type":"Feature","id":"w","properties":{"name":"W17","lineType":2},
+              "geometry":{"type":"LineString","coordinates":[[1,2],[3,4]]}}]})");
+    const auto robot = open(QStringLiteral("office.yaml"));
+    const auto whole = fetch(*robot);
+    QVERIFY(whole);
+    QCOMPARE(whole->overlays.size(), std::size_t(1));
+    QCOMPARE(whole->overlays[0].name, std::string("W17"));
+    QCOMPARE(whole->overlays[0].type, 2);
+    QCOMPARE(whole->overlays[0].parts[0].size(), std::size_t(2));
+    write(QStringLiteral("office.overlays.geojson"), "{");
+    QVERIFY(fetch(*robot) && fetch(*robot)->overlays.empty());
+  }
+
   void overlaysAreOpenedByThemselves() {
     write(QStringLiteral("hall.geojson"),
           R"({"type":"FeatureCollection","features":[
