@@ -41,8 +41,8 @@ inline ExitCode exitCodeOf(const map::Failure& failure) {
   // Nothing was requested.
   if (failure.reason == map::FailureReason::NoSuchId) return kUsage;
   const ExitCode code = exitCodeOf(failure.kind);
-  const bool unknown = code == kUnreachable && map::changes(failure.asked_for) &&
-                       failure.applied == map::Applied::Maybe;
+  const bool unknown =
+      code == kUnreachable && map::changes(failure.asked_for) && failure.applied == map::Applied::Maybe;
   return unknown ? kIncomplete : code;
 }
 

@@ -518,9 +518,8 @@ void addMaps(Commands& commands) {
   };
   const std::string which =
       help(Text::tr("Id of a stored map, mapping:ID, live, or submaps; by default the live or current one"));
-  addJson(
-      *add("list", Text::tr("List all maps and mapping results; * marks the current one"), mapsList),
-      args.json);
+  addJson(*add("list", Text::tr("List all maps and mapping results; * marks the current one"), mapsList),
+          args.json);
   addJson(*add("current", Text::tr("Show the robot's current map"), mapsCurrent), args.json);
   CLI::App* show = add("show", Text::tr("Show size, place, dates and waypoints of a map"), mapsShow);
   show->add_option("id", args.id, which);
@@ -540,9 +539,9 @@ void addMaps(Commands& commands) {
   exported->add_option("--region", args.region,
                        help(Text::tr("Only this region of the live map of a map dispatcher (REP "
                                      "130): X,Y,LX,LY, its centre and side lengths in metres")));
-  CLI::App* saved = addOne(
-      "save-on-robot", Text::tr("Make a map dispatcher (REP 130) write its map to a file on the robot"),
-      mapsSaveOnRobot);
+  CLI::App* saved = addOne("save-on-robot",
+                           Text::tr("Make a map dispatcher (REP 130) write its map to a file on the robot"),
+                           mapsSaveOnRobot);
   saved
       ->add_option("file", args.filename,
                    help(Text::tr("File name on the robot. Its extension selects the format: most know .png, "
@@ -559,10 +558,10 @@ void addMaps(Commands& commands) {
   diff->add_flag("--force", args.force, help(Text::tr("Overwrite a file even if a map was read from it")));
   addJson(*diff, args.json);
   for (const MapChangeCommand& one : mapChangeCommands()) {
-    CLI::App* command = addOne(one.name, one.about,
-                               [change = one.change](RobotCommand& each, const MapsArguments& typed) {
-                                 return mapsChange(each, typed, change);
-                               });
+    CLI::App* command =
+        addOne(one.name, one.about, [change = one.change](RobotCommand& each, const MapsArguments& typed) {
+          return mapsChange(each, typed, change);
+        });
     addJson(*command, args.json);
     if (isOfOneMap(one.change))
       command->add_option("id", args.id, help(Text::tr("Id of a stored map")))->required();

@@ -138,11 +138,11 @@ void addProjections(Commands& commands) {
       help(Text::tr("What a map dispatcher (REP 130) projects from its 3D map onto a plane: list, set")));
   projections->require_subcommand(1);
   const auto add = [&](const char* name, const QString& what, bool sets) {
-    CLI::App* command = addReading(commands, *projections, name, what,
-                                   Text::tr("Robot address (or MAPWRIGHT_ROBOT)"), shared,
-                                   [sets](RobotCommand& each, const ProjectionsArguments& typed) {
-                                     return runProjections(sets, each, typed);
-                                   });
+    CLI::App* command =
+        addReading(commands, *projections, name, what, Text::tr("Robot address (or MAPWRIGHT_ROBOT)"), shared,
+                   [sets](RobotCommand& each, const ProjectionsArguments& typed) {
+                     return runProjections(sets, each, typed);
+                   });
     addJson(*command, args.json);
     return command;
   };

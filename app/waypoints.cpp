@@ -507,9 +507,9 @@ void addWaypoints(Commands& commands) {
       "waypoints", help(Text::tr("The waypoints of a map: list, change, import, export, plan, apply")));
   waypoints->require_subcommand(1);
   for (const WaypointCommand& one : waypointCommands()) {
-    CLI::App* const command =
-        addReading(commands, *waypoints, one.name, one.about,
-                   Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"), args, one.run);
+    CLI::App* const command = addReading(
+        commands, *waypoints, one.name, one.about,
+        Text::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"), args, one.run);
     command->add_option(
         "--map", args->map,
         help(Text::tr("Id of a stored map (see mapwright maps list); by default the current one")));

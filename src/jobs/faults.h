@@ -24,8 +24,8 @@ inline constexpr FaultCode AnotherMap{
 
 // Downloading maps.
 /// the folder
-inline constexpr FaultCode FolderInUse{
-    "jobs", QT_TRANSLATE_NOOP("jobs", "Another download into %1 is under way.")};
+inline constexpr FaultCode FolderInUse{"jobs",
+                                       QT_TRANSLATE_NOOP("jobs", "Another download into %1 is under way.")};
 
 // Looking for robots.
 /// seconds, as text

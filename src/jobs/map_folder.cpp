@@ -35,7 +35,7 @@ using robot::Outcome;
 const QString kFactsFile = QStringLiteral("map.json"), kPictureFile = QStringLiteral("map.png"),
               kDataFile = QStringLiteral("map.pbstream"), kOverlaysFile = QStringLiteral("overlays.geojson");
 const QString kLockFile = QStringLiteral("map.lock");  // while it is downloaded
-const QString kPart = QStringLiteral(".part");  // a download that is not finished
+const QString kPart = QStringLiteral(".part");         // a download that is not finished
 const QString kFormat = QStringLiteral("mapwright map");
 constexpr std::size_t kMostFactsBytes = std::size_t(1) << 20;
 constexpr std::size_t kMostOverlayBytes = std::size_t(256) << 20;
@@ -124,7 +124,8 @@ class MapDownloading : public std::enable_shared_from_this<MapDownloading> {
     lock_ = std::make_unique<QLockFile>(in(done_.folder, kLockFile));
     lock_->setStaleLockTime(0);
     if (!lock_->tryLock(0))
-      return end(robot::fail(aboutFile(parts_.facts, Fault(fault::FolderInUse, {done_.folder.toStdString()}))));
+      return end(
+          robot::fail(aboutFile(parts_.facts, Fault(fault::FolderInUse, {done_.folder.toStdString()}))));
     under_way_ = transfer_.download(
         parts_.facts, in(done_.folder, kDataFile),
         [self = shared_from_this()](Outcome<robot::DataDownload> data) { self->takeData(std::move(data)); });

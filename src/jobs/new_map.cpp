@@ -26,7 +26,8 @@ constexpr double kFarthestOriginM = 1e5;
 constexpr double kSameM = 1e-4;  // robots keep single precision
 
 /// Whether both show the same gray levels.
-bool showTheSame(const std::shared_ptr<const std::string>& one, const std::shared_ptr<const std::string>& two) {
+bool showTheSame(const std::shared_ptr<const std::string>& one,
+                 const std::shared_ptr<const std::string>& two) {
   if (one && two && *one == *two) return true;
   const auto cellsOf =
       [](const std::shared_ptr<const std::string>& png) -> std::shared_ptr<const grids::GridPyramid> {

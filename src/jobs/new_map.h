@@ -34,8 +34,8 @@ struct PictureSize {
 };
 tl::expected<PictureSize, QString> sizeOfMapPicture(const std::shared_ptr<const std::string>& png);
 
-/// What the robot holds otherwise than it was sent: sentences; none if it is the same. Blocks while it reads a
-/// picture that is not the same file any more.
+/// What the robot holds otherwise than it was sent: sentences; none if it is the same. Blocks while it reads
+/// a picture that is not the same file any more.
 QStringList differences(const robot::NewMap& sent, const robot::MapParts& held);
 
 }  // namespace mapwright::jobs

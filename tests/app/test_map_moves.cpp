@@ -153,8 +153,8 @@ class MapMovesTest : public QObject {
     for (const char* file : {"map.png", "map.pbstream", "overlays.geojson"})
       QCOMPARE(program_.bytes(qPrintable(QStringLiteral("again/") + QLatin1String(file))),
                program_.bytes(qPrintable(QStringLiteral("two/") + QLatin1String(file))));
-    const QStringList copy = upload + QStringList{QStringLiteral("--as-new"), QStringLiteral("--name"),
-                                                  QStringLiteral("Copy")};
+    const QStringList copy =
+        upload + QStringList{QStringLiteral("--as-new"), QStringLiteral("--name"), QStringLiteral("Copy")};
     QVERIFY(run(robot, copy).code == 0);
     const Ended twice = run(robot, copy);
     QVERIFY2(twice.code == 0 && twice.err.contains(QStringLiteral("Another map has this name")),

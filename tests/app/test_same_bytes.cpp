@@ -38,9 +38,10 @@ class SameBytesTest : public QObject {
     const auto of = [](const char* line) { return QString::fromLatin1(line).split(QLatin1Char(' ')); };
     const QStringList live{QStringLiteral("--robot"), QString::fromStdString(robot_->address())};
     const QStringList local{QStringLiteral("--robot"), program_.path("map.yaml")};
-    return {{QStringLiteral("submaps"), live + of("--layers all --theme dark --rotate 17 --size 640x480")},
-            {QStringLiteral("raw"), live + of("--raw --rotate 33.3 --center 2,1 --scale 0.021 --size 333x444")},
-            {QStringLiteral("overlays"), local + of("--layers all --size 500x400")}};
+    return {
+        {QStringLiteral("submaps"), live + of("--layers all --theme dark --rotate 17 --size 640x480")},
+        {QStringLiteral("raw"), live + of("--raw --rotate 33.3 --center 2,1 --scale 0.021 --size 333x444")},
+        {QStringLiteral("overlays"), local + of("--layers all --size 500x400")}};
   }
   QByteArray pictureOf(const QStringList& options, const Program::Means& means) const {
     const EndedBytes ended = program_.runForBytes(

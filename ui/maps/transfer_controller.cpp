@@ -338,10 +338,9 @@ void TransferController::send(const robot::NewMap& map) {
 void TransferController::tellAdded(const QString& name, const QStringList& odd, const QString& also) {
   context_.overlay.toasts()->add(
       odd.isEmpty() ? Mark::Good : Mark::Warning,
-      (odd.isEmpty()
-           ? QStringList{tr("%1 was added to the robot's maps.").arg(name), also}
-           : QStringList{tr("The robot accepted %1, but keeps it otherwise: %2.")
-                             .arg(name, odd.join(QStringLiteral("; ")))})
+      (odd.isEmpty() ? QStringList{tr("%1 was added to the robot's maps.").arg(name), also}
+                     : QStringList{tr("The robot accepted %1, but keeps it otherwise: %2.")
+                                       .arg(name, odd.join(QStringLiteral("; ")))})
           .join(QLatin1Char(' '))
           .trimmed());
   if (session::Session* const session = context_.current.session()) session->catalogue().refresh();

@@ -140,7 +140,7 @@ void MapChanges::look(const ChangePtr& change) {
       take(change, *map, what == MapChange::Rename ? map->name == change->order.name : map->is_current);
     });
   };
-  if (!of_state) return lookAtMaps(false);
+  if (!isOfMapping(what)) return lookAtMaps(false);
   // The only thing that tells is one of the newer services itself.
   link_.lookAtMapping(change->task, [this, change, what, lookAtMaps](Outcome<bool> mapping) {
     if (!mapping) return take(change, fail(std::move(mapping.error())), false);
