@@ -444,14 +444,15 @@ void AdministrationController::noteMapping() {
     progress_.reset();
     trouble_.clear();
   }
-  const bool looks = running && online && robots->tellsProgress();
+  const bool looks = running && online;
   if (looks != look_->isActive()) looks ? look_->start() : look_->stop();
   showMapping();
 }
 
 void AdministrationController::lookAtMapping() {
   robot::MapAdministration* const robots = maps();
-  if (!robots || !robots->tellsProgress() || !looking_.over()) return;
+  if (robots && !robots->tellsProgress()) return showMapping();  // it lasts longer
+  if (!robots || !looking_.over()) return;
   looking_ = robots->progress([this](const robot::Outcome<std::optional<robot::MappingProgress>>& told) {
     trouble_ = told ? QString() : QString::fromStdString(sentences::sentenceOf(told.error()));
     if (told) progress_ = *told;
