@@ -1,5 +1,6 @@
 // Overlays of a GeoJSON file in the window: edited, saved, and changed by somebody else meanwhile.
 #include <QComboBox>
+#include <QSignalSpy>
 
 #include "disk/read_file.h"
 #include "overlays_desk.h"
@@ -43,10 +44,11 @@ class TestWindowOverlayFiles : public QObject {
     FileDesk desk;
     desk.open();
     desk.moveWallHere();
+    QSignalSpy noticed(&desk.window->session()->robot(), &robot::Robot::mapsChanged);
     desk.save();
     QVERIFY(desk.says("saved"));
     QTRY_COMPARE(desk.there(), Desk::with("[[0.00,0],[4,0]]", desk.coordinates(0)));
-    // A later change of the file has been noticed: so has that one.
+    QTRY_COMPARE(noticed.size(), 1);
     desk.put(kOverlays);
     QTRY_COMPARE(desk.coordinates(0), std::string("[[0.00,0],[4,0]]"));
     QTRY_COMPARE(desk.toasts().filter(QStringLiteral("changed on disk")).size(), 1);
