@@ -10,6 +10,7 @@
 
 #include "test_program.h"
 #include "ui/kit/folders.h"
+#include "ui/maps/expected_controller.h"
 #include "ui/maps/export_controller.h"
 #include "ui/maps/files_controller.h"
 #include "ui/maps/map_files.h"
@@ -282,6 +283,37 @@ class TestWindowFiles : public QObject {
     QVERIFY(world.open(QIODevice::ReadOnly));
     QCOMPARE(world.readAll().split('\n').first().trimmed().toDouble(), 0.05);
     QVERIFY(part<MapOverlay>(window)->toasts()->texts().last().startsWith(QLatin1String("Exported to")));
+  }
+
+  void theMapIsComparedWithAnExpectedPicture() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    part<MapsController>(window)->open({map::MapKind::Stored, "2"});
+    QTRY_COMPARE(window.session()->wholeMap().phase(), session::MapSlot::Phase::Ready);
+    QVERIFY(bench.action("compareExpected")->isEnabled());
+    auto* const expected = part<ExpectedController>(window);
+    const QString path = bench.folder.filePath(QStringLiteral("expected.png"));
+    QImage picture(120, 90, QImage::Format_RGB32);
+    picture.fill(Qt::magenta);
+    QVERIFY(picture.save(path));
+    expected->compareWith(path);
+    QVERIFY(part<MapOverlay>(window)->toasts()->texts().last().startsWith(
+        QLatin1String("No report beside expected.png")));
+    QVERIFY(!expected->dialog());
+    QFile report(bench.folder.filePath(QStringLiteral("expected.json")));
+    QVERIFY(report.open(QIODevice::WriteOnly));
+    report.write(R"({"view": {"center": [1, 1], "scale": 0.05, "size": [120, 90], "rotation_deg": 0}})");
+    report.close();
+    expected->compareWith(path);
+    QTRY_VERIFY(expected->dialog() && expected->dialog()->isVisible());
+    QStringList texts;
+    for (const QLabel* const label : expected->dialog()->findChildren<QLabel*>()) texts << label->text();
+    QVERIFY2(texts.join(QLatin1Char('|')).contains(QLatin1String("10,800 pixels differ (100 %), by up to ")),
+             qPrintable(texts.join(QLatin1Char('|'))));
+    QVERIFY(texts.join(QLatin1Char('|')).contains(QString::fromUtf8("1 cluster of 27.0 m² at (1.0, 1.0)")));
+    expected->dialog()->close();
   }
 
   void exportsForMapServer() {

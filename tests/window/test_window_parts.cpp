@@ -161,7 +161,7 @@ class TestWindowParts : public QObject {
                        "compare referenceMap refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot "
                        "mapProperties - "
                        "copyCoordinates "
-                       "screenshotCopy screenshotSave"));
+                       "screenshotCopy screenshotSave compareExpected"));
     QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("modeSubmaps modeWhole modeBoth - grid showIds showOutlines furniture "
                             "layerPresetsMenu - * * * * - filter findObject focusMap nextPane previousPane "

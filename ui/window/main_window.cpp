@@ -18,6 +18,7 @@
 #include "ui/layers/layers_controller.h"
 #include "ui/maps/administration_controller.h"
 #include "ui/maps/compare_controller.h"
+#include "ui/maps/expected_controller.h"
 #include "ui/maps/export_controller.h"
 #include "ui/maps/files_controller.h"
 #include "ui/maps/maps_controller.h"
@@ -188,6 +189,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(messages_);
   make(files_, *placing_);
   make(export_, dependencies.yamls_naming);
+  controllers_.push_back(new ExpectedController(context, this));
   make(connection_, ConnectionController::Means{dependencies.connect, dependencies.probes, dependencies.keys,
                                                 dependencies.has_secret});
   make(recording_);
