@@ -57,9 +57,8 @@ class MapTransfer {
   /// The data of `of` to a file: first next to `path` (".part"), then renamed. Resumes an earlier part of the
   /// same data if the robot supports it, otherwise starts over.
   virtual Call download(const MapFacts& of, const QString& path, OutcomeTo<DataDownload> reply) = 0;
-  /// Sent once; the answer is the new map, read back. A FailureKind::Conflict says that the robot has a map of
-  /// this uid. If the failure's applied is Maybe, check the
-  /// catalogue before you repeat it.
+  /// Sent once; the answer is the new map, read back. A FailureKind::Conflict says that the robot has a map
+  /// of this uid. If the failure's applied is Maybe, check the catalogue before you repeat it.
   virtual Call add(const NewMap& map, OutcomeTo<MapParts> reply) = 0;
 };
 
