@@ -30,14 +30,14 @@ constexpr std::size_t kShapes = std::size_t(Shape::Other) + 1;
 std::optional<Fault> whyNot(const JsonValue& written, const Feature& feature, std::int64_t number) {
   if (!written.isObject()) return Fault(fault::PastedNoFeature, {number});
   const auto geometry = written.member("geometry");
-  // RFC 7946 has features without a place; they are kept as they are.
+  // RFC 7946 has features without a place, or with empty coordinates; they are kept as they are.
   if (geometry ? geometry->kind() == JsonKind::Null : typeOf(written) == "Feature") return std::nullopt;
   if (!geometry || !geometry->isObject()) return Fault(fault::PastedWithoutPlace, {number});
   const std::string type = typeOf(*geometry);
   if (!isGeometry(type)) return Fault(fault::PastedGeometryUnknown, {number, type});
   const Shapes shapes = shapesOf(feature);
   if (shapes.bad) return Fault(fault::PastedCoordinateUnusable, {number, *shapes.bad});
-  if (!shapes.somewhere()) return Fault(fault::PastedWithoutPlace, {number});
+  if (!shapes.somewhere()) return std::nullopt;
   for (const Path& path : shapes.paths) {
     const std::size_t least = path.shape == Shape::Line ? 2 : path.shape == Shape::Polygon ? 3 : 1;
     if (path.points.size() < least) return Fault(fault::PastedTooFewPoints, {number});
@@ -60,6 +60,7 @@ tl::expected<std::vector<Feature>, Fault> pastedFeatures(const std::string& text
     const Feature feature(R"({"type": "Feature", "geometry": )" + std::string(root.text()) +
                           R"(, "properties": {}})");
     if (const auto why = whyNot(feature.root(), feature, 1)) return tl::make_unexpected(*why);
+    if (!shapesOf(feature).somewhere()) return tl::make_unexpected(Fault(fault::PastedWithoutPlace, {1}));
     return std::vector<Feature>{feature};
   }
   std::vector<JsonValue> written;

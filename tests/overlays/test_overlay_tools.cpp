@@ -164,9 +164,11 @@ class OverlayToolsTest : public QObject {
   void featuresWithoutAPlaceArePastedWithTheOthers() {
     const std::string good = R"({"type":"Feature","geometry":{"type":"Point","coordinates":[1,2]}})";
     const std::string none = R"({"type":"Feature","id":"n","geometry":null,"properties":{"name":"N"}})";
-    const auto pasted = pastedFeatures("[" + good + "," + none + R"(,{"type":"Feature"}])");
+    const std::string empty = R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[]}})";
+    const auto pasted = pastedFeatures("[" + good + "," + none + R"(,{"type":"Feature"},)" + empty + "]");
     QVERIFY(pasted);
-    QCOMPARE(pasted->size(), std::size_t(3));
+    QCOMPARE(pasted->size(), std::size_t(4));
+    QVERIFY(whyNotPasted(R"({"type":"Polygon","coordinates":[]})").find("no place") != std::string::npos);
     QCOMPARE((*pasted)[1].text(), none);
     // Its id and name are taken then, and moving leaves it as it is.
     OverlayDocument among;
