@@ -409,6 +409,15 @@ class TestWindowAdministration : public QObject {
     desk.maps.obstacles = {{MapChange::StopMapping, Obstacle::NotMapping}};
     Q_EMIT desk.bench.robot->capabilitiesChanged();
     QVERIFY(save->isEnabled());
+    // What was discarded cannot be saved.
+    desk.maps.obstacles = {{MapChange::StartMapping, Obstacle::WhileMapping}};
+    Q_EMIT desk.bench.robot->capabilitiesChanged();
+    desk.bench.action("cancelMapping")->trigger();
+    desk.controller().dialog()->acceptButton()->click();
+    desk.maps.obstacles = {{MapChange::StopMapping, Obstacle::NotMapping}};
+    desk.maps.answer(map::CatalogueEntry{});
+    QTRY_VERIFY(!desk.controller().dialog());
+    QVERIFY(!save->isEnabled() && save->toolTip().contains(QLatin1String("discarded")));
   }
 
   void aRobotThatCannotDoAnyOfItShowsNothingOfIt() {

@@ -393,7 +393,7 @@ void AdministrationController::setSession(session::Session* session) {
   progress_.reset();
   trouble_.clear();
   was_mapping_.reset();
-  saved_ = false;
+  ended_.reset();
   if (session) {
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &AdministrationController::refresh);
     connect(&session->robot(), &robot::Robot::mapsChanged, this, &AdministrationController::refresh);
@@ -406,9 +406,11 @@ void AdministrationController::refresh() {
   for (const Row& row : mapping_) {
     const auto obstacle = robots ? robots->obstacle(row.change, nullptr) : Obstacle::NotOffered;
     row.action->setVisible(obstacle != Obstacle::NotOffered);
-    const QString why = obstacle ? sentences::whyNotNow(row.change, *obstacle)
-                        : saved_ && row.change == MapChange::Save ? tr("The new map is saved.")
-                                                                  : QString();
+    const bool over = ended_ && row.change == MapChange::Save;
+    const QString why = obstacle                    ? sentences::whyNotNow(row.change, *obstacle)
+                        : !over                     ? QString()
+                        : ended_ == MapChange::Save ? tr("The new map is saved.")
+                                                    : tr("The mapping was discarded: there is no new map.");
     allow(row.action, why.isEmpty(), why);
     if (why.isEmpty()) row.action->setToolTip(withUnconfirmed(row.action->toolTip()));
   }
@@ -427,7 +429,7 @@ void AdministrationController::noteMapping() {
   const bool running = starts == Obstacle::WhileMapping;
   const bool none = stops == Obstacle::NotMapping || ends == Obstacle::NotMapping;
   const bool online = session && session->connection().phase == robot::ConnectionPhase::Online;
-  if (running || !online) saved_ = false;  // there may be another one
+  if (running || !online) ended_.reset();  // there may be another one
   if (running && was_mapping_ != true) {
     was_mapping_ = true;
     noticed_.start();
@@ -573,7 +575,7 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
           [this, change](const map::CatalogueEntry&, const QString& said, bool as_asked) {
             context_.overlay.toasts()->add(as_asked ? Mark::Good : Mark::Warning, said);
             if (session::Session* const now = context_.current.session()) now->catalogue().refresh();
-            if (change == MapChange::Save) saved_ = true;
+            if (change == MapChange::Save || change == MapChange::CancelMapping) ended_ = change;
             if (change == MapChange::StartMapping || change == MapChange::ContinueMapping)
               context_.panels.open(mapping_dock_);
             refresh();

@@ -126,7 +126,7 @@ class AdministrationController : public Controller {
   std::optional<robot::MappingProgress> progress_;  // as last told
   QString trouble_;                                 // why it told nothing
   std::optional<bool> was_mapping_;                 // nullopt: not known yet
-  bool saved_ = false;                              // what it has mapped last
+  std::optional<robot::MapChange> ended_;           // of the last mapping: Save, CancelMapping
   robot::Call looking_;
   QElapsedTimer noticed_;  // since was_mapping_
 };
