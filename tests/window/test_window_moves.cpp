@@ -174,6 +174,21 @@ QByteArray pngOf(int width, int height) {
 class TestWindowMoves : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void aSmallPictureIsSeenInALargeMap() {
+    QImage red(30, 20, QImage::Format_RGB32);
+    red.fill(Qt::red);
+    PlacePreview preview;
+    preview.resize(420, 240);
+    preview.setPicture(red);
+    preview.setPlace({0, 0, 15, 10});
+    preview.setPresent({-500, -500, 500, 500}, std::nullopt);
+    const QImage shown = preview.grab().toImage();
+    int seen = 0;
+    for (int x = 0; x < shown.width(); ++x)
+      seen += shown.pixelColor(x, shown.height() / 2) == QColor(Qt::red);
+    QVERIFY2(seen > shown.width() / 10, qPrintable(QString::number(seen)));
+  }
+
   void thePoseIsPlacedByHandSetAndReadBack() {
     Desk desk;
     desk.bench.action("robotPose")->trigger();
