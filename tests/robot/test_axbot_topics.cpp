@@ -94,6 +94,12 @@ class AxbotTopicsTest : public QObject {
     QCOMPARE(state.fail_reason, std::string("stuck"));
     QVERIFY(state.stuck_state.empty());
     QCOMPARE(state.targets, (std::vector<geometry::Pose2>{{4, 3, 1}}));
+    for (const char* none : {"none", "None", "None - None", "0"}) {
+      const auto well = read<map::PlanningState>(
+          "{\"topic\":\"/planning_state\",\"move_state\":\"moving\",\"fail_reason_str\":\"" +
+          std::string(none) + "\"}");
+      QVERIFY2(well.fail_reason.empty(), none);
+    }
   }
 
   void alertsKeepTheirTextAsItIs() {

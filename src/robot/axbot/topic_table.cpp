@@ -1,6 +1,7 @@
 #include "robot/axbot/topic_table.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -119,7 +120,13 @@ map::TopicMessage localPath(const Json& message) {
                                .points = wire::polyline(message, {"poses", "positions", "points"})};
 }
 
-std::string meaningful(std::string text) { return text == "none" || text == "0" ? std::string() : text; }
+/// Some write "none", others "None - None".
+std::string meaningful(std::string text) {
+  std::string lower = text;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return lower == "none" || lower == "none - none" || lower == "0" ? std::string() : text;
+}
 
 map::TopicMessage planningState(const Json& message) {
   map::PlanningState state;
