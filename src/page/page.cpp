@@ -46,7 +46,9 @@ svg text.strong{fill:var(--ink)}
 .columns{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(26rem,100%),1fr));gap:0 2rem}
 .columns>div{min-width:0}
 @media print{body{max-width:none;padding:0;font-size:10pt}h2,h3{break-after:avoid}
-figure,tr,.facts{break-inside:avoid}.wide{overflow:visible}}
+figure,tr,.facts{break-inside:avoid}.wide{overflow:visible}
+.columns{grid-template-columns:none;grid-auto-flow:column;grid-auto-columns:minmax(0,1fr);gap:0 1.2rem;font-size:.85em}
+table.facts th{min-width:0}th,td{padding-right:.6rem}}
 )";
 
 constexpr const char* kSwipe = R"(
