@@ -95,6 +95,9 @@ std::vector<Cell> qualityCells(const map::SlamStatus& slam) {
   return cells;
 }
 
+/// Before that a reason is one of an earlier task, or none.
+bool hasFailed(const map::LiveState& live) { return live.planning && live.planning->move_state == "failed"; }
+
 std::vector<Cell> plannerCells(const map::LiveState& live) {
   if (!live.planning) return {notSaid()};
   const map::PlanningState& planning = *live.planning;
@@ -103,8 +106,9 @@ std::vector<Cell> plannerCells(const map::LiveState& live) {
                      planning.move_state == "failed" ? Tone::Bad : Tone::Plain);
   if (!planning.action_type.empty())
     cells.emplace_back(ReportText::tr("action: %1").arg(named(planning.action_type)));
-  if (!planning.fail_reason.empty())
-    cells.emplace_back(ReportText::tr("reason, as the robot says it: %1").arg(named(planning.fail_reason)),
+  if (hasFailed(live) && !planning.fail_reason.empty())
+    cells.emplace_back(ReportText::tr("reason, as the robot says it: %1")
+                           .arg(named(sentences::failureWords(planning.fail_reason))),
                        Tone::Bad);
   if (!planning.stuck_state.empty())
     cells.emplace_back(ReportText::tr("stuck, as the robot says it: %1").arg(named(planning.stuck_state)),
@@ -345,8 +349,9 @@ QString nameOf(const OnTheWay& thing) {
 QStringList consistent(const Run& run) {
   QStringList all;
   const map::LiveState& live = run.live;
-  if (live.planning && !live.planning->fail_reason.empty())
-    all << ReportText::tr("The robot says itself why it failed: %1.").arg(named(live.planning->fail_reason));
+  if (hasFailed(live) && !live.planning->fail_reason.empty())
+    all << ReportText::tr("The robot says itself why it failed: %1.")
+               .arg(named(sentences::failureWords(live.planning->fail_reason)));
   for (const map::Alert& alert : live.alerts)
     all << ReportText::tr("The robot reports alert %1: %2")
                .arg(QString::number(alert.code),
@@ -363,8 +368,7 @@ QStringList consistent(const Run& run) {
                  .arg(*speed, 0, 'f', 2);
   }
   const std::vector<OnTheWay> things = thingsOnTheWay(run);
-  const bool wants =
-      live.planning && (live.planning->move_state == "moving" || live.planning->move_state == "failed");
+  const bool wants = hasFailed(live) || (live.planning && live.planning->move_state == "moving");
   if (stands && wants && !things.empty() && things.front().along_m <= kAheadM)
     all << ReportText::tr(
                "It stands still although it has a way to go, which is consistent with being held up at %1, "

@@ -164,6 +164,20 @@ class IncidentTest : public QObject {
     QCOMPARE(incident::notKnown(run).size(), 1);  // the topic that begins later
   }
 
+  /// A reason stands for itself only where a task has failed, in words where the code is known.
+  void aReasonIsToldInWordsOnceSomethingFailed() {
+    Run run = toldBy("14");
+    QVERIFY(htmlOf({run, {}, {}, false}).contains(QLatin1String("no way was found for too long (14)")));
+    run.live.planning->fail_reason = "EndingPointOutOfMap - the goal";
+    QVERIFY(
+        htmlOf({run, {}, {}, false})
+            .contains(QLatin1String("the target lies outside of the map (EndingPointOutOfMap - the goal)")));
+    run.live.planning->fail_reason = "odd";
+    QVERIFY(htmlOf({run, {}, {}, false}).contains(QLatin1String("reason, as the robot says it")));
+    run.live.planning->move_state = "moving";
+    QVERIFY(!htmlOf({run, {}, {}, false}).contains(QLatin1String("reason, as the robot says it")));
+  }
+
   /// Targets alone, as ROS robots tell them, are no state.
   void aPlannerThatTellsOnlyItsTargetIsNotIdle() {
     Run run;
