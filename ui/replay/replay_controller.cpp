@@ -139,7 +139,7 @@ void ReplayController::addActions() {
   });
   entry("replayExport", tr("E&xport a range…"), "export", "",
         tr("Write a part of the bag or the path of the robot to a file"), [this] { exportRange(); });
-  entry("replayReport", tr("&Report of this moment…"), "", "",
+  entry("replayReport", tr("Report of t&his moment…"), "", "",
         tr("Write what the robot believed at this time, with map and curves, as one HTML file"),
         [this] { reportMoment(); });
   menu_->addSeparator();
