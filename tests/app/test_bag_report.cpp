@@ -175,6 +175,23 @@ class BagReportTest : public QObject {
     QVERIFY(!QFile::exists(program_.path("no.html")));
   }
 
+  void whatIsLostOfADamagedFileIsTold() {
+    const QString path = recording("cut.mcap", {});
+    QFile file(path);
+    QVERIFY(file.resize(file.size() * 3 / 4));
+    const auto done =
+        report({path, QStringLiteral("--at"), at(10), QStringLiteral("-o"), QStringLiteral("cut.html")});
+    QVERIFY2(done.code == 1 && done.err.contains(QLatin1String("Its end is missing")), qPrintable(done.err));
+    QVERIFY(QString::fromUtf8(program_.bytes("cut.html")).contains(QLatin1String("Its end is missing")));
+    // Nothing is left of it.
+    QVERIFY(file.resize(100));
+    const auto empty =
+        report({path, QStringLiteral("--at"), at(10), QStringLiteral("-o"), QStringLiteral("empty.html")});
+    QVERIFY2(empty.code == 2 && empty.err.contains(QLatin1String("cut.mcap")) &&
+                 !empty.err.contains(QLatin1String("1970")),
+             qPrintable(empty.err));
+  }
+
   void anotherRunIsFoundAtTheSamePlace() {
     const QString file = recording("drive.mcap", {}), other = recording("other.mcap", {1.2, 60, true});
     // It passes x = 1 after 20 s, 20 cm beside.

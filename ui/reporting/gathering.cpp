@@ -112,6 +112,11 @@ bool Gathering::opened() {
   const robot::BagInfo& info = *replayed_->reading()->info();
   run_.info = info;
   if (!wanted_.at_s) return true;
+  if (info.messages == 0 && info.end_s <= 0) {
+    fail(GatheringText::tr("%1 holds no messages.").arg(words::plainName(wanted_.bag.name)),
+         map::FailureKind::Unsupported);
+    return false;
+  }
   const double rounded_s = replayed_->isLocal() ? 0.001 : kRoundedS;
   if (*wanted_.at_s < info.start_s - rounded_s || *wanted_.at_s > info.end_s + rounded_s) {
     fail(GatheringText::tr("%1: %2 UTC is not within it: it lasts from %3 to %4 UTC.")
