@@ -205,7 +205,6 @@ class Bench {
                      true});
     }
     if (auto* transfer = robot->mapTransfer()) {
-      all.push_back({"facts", [=, of = key](auto end) { return transfer->facts(of, tell(end)); }});
       all.push_back({"parts", [=, of = key](auto end) { return transfer->parts(of, tell(end)); }});
     }
     if (auto* maps = robot->mapAdministration()) {
