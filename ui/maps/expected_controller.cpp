@@ -64,7 +64,7 @@ ExpectedController::ExpectedController(WindowContext& context, QObject* parent)
                         .text = tr("Compare &with expected…"),
                         .tip = tr("Compare the map with an expected picture, where that was drawn"),
                         .needs_session = true,
-                        .menu = {MenuGroup::Copies, 40}},
+                        .menu = {MenuGroup::Exports, 20}},
                        this, &ExpectedController::askAndCompare);
 }
 
