@@ -98,6 +98,8 @@ OverlaysDock::OverlaysDock(OverlayEditing* editing, OverlayTool* tool, QWidget* 
   // What comes and goes below the tabs takes its room from them: nothing else moves under the hand.
   auto* const below = new QWidget(body_);
   below->setLayout(columnOf({{tabs_, 1}, conflict_box_, status_}, 0, QMargins()));
+  tabs_->setMinimumHeight(50);
+  below->setMinimumHeight(160);  // there is room for a conflict
   auto* const split = new QSplitter(Qt::Vertical, body_);
   split->addWidget(list);
   split->addWidget(below);
