@@ -297,12 +297,13 @@ class TestWindowOverlays : public QObject {
     desk.window->resize(1366, 768);
     QVERIFY(desk.action("layoutInspect")->isChecked());
     QTRY_VERIFY(desk.dock().isVisible() && !desk.dock().visibleRegion().isEmpty());
-    // The layout of the lower window has come to its end.
-    QTRY_VERIFY(desk.dock().mapTo(desk.window.get(), QPoint(0, desk.dock().height())).y() <= 768);
-    QCoreApplication::processEvents();
-    QVERIFY(desk.dock().table()->viewport()->height() / desk.dock().table()->rowHeight(0) >= 4);
+    QTRY_VERIFY(desk.dock().table()->viewport()->height() / desk.dock().table()->rowHeight(0) >= 4);
     const auto* const split = desk.dock().findChild<QSplitter*>();
     desk.drag(desk.px(2, 0), desk.px(2, 1));
+    // The layout has come to its end.
+    QList<int> last;
+    int same = 0;
+    QTRY_VERIFY((same = std::exchange(last, split->sizes()) == split->sizes() ? same + 1 : 0) >= 4);
     const QPoint table = desk.dock().table()->mapTo(desk.window.get(), QPoint());
     const QList<int> sizes = split->sizes();
     const QPoint button = desk.dock().reviewButton()->mapTo(desk.window.get(), QPoint());
