@@ -64,6 +64,13 @@ suite::Facts factsOf(const SnapshotRun& run) {
   const auto draws = [&](Layer layer) { return options.layers.contains(layer); };
   suite::Facts facts;
   facts.view = run.view();
+  facts.theme = options.dark ? "dark" : "light";
+  for (const Layer layer : scene::allLayers()) {
+    const bool is_drawn = layer == Layer::WholeMap  ? options.wantsWhole()
+                          : layer == Layer::Submaps ? options.wantsSubmaps() && !options.without_submaps
+                                                    : draws(layer);
+    if (is_drawn) facts.layers.push_back(scene::layerName(layer).toStdString());
+  }
   const bool whole = options.wantsWhole() && session.wholeMap().cells();
   if (whole) addMap(session, draws(Layer::Overlays), facts);
   if (options.wantsSubmaps()) addSubmaps(session, facts);

@@ -13,6 +13,17 @@ namespace {
 
 constexpr std::size_t kMostReportBytes = std::size_t(64) << 20;
 
+QJsonObject reportIn(const QString& path) {
+  const auto bytes = disk::readFile(path.toStdString(), kMostReportBytes);
+  return bytes ? QJsonDocument::fromJson(QByteArray::fromStdString(*bytes)).object() : QJsonObject();
+}
+
+QStringList reportsBeside(const QString& picture) {
+  const QFileInfo info(picture);
+  const QString suffix = QStringLiteral(".json");
+  return {info.path() + QLatin1Char('/') + info.completeBaseName() + suffix, picture + suffix};
+}
+
 double toThousandths(double metres) { return std::round(metres * 1000) / 1000; }
 
 }  // namespace
@@ -40,21 +51,22 @@ std::optional<geometry::ViewTransform> viewOf(const QJsonObject& report) {
   return useful ? std::optional(view) : std::nullopt;
 }
 
-std::optional<geometry::ViewTransform> viewIn(const QString& report) {
-  const auto bytes = disk::readFile(report.toStdString(), kMostReportBytes);
-  if (!bytes) return std::nullopt;
-  return viewOf(QJsonDocument::fromJson(QByteArray::fromStdString(*bytes)).object());
-}
+std::optional<geometry::ViewTransform> viewIn(const QString& report) { return viewOf(reportIn(report)); }
 
 std::optional<geometry::ViewTransform> viewBeside(const QString& picture, PictureSize size) {
-  const QFileInfo info(picture);
-  const QString suffix = QStringLiteral(".json");
-  for (const QString& name :
-       {info.path() + QLatin1Char('/') + info.completeBaseName() + suffix, picture + suffix}) {
+  for (const QString& name : reportsBeside(picture)) {
     const auto view = viewIn(name);
     if (view && view->width_px == size.width && view->height_px == size.height) return view;
   }
   return std::nullopt;
+}
+
+QJsonObject drawnBeside(const QString& picture) {
+  for (const QString& name : reportsBeside(picture)) {
+    const QJsonObject drawn = reportIn(name)[QLatin1String("drawn")].toObject();
+    if (!drawn.isEmpty()) return drawn;
+  }
+  return {};
 }
 
 geometry::WorldRect worldOf(const geometry::ViewTransform& view, const PixelBox& box) {

@@ -139,6 +139,12 @@ std::string overlaysText(const std::vector<map::OverlayFeature>& features) {
 QByteArray factsBytes(const Facts& facts) {
   QJsonObject json{{QStringLiteral("mapwright"), QStringLiteral("facts")}, {QStringLiteral("version"), 1}};
   if (facts.view) json[QStringLiteral("view")] = compare::jsonOf(*facts.view);
+  if (!facts.theme.empty()) {
+    QJsonArray layers;
+    for (const std::string& layer : facts.layers) layers << text(layer);
+    json[QStringLiteral("drawn")] =
+        QJsonObject{{QStringLiteral("theme"), text(facts.theme)}, {QStringLiteral("layers"), layers}};
+  }
   if (facts.map) json[QStringLiteral("map")] = mapJson(*facts.map);
   if (!facts.session.empty()) json[QStringLiteral("session")] = text(facts.session);
   QJsonArray submaps;
@@ -175,6 +181,10 @@ tl::expected<Facts, QString> factsFrom(const QByteArray& bytes) {
     return tl::make_unexpected(FactsText::tr("It does not hold the facts of a picture."));
   Facts facts;
   facts.view = compare::viewOf(json);
+  const QJsonObject drawn = json[QLatin1String("drawn")].toObject();
+  facts.theme = drawn[QLatin1String("theme")].toString().toStdString();
+  for (const QJsonValue& layer : drawn[QLatin1String("layers")].toArray())
+    facts.layers.push_back(layer.toString().toStdString());
   if (const QJsonValue map = json[QLatin1String("map")]; map.isObject()) facts.map = mapFrom(map.toObject());
   facts.session = json[QLatin1String("session")].toString().toStdString();
   for (const QJsonValue& value : json[QLatin1String("submaps")].toArray()) {

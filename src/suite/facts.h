@@ -41,6 +41,8 @@ struct Facts {
   std::string overlays;  // a FeatureCollection; empty = none are drawn
   std::vector<map::Waypoint> waypoints;
   std::optional<geometry::Pose2> robot;
+  std::string theme;                     // light or dark; empty = unknown
+  std::vector<std::string> layers;       // by name
   std::map<std::string, double> stamps;  // of the messages of a bag, by topic: seconds since the epoch
 };
 

@@ -40,6 +40,8 @@ Facts facts() {
   dock.yaw_rad = 1;
   facts.waypoints = {dock};
   facts.robot = geometry::Pose2{3, 4, 0};
+  facts.theme = "dark";
+  facts.layers = {"whole", "overlays"};
   facts.stamps = {{"/scan", 1700000000.25}};
   return facts;
 }

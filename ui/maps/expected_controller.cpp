@@ -51,6 +51,13 @@ struct ExpectedController::Drawing {
       scene.setLayerOpacity(layer, shown.layerOpacity(layer));
       scene.setLayerStyle(layer, shown.layerStyle(layer));
     }
+    const QJsonObject drawn = compare::drawnBeside(expected);
+    if (drawn.isEmpty()) return;
+    scene.setTheme(drawn[QLatin1String("theme")] == QLatin1String("dark") ? scene::darkMapTheme()
+                                                                          : scene::lightMapTheme());
+    const QJsonArray layers = drawn[QLatin1String("layers")].toArray();
+    for (const scene::Layer layer : scene::allLayers())
+      scene.setLayerVisible(layer, layers.contains(scene::layerName(layer)));
   }
 
   QString expected;

@@ -17,8 +17,8 @@ class ExpectedController : public Controller {
   explicit ExpectedController(WindowContext& context, QObject* parent = nullptr);
   ~ExpectedController() override;
 
-  /// Draws the map as on screen (layers, colours, theme) at the place and in the size of `picture`, a PNG
-  /// whose report lies beside it, and shows what differs.
+  /// Draws the map at the place and in the size of `picture`, a PNG whose report lies beside it, with the
+  /// theme and the layers that facts beside it name, or else as on screen; shows what differs.
   void compareWith(const QString& picture);
   QDialog* dialog() const { return dialog_; }  // null: nothing is shown
 
