@@ -1,10 +1,12 @@
 // Ten thousand overlays in the window: reading and opening them, dragging a thousand, snapping among them,
 // one edit, and what others changed. The baseline of the drag is copying what is drawn.
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <QApplication>
+#include <QGraphicsView>
 #include <QImage>
 #include <QPainter>
 #include <benchmark/benchmark.h>
@@ -125,6 +127,40 @@ void overlaysDragPaint(benchmark::State& state) {
   }
 }
 BENCHMARK(overlaysDragPaint)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
+/// A whole frame of a drag of 1,000, all in view.
+void overlaysDragFrame(benchmark::State& state) {
+  OverlayDesk desk;
+  desk.editing.open(*OverlayDocument::read(overlaysText(int(state.range(0)))));
+  desk.editing.select(desk.some(1'000));
+  QGraphicsView view(&desk.scene);
+  view.setFrameShape(QFrame::NoFrame);
+  view.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  view.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  view.resize(1366, 740);
+  view.show();
+  geometry::ViewTransform camera;
+  camera.width_px = 1366;
+  camera.height_px = 740;
+  const geometry::WorldRect all = desk.scene.contentBounds();
+  camera.center_m = {(all.min_x + all.max_x) / 2, (all.min_y + all.max_y) / 2};
+  camera.scale_m_per_px = std::max((all.max_x - all.min_x) / 1366, (all.max_y - all.min_y) / 740);
+  desk.scene.setView(camera);
+  QImage screen(1366, 740, QImage::Format_ARGB32_Premultiplied);
+  double x = 0;
+  for (auto _ : state) {
+    window::OverlayEditing::Preview preview;
+    x += 0.01;
+    for (const FeatureKey key : desk.editing.selected())
+      preview.emplace(key, overlays::movedBy(*desk.editing.document().find(key), {x, 0}));
+    desk.editing.setPreview(std::move(preview));
+    QApplication::processEvents();
+    view.viewport()->repaint();
+    QPainter painter(&screen);
+    desk.tool.paint(painter);
+  }
+}
+BENCHMARK(overlaysDragFrame)->Arg(10'000)->Unit(benchmark::kMillisecond);
 
 /// The end of a drag: one step, with list, form and map anew.
 void overlaysEdit(benchmark::State& state) {

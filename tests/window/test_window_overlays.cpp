@@ -4,6 +4,9 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
@@ -289,6 +292,48 @@ class TestWindowOverlays : public QObject {
     const std::string at_first = "[[0.00,0],[4,0]]";
     wanted.replace(wanted.find(at_first), at_first.size(), desk.coordinates(0));
     QCOMPARE(desk.held(), wanted);
+  }
+
+  /// The map draws all the others from the picture that it keeps.
+  void manyInTheHandLeaveTheirPlacesAndComeBack() {
+    Desk desk;
+    QJsonArray walls;
+    for (int i = 0; i < 120; ++i) {
+      const double x = i % 12 * 0.5 - 2, y = i / 12 * 0.2 - 1;
+      walls << QJsonObject{
+          {QStringLiteral("type"), QStringLiteral("Feature")},
+          {QStringLiteral("id"), QStringLiteral("w%1").arg(i)},
+          {QStringLiteral("properties"), QJsonObject{{QStringLiteral("lineType"), QStringLiteral("2")}}},
+          {QStringLiteral("geometry"), QJsonObject{{QStringLiteral("type"), QStringLiteral("LineString")},
+                                                   {QStringLiteral("coordinates"),
+                                                    QJsonArray{QJsonArray{x, y}, QJsonArray{x + 0.3, y}}}}}};
+    }
+    const QJsonObject all{{QStringLiteral("type"), QStringLiteral("FeatureCollection")},
+                          {QStringLiteral("features"), walls}};
+    QVERIFY(desk.hand(QJsonDocument(all).toJson().toStdString()));
+    desk.start();
+    desk.key(Qt::Key_E);
+    QTRY_COMPARE(desk.document().size(), std::size_t(120));
+    QCoreApplication::processEvents();
+    desk.look();
+    desk.key(Qt::Key_A, Qt::ControlModifier);
+    QTRY_COMPARE(desk.editing().selected().size(), std::size_t(120));
+    const QPoint old_place = desk.px(-1.85, -1), new_place = desk.px(-1.85, 2);
+    const auto pixel = [&desk](const QPoint& at) { return desk.map()->grab().toImage().pixel(at); };
+    const QRgb wall = pixel(old_place), ground = pixel(new_place);
+    QVERIFY(wall != ground);
+    QTest::mousePress(desk.map(), Qt::LeftButton, {}, old_place);
+    desk.moveTo((old_place + new_place) / 2);
+    desk.moveTo(new_place);
+    QTRY_VERIFY(pixel(old_place) != wall && pixel(new_place) != ground);
+    desk.key(Qt::Key_Escape);
+    QTRY_COMPARE(pixel(old_place), wall);
+    QTest::mouseRelease(desk.map(), Qt::LeftButton, {}, new_place);
+    QCOMPARE(desk.editing().undoStack().count(), 0);
+    desk.drag(old_place, new_place);
+    QCOMPARE(desk.editing().undoStack().count(), 1);
+    QTRY_VERIFY(pixel(old_place) != wall && pixel(new_place) != ground);
+    QVERIFY(std::abs(desk.points(0)[0].y() - 2) < 0.02);
   }
 
   void whatComesAndGoesMovesNothingUnderTheHand() {

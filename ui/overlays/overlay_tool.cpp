@@ -7,6 +7,7 @@
 
 #include <QLocale>
 #include <QPainter>
+#include <QPixmap>
 
 #include "geometry/pose.h"
 #include "overlays/overlay_arrange.h"
@@ -634,6 +635,7 @@ void OverlayTool::paintSelected(QPainter& painter) const {
   std::set<FeatureKey> keys = editing_->selected();
   if (hovered_ && !drawing()) keys.insert(*hovered_);
   painter.setBrush(Qt::NoBrush);
+  if (keys.size() > kMostDrawnInHand) return paintMany(painter, keys);
   for (const FeatureKey key : keys) {
     const Feature* const feature = editing_->find(key);
     if (!feature) continue;
@@ -657,6 +659,43 @@ void OverlayTool::paintSelected(QPainter& painter) const {
       }
     }
   }
+}
+
+/// Plainer, and fast: each mark of a point is a copy of one picture.
+void OverlayTool::paintMany(QPainter& painter, const std::set<FeatureKey>& keys) const {
+  constexpr double kMarkPx = 26;
+  const QColor accent = scene_->theme().accent;
+  const double ratio = painter.device()->devicePixelRatioF();
+  QPixmap mark(int(std::ceil(kMarkPx * ratio)), int(std::ceil(kMarkPx * ratio)));
+  mark.setDevicePixelRatio(ratio);
+  mark.fill(Qt::transparent);
+  QPainter on_mark(&mark);
+  on_mark.setRenderHint(QPainter::Antialiasing);
+  on_mark.setPen(QPen(accent, 2.5));
+  on_mark.drawEllipse(QPointF(kMarkPx / 2, kMarkPx / 2), 11, 11);
+  on_mark.end();
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setPen(QPen(accent, 2));
+  const QRectF seen = QRectF(painter.viewport()).adjusted(-kMarkPx, -kMarkPx, kMarkPx, kMarkPx);
+  for (const FeatureKey key : keys) {
+    const auto* const parts = on_map_->partsOf(key);
+    for (const map::OverlayFeature& part : parts ? *parts : std::vector<map::OverlayFeature>()) {
+      for (const auto& ring : part.parts) {
+        if (ring.empty()) continue;
+        if (part.shape == map::OverlayShape::Point) {
+          const QPointF at = px(ring[0]);
+          if (seen.contains(at)) painter.drawPixmap(at - QPointF(kMarkPx / 2, kMarkPx / 2), mark);
+          continue;
+        }
+        std::vector<Vector2d> points = ring;
+        if (part.shape == map::OverlayShape::Polygon) points.push_back(points.front());
+        for (const QPolygonF& line : scene::visibleLines(scene_->view(), points, 8))
+          painter.drawPolyline(line);
+      }
+    }
+  }
+  painter.restore();
 }
 
 void OverlayTool::paintTheirs(QPainter& painter) const {

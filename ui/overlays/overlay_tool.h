@@ -101,6 +101,7 @@ class OverlayTool : public MapTool {
   std::vector<Eigen::Vector2d> rectangle() const;
   void removeVertex();
   void paintSelected(QPainter& painter) const;
+  void paintMany(QPainter& painter, const std::set<FeatureKey>& keys) const;
   /// Where they moved what I moved, too.
   void paintTheirs(QPainter& painter) const;
   void paintVertices(QPainter& painter) const;

@@ -52,15 +52,36 @@ void OverlaysOnMap::draw() {
     }
   }
   for (const auto& [key, feature] : editing_->preview()) of_preview_.insert(key);
+  lifted_ = false;
+  scene_->setOverlays(all_);
+}
+
+void OverlaysOnMap::drawLifted() {
+  std::set<FeatureKey> keys;
+  for (const auto& [key, feature] : editing_->preview()) keys.insert(keys.end(), key);
+  for (const FeatureKey key : keys) {
+    if (!take(key)) return draw();
+  }
+  if (lifted_ && keys == of_preview_) return;
+  if (!of_preview_.empty()) return draw();
+  of_preview_ = std::move(keys);
+  lifted_ = true;
+  for (const FeatureKey key : of_preview_) {
+    for (std::size_t part = 0; part < drawn_[key].parts.size(); ++part)
+      all_.features[drawn_[key].first + part].parts.clear();
+  }
   scene_->setOverlays(all_);
 }
 
 void OverlaysOnMap::drawPreview() {
+  const bool open = editing_->isOpen() && drawn_.size() == editing_->document().size();
+  if (open && editing_->preview().size() > kMostDrawnInHand) return drawLifted();
+  if (lifted_) return draw();
   // What is in the hand, and what was; all else stays as it is.
   std::set<FeatureKey> keys = std::exchange(of_preview_, {});
   for (const auto& [key, feature] : editing_->preview()) of_preview_.insert(of_preview_.end(), key);
   keys.insert(of_preview_.begin(), of_preview_.end());
-  if (!editing_->isOpen() || drawn_.size() != editing_->document().size()) return draw();
+  if (!open) return draw();
   for (const FeatureKey key : keys) {
     if (!take(key)) return draw();
     std::copy(drawn_[key].parts.begin(), drawn_[key].parts.end(),

@@ -14,6 +14,9 @@
 
 namespace mapwright::window {
 
+/// While more of them are moved at once, the scene draws only the others, and the tool marks these.
+inline constexpr std::size_t kMostDrawnInHand = 100;
+
 class OverlaysOnMap : public QObject {
   Q_OBJECT
  public:
@@ -42,6 +45,7 @@ class OverlaysOnMap : public QObject {
   /// False: it has another number of parts now.
   bool take(FeatureKey key);
   void drawPreview();
+  void drawLifted();
 
   OverlayEditing* editing_;
   scene::MapScene* scene_;
@@ -51,6 +55,7 @@ class OverlaysOnMap : public QObject {
   std::vector<FeatureKey> keys_;          // of what the scene has
   scene::DrawnOverlays all_;              // what it has
   std::set<FeatureKey> of_preview_ = {};  // that are drawn as they would be
+  bool lifted_ = false;                   // the scene has none of them: there are too many to draw all anew
 };
 
 }  // namespace mapwright::window
