@@ -90,6 +90,35 @@ QString featureChange(const overlays::OverlayChange& change, const Feature& befo
   return parts.join(QStringLiteral("; "));
 }
 
+/// The same as what happened.
+QString whatHappened(const overlays::OverlayChange& change, const Feature& before, const Feature& after) {
+  const QString called = calledForSure(before);
+  QStringList parts;
+  for (const overlays::PartChange& each : change.parts) {
+    const Part& part = each.part;
+    const bool of_feature = part.of == Part::Of::Property;
+    const QString was = valueText(part, each.before), is = valueText(part, each.after);
+    if (part.of == Part::Of::Member && part.name == "geometry") {
+      const auto by_m = movedBy(before, after);
+      parts << (by_m ? OverlayText::tr("%1 moved by %2 m").arg(called, words::fixed(*by_m, 2))
+                     : OverlayText::tr("%1 has another shape").arg(called));
+    } else if (of_feature && part.name == "name") {
+      parts << OverlayText::tr("%1 is called %2 now").arg(called, overlayName(after));
+    } else if (of_feature && part.name == overlays::typeProperty(after.shape())) {
+      parts << OverlayText::tr("%1 became a %2").arg(called, overlayKind(after).toLower());
+    } else if (of_feature && part.name == "yaw" && each.before && each.after) {
+      parts << OverlayText::tr("%1 turned from %2 to %3").arg(called, was, is);
+    } else if (each.after && !each.before) {
+      parts << OverlayText::tr("%1 of %2 is %3 now").arg(partName(part), called, is);
+    } else if (each.after) {
+      parts << OverlayText::tr("%1 of %2 went from %3 to %4").arg(partName(part), called, was, is);
+    } else {
+      parts << OverlayText::tr("%1 of %2 is gone (was %3)").arg(partName(part), called, was);
+    }
+  }
+  return parts.join(QStringLiteral("; "));
+}
+
 }  // namespace
 
 QString overlayKind(const Feature& feature) {
@@ -139,6 +168,20 @@ QString changeText(const overlays::OverlayChange& change, const overlays::Overla
   if (was && is) return featureChange(change, *was, *is);
   if (is) return OverlayText::tr("Add %1").arg(calledForSure(*is));
   return was ? OverlayText::tr("Delete %1").arg(calledForSure(*was)) : QString();
+}
+
+QString happenedText(const overlays::OverlayChange& change, const overlays::OverlayDocument& before,
+                     const overlays::OverlayDocument& after) {
+  if (change.collection) {
+    QStringList names;
+    for (const auto& part : change.parts) names << partName(part.part);
+    return OverlayText::tr("defaults of the map changed: %1").arg(names.join(QStringLiteral(", ")));
+  }
+  const Feature* const was = change.from ? &before.features()[*change.from] : nullptr;
+  const Feature* const is = change.to ? &after.features()[*change.to] : nullptr;
+  if (was && is) return whatHappened(change, *was, *is);
+  if (is) return OverlayText::tr("%1 is new").arg(calledForSure(*is));
+  return was ? OverlayText::tr("%1 is gone").arg(calledForSure(*was)) : QString();
 }
 
 QString partName(const Part& part) {

@@ -24,6 +24,9 @@ QString overlayChangesText(qsizetype count);
 /// two.
 QString changeText(const overlays::OverlayChange& change, const overlays::OverlayDocument& before,
                    const overlays::OverlayDocument& after);
+/// The same as what happened: "virtual wall W17 moved by 0.40 m".
+QString happenedText(const overlays::OverlayChange& change, const overlays::OverlayDocument& before,
+                     const overlays::OverlayDocument& after);
 /// "place", "name", "heading", "type", or the name of a property.
 QString partName(const overlays::Part& part);
 /// JSON as one short line of plain text; "deleted" or "none" where there is nothing.

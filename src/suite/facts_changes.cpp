@@ -8,7 +8,6 @@
 
 #include "compare/comparison_sentence.h"
 #include "compare/picture_view.h"
-#include "exchange/waypoint_deed.h"
 #include "overlays/overlay_merge.h"
 #include "overlays/overlay_shapes.h"
 #include "sentences/overlay_sentence.h"
@@ -28,12 +27,6 @@ constexpr double kDrawnAroundPx = 16, kRobotM = 0.5;
 constexpr qsizetype kMostNamed = 4;
 
 QString metres(double value) { return QLocale::c().toString(value, 'f', 2); }
-
-/// A sentence as a part of another one.
-QString beginningSmall(QString words) {
-  if (!words.isEmpty()) words[0] = words[0].toLower();
-  return words;
-}
 
 QString firstOf(const QStringList& changes, const QString& separator) {
   const QString named = changes.mid(0, kMostNamed).join(separator);
@@ -132,11 +125,29 @@ void compareOverlays(const Facts& before, const Facts& after, std::vector<FactCh
     return bounds;
   };
   for (const overlays::OverlayChange& change : overlays::changesBetween(*was, *is)) {
-    FactChange made{beginningSmall(sentences::changeText(change, *was, *is)), {}};
+    FactChange made{sentences::happenedText(change, *was, *is), {}};
     if (change.from) made.where.push_back(box(was->features()[*change.from]));
     if (change.to) made.where.push_back(box(is->features()[*change.to]));
     changes.push_back(std::move(made));
   }
+}
+
+QString nameOf(const map::Waypoint& point) {
+  return words::plainName(point.name.empty() ? point.id : point.name).left(60);
+}
+
+QString becameText(const map::Waypoint& was, const map::Waypoint& is) {
+  QStringList parts;
+  if (was.name != is.name) parts << FactsChangesText::tr("is called %1 now").arg(nameOf(is));
+  const QString moved = movedText({was.position_m.x(), was.position_m.y(), was.yaw_rad.value_or(0)},
+                                  {is.position_m.x(), is.position_m.y(), is.yaw_rad.value_or(0)});
+  if (!moved.isEmpty()) parts << moved;
+  if (was.yaw_rad.has_value() != is.yaw_rad.has_value())
+    parts << (is.yaw_rad ? FactsChangesText::tr("has a heading now")
+                         : FactsChangesText::tr("has no heading any more"));
+  if (was.tags != is.tags) parts << FactsChangesText::tr("has other tags");
+  if (was.type != is.type) parts << FactsChangesText::tr("is of another kind");
+  return parts.join(FactsChangesText::tr(" and "));
 }
 
 void compareWaypoints(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
@@ -153,19 +164,21 @@ void compareWaypoints(const Facts& before, const Facts& after, std::vector<FactC
     std::size_t at = 0;
     while (at < after.waypoints.size() && (met[at] || !same(was, after.waypoints[at]))) ++at;
     if (at == after.waypoints.size()) {
-      changes.push_back({beginningSmall(exchange::deedText(was, std::nullopt)), {pointBox(was.position_m)}});
+      changes.push_back(
+          {FactsChangesText::tr("waypoint %1 is gone").arg(nameOf(was)), {pointBox(was.position_m)}});
       continue;
     }
     met[at] = true;
     const map::Waypoint& is = after.waypoints[at];
     if (!alike(was, is))
-      changes.push_back(
-          {beginningSmall(exchange::deedText(was, is)), {pointBox(was.position_m), pointBox(is.position_m)}});
+      changes.push_back({FactsChangesText::tr("waypoint %1 %2").arg(nameOf(was), becameText(was, is)),
+                         {pointBox(was.position_m), pointBox(is.position_m)}});
   }
   for (std::size_t at = 0; at < after.waypoints.size(); ++at) {
     const map::Waypoint& is = after.waypoints[at];
     if (!met[at])
-      changes.push_back({beginningSmall(exchange::deedText(std::nullopt, is)), {pointBox(is.position_m)}});
+      changes.push_back(
+          {FactsChangesText::tr("waypoint %1 is new").arg(nameOf(is)), {pointBox(is.position_m)}});
   }
 }
 

@@ -106,11 +106,11 @@ class SuiteCommandTest : public QObject {
     const auto found = failures();
     QCOMPARE(found.size(), 2);
     const QString why = found[QStringLiteral("wall W17")];
-    QVERIFY2(why.contains(QStringLiteral("move virtual wall W17 by 0.40 m")), qPrintable(why));
+    QVERIFY2(why.contains(QStringLiteral("virtual wall W17 moved by 0.40 m")), qPrintable(why));
     QVERIFY2(why.contains(QStringLiteral(" m² at (")), qPrintable(why));
     QVERIFY(!why.contains(QStringLiteral("Elsewhere")));
     QVERIFY(QFile::exists(program_->path("report/difference/wall W17.png")));
-    QVERIFY(program_->bytes("report/report.html").contains("move virtual wall W17 by 0.40 m"));
+    QVERIFY(program_->bytes("report/report.html").contains("virtual wall W17 moved by 0.40 m"));
   }
 
   void cellsThatChangedAreNamed() {

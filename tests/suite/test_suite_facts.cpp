@@ -93,14 +93,15 @@ class SuiteFactsTest : public QObject {
     after.map->cells = "def";
     after.robot->yaw_rad = 1;
     after.stamps["/scan"] = 1700000001;
-    QCOMPARE(wordsOf(facts(), after),
-             (QStringList{QStringLiteral("map Office went from version 3 to 5"),
-                          QStringLiteral("the cells of map Office changed"),
-                          QStringLiteral("move virtual wall W17 by 0.40 m"),
-                          QStringLiteral("move Dock by 0.50 m"), QStringLiteral("submap 0-1 moved by 0.25 m"),
-                          QStringLiteral("submap 12-3 went from version 7 to 9"),
-                          QStringLiteral("submap 0-2 is new"), QStringLiteral("the robot turned by 57.3°"),
-                          QStringLiteral("messages of other times: /scan")}));
+    QCOMPARE(
+        wordsOf(facts(), after),
+        (QStringList{
+            QStringLiteral("map Office went from version 3 to 5"),
+            QStringLiteral("the cells of map Office changed"),
+            QStringLiteral("virtual wall W17 moved by 0.40 m"),
+            QStringLiteral("waypoint Dock moved by 0.50 m"), QStringLiteral("submap 0-1 moved by 0.25 m"),
+            QStringLiteral("submap 12-3 went from version 7 to 9"), QStringLiteral("submap 0-2 is new"),
+            QStringLiteral("the robot turned by 57.3°"), QStringLiteral("messages of other times: /scan")}));
     QVERIFY(wordsOf(after, facts()).contains(QStringLiteral("submap 0-2 is gone")));
   }
 
@@ -112,13 +113,13 @@ class SuiteFactsTest : public QObject {
     // Around (12.4, -3.1), and far from everything.
     const compare::Comparison made = differingAt({{638, 357, 20, 10}, {10, 590, 5, 5}});
     const suite::Explanation why = suite::explained(made, *after.view, suite::changesBetween(facts(), after));
-    QCOMPARE(why.near[0], (QStringList{QStringLiteral("move virtual wall W17 by 0.40 m"),
+    QCOMPARE(why.near[0], (QStringList{QStringLiteral("virtual wall W17 moved by 0.40 m"),
                                        QStringLiteral("submap 12-3 went from version 7 to 9")}));
     QCOMPARE(why.near[1], QStringList());
     QCOMPARE(why.elsewhere, QStringList{QStringLiteral("submap 0-1 went from version 1 to 2")});
     QCOMPARE(suite::explanationText(made, *after.view, why),
              QStringLiteral(
-                 "2 clusters, the largest 0.50 m² at (12.4, -3.1): move virtual wall W17 by 0.40 m; submap "
+                 "2 clusters, the largest 0.50 m² at (12.4, -3.1): virtual wall W17 moved by 0.40 m; submap "
                  "12-3 went from version 7 to 9. Elsewhere: submap 0-1 went from version 1 to 2."));
   }
   void thatNothingChangedIsSaid() {
