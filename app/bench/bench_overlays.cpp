@@ -142,7 +142,7 @@ void overlaysDragFrame(benchmark::State& state) {
   geometry::ViewTransform camera;
   camera.width_px = 1366;
   camera.height_px = 740;
-  const geometry::WorldRect all = desk.scene.contentBounds();
+  const geometry::WorldRect all = desk.on_map.boundsOf(desk.some(std::size_t(state.range(0))));
   camera.center_m = {(all.min_x + all.max_x) / 2, (all.min_y + all.max_y) / 2};
   camera.scale_m_per_px = std::max((all.max_x - all.min_x) / 1366, (all.max_y - all.min_y) / 740);
   desk.scene.setView(camera);
