@@ -294,6 +294,32 @@ class TestWindowOverlays : public QObject {
     QCOMPARE(desk.held(), wanted);
   }
 
+  void whatOthersChangeWhileItIsReviewedIsNotReplaced() {
+    Desk desk;
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    desk.review();
+    const std::string theirs = Desk::with("[[0.00,0],[4,0]]", "[[0.00,3],[4,3]]");
+    QVERIFY(desk.hand(theirs));
+    QTRY_VERIFY(!desk.control().review());  // what it listed is not what would be sent
+    QTRY_VERIFY(!desk.dock().conflictShown().isEmpty());
+    QCOMPARE(desk.held(), theirs);
+  }
+
+  void whatOthersChangeElsewhereStaysWhileItIsReviewed() {
+    Desk desk;
+    desk.open();
+    desk.drag(desk.px(2, 0), desk.px(2, 1));
+    desk.review();
+    QVERIFY(desk.hand(Desk::with("\"speed\":0.40", "\"speed\":0.9")));
+    QTRY_COMPARE(desk.stateOf(1), QStringLiteral("changed on the robot"));
+    QTRY_VERIFY(desk.control().review());
+    QTest::mouseClick(desk.control().review()->saveButton(), Qt::LeftButton);
+    QTRY_VERIFY(!desk.control().busy() && !desk.control().review());
+    QVERIFY(desk.held().find("\"speed\":0.9") != std::string::npos);
+    QVERIFY(desk.held().find("[[0.00,0],[4,0]]") == std::string::npos);
+  }
+
   /// The map draws all the others from the picture that it keeps.
   void manyInTheHandLeaveTheirPlacesAndComeBack() {
     Desk desk;

@@ -541,6 +541,13 @@ void OverlayTool::removeVertex() {
   editing_->set(key, *less, editing_->saying(tr("reshape %1")));
 }
 
+bool OverlayTool::claims(const MapKeyPress& press) const {
+  if (!editing_->isOpen() || !(press.modifiers & Qt::ControlModifier)) return false;
+  if (press.key == Qt::Key_V) return !(press.modifiers & Qt::AltModifier);
+  return press.modifiers == Qt::ControlModifier &&
+         (press.key == Qt::Key_A || press.key == Qt::Key_C || press.key == Qt::Key_X);
+}
+
 bool OverlayTool::keyPressed(const MapKeyPress& press) {
   if (press.modifiers & Qt::ControlModifier) {
     const bool shift = press.modifiers & Qt::ShiftModifier;

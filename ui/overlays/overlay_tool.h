@@ -56,6 +56,7 @@ class OverlayTool : public MapTool {
   void hovered(const MapPoint& at) override;
   void left() override;
   bool doubleClicked(const MapPoint& at) override;
+  bool claims(const MapKeyPress& press) const override;
   bool keyPressed(const MapKeyPress& press) override;
   void paint(QPainter& painter) override;
   QString hint() const override;

@@ -298,6 +298,7 @@ void OverlaysController::takeRead(robot::Outcome<robot::OverlayText> outcome) {
     if (ofFile()) context_.panels.open(dock_);
     context_.undo.setActiveStack(&editing_.undoStack());
   }
+  if (review_) reviewAnew();
   if (std::exchange(doubt_, false))
     unsaved() ? notSaved(tr("The overlays were not saved: the robot does not hold them.")) : tellHeld();
   refresh();
@@ -382,13 +383,17 @@ void OverlaysController::look() {
   });
 }
 
-void OverlaysController::showReview() {
+QStringList OverlaysController::changesToSave() const {
   const OverlayDocument &before = editing_.document().base(), after = editing_.document().mine();
   QStringList changes;
   for (const overlays::OverlayChange& change : overlays::changesBetween(before, after))
     changes << changeText(change, before, after);
+  return changes;
+}
+
+void OverlaysController::showReview() {
   review_ = new OverlayReview(
-      mapName(), session_->robot().isLocal() ? QString() : context_.current.called(), changes,
+      mapName(), session_->robot().isLocal() ? QString() : context_.current.called(), changesToSave(),
       dock_->hasUnsavedFlaws() ? tr("Some of these have flaws: see the panel Overlays.") : QString(),
       &context_.window);
   connect(review_, &QDialog::finished, this, [this, opened = opened_](int result) {
@@ -400,7 +405,18 @@ void OverlaysController::showReview() {
   review_->open();
 }
 
+void OverlaysController::reviewAnew() {
+  const bool conflicts = !editing_.document().conflicts().empty();
+  if (!conflicts && unsaved() && changesToSave() == review_->changesShown()) return;
+  const auto then = std::exchange(when_saved_, nullptr);
+  review_->reject();
+  if (conflicts) return askToDecide();
+  when_saved_ = then;
+  if (unsaved()) showReview();
+}
+
 void OverlaysController::send() {
+  if (!editing_.document().conflicts().empty()) return askToDecide();
   robot::OverlayStore* const store = session_ ? session_->robot().overlayStore() : nullptr;
   if (!store) return notSaved(tr("The overlays were not saved. %1").arg(whyNot()));
   setBusy(true);

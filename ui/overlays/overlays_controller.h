@@ -105,6 +105,9 @@ class OverlaysController : public Controller {
   void notSaved(const QString& sentence);
   QString decideText() const;
   void askToDecide();
+  /// The review that is open shows what would be sent now, or is closed.
+  void reviewAnew();
+  QStringList changesToSave() const;
   void takeChange();
   void check();
   /// The whole map that the overlays lie on is on screen, and read.
