@@ -447,6 +447,12 @@ CommandResult<int> mapsChange(RobotCommand& command, const MapsArguments& args, 
   robot::MapOrder order{.change = change};
   if (isOfOneMap(change)) order.key = map::mapKeyFromText(args.id);
   if (names(change)) order.name = args.label;
+  if (!args.place.empty()) {
+    const robot::MapAdministration* const maps = (*robot)->session().robot().mapAdministration();
+    if (maps && !maps->loadAsksForPlace())
+      return (*robot)->failure(kUsage,
+                               Text::tr("--waypoint: this robot is not told where it stands. Leave it out."));
+  }
   if (change == MapChange::Load) order.place = args.place;
   if (names(change) && (*robot)->session().catalogue().offered()) {
     const auto maps = (*robot)->catalogue();

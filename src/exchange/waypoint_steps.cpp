@@ -27,7 +27,7 @@ using words::text;
 
 bool isNear(const map::Waypoint& wanted, const map::Waypoint& kept, double pixel_m) {
   const double off_m = (wanted.position_m - kept.position_m).cwiseAbs().maxCoeff();
-  if (!map::samePlace(wanted.position_m, kept.position_m) && !(off_m <= pixel_m)) return false;
+  if (!map::samePlace(wanted.position_m, kept.position_m) && !(off_m <= 1.01 * pixel_m)) return false;
   // Some robots give everything a heading.
   if (!kept.yaw_rad) return !wanted.yaw_rad;
   return map::sameHeading(wanted.yaw_rad.value_or(0), *kept.yaw_rad);

@@ -56,6 +56,8 @@ class MapTool : public QObject {
   virtual bool doubleClicked(const MapPoint& /*at*/) { return false; }
   /// True when the tool took the key.
   virtual bool keyPressed(const MapKeyPress& /*press*/) { return false; }
+  /// True if the tool takes this key before the menus do.
+  virtual bool claims(const MapKeyPress& /*press*/) const { return false; }
   /// Paints over the map, in viewport pixels; triggered by changed().
   virtual void paint(QPainter& /*painter*/) {}
   /// One line about the state of the tool and the possible actions; empty = none.

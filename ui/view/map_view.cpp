@@ -350,6 +350,10 @@ geometry::ViewTransform CameraMotion::at(double t) const {
 bool MapView::event(QEvent* event) {
   if (event->type() == QEvent::NativeGesture && nativeGesture(static_cast<QNativeGestureEvent*>(event)))
     return true;
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* const key = static_cast<QKeyEvent*>(event);
+    if (tool_->claims({key->key(), key->modifiers(), key->isAutoRepeat()})) return event->accept(), true;
+  }
   return QGraphicsView::event(event);
 }
 

@@ -109,8 +109,11 @@ void MapChanges::send(const ChangePtr& change) {
       std::string("aimdk.protocol.MappingService/") + callOf(change->order.change)->method;
   link_.post(change->task, method.c_str(), change->request(), [this, change](const net::HttpAnswer& answer) {
     change->doubt = notAccepted(answer, change->subject());
-    if (change->doubt && isFinal(*change->doubt)) return change->fail(std::move(*change->doubt));
-    change->until = steady_clock::now() + times_.confirm;
+    const bool is_final = change->doubt && isFinal(*change->doubt);
+    if (is_final && change->doubt->kind != map::FailureKind::RejectedByRobot)
+      return change->fail(std::move(*change->doubt));
+    // What was refused is looked at once: some do it all the same.
+    change->until = is_final ? steady_clock::now() : steady_clock::now() + times_.confirm;
     look(change);
   });
 }

@@ -26,8 +26,8 @@ const map::Waypoint* pointIn(const map::WaypointList& list, const std::string& i
   return found == list.points.end() ? nullptr : &*found;
 }
 
-bool turned(const std::optional<double>& a_rad, const std::optional<double>& b_rad) {
-  return std::abs(geometry::normalizeAngle(a_rad.value_or(0) - b_rad.value_or(0))) > kKeptTurnRad;
+double turnBetween(const std::optional<double>& a_rad, const std::optional<double>& b_rad) {
+  return std::abs(geometry::normalizeAngle(a_rad.value_or(0) - b_rad.value_or(0)));
 }
 
 /// It cannot be asked for; nothing was sent.
@@ -59,6 +59,13 @@ struct PointChanges::Change {
   }
   double farOff(const map::Waypoint& kept) const {
     return (kept.position_m - what.after->position_m).cwiseAbs().maxCoeff();
+  }
+  bool isTurnedSo(const map::Waypoint& kept) const {
+    const double off_rad = turnBetween(kept.yaw_rad, what.after->yaw_rad);
+    if (!what.before || map::sameHeading(what.before->yaw_rad, what.after->yaw_rad))
+      return off_rad <= kKeptTurnRad;
+    // A small turn that was ignored is no rounding.
+    return off_rad <= kKeptTurnRad && off_rad < turnBetween(what.before->yaw_rad, what.after->yaw_rad);
   }
   /// Rounded to the pixel, or to the next one.
   bool isNear(const map::Waypoint& kept) const { return farOff(kept) <= 1.01 * pixel_m; }
@@ -124,7 +131,7 @@ Outcome<QByteArray> PointChanges::requestFor(Change& change, const Topology& now
     wanted.source = kept->source;
   }
   const bool moves = !kept || !map::samePlace(kept->position_m, wanted.position_m);
-  const bool turns = !kept || turned(kept->yaw_rad, wanted.yaw_rad);
+  const bool turns = !kept || !map::sameHeading(kept->yaw_rad, wanted.yaw_rad);
   if (moves || turns) {
     // On a running site it would otherwise land at the wrong place.
     if (!frame || !now.scale.certain) return fail(notAsked(change.subject(), fault::PointScaleUntold));
@@ -143,9 +150,12 @@ Outcome<QByteArray> PointChanges::requestFor(Change& change, const Topology& now
 void PointChanges::send(const ChangePtr& change, const QByteArray& body) {
   link_.post(change->task, kSetPoint, body, [this, change](const net::HttpAnswer& answer) {
     change->doubt = notAccepted(answer, change->subject());
-    if (change->doubt && isFinal(*change->doubt)) return change->fail(std::move(*change->doubt));
+    const bool is_final = change->doubt && isFinal(*change->doubt);
+    if (is_final && change->doubt->kind != map::FailureKind::RejectedByRobot)
+      return change->fail(std::move(*change->doubt));
     if (change->id.empty() && answer.ok()) change->id = createdPoint(wire::view(answer.body));
-    change->until = steady_clock::now() + times_.confirm;
+    // What was refused is looked at once: some do it all the same.
+    change->until = is_final ? steady_clock::now() : steady_clock::now() + times_.confirm;
     look(change);
   });
 }
@@ -172,7 +182,7 @@ void PointChanges::look(const ChangePtr& change) {
       return take(change, wire::otherwise(change->subject(),
                                           {fault::PointElsewhere, {wanted.name, change->farOff(*kept)}}));
     if (kept->name != wanted.name || (!wanted.type.empty() && kept->type != wanted.type) ||
-        turned(kept->yaw_rad, wanted.yaw_rad))
+        !change->isTurnedSo(*kept))
       return take(change, wire::otherwise(change->subject(), {fault::PointOtherwise, {wanted.name}}));
     take(change, std::nullopt);
   });
