@@ -40,8 +40,10 @@ QString alsoCalledSo(const robot::MapOrder& order, const std::vector<map::Catalo
   if (ids.size() < 2)
     return ids.isEmpty() ? QString()
                          : ChangeMapText::tr("Another map has this name: id %1.").arg(ids.front());
-  if (ids.size() > kMostNamed) ids = ids.mid(0, kMostNamed) << QStringLiteral("…");
-  return ChangeMapText::tr("Other maps have this name: ids %1.").arg(ids.join(QStringLiteral(", ")));
+  const QString named = ids.mid(0, kMostNamed).join(QStringLiteral(", "));
+  return ids.size() > kMostNamed
+             ? ChangeMapText::tr("Other maps have this name: ids %1 and others.").arg(named)
+             : ChangeMapText::tr("Other maps have this name: ids %1.").arg(named);
 }
 
 QString whyNoFilename(const QString& name) {

@@ -311,6 +311,14 @@ class MapMovesTest : public QObject {
              started.out.section(QLatin1Char(' '), 0, 0));
   }
 
+  void thatNothingIsMappedIsNoSuccessOfStopping() {
+    simulator::Faults faults;
+    faults.lose_write_answers = 1;
+    simulator::Simulator robot(paused(faults));
+    QVERIFY(!robot.start());
+    QVERIFY(run(robot, {QStringLiteral("stop-mapping")}).code != 0);
+  }
+
   void aMappingThatGoesOnIsNotSaidToHaveEnded() {
     simulator::Simulator robot(paused());
     QVERIFY(!robot.start());

@@ -40,7 +40,7 @@ class TestChangeMap : public QObject {
     QCOMPARE(jobs::alsoCalledSo(save, maps), QStringLiteral("Other maps have this name: ids 42, 43."));
     for (const char* id : {"44", "45", "46", "47"}) maps.push_back(stored(id, "Hall"));
     QCOMPARE(jobs::alsoCalledSo(save, maps),
-             QStringLiteral("Other maps have this name: ids 42, 43, 44, 45, 46, …."));
+             QStringLiteral("Other maps have this name: ids 42, 43, 44, 45, 46 and others."));
   }
 
   void anAnswerThatDoesNotFitIsTold() {

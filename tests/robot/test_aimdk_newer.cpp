@@ -232,6 +232,15 @@ class AimdkNewerTest : public QObject {
     moved.position_m = {3, 1};
     const auto went = change(kPark, {id, now, moved});
     QVERIFY2(went, why(went));
+    // However little it is.
+    map::Waypoint turned = now = stored();
+    turned.yaw_rad = turn + geometry::radiansFromDegrees(0.7);
+    const auto round = change(kPark, {id, now, turned});
+    QVERIFY2(round, why(round));
+    QVERIFY(map::sameHeading(*stored().yaw_rad, *turned.yaw_rad));
+    turned = now = stored();
+    turned.yaw_rad = turn;
+    QVERIFY(change(kPark, {id, now, turned}));
     map::Waypoint named = now = stored();
     QVERIFY((now.position_m - Eigen::Vector2d(3, 1)).cwiseAbs().maxCoeff() <= 0.03);
     QVERIFY(map::sameHeading(*now.yaw_rad, turn));
@@ -256,6 +265,16 @@ class AimdkNewerTest : public QObject {
     mine.name = "Mine";
     const auto late = change(kPark, {first.id, other, mine});
     QVERIFY(!late && late.error().kind == FailureKind::Conflict);
+    // Its pixels are elsewhere than its metres: with its new name it might jump there.
+    const auto list = points(kPark).points;
+    const auto fourth = std::find_if(list.begin(), list.end(), [](const map::Waypoint& point) {
+      return point.name == "Navigation Point 4";
+    });
+    QVERIFY(fourth != list.end());
+    map::Waypoint renamed = *fourth;
+    renamed.name = "Gate";
+    const auto jumps = change(kPark, {fourth->id, *fourth, renamed});
+    QVERIFY(!jumps && jumps.error().cause.code == robot::aimdk::fault::PointInTwoPlaces);
     QCOMPARE(writes(), 0);
   }
 

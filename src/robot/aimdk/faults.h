@@ -73,6 +73,12 @@ inline constexpr FaultCode ServiceLacking{
 inline constexpr FaultCode MapsNotNow{"aimdk", QT_TRANSLATE_NOOP("aimdk", "The robot is not mapping.")};
 
 // Waypoints that are changed.
+/// name
+inline constexpr FaultCode PointInTwoPlaces{
+    "aimdk",
+    QT_TRANSLATE_NOOP("aimdk",
+                      "The pixels of %1 are not where its metres are: the robot might move it when it "
+                      "is renamed. Move it first.")};
 inline constexpr FaultCode PointScaleUntold{
     "aimdk",
     QT_TRANSLATE_NOOP("aimdk",

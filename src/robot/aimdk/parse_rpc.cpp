@@ -290,6 +290,7 @@ Read<Topology> parseTopology(std::string_view body, const ParsedMap* frame) {
     const auto off = frame ? pixelsOff(row, *position, *frame, topology.scale.pixels_per_m) : std::nullopt;
     if (off && !(*off <= 1)) {
       note({fault::PointOff, {point.id, point.name, *off}});
+      topology.two_places.insert(point.id);
     }
     list.points.push_back(std::move(point));
   }
@@ -370,8 +371,11 @@ std::optional<QByteArray> pointRequest(std::string_view map_id, const map::Waypo
   members.remove(QStringLiteral("pose"));
   members.remove(QStringLiteral("point_id"));
   members[QStringLiteral("name")] = qtText(point.name);
-  members[QStringLiteral("point_type")] =
-      qtText(point.type.empty() ? std::string_view(kUsualPointType) : std::string_view(point.type));
+  // A type that came as a number goes back as one.
+  if (members[QStringLiteral("point_type")].toVariant().toString() != qtText(point.type) ||
+      point.type.empty())
+    members[QStringLiteral("point_type")] =
+        qtText(point.type.empty() ? std::string_view(kUsualPointType) : std::string_view(point.type));
   if (pose) {
     const QJsonObject position{{QStringLiteral("u"), qint64(pose->u)},
                                {QStringLiteral("v"), qint64(pose->v)}};

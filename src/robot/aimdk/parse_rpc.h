@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -53,6 +54,7 @@ struct Topology {
   map::WaypointList list;  // each with its source
   bool degrees = false;    // the unit of their angles; otherwise radians
   Scale scale = {};
+  std::set<std::string> two_places = {};  // ids of points whose pixels are not where their metres are
 };
 Read<Topology> parseTopology(std::string_view body, const ParsedMap* frame);
 

@@ -142,6 +142,8 @@ Outcome<QByteArray> PointChanges::requestFor(Change& change, const Topology& now
     const double angle = -wanted.yaw_rad.value_or(0);
     if (turns) pose->angle = now.degrees ? geometry::degreesFromRadians(angle) : angle;
   }
+  if (!pose && now.two_places.contains(change.id))
+    return fail(notAsked(change.subject(), {fault::PointInTwoPlaces, {kept->name}}));
   auto body = pointRequest(change.key.id, wanted, pose);
   if (!body) return fail(notAsked(change.subject(), fault::PointWithoutNumber));
   return std::move(*body);

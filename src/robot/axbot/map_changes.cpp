@@ -178,7 +178,7 @@ MapChanges::Look MapChanges::lookForMapping(bool wanted) {
           const auto ended = std::find_if(list->begin(), list->end(), [&](const map::CatalogueEntry& entry) {
             return entry.key == of->mapping;
           });
-          if (ended == list->end()) return seen(map::CatalogueEntry(), true);
+          if (ended == list->end()) return seen(map::CatalogueEntry(), of->mapping.has_value());
           const bool cancels = of->order.change == MapChange::CancelMapping;
           if (ended->state == (cancels ? "finished" : "cancelled"))
             return seen(
