@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sched.h>
+#include <set>
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -143,6 +144,42 @@ class BagReportTest : public QObject {
                                     }});
     QVERIFY2(alone.code == 0, qPrintable(alone.err));
     QVERIFY(program_.bytes("again.html") == first);
+  }
+
+  /// The robot tells the state anew while the seconds after the moment are read.
+  void theBytesAreTheSameHoweverSlowTheRobotIs() {
+    std::set<QByteArray> all;
+    for (const int latency_ms : {0, 10, 30, 60, 110}) {
+      simulator::Options options;
+      options.paused = true;
+      options.start_at_s = 1500;
+      options.faults.map_latency_ms = latency_ms;
+      simulator::Simulator robot(options);
+      QVERIFY(!robot.start());
+      const auto done =
+          report({QStringLiteral("2024-06-03_09-10-00.bag"), QStringLiteral("--at"), at(900),
+                  QStringLiteral("--robot"), QString::fromStdString(robot.address()), QStringLiteral("-o"),
+                  QStringLiteral("slow.html"), QStringLiteral("--force")},
+                 {{QStringLiteral("XDG_CACHE_HOME"), program_.path(QString::number(latency_ms))}});
+      QVERIFY2(done.code == 0, qPrintable(done.err));
+      const QByteArray html = program_.bytes("slow.html");
+      QVERIFY(html.contains("/trajectory") && html.contains("/nearby_robot_footprints"));
+      all.insert(html);
+    }
+    QCOMPARE(all.size(), std::size_t(1));
+  }
+
+  void aFileOfAnotherKindHasNoBags() {
+    const QString file = recording("drive.mcap", {});
+    program_.put("a.png", "no picture");
+    const QStringList rest{QStringLiteral("--at"), at(20), QStringLiteral("-o"), QStringLiteral("no.html")};
+    const auto told = report(QStringList{QStringLiteral("a.png")} + rest);
+    const auto beside = report(QStringList{file, QStringLiteral("--against"), QStringLiteral("a.png")} + rest);
+    for (const auto* const done : {&told, &beside}) {
+      QCOMPARE(done->code, 2);
+      QCOMPARE(done->err, QStringLiteral("a.png: This robot has no bags that can be replayed.\n"));
+    }
+    QVERIFY(!QFile::exists(program_.path("no.html")));
   }
 
   void aBagWithoutPositionsIsReported() {

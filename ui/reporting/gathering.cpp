@@ -182,9 +182,11 @@ bool Gathering::minuteRead() {
   replay::Reading& reading = *replayed_->reading();
   const double until_s = std::min(minute_->until(), reading.chunks().end_s());
   if (!awaited_) {
-    reading.want(std::max(until_s, run_.at_s));
+    // What is wanted stays the moment: the robot may tell its state again at any time.
+    reading.setWhole(true);
     const replay::Cell* const gap = reading.chunks().gapUntil(until_s);
     if (!reading.chunks().readUntil(until_s) && !(gap && gap->tries >= kTries)) return false;
+    reading.setWhole(false);
     std::set<replay::Tick> needed;
     for (const auto& [from, cell] : reading.chunks().cells()) {
       if (cell.state == replay::CellState::Read && replay::secondsOf(cell.until) > minute_->from() &&
