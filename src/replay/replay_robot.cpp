@@ -22,6 +22,12 @@ robot::ConnectionState inPhase(ConnectionPhase phase) {
   return state;
 }
 
+Fault lackOfBags(const robot::Absence& absence) {
+  std::vector<FaultArgument> arguments{std::int64_t(robot::Capability::Bags), std::int64_t(absence.reason)};
+  arguments.insert(arguments.end(), absence.arguments.begin(), absence.arguments.end());
+  return {robot::fault::CapabilityLacking, std::move(arguments)};
+}
+
 robot::RawMessage rawOf(const Chunk& chunk, const robot::BagMessage& message) {
   const std::string_view text = chunk.source->textOf(message);
   robot::RawMessage raw;
@@ -209,7 +215,8 @@ void ReplayRobot::find() {
   if (!library) {
     refuse({.kind = map::FailureKind::Unsupported,
             .subject = {map::SubjectKind::Bag, name_},
-            .reason = map::FailureReason::NotOffered});
+            .reason = map::FailureReason::NotOffered,
+            .cause = lackOfBags(origin_->whyNot(robot::Capability::Bags))});
     return;
   }
   if (key_) return open(*key_);
