@@ -96,7 +96,6 @@ excerpt::Order excerptOf(const BagsArguments& args, const BagReading& bags, cons
 /// A part of a recording is copied byte for byte.
 CommandResult<int> exportSlice(const BagsArguments& args, RobotCommand& command, BagReading& bags,
                                const std::string& path, const ExportOrder& order) {
-  if (const auto why = overOwnSource({order.path}, {path})) return wrong(*why);
   const auto sliced = excerpt::sliceRecording(path, excerptOf(args, bags, order));
   if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
   const excerpt::Written& done = **sliced;  // nobody cancels it
@@ -138,6 +137,10 @@ CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& arg
                                  const QStringList& formats) {
   const auto order = orderFrom(args, formats);
   if (!order) return passOn(order);
+  const auto recording = recordingOf(args);
+  if (recording) {
+    if (const auto why = whyNotCreated(order->path, false, true, {*recording})) return wrong(*why);
+  }
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
   BagReading& bags = *opened;
@@ -149,8 +152,7 @@ CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& arg
   const bool mcap = wanted.kind == excerpt::Kind::Mcap;
   if (mcap && isStandardOutput(order->path))
     return wrong(Text::tr("An MCAP file must be a regular file (-o FILE)."));
-  if (const auto recording = mcap ? recordingOf(args) : std::nullopt)
-    return exportSlice(args, command, bags, *recording, *order);
+  if (mcap && recording) return exportSlice(args, command, bags, *recording, *order);
   const auto writing = excerpt::begin(wanted);
   if (!writing) return fileFailure(writing.error());
   const auto read = bags.readRanges(excerpt::readsFrom(wanted), order->span.to_s,

@@ -94,7 +94,8 @@ std::optional<QString> overOwnSource(const QStringList& outputs, const std::vect
 std::optional<QString> whyNotCreated(const QString& path, bool exists, bool force,
                                      const std::vector<std::string>& sources) {
   if (auto why = whyNotWritable(path)) return why;
-  if (auto why = overOwnSource({path}, sources)) return why;
+  if (!jobs::firstOwnSource({path}, sources).isEmpty())
+    return Text::tr("%1 is the recording itself. Choose another name.").arg(path);
   if (exists && !force) return Text::tr("%1 already exists. Pass --force to replace it.").arg(path);
   return std::nullopt;
 }

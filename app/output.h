@@ -56,7 +56,8 @@ std::optional<QString> whyNotWritable(const QString& path);
 std::optional<QString> whyNotTogether(const QStringList& outputs);
 /// A sentence if one of `outputs` is a file that was read, through any path or link.
 std::optional<QString> overOwnSource(const QStringList& outputs, const std::vector<std::string>& sources);
-/// One of the sentences above about a new file, or that there is one already (`exists`) and no `force`.
+/// Why a new file cannot be written: one of the sentences above, there is one already (`exists`) and no
+/// `force`, or it is one of the recordings `sources` that are read meanwhile, `force` or not.
 std::optional<QString> whyNotCreated(const QString& path, bool exists, bool force,
                                      const std::vector<std::string>& sources = {});
 

@@ -690,7 +690,14 @@ class BagsCommandTest : public QObject {
     QVERIFY(state("slice.mcap")[QStringLiteral("pose")].isObject());
     QCOMPARE(state("slice.mcap"), state("whole.mcap"));
     // Never over what it is read from.
-    QCOMPARE(run(QStringLiteral("export slice.mcap -o slice.mcap --force")).code, 2);
+    for (const char* over :
+         {"export slice.mcap -o slice.mcap --force", "export slice.mcap -o slice.mcap --format jsonl --force",
+          "track slice.mcap -o slice.mcap --format csv --force",
+          "repair slice.mcap -o slice.mcap --force"}) {
+      const Outcome refused = run(QLatin1String(over));
+      QCOMPARE(refused.code, 2);
+      QCOMPARE(refused.err, QByteArray("slice.mcap is the recording itself. Choose another name.\n"));
+    }
     QVERIFY(!frames("slice.mcap").isEmpty());
     QCOMPARE(run(QStringLiteral("export nowhere.mcap -o no.mcap")).code, 2);
     QVERIFY(!QFile::exists(program_.path(QStringLiteral("no.mcap"))));
