@@ -30,7 +30,8 @@ class GatheringText {
 constexpr int kLookEveryMs = 20, kTries = 3;
 constexpr double kAroundM = 6, kMostAroundM = 40, kPictureMarginPx = 40;
 constexpr double kDotsPerMeter = 96 / 0.0254;  // whatever screen there is
-constexpr double kRoundedS = 1;                // robots state whole seconds
+constexpr double kSameS = 0.001;               // as times are written
+constexpr double kRoundedS = 1;                // robots leave out the parts of seconds
 constexpr std::size_t kLongestMessage = 4096;
 
 const std::set<scene::Layer> kLayers{
@@ -117,8 +118,8 @@ bool Gathering::opened() {
          map::FailureKind::Unsupported);
     return false;
   }
-  const double rounded_s = replayed_->isLocal() ? 0.001 : kRoundedS;
-  if (*wanted_.at_s < info.start_s - rounded_s || *wanted_.at_s > info.end_s + rounded_s) {
+  const double last_s = info.end_s + (replayed_->isLocal() ? kSameS : kRoundedS);
+  if (*wanted_.at_s < info.start_s - kSameS || *wanted_.at_s > last_s) {
     fail(GatheringText::tr("%1: %2 UTC is not within it: it lasts from %3 to %4 UTC.")
              .arg(words::plainName(wanted_.bag.name), utcText(*wanted_.at_s), utcText(info.start_s),
                   utcText(info.end_s)),
