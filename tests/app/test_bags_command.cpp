@@ -692,8 +692,7 @@ class BagsCommandTest : public QObject {
     // Never over what it is read from.
     for (const char* over :
          {"export slice.mcap -o slice.mcap --force", "export slice.mcap -o slice.mcap --format jsonl --force",
-          "track slice.mcap -o slice.mcap --format csv --force",
-          "repair slice.mcap -o slice.mcap --force"}) {
+          "track slice.mcap -o slice.mcap --format csv --force", "repair slice.mcap -o slice.mcap --force"}) {
       const Outcome refused = run(QLatin1String(over));
       QCOMPARE(refused.code, 2);
       QCOMPARE(refused.err, QByteArray("slice.mcap is the recording itself. Choose another name.\n"));
