@@ -27,6 +27,7 @@ using page::Tone;
 
 constexpr double kStandsMPerS = 0.05, kAheadM = 1;
 constexpr double kEventsBeforeS = 300;
+constexpr double kBeginningS = 2;  // until then all that is told regularly has been
 constexpr std::size_t kMostEvents = 30, kMostOnTheWay = 40, kMostTopics = 200;
 constexpr std::size_t kLongestSaid = 400;
 constexpr int kDayLetters = 11;
@@ -159,6 +160,19 @@ void writeState(page::Page& page, const Run& run) {
   page.facts(facts);
 }
 
+/// The first message that could tell of it does, where the recording begins.
+bool beganBefore(const map::SafetyCondition& condition, const Run& run) {
+  std::size_t kind = map::topicIndex<map::WheelState>();
+  if (condition.kind == map::SafetyKind::Alert) kind = map::topicIndex<map::AlertsMessage>();
+  if (condition.kind == map::SafetyKind::PositionLost ||
+      condition.kind == map::SafetyKind::PositionUncertain ||
+      condition.kind == map::SafetyKind::WheelsSlipping)
+    kind = map::topicIndex<map::SlamStatus>();
+  const auto first = run.first_s.find(kind);
+  return first != run.first_s.end() && condition.since_s <= first->second &&
+         first->second - run.info.start_s <= kBeginningS;
+}
+
 void writeSafety(page::Page& page, const Run& run) {
   const map::LiveState& live = run.live;
   std::vector<page::Page::Fact> facts;
@@ -175,7 +189,9 @@ void writeSafety(page::Page& page, const Run& run) {
     const map::Problem problem = map::problemOf(condition);
     QString words = QStringLiteral("%1: %2").arg(sentences::nameOf(problem.subject),
                                                  named(sentences::sentenceOf(problem)));
-    if (condition.since_s > 0)
+    if (beganBefore(condition, run))
+      words = ReportText::tr("%1 (since before the recording begins)").arg(words);
+    else if (condition.since_s > 0)
       words = ReportText::tr("%1 (since %2, for %3)")
                   .arg(words, clockText(condition.since_s, run), ageText(run.at_s - condition.since_s));
     conditions.emplace_back(words, condition.severity == map::Severity::Error ? Tone::Bad : Tone::Warning);

@@ -31,6 +31,7 @@ struct Run {
   std::string map_name;                       // untrusted; empty: none is known
   bool map_of_now = false;                    // the map drawn is the robot's present one, not of the bag
   std::map<std::string, double> topics;       // the stamp of the last message of each until then
+  std::map<std::size_t, double> first_s;      // by kind of message (map::topicIndex): the bag's first
   std::vector<replay::Event> events;          // of the bag until the end of the minute
   std::vector<Curve> curves;
   /// The last messages of topics about bumpers and stops that are not understood, as sent.

@@ -30,6 +30,7 @@ struct Drive {
   double y_m = 1;
   double stops_s = 40;  // where it stands from then on
   bool poses = true;
+  bool alerted = false;  // from the beginning
 };
 
 }  // namespace
@@ -70,6 +71,9 @@ class BagReportTest : public QObject {
       if (i % 10 == 0)
         say(now_s, "/slam/state", "'state':'positioning','reliable':true,'position_quality':10");
     }
+    if (drive.alerted) {
+      for (int i = 1; i < 60; ++i) say(i, "/alerts", "'alerts':[{'code':6004,'level':'error','msg':'M'}]");
+    }
     say(60, "/bumper_state", "'front':'" + kOdd + "'");
     say(60, "/alerts", "'alerts':[{'code':6001,'level':'error','msg':'" + kOdd + "'}]");
     (void)(*writer)->close();
@@ -100,6 +104,17 @@ class BagReportTest : public QObject {
     // Nothing of this machine, and nothing from elsewhere.
     for (const QString& odd : {program_.folder(), QStringLiteral("http:"), QStringLiteral("<script")})
       QVERIFY2(!html.contains(odd), qPrintable(odd));
+  }
+
+  void anAlertFromTheBeginningHasNoTime() {
+    const auto told = [&](const QString& file, double after_s) {
+      return report({file, QStringLiteral("--at"), at(after_s), QStringLiteral("-o"), QStringLiteral("-")})
+          .out;
+    };
+    const QString before = QStringLiteral("(since before the recording begins)");
+    QVERIFY(told(recording("alerted.mcap", {1, 40, true, true}), 50).contains(before));
+    const QString later = told(recording("drive.mcap", {}), 60);
+    QVERIFY(later.contains(QLatin1String("(since 09:01:00.000, for 0.0 s)")) && !later.contains(before));
   }
 
   void whatTheBagTellsOfBumpersIsShownAsSent() {
@@ -174,7 +189,8 @@ class BagReportTest : public QObject {
     program_.put("a.png", "no picture");
     const QStringList rest{QStringLiteral("--at"), at(20), QStringLiteral("-o"), QStringLiteral("no.html")};
     const auto told = report(QStringList{QStringLiteral("a.png")} + rest);
-    const auto beside = report(QStringList{file, QStringLiteral("--against"), QStringLiteral("a.png")} + rest);
+    const auto beside =
+        report(QStringList{file, QStringLiteral("--against"), QStringLiteral("a.png")} + rest);
     for (const auto* const done : {&told, &beside}) {
       QCOMPARE(done->code, 2);
       QCOMPARE(done->err, QStringLiteral("a.png: This robot has no bags that can be replayed.\n"));
@@ -208,6 +224,20 @@ class BagReportTest : public QObject {
       QVERIFY2(done.err.contains(QLatin1String("from 2024-06-03 09:00:00.000 to 2024-06-03 09:01:00.000")),
                qPrintable(done.err));
       QVERIFY(done.err.count(QLatin1Char('\n')) == 1);
+    }
+    QVERIFY(!QFile::exists(program_.path("no.html")));
+    // Robots state whole seconds: the last one belongs to the bag, the one before the first does not.
+    simulator::Options options;
+    options.paused = true;
+    options.start_at_s = 1500;
+    simulator::Simulator robot(options);
+    QVERIFY(!robot.start());
+    for (const double wrong : {599.0, 599.9, 1201.0}) {
+      const auto done = report({QStringLiteral("2024-06-03_09-10-00.bag"), QStringLiteral("--at"), at(wrong),
+                                QStringLiteral("--robot"), QString::fromStdString(robot.address()),
+                                QStringLiteral("-o"), QStringLiteral("no.html")});
+      QVERIFY2(done.code == 2 && done.err.contains(QLatin1String("it lasts from 2024-06-03 09:10:00.000")),
+               qPrintable(done.err));
     }
     QVERIFY(!QFile::exists(program_.path("no.html")));
   }
@@ -252,7 +282,9 @@ class BagReportTest : public QObject {
     QVERIFY2(refused.code == 2 && refused.err.contains(QLatin1String("--force")), qPrintable(refused.err));
     QCOMPARE(program_.bytes("kept.html"), QByteArray("kept"));
     const auto self = report(words + QStringList{file, QStringLiteral("--force")});
-    QVERIFY2(self.code == 2, qPrintable(self.err));
+    QVERIFY2(self.code == 2 && self.err.contains(QLatin1String("is the recording itself")) &&
+                 !self.err.contains(QLatin1String("--force")),
+             qPrintable(self.err));
     QVERIFY(report({file, QStringLiteral("--at"), QStringLiteral("soon"), QStringLiteral("-o"),
                     QStringLiteral("x.html")})
                 .code == 2);

@@ -228,6 +228,25 @@ class IncidentTest : public QObject {
     QVERIFY(!incident::consistent(run).join(QLatin1Char('\n')).contains(QLatin1String("held up")));
   }
 
+  /// Where the recording begins nobody knows since when.
+  void whatIsThereFromTheBeginningHasNoTime() {
+    Run run = toldBy("word");
+    run.info.start_s = kAt - 4;
+    run.first_s[map::topicIndex<map::AlertsMessage>()] = kAt - 3;
+    const QString before = QStringLiteral("(since before the recording begins)");
+    QString html = htmlOf({run, {}, {}, false});
+    QVERIFY(html.contains(before) && !html.contains(QLatin1String("(since 08:59:57.000")));
+    // Of another kind, told before without it, or first told of in the middle.
+    for (int how = 0; how < 3; ++how) {
+      Run other = run;
+      if (how == 0) other.live.safety.front().kind = map::SafetyKind::EmergencyStop;
+      if (how == 1) other.first_s.begin()->second = kAt - 3.5;
+      if (how == 2) other.info.start_s = kAt - 30;
+      html = htmlOf({other, {}, {}, false});
+      QVERIFY(!html.contains(before) && html.contains(QLatin1String("(since 08:59:57.000, for 3.0 s)")));
+    }
+  }
+
   void dataThatIsOldIsToldWithItsAge() {
     const QString html = htmlOf({toldBy("word"), {}, {}, false});
     QVERIFY(html.contains(QLatin1String("2024-06-03 08:59:00.000")));

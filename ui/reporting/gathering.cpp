@@ -274,6 +274,10 @@ void Gathering::takeState() {
   minute_->takePoses(reading.index().digests());
   run_.curves = minute_->curves();
   run_.events = replay::eventsOf(reading.index().digests());
+  for (const auto& [from, digest] : reading.index().digests()) {
+    for (const replay::Digest::Kept& kept : digest.history)
+      run_.first_s.try_emplace(kept.message.index(), kept.stamp_s);
+  }
   std::erase_if(run_.events, [&](const replay::Event& event) { return event.at_s > minute_->until(); });
   const session::MapSlot& slot = session_.wholeMap();
   if (run_.live.map_info) {
