@@ -121,6 +121,8 @@ class SnapshotRun : public QObject {
   std::optional<render::PlacedGrid> wholeGrid() const;
   /// Waypoints should be drawn but could not be loaded.
   bool waypointsLost() const;
+  /// Overlays should be drawn but cannot be read.
+  bool overlaysLost() const;
   bool isLocal() const { return session_.robot().isLocal(); }
   bool wantsTrack() const;  // of a whole bag
   bool wantsCloud() const;

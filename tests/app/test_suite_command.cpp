@@ -113,6 +113,25 @@ class SuiteCommandTest : public QObject {
     QVERIFY(program_->bytes("report/report.html").contains("virtual wall W17 moved by 0.40 m"));
   }
 
+  void overlaysThatCannotBeReadAreNotTakenForNone() {
+    program_->put("map/office.overlays.geojson", program_->bytes("map/office.overlays.geojson").left(100));
+    const QByteArray before = program_->bytes("expected/wall W17.png");
+    QCOMPARE(runSuite().code, 1);
+    const auto found = failures();
+    QCOMPARE(found.size(), 2);
+    const QString why = found[QStringLiteral("wall W17")];
+    QVERIFY2(why.contains(QStringLiteral("office.overlays.geojson cannot be read: line 2, column ")),
+             qPrintable(why));
+    QVERIFY2(!why.contains(QStringLiteral("delete")), qPrintable(why));
+    QCOMPARE(accept().code, 1);
+    QCOMPARE(program_->bytes("expected/wall W17.png"), before);
+    const Ended drawn = run(words("snapshot --robot map/office.yaml --layers overlays -o o.png --json"));
+    QCOMPARE(drawn.code, 1);
+    QCOMPARE(drawn.object()[QLatin1String("complete")].toBool(true), false);
+    // Nobody asked for them.
+    QCOMPARE(run(words("snapshot --robot map/office.yaml --layers none -o o.png")).code, 0);
+  }
+
   void cellsThatChangedAreNamed() {
     QByteArray bytes = program_->bytes("map/office.pgm");
     for (int y = 60; y < 66; ++y) {

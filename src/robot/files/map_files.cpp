@@ -178,7 +178,13 @@ Outcome<map::WholeMap> MapFiles::fetch(const map::MapKey& key) {
     return fail(std::move(unfit));
   }
   whole->key = key;
-  whole->overlays = overlaysBeside(path);
+  if (auto overlays = overlaysBeside(path)) {
+    whole->overlays = std::move(*overlays);
+  } else {
+    whole->notes.push_back({map::Severity::Warning, map::subjectOf(key, whole->name),
+                            std::move(overlays.error()).followedBy(Consequence::ShownWithoutIt),
+                            map::ProblemCode::Unreadable});
+  }
   return std::move(*whole);
 }
 

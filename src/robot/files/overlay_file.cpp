@@ -29,13 +29,27 @@ QString overlayPathOfMap(const QString& map_path) {
   return overlayPathOf(described_by.size() == 1 ? described_by.front() : map_path);
 }
 
+/// Empty if there is no such file.
+tl::expected<std::string, Fault> textIn(const QString& path) {
+  if (!QFileInfo::exists(path) && !QFileInfo(path).isSymLink()) return std::string();
+  auto bytes = disk::readFile(path.toStdString(), kMaxOverlayBytes + 1);
+  if (!bytes) return tl::make_unexpected(bytes.error().cause);
+  if (bytes->size() > kMaxOverlayBytes)
+    return tl::make_unexpected(Fault(fault::FileTooLarge, {"256 MiB"}));
+  return std::move(*bytes);
+}
+
 }  // namespace
 
-std::vector<map::OverlayFeature> overlaysBeside(const QString& map_path) {
-  auto text = disk::readFile(overlayPathOfMap(map_path).toStdString(), kMaxOverlayBytes);
-  if (!text) return {};
+tl::expected<std::vector<map::OverlayFeature>, Fault> overlaysBeside(const QString& map_path) {
+  const QString path = overlayPathOfMap(map_path);
+  const auto unreadable = [&path](Fault why) {
+    return tl::make_unexpected(Fault(fault::WaypointFileNotRead, {path.toStdString()}, {std::move(why)}));
+  };
+  auto text = textIn(path);
+  if (!text) return unreadable(text.error());
   const auto document = overlays::OverlayDocument::read(std::move(*text));
-  if (!document) return {};
+  if (!document) return unreadable(document.error());
   std::vector<map::OverlayFeature> drawn;
   for (const overlays::Feature& feature : document->features()) {
     for (map::OverlayFeature& part : overlays::partsToDraw(feature)) drawn.push_back(std::move(part));
@@ -60,16 +74,14 @@ map::Failure OverlayFiles::failure(const Place& place, map::FailureKind kind, Fa
 }
 
 Outcome<std::string> OverlayFiles::textOf(const Place& place) const {
-  if (!QFileInfo::exists(place.path) && !QFileInfo(place.path).isSymLink()) return std::string();
-  const std::string path = place.path.toStdString();
-  const auto unreadable = [&](Fault why) {
+  auto text = textIn(place.path);
+  if (!text)
     return fail(failure(place, map::FailureKind::MalformedAnswer,
-                        {fault::WaypointFileNotRead, {path}, {std::move(why)}, Consequence::LeftAsItIs}));
-  };
-  auto bytes = disk::readFile(path, kMaxOverlayBytes + 1);
-  if (!bytes) return unreadable(bytes.error().cause);
-  if (bytes->size() > kMaxOverlayBytes) return unreadable({fault::FileTooLarge, {"256 MiB"}});
-  return std::move(*bytes);
+                        {fault::WaypointFileNotRead,
+                         {place.path.toStdString()},
+                         {std::move(text.error())},
+                         Consequence::LeftAsItIs}));
+  return std::move(*text);
 }
 
 OverlayText OverlayFiles::note(const Place& place, std::string text) {
