@@ -19,6 +19,8 @@ struct SuiteText {
   Q_DECLARE_TR_FUNCTIONS(SuiteText)
 };
 
+constexpr int kMostEntries = 1'000;
+constexpr std::size_t kLongestValue = 10'000;
 constexpr int kLongestName = 120;  // in bytes of UTF-8; more is added for the files
 
 Position positionOf(const YAML::Mark& mark) {
@@ -45,13 +47,25 @@ std::string scalar(const YAML::Node& node, const QString& key) {
 
 /// [1, 2] as "1,2".
 std::string joined(const YAML::Node& node, const QString& key) {
+  // Written once, it may stand in every view.
+  const auto tooLong = [&] {
+    return refusedAt(node.Mark(), SuiteText::tr("%1 is too long: at most %2 entries and %3 bytes.")
+                                      .arg(key)
+                                      .arg(kMostEntries)
+                                      .arg(kLongestValue));
+  };
   if (!node.IsSequence()) {
     const std::string text = scalar(node, key);
     if (text.empty()) throw refusedAt(node.Mark(), noValueText(key));
+    if (text.size() > kLongestValue) throw tooLong();
     return text;
   }
   std::string text;
-  for (const YAML::Node& item : node) text += (text.empty() ? "" : ",") + scalar(item, key);
+  int entries = 0;
+  for (const YAML::Node& item : node) {
+    text += (text.empty() ? "" : ",") + scalar(item, key);
+    if (++entries > kMostEntries || text.size() > kLongestValue) throw tooLong();
+  }
   if (text.empty()) throw refusedAt(node.Mark(), noValueText(key));
   return text;
 }
@@ -226,7 +240,13 @@ tl::expected<Suite, QString> readSuite(const std::string& yaml, const KnownOptio
   if (yaml.size() > kMostSuiteBytes)
     return tl::make_unexpected(SuiteText::tr("It is larger than %1 MiB.").arg(kMostSuiteBytes >> 20));
   try {
-    return suiteIn(YAML::Load(yaml), known);
+    const std::vector<YAML::Node> documents = YAML::LoadAll(yaml);
+    for (std::size_t i = 1; i < documents.size(); ++i) {
+      if (!documents[i].IsNull())
+        throw refusedAt(documents[i].Mark(),
+                        SuiteText::tr("A second document begins here: a suite is one. Leave out the ---."));
+    }
+    return suiteIn(documents.empty() ? YAML::Node() : documents.front(), known);
   } catch (const Refused& refused) {
     return tl::make_unexpected(refused.sentence);
   } catch (const YAML::Exception& broken) {

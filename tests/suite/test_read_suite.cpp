@@ -81,6 +81,10 @@ class ReadSuiteTest : public QObject {
     row("an empty value", "views:\n  - {name: a, size: \"\"}", in_view, "no value");
     row("a view that is a text", "views:\n  - hall", in_view, "keys");
     row("no YAML", "views:\n  - {name: a", "Line ", "not YAML");
+    row("a second document", "views:\n  - {name: a}\n---\nviews:\n  - {name: b}",
+        "Line 4, column 1: ", "second document");
+    row("views in the second document", "---\n---\nviews:\n  - {name: b}",
+        "Line 3, column 1: ", "second document");
     row("no views", "views: []", "Line 1", "no views");
     row("nothing", "", "", "no views");
     row("a text", "hello", "", "no views");
@@ -99,6 +103,33 @@ class ReadSuiteTest : public QObject {
     std::string yaml = "views:\n";
     for (int i = 0; i < 10'000; ++i) yaml += "  - {name: view " + std::to_string(i) + ", robot: a.yaml}\n";
     QCOMPARE(good(yaml).views.size(), std::size_t(10'000));
+  }
+  void aDocumentThatBeginsAndEndsIsOne() {
+    QCOMPARE(good("---\nviews:\n  - {name: a}\n...\n").views.size(), std::size_t(1));
+    QCOMPARE(good("views:\n  - {name: a}\n---\n").views.size(), std::size_t(1));
+  }
+  void aValueIsNotLongerThanAnybodyWrites_data() {
+    QTest::addColumn<int>("entries");
+    QTest::addColumn<int>("length");
+    QTest::addColumn<bool>("is_read");
+    QTest::newRow("many") << 1'000 << 5 << true;
+    QTest::newRow("too many") << 1'001 << 1 << false;
+    QTest::newRow("too long together") << 900 << 12 << false;
+    QTest::newRow("one that is long") << 1 << 10'000 << true;
+    QTest::newRow("one that is too long") << 1 << 10'001 << false;
+  }
+  void aValueIsNotLongerThanAnybodyWrites() {
+    QFETCH(int, entries);
+    QFETCH(int, length);
+    QFETCH(bool, is_read);
+    const std::string entry(std::size_t(length), 'x');
+    std::string list = entries == 1 ? entry : "[" + entry;
+    for (int i = 1; i < entries; ++i) list += "," + entry;
+    if (entries > 1) list += "]";
+    const auto read =
+        suite::readSuite("defaults: {layers: &a " + list + "}\nviews:\n  - {name: a, layers: *a}\n", kKnown);
+    QCOMPARE(read.has_value(), is_read);
+    if (!read) QVERIFY2(read.error().startsWith(QStringLiteral("Line 1, column ")), qPrintable(read.error()));
   }
   void aListThatRefersToItselfAndOneThatIsHugeAreRefused() {
     QVERIFY(!suite::readSuite("views: &a\n  - *a\n", kKnown));
