@@ -41,6 +41,8 @@ void addMap(const session::Session& session, bool with_overlays, suite::Facts& f
   }
   map.cells = sumOf(*slot.cells());
   map.box = slot.reference().bounds();
+  map.origin = slot.reference().origin;
+  map.resolution_m = slot.reference().resolution_m;
   facts.map = map;
   if (with_overlays && !live) facts.overlays = suite::overlaysText(shown.overlays);
 }

@@ -98,24 +98,30 @@ QJsonObject featureJson(const map::OverlayFeature& feature) {
 }
 
 QJsonObject mapJson(const MapFact& map) {
-  return {{QStringLiteral("id"), text(map.id)},
-          {QStringLiteral("name"), text(map.name)},
-          {QStringLiteral("uid"), text(map.uid)},
-          {QStringLiteral("version"), orNull(map.version)},
-          {QStringLiteral("overlays_version"), orNull(map.overlays_version)},
-          {QStringLiteral("cells"), text(map.cells)},
-          {QStringLiteral("box"), boxJson(map.box)}};
+  QJsonObject json{{QStringLiteral("id"), text(map.id)},
+                   {QStringLiteral("name"), text(map.name)},
+                   {QStringLiteral("uid"), text(map.uid)},
+                   {QStringLiteral("version"), orNull(map.version)},
+                   {QStringLiteral("overlays_version"), orNull(map.overlays_version)},
+                   {QStringLiteral("cells"), text(map.cells)},
+                   {QStringLiteral("box"), boxJson(map.box)}};
+  if (map.origin) json[QStringLiteral("origin")] = poseJson(*map.origin);
+  if (map.resolution_m) json[QStringLiteral("resolution")] = *map.resolution_m;
+  return json;
 }
 
 MapFact mapFrom(const QJsonObject& json) {
   const auto word = [&](const char* name) { return json[QLatin1String(name)].toString().toStdString(); };
+  const QJsonValue resolution = json[QLatin1String("resolution")];
   return {word("id"),
           word("name"),
           word("uid"),
           intFrom(json[QLatin1String("version")]),
           intFrom(json[QLatin1String("overlays_version")]),
           word("cells"),
-          boxFrom(json[QLatin1String("box")])};
+          boxFrom(json[QLatin1String("box")]),
+          poseFrom(json[QLatin1String("origin")]),
+          resolution.isDouble() ? std::optional(resolution.toDouble()) : std::nullopt};
 }
 
 std::optional<map::SubmapId> idFrom(const QString& word) {

@@ -30,6 +30,8 @@ struct MapFact {
   std::optional<int> version, overlays_version;
   std::string cells;  // a checksum of all of them; empty: unknown
   geometry::WorldRect box;
+  std::optional<geometry::Pose2> origin = {};  // its lower left corner
+  std::optional<double> resolution_m = {};     // of a cell
 };
 
 /// Only what is drawn.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -26,7 +27,7 @@ constexpr double kMovedM = 1e-3, kTurnedRad = 1e-3;
 constexpr double kDrawnAroundPx = 16, kRobotM = 0.5;
 constexpr qsizetype kMostNamed = 4;
 
-QString metres(double value) { return QLocale::c().toString(value, 'f', 2); }
+QString metres(double value) { return QLocale::c().toString(value, 'f', value < 0.01 ? 3 : 2); }
 
 QString firstOf(const QStringList& changes, const QString& separator) {
   const QString named = changes.mid(0, kMostNamed).join(separator);
@@ -58,6 +59,48 @@ QString movedText(const geometry::Pose2& before, const geometry::Pose2& after) {
   return turned ? FactsChangesText::tr("turned by %1°").arg(degrees) : QString();
 }
 
+void compareViews(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
+  const auto say = [&](const QString& words) { changes.push_back({words, {}, true}); };
+  if (before.view && after.view) {
+    const geometry::ViewTransform &was = *before.view, &is = *after.view;
+    const double half_px_m = was.scale_m_per_px / 2;
+    const bool same = was.width_px == is.width_px && was.height_px == is.height_px &&
+                      std::abs(was.scale_m_per_px - is.scale_m_per_px) <= 1e-6 * was.scale_m_per_px &&
+                      std::abs(geometry::normalizeAngle(is.rotation_rad - was.rotation_rad)) <= 1e-6 &&
+                      (is.center_m - was.center_m).norm() <= 1e-3 * half_px_m;
+    if (!same) say(FactsChangesText::tr("the view is another one"));
+  }
+  if (before.theme.empty() || after.theme.empty()) return;
+  if (before.theme != after.theme)
+    say(FactsChangesText::tr("the theme is %1 instead of %2")
+            .arg(words::plainName(after.theme), words::plainName(before.theme)));
+  const auto missing = [](const std::vector<std::string>& layers, const std::vector<std::string>& in) {
+    QStringList names;
+    for (const std::string& layer : layers) {
+      if (std::find(in.begin(), in.end(), layer) == in.end()) names << words::plainName(layer);
+    }
+    return names;
+  };
+  if (const QStringList more = missing(after.layers, before.layers); !more.isEmpty())
+    say(FactsChangesText::tr("layers that are drawn now: %1").arg(firstOf(more, QStringLiteral(", "))));
+  if (const QStringList gone = missing(before.layers, after.layers); !gone.isEmpty())
+    say(FactsChangesText::tr("layers that are drawn no more: %1").arg(firstOf(gone, QStringLiteral(", "))));
+}
+
+void comparePlaces(const MapFact& was, const MapFact& is, std::vector<FactChange>& changes) {
+  const auto say = [&](const QString& words) { changes.push_back({words, {}, true}); };
+  if (was.resolution_m && is.resolution_m &&
+      std::abs(*was.resolution_m - *is.resolution_m) > 1e-6 * *was.resolution_m)
+    say(FactsChangesText::tr("map %1 has another resolution").arg(nameOf(is)));
+  if (!was.origin || !is.origin) return;
+  const double by_m = std::hypot(is.origin->x_m - was.origin->x_m, is.origin->y_m - was.origin->y_m);
+  const double by_rad = geometry::normalizeAngle(is.origin->yaw_rad - was.origin->yaw_rad);
+  if (by_m > kMovedM) say(FactsChangesText::tr("map %1 lies %2 m elsewhere").arg(nameOf(is), metres(by_m)));
+  if (std::abs(by_rad) > kTurnedRad)
+    say(FactsChangesText::tr("map %1 is turned by %2°")
+            .arg(nameOf(is), QLocale::c().toString(geometry::degreesFromRadians(by_rad), 'f', 1)));
+}
+
 void compareMaps(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
   if (!before.map || !after.map) {
     if (after.map)
@@ -81,6 +124,7 @@ void compareMaps(const Facts& before, const Facts& after, std::vector<FactChange
               .arg(nameOf(is))
               .arg(*was.overlays_version)
               .arg(*is.overlays_version));
+    comparePlaces(was, is, changes);
   }
   if (was.cells != is.cells && !was.cells.empty() && !is.cells.empty())
     say(FactsChangesText::tr("the cells of map %1 changed").arg(nameOf(is)));
@@ -213,8 +257,8 @@ void compareStamps(const Facts& before, const Facts& after, std::vector<FactChan
 
 std::vector<FactChange> changesBetween(const Facts& before, const Facts& after) {
   std::vector<FactChange> changes;
-  for (const auto compare :
-       {compareMaps, compareOverlays, compareWaypoints, compareSubmaps, compareRobot, compareStamps})
+  for (const auto compare : {compareViews, compareMaps, compareOverlays, compareWaypoints, compareSubmaps,
+                             compareRobot, compareStamps})
     compare(before, after, changes);
   return changes;
 }
@@ -229,7 +273,7 @@ Explanation explained(const compare::Comparison& comparison, const geometry::Vie
         compare::worldOf(view, comparison.clusters[i].box).grown(kDrawnAroundPx * view.scale_m_per_px));
   for (const FactChange& change : changes) {
     if (std::all_of(change.where.begin(), change.where.end(), [](const auto& box) { return box.empty(); })) {
-      made.everywhere << change.words;
+      (change.whole_picture ? made.everywhere : made.somewhere) << change.words;
       continue;
     }
     bool near = false;
@@ -242,6 +286,10 @@ Explanation explained(const compare::Comparison& comparison, const geometry::Vie
     }
     if (!near) made.elsewhere << change.words;
   }
+  const bool all_explained =
+      !made.near.empty() && std::int64_t(made.near.size()) == comparison.clusters_in_all &&
+      std::none_of(made.near.begin(), made.near.end(), [](const auto& near) { return near.isEmpty(); });
+  if (!all_explained) made.everywhere += std::exchange(made.somewhere, {});
   return made;
 }
 
@@ -265,6 +313,9 @@ QString explanationText(const compare::Comparison& comparison, const geometry::V
   } else {
     text += QStringLiteral(": ") + firstChanges(causes) + QLatin1Char('.');
   }
+  if (!explanation.somewhere.isEmpty())
+    text += QLatin1Char(' ') +
+            FactsChangesText::tr("There or elsewhere: %1.").arg(firstChanges(explanation.somewhere));
   if (!explanation.elsewhere.isEmpty())
     text +=
         QLatin1Char(' ') + FactsChangesText::tr("Elsewhere: %1.").arg(firstChanges(explanation.elsewhere));

@@ -14,14 +14,16 @@ namespace mapwright::suite {
 /// In words that begin small and end without a full stop: "submap 12-3 went from version 7 to 9".
 struct FactChange {
   QString words;
-  std::vector<geometry::WorldRect> where;  // before and after; empty: it is about all of the picture
+  std::vector<geometry::WorldRect> where;  // before and after; empty: nobody knows
+  bool whole_picture = false;              // every pixel may be another one
 };
 std::vector<FactChange> changesBetween(const Facts& before, const Facts& after);
 
 /// Changes by where the pictures differ.
 struct Explanation {
   std::vector<QStringList> near;  // for each of the first clusters: what changed there
-  QStringList everywhere;         // changes that have no place
+  QStringList everywhere;         // changes that may be the cause of any cluster
+  QStringList somewhere;          // changes whose place is unknown, where others explain every cluster
   QStringList elsewhere;          // changes near none of the clusters
 };
 inline constexpr std::size_t kMostExplained = 50;  // clusters

@@ -30,8 +30,8 @@ struct ViewOutcome {
   struct ClusterRow {
     QString box, size, place, near;
   };
-  std::vector<ClusterRow> clusters;  // the first ones
-  QStringList everywhere, elsewhere;
+  std::vector<ClusterRow> clusters;              // the first ones
+  QStringList everywhere, somewhere, elsewhere;  // as in an Explanation
 };
 
 /// What is shown of clusters, with what changed near them.

@@ -54,6 +54,7 @@ void putClusters(const ViewOutcome& outcome, page::Page& page) {
   }
   for (const auto& [title, changes] :
        {std::pair(SuitePageText::tr("Changed as well"), &outcome.everywhere),
+        std::pair(SuitePageText::tr("Changed there or elsewhere"), &outcome.somewhere),
         std::pair(SuitePageText::tr("Changed elsewhere"), &outcome.elsewhere)}) {
     if (changes->isEmpty()) continue;
     page.title(title);

@@ -1,5 +1,7 @@
 // Facts of pictures: they come back from their file, and what changed of them is named where the pictures
 // differ.
+#include <functional>
+
 #include <QTest>
 
 #include "suite/facts.h"
@@ -31,7 +33,8 @@ Facts facts() {
   facts.session = "u";
   facts.submaps[{12, 3}] = {7, {1, 2, 0.5}, box(11, -5, 4)};
   facts.submaps[{0, 1}] = {1, {0, 0, 0}, box(-18, 8, 2)};
-  facts.map = suite::MapFact{"12", "Office", "uid", 3, 4, "abc", box(-20, -15, 40)};
+  facts.map = suite::MapFact{
+      "12", "Office", "uid", 3, 4, "abc", box(-20, -15, 40), geometry::Pose2{-20, -15, 0}, 0.05};
   facts.overlays = suite::overlaysText({wallAt(12.4)});
   map::Waypoint dock;
   dock.id = "9";
@@ -103,6 +106,59 @@ class SuiteFactsTest : public QObject {
             QStringLiteral("submap 12-3 went from version 7 to 9"), QStringLiteral("submap 0-2 is new"),
             QStringLiteral("the robot turned by 57.3°"), QStringLiteral("messages of other times: /scan")}));
     QVERIFY(wordsOf(after, facts()).contains(QStringLiteral("submap 0-2 is gone")));
+  }
+
+  void anotherViewAndAnotherPlaceOfTheMapAreNamed() {
+    const auto changed = [](const std::function<void(Facts&)>& change) {
+      Facts after = facts();
+      change(after);
+      // As it is kept.
+      return wordsOf(*suite::factsFrom(suite::factsBytes(facts())), after);
+    };
+    const QStringList another{QStringLiteral("the view is another one")};
+    QCOMPARE(changed([](Facts& facts) { facts.view->center_m.x() += 0.05; }), another);
+    QCOMPARE(changed([](Facts& facts) { facts.view->width_px = 801; }), another);
+    QCOMPARE(changed([](Facts& facts) { facts.view->scale_m_per_px = 0.051; }), another);
+    QCOMPARE(changed([](Facts& facts) { facts.view->rotation_rad = 0.01; }), another);
+    QCOMPARE(changed([](Facts& facts) { facts.theme = "light"; }),
+             QStringList{QStringLiteral("the theme is light instead of dark")});
+    QCOMPARE(changed([](Facts& facts) {
+               facts.layers = {"whole", "grid"};
+             }),
+             (QStringList{QStringLiteral("layers that are drawn now: grid"),
+                          QStringLiteral("layers that are drawn no more: overlays")}));
+    QCOMPARE(changed([](Facts& facts) { facts.map->origin->x_m += 0.1; }),
+             QStringList{QStringLiteral("map Office lies 0.10 m elsewhere")});
+    QCOMPARE(changed([](Facts& facts) { facts.map->origin->yaw_rad = 0.1; }),
+             QStringList{QString::fromUtf8("map Office is turned by 5.7°")});
+    QCOMPARE(changed([](Facts& facts) { facts.map->resolution_m = 0.025; }),
+             QStringList{QStringLiteral("map Office has another resolution")});
+  }
+
+  void whatHasNoPlaceIsNoCauseWhereAllIsExplained() {
+    Facts after = facts();
+    after.overlays = suite::overlaysText({wallAt(12.8)});
+    after.map->cells = "def";
+    const QString cells = QStringLiteral("the cells of map Office changed");
+    const auto explained = [&](const std::vector<compare::PixelBox>& boxes) {
+      return suite::explained(differingAt(boxes), *after.view, suite::changesBetween(facts(), after));
+    };
+    const std::vector<compare::PixelBox> wall{{638, 357, 20, 10}};
+    suite::Explanation why = explained(wall);
+    QCOMPARE(why.everywhere, QStringList());
+    QCOMPARE(why.somewhere, QStringList{cells});
+    QVERIFY2(
+        suite::explanationText(differingAt(wall), *after.view, why)
+            .endsWith(QStringLiteral(": virtual wall W17 moved by 0.40 m. There or elsewhere: the cells of "
+                                     "map Office changed.")),
+        qPrintable(suite::explanationText(differingAt(wall), *after.view, why)));
+    // One that nothing else explains.
+    why = explained({{638, 357, 20, 10}, {10, 590, 5, 5}});
+    QCOMPARE(why.everywhere, QStringList{cells});
+    QCOMPARE(why.somewhere, QStringList());
+    // Another view is a cause in any case.
+    after.theme = "light";
+    QCOMPARE(explained(wall).everywhere, QStringList{QStringLiteral("the theme is light instead of dark")});
   }
 
   void whatChangedNearAClusterIsItsCause() {
