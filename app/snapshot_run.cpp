@@ -508,9 +508,8 @@ bool SnapshotRun::waypointsLost() const {
 bool SnapshotRun::overlaysLost() const {
   if (options_.raw || !wholeGrid() || !options_.layers.contains(scene::Layer::Overlays)) return false;
   const auto& notes = session_.wholeMap().shown().notes;
-  return std::any_of(notes.begin(), notes.end(), [](const map::Problem& note) {
-    return note.code == map::ProblemCode::Unreadable;
-  });
+  return std::any_of(notes.begin(), notes.end(),
+                     [](const map::Problem& note) { return note.code == map::ProblemCode::Unreadable; });
 }
 
 void SnapshotRun::paint(bool settled) {
@@ -550,9 +549,8 @@ void SnapshotRun::paint(bool settled) {
   }
   complete_ = settled && (!options_.wantsSubmaps() || submapsComplete(chosen_->counts)) &&
               (!options_.wantsWhole() || scans_alone_ || map_.complete()) && !waypointsLost() &&
-              !overlaysLost() &&
-              (!region_ || region_->complete()) && (!wantsCloud() || (cloud_ && cloud_->came)) &&
-              bagLosses(session_.problems()).isEmpty();
+              !overlaysLost() && (!region_ || region_->complete()) &&
+              (!wantsCloud() || (cloud_ && cloud_->came)) && bagLosses(session_.problems()).isEmpty();
   // Also printed to standard error although nothing is missing.
   const auto say = [this](const QString& note) {
     notes_ << note;

@@ -196,6 +196,7 @@ void explain(const PlannedSuite& plan, std::size_t view, const Judged& judged, c
           .trimmed();
   outcome.clusters = suite::clusterRows(comparison, facts.view, explanation);
   outcome.everywhere = explanation.everywhere;
+  outcome.somewhere = explanation.somewhere;
   outcome.elsewhere = explanation.elsewhere;
 }
 
@@ -316,10 +317,20 @@ int suiteRun(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
   return unreadable ? kUsage : tally.good() ? kDone : kIncomplete;
 }
 
-std::optional<QString> copied(const QString& from, const QString& to) {
-  const auto bytes = disk::readFile(from.toStdString(), kMostPictureFileBytes);
+/// The picture that was drawn and its facts become what is expected: both or neither.
+std::optional<QString> takePicture(const PlannedSuite& plan, std::size_t view, const suite::Facts& facts) {
+  const auto bytes = disk::readFile(plan.made("actual", view).toStdString(), kMostPictureFileBytes);
   if (!bytes) return sentences::sentenceOf(bytes.error().cause);
-  const auto fault = disk::writeFile(to.toStdString(), *bytes);
+  disk::WrittenFile picture(plan.expectedPicture(view).toStdString());
+  disk::WrittenFile kept(plan.expectedFacts(view).toStdString());
+  picture.write(*bytes);
+  kept.write(suite::factsBytes(facts).toStdString());
+  picture.finish();
+  kept.finish();
+  // place() says what is wrong; it replaces nothing where something is.
+  auto fault = kept.good() ? std::nullopt : kept.place();
+  if (!fault) fault = picture.place();
+  if (!fault) fault = kept.place();
   return fault ? std::optional(sentences::sentenceOf(disk::notWritten(*fault))) : std::nullopt;
 }
 
@@ -352,8 +363,7 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
     ViewOutcome outcome;
     if (verdict.comparison && !verdict.unreadable) explain(plan, view, verdict, facts, outcome);
     if (verdict.unreadable) outcome.sentence = verdict.sentence;
-    if (const auto why = copied(plan.made("actual", view), picture)) return fail(kUsage, *why);
-    if (const auto why = writeFacts(plan, view, facts)) return fail(kUsage, *why);
+    if (const auto why = takePicture(plan, view, facts)) return fail(kUsage, *why);
     return replaces ? Text::tr("%1: replaced %2. %3").arg(name, picture, outcome.sentence)
                     : Text::tr("%1: new, %2").arg(name, picture);
   });

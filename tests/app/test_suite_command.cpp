@@ -187,6 +187,21 @@ class SuiteCommandTest : public QObject {
     QCOMPARE(runSuite().code, 0);
   }
 
+  void aPictureAndItsFactsAreAcceptedTogetherOrNotAtAll() {
+    replaceIn("map/office.overlays.geojson", "[-6.0, -2.0]", "[-6.0, -1.5]");
+    const QByteArray before = program_->bytes("expected/wall W17.png");
+    QVERIFY(QFile::remove(program_->path("expected/wall W17.json")));
+    QVERIFY(QDir(program_->folder()).mkdir(QStringLiteral("expected/wall W17.json")));
+    const Ended ended = accept();
+    QCOMPARE(ended.code, 2);
+    QVERIFY2(ended.out.contains(QStringLiteral("wall W17: nothing accepted. ")), qPrintable(ended.out));
+    QCOMPARE(program_->bytes("expected/wall W17.png"), before);
+    QVERIFY(QDir(program_->path("expected/wall W17.json")).removeRecursively());
+    QCOMPARE(accept().code, 0);
+    QVERIFY(program_->bytes("expected/wall W17.png") != before);
+    QVERIFY(QFile::exists(program_->path("expected/wall W17.json")));
+  }
+
   void anAcceptedVariantIsAsGood() {
     QVERIFY(QFile::rename(program_->path("expected/cells.png"), program_->path("expected/cells.1.png")));
     QVERIFY(QFile::copy(program_->path("expected/wall W17.png"), program_->path("expected/cells.png")));

@@ -34,8 +34,7 @@ tl::expected<std::string, Fault> textIn(const QString& path) {
   if (!QFileInfo::exists(path) && !QFileInfo(path).isSymLink()) return std::string();
   auto bytes = disk::readFile(path.toStdString(), kMaxOverlayBytes + 1);
   if (!bytes) return tl::make_unexpected(bytes.error().cause);
-  if (bytes->size() > kMaxOverlayBytes)
-    return tl::make_unexpected(Fault(fault::FileTooLarge, {"256 MiB"}));
+  if (bytes->size() > kMaxOverlayBytes) return tl::make_unexpected(Fault(fault::FileTooLarge, {"256 MiB"}));
   return std::move(*bytes);
 }
 
