@@ -61,6 +61,12 @@ int comparePictureFiles(const CompareArguments& args, const Invocation& before) 
   if (!args.report.empty()) {
     view = compare::viewIn(text(args.report));
     if (!view) return refuse(kUsage, Text::tr("%1 is not the report of a snapshot.").arg(text(args.report)));
+    if (!compare::isOf(*view, made->actual) && !compare::isOf(*view, made->expected)) {
+      return refuse(kUsage, Text::tr("%1 is the report of a picture of %2 x %3: not of one of these.")
+                                .arg(text(args.report))
+                                .arg(view->width_px)
+                                .arg(view->height_px));
+    }
   } else {
     view = compare::viewBeside(text(args.actual), made->actual);
     if (!view) view = compare::viewBeside(text(args.expected), made->expected);

@@ -24,6 +24,9 @@ QStringList reportsBeside(const QString& picture) {
   return {info.path() + QLatin1Char('/') + info.completeBaseName() + suffix, picture + suffix};
 }
 
+/// Farther away places are no longer told apart in a picture.
+constexpr double kFarthestM = 1e9;
+
 double toThousandths(double metres) { return std::round(metres * 1000) / 1000; }
 
 }  // namespace
@@ -45,10 +48,15 @@ std::optional<geometry::ViewTransform> viewOf(const QJsonObject& report) {
   view.width_px = size.at(0).toInt();
   view.height_px = size.at(1).toInt();
   view.rotation_rad = geometry::radiansFromDegrees(json[QLatin1String("rotation_deg")].toDouble());
-  const bool useful = view.center_m.allFinite() && view.scale_m_per_px >= geometry::kMinScaleMPerPx &&
+  const bool useful = (view.center_m.array().abs() <= kFarthestM).all() && std::isfinite(view.rotation_rad) &&
+                      view.scale_m_per_px >= geometry::kMinScaleMPerPx &&
                       view.scale_m_per_px <= geometry::kMaxScaleMPerPx && view.width_px > 0 &&
                       view.height_px > 0;
   return useful ? std::optional(view) : std::nullopt;
+}
+
+bool isOf(const geometry::ViewTransform& view, PictureSize size) {
+  return view.width_px == size.width && view.height_px == size.height;
 }
 
 std::optional<geometry::ViewTransform> viewIn(const QString& report) { return viewOf(reportIn(report)); }
@@ -56,7 +64,7 @@ std::optional<geometry::ViewTransform> viewIn(const QString& report) { return vi
 std::optional<geometry::ViewTransform> viewBeside(const QString& picture, PictureSize size) {
   for (const QString& name : reportsBeside(picture)) {
     const auto view = viewIn(name);
-    if (view && view->width_px == size.width && view->height_px == size.height) return view;
+    if (view && isOf(*view, size)) return view;
   }
   return std::nullopt;
 }

@@ -18,6 +18,8 @@ namespace mapwright::compare {
 QJsonObject jsonOf(const geometry::ViewTransform& view);
 /// The member "view" of a report; nullopt: it has none that is of use.
 std::optional<geometry::ViewTransform> viewOf(const QJsonObject& report);
+/// It can be about a picture of this size.
+bool isOf(const geometry::ViewTransform& view, PictureSize size);
 /// Of the report in a file.
 std::optional<geometry::ViewTransform> viewIn(const QString& report);
 /// Of the report beside a picture: "a.json" or "a.png.json" of "a.png". One of another size is not about it.

@@ -300,6 +300,31 @@ class SuiteCommandTest : public QObject {
     QCOMPARE(QImage(program_->path("d.png")).size(), other.size());
     QCOMPARE(run(words("compare a.png a.png")).code, 0);
   }
+  void aReportThatDoesNotFitIsRefusedOrNotUsed() {
+    QImage black(32, 20, QImage::Format_RGB32), white(32, 20, QImage::Format_RGB32);
+    black.fill(Qt::black);
+    white.fill(Qt::white);
+    black.save(program_->path("a.png"));
+    white.save(program_->path("b.png"));
+    const auto report = [](const char* center, const char* size) {
+      return QByteArray(R"({"view": {"center": )") + center + R"(, "scale": 0.05, "size": )" + size + "}}";
+    };
+    for (const auto& [bytes, fits] :
+         {std::pair(report("[1, 2]", "[32, 20]"), true), std::pair(report("[1, 2]", "[33, 20]"), false),
+          std::pair(report("[1e308, 2]", "[32, 20]"), false),
+          std::pair(report("[1, -1e308]", "[32, 20]"), false),
+          std::pair(report("[1, null]", "[32, 20]"), false)}) {
+      program_->put("r.json", bytes);
+      const Ended asked = run(words("compare a.png b.png --report r.json --json"));
+      QVERIFY2(asked.code == (fits ? 1 : 2), bytes.constData());
+      QCOMPARE(asked.err.count(QLatin1Char('\n')), fits ? 0 : 1);
+      program_->put("b.json", bytes);
+      const Ended found = run(words("compare a.png b.png --json"));
+      QCOMPARE(found.code, 1);
+      const QJsonObject cluster = found.object()[QLatin1String("clusters")].toArray().at(0).toObject();
+      QCOMPARE(cluster.contains(QLatin1String("world")), fits);
+    }
+  }
   void compareSaysOtherSizesFirst() {
     QImage(10, 10, QImage::Format_Grayscale8).save(program_->path("a.png"));
     QImage(12, 10, QImage::Format_Grayscale8).save(program_->path("b.png"));
