@@ -88,6 +88,15 @@ std::optional<QString> whyNoFolder(const QString& folder) {
   return Text::tr("The folder %1 cannot be written.").arg(folder);
 }
 
+/// Where it is, or would be made, with links followed.
+QString placeOf(const QString& folder, int links = 0) {
+  constexpr int kMostLinks = 40;
+  if (const QString there = QFileInfo(folder).canonicalFilePath(); !there.isEmpty()) return there;
+  const QFileInfo info(QDir::cleanPath(QFileInfo(folder).absoluteFilePath()));
+  if (info.isSymLink() && links < kMostLinks) return placeOf(info.symLinkTarget(), links + 1);
+  return info.isRoot() ? info.filePath() : QDir(placeOf(info.path(), links)).filePath(info.fileName());
+}
+
 /// `draws`: pictures will be made.
 tl::expected<PlannedSuite, QString> planned(const SuiteArguments& args, bool draws) {
   auto read = suiteIn(args.suite);
@@ -108,12 +117,12 @@ tl::expected<PlannedSuite, QString> planned(const SuiteArguments& args, bool dra
           Text::tr("--only: there is no view \"%1\" in %2.").arg(text(name), text(args.suite)));
   }
   if (draws) {
+    if (placeOf(plan.report) == placeOf(plan.expected))
+      return tl::make_unexpected(
+          Text::tr("--expected and --report are the same folder. Choose two different ones."));
     for (const char* const kind : {"", "/actual", "/difference"}) {
       if (const auto why = whyNoFolder(plan.report + QLatin1String(kind))) return tl::make_unexpected(*why);
     }
-    if (disk::sameFile(plan.report.toStdString(), plan.expected.toStdString()))
-      return tl::make_unexpected(
-          Text::tr("--expected and --report are the same folder. Choose two different ones."));
   }
   for (suite::View& view : read->views) {
     if (!wanted(view)) continue;

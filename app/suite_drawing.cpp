@@ -50,6 +50,15 @@ QString placed(const QString& written, const QString& folder) {
   return prefix + QDir::cleanPath(there);
 }
 
+/// The file that this address opens as a recording; empty: none.
+QString recordingIn(const QString& address) {
+  const QString prefix = QStringLiteral("file:");
+  const QString named = address.startsWith(prefix) ? address.mid(prefix.size()) : address;
+  const QString path = named.section(QLatin1Char('?'), 0, 0);
+  const bool file = !path.isEmpty() && !path.contains(QLatin1String("://")) && QFileInfo(path).isFile();
+  return file && robot::recorded::isRecording(path) ? QFileInfo(path).absoluteFilePath() : QString();
+}
+
 /// A bag may be a file, too.
 QString placedBag(const QString& written, const QString& folder) {
   const QString there = QDir(folder).absoluteFilePath(written);
@@ -95,10 +104,12 @@ tl::expected<SnapshotOptions, QString> snapshotOptionsOf(const suite::View& view
   }
   SnapshotArguments& args = parser.args;
   if (!args.robot.empty()) args.robot = placed(text(args.robot), folder).toStdString();
+  if (args.robot.empty() && args.bag.empty()) args.robot = robot;
   // A recording is named by its robot, or as a bag.
-  if (const QString path = text(args.robot).section(QLatin1Char(':'), 1);
-      args.bag.empty() && !args.at.empty() && robot::recorded::isRecording(path)) {
-    args.bag = path.toStdString();
+  if (const QString recording = recordingIn(text(args.robot)); args.bag.empty() && !recording.isEmpty()) {
+    if (args.at.empty())
+      return wrong_view(Text::tr("A view of a recording needs \"at\", the time in it: %1.").arg(recording));
+    args.bag = recording.toStdString();
     args.robot.clear();
   }
   if (!args.bag.empty()) {

@@ -1,6 +1,8 @@
 // `compare` and `suite`: what a server that builds and tests sees, with differences that were planted.
 #include <QDir>
+#include <QElapsedTimer>
 #include <QImage>
+#include <QRegularExpression>
 #include <QTest>
 #include <QXmlStreamReader>
 
@@ -266,6 +268,39 @@ class SuiteCommandTest : public QObject {
     program_->put("expected/cells.png", "no picture");
     QCOMPARE(runSuite().code, 2);
     QVERIFY(failures().contains(QStringLiteral("cells")));
+  }
+  void theFolderOfTheReportIsNotThatOfTheExpected() {
+    const QDir folder(program_->folder());
+    QVERIFY(QFile::link(program_->path("expected"), program_->path("link")));
+    QVERIFY(QFile::link(QStringLiteral("fresh"), program_->path("to fresh")));
+    QVERIFY(QFile::link(QStringLiteral("."), program_->path("here")));
+    for (const auto& [expected, report] :
+         {std::pair("expected", "expected/"), std::pair("expected", "link"), std::pair("link", "expected"),
+          std::pair("fresh", "fresh"), std::pair("fresh", "map/../fresh"), std::pair("fresh", "to fresh"),
+          std::pair("here/fresh", "fresh"), std::pair("here/a/b", "a/b/")}) {
+      const Ended ended = run({QStringLiteral("suite"), QStringLiteral("run"), QStringLiteral("suite.yaml"),
+                               QStringLiteral("--expected"), QLatin1String(expected),
+                               QStringLiteral("--report"), QLatin1String(report)});
+      QVERIFY2(ended.code == 2 && ended.err.contains(QStringLiteral("same folder")), qPrintable(ended.err));
+    }
+    for (const char* made : {"expected/actual", "expected/difference", "fresh", "a"})
+      QVERIFY2(!folder.exists(QLatin1String(made)), made);
+  }
+  void aRecordingWithoutATimeIsRefusedAtOnce() {
+    program_->put("map/walk.mcap", "\x89MCAP0\r\n");
+    for (const char* yaml : {"views:\n  - {name: a, robot: map/walk.mcap, timeout: 200}\n",
+                             "views:\n  - {name: a, robot: \"file:map/walk.mcap\", timeout: 200}\n",
+                             "views:\n  - {name: a, bag: map/walk.mcap, timeout: 200}\n",
+                             "defaults: {timeout: 200}\nviews:\n  - {name: a}\n"}) {
+      program_->put("suite.yaml", yaml);
+      QElapsedTimer clock;
+      clock.start();
+      const Ended ended = runSuite(QByteArray(yaml).contains("walk") ? "" : "--robot map/walk.mcap");
+      QVERIFY2(ended.code == 2, qPrintable(ended.out + ended.err));
+      QVERIFY2(ended.err.contains(QStringLiteral("suite.yaml: Line ")), qPrintable(ended.err));
+      QVERIFY2(ended.err.contains(QRegularExpression(QStringLiteral("\"at\"|--at"))), qPrintable(ended.err));
+      QVERIFY(clock.elapsed() < 100'000);
+    }
   }
   void listTellsWhatIsExpected() {
     QFile::remove(program_->path("expected/cells.png"));
