@@ -236,7 +236,8 @@ void ReplayController::reportMoment(const QString& path) {
   reporting::ReportOrder order;
   order.run.robot = [this, address] { return make_robot_(address); };
   order.run.bag = reading->key();
-  order.run.at_s = clock_->at();
+  // The timeline begins with a whole second.
+  order.run.at_s = std::max(clock_->at(), reading->info()->start_s);
   order.path = path;
   report_ = std::make_unique<reporting::ReportJob>(std::move(order), context_.workers);
   toasts->add(Mark::Busy, tr("The report is being written…"), {}, kReporting);
