@@ -39,6 +39,12 @@ QString shown(const std::string& text) { return words::plainName(text).left(80);
 
 QString noScalarText(const QString& key) { return SuiteText::tr("%1 must be a text or a number.").arg(key); }
 QString noValueText(const QString& key) { return SuiteText::tr("%1 has no value.").arg(key); }
+QString tooLongText(const QString& key) {
+  return SuiteText::tr("%1 is too long: at most %2 entries and %3 bytes.")
+      .arg(key)
+      .arg(kMostEntries)
+      .arg(kLongestValue);
+}
 
 std::string scalar(const YAML::Node& node, const QString& key) {
   if (!node.IsScalar()) throw refusedAt(node.Mark(), noScalarText(key));
@@ -48,12 +54,7 @@ std::string scalar(const YAML::Node& node, const QString& key) {
 /// [1, 2] as "1,2".
 std::string joined(const YAML::Node& node, const QString& key) {
   // Written once, it may stand in every view.
-  const auto tooLong = [&] {
-    return refusedAt(node.Mark(), SuiteText::tr("%1 is too long: at most %2 entries and %3 bytes.")
-                                      .arg(key)
-                                      .arg(kMostEntries)
-                                      .arg(kLongestValue));
-  };
+  const auto tooLong = [&] { return refusedAt(node.Mark(), tooLongText(key)); };
   if (!node.IsSequence()) {
     const std::string text = scalar(node, key);
     if (text.empty()) throw refusedAt(node.Mark(), noValueText(key));
