@@ -1,7 +1,6 @@
 #include "sentences/overlay_sentence.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 #include "overlays/overlay_edits.h"
@@ -62,7 +61,11 @@ QString calledForSure(const Feature& feature) {
   return OverlayText::tr("%1 at %2").arg(overlayCalled(feature), metresAt(*at));
 }
 
-QString featureChange(const overlays::OverlayChange& change, const Feature& before, const Feature& after) {
+QString featureChange(const overlays::OverlayChange& change, const Feature& before, const Feature& after,
+                      Telling telling) {
+  const auto say = [telling](const QString& deed, const QString& event) {
+    return telling == Telling::Deed ? deed : event;
+  };
   const QString called = calledForSure(before);
   QStringList parts;
   for (const overlays::PartChange& each : change.parts) {
@@ -70,50 +73,31 @@ QString featureChange(const overlays::OverlayChange& change, const Feature& befo
     const bool of_feature = part.of == Part::Of::Property;
     const QString was = valueText(part, each.before), is = valueText(part, each.after);
     if (part.of == Part::Of::Member && part.name == "geometry") {
-      const auto by_m = movedBy(before, after);
-      parts << (by_m ? OverlayText::tr("Move %1 by %2 m").arg(called, QLocale::c().toString(*by_m, 'f', 2))
-                     : OverlayText::tr("Reshape %1").arg(called));
+      if (const auto by_m = movedBy(before, after)) {
+        parts << say(OverlayText::tr("Move %1 by %2 m"), OverlayText::tr("%1 moved by %2 m"))
+                     .arg(called, words::fixed(*by_m, 2));
+      } else {
+        parts << say(OverlayText::tr("Reshape %1"), OverlayText::tr("%1 has another shape")).arg(called);
+      }
     } else if (of_feature && part.name == "name") {
-      parts << OverlayText::tr("Rename %1 to %2").arg(called, overlayName(after));
+      parts << say(OverlayText::tr("Rename %1 to %2"), OverlayText::tr("%1 is called %2 now"))
+                   .arg(called, overlayName(after));
     } else if (of_feature && part.name == overlays::typeProperty(after.shape())) {
-      parts << OverlayText::tr("Make %1 a %2").arg(called, overlayKind(after).toLower());
+      parts << say(OverlayText::tr("Make %1 a %2"), OverlayText::tr("%1 became a %2"))
+                   .arg(called, overlayKind(after).toLower());
     } else if (of_feature && part.name == "yaw" && each.before && each.after) {
-      parts << OverlayText::tr("Turn %1 to %2 (was %3)").arg(called, is, was);
+      parts << say(OverlayText::tr("Turn %1 to %2 (was %3)"), OverlayText::tr("%1 turned from %3 to %2"))
+                   .arg(called, is, was);
     } else if (each.after && !each.before) {
-      parts << OverlayText::tr("Set %1 of %2 to %3").arg(partName(part), called, is);
+      parts << say(OverlayText::tr("Set %1 of %2 to %3"), OverlayText::tr("%1 of %2 is %3 now"))
+                   .arg(partName(part), called, is);
     } else if (each.after) {
-      parts << OverlayText::tr("Set %1 of %2 to %3 (was %4)").arg(partName(part), called, is, was);
+      parts << say(OverlayText::tr("Set %1 of %2 to %3 (was %4)"),
+                   OverlayText::tr("%1 of %2 went from %4 to %3"))
+                   .arg(partName(part), called, is, was);
     } else {
-      parts << OverlayText::tr("Remove %1 of %2 (was %3)").arg(partName(part), called, was);
-    }
-  }
-  return parts.join(QStringLiteral("; "));
-}
-
-/// The same as what happened.
-QString whatHappened(const overlays::OverlayChange& change, const Feature& before, const Feature& after) {
-  const QString called = calledForSure(before);
-  QStringList parts;
-  for (const overlays::PartChange& each : change.parts) {
-    const Part& part = each.part;
-    const bool of_feature = part.of == Part::Of::Property;
-    const QString was = valueText(part, each.before), is = valueText(part, each.after);
-    if (part.of == Part::Of::Member && part.name == "geometry") {
-      const auto by_m = movedBy(before, after);
-      parts << (by_m ? OverlayText::tr("%1 moved by %2 m").arg(called, words::fixed(*by_m, 2))
-                     : OverlayText::tr("%1 has another shape").arg(called));
-    } else if (of_feature && part.name == "name") {
-      parts << OverlayText::tr("%1 is called %2 now").arg(called, overlayName(after));
-    } else if (of_feature && part.name == overlays::typeProperty(after.shape())) {
-      parts << OverlayText::tr("%1 became a %2").arg(called, overlayKind(after).toLower());
-    } else if (of_feature && part.name == "yaw" && each.before && each.after) {
-      parts << OverlayText::tr("%1 turned from %2 to %3").arg(called, was, is);
-    } else if (each.after && !each.before) {
-      parts << OverlayText::tr("%1 of %2 is %3 now").arg(partName(part), called, is);
-    } else if (each.after) {
-      parts << OverlayText::tr("%1 of %2 went from %3 to %4").arg(partName(part), called, was, is);
-    } else {
-      parts << OverlayText::tr("%1 of %2 is gone (was %3)").arg(partName(part), called, was);
+      parts << say(OverlayText::tr("Remove %1 of %2 (was %3)"), OverlayText::tr("%1 of %2 is gone (was %3)"))
+                   .arg(partName(part), called, was);
     }
   }
   return parts.join(QStringLiteral("; "));
@@ -156,32 +140,22 @@ QString overlayChangesText(qsizetype count) {
 }
 
 QString changeText(const overlays::OverlayChange& change, const overlays::OverlayDocument& before,
-                   const overlays::OverlayDocument& after) {
+                   const overlays::OverlayDocument& after, Telling telling) {
+  const bool deed = telling == Telling::Deed;
   if (change.collection) {
     QStringList names;
     for (const auto& part : change.parts)
       names << OverlayText::tr("%1 to %2").arg(partName(part.part), valueText(part.part, part.after));
-    return OverlayText::tr("Change the defaults of the map: %1").arg(names.join(QStringLiteral(", ")));
+    return (deed ? OverlayText::tr("Change the defaults of the map: %1")
+                 : OverlayText::tr("the defaults of the map changed: %1"))
+        .arg(names.join(QStringLiteral(", ")));
   }
   const Feature* const was = change.from ? &before.features()[*change.from] : nullptr;
   const Feature* const is = change.to ? &after.features()[*change.to] : nullptr;
-  if (was && is) return featureChange(change, *was, *is);
-  if (is) return OverlayText::tr("Add %1").arg(calledForSure(*is));
-  return was ? OverlayText::tr("Delete %1").arg(calledForSure(*was)) : QString();
-}
-
-QString happenedText(const overlays::OverlayChange& change, const overlays::OverlayDocument& before,
-                     const overlays::OverlayDocument& after) {
-  if (change.collection) {
-    QStringList names;
-    for (const auto& part : change.parts) names << partName(part.part);
-    return OverlayText::tr("defaults of the map changed: %1").arg(names.join(QStringLiteral(", ")));
-  }
-  const Feature* const was = change.from ? &before.features()[*change.from] : nullptr;
-  const Feature* const is = change.to ? &after.features()[*change.to] : nullptr;
-  if (was && is) return whatHappened(change, *was, *is);
-  if (is) return OverlayText::tr("%1 is new").arg(calledForSure(*is));
-  return was ? OverlayText::tr("%1 is gone").arg(calledForSure(*was)) : QString();
+  if (was && is) return featureChange(change, *was, *is, telling);
+  if (is) return (deed ? OverlayText::tr("Add %1") : OverlayText::tr("%1 is new")).arg(calledForSure(*is));
+  if (!was) return {};
+  return (deed ? OverlayText::tr("Delete %1") : OverlayText::tr("%1 is gone")).arg(calledForSure(*was));
 }
 
 QString partName(const Part& part) {

@@ -20,13 +20,12 @@ QString featuresText(qsizetype count);
 /// "3 changes".
 QString overlayChangesText(qsizetype count);
 
-/// "Move virtual wall W17 by 0.40 m", "Set speed of slow zone Lab to 0.6 (was 0.4)". A change between the
-/// two.
+/// As what is to be done ("Move virtual wall W17 by 0.40 m"), or as what happened ("virtual wall W17 moved by
+/// 0.40 m").
+enum class Telling { Deed, Event };
+/// A change between the two.
 QString changeText(const overlays::OverlayChange& change, const overlays::OverlayDocument& before,
-                   const overlays::OverlayDocument& after);
-/// The same as what happened: "virtual wall W17 moved by 0.40 m".
-QString happenedText(const overlays::OverlayChange& change, const overlays::OverlayDocument& before,
-                     const overlays::OverlayDocument& after);
+                   const overlays::OverlayDocument& after, Telling telling = Telling::Deed);
 /// "place", "name", "heading", "type", or the name of a property.
 QString partName(const overlays::Part& part);
 /// JSON as one short line of plain text; "deleted" or "none" where there is nothing.

@@ -169,7 +169,7 @@ void compareOverlays(const Facts& before, const Facts& after, std::vector<FactCh
     return bounds;
   };
   for (const overlays::OverlayChange& change : overlays::changesBetween(*was, *is)) {
-    FactChange made{sentences::happenedText(change, *was, *is), {}};
+    FactChange made{sentences::changeText(change, *was, *is, sentences::Telling::Event), {}};
     if (change.from) made.where.push_back(box(was->features()[*change.from]));
     if (change.to) made.where.push_back(box(is->features()[*change.to]));
     changes.push_back(std::move(made));
