@@ -1,5 +1,5 @@
-// mapwright as a script runs it: in a folder of its own, without a display, and with no robot in the
-// environment.
+// mapwright as a script runs it: in a folder of its own, without a display, with no robot in the
+// environment, and as on a desk also where the tests run on a build server.
 #pragma once
 
 #include <functional>
@@ -47,7 +47,7 @@ class Program {
 
   QProcessEnvironment environment(const QMap<QString, QString>& more = {}) const {
     QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
-    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "QT_LOGGING_RULES",
+    for (const char* name : {"CI", "DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "QT_LOGGING_RULES",
                              "QT_MESSAGE_PATTERN", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET", "MAPWRIGHT_LOG"})
       env.remove(QLatin1String(name));
     env.insert(QStringLiteral("XDG_CACHE_HOME"), path("cache"));
