@@ -343,9 +343,21 @@ std::optional<QString> takePicture(const PlannedSuite& plan, std::size_t view, c
   return fault ? std::optional(sentences::sentenceOf(disk::notWritten(*fault))) : std::nullopt;
 }
 
-std::optional<QString> writeFacts(const PlannedSuite& plan, std::size_t view, const suite::Facts& facts) {
-  const auto fault =
-      disk::writeFile(plan.expectedFacts(view).toStdString(), suite::factsBytes(facts).toStdString());
+/// Of a picture that stays: its facts are written if there are none, and blocks of the same cells are added
+/// to those of earlier versions.
+std::optional<QString> completeFacts(const PlannedSuite& plan, std::size_t view, const suite::Facts& facts) {
+  const std::string path = plan.expectedFacts(view).toStdString();
+  suite::Facts complete = facts;
+  if (QFileInfo::exists(plan.expectedFacts(view))) {
+    const auto bytes = disk::readFile(path, kMostFactsBytes);
+    const auto kept = suite::factsFrom(QByteArray::fromStdString(bytes ? *bytes : std::string()));
+    const bool lacks_blocks = kept && kept->map && facts.map && !kept->map->blocks.known() &&
+                              kept->map->cells == facts.map->cells && facts.map->blocks.known();
+    if (!lacks_blocks) return std::nullopt;
+    complete = *kept;
+    complete.map->blocks = facts.map->blocks;
+  }
+  const auto fault = disk::writeFile(path, suite::factsBytes(complete).toStdString());
   return fault ? std::optional(sentences::sentenceOf(disk::notWritten(*fault))) : std::nullopt;
 }
 
@@ -363,9 +375,7 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
     const QString picture = plan.expectedPicture(view);
     const Judged verdict = judged(plan, view);
     if (verdict.verdict == Verdict::AsExpected) {
-      if (!QFileInfo::exists(plan.expectedFacts(view))) {
-        if (const auto why = writeFacts(plan, view, facts)) return fail(kUsage, *why);
-      }
+      if (const auto why = completeFacts(plan, view, facts)) return fail(kUsage, *why);
       return Text::tr("%1: as expected, nothing is replaced").arg(name);
     }
     const bool replaces = QFileInfo::exists(picture);

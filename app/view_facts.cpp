@@ -10,15 +10,19 @@ namespace mapwright::app {
 namespace {
 
 /// Larger ones take more than a moment.
-constexpr std::int64_t kMostSummedCells = 40'000'000;
+constexpr std::int64_t kMostSummedCells = 200'000'000;
 
-std::string sumOf(const grids::GridPyramid& cells) {
-  if (std::int64_t(cells.width()) * cells.height() > kMostSummedCells) return {};
+void sumCells(const grids::GridPyramid& cells, suite::MapFact& map) {
+  if (std::int64_t(cells.width()) * cells.height() > kMostSummedCells) return;
   QCryptographicHash sum(QCryptographicHash::Sha256);
+  map.blocks = suite::CellBlocks(cells.width(), cells.height());
   grids::GridRows rows(cells);
-  for (int y = 0; y < cells.height(); ++y)
-    sum.addData(QByteArrayView(reinterpret_cast<const char*>(rows.row(y)), cells.width()));
-  return sum.result().toHex().left(32).toStdString();
+  for (int y = 0; y < cells.height(); ++y) {
+    const std::uint8_t* const row = rows.row(y);
+    sum.addData(QByteArrayView(reinterpret_cast<const char*>(row), cells.width()));
+    map.blocks.takeRow(y, row);
+  }
+  map.cells = sum.result().toHex().left(32).toStdString();
 }
 
 void addMap(const session::Session& session, bool with_overlays, suite::Facts& facts) {
@@ -39,7 +43,7 @@ void addMap(const session::Session& session, bool with_overlays, suite::Facts& f
     map.version = info->map_version;
     map.overlays_version = info->overlays_version;
   }
-  map.cells = sumOf(*slot.cells());
+  sumCells(*slot.cells(), map);
   map.box = slot.reference().bounds();
   map.origin = slot.reference().origin;
   map.resolution_m = slot.reference().resolution_m;

@@ -107,6 +107,7 @@ QJsonObject mapJson(const MapFact& map) {
                    {QStringLiteral("box"), boxJson(map.box)}};
   if (map.origin) json[QStringLiteral("origin")] = poseJson(*map.origin);
   if (map.resolution_m) json[QStringLiteral("resolution")] = *map.resolution_m;
+  if (map.blocks.known()) json[QStringLiteral("blocks")] = jsonOf(map.blocks);
   return json;
 }
 
@@ -121,7 +122,8 @@ MapFact mapFrom(const QJsonObject& json) {
           word("cells"),
           boxFrom(json[QLatin1String("box")]),
           poseFrom(json[QLatin1String("origin")]),
-          resolution.isDouble() ? std::optional(resolution.toDouble()) : std::nullopt};
+          resolution.isDouble() ? std::optional(resolution.toDouble()) : std::nullopt,
+          blocksFrom(json[QLatin1String("blocks")])};
 }
 
 std::optional<map::SubmapId> idFrom(const QString& word) {

@@ -16,6 +16,7 @@
 #include "map/overlay.h"
 #include "map/submap.h"
 #include "map/waypoint.h"
+#include "suite/cell_blocks.h"
 
 namespace mapwright::suite {
 
@@ -32,6 +33,7 @@ struct MapFact {
   geometry::WorldRect box;
   std::optional<geometry::Pose2> origin = {};  // its lower left corner
   std::optional<double> resolution_m = {};     // of a cell
+  CellBlocks blocks = {};                      // of its cells; files of earlier versions have none
 };
 
 /// Only what is drawn.

@@ -87,18 +87,20 @@ void compareViews(const Facts& before, const Facts& after, std::vector<FactChang
     say(FactsChangesText::tr("layers that are drawn no more: %1").arg(firstOf(gone, QStringLiteral(", "))));
 }
 
-void comparePlaces(const MapFact& was, const MapFact& is, std::vector<FactChange>& changes) {
+std::vector<FactChange> placeChanges(const MapFact& was, const MapFact& is) {
+  std::vector<FactChange> changes;
   const auto say = [&](const QString& words) { changes.push_back({words, {}, true}); };
   if (was.resolution_m && is.resolution_m &&
       std::abs(*was.resolution_m - *is.resolution_m) > 1e-6 * *was.resolution_m)
     say(FactsChangesText::tr("map %1 has another resolution").arg(nameOf(is)));
-  if (!was.origin || !is.origin) return;
+  if (!was.origin || !is.origin) return changes;
   const double by_m = std::hypot(is.origin->x_m - was.origin->x_m, is.origin->y_m - was.origin->y_m);
   const double by_rad = geometry::normalizeAngle(is.origin->yaw_rad - was.origin->yaw_rad);
   if (by_m > kMovedM) say(FactsChangesText::tr("map %1 lies %2 m elsewhere").arg(nameOf(is), metres(by_m)));
   if (std::abs(by_rad) > kTurnedRad)
     say(FactsChangesText::tr("map %1 is turned by %2°")
             .arg(nameOf(is), QLocale::c().toString(geometry::degreesFromRadians(by_rad), 'f', 1)));
+  return changes;
 }
 
 void compareMaps(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
@@ -124,10 +126,24 @@ void compareMaps(const Facts& before, const Facts& after, std::vector<FactChange
               .arg(nameOf(is))
               .arg(*was.overlays_version)
               .arg(*is.overlays_version));
-    comparePlaces(was, is, changes);
+    for (FactChange& change : placeChanges(was, is)) changes.push_back(std::move(change));
   }
-  if (was.cells != is.cells && !was.cells.empty() && !is.cells.empty())
-    say(FactsChangesText::tr("the cells of map %1 changed").arg(nameOf(is)));
+}
+
+void compareCells(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
+  if (!before.map || !after.map) return;
+  const MapFact &was = *before.map, &is = *after.map;
+  if (was.cells == is.cells || was.cells.empty() || is.cells.empty()) return;
+  std::vector<ChangedPatch> patches;
+  if (was.blocks.comparableWith(is.blocks) && is.origin && is.resolution_m && placeChanges(was, is).empty())
+    patches = changedPatches(was.blocks, is.blocks, *is.origin, *is.resolution_m);
+  for (const ChangedPatch& patch : patches)
+    changes.push_back({FactsChangesText::tr("cells of map %1 changed within %2 x %3 m at %4")
+                           .arg(nameOf(is), metres(patch.width_m), metres(patch.height_m),
+                                compare::placeText(patch.center_m)),
+                       patch.blocks});
+  if (patches.empty())
+    changes.push_back({FactsChangesText::tr("the cells of map %1 changed").arg(nameOf(is)), {}});
 }
 
 void compareSubmaps(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
@@ -258,7 +274,7 @@ void compareStamps(const Facts& before, const Facts& after, std::vector<FactChan
 std::vector<FactChange> changesBetween(const Facts& before, const Facts& after) {
   std::vector<FactChange> changes;
   for (const auto compare : {compareViews, compareMaps, compareOverlays, compareWaypoints, compareSubmaps,
-                             compareRobot, compareStamps})
+                             compareRobot, compareCells, compareStamps})
     compare(before, after, changes);
   return changes;
 }

@@ -2,6 +2,8 @@
 // differ.
 #include <functional>
 
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 
 #include "suite/facts.h"
@@ -100,11 +102,11 @@ class SuiteFactsTest : public QObject {
         wordsOf(facts(), after),
         (QStringList{
             QStringLiteral("map Office went from version 3 to 5"),
-            QStringLiteral("the cells of map Office changed"),
             QStringLiteral("virtual wall W17 moved by 0.40 m"),
             QStringLiteral("waypoint Dock moved by 0.50 m"), QStringLiteral("submap 0-1 moved by 0.25 m"),
             QStringLiteral("submap 12-3 went from version 7 to 9"), QStringLiteral("submap 0-2 is new"),
-            QStringLiteral("the robot turned by 57.3°"), QStringLiteral("messages of other times: /scan")}));
+            QStringLiteral("the robot turned by 57.3°"), QStringLiteral("the cells of map Office changed"),
+            QStringLiteral("messages of other times: /scan")}));
     QVERIFY(wordsOf(after, facts()).contains(QStringLiteral("submap 0-2 is gone")));
   }
 
@@ -159,6 +161,70 @@ class SuiteFactsTest : public QObject {
     // Another view is a cause in any case.
     after.theme = "light";
     QCOMPARE(explained(wall).everywhere, QStringList{QStringLiteral("the theme is light instead of dark")});
+  }
+
+  /// The map of facts(), 800 x 600 cells of 0.05 m, with these cells black.
+  static Facts withBlack(const std::vector<Eigen::Vector2i>& black) {
+    Facts made = facts();
+    suite::CellBlocks blocks(800, 600);
+    for (int y = 0; y < 600; ++y) {
+      std::vector<std::uint8_t> row(800, 254);
+      for (const Eigen::Vector2i& at : black) {
+        if (at.y() == y) row[std::size_t(at.x())] = 0;
+      }
+      blocks.takeRow(y, row.data());
+    }
+    made.map->blocks = blocks;
+    for (const Eigen::Vector2i& at : black)
+      made.map->cells += ' ' + std::to_string(at.x()) + ',' + std::to_string(at.y());
+    return made;
+  }
+
+  void cellsThatChangedHaveTheirPlace() {
+    const Facts before = withBlack({}), after = withBlack({{400, 300}, {440, 300}, {100, 500}});
+    const QByteArray bytes = suite::factsBytes(after);
+    const auto kept = suite::factsFrom(bytes);
+    QVERIFY(kept);
+    QCOMPARE(suite::factsBytes(*kept), bytes);
+    QVERIFY(kept->map->blocks == after.map->blocks);
+    // Of 800 x 600 cells in blocks of 16 x 16; (400, 300) and (440, 300) are two blocks apart.
+    QCOMPARE(after.map->blocks.edge, 16);
+    QCOMPARE(
+        wordsOf(before, *kept),
+        (QStringList{QStringLiteral("cells of map Office changed within 0.80 x 0.80 m at (0.4, 0.2)"),
+                     QStringLiteral("cells of map Office changed within 0.80 x 0.80 m at (2.0, 0.2)"),
+                     QStringLiteral("cells of map Office changed within 0.80 x 0.80 m at (-14.8, -10.2)")}));
+    const suite::Explanation why =
+        suite::explained(differingAt({{400, 300, 1, 1}}), *after.view, suite::changesBetween(before, after));
+    QCOMPARE(why.near[0],
+             QStringList{QStringLiteral("cells of map Office changed within 0.80 x 0.80 m at (0.4, 0.2)")});
+    QCOMPARE(why.somewhere + why.everywhere, QStringList());
+    QCOMPARE(why.elsewhere.size(), 2);
+  }
+  void blocksThatTouchAreOnePlace() {
+    QCOMPARE(
+        wordsOf(withBlack({}), withBlack({{10, 10}, {20, 20}, {40, 30}})),
+        QStringList{QStringLiteral("cells of map Office changed within 2.40 x 1.60 m at (-18.8, 14.2)")});
+  }
+  void cellsWithoutComparableBlocksHaveNoPlace() {
+    const QStringList no_place{QStringLiteral("the cells of map Office changed")};
+    Facts before = facts();  // as earlier versions kept them
+    const Facts after = withBlack({{10, 10}});
+    QCOMPARE(wordsOf(*suite::factsFrom(suite::factsBytes(before)), after), no_place);
+    before.map->blocks = suite::CellBlocks(801, 600);
+    QCOMPARE(wordsOf(before, after), no_place);
+    before = withBlack({});
+    before.map->resolution_m = 0.1;
+    QCOMPARE(wordsOf(before, after).last(), no_place.first());
+    for (const char* json :
+         {R"({"size":[0,0],"edge":16,"rows":[]})", R"({"size":[16,16],"edge":16,"rows":["AA"]})",
+          R"({"size":[2000000000,16],"edge":1,"rows":["AAAAAA"]})", "{}"})
+      QVERIFY(!suite::blocksFrom(QJsonDocument::fromJson(json).object()).known());
+  }
+  void largeMapsKeepFewBlocks() {
+    const suite::CellBlocks blocks(10'000, 10'000);
+    QCOMPARE(blocks.edge, 256);
+    QCOMPARE(blocks.sums.size(), std::size_t(1600));
   }
 
   void whatChangedNearAClusterIsItsCause() {
