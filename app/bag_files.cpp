@@ -52,8 +52,7 @@ CommandResult<ExportOrder> orderFrom(const BagsArguments& args, const QStringLis
   } else if (!formats.contains(order.format)) {
     return wrong(Text::tr("--format %1: must be one of %2.").arg(text(args.format), known));
   }
-  if (const auto why = whyNotCreated(order.path, QFileInfo(order.path).isFile(), args.force))
-    return wrong(*why);
+  if (const auto why = whyNotCreated(order.path, args.force)) return wrong(*why);
   return order;
 }
 
@@ -139,7 +138,7 @@ CommandResult<int> exportExcerpt(RobotCommand& command, const BagsArguments& arg
   if (!order) return passOn(order);
   const auto recording = recordingOf(args);
   if (recording) {
-    if (const auto why = whyNotCreated(order->path, false, true, {*recording})) return wrong(*why);
+    if (const auto why = whyNotCreated(order->path, true, {*recording})) return wrong(*why);
   }
   auto opened = BagReading::open(command);
   if (!opened) return passOn(opened);
@@ -184,8 +183,8 @@ CommandResult<std::string> recordingFrom(const BagsArguments& args) {
 }
 
 std::optional<QString> whyNotInto(const QString& path, const std::vector<std::string>& sources, bool force) {
-  if (isStandardOutput(path)) return Text::tr("An MCAP file must be a regular file (-o FILE).");
-  return whyNotCreated(path, QFileInfo::exists(path), force, sources);
+  if (isStream(path)) return Text::tr("An MCAP file must be a regular file (-o FILE).");
+  return whyNotCreated(path, force, sources);
 }
 
 /// Its end is missing, and maybe the data being written at that time.

@@ -63,7 +63,7 @@ CommandResult<int> bagsReport(RobotCommand&, const BagsArguments& args) {
   for (const QString& source : sources) {
     if (source.startsWith(kFileScheme)) files.push_back(source.mid(kFileScheme.size()).toStdString());
   }
-  if (const auto why = whyNotCreated(path, QFileInfo::exists(path), args.force, files)) return wrong(*why);
+  if (const auto why = whyNotCreated(path, args.force, files)) return wrong(*why);
   if (const auto why = whyNotTogether({path, args.json ? QStringLiteral("-") : QString()}))
     return wrong(*why);
 

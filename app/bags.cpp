@@ -98,9 +98,9 @@ CommandResult<int> bagsDownload(RobotCommand& command, const BagsArguments& args
   BagReading& bags = *opened;
   const QString path = fileFor(args);
   if (path.isEmpty()) return wrong(Text::tr("Where should it be saved? Pass -o FILE."));
-  if (isStandardOutput(path))
+  if (isStream(path))
     return wrong(Text::tr("A download can be resumed, so it must go to a regular file (-o FILE)."));
-  if (const auto why = whyNotCreated(path, QFileInfo::exists(path), args.force)) return wrong(*why);
+  if (const auto why = whyNotCreated(path, args.force)) return wrong(*why);
   const robot::BagKey key = bags.keyOf(args.name);
   const auto line = std::make_shared<ProgressLine>();  // the robot may report progress after the end
   const auto done = bags.robot().ask<robot::BagDownload>([&](robot::OutcomeTo<robot::BagDownload> reply) {

@@ -54,6 +54,8 @@ void ProgressLine::clear() {
 
 bool isStandardOutput(const QString& path) { return disk::isStandardOutput(path.toStdString()); }
 
+bool isStream(const QString& path) { return isStandardOutput(path) || takesBytes(path); }
+
 std::optional<QString> whyNotWritable(const QString& path) {
   if (isStandardOutput(path)) {
     if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
@@ -91,12 +93,13 @@ std::optional<QString> overOwnSource(const QStringList& outputs, const std::vect
   return Text::tr("%1 is a file that the map is read from. Pass --force to replace it.").arg(own);
 }
 
-std::optional<QString> whyNotCreated(const QString& path, bool exists, bool force,
+std::optional<QString> whyNotCreated(const QString& path, bool force,
                                      const std::vector<std::string>& sources) {
   if (auto why = whyNotWritable(path)) return why;
   if (!jobs::firstOwnSource({path}, sources).isEmpty())
     return Text::tr("%1 is the recording itself. Choose another name.").arg(path);
-  if (exists && !force) return Text::tr("%1 already exists. Pass --force to replace it.").arg(path);
+  if (QFileInfo::exists(path) && !isStream(path) && !force)
+    return Text::tr("%1 already exists. Pass --force to replace it.").arg(path);
   return std::nullopt;
 }
 

@@ -123,8 +123,7 @@ robot::Outcome<robot::OverlayText> heldBy(const OverlaysOf& of) {
 CommandResult<int> overlaysGet(RobotCommand& command, const OverlaysArguments& args) {
   const QString output = text(args.output);
   const bool printed = isStandardOutput(output);
-  if (const auto why = whyNotCreated(output, !printed && QFileInfo::exists(output), args.force))
-    return wrong(*why);
+  if (const auto why = whyNotCreated(output, args.force)) return wrong(*why);
   if (const auto why = whyNotTogether({output, text(args.report)})) return wrong(*why);
   const auto of = openOverlays(command, args);
   if (!of) return passOn(of);
@@ -383,10 +382,8 @@ CommandResult<int> historyList(const OverlaysArguments& args) {
 
 CommandResult<int> historyShow(const OverlaysArguments& args) {
   const QString output = text(args.output);
-  const bool printed = isStandardOutput(output);
   if (!output.isEmpty()) {
-    if (const auto why = whyNotCreated(output, !printed && QFileInfo::exists(output), args.force))
-      return wrong(*why);
+    if (const auto why = whyNotCreated(output, args.force)) return wrong(*why);
   }
   const auto version = keptVersion(args.number);
   if (!version) return wrong(version.error());

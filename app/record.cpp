@@ -125,11 +125,10 @@ CommandResult<RecordOrder> orderFrom(const RecordArguments& args) {
   if (args.duration_s && !(*args.duration_s > 0 && *args.duration_s <= 1e8))
     return wrong(Text::tr("--duration must be greater than 0 seconds and at most 100000000."));
   if (const auto why = whyNoTimeout(args.timeout_s)) return wrong(*why);
-  if (isStandardOutput(order.path))
+  if (isStream(order.path))
     return wrong(Text::tr(
         "A recording must go to a regular file (-o FILE), because its index is written at the end."));
-  if (const auto why = whyNotCreated(order.path, QFileInfo::exists(order.path), args.force))
-    return wrong(*why);
+  if (const auto why = whyNotCreated(order.path, args.force)) return wrong(*why);
   return order;
 }
 

@@ -290,6 +290,18 @@ class BagReportTest : public QObject {
                 .code == 2);
   }
 
+  void aDeviceIsWrittenInto() {
+    const QString file = recording("drive.mcap", {});
+    const QStringList words{file, QStringLiteral("--at"), at(20), QStringLiteral("-o")};
+    const auto full = report(words + QStringList{QStringLiteral("/dev/full")});
+    QVERIFY2(full.code == 2 && full.err.contains(QLatin1String("No space left on device")) &&
+                 !full.err.contains(QLatin1String("--force")),
+             qPrintable(full.err));
+    QCOMPARE(report(words + QStringList{QStringLiteral("/dev/null")}).code, 0);
+    QVERIFY(
+        report(words + QStringList{QStringLiteral("/dev/stdout")}).out.contains(QLatin1String("</html>")));
+  }
+
   /// A bag of a robot, with its map of now.
   void aBagOfARobotIsReported() {
     simulator::Options options;
