@@ -7,6 +7,7 @@
 #include "app/output.h"
 #include "app/robot_factory.h"
 #include "reporting/report_job.h"
+#include "robot/recorded/recorded_robot.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -39,7 +40,7 @@ OtherRun otherRunFrom(const std::string& typed) {
 
 }  // namespace
 
-CommandResult<int> bagsReport(RobotCommand&, const BagsArguments& args) {
+CommandResult<int> bagsReport(RobotCommand& command, const BagsArguments& args) {
   const auto at_s = timeFrom(args.at, QStringLiteral("--at"));
   if (!at_s) return passOn(at_s);
   const QString address = words::text(args.robot), path = words::text(args.output);
@@ -52,6 +53,12 @@ CommandResult<int> bagsReport(RobotCommand&, const BagsArguments& args) {
   QStringList sources{address};
   if (!args.against.empty()) {
     OtherRun other = otherRunFrom(args.against);
+    if (const QString file = words::text(other.bag);
+        QFileInfo(file).isFile() && !robot::recorded::isRecording(file))
+      return wrong(
+          Text::tr(
+              "--against %1 is not a recording. Pass a file (.mcap, .bag) or the name of a bag of the robot.")
+              .arg(words::plainName(other.bag)));
     std::string robot;
     takeRecording(robot, other.bag, address.startsWith(kFileScheme) ? std::string() : args.robot);
     if (robot.empty())
@@ -70,8 +77,10 @@ CommandResult<int> bagsReport(RobotCommand&, const BagsArguments& args) {
   reporting::ReportJob job(std::move(order), std::make_shared<work::Workers>());
   ProgressLine progress;
   QEventLoop loop;
-  QObject::connect(&job, &reporting::ReportJob::progressed, &loop,
-                   [&](double share) { progress.tell(Text::tr("%1 % read").arg(int(share * 100))); });
+  QObject::connect(&job, &reporting::ReportJob::progressed, &loop, [&](double share) {
+    command.noteConnected();
+    progress.tell(Text::tr("%1 % read").arg(int(share * 100)));
+  });
   QObject::connect(&job, &reporting::ReportJob::ended, &loop, &QEventLoop::quit, Qt::QueuedConnection);
   job.start();
   loop.exec();

@@ -95,7 +95,8 @@ std::optional<CommandFailure> LiveRobot::connectToRobot() {
   if (phase() == robot::ConnectionPhase::Online || (!settled() && !too_late)) return std::nullopt;
   const robot::ConnectionState state = robot_->connection();
   if (state.reason.any()) return CommandFailure{kUnreachable, whyNotConnected(state)};
-  return CommandFailure{kUnreachable, Text::tr("No connection within %1 s (--timeout).").arg(timeout_s_)};
+  return CommandFailure{kUnreachable, Text::tr("%1: no connection within %2 s (--timeout).")
+                                          .arg(oneLine(robot_->address()), QString::number(timeout_s_))};
 }
 
 void LiveRobot::follow(std::optional<double> seconds) {

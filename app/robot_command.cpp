@@ -378,7 +378,7 @@ CommandResult<RobotReading*> RobotCommand::open(RobotReading::Purpose purpose, c
   if (!access) return wrong(access.error());
   auto reading = RobotReading::open(address, access->forAddress(address), time_, purpose, workers_);
   if (!reading) return passOn(reading);
-  connected_->store(true);
+  noteConnected();
   readings_.push_back(std::move(*reading));
   return readings_.back().get();
 }
@@ -392,17 +392,19 @@ bool RobotCommand::complete() const {
 
 int RobotCommand::run(int& argc, char** argv, const std::function<CommandResult<int>(RobotCommand&)>& work) {
   if (const auto why = whyNoTimeout(time_.timeout_s)) return refuse(kUsage, *why);
-  Deadline deadline(later(time_.start.begun, time_.timeout_s + time_.start.grace.end_s),
-                    [connected = connected_, path = report_path_, timeout_s = time_.timeout_s] {
-                      const QString sentence =
-                          (*connected
-                               ? Text::tr("Incomplete: the command did not finish within %1 s (--timeout).")
-                               : Text::tr("No connection within %1 s (--timeout)."))
-                              .arg(timeout_s);
-                      if (!path.isEmpty()) writeReportInHaste(path, failed(sentence));
-                      sayAtTheEnd(sentence.toStdString());
-                      return int(*connected ? kIncomplete : kUnreachable);
-                    });
+  Deadline deadline(
+      later(time_.start.begun, time_.timeout_s + time_.start.grace.end_s),
+      [connected = connected_, path = report_path_, timeout_s = time_.timeout_s,
+       robot = oneLine(words::text(args_.robot))] {
+        const QString sentence =
+            *connected
+                ? Text::tr("Incomplete: the command did not finish within %1 s (--timeout).").arg(timeout_s)
+                : Text::tr("%1: no connection within %2 s (--timeout).")
+                      .arg(robot, QString::number(timeout_s));
+        if (!path.isEmpty()) writeReportInHaste(path, failed(sentence));
+        sayAtTheEnd(sentence.toStdString());
+        return int(*connected ? kIncomplete : kUnreachable);
+      });
   const auto fonts = chooseOffscreenPlatform();
   QApplication application(argc, argv);
   const int exit_code = end(work(*this));

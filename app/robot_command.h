@@ -146,6 +146,9 @@ class RobotCommand {
   /// True if everything that was requested could be loaded.
   bool complete() const;
 
+  /// Of work that connects by itself: from now on a lack of time is no lack of a connection.
+  void noteConnected() { connected_->store(true); }
+
   /// Sets up an application without a display, runs `work`, prints the final messages and returns the exit
   /// code. The process ends in time whatever `work` does.
   int run(int& argc, char** argv, const std::function<CommandResult<int>(RobotCommand&)>& work);

@@ -7,6 +7,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QRegularExpression>
+#include <QTcpServer>
 #include <QTest>
 
 #include "program.h"
@@ -191,10 +192,9 @@ class BagReportTest : public QObject {
     const auto told = report(QStringList{QStringLiteral("a.png")} + rest);
     const auto beside =
         report(QStringList{file, QStringLiteral("--against"), QStringLiteral("a.png")} + rest);
-    for (const auto* const done : {&told, &beside}) {
-      QCOMPARE(done->code, 2);
-      QCOMPARE(done->err, QStringLiteral("a.png: This robot has no bags that can be replayed.\n"));
-    }
+    for (const auto* const done : {&told, &beside}) QCOMPARE(done->code, 2);
+    QCOMPARE(told.err, QStringLiteral("a.png: This robot has no bags that can be replayed.\n"));
+    QVERIFY(beside.err.startsWith(QLatin1String("--against a.png is not a recording.")));
     QVERIFY(!QFile::exists(program_.path("no.html")));
   }
 
@@ -300,6 +300,32 @@ class BagReportTest : public QObject {
     QCOMPARE(report(words + QStringList{QStringLiteral("/dev/null")}).code, 0);
     QVERIFY(
         report(words + QStringList{QStringLiteral("/dev/stdout")}).out.contains(QLatin1String("</html>")));
+  }
+
+  void whatIsNoRecordingIsNoOtherRun() {
+    simulator::Options options;
+    options.paused = true;
+    simulator::Simulator robot(options);
+    QVERIFY(!robot.start());
+    program_.put("a.png", "no recording");
+    for (const char* other : {"a.png", "a.png@2024-06-03T09:00:00Z"}) {
+      const auto done =
+          report({QStringLiteral("2024-06-03_09-00-00.bag"), QStringLiteral("--at"), at(115),
+                  QStringLiteral("--against"), QLatin1String(other), QStringLiteral("--robot"),
+                  QString::fromStdString(robot.address()), QStringLiteral("-o"), QStringLiteral("-")});
+      QVERIFY2(done.code == 2 && done.err.contains(QLatin1String("a.png is not a recording")),
+               qPrintable(done.err));
+    }
+  }
+
+  void aRobotThatDoesNotAnswerIsNamed() {
+    QTcpServer silent;
+    QVERIFY(silent.listen(QHostAddress::LocalHost));
+    const QString address = QStringLiteral("axbot+http://127.0.0.1:%1").arg(silent.serverPort());
+    const auto done =
+        report({QStringLiteral("x.bag"), QStringLiteral("--at"), at(0), QStringLiteral("--robot"), address,
+                QStringLiteral("--timeout"), QStringLiteral("2"), QStringLiteral("-o"), QStringLiteral("-")});
+    QVERIFY2(done.code == 3 && done.err.startsWith(address), qPrintable(done.err));
   }
 
   /// A bag of a robot, with its map of now.
