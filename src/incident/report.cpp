@@ -160,7 +160,13 @@ void writeState(page::Page& page, const Run& run) {
   page.facts(facts);
 }
 
-/// The first message that could tell of it does, where the recording begins.
+/// The first message of this kind tells of it, where the recording begins.
+bool isFromTheFirst(std::size_t kind, double since_s, const Run& run) {
+  const auto first = run.first_s.find(kind);
+  return first != run.first_s.end() && since_s <= first->second &&
+         first->second - run.info.start_s <= kBeginningS;
+}
+
 bool beganBefore(const map::SafetyCondition& condition, const Run& run) {
   std::size_t kind = map::topicIndex<map::WheelState>();
   if (condition.kind == map::SafetyKind::Alert) kind = map::topicIndex<map::AlertsMessage>();
@@ -168,9 +174,20 @@ bool beganBefore(const map::SafetyCondition& condition, const Run& run) {
       condition.kind == map::SafetyKind::PositionUncertain ||
       condition.kind == map::SafetyKind::WheelsSlipping)
     kind = map::topicIndex<map::SlamStatus>();
-  const auto first = run.first_s.find(kind);
-  return first != run.first_s.end() && condition.since_s <= first->second &&
-         first->second - run.info.start_s <= kBeginningS;
+  return isFromTheFirst(kind, condition.since_s, run);
+}
+
+bool beganBefore(const replay::Event& event, const Run& run) {
+  switch (event.kind) {
+    case replay::EventKind::AlertBegan:
+      return isFromTheFirst(map::topicIndex<map::AlertsMessage>(), event.at_s, run);
+    case replay::EventKind::QualityLow:
+      return isFromTheFirst(map::topicIndex<map::SlamStatus>(), event.at_s, run);
+    case replay::EventKind::EmergencyStopOn:
+      return isFromTheFirst(map::topicIndex<map::WheelState>(), event.at_s, run);
+    default:
+      return false;
+  }
 }
 
 void writeSafety(page::Page& page, const Run& run) {
@@ -275,7 +292,11 @@ void writeEvents(page::Page& page, const Run& run) {
   for (const replay::Event* const event : shown) {
     if (event->at_s > run.at_s && !std::exchange(told, true))
       row(run.at_s, {ReportText::tr("the moment of this report"), Tone::Muted});
-    row(event->at_s, {named(sentences::eventText(*event)), toneOf(*event)});
+    const QString words = named(sentences::eventText(*event));
+    row(event->at_s, {beganBefore(*event, run)
+                          ? ReportText::tr("%1 (was there already when the recording begins)").arg(words)
+                          : words,
+                      toneOf(*event)});
   }
   if (!told) row(run.at_s, {ReportText::tr("the moment of this report"), Tone::Muted});
   page.endTable();

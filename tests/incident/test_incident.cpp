@@ -247,6 +247,22 @@ class IncidentTest : public QObject {
     }
   }
 
+  void anEventThatWasThereFromTheBeginningDidNotBegin() {
+    Run run = toldBy("word");
+    run.info.start_s = kAt - 4;
+    run.first_s[map::topicIndex<map::AlertsMessage>()] = kAt - 3;
+    run.events = {{kAt - 3, replay::EventKind::AlertBegan, 6004, "M"},
+                  {kAt - 1, replay::EventKind::AlertBegan, 6005, "N"}};
+    const QString there = QString::fromUtf8("\u2069 (was there already when the recording begins)");
+    QString html = htmlOf({run, {}, {}, false});
+    QVERIFY(html.contains(QLatin1String("Alert 6004: M") + there));
+    QVERIFY(!html.contains(QLatin1String("Alert 6005: N") + there));
+    // First told of in the middle.
+    run.info.start_s = kAt - 30;
+    html = htmlOf({run, {}, {}, false});
+    QVERIFY(!html.contains(there));
+  }
+
   void dataThatIsOldIsToldWithItsAge() {
     const QString html = htmlOf({toldBy("word"), {}, {}, false});
     QVERIFY(html.contains(QLatin1String("2024-06-03 08:59:00.000")));
