@@ -24,13 +24,13 @@ Fault notRead(const std::string& path, Fault why) {
 
 std::string textOf(PictureSize size) { return words::dimensions(size.width, size.height); }
 
-/// The greatest difference of a channel.
-int differenceOf(Argb a, Argb b) {
+/// The greatest difference of a channel, from 0 to 255. Less than one is one.
+int differenceOf(grids::DeepArgb a, grids::DeepArgb b) {
   if (a == b) return 0;
   int most = 0;
-  for (const int shift : {0, 8, 16, 24})
-    most = std::max(most, std::abs(int(a >> shift & 0xff) - int(b >> shift & 0xff)));
-  return most;
+  for (const int shift : {0, 16, 32, 48})
+    most = std::max(most, std::abs(int(a >> shift & 0xffff) - int(b >> shift & 0xffff)));
+  return (most + 256) / 257;
 }
 
 int grayOf(Argb colour) {
@@ -108,10 +108,7 @@ void gather(Comparison& made, const PixelBox& within) {
 }  // namespace
 
 PictureReading::PictureReading(std::string path, std::unique_ptr<grids::PictureRows> rows)
-    : path_(std::move(path)),
-      rows_(std::move(rows)),
-      colours_(rows_->format()),
-      row_(std::size_t(rows_->format().width)) {}
+    : path_(std::move(path)), rows_(std::move(rows)), colours_(rows_->format()) {}
 
 tl::expected<PictureReading, Fault> PictureReading::open(const std::string& path) {
   auto bytes = grids::ByteSource::open(path);
@@ -124,18 +121,6 @@ tl::expected<PictureReading, Fault> PictureReading::open(const std::string& path
         notRead(path, {fault::PictureTooLarge, {textOf(reading.size()), words::grouped(kMostPixels)}}));
   }
   return reading;
-}
-
-const grids::Argb* PictureReading::next() {
-  const std::uint8_t* pixel = rows_->next();
-  if (pixel == nullptr) return nullptr;
-  ++came_;
-  const std::size_t unit = rows_->format().pixelBytes();
-  for (grids::Argb& colour : row_) {
-    colour = colours_.at(pixel);
-    pixel += unit;
-  }
-  return row_.data();
 }
 
 bool PictureReading::endsWell() {
@@ -181,9 +166,9 @@ tl::expected<Comparison, Fault> comparePictures(const std::string& expected, con
   const int common = std::min(made.expected.width, made.actual.width);
   int left = made.actual.width, right = -1, top = -1, bottom = -1;
   for (int y = 0; y < std::max(made.expected.height, made.actual.height); ++y) {
-    const Argb* const a = y < made.expected.height ? first->next() : nullptr;
+    const grids::DeepArgb* const a = y < made.expected.height ? first->nextDeep() : nullptr;
     if (a == nullptr && y < made.expected.height) return tl::make_unexpected(first->problem());
-    const Argb* const b = y < made.actual.height ? second->next() : nullptr;
+    const grids::DeepArgb* const b = y < made.actual.height ? second->nextDeep() : nullptr;
     if (b == nullptr && y < made.actual.height) return tl::make_unexpected(second->problem());
     const Argb* const allows = mask && y < made.expected.height ? mask->next() : nullptr;
     if (allows == nullptr && mask && y < made.expected.height) return tl::make_unexpected(mask->problem());

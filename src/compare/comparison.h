@@ -61,8 +61,9 @@ struct Comparison {
   double percent() const;
 };
 
-/// Channels are compared in 8 bits, transparency among them. The upper left corners of pictures of different
-/// sizes lie on each other; such pictures are never equal.
+/// Channels are compared exactly, transparency among them; differences are counted in steps of 8 bits, and
+/// less than one is one. The upper left corners of pictures of different sizes lie on each other; such
+/// pictures are never equal.
 tl::expected<Comparison, Fault> comparePictures(const std::string& expected, const std::string& actual,
                                                 const Allowed& allowed);
 

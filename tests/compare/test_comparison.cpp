@@ -217,6 +217,39 @@ class ComparisonTest : public QObject {
     QCOMPARE(picture.pixelColor(89, 62), pale);  // room between
   }
 
+  void samplesOf16BitsAreComparedExactly() {
+    for (const QImage::Format format : {QImage::Format_Grayscale16, QImage::Format_RGBA64}) {
+      QImage one(20, 20, format), other(20, 20, format);
+      for (QImage* const image : {&one, &other}) image->fill(qRgb(128, 128, 128));
+      QCOMPARE(compared(one, other).max, 0);
+      // By the last bit of one sample.
+      reinterpret_cast<quint16*>(other.scanLine(5))[7] ^= 1;
+      const Comparison made = compared(one, other);
+      QVERIFY(!made.equal);
+      QCOMPARE(made.differing, std::int64_t(1));
+      QCOMPARE(made.max, 1);
+      QVERIFY(compared(one, other, {.tolerance = 1}).equal);
+    }
+    // The same gray in 8 and in 16 bits.
+    QImage flat(20, 20, QImage::Format_Grayscale8), deep(20, 20, QImage::Format_Grayscale16);
+    flat.fill(200);
+    for (int y = 0; y < 20; ++y) std::fill_n(reinterpret_cast<quint16*>(deep.scanLine(y)), 20, 200 * 257);
+    QCOMPARE(compared(flat, deep).max, 0);
+  }
+
+  void howAColourIsWrittenMakesNoDifference() {
+    const QImage marked = withBlock(ground(), {50, 40, 6, 6});
+    const QImage indexed = marked.convertToFormat(QImage::Format_Indexed8);
+    QVERIFY(indexed.colorCount() == 2);
+    QCOMPARE(compared(marked, indexed).max, 0);
+    // Its colour counts also where nothing is to be seen of it.
+    QImage clear(8, 8, QImage::Format_ARGB32);
+    clear.fill(qRgba(90, 90, 90, 0));
+    QImage other = clear;
+    other.setPixel(3, 3, qRgba(80, 90, 90, 0));
+    QCOMPARE(compared(clear, other).max, 10);
+  }
+
   void theReportBesideAPictureTellsWhereItLies() {
     geometry::ViewTransform view;
     view.center_m = {10, -4};
