@@ -72,7 +72,7 @@ int comparePictureFiles(const CompareArguments& args, const Invocation& before) 
     if (!view) view = compare::viewBeside(text(args.expected), made->expected);
   }
   if (!args.diff.empty()) {
-    if (const auto fault = compare::writeDifference(*made, args.actual, args.diff))
+    if (const auto fault = compare::writeDifference(*made, args.expected, args.actual, args.diff))
       return refuse(kUsage, sentences::sentenceOf(*fault));
   }
   if (args.json) {

@@ -270,8 +270,8 @@ ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnVie
   if (!verdict.comparison || verdict.unreadable) return outcome;
   outcome.expected = verdict.expected;
   explain(plan, view, verdict, factsOf(*drawn.run), outcome);
-  if (const auto fault =
-          compare::writeDifference(*verdict.comparison, actual.toStdString(), difference.toStdString())) {
+  if (const auto fault = compare::writeDifference(*verdict.comparison, verdict.expected.toStdString(),
+                                                  actual.toStdString(), difference.toStdString())) {
     outcome.sentence += QLatin1Char(' ') + sentences::sentenceOf(*fault);
   } else {
     outcome.difference = difference;

@@ -66,7 +66,7 @@ std::vector<bool> denseGroups(const cv::Mat& differs, const cv::Mat& groups, int
 /// Gathers what differs within `within`.
 void gather(Comparison& made, const PixelBox& within) {
   cv::setNumThreads(1);
-  const cv::Mat all(made.actual.height, made.actual.width, CV_8U, made.differs.data());
+  const cv::Mat all(made.canvas.height, made.canvas.width, CV_8U, made.differs.data());
   const cv::Mat differs = all({within.x, within.y, within.width, within.height});
   cv::Mat near, groups, stats, centroids;
   cv::dilate(differs, near, cv::Mat::ones(kNearPx + 1, kNearPx + 1, CV_8U));
@@ -158,43 +158,39 @@ tl::expected<Comparison, Fault> comparePictures(const std::string& expected, con
   Comparison made;
   made.expected = first->size();
   made.actual = second->size();
-  const auto mark = [&made](int x, int y) {
-    if (made.differs.empty()) made.differs.resize(std::size_t(made.actual.pixels()));
-    made.differs[std::size_t(y) * std::size_t(made.actual.width) + std::size_t(x)] = 1;
+  const PictureSize both{std::max(made.expected.width, made.actual.width),
+                         std::max(made.expected.height, made.actual.height)};
+  made.canvas = both.pixels() <= kMostPixels ? both : made.actual;
+  int left = both.width, right = -1, top = -1, bottom = -1;
+  const auto take = [&](int x, int y) {
     ++made.differing;
+    if (x >= made.canvas.width || y >= made.canvas.height) return;
+    if (made.differs.empty()) made.differs.resize(std::size_t(made.canvas.pixels()));
+    made.differs[std::size_t(y) * std::size_t(made.canvas.width) + std::size_t(x)] = 1;
+    left = std::min(left, x);
+    right = std::max(right, x);
+    if (top < 0) top = y;
+    bottom = y;
   };
-  const int common = std::min(made.expected.width, made.actual.width);
-  int left = made.actual.width, right = -1, top = -1, bottom = -1;
-  for (int y = 0; y < std::max(made.expected.height, made.actual.height); ++y) {
-    const grids::DeepArgb* const a = y < made.expected.height ? first->nextDeep() : nullptr;
-    if (a == nullptr && y < made.expected.height) return tl::make_unexpected(first->problem());
-    const grids::DeepArgb* const b = y < made.actual.height ? second->nextDeep() : nullptr;
-    if (b == nullptr && y < made.actual.height) return tl::make_unexpected(second->problem());
-    const Argb* const allows = mask && y < made.expected.height ? mask->next() : nullptr;
-    if (allows == nullptr && mask && y < made.expected.height) return tl::make_unexpected(mask->problem());
-    if (b == nullptr) {
-      made.differing += made.expected.width;
-      continue;
-    }
-    const std::int64_t before = made.differing;
-    const auto take = [&](int x) {
-      mark(x, y);
-      left = std::min(left, x);
-      right = std::max(right, x);
-    };
-    for (int x = 0; x < (a == nullptr ? 0 : common); ++x) {
+  for (int y = 0; y < both.height; ++y) {
+    const bool in_expected = y < made.expected.height, in_actual = y < made.actual.height;
+    const grids::DeepArgb* const a = in_expected ? first->nextDeep() : nullptr;
+    if (a == nullptr && in_expected) return tl::make_unexpected(first->problem());
+    const grids::DeepArgb* const b = in_actual ? second->nextDeep() : nullptr;
+    if (b == nullptr && in_actual) return tl::make_unexpected(second->problem());
+    const Argb* const allows = mask && in_expected ? mask->next() : nullptr;
+    if (allows == nullptr && mask && in_expected) return tl::make_unexpected(mask->problem());
+    const int expected_width = in_expected ? made.expected.width : 0;
+    const int actual_width = in_actual ? made.actual.width : 0;
+    const int common = std::min(expected_width, actual_width);
+    for (int x = 0; x < common; ++x) {
       const int difference = differenceOf(a[x], b[x]);
       if (difference == 0) continue;
       const int masked = allows == nullptr ? 0 : grayOf(allows[x]);
       if (difference > masked) made.max = std::max(made.max, difference);
-      if (difference > std::max(allowed.tolerance, masked)) take(x);
+      if (difference > std::max(allowed.tolerance, masked)) take(x, y);
     }
-    for (int x = a == nullptr ? 0 : common; x < made.actual.width; ++x) take(x);
-    if (made.differing > before) {
-      if (top < 0) top = y;
-      bottom = y;
-    }
-    if (a != nullptr) made.differing += std::max(0, made.expected.width - made.actual.width);
+    for (int x = common; x < std::max(expected_width, actual_width); ++x) take(x, y);
   }
   for (PictureReading* const reading : {&*first, &*second}) {
     if (!reading->endsWell()) return tl::make_unexpected(reading->problem());

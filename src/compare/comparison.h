@@ -49,12 +49,13 @@ inline constexpr std::int64_t kMostPixels = 200'000'000;  // of a picture, as of
 
 struct Comparison {
   PictureSize expected, actual;
+  PictureSize canvas;             // both on each other; of `actual` where that would be too large
   bool equal = true;              // nothing differs but what is allowed
   std::int64_t differing = 0;     // pixels, with those that only one of the pictures has
   int max = 0;                    // the greatest difference of a channel, except where the mask allows it
   std::vector<Cluster> clusters;  // those with the most pixels first, at most kMostClusters
   std::int64_t clusters_in_all = 0, clusters_dense = 0;
-  std::vector<std::uint8_t> differs;  // 1 for each pixel of `actual` that does; empty: none
+  std::vector<std::uint8_t> differs;  // 1 for each pixel of the canvas that does; empty: none
 
   bool sameSize() const { return expected == actual; }
   /// Of the pixels of the expected picture.

@@ -206,7 +206,7 @@ class ComparisonTest : public QObject {
   void theDifferenceShowsTheMapPaleAndWhatDiffersStrongInABox() {
     const QImage actual = withBlock(ground(), {90, 60, 6, 6});
     const Comparison made = compared(ground(), actual);
-    QVERIFY(!compare::writeDifference(made, path("b.png"), path("d.png")));
+    QVERIFY(!compare::writeDifference(made, path("a.png"), path("b.png"), path("d.png")));
     const QImage picture(QString::fromStdString(path("d.png")));
     QCOMPARE(picture.size(), actual.size());
     const QColor inside = picture.pixelColor(92, 62), pale = picture.pixelColor(5, 5),
@@ -248,6 +248,27 @@ class ComparisonTest : public QObject {
     QImage other = clear;
     other.setPixel(3, 3, qRgba(80, 90, 90, 0));
     QCOMPARE(compared(clear, other).max, 10);
+  }
+
+  void whatOnlyOneOfTwoSizesHasIsShown() {
+    const auto strong = [](const QColor& colour) { return colour.saturation() > 200; };
+    for (const auto& [expected, actual] :
+         {std::pair(ground(230, 150), ground(200, 180)), std::pair(ground(200, 180), ground(230, 150))}) {
+      const Comparison made = compared(expected, actual);
+      QCOMPARE(made.differing, std::int64_t(30 * 150 + 200 * 30));
+      QCOMPARE(made.clusters.size(), std::size_t(1));
+      QCOMPARE(made.clusters.front().box, (PixelBox{0, 0, 230, 180}));
+      QVERIFY(!compare::writeDifference(made, path("a.png"), path("b.png"), path("d.png")));
+      const QImage picture(QString::fromStdString(path("d.png")));
+      QCOMPARE(picture.size(), QSize(230, 180));
+      for (const QPoint& at : {QPoint(210, 60), QPoint(60, 160)}) {
+        int hatched = 0;
+        for (int x = 0; x < 16; ++x) hatched += strong(picture.pixelColor(at.x() + x, at.y())) ? 1 : 0;
+        QCOMPARE(hatched, 8);
+      }
+      QVERIFY(!strong(picture.pixelColor(60, 60)));
+      QCOMPARE(picture.pixelColor(215, 165), QColor(Qt::white));  // neither has it
+    }
   }
 
   void theReportBesideAPictureTellsWhereItLies() {

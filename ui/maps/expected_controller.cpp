@@ -129,7 +129,8 @@ void ExpectedController::take() {
   if (!image.save(actual)) return tell(tr("There is not enough room to draw the map again."));
   const auto made = compare::comparePictures(drawn->expected.toStdString(), actual.toStdString(), {});
   if (!made) return tell(sentences::sentenceOf(made.error()));
-  if (const auto fault = compare::writeDifference(*made, actual.toStdString(), difference.toStdString()))
+  if (const auto fault = compare::writeDifference(*made, drawn->expected.toStdString(), actual.toStdString(),
+                                                  difference.toStdString()))
     return tell(sentences::sentenceOf(*fault));
   show(compare::comparisonText(*made, drawn->view), difference);
 }
