@@ -43,6 +43,9 @@ struct SuiteArguments : RobotArguments {
   int jobs = int(std::clamp(std::thread::hardware_concurrency(), 1u, 4u));
 };
 
+/// "a.json" of "a.png".
+QString factsBeside(const QString& picture) { return picture.chopped(4) + QStringLiteral(".json"); }
+
 /// A suite that is ready to be drawn.
 struct PlannedSuite {
   QString name, expected, report;
@@ -53,9 +56,7 @@ struct PlannedSuite {
     const QString number = variant == 0 ? QString() : QStringLiteral(".%1").arg(variant);
     return QStringLiteral("%1/%2%3.png").arg(expected, views[view].name, number);
   }
-  QString expectedFacts(std::size_t view) const {
-    return QStringLiteral("%1/%2.json").arg(expected, views[view].name);
-  }
+  QString expectedFacts(std::size_t view) const { return factsBeside(expectedPicture(view)); }
   /// "actual" or "difference".
   QString made(const char* kind, std::size_t view) const {
     return QStringLiteral("%1/%2/%3.png").arg(report, QLatin1String(kind), views[view].name);
@@ -182,21 +183,21 @@ Judged judged(const PlannedSuite& plan, std::size_t view) {
   return best;
 }
 
-/// What is to be said of a view that differs, joined with the facts that changed. A note if those of the
-/// expected picture cannot be read.
-void explain(const PlannedSuite& plan, std::size_t view, const Judged& judged, const suite::Facts& facts,
-             ViewOutcome& outcome) {
+/// What is to be said of a view that differs, joined with the facts that changed since the nearest of its
+/// pictures, if there are facts of that one. A note if they cannot be read.
+void explain(const Judged& judged, const suite::Facts& facts, ViewOutcome& outcome) {
   const compare::Comparison& comparison = *judged.comparison;
   suite::Explanation explanation;
   QString why = compare::clustersText(comparison, facts.view);
   if (!why.isEmpty()) why += QLatin1Char('.');
-  if (const auto bytes = disk::readFile(plan.expectedFacts(view).toStdString(), kMostFactsBytes)) {
+  const QString kept = factsBeside(judged.expected);
+  if (const auto bytes = disk::readFile(kept.toStdString(), kMostFactsBytes)) {
     const auto before = suite::factsFrom(QByteArray::fromStdString(*bytes));
     if (before && facts.view) {
       explanation = suite::explained(comparison, *facts.view, suite::changesBetween(*before, facts));
       why = suite::explanationText(comparison, *facts.view, explanation);
     } else if (!before) {
-      why += QLatin1Char(' ') + Text::tr("%1: %2").arg(plan.expectedFacts(view), before.error());
+      why += QLatin1Char(' ') + Text::tr("%1: %2").arg(kept, before.error());
     }
   }
   outcome.sentence =
@@ -236,6 +237,7 @@ void drawPlanned(const PlannedSuite& plan, const RobotAccess& access, int jobs,
                  const std::function<QString(std::size_t, const DrawnView&)>& take) {
   for (std::size_t view = 0; view < plan.views.size(); ++view) {
     for (const char* const kind : {"actual", "difference"}) QFile::remove(plan.made(kind, view));
+    QFile::remove(factsBeside(plan.made("actual", view)));
   }
   ProgressLine progress;
   OrderedLines lines(plan.views.size());
@@ -246,6 +248,11 @@ void drawPlanned(const PlannedSuite& plan, const RobotAccess& access, int jobs,
 QString lineOf(const ViewOutcome& outcome) {
   const QString line = QStringLiteral("%1: %2").arg(outcome.name, suite::verdictText(outcome.verdict));
   return outcome.sentence.isEmpty() ? line : QStringLiteral("%1. %2").arg(line, outcome.sentence);
+}
+
+std::optional<QString> writeFacts(const QString& path, const suite::Facts& facts) {
+  const auto fault = disk::writeFile(path.toStdString(), suite::factsBytes(facts).toStdString());
+  return fault ? std::optional(sentences::sentenceOf(disk::notWritten(*fault))) : std::nullopt;
 }
 
 ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnView& drawn, bool& unreadable) {
@@ -267,15 +274,19 @@ ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnVie
     return outcome;
   }
   outcome.actual = actual;
-  if (!verdict.comparison || verdict.unreadable) return outcome;
-  outcome.expected = verdict.expected;
-  explain(plan, view, verdict, factsOf(*drawn.run), outcome);
-  if (const auto fault = compare::writeDifference(*verdict.comparison, verdict.expected.toStdString(),
-                                                  actual.toStdString(), difference.toStdString())) {
-    outcome.sentence += QLatin1Char(' ') + sentences::sentenceOf(*fault);
-  } else {
-    outcome.difference = difference;
+  const suite::Facts facts = factsOf(*drawn.run);
+  const auto not_kept = writeFacts(factsBeside(actual), facts);
+  if (verdict.comparison && !verdict.unreadable) {
+    outcome.expected = verdict.expected;
+    explain(verdict, facts, outcome);
+    if (const auto fault = compare::writeDifference(*verdict.comparison, verdict.expected.toStdString(),
+                                                    actual.toStdString(), difference.toStdString())) {
+      outcome.sentence += QLatin1Char(' ') + sentences::sentenceOf(*fault);
+    } else {
+      outcome.difference = difference;
+    }
   }
+  if (not_kept) outcome.sentence += QLatin1Char(' ') + *not_kept;
   return outcome;
 }
 
@@ -346,10 +357,10 @@ std::optional<QString> takePicture(const PlannedSuite& plan, std::size_t view, c
 /// Of a picture that stays: its facts are written if there are none, and blocks of the same cells are added
 /// to those of earlier versions.
 std::optional<QString> completeFacts(const PlannedSuite& plan, std::size_t view, const suite::Facts& facts) {
-  const std::string path = plan.expectedFacts(view).toStdString();
+  const QString path = plan.expectedFacts(view);
   suite::Facts complete = facts;
-  if (QFileInfo::exists(plan.expectedFacts(view))) {
-    const auto bytes = disk::readFile(path, kMostFactsBytes);
+  if (QFileInfo::exists(path)) {
+    const auto bytes = disk::readFile(path.toStdString(), kMostFactsBytes);
     const auto kept = suite::factsFrom(QByteArray::fromStdString(bytes ? *bytes : std::string()));
     const bool lacks_blocks = kept && kept->map && facts.map && !kept->map->blocks.known() &&
                               kept->map->cells == facts.map->cells && facts.map->blocks.known();
@@ -357,8 +368,7 @@ std::optional<QString> completeFacts(const PlannedSuite& plan, std::size_t view,
     complete = *kept;
     complete.map->blocks = facts.map->blocks;
   }
-  const auto fault = disk::writeFile(path, suite::factsBytes(complete).toStdString());
-  return fault ? std::optional(sentences::sentenceOf(disk::notWritten(*fault))) : std::nullopt;
+  return writeFacts(path, complete);
 }
 
 int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
@@ -380,7 +390,7 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
     }
     const bool replaces = QFileInfo::exists(picture);
     ViewOutcome outcome;
-    if (verdict.comparison && !verdict.unreadable) explain(plan, view, verdict, facts, outcome);
+    if (verdict.comparison && !verdict.unreadable) explain(verdict, facts, outcome);
     if (verdict.unreadable) outcome.sentence = verdict.sentence;
     if (const auto why = takePicture(plan, view, facts)) return fail(kUsage, *why);
     return replaces ? Text::tr("%1: replaced %2. %3").arg(name, picture, outcome.sentence)

@@ -226,6 +226,29 @@ class SuiteCommandTest : public QObject {
     QVERIFY(ended.out.contains(QStringLiteral("1 view as expected.")));
   }
 
+  void theFactsOfAVariantAreThoseBesideIt() {
+    // The wall lay elsewhere when the variant was accepted, which the nearest picture is.
+    replaceIn("map/office.overlays.geojson", "[-6.0, -2.0], [-3.0, -2.0]", "[-6.0, -1.6], [-3.0, -1.6]");
+    QCOMPARE(runSuite().code, 1);
+    for (const char* kind : {"png", "json"})
+      QVERIFY(QFile::rename(
+          program_->path(qPrintable(QStringLiteral("report/actual/wall W17.%1").arg(QLatin1String(kind)))),
+          program_->path(qPrintable(QStringLiteral("expected/wall W17.1.%1").arg(QLatin1String(kind))))));
+    QCOMPARE(runSuite().code, 1);  // the other view with the wall
+    QCOMPARE(failures().size(), 1);
+    QVERIFY(!QFile::exists(program_->path("report/actual/wall W17.json")));
+    replaceIn("map/office.overlays.geojson", "[-6.0, -1.6], [-3.0, -1.6]", "[-6.0, -1.6], [-2.9, -1.6]");
+    QCOMPARE(runSuite().code, 1);
+    QString why = failures()[QStringLiteral("wall W17")];
+    QVERIFY2(why.contains(QStringLiteral("virtual wall W17")) && !why.contains(QStringLiteral("0.4")),
+             qPrintable(why));
+    // Those of another picture say nothing of this one.
+    QVERIFY(QFile::remove(program_->path("expected/wall W17.1.json")));
+    QCOMPARE(runSuite().code, 1);
+    why = failures()[QStringLiteral("wall W17")];
+    QVERIFY2(!why.contains(QStringLiteral("virtual wall")), qPrintable(why));
+  }
+
   void aViewThatDoesNotComeIsAFailureWithItsSentence() {
     program_->put("suite.yaml",
                   "views:\n  - {name: gone, robot: nowhere.yaml}\n"
