@@ -1,12 +1,10 @@
 #include "app/bag_json.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include <QDateTime>
-
 #include "app/command_text.h"
+#include "incident/report.h"
 #include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -14,6 +12,7 @@
 namespace mapwright::app {
 namespace {
 
+using incident::utcText;
 using words::text;
 
 /// Stable (docs/command-line.md).
@@ -51,12 +50,6 @@ bool knowsSlam(const map::SlamStatus& slam) {
 }
 
 }  // namespace
-
-QString timeText(double epoch_s) {
-  if (!std::isfinite(epoch_s) || std::abs(epoch_s) > 4e11) return QStringLiteral("-");
-  return QDateTime::fromMSecsSinceEpoch(qint64(std::floor(epoch_s * 1000 + 0.5)), Qt::UTC)
-      .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz"));
-}
 
 QJsonObject bagJson(const robot::BagEntry& entry) {
   const bool recording = entry.key.kind == robot::BagKind::Recording;
@@ -128,8 +121,8 @@ std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo&
   const bool times = hasTimes(info);
   std::vector<QStringList> rows{{Text::tr("name"), words::plainName(name)},
                                 {Text::tr("messages"), QString::number(info.messages)},
-                                {Text::tr("start"), times ? timeText(info.start_s) : QStringLiteral("-")},
-                                {Text::tr("end"), times ? timeText(info.end_s) : QStringLiteral("-")}};
+                                {Text::tr("start"), times ? utcText(info.start_s) : QStringLiteral("-")},
+                                {Text::tr("end"), times ? utcText(info.end_s) : QStringLiteral("-")}};
   if (!info.format.empty()) {
     rows.push_back({Text::tr("length"), Text::tr("%1 s").arg(info.end_s - info.start_s, 0, 'f', 3)});
     rows.push_back({Text::tr("format"), text(info.format)});
@@ -144,17 +137,17 @@ std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo&
   if (info.attachments > 0) rows.push_back({Text::tr("files"), QString::number(info.attachments)});
   if (info.interrupted)
     rows.push_back(
-        {Text::tr("interrupted"), times ? timeText(info.end_s) : Text::tr("no message was written")});
+        {Text::tr("interrupted"), times ? utcText(info.end_s) : Text::tr("no message was written")});
   if (info.repair)
     rows.push_back(
         {Text::tr("repaired"), info.repair->broke_off_s
-                                   ? Text::tr("cut off at %1").arg(timeText(*info.repair->broke_off_s))
+                                   ? Text::tr("cut off at %1").arg(utcText(*info.repair->broke_off_s))
                                    : Text::tr("cut off before any message was written")});
   for (const robot::BagAway& one : info.away)
     rows.push_back(
         {Text::tr("no connection"),
          Text::tr("%1 to %2")
-             .arg(timeText(one.from_s), one.until_s ? timeText(*one.until_s) : Text::tr("the end"))});
+             .arg(utcText(one.from_s), one.until_s ? utcText(*one.until_s) : Text::tr("the end"))});
   return rows;
 }
 
@@ -204,9 +197,9 @@ QJsonObject stateJson(double at_s, const replay::Moment& moment, const robot::Ba
 
 std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment, const robot::BagInfo& bag) {
   const map::LiveState& live = moment.at.world.live;
-  std::vector<QStringList> rows{{Text::tr("at"), timeText(at_s)}};
+  std::vector<QStringList> rows{{Text::tr("at"), utcText(at_s)}};
   if (const robot::BagAway* const away = bag.awayAt(at_s))
-    rows.push_back({Text::tr("no connection"), Text::tr("since %1").arg(timeText(away->from_s))});
+    rows.push_back({Text::tr("no connection"), Text::tr("since %1").arg(utcText(away->from_s))});
   if (live.robot_pose) {
     rows.push_back({Text::tr("pose"), Text::tr("%1, %2, %3 rad")
                                           .arg(live.robot_pose->x_m, 0, 'f', 3)
@@ -224,7 +217,7 @@ std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment, co
   if (const auto& submaps = moment.at.world.submaps)
     rows.push_back({Text::tr("submaps"), QString::number(submaps->entries.size())});
   for (const auto& [topic, stamp_s] : moment.topics)
-    rows.push_back({timeText(stamp_s), words::plainName(topic)});
+    rows.push_back({utcText(stamp_s), words::plainName(topic)});
   return rows;
 }
 
@@ -245,7 +238,7 @@ QStringList eventRow(const replay::Event& event) {
   if (hasCode(event.kind)) what = QStringLiteral("%1 %2").arg(event.code).arg(what);
   if (event.kind == replay::EventKind::PositionJump)
     what = QStringLiteral("%1 m").arg(event.metres, 0, 'f', 2);
-  return {timeText(event.at_s), wordOf(event.kind), what};
+  return {utcText(event.at_s), wordOf(event.kind), what};
 }
 
 }  // namespace mapwright::app

@@ -27,7 +27,5 @@ std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment, co
 /// [{"at","kind"}] with "code", "text" or "metres" where it has them.
 QJsonArray eventsJson(const std::vector<replay::Event>& events);
 QStringList eventRow(const replay::Event& event);
-/// "2024-06-03 09:00:00.250", UTC.
-QString timeText(double epoch_s);
 
 }  // namespace mapwright::app

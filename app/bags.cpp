@@ -17,6 +17,7 @@
 #include "app/robot_factory.h"
 #include "app/snapshot.h"
 #include "excerpt/excerpt.h"
+#include "incident/report.h"
 #include "robot/axbot/faults.h"
 #include "robot/sends_map.h"
 #include "ui/kit/status_text.h"
@@ -32,7 +33,8 @@ using words::text;
 QStringList rowOf(const robot::BagEntry& entry) {
   const QString size =
       entry.size_bytes ? window::bytesText(*entry.size_bytes) : words::plainName(entry.size_text);
-  const QString end = entry.end_s ? timeText(*entry.end_s).chopped(4) : words::plainName(entry.end_text);
+  const QString end =
+      entry.end_s ? incident::utcText(*entry.end_s).chopped(4) : words::plainName(entry.end_text);
   return {entry.key.kind == robot::BagKind::Recording ? Text::tr("recording") : Text::tr("bag"),
           size.isEmpty() ? QStringLiteral("-") : size, end.isEmpty() ? QStringLiteral("-") : end,
           words::plainName(entry.key.name)};
