@@ -21,6 +21,7 @@ struct SuiteText {
 
 constexpr int kMostEntries = 1'000;
 constexpr std::size_t kLongestValue = 10'000;
+constexpr std::size_t kMostValueBytes = std::size_t(64) << 20;  // of all views, defaults counted in each
 constexpr int kLongestName = 120;  // in bytes of UTF-8; more is added for the files
 
 Position positionOf(const YAML::Mark& mark) {
@@ -217,12 +218,19 @@ Suite suiteIn(const YAML::Node& root, const KnownOptions& known) {
     throw refusedAt(views.Mark(), SuiteText::tr("There are more than %1 views.").arg(kMostViews));
   Suite suite;
   suite.views.reserve(views.size());
+  std::size_t bytes = 0;
   for (const YAML::Node& node : views) {
     if (!node.IsMap()) throw refusedAt(node.Mark(), SuiteText::tr("A view must be keys with their values."));
     View view = usual;
     view.at = positionOf(node.Mark());
     takeKeys(node, known, true, view);
     if (view.name.isEmpty()) throw refusedAt(node.Mark(), SuiteText::tr("This view has no name."));
+    for (const ViewOption& option : view.options) bytes += option.value.size();
+    if (bytes > kMostValueBytes)
+      throw refusedAt(
+          node.Mark(),
+          SuiteText::tr("The values of all views up to here are more than %1 MiB, defaults counted in each.")
+              .arg(kMostValueBytes >> 20));
     suite.views.push_back(std::move(view));
   }
   lookForTwins(suite);

@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QImage>
 #include <QRegularExpression>
+#include <QTcpServer>
 #include <QTest>
 #include <QXmlStreamReader>
 
@@ -250,14 +251,20 @@ class SuiteCommandTest : public QObject {
   }
 
   void aViewThatDoesNotComeIsAFailureWithItsSentence() {
+    QTcpServer silent;  // takes the connection and says nothing
+    QVERIFY(silent.listen(QHostAddress::LocalHost));
     program_->put("suite.yaml",
                   "views:\n  - {name: gone, robot: nowhere.yaml}\n"
-                  "  - {name: away, robot: \"axbot+http://127.0.0.1:9\", timeout: 2}\n");
+                  "  - {name: away, robot: \"axbot+http://127.0.0.1:9\", timeout: 2}\n"
+                  "  - {name: silent, robot: \"axbot+http://127.0.0.1:" +
+                      QByteArray::number(silent.serverPort()) + "\", timeout: 2}\n");
     QCOMPARE(runSuite().code, 1);
     const auto found = failures();
     QVERIFY2(found[QStringLiteral("gone")].contains(QStringLiteral("nowhere.yaml")),
              qPrintable(found[QStringLiteral("gone")]));
     QVERIFY(found[QStringLiteral("away")].contains(QStringLiteral("127.0.0.1")));
+    QVERIFY2(found[QStringLiteral("silent")].contains(QStringLiteral("no connection within 2 s")),
+             qPrintable(found[QStringLiteral("silent")]));
     QVERIFY(!QFile::exists(program_->path("report/actual/gone.png")));
   }
 

@@ -131,6 +131,14 @@ class ReadSuiteTest : public QObject {
     QCOMPARE(read.has_value(), is_read);
     if (!read) QVERIFY2(read.error().startsWith(QStringLiteral("Line 1, column ")), qPrintable(read.error()));
   }
+  void theValuesOfAllViewsTogetherAreBounded() {
+    // Written once, they stand in every view.
+    std::string yaml = "defaults: {layers: " + std::string(10'000, 'x') + "}\nviews:\n";
+    for (int i = 0; i < 10'000; ++i) yaml += "  - {name: v" + std::to_string(i) + "}\n";
+    const auto read = suite::readSuite(yaml, kKnown);
+    QVERIFY(!read);
+    QVERIFY2(read.error().startsWith(QStringLiteral("Line 6713, column 5: ")), qPrintable(read.error()));
+  }
   void aListThatRefersToItselfAndOneThatIsHugeAreRefused() {
     QVERIFY(!suite::readSuite("views: &a\n  - *a\n", kKnown));
     QVERIFY(!suite::readSuite(std::string(std::size_t(100'000), '['), kKnown));
