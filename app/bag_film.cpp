@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include <CLI/CLI.hpp>
-#include <QApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -174,8 +173,7 @@ int bagsFilm(const FilmArguments& args, int& argc, char** argv) {
   picture.json = false;
   auto options = parseSnapshotOptions(picture);
   if (!options) return refuse(kUsage, options.error());
-  const auto fonts = chooseOffscreenPlatform();
-  QApplication application(argc, argv);
+  OffscreenApplication application(argc, argv);
   const auto access = RobotAccess::read(args.picture.access, options->robot);
   if (!access) return refuse(kUsage, access.error());
 

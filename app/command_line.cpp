@@ -98,6 +98,7 @@ int showWindow(const QString& address, const RobotAccess& known) {
   wanted.overlays_history = overlaysHistory();
   wanted.workers = std::make_shared<work::Workers>(kept.settings.threads);
   wanted.budgets = kept.settings.budgets();
+  addLabelFont();
   window::MainWindow main_window(std::move(wanted));
   main_window.show();
   const int exit_code = QApplication::exec();

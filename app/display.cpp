@@ -5,6 +5,7 @@
 #include <QByteArray>
 #include <QDir>
 #include <QFile>
+#include <QFontDatabase>
 #include <QGuiApplication>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -13,6 +14,8 @@
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 
+static void initFonts() { Q_INIT_RESOURCE(fonts); }
+
 namespace mapwright::app {
 namespace {
 
@@ -20,9 +23,9 @@ namespace {
 // there.
 constexpr char kFallback[] = "offscreen:";
 
-// Whatever else is installed: these alone, those of Noto in the versions of Debian 12 (fonts-noto-cjk,
-// fonts-noto-color-emoji). One family of Noto has all of Chinese, Japanese and Korean; of several the
-// language of the user would choose.
+// Whatever else is installed: beside the font that the program brings along only those of Noto, in the
+// versions of Debian 12 (fonts-noto-cjk, fonts-noto-color-emoji). One family of Noto has all of Chinese,
+// Japanese and Korean; of several the language of the user would choose.
 constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
 <!DOCTYPE fontconfig SYSTEM "fonts.dtd">
 <fontconfig>
@@ -31,12 +34,6 @@ constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
   <selectfont>
     <rejectfont><pattern><patelt name="scalable"><bool>true</bool></patelt></pattern></rejectfont>
     <rejectfont><pattern><patelt name="scalable"><bool>false</bool></patelt></pattern></rejectfont>
-    <acceptfont><pattern>
-      <patelt name="family"><string>DejaVu Sans</string></patelt>
-    </pattern></acceptfont>
-    <acceptfont><pattern>
-      <patelt name="family"><string>DejaVu Sans Mono</string></patelt>
-    </pattern></acceptfont>
     <acceptfont><pattern>
       <patelt name="family"><string>Noto Sans CJK SC</string></patelt>
       <patelt name="fontversion"><int>131334</int></patelt>
@@ -79,6 +76,11 @@ std::unique_ptr<QTemporaryDir> pinFonts() {
   return nullptr;
 }
 
+std::unique_ptr<QTemporaryDir> chooseOffscreen() {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  return pinFonts();
+}
+
 }  // namespace
 
 void chooseWindowPlatform() {
@@ -89,9 +91,14 @@ void chooseWindowPlatform() {
   qputenv("QT_QPA_PLATFORM", platforms + kFallback);
 }
 
-std::unique_ptr<QTemporaryDir> chooseOffscreenPlatform() {
-  qputenv("QT_QPA_PLATFORM", "offscreen");
-  return pinFonts();
+OffscreenApplication::OffscreenApplication(int& argc, char** argv)
+    : PinnedFonts{chooseOffscreen()}, QApplication(argc, argv) {
+  addLabelFont();
+}
+
+void addLabelFont() {
+  initFonts();
+  QFontDatabase::addApplicationFont(QStringLiteral(":/fonts/DejaVuSans.ttf"));
 }
 
 bool haveDisplay() {

@@ -3,17 +3,29 @@
 
 #include <memory>
 
-class QTemporaryDir;
+#include <QApplication>
+#include <QTemporaryDir>
 
 namespace mapwright::app {
 
 /// Chooses the Qt platform before QApplication exists: the user's choice, or else the screen in the
 /// environment, with "offscreen" as the fallback.
 void chooseWindowPlatform();
-/// For everything that needs no screen: offscreen, with fonts that do not depend on the user's settings. The
-/// result (may be null) must live as long as QApplication.
-[[nodiscard]] std::unique_ptr<QTemporaryDir> chooseOffscreenPlatform();
 /// After QApplication exists: false if a screen was wanted but there is none.
 bool haveDisplay();
+
+/// After QApplication exists: names on maps are drawn with the DejaVu Sans that the program carries.
+void addLabelFont();
+
+struct PinnedFonts {
+  std::unique_ptr<QTemporaryDir> settings;  // null: they lie in the cache
+};
+
+/// For everything that needs no screen: offscreen, with letters that depend neither on the user's settings
+/// nor on the files of DejaVu that are installed.
+class OffscreenApplication : PinnedFonts, public QApplication {
+ public:
+  OffscreenApplication(int& argc, char** argv);
+};
 
 }  // namespace mapwright::app

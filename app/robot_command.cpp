@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <QApplication>
 #include <QDeadlineTimer>
 #include <QEventLoop>
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QTimer>
 
 #include "app/command_map.h"
@@ -405,8 +403,7 @@ int RobotCommand::run(int& argc, char** argv, const std::function<CommandResult<
         sayAtTheEnd(sentence.toStdString());
         return int(*connected ? kIncomplete : kUnreachable);
       });
-  const auto fonts = chooseOffscreenPlatform();
-  QApplication application(argc, argv);
+  OffscreenApplication application(argc, argv);
   const int exit_code = end(work(*this));
   std::fflush(stdout);
   // Everything has been reported: cleaning up must not take longer than the remaining time.

@@ -9,11 +9,9 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <QApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QStringList>
-#include <QTemporaryDir>
 
 #include "app/bag_reading.h"
 #include "app/command_text.h"
@@ -450,8 +448,7 @@ int snapshot(const SnapshotArguments& args, int& argc, char** argv) {
         sayAtTheEnd(late);
         return int(kUnreachable);
       });
-  const auto fonts = chooseOffscreenPlatform();
-  QApplication application(argc, argv);
+  OffscreenApplication application(argc, argv);
   const auto access = RobotAccess::read(args.access, options->robot);
   if (!access) return refuse(kUsage, access.error());
   auto robot = makeRobot(options->robot, access->forAddress(options->robot), DemoTime::Frozen);

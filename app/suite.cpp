@@ -4,7 +4,6 @@
 #include <thread>
 
 #include <CLI/CLI.hpp>
-#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QTemporaryDir>
@@ -433,8 +432,7 @@ int suiteCommand(SuiteDeed deed, SuiteArguments& args, const Invocation& before)
     aside = std::make_unique<QTemporaryDir>();
     args.report = aside->path().toStdString();
   }
-  const auto fonts = chooseOffscreenPlatform();
-  QApplication application(before.argc, before.argv);
+  OffscreenApplication application(before.argc, before.argv);
   const auto plan = planned(args, deed != SuiteDeed::List);
   if (!plan) return refuse(kUsage, plan.error());
   if (deed == SuiteDeed::List) return suiteList(*plan);

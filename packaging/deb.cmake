@@ -66,16 +66,16 @@ foreach(entry ${entries})
   math(EXPR kib "${kib} + ${size}")
 endforeach()
 file(WRITE ${root}/DEBIAN/md5sums "${sums}")
-# Qt's plugins for X11, offscreen, SVG and TLS come with its libraries. Beside them: the fonts of every snapshot;
-# authorities for encrypted links, windows under Wayland, a key ring for secrets, names in
-# Chinese, Japanese and Korean and emoji; films of bags.
+# Qt's plugins for X11, offscreen, SVG and TLS come with its libraries. Beside them: authorities for
+# encrypted links, letters in the window, windows under Wayland, a key ring for secrets, names in Chinese, Japanese and
+# Korean and emoji; films of bags.
 file(WRITE ${root}/DEBIAN/control "Package: mapwright
 Version: ${version}
 Architecture: ${architecture}
 Maintainer: ${maintainer}
 Installed-Size: ${kib}
-Depends: ${libraries}, fonts-dejavu-core
-Recommends: ca-certificates, qt6-wayland, gnome-keyring | kwalletmanager, fonts-noto-cjk, fonts-noto-color-emoji
+Depends: ${libraries}
+Recommends: ca-certificates, fonts-dejavu-core, qt6-wayland, gnome-keyring | kwalletmanager, fonts-noto-cjk, fonts-noto-color-emoji
 Suggests: ffmpeg
 Section: science
 Priority: optional

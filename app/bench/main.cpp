@@ -3,8 +3,6 @@
 #include <cstdio>
 #include <string_view>
 
-#include <QApplication>
-#include <QTemporaryDir>
 #include <benchmark/benchmark.h>
 
 #include "app/display.h"
@@ -14,10 +12,9 @@
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   static_cast<void>(mapwright::app::startLog({}));
-  const auto fonts = mapwright::app::chooseOffscreenPlatform();
   int qt_argc = 1;
   char* qt_argv[] = {argv[0], nullptr};
-  QApplication application(qt_argc, qt_argv);
+  mapwright::app::OffscreenApplication application(qt_argc, qt_argv);
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
     if (word == "--help" || word == "-h") {

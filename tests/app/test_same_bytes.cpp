@@ -1,5 +1,7 @@
 // What a snapshot does not depend on (docs/same-bytes.md).
 #include <sched.h>
+#include <sys/mount.h>
+#include <unistd.h>
 
 #include <QTest>
 
@@ -20,6 +22,8 @@ simulator::Options paused() {
   options.paused = true;
   return options;
 }
+
+constexpr int kNotAllowed = 77;
 
 constexpr char kOverlays[] =
     R"({"type":"FeatureCollection","features":[{"type":"Feature","id":"w","properties":{"lineType":"2","name":"Wand Ö"},)"
@@ -43,9 +47,12 @@ class SameBytesTest : public QObject {
         {QStringLiteral("raw"), live + of("--raw --rotate 33.3 --center 2,1 --scale 0.021 --size 333x444")},
         {QStringLiteral("overlays"), local + of("--layers all --size 500x400")}};
   }
-  QByteArray pictureOf(const QStringList& options, const Program::Means& means) const {
-    const EndedBytes ended = program_.runForBytes(
+  EndedBytes picture(const QStringList& options, const Program::Means& means) const {
+    return program_.runForBytes(
         QStringList{QStringLiteral("snapshot"), QStringLiteral("-o"), QStringLiteral("-")} + options, means);
+  }
+  QByteArray pictureOf(const QStringList& options, const Program::Means& means) const {
+    const EndedBytes ended = picture(options, means);
     if (!ended.out.startsWith("\x89PNG")) qWarning("%s", ended.err.constData());
     return ended.out;
   }
@@ -116,6 +123,21 @@ class SameBytesTest : public QObject {
     }};
     for (auto it = all.begin(); it != all.end(); ++it)
       QVERIFY2(pictureOf(it.value(), means) == expected_[it.key()], qPrintable(it.key()));
+  }
+
+  void installedFontsChangeNoLetter() {
+    const Program::Means means{.in_child = [] {
+      const bool apart = ::unshare(CLONE_NEWNS) == 0 || ::unshare(CLONE_NEWUSER | CLONE_NEWNS) == 0;
+      if (!apart || ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+          ::mount("none", "/usr/share/fonts/truetype/dejavu", "tmpfs", 0, nullptr) != 0)
+        ::_exit(kNotAllowed);
+    }};
+    const auto all = pictures();
+    for (auto it = all.begin(); it != all.end(); ++it) {
+      const EndedBytes ended = picture(it.value(), means);
+      if (ended.code == kNotAllowed) QSKIP("folders cannot be hidden from a program here");
+      QVERIFY2(ended.out == expected_[it.key()], qPrintable(it.key()));
+    }
   }
 };
 
