@@ -28,7 +28,7 @@ constexpr int kNotAllowed = 77;
 constexpr char kOverlays[] =
     R"({"type":"FeatureCollection","features":[{"type":"Feature","id":"w","properties":{"lineType":"2","name":"Wand Ö"},)"
     R"("geometry":{"type":"LineString","coordinates":[[0.3,0.3],[2.7,1.9]]}},{"type":"Feature","id":"p",)"
-    R"("properties":{"type":"34","name":"رف 12","yaw":"90"},"geometry":{"type":"Point","coordinates":[1.5,1.0]}}]})";
+    R"("properties":{"type":"34","name":"رف 12 🚀","yaw":"90"},"geometry":{"type":"Point","coordinates":[1.5,1.0]}}]})";
 
 }  // namespace
 

@@ -3,11 +3,13 @@
 #include <cstdlib>
 #include <random>
 
+#include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
 #include <QTest>
 
 #include "fake_robot.h"
+#include "scene/drawing.h"
 #include "scene/map_scene.h"
 #include "test_program.h"
 
@@ -82,6 +84,27 @@ class LabelsTest : public QObject {
   }
 
  private Q_SLOTS:
+  void whatWasDrawnBeforeChangesNoLabel() {
+    const scene::MapTheme theme = scene::lightMapTheme();
+    const auto drawn = [&theme](const char* text) {
+      QImage image(200, 40, QImage::Format_ARGB32_Premultiplied);
+      image.fill(Qt::white);
+      QPainter painter(&image);
+      scene::drawLabel(painter, {10, 25}, QString::fromUtf8(text), theme, theme.text, false);
+      return image;
+    };
+    const auto width = [&theme] {
+      return QFontMetricsF(theme.label_font).horizontalAdvance(QString::fromUtf8("\U0001F680 x"));
+    };
+    const QImage plain = drawn("Waypoint 12"), emoji = drawn("\U0001F680 x");
+    const double wide = width();
+    for (int again = 0; again < 3; ++again) {
+      QCOMPARE(drawn("\U0001F680 x"), emoji);
+      QCOMPARE(drawn("Waypoint 12"), plain);
+      QCOMPARE(width(), wide);
+    }
+  }
+
   void init() {
     auto robot = std::make_unique<FakeRobot>();
     robot_ = robot.get();

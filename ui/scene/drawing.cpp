@@ -4,7 +4,38 @@
 #include <cmath>
 #include <optional>
 
+#include <QFontMetricsF>
+#include <QGlyphRun>
+#include <QRawFont>
+#include <QTextLayout>
+
 namespace mapwright::scene {
+namespace {
+
+/// Emoji are pictures in their font.
+bool hasPictures(const QGlyphRun& run) { return !run.rawFont().fontTable("CBLC").isEmpty(); }
+
+/// All but the pictures: once Qt 6.4 was asked for the outlines of their font it takes other widths for them,
+/// and may find none.
+QPainterPath outlines(const QList<QGlyphRun>& runs) {
+  QPainterPath path;
+  path.setFillRule(Qt::WindingFill);
+  for (const QGlyphRun& run : runs) {
+    if (hasPictures(run)) continue;
+    const QRawFont font = run.rawFont();
+    const QList<quint32> glyphs = run.glyphIndexes();
+    const QList<QPointF> places = run.positions();
+    for (qsizetype i = 0; i < glyphs.size(); ++i)
+      path.addPath(font.pathForGlyph(glyphs[i]).translated(places[i]));
+    if (run.strikeOut()) {
+      const QRectF box = run.boundingRect();
+      path.addRect(box.left(), places.value(0).y() - font.ascent() / 3, box.width(), font.lineThickness());
+    }
+  }
+  return path;
+}
+
+}  // namespace
 
 QPointF toPoint(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
 
@@ -62,21 +93,21 @@ void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& t
                const QColor& color, bool struck_through) {
   QFont font = theme.label_font;
   font.setStrikeOut(struck_through);
-  QPainterPath path;
-  path.addText(baseline_left, font, text);
+  QTextLayout layout(text, font);
+  layout.beginLayout();
+  const QTextLine line = layout.createLine();
+  layout.endLayout();
+  const QList<QGlyphRun> runs = layout.glyphRuns();
+  const QPointF origin = baseline_left - QPointF(0, line.ascent());
+  const QPainterPath path = outlines(runs).translated(origin);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(theme.text_halo, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(path);
   painter.fillPath(path, color);
-  // Emoji are pictures in their font, not outlines. Qt 6.4 finds none in a font that outlines were asked of:
-  // with another hinting it is another one.
-  const bool pictures = std::any_of(text.begin(), text.end(), [](QChar unit) { return unit.isSurrogate(); });
-  if (!pictures) return;
-  font.setHintingPreference(QFont::PreferVerticalHinting);
-  painter.setFont(font);
-  painter.setPen(Qt::transparent);  // but for the pictures
-  painter.drawText(baseline_left, text);
+  for (const QGlyphRun& run : runs) {
+    if (hasPictures(run)) painter.drawGlyphRun(origin, run);
+  }
 }
 
 std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
