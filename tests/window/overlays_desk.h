@@ -9,6 +9,7 @@
 #include "robot/axbot/axbot_address.h"
 #include "robot/axbot/axbot_robot.h"
 #include "robot/overlay_store.h"
+#include "sentences/failure_sentence.h"
 #include "simulator/simulator.h"
 #include "ui/overlays/overlay_review.h"
 #include "ui/overlays/overlay_tool.h"
@@ -58,8 +59,11 @@ struct Desk {
   /// Somebody else replaces the overlays of map 1.
   bool hand(const std::string& text) {
     std::optional<bool> done;
-    other->overlayStore()->write({map::MapKind::Stored, "1"}, text,
-                                 [&](robot::Outcome<robot::OverlayText> outcome) { done = bool(outcome); });
+    other->overlayStore()->write(
+        {map::MapKind::Stored, "1"}, text, [&](robot::Outcome<robot::OverlayText> outcome) {
+          done = bool(outcome);
+          if (!outcome) qWarning("not written: %s", sentences::sentenceOf(outcome.error()).c_str());
+        });
     return QTest::qWaitFor([&] { return done.has_value(); }) && *done;
   }
   /// What the robot holds.
