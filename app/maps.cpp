@@ -444,6 +444,7 @@ CommandResult<int> mapsChange(RobotCommand& command, const MapsArguments& args, 
   if (const QString why = whyNotAsked(change, args); !why.isEmpty()) return wrong(why);
   const auto robot = command.open();
   if (!robot) return passOn(robot);
+  (*robot)->await(robot::Capability::Administration);
   robot::MapOrder order{.change = change};
   if (isOfOneMap(change)) order.key = map::mapKeyFromText(args.id);
   if (names(change)) order.name = args.label;

@@ -134,9 +134,18 @@ void RobotReading::noteUnconfirmed(robot::Capability capability) {
   if (!sentence.isEmpty()) note(about(sentence));
 }
 
+void RobotReading::await(robot::Capability capability) {
+  waitUntil([&] { return session_.robot().whyNot(capability).reason != robot::Absence::Reason::NotToldYet; });
+}
+
 tl::unexpected<CommandFailure> RobotReading::lacks(robot::Capability capability) const {
-  return failure(local() ? kUsage : kRobotError,
-                 sentences::whyAbsent(capability, session_.robot().whyNot(capability)));
+  const robot::Absence absence = session_.robot().whyNot(capability);
+  if (absence.reason == robot::Absence::Reason::NotToldYet)
+    return failure(exitCodeOf(map::FailureKind::TimedOut),
+                   Text::tr("The robot has not answered within %1 s whether it can be edited. Nothing was "
+                            "changed: try again, or wait longer (--timeout).")
+                       .arg(time_.timeout_s));
+  return failure(local() ? kUsage : kRobotError, sentences::whyAbsent(capability, absence));
 }
 
 CommandResult<std::unique_ptr<RobotReading>> RobotReading::open(const QString& address, const Access& access,

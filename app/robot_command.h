@@ -70,6 +70,8 @@ class RobotReading {
   /// A sentence about this robot, and its exit code.
   tl::unexpected<CommandFailure> failure(int exit_code, const QString& sentence) const;
   tl::unexpected<CommandFailure> failure(const map::Failure& failed) const;
+  /// Waits until the robot has told whether it has it.
+  void await(robot::Capability capability);
   /// The failure for a capability that the robot lacks.
   tl::unexpected<CommandFailure> lacks(robot::Capability capability) const;
   /// Adds a remark that is printed at the end.

@@ -155,6 +155,7 @@ CommandResult<ListedWaypoints> listWaypoints(RobotCommand& command, const std::s
   RobotReading& reading = **opened;
   robot::Robot& robot = reading.session().robot();
   ListedWaypoints list{&reading, {}};
+  if (use == Use::Changing) reading.await(robot::Capability::WaypointEditing);
   list.store = robot.waypointStore();
   if (!list.store && use == Use::Changing) return reading.lacks(robot::Capability::WaypointEditing);
   if (!list.store && !robot.waypointSource()) return reading.lacks(robot::Capability::Waypoints);

@@ -57,6 +57,7 @@ struct Absence {
     ReadOnly,       // the maker's interface is read-only; arguments[0] is the maker
     NotYetHere,     // robots of this kind have it, but this version of the program does not support it
     FirmwareLacks,  // this one answered that it does not support it; arguments[0] is its answer
+    NotToldYet,     // it was asked whether it has it, and has not answered; it is asked again
     LocalFiles,     // there is no robot
     NoService,      // others of the kind run a service for it; arguments[0] is what is missing here
   };

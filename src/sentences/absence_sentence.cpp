@@ -96,6 +96,10 @@ QString whyAbsent(Capability capability, const Absence& absence) {
       break;
     case Absence::Reason::ReadOnly:
       return AbsenceText::tr("Read only: %1's interface offers no editing.").arg(argument(absence));
+    case Absence::Reason::NotToldYet:
+      return AbsenceText::tr(
+          "It is not known yet whether this robot can be edited: it has not answered that question. It is "
+          "asked again.");
     case Absence::Reason::NotYetHere:
       return nothing(capability) + QLatin1Char(' ') + AbsenceText::tr("Not supported in this version yet.");
     case Absence::Reason::FirmwareLacks:
@@ -150,6 +154,8 @@ QString limitsOf(robot::Robot& robot) {
     const bool telling = absence.reason == Absence::Reason::ReadOnly ||
                          absence.reason == Absence::Reason::NotYetHere ||
                          absence.reason == Absence::Reason::LocalFiles ||
+                         (absence.reason == Absence::Reason::NotToldYet &&
+                          robot.connection().phase == robot::ConnectionPhase::Online) ||
                          (capability == Capability::Live && absence.reason == Absence::Reason::NoService);
     if (telling) limits << whyAbsent(capability, absence);
   };

@@ -220,6 +220,26 @@ class OtherRobotsTest : public QObject {
     }
   }
 
+  void whetherItCanBeEditedIsSaidNotToBeKnownWhereItIsNotTold() {
+    ScriptedRobot robot;
+    const QByteArray service = "/rpc/aimdk.protocol.MappingService/";
+    robot.serve(service + "GetStoredMapNames",
+                R"({"data":{"map_lists":[{"map_id":"17","map_name":"Park"}]}})");
+    robot.serve(service + "GetCurrentWorkingMap", R"({"data":{"map_id":"17"}})");
+    robot.held << service + "GetRealtimeMapData";
+    const QString asked = QStringLiteral(" --timeout 5 --robot ") + aimdk(robot.url());
+    for (const char* command : {"maps rename 17 Hall", "waypoints create New --at 1,2"}) {
+      const Outcome untold = run(QString::fromLatin1(command) + asked);
+      QVERIFY2(untold.code == 3 && untold.err.contains(QStringLiteral("whether it can be edited")) &&
+                   untold.err.contains(QStringLiteral("--timeout")),
+               qPrintable(untold.err));
+      QVERIFY(!untold.err.contains(QStringLiteral("Read only")) && untold.err.count(QLatin1Char('\n')) == 1);
+    }
+    // Who only reads need not know.
+    const Outcome listed = run(QStringLiteral("maps list") + asked);
+    QVERIFY2(listed.code == 0 && listed.err.isEmpty(), qPrintable(listed.err));
+  }
+
   void nobodyAtAnAddressIsSaidToBeSoWhateverTheRobot_data() {
     QTest::addColumn<QString>("scheme");
     QTest::newRow("axbot") << QStringLiteral("axbot+http");

@@ -20,6 +20,7 @@ constexpr int kPatienceMs = 20'000;
 const QByteArray kNames = "/rpc/aimdk.protocol.MappingService/GetStoredMapNames";
 const QByteArray kCurrent = "/rpc/aimdk.protocol.MappingService/GetCurrentWorkingMap";
 const QByteArray kWhole = "/rpc/aimdk.protocol.MappingService/Get2DWholeMap";
+const QByteArray kRealtime = "/rpc/aimdk.protocol.MappingService/GetRealtimeMapData";
 const QByteArray kTopo = "/rpc/aimdk.protocol.LocalizationService/GetTopoMsgs";
 
 QByteArray png() {
@@ -201,8 +202,61 @@ class AimdkRobotTest : public QObject {
              }).has_value());
   }
 
+  void whileItHasNotToldWhetherItCanBeEditedNobodyClaimsToKnow_data() {
+    QTest::addColumn<QByteArray>("answer");  // instead of the one that tells; empty = it is slow
+    QTest::newRow("slow") << QByteArray();
+    QTest::newRow("hung up") << QByteArray(" ");
+    QTest::newRow("busy") << ScriptedRobot::reply(503, "{}");
+  }
+  void whileItHasNotToldWhetherItCanBeEditedNobodyClaimsToKnow() {
+    QFETCH(QByteArray, answer);
+    aimdk::LinkOptions options;
+    options.quiet_after = std::chrono::milliseconds(50);
+    options.map_timeout = std::chrono::milliseconds(300);
+    options.probe_again = std::chrono::milliseconds(20);
+    makeRobot(options);
+    if (answer.isEmpty()) server_->held << kRealtime;
+    server_->answers[kRealtime] = answer;
+    robot_->connectToRobot();
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Online), kPatienceMs);
+    const Absence untold{Absence::Reason::NotToldYet, {}};
+    for (const Capability one : {Capability::Administration, Capability::WaypointEditing})
+      QCOMPARE(robot_->whyNot(one), untold);
+    QVERIFY2(!sentences::limitsOf(*robot_).contains(QLatin1String("Read only")), "a claim");
+    QVERIFY(sentences::limitsOf(*robot_).contains(QLatin1String("not known yet")));
+    // It is asked again, and the other questions do not wait for it.
+    QTRY_VERIFY_WITH_TIMEOUT(server_->timesAsked(kRealtime) > 2, kPatienceMs);
+    QVERIFY(isIn(ConnectionPhase::Online) && !silentSince(*robot_));
+    QVERIFY(server_->timesAsked(kCurrent) > 2);
+    QSignalSpy changed(robot_.get(), &Robot::capabilitiesChanged);
+    server_->held.clear();
+    server_->serve(kRealtime, R"({"header":{"code":"0"},"data":{}})");
+    QTRY_VERIFY_WITH_TIMEOUT(robot_->mapAdministration(), kPatienceMs);
+    QVERIFY(robot_->waypointStore() && !changed.isEmpty());
+    QVERIFY(!robot_->mapAdministration()->obstacle(MapChange::StartMapping, nullptr));
+    // Where it does not tell at the next connection, nothing is taken away.
+    server_->held << kRealtime;
+    server_->goAway();
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Interrupted), kPatienceMs);
+    server_->listen();
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Online), kPatienceMs);
+    QVERIFY(robot_->mapAdministration()->obstacle(MapChange::StartMapping, nullptr) == Obstacle::NotKnownYet);
+    server_->held.clear();
+    QTRY_VERIFY_WITH_TIMEOUT(!robot_->mapAdministration()->obstacle(MapChange::StartMapping, nullptr),
+                             kPatienceMs);
+    // Another answer does.
+    server_->goAway();
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Interrupted), kPatienceMs);
+    server_->answers.remove(kRealtime);
+    server_->listen();
+    QTRY_VERIFY_WITH_TIMEOUT(!robot_->mapAdministration(), kPatienceMs);
+    QCOMPARE(robot_->whyNot(Capability::Administration), (Absence{Absence::Reason::ReadOnly, {"Agibot"}}));
+  }
+
   void itSaysThatItCannotEdit() {
     QVERIFY(!robot_->mapAdministration());
+    robot_->connectToRobot();
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Online), kPatienceMs);
     QCOMPARE(robot_->whyNot(Capability::Administration), (Absence{Absence::Reason::ReadOnly, {"Agibot"}}));
     QCOMPARE(robot_->whyNot(Capability::Live), (Absence{Absence::Reason::NoService, {"?tf=ws://HOST:9090"}}));
     QCOMPARE(

@@ -227,14 +227,14 @@ void WaypointsController::openReadOnly() {
       key = point.id + " #" + std::to_string(turn);
     items.emplace(std::move(key), point);
   }
-  if (shown_only_ && shown_only_->items() == items) return;
   if (!shown_only_) {
     shown_only_ = std::make_unique<edit::WaypointDocument>();
     connect(shown_only_.get(), &edit::WaypointDocument::changed, this, &WaypointsController::takeChange);
-    constexpr auto kEditing = robot::Capability::WaypointEditing;
-    editing_.setDocument(shown_only_.get(),
-                         sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing)));
   }
+  constexpr auto kEditing = robot::Capability::WaypointEditing;
+  const QString why = sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing));
+  if (why != editing_.whyNot()) editing_.setDocument(shown_only_.get(), why);
+  if (shown_only_->items() == items) return;
   shown_only_->reset(std::move(items));
 }
 

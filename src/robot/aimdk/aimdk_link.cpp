@@ -24,6 +24,13 @@ constexpr qint64 kMaxAnswerBytes = qint64(384) << 20;  // 256 MB of picture as b
 
 bool knowsNoSuchCall(int status) { return status == 404 || status == 405 || status == 501; }
 
+/// An answer from which nothing follows but that it may be asked again.
+bool isLost(const net::HttpAnswer& answer) {
+  const int status = answer.status;
+  return answer.kind != net::HttpAnswer::Kind::Answered || status == 408 || status == 429 ||
+         (status >= 500 && status != 501);
+}
+
 map::Subject catalogueSubject(const char* part) { return {map::SubjectKind::Catalogue, part}; }
 
 /// The result, or why there is none.
@@ -90,6 +97,8 @@ AimdkLink::AimdkLink(LinkOptions options)
   connect(&timer_, &QTimer::timeout, this, [this] {
     if (phase_ == ConnectionPhase::Online) {
       poll();
+    } else if (probing_ != 0) {
+      goOnline();
     } else {
       attempt();
     }
@@ -125,7 +134,7 @@ void AimdkLink::deliver(const char* method, const net::HttpAnswer& answer) {
 
 void AimdkLink::open() {
   wanted_ = true;
-  if (phase_ == ConnectionPhase::Online || asking_ != 0) return;
+  if (phase_ == ConnectionPhase::Online || asking_ != 0 || probing_ != 0) return;
   attempt();
 }
 
@@ -141,7 +150,7 @@ void AimdkLink::close() {
   healthy_.stop();
   quiet_.stop();
   http_.cancelAll();
-  asking_ = 0;
+  asking_ = probing_ = 0;
   attempt_ = 0;
   backoff_.reset();
   silent_since_.reset();
@@ -187,26 +196,40 @@ void AimdkLink::attempt() {
 }
 
 void AimdkLink::probe() {
-  ask(kRealtimeMap, realtimeMapRequest(), [this](const net::HttpAnswer& answer) {
-    if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
-    asking_ = 0;
-    const std::string_view body = wire::view(answer.body);
-    NewerServices newer{knowsService(answer.status, body)};
-    if (const auto mapping = parseRealtimeMap(body); newer.there && mapping) newer.mapping = *mapping;
-    qCInfo(lcAimdk, "newer services: %s", newer.there ? "yes" : "no");
-    noteNewer(newer);
-    goOnline();
-  });
+  if (phase_ != ConnectionPhase::Online) timer_.start(options_.quiet_after);
+  probing_ = http_.send(request(kRealtimeMap, realtimeMapRequest(), options_.map_timeout),
+                        [this](const net::HttpAnswer& answer) {
+                          if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
+                          probing_ = 0;
+                          takeProbe(answer);
+                          if (phase_ != ConnectionPhase::Online) goOnline();
+                        });
 }
 
+void AimdkLink::takeProbe(const net::HttpAnswer& answer) {
+  const bool online = phase_ == ConnectionPhase::Online;
+  if (isLost(answer)) return online ? probed_.start() : leaveUntold();
+  const std::string_view body = wire::view(answer.body);
+  NewerServices newer = newer_;
+  // Who has them does not lose them while it is online.
+  if (!online || newer.there != true) newer = {knowsService(answer.status, body)};
+  if (const auto mapping = parseRealtimeMap(body); newer.there == true && answer.ok() && mapping)
+    newer.mapping = *mapping;
+  noteNewer(newer);
+}
+
+void AimdkLink::leaveUntold() { noteNewer({newer_.there == true ? newer_.there : std::nullopt}); }
+
 void AimdkLink::noteNewer(const NewerServices& newer) {
-  mapping_asked_.start();
+  probed_.start();
   if (newer_ == newer) return;
   newer_ = newer;
+  qCInfo(lcAimdk, "newer services: %s", !newer.there ? "not told" : *newer.there ? "yes" : "no");
   Q_EMIT newerKnown(newer_);
 }
 
 void AimdkLink::goOnline() {
+  if (probing_ != 0) leaveUntold();
   attempt_ = 0;
   // One answer is not health: a robot that answers and then fails must not be asked ever so often.
   healthy_.start(options_.healthy_after);
@@ -233,18 +256,9 @@ void AimdkLink::poll() {
     hear();
     if (was_silent) enter(phase_);
     if (answer.ok()) noteCurrent(parseCurrentMap(wire::view(answer.body)).value_or(std::string()));
-    if (newer_.there && mapping_asked_.hasExpired(options_.mapping_every.count())) return pollMapping();
-    timer_.start(options_.poll_every);
-  });
-}
-
-void AimdkLink::pollMapping() {
-  ask(kRealtimeMap, realtimeMapRequest(), [this](const net::HttpAnswer& answer) {
-    if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
-    asking_ = 0;
-    const auto mapping = answer.ok() ? parseRealtimeMap(wire::view(answer.body)) : Read<bool>(false);
-    if (answer.ok() && mapping) noteNewer({true, *mapping});
-    mapping_asked_.start();
+    const bool told = newer_.there && (newer_.mapping || !*newer_.there);
+    const auto again = told ? options_.mapping_every : options_.probe_again;
+    if (newer_.there != false && probing_ == 0 && probed_.hasExpired(again.count())) probe();
     timer_.start(options_.poll_every);
   });
 }
@@ -278,6 +292,7 @@ void AimdkLink::interrupt(const Fault& reason, map::FailureKind failure) {
   if (!wanted_) return;
   healthy_.stop();
   quiet_.stop();
+  http_.cancel(std::exchange(probing_, 0));
   if (heard_at_.isValid()) silent_since_ = heard_at_;
   if (failure != map::FailureKind::Certificate) certificate_.reset();
   reason_ = reason;

@@ -33,6 +33,7 @@ struct LinkOptions {
   std::chrono::milliseconds timeout{10'000};     // for the small questions
   std::chrono::milliseconds map_timeout{60'000};
   std::chrono::milliseconds mapping_every{30'000};  // while online: whether it is mapping
+  std::chrono::milliseconds probe_again{10'000};    // while online: whether it has the newer services
   ChangeTimes changes;
   std::chrono::milliseconds backoff_first{500}, backoff_limit{30'000};
   std::chrono::milliseconds healthy_after{
@@ -43,8 +44,8 @@ struct LinkOptions {
 
 /// What newer firmware has, which only third parties tell of.
 struct NewerServices {
-  bool there = false;
-  std::optional<bool> mapping = {};  // nullopt = not known
+  std::optional<bool> there = {};    // nullopt = not known yet
+  std::optional<bool> mapping = {};  // likewise
   bool operator==(const NewerServices&) const = default;
 };
 
@@ -94,11 +95,13 @@ class AimdkLink : public wire::RobotLink {
   void attempt();
   /// Asks for the newest thing that only reads, GetRealtimeMapData: whoever has it is taken to have all of
   /// the newer services. None of the others can be tried without changing something, so their first use
-  /// tells.
+  /// tells. Its answer has a picture while it is mapping: it may be slow, and nothing else waits for it.
   void probe();
+  void takeProbe(const net::HttpAnswer& answer);
+  /// There is no answer to it in this connection so far.
+  void leaveUntold();
   void noteNewer(const NewerServices& newer);
   void poll();
-  void pollMapping();
   void goOnline();
   void hear();
   void noteSilence();
@@ -110,12 +113,13 @@ class AimdkLink : public wire::RobotLink {
 
   LinkOptions options_;
   net::HttpClient http_;
-  QTimer timer_;    // until the next try, or the next poll
+  QTimer timer_;    // until the next try, or the next poll; or it is online without the answer to the probe
   QTimer healthy_;  // while online, until it counts as healthy
   QTimer quiet_;    // while a poll is under way, until it takes longer than is usual here
   net::Backoff backoff_;
   bool wanted_ = false;
-  net::HttpClient::RequestId asking_ = 0;  // the connection's own request in progress
+  net::HttpClient::RequestId asking_ = 0;   // the connection's own request in progress
+  net::HttpClient::RequestId probing_ = 0;  // likewise, beside it
   int attempt_ = 0;
   QElapsedTimer polled_;                  // since the current poll was sent
   std::chrono::milliseconds slowest_{0};  // of the recent polls
@@ -127,7 +131,7 @@ class AimdkLink : public wire::RobotLink {
   map::FailureKind failure_ = map::FailureKind::None;
   std::optional<std::string> current_;
   NewerServices newer_;
-  QElapsedTimer mapping_asked_;  // since it was last told whether it is mapping
+  QElapsedTimer probed_;  // since it was last told, or should have been
   /// One request for all concurrent callers; cancelled when none of them needs it any more.
   struct SharedFetch {
     wire::TaskPtr task;

@@ -239,9 +239,9 @@ bool AimdkRobot::isUnconfirmed(Capability capability) const {
 }
 
 Absence AimdkRobot::whyNot(Capability capability) const {
-  if (capability == Capability::Administration || capability == Capability::WaypointEditing ||
-      capability == Capability::PictureEditing)
-    return {Absence::Reason::ReadOnly, {"Agibot"}};
+  if (capability == Capability::Administration || capability == Capability::WaypointEditing)
+    return has_newer_ ? Absence{Absence::Reason::ReadOnly, {"Agibot"}}
+                      : Absence{Absence::Reason::NotToldYet, {}};
   if (capability == Capability::Live) return {Absence::Reason::NoService, {"?tf=ws://HOST:9090"}};
   return {};
 }

@@ -77,8 +77,8 @@ class AimdkRobot : public wire::NetworkRobot, public SecondServer {
   MapCatalogue* mapCatalogue() override { return &catalogue_; }
   WholeMapSource* wholeMapSource() override { return &whole_maps_; }
   WaypointSource* waypointSource() override { return &points_; }
-  WaypointStore* waypointStore() override { return has_newer_ ? &waypoint_store_ : nullptr; }
-  MapAdministration* mapAdministration() override { return has_newer_ ? &administration_ : nullptr; }
+  WaypointStore* waypointStore() override { return has_newer_ == true ? &waypoint_store_ : nullptr; }
+  MapAdministration* mapAdministration() override { return has_newer_ == true ? &administration_ : nullptr; }
   LiveTopics* liveTopics() override { return live_.get(); }
   bool isUnconfirmed(Capability capability) const override;
   Absence whyNot(Capability capability) const override;
@@ -104,7 +104,7 @@ class AimdkRobot : public wire::NetworkRobot, public SecondServer {
   wire::WaypointsOf<AimdkLink> points_;
   AimdkAdministration administration_;
   AimdkWaypointStore waypoint_store_;
-  bool has_newer_ = false;  // firmware
+  std::optional<bool> has_newer_;  // firmware; nullopt = it has not told yet
 };
 
 }  // namespace mapwright::robot::aimdk
