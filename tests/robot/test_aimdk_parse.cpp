@@ -184,7 +184,10 @@ class AimdkParseTest : public QObject {
     QVERIFY(is(at(50, 5, 4), 20, false, fault::ScaleFitsNeither));
     frame.resolution = 10;  // the same either way
     QVERIFY(is(at(10, 0.01, 3), 10, true, {}));
-    QVERIFY(is(at(10, 5, 0), 10, true, {}));
+    // Without a point nothing tells that the picture lies there, and points that fit nowhere are told.
+    QVERIFY(is(at(10, 5, 0), 10, false, {}));
+    QVERIFY(is(at(50, 5, 4), 10, false, fault::ScaleFitsNeither));
+    QVERIFY(!untoldScale(frame).note.any());
   }
 
   void aMapIsPlacedAsItsResolutionIsRead() {

@@ -82,7 +82,7 @@ inline constexpr FaultCode PointInTwoPlaces{
 inline constexpr FaultCode PointScaleUntold{
     "aimdk",
     QT_TRANSLATE_NOOP("aimdk",
-                      "The robot takes pixels, and how many there are to a metre cannot be told by the "
+                      "The robot takes pixels, and which of them lies where cannot be told by the "
                       "waypoints that the map has: the waypoint might land at the wrong place. Set some "
                       "waypoints on the robot itself first, apart from each other.")};
 inline constexpr FaultCode PointWithoutNumber{

@@ -146,8 +146,7 @@ Scale scaleBy(const wire::JsonList& points, const ParsedMap& frame) {
   }
   // A few points that were moved prove nothing.
   const bool first_fits = 2 * fit_first > told, other_fits = 2 * fit_other > told;
-  if (first == other) return {first, first_fits || told == 0};  // at 10 both readings are the same
-  if (first_fits && !other_fits) return {first, true};
+  if (first_fits && (!other_fits || first == other)) return {first, true};
   if (other_fits && !first_fits) return {other, true, {fault::ScaleInCentimetres, {first}}};
   constexpr int kEnough = 3;
   if (!first_fits && told >= kEnough) return {first, false, {fault::ScaleFitsNeither, {first}}};
@@ -242,7 +241,8 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
 }
 
 Scale untoldScale(const ParsedMap& map) {
-  return {map.resolution, false, {fault::ScaleUntold, {map.resolution}}};
+  const bool same = map.resolution == 100 / map.resolution;  // at 10: either way
+  return {map.resolution, false, same ? Fault() : Fault{fault::ScaleUntold, {map.resolution}}};
 }
 
 void place(ParsedMap& map, const Scale& scale) {

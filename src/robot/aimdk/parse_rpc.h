@@ -43,7 +43,7 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked);
 /// centimetres per pixel.
 struct Scale {
   double pixels_per_m = 0;
-  bool certain = false;  // the points fit this reading only, or both readings are the same
+  bool certain = false;  // the points fit it, and no other reading
   Fault note = {};       // what is to be said of it; none = it is as the maker says
 };
 /// Nothing tells: as the maker says.
