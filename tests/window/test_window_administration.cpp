@@ -153,8 +153,17 @@ class TestWindowAdministration : public QObject {
     QVERIFY(stop->isVisible() && !stop->isEnabled());
     QVERIFY2(stop->toolTip().contains(QLatin1String("by saving the map")), qPrintable(stop->toolTip()));
     desk.bench.action("saveNewMap")->trigger();
-    QVERIFY(desk.controller().dialog()->textShown().contains(QLatin1String("ends the mapping")));
-    delete desk.controller().dialog();
+    ChangeDialog* const save = desk.controller().dialog();
+    QVERIFY(save->textShown().contains(QLatin1String("ends the mapping")));
+    QVERIFY(save->acceptButton()->text().contains(QLatin1String("end the mapping")));
+    // Enter behind the name neither ends it nor throws the name away.
+    QTest::keyClicks(save->nameEdit(), QStringLiteral("Yard"));
+    QTest::keyClick(save->nameEdit(), Qt::Key_Return);
+    QVERIFY(save->isVisible() && desk.maps.orders.empty());
+    QCOMPARE(save->nameEdit()->text(), QStringLiteral("Yard"));
+    save->acceptButton()->click();
+    QCOMPARE(desk.maps.orders.size(), std::size_t(1));
+    delete save;
     desk.maps.obstacles = {{MapChange::StopMapping, Obstacle::EndsBySaving},
                            {MapChange::CancelMapping, Obstacle::NotMapping}};
     Q_EMIT desk.bench.robot->capabilitiesChanged();

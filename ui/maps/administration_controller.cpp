@@ -239,6 +239,8 @@ ChangeDialog::ChangeDialog(ChangeQuestion question, Ask ask, QWidget* parent)
   column->addLayout(buttons);
   connect(accept_, &QPushButton::clicked, this, &ChangeDialog::send);
   connect(cancel_, &QPushButton::clicked, this, &ChangeDialog::reject);
+  // Enter after the name neither ends something nor throws the name away.
+  if (name_ && question_.ends_something) letEnterPress(*cancel_, false);
   if (QLineEdit* const field = name_ ? name_ : typed_) field->setFocus();
   check();
 }
@@ -528,8 +530,13 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
   ChangeQuestion question = questionFor(change, map, session->catalogue().current());
   question.asks_place = change == MapChange::Load && robots->loadAsksForPlace();
   if (change == MapChange::Save &&
-      robots->obstacle(MapChange::StopMapping, nullptr) == Obstacle::EndsBySaving)
-    question.text += QLatin1Char(' ') + ChangeDialog::tr("Saving it ends the mapping.");
+      robots->obstacle(MapChange::StopMapping, nullptr) == Obstacle::EndsBySaving) {
+    question.text +=
+        QLatin1Char(' ') +
+        ChangeDialog::tr("Saving it ends the mapping: the robot cannot go on with it afterwards.");
+    question.accept = ChangeDialog::tr("Save and end the mapping");
+    question.ends_something = true;
+  }
   if (const QString remark = unconfirmed(); !remark.isEmpty()) question.text += QLatin1Char('\n') + remark;
   question.remark = [this](const robot::MapOrder& order) {
     session::Session* const now = context_.current.session();
