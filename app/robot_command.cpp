@@ -130,8 +130,8 @@ map::Failure RobotReading::tooLate(map::Failure failure) const {
 }
 
 void RobotReading::noteUnconfirmed(robot::Capability capability) {
-  const QString sentence = sentences::unconfirmedOf(session_.robot(), capability);
-  if (!sentence.isEmpty()) note(about(sentence));
+  unconfirmed_ = sentences::unconfirmedOf(session_.robot(), capability);
+  if (!unconfirmed_.isEmpty()) note(about(unconfirmed_));
 }
 
 void RobotReading::await(robot::Capability capability) {
@@ -421,7 +421,11 @@ int RobotCommand::run(int& argc, char** argv, const std::function<CommandResult<
   return exit_code;
 }
 
-int RobotCommand::end(const CommandResult<int>& result) const {
+int RobotCommand::end(CommandResult<int> result) const {
+  for (const auto& reading : readings_) {
+    if (!result && !reading->unconfirmed().isEmpty())
+      result.error().sentence += QLatin1Char(' ') + reading->unconfirmed();
+  }
   QStringList warnings;
   for (const auto& reading : readings_) warnings += reading->warnings();
   QJsonObject report;

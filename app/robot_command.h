@@ -76,8 +76,10 @@ class RobotReading {
   tl::unexpected<CommandFailure> lacks(robot::Capability capability) const;
   /// Adds a remark that is printed at the end.
   void note(const QString& sentence) { notes_ << sentence; }
-  /// The remark that changing this is not confirmed by the robot's maker, where that is so.
+  /// The remark that changing this is not confirmed by the robot's maker, where that is so. It stands behind
+  /// a failure, too.
   void noteUnconfirmed(robot::Capability capability);
+  const QString& unconfirmed() const { return unconfirmed_; }
   /// The same as note() for something that was requested but could not be loaded; the result is incomplete
   /// then.
   void lack(const QString& sentence) {
@@ -110,7 +112,7 @@ class RobotReading {
 
   std::shared_ptr<work::Workers> workers_;
   session::Session session_;
-  QString address_, name_;
+  QString address_, name_, unconfirmed_;
   CommandTime time_;
   SteadyTime online_since_;
   bool complete_ = true;
@@ -156,7 +158,7 @@ class RobotCommand {
   int run(int& argc, char** argv, const std::function<CommandResult<int>(RobotCommand&)>& work);
 
  private:
-  int end(const CommandResult<int>& result) const;
+  int end(CommandResult<int> result) const;
 
   const RobotArguments& args_;
   CommandTime time_;
