@@ -179,6 +179,14 @@ CommandResult<int> change(RobotCommand& command, const WaypointsArguments& args,
   if (!list) return passOn(list);
   Edits edits = editsOf(*list);
   if (!edits) return passOn(edits);
+  const bool deletes =
+      std::any_of(edits->begin(), edits->end(), [](const auto& edit) { return !edit.after; });
+  if (const QString stays = exchange::whyNotRemoved(list->store->keeps()); deletes && !stays.isEmpty())
+    return list->robot->failure(kRobotError, stays);
+  const bool tags = std::any_of(edits->begin(), edits->end(),
+                                [](const auto& edit) { return edit.after && !edit.after->tags.empty(); });
+  if (tags && !list->store->keeps().tags)
+    return list->robot->failure(kRobotError, Text::tr("Waypoints of this robot cannot have tags."));
   edits = fitted(*list, std::move(*edits));
   for (const exchange::WaypointEdit& edit : *edits) {
     const QString why = edit.after ? exchange::whyNotKept(edit.before, *edit.after) : QString();

@@ -251,6 +251,27 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>Tags cannot be stored here: those of %1 waypoints are left out.</source>
+        <translation>
+            <numerusform>Tags cannot be stored here: those of %1 waypoint are left out.</numerusform>
+            <numerusform>Tags cannot be stored here: those of %1 waypoints are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Waypoints cannot be deleted here: %1 waypoints that should go stay.</source>
+        <translation>
+            <numerusform>Waypoints cannot be deleted here: %1 waypoint that should go stays.</numerusform>
+            <numerusform>Waypoints cannot be deleted here: %1 waypoints that should go stay.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Waypoints are kept on pixels of %2 m here: %1 waypoints stay where they are, less than half a pixel from where they should be.</source>
+        <translation>
+            <numerusform>Waypoints are kept on pixels of %2 m here: %1 waypoint stays where it is, less than half a pixel from where it should be.</numerusform>
+            <numerusform>Waypoints are kept on pixels of %2 m here: %1 waypoints stay where they are, less than half a pixel from where they should be.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 waypoints are not sent: the robot does not allow duplicate names</source>
         <translation>
             <numerusform>%1 waypoint is not sent: the robot does not allow duplicate names</numerusform>

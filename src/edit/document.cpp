@@ -84,7 +84,7 @@ void WaypointDocument::nameTheirs(const Key& key, const Key& id) {
 
 void WaypointDocument::change(std::vector<Change> changes, const QString& text, Gesture gesture) {
   for (Change& one : changes) {
-    if (fit_ && one.after) fit_(*one.after);
+    if (fit_ && one.after) fit_(*one.after, findKept(one.key));
   }
   dropUnchanged(changes);
   if (!changes.empty()) stack_.push(new Command(*this, std::move(changes), text, gesture));
@@ -198,7 +198,7 @@ Items WaypointDocument::kept() const {
 void WaypointDocument::rebase(const std::vector<Change>& older, const QString& text) {
   std::vector<Change> here;
   for (Change change : older) {
-    if (fit_ && change.after) fit_(*change.after);
+    if (fit_ && change.after) fit_(*change.after, findKept(change.key));
     const Item now = mine(change.key);
     Merged merged = merge(change.before, change.after, now);
     if (merged.conflict && unsaved_.contains(change.key)) {

@@ -36,8 +36,10 @@ class WaypointDocument : public QObject {
  public:
   using QObject::QObject;
 
-  /// Turns an item into one that can be stored; applied to every change made here.
-  void setFit(std::function<void(map::Waypoint&)> fit) { fit_ = std::move(fit); }
+  /// Turns an item into one that can be stored (the second: as it is stored, null = not at all); applied to
+  /// every change made here.
+  using Fit = std::function<void(map::Waypoint&, const map::Waypoint*)>;
+  void setFit(Fit fit) { fit_ = std::move(fit); }
 
   /// Starts over with the stored items; nothing can be undone.
   void reset(Items stored);
@@ -107,7 +109,7 @@ class WaypointDocument : public QObject {
   Items underOurKeys(const Items& stored);
 
   Items base_, items_;
-  std::function<void(map::Waypoint&)> fit_;
+  Fit fit_;
   std::set<Key> unsaved_;
   std::unordered_map<Key, std::uint64_t> since_;  // since when each of unsaved_ has been unsaved
   std::uint64_t last_change_ = 0;

@@ -65,10 +65,13 @@ Item decided(const Conflict& conflict, Side side) {
   return item;
 }
 
-void fit(map::Waypoint& point, const robot::KeptFields& keeps) {
+void fit(map::Waypoint& point, const robot::KeptFields& keeps, const map::Waypoint* kept) {
   if (!keeps.type) point.type.clear();
+  if (!keeps.tags) point.tags.clear();
   if (point.type.empty()) point.type = keeps.usual_type;
   if (!keeps.no_heading && !point.yaw_rad) point.yaw_rad = 0;
+  if (kept && (point.position_m - kept->position_m).cwiseAbs().maxCoeff() <= keeps.pixel_m / 2)
+    point.position_m = kept->position_m;
 }
 
 std::set<Key> refusedNames(const Items& kept, const std::vector<Change>& changes,

@@ -66,7 +66,8 @@ enum class Side { Mine, Theirs };
 Item decided(const Conflict& conflict, Side side);
 
 /// Makes it fit for the store: drops unsupported fields, and sets a missing heading to 0 if one is required.
-void fit(map::Waypoint& point, const robot::KeptFields& keeps);
+/// `kept`: the one that is stored, if any. What would come back on its pixel has not moved.
+void fit(map::Waypoint& point, const robot::KeptFields& keeps, const map::Waypoint* kept = nullptr);
 /// Which changes the store would certainly refuse because another waypoint has that name.
 std::set<Key> refusedNames(const Items& kept, const std::vector<Change>& changes,
                            const robot::KeptFields& keeps);

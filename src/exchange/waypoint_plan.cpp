@@ -143,15 +143,25 @@ QString whyNotKept(const std::optional<map::Waypoint>& before, const map::Waypoi
   return {};
 }
 
+QString whyNotRemoved(const robot::KeptFields& keeps) {
+  if (keeps.removal) return {};
+  return WaypointPlanText::tr("Waypoints of this robot cannot be deleted from here.");
+}
+
 FittedEdits fitted(std::vector<WaypointEdit> edits, const robot::KeptFields& keeps) {
-  qint64 typed = 0, unturned = 0;
+  qint64 typed = 0, tagged = 0, unturned = 0, unmoved = 0;
   for (WaypointEdit& edit : edits) {
     if (!edit.after) continue;
     const map::Waypoint as_wanted = *edit.after;
-    edit::fit(*edit.after, keeps);
+    edit::fit(*edit.after, keeps, edit.before ? &*edit.before : nullptr);
+    unmoved += map::samePlace(edit.after->position_m, as_wanted.position_m) ? 0 : 1;
+    tagged += edit.after->tags != as_wanted.tags ? 1 : 0;
     typed += !keeps.type && edit.after->type != as_wanted.type ? 1 : 0;
     unturned += edit.after->yaw_rad != as_wanted.yaw_rad ? 1 : 0;
   }
+  const auto staying = qint64(keeps.removal ? 0 : std::erase_if(edits, [](const WaypointEdit& edit) {
+    return edit.before && !edit.after;
+  }));
   std::erase_if(edits, [](const WaypointEdit& edit) { return edit::same(edit.before, edit.after); });
   FittedEdits fitted{std::move(edits), {}};
   if (typed > 0)
@@ -159,11 +169,29 @@ FittedEdits fitted(std::vector<WaypointEdit> edits, const robot::KeptFields& kee
         WaypointPlanText::tr("Waypoint types cannot be stored here: those of %1 waypoints are left out.",
                              nullptr, sentences::formOf(typed)),
         typed);
+  if (tagged > 0)
+    fitted.notes << sentences::counted(
+        WaypointPlanText::tr("Tags cannot be stored here: those of %1 waypoints are left out.", nullptr,
+                             sentences::formOf(tagged)),
+        tagged);
   if (unturned > 0)
     fitted.notes << sentences::counted(
         WaypointPlanText::tr("Every waypoint needs a heading here: %1 waypoints without one get 0°.", nullptr,
                              sentences::formOf(unturned)),
         unturned);
+  if (staying > 0)
+    fitted.notes << sentences::counted(
+        WaypointPlanText::tr("Waypoints cannot be deleted here: %1 waypoints that should go stay.", nullptr,
+                             sentences::formOf(staying)),
+        staying);
+  if (unmoved > 0)
+    fitted.notes << sentences::counted(
+        WaypointPlanText::tr(
+            "Waypoints are kept on pixels of %2 m here: %1 waypoints stay where they are, less "
+            "than half a pixel from where they should be.",
+            nullptr, sentences::formOf(unmoved))
+            .replace(QLatin1String("%2"), QString::number(keeps.pixel_m)),
+        unmoved);
   return fitted;
 }
 

@@ -33,6 +33,8 @@ struct FittedEdits {
   std::vector<WaypointEdit> edits;  // without those that change nothing
   QStringList notes;
 };
+/// Why what is stored is not deleted; empty: it can be.
+QString whyNotRemoved(const robot::KeptFields& keeps);
 FittedEdits fitted(std::vector<WaypointEdit> edits, const robot::KeptFields& keeps);
 /// "Dock, Gate: another waypoint has this name, …"; empty if none is refused.
 QString refusedText(const std::set<edit::Key>& refused, const std::vector<WaypointEdit>& edits);

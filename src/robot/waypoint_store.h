@@ -30,8 +30,10 @@ struct StoredWaypoints {
 /// What a store can keep of a waypoint; the rest is lost or refused.
 struct KeptFields {
   bool type = true;
+  bool tags = true;
   bool no_heading = true;       // false: a missing heading would come back as 0
   bool name_twice = true;       // false: duplicate names are refused
+  bool removal = true;          // false: what is stored cannot be deleted
   std::string usual_type = {};  // of what has none
   /// Positions come back on the nearest pixel of this size; 0 = as they were sent. Of the list that was read
   /// last.

@@ -441,6 +441,31 @@ class WaypointsCommandTest : public QObject {
       const Outcome deleted = agibot("delete Dock --yes");
       QVERIFY2(deleted.code == 4 && deleted.err.contains(QStringLiteral("cannot be deleted")),
                qPrintable(deleted.err));
+      const Outcome tagged = agibot("tag Dock --add quiet");
+      QVERIFY2(tagged.code == 4 && tagged.err.contains(QStringLiteral("cannot have tags")),
+               qPrintable(tagged.err));
+      // That the maker does not confirm it belongs to a failure, too.
+      QVERIFY2(
+          deleted.err.contains(QStringLiteral("not confirmed")) && deleted.err.count(QLatin1Char('\n')) == 1,
+          qPrintable(deleted.err));
+      // What would come back on its pixel is no change: neither of a plan nor of a command.
+      const double x = kept[QStringLiteral("x")].toDouble(), y = kept[QStringLiteral("y")].toDouble();
+      put("wanted.csv", QStringLiteral("id,x,y\n%1,%2,%3\n")
+                            .arg(kept[QStringLiteral("id")].toString())
+                            .arg(x + 0.02)
+                            .arg(y)
+                            .toUtf8());
+      const Outcome plan = agibot("plan wanted.csv --json");
+      QVERIFY2(plan.code == 0 && plan.object()[QStringLiteral("changes")].toArray().isEmpty(),
+               qPrintable(plan.out + plan.err));
+      QVERIFY2(
+          plan.err.contains(QStringLiteral("half a pixel")) || plan.err.contains(QStringLiteral("more;")),
+          qPrintable(plan.err));
+      const auto requests = robot.requestLog().size();
+      const Outcome moved = agibot(qPrintable(QStringLiteral("move Dock --at %1,%2").arg(x + 0.02).arg(y)));
+      QVERIFY2(moved.code == 0, qPrintable(moved.err));
+      for (std::size_t i = requests; i < robot.requestLog().size(); ++i)
+        QVERIFY(robot.requestLog()[i].target.find("SetNaviPoint") == std::string::npos);
     }
   }
 

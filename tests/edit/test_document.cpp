@@ -73,7 +73,8 @@ class TestDocument : public QObject {
 
   void whatIsChangedIsMadeSuchThatItCanBeKept() {
     Desk desk;
-    desk.document.setFit([](Waypoint& one) { fit(one, {.type = false, .no_heading = false}); });
+    desk.document.setFit(
+        [](Waypoint& one, const Waypoint*) { fit(one, {.type = false, .no_heading = false}); });
     Waypoint made = point("c", 1);
     made.type = "shelf";
     desk.set(made);

@@ -76,6 +76,41 @@ class WaypointPlanTest : public QObject {
     QVERIFY(exchange::fitted({{"k", std::nullopt, typed}}, {}).notes.isEmpty());
   }
 
+  void whatCannotBeHadIsNoChange() {
+    const robot::KeptFields keeps{.pixel_m = 0.05};
+    const map::Waypoint door = point("1", "Door", 1, 1);
+    const auto movedBy = [&](double by_m) {
+      map::Waypoint moved = door;
+      moved.position_m.x() += by_m;
+      return exchange::fitted({{"1", door, moved}}, keeps);
+    };
+    for (const double by_m : {0.02, -0.02}) {
+      QVERIFY(movedBy(by_m).edits.empty());
+      QCOMPARE(
+          movedBy(by_m).notes,
+          QStringList{QStringLiteral("Waypoints are kept on pixels of 0.05 m here: 1 waypoint stays where it "
+                                     "is, less than half a pixel from where it should be.")});
+    }
+    QCOMPARE(movedBy(0.03).edits.size(), std::size_t(1));
+    QVERIFY(movedBy(0.03).notes.isEmpty());
+    map::Waypoint named = door;
+    named.name = "Gate";
+    named.position_m.y() += 0.01;
+    const auto renamed = exchange::fitted({{"1", door, named}}, keeps);
+    QCOMPARE(exchange::stepsOf(renamed.edits).size(), std::size_t(1));  // no move besides
+    map::Waypoint tagged = door;
+    tagged.tags = {"a"};
+    const auto untagged = exchange::fitted({{"1", door, tagged}}, {.tags = false});
+    QVERIFY(untagged.edits.empty());
+    QCOMPARE(untagged.notes,
+             QStringList{QStringLiteral("Tags cannot be stored here: those of 1 waypoint are left out.")});
+    const auto stays = exchange::fitted({{"1", door, std::nullopt}}, {.removal = false});
+    QVERIFY(stays.edits.empty());
+    QCOMPARE(
+        stays.notes,
+        QStringList{QStringLiteral("Waypoints cannot be deleted here: 1 waypoint that should go stays.")});
+  }
+
   void aPlanKeepsItsOrder() {
     const auto edits = exchange::editsFor(
         two(),

@@ -687,6 +687,45 @@ class TestWindowWaypoints : public QObject {
     QVERIFY(!desk.control().unsaved());
   }
 
+  void whereNoneCanBeDeletedItIsOffAndSaysWhy() {
+    Desk desk;
+    desk.store.kept_fields.removal = desk.store.kept_fields.tags = false;
+    desk.start();
+    for (const QLineEdit* field : desk.dock().findChildren<QLineEdit*>())
+      QVERIFY(!field->accessibleName().startsWith(QLatin1String("Tags")) || field->isHidden());
+    desk.editing().select({"a"});
+    auto* const remove = desk.dock().findChild<QPushButton*>(QStringLiteral("deleteWaypoints"));
+    QVERIFY(remove && !remove->isEnabled());
+    QVERIFY2(remove->toolTip().contains(QLatin1String("cannot be deleted")), qPrintable(remove->toolTip()));
+    desk.take();
+    desk.editing().select({"a"});
+    desk.key(Qt::Key_Delete);
+    QCOMPARE(desk.items().size(), std::size_t(2));
+    QVERIFY(desk.toasts().join(QLatin1Char(' ')).contains(QLatin1String("cannot be deleted")));
+    // A new one is only taken back.
+    const edit::Key made = desk.editing().add({2, 2});
+    QVERIFY(remove->isEnabled());
+    desk.editing().removeSelected();
+    QVERIFY(!desk.editing().find(made));
+    // One that is deleted all the same, as by a draft, is told at once.
+    desk.editing().make({desk.editing().document()->to("b", std::nullopt)}, QStringLiteral("delete"));
+    QVERIFY2(desk.dock().statusShown().contains(QLatin1String("cannot be deleted")),
+             qPrintable(desk.dock().statusShown()));
+  }
+
+  void movesThatComeBackOnTheirPixelAreNone() {
+    Desk desk;
+    desk.store.kept_fields.pixel_m = 0.05;
+    desk.start();
+    map::Waypoint moved = *desk.editing().find("a");
+    moved.position_m.x() += 0.02;
+    desk.editing().set("a", moved, QStringLiteral("move"));
+    QVERIFY(!desk.control().unsaved() && desk.near("a", 1, 1));
+    moved.position_m.x() = 1.04;
+    desk.editing().set("a", moved, QStringLiteral("move"));
+    QVERIFY(desk.control().unsaved());
+  }
+
   void aRobotWithoutWaypointsSaysSo() {
     Desk desk;
     desk.writable = false;

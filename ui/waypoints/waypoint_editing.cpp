@@ -4,6 +4,7 @@
 
 #include <QUuid>
 
+#include "exchange/waypoint_plan.h"
 #include "ui/kit/name_order.h"
 #include "ui/waypoints/waypoint_text.h"
 
@@ -160,8 +161,17 @@ void WaypointEditing::set(const edit::Key& key, const map::Waypoint& to, const Q
   if (editable() && find(key)) document_->change({document_->to(key, to)}, what, gesture);
 }
 
+QString WaypointEditing::whyNotRemoved() const {
+  if (!editable()) return why_not_;
+  // A new one is only taken back.
+  const bool stored = std::any_of(selected_.begin(), selected_.end(),
+                                  [this](const edit::Key& key) { return document_->findKept(key); });
+  return stored ? exchange::whyNotRemoved(keeps_) : QString();
+}
+
 void WaypointEditing::removeSelected() {
   if (!editable() || selected_.empty()) return;
+  if (const QString why = whyNotRemoved(); !why.isEmpty()) return Q_EMIT removalRefused(why);
   std::vector<edit::Change> changes;
   for (const edit::Key& key : selected_) changes.push_back(document_->to(key, std::nullopt));
   const QString called = calledOf(changes);

@@ -72,6 +72,9 @@ class WaypointEditing : public QObject {
   void restore(const std::vector<edit::Key>& keys);
   /// The changes as one command; those that are there afterwards are selected.
   void make(std::vector<edit::Change> changes, const QString& what);
+  /// Why the selected ones cannot be deleted; empty: they can be.
+  QString whyNotRemoved() const;
+  /// Says why not, where it cannot.
   void removeSelected();
   void moveSelected(const Eigen::Vector2d& by_m, edit::Gesture gesture = 0);
 
@@ -91,6 +94,7 @@ class WaypointEditing : public QObject {
   void opened();  // another document, or none
   void selectionChanged();
   void previewChanged();
+  void removalRefused(const QString& why);
   void renameWanted(const std::string& key, quint64 gesture);  // by typing, where the list is on screen
   void renameSeveralWanted();                                  // those that are selected
 

@@ -145,7 +145,8 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
   form->addRow(doubtful_);
   connect(editing_, &WaypointEditing::selectionChanged, this, &WaypointForm::refresh);
   connect(editing_, &WaypointEditing::previewChanged, this, &WaypointForm::refresh);
-  connect(editing_, &WaypointEditing::opened, this, [this] {
+  connect(editing_, &WaypointEditing::opened, this, [this, form] {
+    form->setRowVisible(tags_, editing_->keeps().tags);
     // Not offered if every waypoint must have a heading.
     const bool may_be_none = editing_->keeps().no_heading;
     const QSignalBlocker quiet(yaw_);
@@ -325,9 +326,11 @@ GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
   form->addRow(type_label_, type_);
 
   connect(editing_, &WaypointEditing::selectionChanged, this, &GroupForm::refresh);
-  connect(editing_, &WaypointEditing::opened, this, [this] {
+  connect(editing_, &WaypointEditing::opened, this, [this, form, tags_row] {
     // Fields that the store cannot keep are not offered.
     const robot::KeptFields& keeps = editing_->keeps();
+    form->setRowVisible(tags_row, keeps.tags);
+    form->setRowVisible(tags_, keeps.tags);
     for (QWidget* of_types : std::initializer_list<QWidget*>{type_label_, type_})
       of_types->setVisible(keeps.type);
     turn_how_->removeItem(kNoTurn);

@@ -138,7 +138,9 @@ const std::vector<robot::WaypointChange>& ReviewModel::changes(int row) const {
 /// What is to be feared of it before it is sent.
 ReviewModel::Outcome ReviewModel::plannedOutcome(int row) const {
   for (const robot::WaypointChange& one : changes(row)) {
-    const QString why = one.after ? exchange::whyNotKept(one.before, *one.after) : QString();
+    const QString why =
+        one.after ? exchange::whyNotKept(one.before, *one.after) : exchange::whyNotRemoved(list_->keeps());
+    if (!one.after && !why.isEmpty()) return {Mark::Bad, tr("will be refused. %1").arg(why)};
     if (!why.isEmpty()) return {Mark::Warning, tr("may be refused. %1").arg(why)};
   }
   return {};

@@ -21,11 +21,13 @@
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "exchange/waypoint_json.h"
+#include "exchange/waypoint_plan.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
 #include "ui/kit/folders.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/name_column.h"
+#include "ui/kit/plain_label.h"
 #include "ui/kit/ui_colors.h"
 #include "ui/view/map_overlay.h"
 #include "ui/view/map_view.h"
@@ -111,6 +113,10 @@ ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, co
   table_->setShowGrid(false);
   table_->setWordWrap(false);
   table_->setAccessibleName(tr("What changes"));
+  if (const QString stays = exchange::whyNotRemoved(keeps_); !stays.isEmpty()) {
+    others_->setEnabled(false);
+    others_->setToolTip(plainToolTip(stays));
+  }
   apply_->setDefault(true);
   auto* const cancel = new QPushButton(tr("Cancel"), this);
 

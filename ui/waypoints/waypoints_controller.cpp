@@ -60,6 +60,8 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
     if (list_) context_.undo.setActiveStack(&list_->document().undoStack());
   });
   connect(&editing_, &WaypointEditing::renameWanted, this, &WaypointsController::askName);
+  connect(&editing_, &WaypointEditing::removalRefused, this,
+          [this](const QString& why) { context_.overlay.toasts()->add(Mark::Warning, why); });
   connect(tool_, &WaypointTool::activated, this, [this] {
     context_.scene.setLayerVisible(scene::Layer::Waypoints, true);
     context_.panels.open(dock_);

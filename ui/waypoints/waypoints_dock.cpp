@@ -14,6 +14,7 @@
 #include <QToolButton>
 
 #include "edit/open_waypoints.h"
+#include "exchange/waypoint_plan.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/placing_sentence.h"
 #include "sentences/plural.h"
@@ -65,6 +66,7 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   }
   add_->setIcon(themedIcon(QStringLiteral("add")));
   remove_->setIcon(themedIcon(QStringLiteral("trash")));
+  remove_->setObjectName(QStringLiteral("deleteWaypoints"));
   save_->setIcon(themedIcon(QStringLiteral("save")));
 
   next_warning_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -279,7 +281,10 @@ void WaypointsDock::refresh() {
   filter_->setEnabled(any_rows || filter_->hasFocus());
   pending_->setEnabled(any_rows);
   add_->setEnabled(editable);
-  remove_->setEnabled(editable && !editing_->selected().empty());
+  const QString stays = editing_->whyNotRemoved();
+  remove_->setEnabled(editable && !editing_->selected().empty() && stays.isEmpty());
+  remove_->setToolTip(editable && !stays.isEmpty() ? plainToolTip(stays)
+                                                   : tr("Delete the selected waypoints (Delete)"));
   save_->setEnabled(list_ && list_->unsaved() && !saving);
   save_->setVisible(!saving);
   cancel_->setVisible(saving);
@@ -325,6 +330,11 @@ QString WaypointsDock::statusText() const {
   }
   for (std::size_t i = 0; i < std::min<std::size_t>(list_->notes().size(), 3); ++i)
     parts << sentences::sentenceOf(list_->notes()[i]);
+  const auto changes = document->changes();
+  if (const QString stays = exchange::whyNotRemoved(editing_->keeps());
+      !stays.isEmpty() &&
+      std::any_of(changes.begin(), changes.end(), [](const edit::Change& one) { return !one.after; }))
+    parts << stays + QLatin1Char(' ') + tr("Restore what is deleted here before saving.");
   if (!remark_.isEmpty()) parts << remark_;
   return parts.join(QLatin1Char('\n'));
 }
@@ -374,9 +384,11 @@ void WaypointsDock::showMenu(const QPoint& at) {
   menu.addAction(tr("Re&name…"), this, &WaypointsDock::rename)->setEnabled(editable && any);
   menu.addAction(tr("&Restore"), this, [this, deleted] { editing_->restore(deleted); })
       ->setEnabled(editable && !deleted.empty());
-  menu.addAction(themedIcon(QStringLiteral("trash")), tr("&Delete"), editing_,
-                 &WaypointEditing::removeSelected)
-      ->setEnabled(editable && any);
+  const QString stays = editing_->whyNotRemoved();
+  menu.setToolTipsVisible(true);
+  allow(menu.addAction(themedIcon(QStringLiteral("trash")), tr("&Delete"), editing_,
+                       &WaypointEditing::removeSelected),
+        any && editable && stays.isEmpty(), stays);
   menu.exec(table_->viewport()->mapToGlobal(at));
 }
 

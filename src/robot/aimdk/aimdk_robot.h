@@ -46,7 +46,11 @@ class AimdkWaypointStore : public WaypointStore {
  public:
   explicit AimdkWaypointStore(AimdkLink* link) : points_(link, &AimdkLink::points) {}
   KeptFields keeps() const override {
-    return {.no_heading = false, .usual_type = kUsualPointType, .pixel_m = pixel_m_};
+    return {.tags = false,
+            .no_heading = false,
+            .removal = false,
+            .usual_type = kUsualPointType,
+            .pixel_m = pixel_m_};
   }
   Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) override;
   std::vector<WaypointRequest> plan(const StoredWaypoints& now,
