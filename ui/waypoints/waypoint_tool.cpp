@@ -441,11 +441,15 @@ QString WaypointTool::hint() const {
   }
   if (editing_->selected().empty())
     return tr("Click to add a waypoint, drag to move one, Shift and drag to select several. Esc leaves.");
+  const bool deletes = editing_->whyNotRemoved().isEmpty();
   if (editing_->selected().size() > 1)
-    return tr("%1: drag or use the arrows to move, drag the handle to turn, F2 renames, Delete deletes. Esc "
-              "deselects.")
+    return (deletes ? tr("%1: drag or use the arrows to move, drag the handle to turn, F2 renames, Delete "
+                         "deletes. Esc deselects.")
+                    : tr("%1: drag or use the arrows to move, drag the handle to turn, F2 renames. Esc "
+                         "deselects."))
         .arg(waypointsText(qsizetype(editing_->selected().size())));
-  return tr("Drag or use the arrows to move, F2 renames, Delete deletes. Esc deselects.");
+  return deletes ? tr("Drag or use the arrows to move, F2 renames, Delete deletes. Esc deselects.")
+                 : tr("Drag or use the arrows to move, F2 renames. Esc deselects.");
 }
 
 }  // namespace mapwright::window
