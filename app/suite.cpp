@@ -182,6 +182,12 @@ Judged judged(const PlannedSuite& plan, std::size_t view) {
   return best;
 }
 
+tl::expected<suite::Facts, QString> factsIn(const QString& path) {
+  const auto bytes = disk::readFile(path.toStdString(), kMostFactsBytes);
+  if (!bytes) return tl::make_unexpected(sentences::sentenceOf(bytes.error().cause));
+  return suite::factsFrom(QByteArray::fromStdString(*bytes));
+}
+
 /// What is to be said of a view that differs, joined with the facts that changed since the nearest of its
 /// pictures, if there are facts of that one. A note if they cannot be read.
 void explain(const Judged& judged, const suite::Facts& facts, ViewOutcome& outcome) {
@@ -190,9 +196,11 @@ void explain(const Judged& judged, const suite::Facts& facts, ViewOutcome& outco
   QString why = compare::clustersText(comparison, facts.view);
   if (!why.isEmpty()) why += QLatin1Char('.');
   const QString kept = factsBeside(judged.expected);
-  if (const auto bytes = disk::readFile(kept.toStdString(), kMostFactsBytes)) {
-    const auto before = suite::factsFrom(QByteArray::fromStdString(*bytes));
-    if (before && facts.view) {
+  if (QFileInfo::exists(kept)) {
+    const auto before = factsIn(kept);
+    if (before && !before->picture.empty() && before->picture != suite::sumOf(judged.expected)) {
+      why += QLatin1Char(' ') + Text::tr("The facts beside %1 are of another picture.").arg(judged.expected);
+    } else if (before && facts.view) {
       explanation = suite::explained(comparison, *facts.view, suite::changesBetween(*before, facts));
       why = suite::explanationText(comparison, *facts.view, explanation);
     } else if (!before) {
@@ -273,7 +281,8 @@ ViewOutcome outcomeOf(const PlannedSuite& plan, std::size_t view, const DrawnVie
     return outcome;
   }
   outcome.actual = actual;
-  const suite::Facts facts = factsOf(*drawn.run);
+  suite::Facts facts = factsOf(*drawn.run);
+  facts.picture = suite::sumOf(actual);
   const auto not_kept = writeFacts(factsBeside(actual), facts);
   if (verdict.comparison && !verdict.unreadable) {
     outcome.expected = verdict.expected;
@@ -336,7 +345,8 @@ int suiteRun(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
   return unreadable ? kUsage : tally.good() ? kDone : kIncomplete;
 }
 
-/// The picture that was drawn and its facts become what is expected: both or neither.
+/// The picture that was drawn and its facts become what is expected: both or neither. Facts that name another
+/// picture are left where the program ends in between.
 std::optional<QString> takePicture(const PlannedSuite& plan, std::size_t view, const suite::Facts& facts) {
   const auto bytes = disk::readFile(plan.made("actual", view).toStdString(), kMostPictureFileBytes);
   if (!bytes) return sentences::sentenceOf(bytes.error().cause);
@@ -353,23 +363,6 @@ std::optional<QString> takePicture(const PlannedSuite& plan, std::size_t view, c
   return fault ? std::optional(sentences::sentenceOf(disk::notWritten(*fault))) : std::nullopt;
 }
 
-/// Of a picture that stays: its facts are written if there are none, and blocks of the same cells are added
-/// to those of earlier versions.
-std::optional<QString> completeFacts(const PlannedSuite& plan, std::size_t view, const suite::Facts& facts) {
-  const QString path = plan.expectedFacts(view);
-  suite::Facts complete = facts;
-  if (QFileInfo::exists(path)) {
-    const auto bytes = disk::readFile(path.toStdString(), kMostFactsBytes);
-    const auto kept = suite::factsFrom(QByteArray::fromStdString(bytes ? *bytes : std::string()));
-    const bool lacks_blocks = kept && kept->map && facts.map && !kept->map->blocks.known() &&
-                              kept->map->cells == facts.map->cells && facts.map->blocks.known();
-    if (!lacks_blocks) return std::nullopt;
-    complete = *kept;
-    complete.map->blocks = facts.map->blocks;
-  }
-  return writeFacts(path, complete);
-}
-
 int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
   if (const auto why = whyNoFolder(plan.expected)) return refuse(kUsage, *why);
   int code = kDone;
@@ -380,13 +373,18 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
       return Text::tr("%1: nothing accepted. %2").arg(name, sentence);
     };
     if (drawn.exit_code != kDone || !drawn.run) return fail(kIncomplete, drawn.sentence);
-    const suite::Facts facts = factsOf(*drawn.run);
+    suite::Facts facts = factsOf(*drawn.run);
     const QString picture = plan.expectedPicture(view);
     const Judged verdict = judged(plan, view);
     if (verdict.verdict == Verdict::AsExpected) {
-      if (const auto why = completeFacts(plan, view, facts)) return fail(kUsage, *why);
-      return Text::tr("%1: as expected, nothing is replaced").arg(name);
+      facts.picture = suite::sumOf(verdict.expected);
+      const QString beside = factsBeside(verdict.expected);
+      if (const auto kept = factsIn(beside); kept && kept->picture == facts.picture)
+        return Text::tr("%1: as expected, nothing is replaced").arg(name);
+      if (const auto why = writeFacts(beside, facts)) return fail(kUsage, *why);
+      return Text::tr("%1: as expected, the facts beside it are new: %2").arg(name, beside);
     }
+    facts.picture = suite::sumOf(plan.made("actual", view));
     const bool replaces = QFileInfo::exists(picture);
     ViewOutcome outcome;
     if (verdict.comparison && !verdict.unreadable) explain(verdict, facts, outcome);

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -144,8 +146,16 @@ std::string overlaysText(const std::vector<map::OverlayFeature>& features) {
       .toStdString();
 }
 
+std::string sumOf(const QString& path) {
+  QFile file(path);
+  QCryptographicHash sum(QCryptographicHash::Sha256);
+  return file.open(QIODevice::ReadOnly) && sum.addData(&file) ? sum.result().toHex().toStdString()
+                                                              : std::string();
+}
+
 QByteArray factsBytes(const Facts& facts) {
   QJsonObject json{{QStringLiteral("mapwright"), QStringLiteral("facts")}, {QStringLiteral("version"), 1}};
+  if (!facts.picture.empty()) json[QStringLiteral("picture")] = text(facts.picture);
   if (facts.view) json[QStringLiteral("view")] = compare::jsonOf(*facts.view);
   if (!facts.theme.empty()) {
     QJsonArray layers;
@@ -188,6 +198,7 @@ tl::expected<Facts, QString> factsFrom(const QByteArray& bytes) {
   if (json[QLatin1String("mapwright")].toString() != QLatin1String("facts"))
     return tl::make_unexpected(FactsText::tr("It does not hold the facts of a picture."));
   Facts facts;
+  facts.picture = json[QLatin1String("picture")].toString().toStdString();
   facts.view = compare::viewOf(json);
   const QJsonObject drawn = json[QLatin1String("drawn")].toObject();
   facts.theme = drawn[QLatin1String("theme")].toString().toStdString();

@@ -38,6 +38,7 @@ struct MapFact {
 
 /// Only what is drawn.
 struct Facts {
+  std::string picture = {};  // sumOf() its file; empty: unknown, as in files of earlier versions
   std::optional<geometry::ViewTransform> view;
   std::string session;  // uuid of the SLAM session; empty = none
   std::map<map::SubmapId, SubmapFact> submaps;
@@ -52,6 +53,9 @@ struct Facts {
 
 /// As a FeatureCollection.
 std::string overlaysText(const std::vector<map::OverlayFeature>& features);
+
+/// A checksum of the bytes of this file; empty: it cannot be read. Blocks.
+std::string sumOf(const QString& file);
 
 /// JSON, the same bytes for the same facts.
 QByteArray factsBytes(const Facts& facts);

@@ -148,16 +148,42 @@ class SuiteCommandTest : public QObject {
         qPrintable(why));
     QVERIFY2(!why.contains(QStringLiteral("lsewhere")), qPrintable(why));
   }
-  void acceptAddsBlocksToTheFactsOfEarlierVersions() {
+  void acceptRenewsFactsOfEarlierVersions() {
     const QByteArray now = program_->bytes("expected/cells.json");
     QJsonObject facts = QJsonDocument::fromJson(now).object();
+    facts.remove(QLatin1String("picture"));
     QJsonObject map = facts[QLatin1String("map")].toObject();
-    QVERIFY(map.contains(QLatin1String("blocks")));
     map.remove(QLatin1String("blocks"));
     facts[QLatin1String("map")] = map;
     program_->put("expected/cells.json", QJsonDocument(facts).toJson());
     QCOMPARE(accept("--only cells").code, 0);
     QCOMPARE(program_->bytes("expected/cells.json"), now);
+  }
+
+  /// As if `accept` had been killed between the picture and its facts.
+  void factsOfAnotherPictureAreNoCauseAndAcceptRenewsThem() {
+    const QByteArray old = program_->bytes("expected/wall W17.json");
+    replaceIn("map/office.overlays.geojson", "[-6.0, -2.0], [-3.0, -2.0]", "[-6.0, -1.6], [-3.0, -1.6]");
+    QCOMPARE(accept().code, 0);
+    const QByteArray now = program_->bytes("expected/wall W17.json");
+    program_->put("expected/wall W17.json", old);
+    replaceIn("map/office.overlays.geojson", "[-6.0, -1.6], [-3.0, -1.6]", "[-6.0, -1.5], [-3.0, -1.5]");
+    QCOMPARE(runSuite().code, 1);
+    const QString why = failures()[QStringLiteral("wall W17")];
+    QVERIFY2(why.contains(QStringLiteral("The facts beside expected/wall W17.png are of another picture.")),
+             qPrintable(why));
+    QVERIFY2(!why.contains(QStringLiteral("virtual wall")), qPrintable(why));
+    replaceIn("map/office.overlays.geojson", "[-6.0, -1.5], [-3.0, -1.5]", "[-6.0, -1.6], [-3.0, -1.6]");
+    const Ended ended = accept();
+    QVERIFY2(ended.out.contains(QStringLiteral(
+                 "wall W17: as expected, the facts beside it are new: expected/wall W17.json")),
+             qPrintable(ended.out));
+    QCOMPARE(program_->bytes("expected/wall W17.json"), now);
+    QCOMPARE(program_->bytes("expected/wall W17.json").contains("\"picture\""), true);
+    // Of a picture that stays and lacks them.
+    QVERIFY(QFile::remove(program_->path("expected/wall W17.json")));
+    QCOMPARE(accept().code, 0);
+    QCOMPARE(program_->bytes("expected/wall W17.json"), now);
   }
 
   void anotherVersionOfASubmapIsNamed() {
@@ -177,6 +203,7 @@ class SuiteCommandTest : public QObject {
     one[QLatin1String("version")] = version - 1;
     submaps[2] = one;
     facts[QLatin1String("submaps")] = submaps;
+    facts.remove(QLatin1String("picture"));  // as in files of earlier versions
     program_->put("expected/slam.json", QJsonDocument(facts).toJson());
     QImage picture(program_->path("expected/slam.png"));
     picture.fill(Qt::red);

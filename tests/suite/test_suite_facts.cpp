@@ -31,6 +31,7 @@ geometry::WorldRect box(double x, double y, double size) { return {x, y, x + siz
 
 Facts facts() {
   Facts facts;
+  facts.picture = "5e";
   facts.view = geometry::ViewTransform{{0, 0}, 0.05, 0, 800, 600};
   facts.session = "u";
   facts.submaps[{12, 3}] = {7, {1, 2, 0.5}, box(11, -5, 4)};
@@ -79,6 +80,7 @@ class SuiteFactsTest : public QObject {
     const auto back = suite::factsFrom(bytes);
     QVERIFY2(back, back ? "" : qPrintable(back.error()));
     QCOMPARE(suite::factsBytes(*back), bytes);
+    QCOMPARE(back->picture, std::string("5e"));
     QCOMPARE(wordsOf(facts(), *back), QStringList());
     QCOMPARE(back->view->scale_m_per_px, 0.05);
   }
