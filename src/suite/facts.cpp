@@ -22,6 +22,8 @@ struct FactsText {
 
 using words::text;
 
+constexpr int kVersion = 1;  // of the files
+
 /// A tenth of a millimetre: what robots compute anew differs by less.
 double rounded(double value) {
   const double fine = std::round(value * 1e4) / 1e4;
@@ -154,7 +156,8 @@ std::string sumOf(const QString& path) {
 }
 
 QByteArray factsBytes(const Facts& facts) {
-  QJsonObject json{{QStringLiteral("mapwright"), QStringLiteral("facts")}, {QStringLiteral("version"), 1}};
+  QJsonObject json{{QStringLiteral("mapwright"), QStringLiteral("facts")},
+                   {QStringLiteral("version"), kVersion}};
   if (!facts.picture.empty()) json[QStringLiteral("picture")] = text(facts.picture);
   if (facts.view) json[QStringLiteral("view")] = compare::jsonOf(*facts.view);
   if (!facts.theme.empty()) {
@@ -197,6 +200,11 @@ tl::expected<Facts, QString> factsFrom(const QByteArray& bytes) {
   const QJsonObject json = QJsonDocument::fromJson(bytes, &error).object();
   if (json[QLatin1String("mapwright")].toString() != QLatin1String("facts"))
     return tl::make_unexpected(FactsText::tr("It does not hold the facts of a picture."));
+  if (const QJsonValue version = json[QLatin1String("version")]; version != kVersion)
+    return tl::make_unexpected(
+        FactsText::tr("Its version is %1; only version %2 can be read.")
+            .arg(version.isDouble() ? QString::number(version.toDouble()) : FactsText::tr("unknown"))
+            .arg(kVersion));
   Facts facts;
   facts.picture = json[QLatin1String("picture")].toString().toStdString();
   facts.view = compare::viewOf(json);

@@ -85,8 +85,13 @@ class SuiteFactsTest : public QObject {
     QCOMPARE(back->view->scale_m_per_px, 0.05);
   }
   void whatIsNoFileOfFactsIsRefused() {
-    for (const char* bytes : {"", "[]", "{}", "{\"mapwright\":\"facts\",\"submaps\":[{\"id\":\"x\"}]}"})
+    for (const char* bytes : {"", "[]", "{}", R"({"mapwright":"facts","version":1,"submaps":[{"id":"x"}]})",
+                              R"({"mapwright":"facts"})", R"({"mapwright":"facts","version":"1"})"})
       QVERIFY(!suite::factsFrom(bytes));
+    const auto later = suite::factsFrom(R"({"mapwright":"facts","version":99})");
+    QVERIFY(!later);
+    QCOMPARE(later.error(), QStringLiteral("Its version is 99; only version 1 can be read."));
+    QVERIFY(suite::factsFrom(R"({"mapwright":"facts","version":1})"));
   }
 
   void everyChangeIsNamed() {
