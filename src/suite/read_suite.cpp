@@ -38,6 +38,9 @@ Refused refusedAt(const YAML::Mark& mark, const QString& sentence) {
 
 QString shown(const std::string& text) { return words::plainName(text).left(80); }
 
+Refused twiceAt(const YAML::Node& key) {
+  return refusedAt(key.Mark(), SuiteText::tr("The key \"%1\" stands here twice.").arg(shown(key.Scalar())));
+}
 QString noScalarText(const QString& key) { return SuiteText::tr("%1 must be a text or a number.").arg(key); }
 QString noValueText(const QString& key) { return SuiteText::tr("%1 has no value.").arg(key); }
 QString tooLongText(const QString& key) {
@@ -135,8 +138,7 @@ void takeKeys(const YAML::Node& node, const KnownOptions& known, bool is_view, V
     const QString shown_key = shown(key);
     std::string option = key;
     std::replace(option.begin(), option.end(), '_', '-');
-    if (!seen.insert(option).second)
-      throw refusedAt(mark, SuiteText::tr("The key \"%1\" stands here twice.").arg(shown_key));
+    if (!seen.insert(option).second) throw twiceAt(pair.first);
     if (key == "name") {
       if (!is_view)
         throw refusedAt(mark, SuiteText::tr("A name cannot be a default: each view has its own."));
@@ -195,8 +197,10 @@ void lookForTwins(const Suite& suite) {
 Suite suiteIn(const YAML::Node& root, const KnownOptions& known) {
   if (!root.IsMap()) throw Refused{SuiteText::tr("This is no suite: it has no views.")};
   YAML::Node views, defaults;
+  std::set<std::string> seen;
   for (const auto& pair : root) {
     const std::string key = scalar(pair.first, SuiteText::tr("A key"));
+    if (!seen.insert(key).second) throw twiceAt(pair.first);
     if (key == "views") {
       views.reset(pair.second);
     } else if (key == "defaults") {

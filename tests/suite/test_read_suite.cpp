@@ -60,6 +60,12 @@ class ReadSuiteTest : public QObject {
     row("an unknown key", "views:\n  - {name: a, colour: red}", "Line 2, column 15: ", "\"colour\"");
     row("an unknown key above", "view:\n  - {name: a}", "Line 1, column 1: ", "\"view\"");
     row("a key twice", "views:\n  - {name: a, size: 1x1, size: 2x2}", in_view, "twice");
+    row("a key of the defaults twice", "defaults: {size: 1x1, size: 2x2}\nviews:\n  - {name: a}",
+        "Line 1, column 23: ", "\"size\" stands here twice");
+    row("views twice", "views:\n  - {name: a}\nviews:\n  - {name: b}",
+        "Line 3, column 1: ", "\"views\" stands here twice");
+    row("defaults twice", "defaults: {raw: true}\nviews:\n  - {name: a}\ndefaults: {}",
+        "Line 4, column 1: ", "\"defaults\" stands here twice");
     row("no name", "views:\n  - {robot: a}", in_view, "no name");
     row("an empty name", "views:\n  - {name: \"\"}", "Line 2, column 12: ", "empty");
     row("a name that leaves", "views:\n  - {name: ../x}", in_view, "leave the folder");
