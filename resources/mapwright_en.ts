@@ -109,6 +109,16 @@
     </message>
 </context>
 <context>
+    <name>FactsChanges</name>
+    <message numerus="yes">
+        <source>%1 clusters: nothing known changed there.</source>
+        <translation>
+            <numerusform>%1 cluster: nothing known changed there.</numerusform>
+            <numerusform>%1 clusters: nothing known changed there.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>FetchCloud</name>
     <message numerus="yes">
         <source>%1 points that the robot announced did not arrive: its answer is cut off.</source>

@@ -12,6 +12,7 @@
 #include "overlays/overlay_merge.h"
 #include "overlays/overlay_shapes.h"
 #include "sentences/overlay_sentence.h"
+#include "sentences/plural.h"
 #include "words/figures.h"
 #include "words/qt_plain.h"
 
@@ -329,6 +330,13 @@ QString explanationText(const compare::Comparison& comparison, const geometry::V
   } else {
     text += QStringLiteral(": ") + firstChanges(causes) + QLatin1Char('.');
   }
+  const auto unknown = std::count_if(explanation.near.begin(), explanation.near.end(),
+                                     [](const QStringList& near) { return near.isEmpty(); });
+  if (unknown > 0 && !causes.isEmpty() && explanation.everywhere.isEmpty())
+    text += QLatin1Char(' ') +
+            sentences::counted(FactsChangesText::tr("%1 clusters: nothing known changed there.", nullptr,
+                                                    sentences::formOf(unknown)),
+                               unknown);
   if (!explanation.somewhere.isEmpty())
     text += QLatin1Char(' ') +
             FactsChangesText::tr("There or elsewhere: %1.").arg(firstChanges(explanation.somewhere));

@@ -29,8 +29,11 @@ std::vector<ViewOutcome::ClusterRow> clusterRows(const compare::Comparison& comp
     row.box = OutcomeText::tr("%1 × %2 at %3, %4").arg(box.width).arg(box.height).arg(box.x).arg(box.y);
     row.size = QString::fromStdString(words::grouped(cluster.pixels));
     if (view) row.place = compare::placeText(compare::worldOf(*view, box).center());
-    if (rows.size() < explanation.near.size())
+    if (rows.size() < explanation.near.size()) {
       row.near = explanation.near[rows.size()].join(QStringLiteral("; "));
+      if (row.near.isEmpty() && explanation.everywhere.isEmpty())
+        row.near = OutcomeText::tr("nothing that is known");
+    }
     rows.push_back(row);
   }
   return rows;

@@ -8,6 +8,7 @@
 
 #include "suite/facts.h"
 #include "suite/facts_changes.h"
+#include "suite/outcome.h"
 #include "test_program.h"
 
 namespace test_suite_facts {
@@ -246,10 +247,33 @@ class SuiteFactsTest : public QObject {
                                        QStringLiteral("submap 12-3 went from version 7 to 9")}));
     QCOMPARE(why.near[1], QStringList());
     QCOMPARE(why.elsewhere, QStringList{QStringLiteral("submap 0-1 went from version 1 to 2")});
-    QCOMPARE(suite::explanationText(made, *after.view, why),
-             QStringLiteral(
-                 "2 clusters, the largest 0.50 m² at (12.4, -3.1): virtual wall W17 moved by 0.40 m; submap "
-                 "12-3 went from version 7 to 9. Elsewhere: submap 0-1 went from version 1 to 2."));
+    QCOMPARE(
+        suite::explanationText(made, *after.view, why),
+        QStringLiteral(
+            "2 clusters, the largest 0.50 m² at (12.4, -3.1): virtual wall W17 moved by 0.40 m; submap "
+            "12-3 went from version 7 to 9. 1 cluster: nothing known changed there. Elsewhere: submap 0-1 "
+            "went from version 1 to 2."));
+    const auto rows = suite::clusterRows(made, after.view, why);
+    QCOMPARE(rows[0].near,
+             QStringLiteral("virtual wall W17 moved by 0.40 m; submap 12-3 went from version 7 to 9"));
+    QCOMPARE(rows[1].near, QStringLiteral("nothing that is known"));
+  }
+  void clustersOfWhichNothingIsKnownAreCounted() {
+    Facts after = facts();
+    after.overlays = suite::overlaysText({wallAt(12.8)});
+    const auto textOf = [&](const std::vector<compare::PixelBox>& boxes) {
+      const compare::Comparison made = differingAt(boxes);
+      return suite::explanationText(
+          made, *after.view, suite::explained(made, *after.view, suite::changesBetween(facts(), after)));
+    };
+    const std::vector<compare::PixelBox> boxes{{638, 357, 20, 10}, {10, 590, 6, 6}, {100, 590, 6, 6}};
+    const QString wall = QStringLiteral(": virtual wall W17 moved by 0.40 m. ");
+    const QString text = textOf(boxes);
+    QVERIFY2(text.endsWith(wall + QStringLiteral("2 clusters: nothing known changed there.")),
+             qPrintable(text));
+    // What may be the cause of any of them is one of these, too.
+    after.theme = "light";
+    QVERIFY(!textOf(boxes).contains(QStringLiteral("nothing known")));
   }
   void thatNothingChangedIsSaid() {
     const compare::Comparison made = differingAt({{10, 590, 6, 6}});
