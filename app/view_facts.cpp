@@ -79,7 +79,9 @@ suite::Facts factsOf(const SnapshotRun& run) {
   }
   const bool whole = options.wantsWhole() && session.wholeMap().cells();
   if (whole) addMap(session, draws(Layer::Overlays), facts);
-  if (options.wantsSubmaps()) addSubmaps(session, facts);
+  const bool by_submaps = draws(Layer::Outlines) || draws(Layer::Ids) || draws(Layer::Constraints) ||
+                          draws(Layer::Problems) || !options.without_submaps;
+  if (options.wantsSubmaps() && by_submaps) addSubmaps(session, facts);
   const auto& info = session.live().map_info;
   if (draws(Layer::Overlays) && facts.overlays.empty() && info)
     facts.overlays = suite::overlaysText(info->overlays);

@@ -31,12 +31,12 @@ struct MapFact {
   std::optional<int> version, overlays_version;
   std::string cells;  // a checksum of all of them; empty: unknown
   geometry::WorldRect box;
-  std::optional<geometry::Pose2> origin = {};  // its lower left corner
+  std::optional<geometry::Pose2> origin = {};  // its lower left corner; none: its cells are not drawn
   std::optional<double> resolution_m = {};     // of a cell
   CellBlocks blocks = {};                      // of its cells; files of earlier versions have none
 };
 
-/// Only what is drawn.
+/// Of what is drawn.
 struct Facts {
   std::string picture = {};  // sumOf() its file; empty: unknown, as in files of earlier versions
   std::optional<geometry::ViewTransform> view;

@@ -23,7 +23,7 @@ struct FactsChangesText {
   Q_DECLARE_TR_FUNCTIONS(FactsChanges)
 };
 
-constexpr double kMovedM = 1e-3, kTurnedRad = 1e-3;
+constexpr double kMovedM = 5e-4, kTurnedRad = 1e-3;
 /// What stands for a thing is drawn around it.
 constexpr double kDrawnAroundPx = 16, kRobotM = 0.5;
 constexpr qsizetype kMostNamed = 4;
@@ -43,12 +43,16 @@ geometry::WorldRect pointBox(const Eigen::Vector2d& at_m) {
   return box;
 }
 
+bool hasPlace(const FactChange& change) {
+  return std::any_of(change.where.begin(), change.where.end(), [](const auto& box) { return !box.empty(); });
+}
+
 QString nameOf(const MapFact& map) {
   const QString name = words::plainName(map.name);
   return name.isEmpty() ? words::plainName(map.id) : name;
 }
 
-/// Empty: neither moved nor turned.
+/// Empty: neither moved nor turned by so much that it could be seen.
 QString movedText(const geometry::Pose2& before, const geometry::Pose2& after) {
   const double by_m = std::hypot(after.x_m - before.x_m, after.y_m - before.y_m);
   const double by_rad = geometry::normalizeAngle(after.yaw_rad - before.yaw_rad);
@@ -105,30 +109,21 @@ std::vector<FactChange> placeChanges(const MapFact& was, const MapFact& is) {
 }
 
 void compareMaps(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
-  if (!before.map || !after.map) {
-    if (after.map)
-      changes.push_back({FactsChangesText::tr("map %1 is drawn now").arg(nameOf(*after.map)), {}});
-    if (before.map)
-      changes.push_back({FactsChangesText::tr("map %1 is drawn no more").arg(nameOf(*before.map)), {}});
-    return;
-  }
+  if (!before.map || !after.map) return;
   const MapFact &was = *before.map, &is = *after.map;
-  const auto say = [&](const QString& words) { changes.push_back({words, {}}); };
-  if (was.uid != is.uid || was.id != is.id) {
-    say(FactsChangesText::tr("it is map %1 instead of %2").arg(nameOf(is), nameOf(was)));
-  } else {
-    if (was.version != is.version && was.version && is.version)
-      say(FactsChangesText::tr("map %1 went from version %2 to %3")
-              .arg(nameOf(is))
-              .arg(*was.version)
-              .arg(*is.version));
-    if (was.overlays_version != is.overlays_version && was.overlays_version && is.overlays_version)
-      say(FactsChangesText::tr("the overlays of map %1 went from version %2 to %3")
-              .arg(nameOf(is))
-              .arg(*was.overlays_version)
-              .arg(*is.overlays_version));
-    for (FactChange& change : placeChanges(was, is)) changes.push_back(std::move(change));
+  const bool same_cells = !was.cells.empty() && was.cells == is.cells;
+  if (is.origin && !same_cells) {
+    if (was.uid != is.uid || was.id != is.id)
+      changes.push_back(
+          {FactsChangesText::tr("it is map %1 instead of %2").arg(nameOf(is), nameOf(was)), {}});
+    else if (was.version != is.version && was.version && is.version)
+      changes.push_back({FactsChangesText::tr("map %1 went from version %2 to %3")
+                             .arg(nameOf(is))
+                             .arg(*was.version)
+                             .arg(*is.version),
+                         {}});
   }
+  for (FactChange& change : placeChanges(was, is)) changes.push_back(std::move(change));
 }
 
 void compareCells(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
@@ -150,6 +145,8 @@ void compareCells(const Facts& before, const Facts& after, std::vector<FactChang
 void compareSubmaps(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
   if (before.session != after.session && !before.session.empty() && !after.session.empty())
     changes.push_back({FactsChangesText::tr("it is another SLAM session"), {}});
+  const bool textures = after.layers.empty() ||
+                        std::find(after.layers.begin(), after.layers.end(), "submaps") != after.layers.end();
   for (const auto& [id, was] : before.submaps) {
     const QString name = QString::fromStdString(map::toText(id));
     const auto found = after.submaps.find(id);
@@ -159,7 +156,7 @@ void compareSubmaps(const Facts& before, const Facts& after, std::vector<FactCha
     }
     const SubmapFact& is = found->second;
     QStringList parts;
-    if (was.version != is.version)
+    if (was.version != is.version && textures)
       parts << FactsChangesText::tr("went from version %1 to %2").arg(was.version).arg(is.version);
     if (const QString moved = movedText(was.pose, is.pose); !moved.isEmpty()) parts << moved;
     if (!parts.isEmpty())
@@ -174,6 +171,13 @@ void compareSubmaps(const Facts& before, const Facts& after, std::vector<FactCha
   }
 }
 
+/// Lines are drawn without their names, and only points with headings.
+bool isDrawn(const overlays::Part& part, const overlays::Feature& feature) {
+  if (part.name == "id") return false;
+  if (part.name == "name") return feature.shape() != overlays::Shape::Line;
+  return part.name != "yaw" || feature.shape() == overlays::Shape::Point;
+}
+
 void compareOverlays(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
   const auto was = overlays::OverlayDocument::read(before.overlays);
   const auto is = overlays::OverlayDocument::read(after.overlays);
@@ -185,11 +189,15 @@ void compareOverlays(const Facts& before, const Facts& after, std::vector<FactCh
     }
     return bounds;
   };
-  for (const overlays::OverlayChange& change : overlays::changesBetween(*was, *is)) {
+  for (overlays::OverlayChange& change : overlays::changesBetween(*was, *is)) {
+    if (change.collection) continue;
+    const overlays::Feature& feature = change.to ? is->features()[*change.to] : was->features()[*change.from];
+    std::erase_if(change.parts, [&](const overlays::PartChange& one) { return !isDrawn(one.part, feature); });
+    if (change.kind == overlays::ChangeKind::Change && change.parts.empty()) continue;
     FactChange made{sentences::changeText(change, *was, *is, sentences::Telling::Event), {}};
     if (change.from) made.where.push_back(box(was->features()[*change.from]));
     if (change.to) made.where.push_back(box(is->features()[*change.to]));
-    changes.push_back(std::move(made));
+    if (hasPlace(made)) changes.push_back(std::move(made));  // what has no place is not drawn
   }
 }
 
@@ -197,17 +205,17 @@ QString nameOf(const map::Waypoint& point) {
   return words::plainName(point.name.empty() ? point.id : point.name).left(60);
 }
 
+/// Empty: nothing of it that is drawn changed.
 QString becameText(const map::Waypoint& was, const map::Waypoint& is) {
   QStringList parts;
-  if (was.name != is.name) parts << FactsChangesText::tr("is called %1 now").arg(nameOf(is));
-  const QString moved = movedText({was.position_m.x(), was.position_m.y(), was.yaw_rad.value_or(0)},
-                                  {is.position_m.x(), is.position_m.y(), is.yaw_rad.value_or(0)});
+  if (nameOf(was) != nameOf(is)) parts << FactsChangesText::tr("is called %1 now").arg(nameOf(is));
+  const double yaw_rad = is.yaw_rad.value_or(was.yaw_rad.value_or(0));
+  const QString moved = movedText({was.position_m.x(), was.position_m.y(), was.yaw_rad.value_or(yaw_rad)},
+                                  {is.position_m.x(), is.position_m.y(), yaw_rad});
   if (!moved.isEmpty()) parts << moved;
   if (was.yaw_rad.has_value() != is.yaw_rad.has_value())
     parts << (is.yaw_rad ? FactsChangesText::tr("has a heading now")
                          : FactsChangesText::tr("has no heading any more"));
-  if (was.tags != is.tags) parts << FactsChangesText::tr("has other tags");
-  if (was.type != is.type) parts << FactsChangesText::tr("is of another kind");
   return parts.join(FactsChangesText::tr(" and "));
 }
 
@@ -216,11 +224,6 @@ void compareWaypoints(const Facts& before, const Facts& after, std::vector<FactC
     return a.id.empty() || b.id.empty() ? a.name == b.name : a.id == b.id;
   };
   std::vector<bool> met(after.waypoints.size(), false);
-  const auto alike = [](const map::Waypoint& a, const map::Waypoint& b) {
-    return a.name == b.name && a.type == b.type && a.tags == b.tags &&
-           map::samePlace(a.position_m, b.position_m) && a.yaw_rad.has_value() == b.yaw_rad.has_value() &&
-           map::sameHeading(a.yaw_rad, b.yaw_rad);
-  };
   for (const map::Waypoint& was : before.waypoints) {
     std::size_t at = 0;
     while (at < after.waypoints.size() && (met[at] || !same(was, after.waypoints[at]))) ++at;
@@ -231,8 +234,8 @@ void compareWaypoints(const Facts& before, const Facts& after, std::vector<FactC
     }
     met[at] = true;
     const map::Waypoint& is = after.waypoints[at];
-    if (!alike(was, is))
-      changes.push_back({FactsChangesText::tr("waypoint %1 %2").arg(nameOf(was), becameText(was, is)),
+    if (const QString became = becameText(was, is); !became.isEmpty())
+      changes.push_back({FactsChangesText::tr("waypoint %1 %2").arg(nameOf(was), became),
                          {pointBox(was.position_m), pointBox(is.position_m)}});
   }
   for (std::size_t at = 0; at < after.waypoints.size(); ++at) {
@@ -289,7 +292,7 @@ Explanation explained(const compare::Comparison& comparison, const geometry::Vie
     places.push_back(
         compare::worldOf(view, comparison.clusters[i].box).grown(kDrawnAroundPx * view.scale_m_per_px));
   for (const FactChange& change : changes) {
-    if (std::all_of(change.where.begin(), change.where.end(), [](const auto& box) { return box.empty(); })) {
+    if (!hasPlace(change)) {
       (change.whole_picture ? made.everywhere : made.somewhere) << change.words;
       continue;
     }

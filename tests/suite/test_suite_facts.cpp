@@ -48,7 +48,7 @@ Facts facts() {
   facts.waypoints = {dock};
   facts.robot = geometry::Pose2{3, 4, 0};
   facts.theme = "dark";
-  facts.layers = {"whole", "overlays"};
+  facts.layers = {"whole", "submaps", "overlays"};
   facts.stamps = {{"/scan", 1700000000.25}};
   return facts;
 }
@@ -118,6 +118,63 @@ class SuiteFactsTest : public QObject {
     QVERIFY(wordsOf(after, facts()).contains(QStringLiteral("submap 0-2 is gone")));
   }
 
+  void whatIsNotDrawnIsNoCause() {
+    map::OverlayFeature nowhere = wallAt(3);
+    nowhere.id = "none";
+    nowhere.parts = {{}};
+    const auto changed = [&](const std::function<void(Facts&)>& change) {
+      Facts before = facts(), after = facts();
+      before.overlays = after.overlays = suite::overlaysText({wallAt(12.4)});
+      change(after);
+      return wordsOf(before, after);
+    };
+    const auto wall = [](const std::function<void(map::OverlayFeature&)>& change) {
+      map::OverlayFeature made = wallAt(12.4);
+      change(made);
+      return suite::overlaysText({made});
+    };
+    const QStringList none;
+    QCOMPARE(changed([](Facts& facts) { facts.waypoints[0].tags = {"a"}; }), none);
+    QCOMPARE(changed([](Facts& facts) { facts.waypoints[0].type = "b"; }), none);
+    QCOMPARE(changed([](Facts& facts) { facts.waypoints[0].yaw_rad = 1 + 2 * M_PI; }), none);
+    QCOMPARE(changed([](Facts& facts) { facts.waypoints[0].position_m.x() += 3e-4; }), none);
+    QCOMPARE(changed([](Facts& facts) { facts.waypoints[0].yaw_rad.reset(); }),
+             QStringList{QStringLiteral("waypoint Dock has no heading any more")});
+    // Lines have no names, nor headings.
+    QCOMPARE(changed([&](Facts& all) { all.overlays = wall([](auto& one) { one.name = "W18"; }); }), none);
+    QCOMPARE(changed([&](Facts& all) { all.overlays = wall([](auto& one) { one.yaw_rad = 1; }); }), none);
+    QCOMPARE(changed([&](Facts& all) { all.overlays = wall([](auto& one) { one.id.clear(); }); }), none);
+    QCOMPARE(changed([&](Facts& all) {
+               all.overlays = wall([](auto& one) {
+                 one.name = "W18";
+                 one.parts = {{{12.8, -4}, {12.8, -2}}};
+               });
+             }),
+             QStringList{QStringLiteral("virtual wall W17 moved by 0.40 m")});
+    QCOMPARE(changed([&](Facts& facts) {
+               facts.overlays = suite::overlaysText({wallAt(12.4), nowhere});
+             }),
+             none);
+    // Pictures of submaps.
+    const auto outlines = [](Facts& facts) { facts.layers = {"whole", "outlines"}; };
+    Facts before = facts(), after = facts();
+    outlines(before);
+    outlines(after);
+    after.submaps[{12, 3}].version = 9;
+    QCOMPARE(wordsOf(before, after), none);
+    after.submaps[{12, 3}].pose.x_m += 1;
+    QCOMPARE(wordsOf(before, after), QStringList{QStringLiteral("submap 12-3 moved by 1.00 m")});
+    // Versions of what is the same.
+    QCOMPARE(changed([](Facts& facts) { facts.map->version = 9; }), none);
+    QCOMPARE(changed([](Facts& facts) { facts.map->overlays_version = 9; }), none);
+    QCOMPARE(changed([](Facts& facts) { facts.map->uid = "other"; }), none);
+    QCOMPARE(changed([](Facts& facts) {
+               facts.map->version = 9;
+               facts.map->cells.clear();
+             }),
+             QStringList{QStringLiteral("map Office went from version 3 to 9")});
+  }
+
   void anotherViewAndAnotherPlaceOfTheMapAreNamed() {
     const auto changed = [](const std::function<void(Facts&)>& change) {
       Facts after = facts();
@@ -133,7 +190,7 @@ class SuiteFactsTest : public QObject {
     QCOMPARE(changed([](Facts& facts) { facts.theme = "light"; }),
              QStringList{QStringLiteral("the theme is light instead of dark")});
     QCOMPARE(changed([](Facts& facts) {
-               facts.layers = {"whole", "grid"};
+               facts.layers = {"whole", "submaps", "grid"};
              }),
              (QStringList{QStringLiteral("layers that are drawn now: grid"),
                           QStringLiteral("layers that are drawn no more: overlays")}));
