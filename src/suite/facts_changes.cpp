@@ -26,6 +26,10 @@ struct FactsChangesText {
 constexpr double kMovedM = 5e-4, kTurnedRad = 1e-3;
 /// What stands for a thing is drawn around it.
 constexpr double kDrawnAroundPx = 16, kRobotM = 0.5;
+// Of names beside points, as scene draws them: never wider, nor farther away.
+constexpr double kLetterPx = 11, kLinePx = 15, kAroundNamePx = 40;
+constexpr qsizetype kLongestLabel = 40;
+constexpr std::size_t kMostPushed = 32;  // by one change
 constexpr qsizetype kMostNamed = 4;
 
 QString metres(double value) { return QLocale::c().toString(value, 'f', value < 0.01 ? 3 : 2); }
@@ -41,6 +45,19 @@ geometry::WorldRect pointBox(const Eigen::Vector2d& at_m) {
   geometry::WorldRect box;
   box.extend(at_m);
   return box;
+}
+
+/// As far as the name of a point may stand from it in the view.
+geometry::WorldRect withName(const geometry::WorldRect& at, const QString& name,
+                             const std::optional<geometry::ViewTransform>& view) {
+  if (!view || at.empty()) return at;
+  const double aside = kAroundNamePx + kLetterPx * double(std::min(name.size(), kLongestLabel));
+  const double over = kAroundNamePx + kLinePx;
+  const double along = std::abs(std::cos(view->rotation_rad)),
+               across = std::abs(std::sin(view->rotation_rad));
+  const double x_m = view->scale_m_per_px * (along * aside + across * over);
+  const double y_m = view->scale_m_per_px * (across * aside + along * over);
+  return {at.min_x - x_m, at.min_y - y_m, at.max_x + x_m, at.max_y + y_m};
 }
 
 bool hasPlace(const FactChange& change) {
@@ -178,31 +195,41 @@ bool isDrawn(const overlays::Part& part, const overlays::Feature& feature) {
   return part.name != "yaw" || feature.shape() == overlays::Shape::Point;
 }
 
+/// Where it is drawn, with its name.
+geometry::WorldRect boxOf(const overlays::Feature& feature, const Facts& facts) {
+  geometry::WorldRect bounds;
+  for (const overlays::Path& path : overlays::shapesOf(feature).paths) {
+    for (const Eigen::Vector2d& point : path.points) bounds.extend(point);
+  }
+  if (feature.shape() != overlays::Shape::Point) return bounds;
+  return withName(bounds,
+                  feature.name().empty() ? sentences::overlayKind(feature) : sentences::overlayName(feature),
+                  facts.view);
+}
+
 void compareOverlays(const Facts& before, const Facts& after, std::vector<FactChange>& changes) {
   const auto was = overlays::OverlayDocument::read(before.overlays);
   const auto is = overlays::OverlayDocument::read(after.overlays);
   if (!was || !is) return;
-  const auto box = [](const overlays::Feature& feature) {
-    geometry::WorldRect bounds;
-    for (const overlays::Path& path : overlays::shapesOf(feature).paths) {
-      for (const Eigen::Vector2d& point : path.points) bounds.extend(point);
-    }
-    return bounds;
-  };
   for (overlays::OverlayChange& change : overlays::changesBetween(*was, *is)) {
     if (change.collection) continue;
     const overlays::Feature& feature = change.to ? is->features()[*change.to] : was->features()[*change.from];
     std::erase_if(change.parts, [&](const overlays::PartChange& one) { return !isDrawn(one.part, feature); });
     if (change.kind == overlays::ChangeKind::Change && change.parts.empty()) continue;
     FactChange made{sentences::changeText(change, *was, *is, sentences::Telling::Event), {}};
-    if (change.from) made.where.push_back(box(was->features()[*change.from]));
-    if (change.to) made.where.push_back(box(is->features()[*change.to]));
+    if (change.from) made.where.push_back(boxOf(was->features()[*change.from], before));
+    if (change.to) made.where.push_back(boxOf(is->features()[*change.to], after));
+    made.moves_names = feature.shape() != overlays::Shape::Line;
     if (hasPlace(made)) changes.push_back(std::move(made));  // what has no place is not drawn
   }
 }
 
 QString nameOf(const map::Waypoint& point) {
   return words::plainName(point.name.empty() ? point.id : point.name).left(60);
+}
+
+geometry::WorldRect boxOf(const map::Waypoint& point, const Facts& facts) {
+  return withName(pointBox(point.position_m), nameOf(point), facts.view);
 }
 
 /// Empty: nothing of it that is drawn changed.
@@ -223,26 +250,26 @@ void compareWaypoints(const Facts& before, const Facts& after, std::vector<FactC
   const auto same = [](const map::Waypoint& a, const map::Waypoint& b) {
     return a.id.empty() || b.id.empty() ? a.name == b.name : a.id == b.id;
   };
+  const auto say = [&](const QString& words, std::vector<geometry::WorldRect> where) {
+    changes.push_back({words, std::move(where), false, true});
+  };
   std::vector<bool> met(after.waypoints.size(), false);
   for (const map::Waypoint& was : before.waypoints) {
     std::size_t at = 0;
     while (at < after.waypoints.size() && (met[at] || !same(was, after.waypoints[at]))) ++at;
     if (at == after.waypoints.size()) {
-      changes.push_back(
-          {FactsChangesText::tr("waypoint %1 is gone").arg(nameOf(was)), {pointBox(was.position_m)}});
+      say(FactsChangesText::tr("waypoint %1 is gone").arg(nameOf(was)), {boxOf(was, before)});
       continue;
     }
     met[at] = true;
     const map::Waypoint& is = after.waypoints[at];
     if (const QString became = becameText(was, is); !became.isEmpty())
-      changes.push_back({FactsChangesText::tr("waypoint %1 %2").arg(nameOf(was), became),
-                         {pointBox(was.position_m), pointBox(is.position_m)}});
+      say(FactsChangesText::tr("waypoint %1 %2").arg(nameOf(was), became),
+          {boxOf(was, before), boxOf(is, after)});
   }
   for (std::size_t at = 0; at < after.waypoints.size(); ++at) {
     const map::Waypoint& is = after.waypoints[at];
-    if (!met[at])
-      changes.push_back(
-          {FactsChangesText::tr("waypoint %1 is new").arg(nameOf(is)), {pointBox(is.position_m)}});
+    if (!met[at]) say(FactsChangesText::tr("waypoint %1 is new").arg(nameOf(is)), {boxOf(is, after)});
   }
 }
 
@@ -250,12 +277,15 @@ void compareRobot(const Facts& before, const Facts& after, std::vector<FactChang
   const auto box = [](const geometry::Pose2& pose) { return pointBox({pose.x_m, pose.y_m}).grown(kRobotM); };
   if (before.robot && after.robot) {
     if (const QString moved = movedText(*before.robot, *after.robot); !moved.isEmpty())
-      changes.push_back(
-          {FactsChangesText::tr("the robot %1").arg(moved), {box(*before.robot), box(*after.robot)}});
+      changes.push_back({FactsChangesText::tr("the robot %1").arg(moved),
+                         {box(*before.robot), box(*after.robot)},
+                         false,
+                         true});
   } else if (before.robot) {
-    changes.push_back({FactsChangesText::tr("the robot is drawn no more"), {box(*before.robot)}});
+    changes.push_back(
+        {FactsChangesText::tr("the robot is drawn no more"), {box(*before.robot)}, false, true});
   } else if (after.robot) {
-    changes.push_back({FactsChangesText::tr("the robot is drawn now"), {box(*after.robot)}});
+    changes.push_back({FactsChangesText::tr("the robot is drawn now"), {box(*after.robot)}, false, true});
   }
 }
 
@@ -273,6 +303,34 @@ void compareStamps(const Facts& before, const Facts& after, std::vector<FactChan
         {FactsChangesText::tr("messages of other times: %1").arg(firstOf(topics, QStringLiteral(", "))), {}});
 }
 
+/// Where names are now that others may push aside.
+std::vector<geometry::WorldRect> namesIn(const Facts& facts) {
+  std::vector<geometry::WorldRect> names;
+  for (const map::Waypoint& point : facts.waypoints) names.push_back(boxOf(point, facts));
+  if (const auto document = overlays::OverlayDocument::read(facts.overlays)) {
+    for (const overlays::Feature& feature : document->features()) {
+      if (feature.shape() != overlays::Shape::Line) names.push_back(boxOf(feature, facts));
+    }
+  }
+  return names;
+}
+
+/// The names near a change may stand elsewhere because of it.
+void addPushed(const Facts& after, std::vector<FactChange>& changes) {
+  const auto moves = [](const FactChange& change) { return change.moves_names; };
+  if (std::none_of(changes.begin(), changes.end(), moves)) return;
+  const std::vector<geometry::WorldRect> names = namesIn(after);
+  for (FactChange& change : changes) {
+    if (!change.moves_names) continue;
+    const std::vector<geometry::WorldRect> own = change.where;
+    for (const geometry::WorldRect& name : names) {
+      if (change.where.size() >= kMostPushed) break;
+      if (std::any_of(own.begin(), own.end(), [&](const auto& box) { return box.intersects(name); }))
+        change.where.push_back(name);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<FactChange> changesBetween(const Facts& before, const Facts& after) {
@@ -280,6 +338,7 @@ std::vector<FactChange> changesBetween(const Facts& before, const Facts& after) 
   for (const auto compare : {compareViews, compareMaps, compareOverlays, compareWaypoints, compareSubmaps,
                              compareRobot, compareCells, compareStamps})
     compare(before, after, changes);
+  addPushed(after, changes);
   return changes;
 }
 

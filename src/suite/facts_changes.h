@@ -14,8 +14,9 @@ namespace mapwright::suite {
 /// In words that begin small and end without a full stop: "submap 12-3 went from version 7 to 9".
 struct FactChange {
   QString words;
-  std::vector<geometry::WorldRect> where;  // before and after; empty: nobody knows
+  std::vector<geometry::WorldRect> where;  // before and after, with names; empty: nobody knows
   bool whole_picture = false;              // every pixel may be another one
+  bool moves_names = false;                // of other things: no name covers another one, or a symbol
 };
 std::vector<FactChange> changesBetween(const Facts& before, const Facts& after);
 

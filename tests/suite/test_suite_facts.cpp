@@ -332,6 +332,36 @@ class SuiteFactsTest : public QObject {
     after.theme = "light";
     QVERIFY(!textOf(boxes).contains(QStringLiteral("nothing known")));
   }
+  void namesBesidePointsAreAPartOfTheirPlace() {
+    // Dock is drawn at (100, 240) in pixels; Gate stands near enough for its name to be pushed aside.
+    const auto causeAt = [](const Facts& before, const Facts& after, int x, int y) {
+      const compare::Comparison made = differingAt({{x, y, 6, 6}});
+      return suite::explained(made, *after.view, suite::changesBetween(before, after)).near[0];
+    };
+    Facts before = facts(), after = facts();
+    before.overlays.clear();
+    after.overlays.clear();
+    after.waypoints[0].name = "Dock 2";
+    const QStringList renamed{QStringLiteral("waypoint Dock is called Dock 2 now")};
+    QCOMPARE(causeAt(before, after, 140, 240), renamed);  // beside it
+    QCOMPARE(causeAt(before, after, 100, 290), renamed);  // below, with a leader line
+    QCOMPARE(causeAt(before, after, 50, 240), renamed);
+    QCOMPARE(causeAt(before, after, 300, 240), QStringList());
+    QCOMPARE(causeAt(before, after, 100, 340), QStringList());
+    map::Waypoint gate;
+    gate.id = "10";
+    gate.name = "Gate";
+    gate.position_m = {-7, 3};  // 160 px to the right
+    before.waypoints.push_back(gate);
+    after.waypoints.push_back(gate);
+    QCOMPARE(causeAt(before, after, 300, 240), renamed);
+    QCOMPARE(causeAt(before, after, 400, 240), QStringList());
+    // A view that is turned by 90 degrees.
+    before.view->rotation_rad = after.view->rotation_rad = M_PI / 2;
+    const Eigen::Vector2d at = after.view->pixelFromWorld({-15, 3});
+    QCOMPARE(causeAt(before, after, int(at.x()) + 60, int(at.y())), renamed);
+    QCOMPARE(causeAt(before, after, int(at.x()), int(at.y()) + 100), QStringList());
+  }
   void thatNothingChangedIsSaid() {
     const compare::Comparison made = differingAt({{10, 590, 6, 6}});
     const suite::Explanation why = suite::explained(made, *facts().view, {});
