@@ -12,6 +12,7 @@
 #include "app/report.h"
 #include "app/robot_factory.h"
 #include "geometry/pose.h"
+#include "incident/report.h"
 #include "map/failure.h"
 #include "replay/replay_robot.h"
 #include "robot/bag_library.h"
@@ -207,6 +208,12 @@ bool SnapshotRun::drawsScansAlone() const {
 
 bool SnapshotRun::recalled() {
   if (!replayed_->at()) {
+    const QString why =
+        incident::whyNotWithin(options_.bag, *replayed_->reading()->info(), *options_.at_s, !isLocal());
+    if (!why.isEmpty()) {
+      fail(kUsage, why);
+      return false;
+    }
     replayed_->reading()->setWhole(wantsTrack());
     replayed_->goTo(*options_.at_s);
   }

@@ -17,6 +17,7 @@
 #include "sentences/problem_sentence.h"
 #include "sentences/state_words.h"
 #include "sentences/subject_name.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::incident {
 namespace {
@@ -371,6 +372,15 @@ QStringList inShort(const Run& run) {
 }
 
 }  // namespace
+
+QString whyNotWithin(const std::string& name, const robot::BagInfo& info, double at_s, bool rounded) {
+  constexpr double kSameS = 0.001, kRoundedS = 1;  // as times are written
+  if (info.messages == 0 && info.end_s <= 0)
+    return ReportText::tr("%1 holds no messages.").arg(words::plainName(name));
+  if (at_s >= info.start_s - kSameS && at_s <= info.end_s + (rounded ? kRoundedS : kSameS)) return {};
+  return ReportText::tr("%1: %2 UTC is not within it: it lasts from %3 to %4 UTC.")
+      .arg(words::plainName(name), utcText(at_s), utcText(info.start_s), utcText(info.end_s));
+}
 
 QString utcText(double epoch_s) {
   if (!std::isfinite(epoch_s) || std::abs(epoch_s) > 4e11) return QStringLiteral("-");

@@ -224,6 +224,25 @@ class BagReportTest : public QObject {
       QVERIFY2(done.err.contains(QLatin1String("from 2024-06-03 09:00:00.000 to 2024-06-03 09:01:00.000")),
                qPrintable(done.err));
       QVERIFY(done.err.count(QLatin1Char('\n')) == 1);
+      // Pictures are refused alike.
+      const auto drawn =
+          program_.run({QStringLiteral("snapshot"), QStringLiteral("--bag"), file, QStringLiteral("--at"),
+                        at(wrong), QStringLiteral("--layers"), QStringLiteral("robot"),
+                        QStringLiteral("--center"), QStringLiteral("0,0"), QStringLiteral("--scale"),
+                        QStringLiteral("0.05"), QStringLiteral("-o"), QStringLiteral("no.png")});
+      QCOMPARE(drawn.code, 2);
+      QVERIFY2(drawn.err.contains(QLatin1String("from 2024-06-03 09:00:00.000 to 2024-06-03 09:01:00.000")),
+               qPrintable(drawn.err));
+      QVERIFY(!QFile::exists(program_.path("no.png")));
+      program_.put(
+          "suite.yaml",
+          "views:\n  - {name: a, robot: drive.mcap, layers: robot, center: [0, 0], scale: 0.05, at: " +
+              at(wrong).toUtf8() + "}\n");
+      const auto ran = program_.run(
+          QStringLiteral("suite run suite.yaml --expected e --report r").split(QLatin1Char(' ')));
+      QVERIFY2(ran.code == 1 && ran.out.contains(QLatin1String("a: failed. ")) &&
+                   ran.out.contains(QLatin1String("is not within it")),
+               qPrintable(ran.out));
     }
     QVERIFY(!QFile::exists(program_.path("no.html")));
     // Robots state whole seconds: the last one belongs to the bag, the one before the first does not.

@@ -30,8 +30,6 @@ class GatheringText {
 constexpr int kLookEveryMs = 20, kTries = 3;
 constexpr double kAroundM = 6, kMostAroundM = 40, kPictureMarginPx = 40;
 constexpr double kDotsPerMeter = 96 / 0.0254;  // whatever screen there is
-constexpr double kSameS = 0.001;               // as times are written
-constexpr double kRoundedS = 1;                // robots leave out the parts of seconds
 constexpr std::size_t kLongestMessage = 4096;
 
 const std::set<scene::Layer> kLayers{
@@ -113,20 +111,9 @@ bool Gathering::opened() {
   const robot::BagInfo& info = *replayed_->reading()->info();
   run_.info = info;
   if (!wanted_.at_s) return true;
-  if (info.messages == 0 && info.end_s <= 0) {
-    fail(GatheringText::tr("%1 holds no messages.").arg(words::plainName(wanted_.bag.name)),
-         map::FailureKind::Unsupported);
-    return false;
-  }
-  const double last_s = info.end_s + (replayed_->isLocal() ? kSameS : kRoundedS);
-  if (*wanted_.at_s < info.start_s - kSameS || *wanted_.at_s > last_s) {
-    fail(GatheringText::tr("%1: %2 UTC is not within it: it lasts from %3 to %4 UTC.")
-             .arg(words::plainName(wanted_.bag.name), utcText(*wanted_.at_s), utcText(info.start_s),
-                  utcText(info.end_s)),
-         map::FailureKind::Unsupported);
-    return false;
-  }
-  return true;
+  const QString why = incident::whyNotWithin(wanted_.bag.name, info, *wanted_.at_s, !replayed_->isLocal());
+  if (!why.isEmpty()) fail(why, map::FailureKind::Unsupported);
+  return why.isEmpty();
 }
 
 bool Gathering::momentChosen() {
