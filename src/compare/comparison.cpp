@@ -136,7 +136,8 @@ Fault PictureReading::problem() const {
 }
 
 double Comparison::percent() const {
-  return 100.0 * double(differing) / double(std::max<std::int64_t>(1, expected.pixels()));
+  const PictureSize both{std::max(expected.width, actual.width), std::max(expected.height, actual.height)};
+  return 100.0 * double(differing) / double(std::max<std::int64_t>(1, both.pixels()));
 }
 
 tl::expected<Comparison, Fault> comparePictures(const std::string& expected, const std::string& actual,

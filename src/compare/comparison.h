@@ -58,7 +58,7 @@ struct Comparison {
   std::vector<std::uint8_t> differs;  // 1 for each pixel of the canvas that does; empty: none
 
   bool sameSize() const { return expected == actual; }
-  /// Of the pixels of the expected picture.
+  /// Of the pixels of both pictures on each other.
   double percent() const;
 };
 

@@ -170,7 +170,15 @@ class ComparisonTest : public QObject {
     QVERIFY(!made.equal && !made.sameSize());
     QCOMPARE(made.differing, std::int64_t(20 * 150 + 180 * 10));
     QVERIFY(compare::comparisonText(made, {}).startsWith(
-        QStringLiteral("The sizes differ: 200 x 150 expected, 180 x 160 here.")));
+        QStringLiteral("The sizes differ: 200 x 150 expected, 180 x 160 here. 4,800 pixels differ (15 %)")));
+    const QString most = compare::comparisonText(compared(ground(1, 1), ground(100, 100)), {});
+    QVERIFY2(most.contains(QStringLiteral("9,999 pixels differ (100 %)")), qPrintable(most));
+    for (const auto& made_of :
+         {compared(ground(60, 50), ground(60, 40)), compared(ground(60, 40), ground(60, 50))}) {
+      QCOMPARE(made_of.clusters.size(), std::size_t(1));
+      QCOMPARE(made_of.clusters.front().box, (PixelBox{0, 40, 60, 10}));
+      QCOMPARE(made_of.percent(), 20.0);
+    }
   }
 
   void whatCannotBeReadIsRefused_data() {
