@@ -40,9 +40,11 @@ svg .line{stroke:var(--line);fill:none}svg .curve{stroke:var(--accent);fill:none
 svg .dot{fill:var(--accent)}svg .mark{stroke:var(--bad);fill:none;stroke-width:1.2}svg .area{fill:var(--soft)}
 svg text.strong{fill:var(--ink)}
 .good{color:var(--good)}.warning{color:var(--warning)}.bad{color:var(--bad);font-weight:600}.muted{color:var(--muted)}
-.swipe div{position:relative;max-width:fit-content}
+a{color:var(--accent)}
+.swipe{width:fit-content;max-width:100%}.swipe div{position:relative}
 .swipe .over{position:absolute;inset:0;clip-path:inset(0 0 0 var(--at,50%))}.swipe input{width:100%;margin:.4rem 0}
-.swipe p{display:flex;justify-content:space-between;margin:0;color:var(--muted);font-size:.9rem}
+.swipe p{display:grid;grid-template-columns:var(--at,50%) 1fr;margin:0;color:var(--muted);font-size:.9rem}
+.swipe span{min-width:0;overflow:hidden;white-space:nowrap}.swipe span+span{text-align:right}
 .columns{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(26rem,100%),1fr));gap:0 2rem}
 .columns>div{min-width:0}
 @media print{body{max-width:none;padding:0;font-size:10pt}h2,h3{break-after:avoid}
@@ -134,10 +136,11 @@ bool Page::end() {
   return good_;
 }
 
-void Page::section(const QString& title) {
+void Page::section(const QString& title, const QString& anchor) {
   endSection();
   in_section_ = true;
-  put(QStringLiteral("<section>\n<h2>") + escaped(title) + QStringLiteral("</h2>\n"));
+  put(anchor.isEmpty() ? QStringLiteral("<section>") : QStringLiteral("<section id=\"%1\">").arg(anchor));
+  put(QStringLiteral("\n<h2>") + escaped(title) + QStringLiteral("</h2>\n"));
 }
 
 void Page::title(const QString& title) {
@@ -175,9 +178,12 @@ void Page::beginTable(const QStringList& head) {
 
 void Page::row(const std::vector<Cell>& cells) {
   put(QByteArray("<tr>"));
-  for (const Cell& cell : cells)
-    put(QStringLiteral("<td") + classOf(cell.tone, cell.number) + QLatin1Char('>') + escaped(cell.text) +
-        QStringLiteral("</td>"));
+  for (const Cell& cell : cells) {
+    put(QStringLiteral("<td") + classOf(cell.tone, cell.number) + QLatin1Char('>'));
+    if (!cell.link.isEmpty()) put(QStringLiteral("<a href=\"#%1\">").arg(cell.link));
+    put(escaped(cell.text));
+    put(cell.link.isEmpty() ? QByteArray("</td>") : QByteArray("</a></td>"));
+  }
   put(QByteArray("</tr>\n"));
 }
 

@@ -28,6 +28,7 @@ struct Cell {
   QString text;
   Tone tone = Tone::Plain;
   bool number = false;  // aligned to the right
+  QString link = {};    // to the section of this anchor; empty: none
 };
 /// A cell of a table that is a figure.
 Cell figure(QString text, Tone tone = Tone::Plain);
@@ -44,8 +45,8 @@ class Page {
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
 
-  /// Begins a section, ending the one before.
-  void section(const QString& title);
+  /// Begins a section, ending the one before. `anchor`: our own letters and digits; empty: none.
+  void section(const QString& title, const QString& anchor = {});
   /// A title inside a section.
   void title(const QString& title);
   void paragraph(const QString& text, Tone tone = Tone::Plain);

@@ -1,7 +1,6 @@
 #include "suite/suite_page.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include "disk/read_file.h"
 #include "page/page.h"
@@ -20,6 +19,8 @@ page::Tone toneOf(Verdict verdict) {
          : verdict == Verdict::NotExpectedYet ? page::Tone::Warning
                                               : page::Tone::Bad;
 }
+
+QString anchorOf(std::size_t view) { return QStringLiteral("view%1").arg(view + 1); }
 
 /// Empty: there is none, or it cannot be read any more.
 QByteArray bytesOf(const QString& path) {
@@ -68,21 +69,27 @@ bool writePage(const QString& suite, const std::vector<ViewOutcome>& outcomes, Q
   const Tally tally = tallyOf(outcomes);
   page::Page page(out, suite, page::Scripts::Swipe);
   page.paragraph(tallyText(tally), tally.good() ? page::Tone::Good : page::Tone::Bad);
-  for (const ViewOutcome& outcome : outcomes) {
+  page.section(SuitePageText::tr("All views"));
+  page.beginTable({SuitePageText::tr("View"), SuitePageText::tr("Result")});
+  for (const bool good : {false, true}) {
+    for (std::size_t view = 0; view < outcomes.size(); ++view) {
+      const Verdict verdict = outcomes[view].verdict;
+      if ((verdict == Verdict::AsExpected) != good) continue;
+      page::Cell name(outcomes[view].name);
+      if (!good) name.link = anchorOf(view);
+      page.row({name, page::Cell(verdictText(verdict), toneOf(verdict))});
+    }
+  }
+  page.endTable();
+  for (std::size_t view = 0; view < outcomes.size(); ++view) {
+    const ViewOutcome& outcome = outcomes[view];
     if (outcome.verdict == Verdict::AsExpected) continue;
-    page.section(outcome.name);
+    page.section(outcome.name, anchorOf(view));
     page.paragraph(verdictText(outcome.verdict), toneOf(outcome.verdict));
     if (!outcome.sentence.isEmpty()) page.paragraph(outcome.sentence);
     putPictures(outcome, page);
     putClusters(outcome, page);
   }
-  page.section(SuitePageText::tr("All views"));
-  page.beginTable({SuitePageText::tr("View"), SuitePageText::tr("Result"), SuitePageText::tr("Seconds")});
-  for (const ViewOutcome& outcome : outcomes) {
-    page.row({outcome.name, page::Cell(verdictText(outcome.verdict), toneOf(outcome.verdict)),
-              page::figure(QLocale::c().toString(outcome.seconds, 'f', 1))});
-  }
-  page.endTable();
   return page.end();
 }
 

@@ -9,7 +9,8 @@
 
 namespace mapwright::suite {
 
-/// Reads the pictures of one view after the other. `suite`: its name. False: `out` did not take everything.
+/// The same bytes for the same pictures, however long they took. Reads the pictures of one view after the
+/// other. `suite`: its name. False: `out` did not take everything.
 bool writePage(const QString& suite, const std::vector<ViewOutcome>& outcomes, QIODevice& out);
 
 }  // namespace mapwright::suite
