@@ -28,14 +28,15 @@ std::optional<double> movedBy(const Feature& before, const Feature& after) {
   const auto was = overlays::verticesOf(before), is = overlays::verticesOf(after);
   if (was.empty() || was.size() != is.size() || was[0].empty() || is[0].empty()) return std::nullopt;
   const Eigen::Vector2d by = is[0][0] - was[0][0];
+  const double same_m = std::min(1e-3, by.norm() / 2);
   for (std::size_t ring = 0; ring < was.size(); ++ring) {
     if (was[ring].size() != is[ring].size()) return std::nullopt;
     for (std::size_t i = 0; i < was[ring].size(); ++i) {
-      if ((is[ring][i] - was[ring][i] - by).norm() > 1e-3) return std::nullopt;
+      if ((is[ring][i] - was[ring][i] - by).norm() > same_m) return std::nullopt;
     }
   }
   // Heights changed, say, or how far is a question of rounding.
-  return by.norm() < 5e-3 ? std::nullopt : std::optional(by.norm());
+  return by.norm() < 5e-4 ? std::nullopt : std::optional(by.norm());
 }
 
 QString metresAt(const Eigen::Vector2d& at_m) {
@@ -75,7 +76,7 @@ QString featureChange(const overlays::OverlayChange& change, const Feature& befo
     if (part.of == Part::Of::Member && part.name == "geometry") {
       if (const auto by_m = movedBy(before, after)) {
         parts << say(OverlayText::tr("Move %1 by %2 m"), OverlayText::tr("%1 moved by %2 m"))
-                     .arg(called, words::fixed(*by_m, 2));
+                     .arg(called, words::fixed(*by_m, *by_m < 0.01 ? 3 : 2));
       } else {
         parts << say(OverlayText::tr("Reshape %1"), OverlayText::tr("%1 has another shape")).arg(called);
       }

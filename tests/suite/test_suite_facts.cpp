@@ -118,6 +118,22 @@ class SuiteFactsTest : public QObject {
     QVERIFY(wordsOf(after, facts()).contains(QStringLiteral("submap 0-2 is gone")));
   }
 
+  void howFarAThingMovedIsSaidToAMillimetre() {
+    for (const auto& [x, moved] : {std::pair(12.401, "virtual wall W17 moved by 0.001 m"),
+                                   std::pair(12.408, "virtual wall W17 moved by 0.008 m"),
+                                   std::pair(12.45, "virtual wall W17 moved by 0.05 m")}) {
+      Facts after = facts();
+      after.overlays = suite::overlaysText({wallAt(x)});
+      QCOMPARE(wordsOf(facts(), after), QStringList{QLatin1String(moved)});
+    }
+    // One end alone.
+    map::OverlayFeature wall = wallAt(12.4);
+    wall.parts[0][0].x() = 12.401;
+    Facts after = facts();
+    after.overlays = suite::overlaysText({wall});
+    QCOMPARE(wordsOf(facts(), after), QStringList{QStringLiteral("virtual wall W17 has another shape")});
+  }
+
   void whatIsNotDrawnIsNoCause() {
     map::OverlayFeature nowhere = wallAt(3);
     nowhere.id = "none";
