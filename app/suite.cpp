@@ -152,6 +152,10 @@ struct Judged {
   bool unreadable = false;
 };
 
+compare::Allowed allowedIn(const suite::View& view) {
+  return {view.tolerance, view.max_differing_percent, view.mask.toStdString()};
+}
+
 Judged judged(const PlannedSuite& plan, std::size_t view) {
   Judged best;
   const QStringList pictures = plan.expectedPictures(view);
@@ -161,8 +165,7 @@ Judged judged(const PlannedSuite& plan, std::size_t view) {
                         .arg(plan.expectedPicture(view));
     return best;
   }
-  const suite::View& about = plan.views[view];
-  const compare::Allowed allowed{about.tolerance, about.max_differing_percent, about.mask.toStdString()};
+  const compare::Allowed allowed = allowedIn(plan.views[view]);
   for (const QString& picture : pictures) {
     auto made =
         compare::comparePictures(picture.toStdString(), plan.made("actual", view).toStdString(), allowed);
@@ -384,7 +387,12 @@ int suiteAccept(const PlannedSuite& plan, const RobotAccess& access, int jobs) {
       if (const auto why = writeFacts(beside, facts)) return fail(kUsage, *why);
       return Text::tr("%1: as expected, the facts beside it are new: %2").arg(name, beside);
     }
-    facts.picture = suite::sumOf(plan.made("actual", view));
+    const QString actual = plan.made("actual", view);
+    // Its mask must fit.
+    const std::string made = actual.toStdString();
+    if (const auto fits = compare::comparePictures(made, made, allowedIn(plan.views[view])); !fits)
+      return fail(kUsage, sentences::sentenceOf(fits.error()));
+    facts.picture = suite::sumOf(actual);
     const bool replaces = QFileInfo::exists(picture);
     ViewOutcome outcome;
     if (verdict.comparison && !verdict.unreadable) explain(verdict, facts, outcome);

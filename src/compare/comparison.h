@@ -42,7 +42,7 @@ struct Cluster {
 /// touch: a marker, a line. It is never allowed by a share.
 inline constexpr int kDenseEdge = 6;
 inline constexpr int kDensePixels = 64;
-/// Pixels that are no farther apart belong to the same cluster.
+/// Pixels with no more pixels than these between them belong to the same cluster.
 inline constexpr int kNearPx = 6;
 inline constexpr std::size_t kMostClusters = 1'000;
 inline constexpr std::int64_t kMostPixels = 200'000'000;  // of a picture, as of a snapshot

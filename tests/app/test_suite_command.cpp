@@ -246,6 +246,18 @@ class SuiteCommandTest : public QObject {
     QVERIFY(QFile::exists(program_->path("expected/wall W17.json")));
   }
 
+  void aMaskOfAnotherSizeIsNotAccepted() {
+    QImage(20, 10, QImage::Format_Grayscale8).save(program_->path("m.png"));
+    program_->put("suite.yaml",
+                  "views:\n  - {name: masked, robot: map/office.yaml, size: 100x80, mask: m.png}\n");
+    const Ended ended = accept();
+    QCOMPARE(ended.code, 2);
+    QVERIFY2(ended.out.contains(QStringLiteral("masked: nothing accepted. ")) &&
+                 ended.out.contains(QStringLiteral("20 x 10")),
+             qPrintable(ended.out));
+    QVERIFY(!QFile::exists(program_->path("expected/masked.png")));
+  }
+
   void anAcceptedVariantIsAsGood() {
     QVERIFY(QFile::rename(program_->path("expected/cells.png"), program_->path("expected/cells.1.png")));
     QVERIFY(QFile::copy(program_->path("expected/wall W17.png"), program_->path("expected/cells.png")));
