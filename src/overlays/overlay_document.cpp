@@ -17,6 +17,13 @@ std::string textOf(const std::optional<JsonValue>& value) {
   return value->kind() == JsonKind::Number ? canonical(*value) : std::string();
 }
 
+/// `held` with `object` in the place of its value: what stands around that stays.
+std::string inItsPlace(const std::string& held, const std::string& object) {
+  const auto json = JsonText::read(held);
+  if (!json) return held + object;  // there are only blanks
+  return held.substr(0, json->root().begin()) + object + held.substr(json->root().end());
+}
+
 JsonText null() { return *JsonText::read("null"); }
 
 }  // namespace
@@ -134,8 +141,8 @@ void OverlayDocument::add(Feature feature) {
   if (tail_.empty()) {
     // No list of features so far.
     const auto json = collection();
-    const std::string text = json ? withMember(json->root(), kFeatures, "[]") : std::string(kNoFeatures);
-    *this = *read(text);
+    const std::string object = json ? withMember(json->root(), kFeatures, "[]") : std::string(kNoFeatures);
+    *this = *read(inItsPlace(head_, object));
   }
   // The style of the features before it.
   before_.push_back(before_.empty()      ? std::string()
@@ -157,8 +164,8 @@ void OverlayDocument::setMember(std::string_view name, const std::optional<std::
   if (name == kFeatures) return;
   const auto json = collection();
   const JsonText from = json ? *json : *JsonText::read(std::string(kNoFeatures));
-  OverlayDocument changed =
-      *read(value ? withMember(from.root(), name, *value) : withoutMember(from.root(), name));
+  const std::string object = value ? withMember(from.root(), name, *value) : withoutMember(from.root(), name);
+  OverlayDocument changed = *read(inItsPlace(head_ + tail_, object));
   changed.before_ = std::move(before_);
   changed.features_ = std::move(features_);
   *this = std::move(changed);

@@ -81,6 +81,22 @@ class OverlaysCommandTest : public QObject {
     QCOMPARE(changes(), 1);
   }
 
+  void whatStandsAroundTheDocumentStaysWhereAMemberOfItIsChanged() {
+    const QByteArray base = "\n {\"type\":\"FeatureCollection\",\"crs\":1.50,\"features\":[ ]}\r\n";
+    program_->put("mine.geojson", base);
+    QCOMPARE(run("set mine.geojson --replace").code, 0);
+    program_->put("base.geojson", base);
+    program_->put("mine.geojson", edited("1.50", "9.0"));
+    QCOMPARE(run("set mine.geojson --base base.geojson").code, 0);
+    QCOMPARE(program_
+                 ->run({QStringLiteral("overlays"), QStringLiteral("get"), QStringLiteral("--force"),
+                        QStringLiteral("-o"), QStringLiteral("held.geojson"), QStringLiteral("--robot"),
+                        QString::fromStdString(robot_->address())})
+                 .code,
+             0);
+    QCOMPARE(program_->bytes("held.geojson"), program_->bytes("mine.geojson"));
+  }
+
   void whatOthersChangedStaysOrIsAConflict() {
     program_->put("theirs.geojson", edited("\"Virtual wall\"", "\"Theirs\""));
     QCOMPARE(run("set theirs.geojson --base base.geojson").code, 0);

@@ -111,6 +111,23 @@ class OverlayDocumentTest : public QObject {
     document.setMember("properties", std::nullopt);
     QCOMPARE(document.text(), std::string(R"({"features": [{"id":1.50}], "crs": null})"));
   }
+
+  void whatStandsAroundTheCollectionStays() {
+    for (const auto& [before, after] : std::vector<std::pair<std::string, std::string>>{
+             {"\xEF\xBB\xBF", ""}, {"  \r\n", ""}, {"", "\r\n"}, {"\xEF\xBB\xBF\n", "\n\n"}}) {
+      OverlayDocument document = read(before + R"({"crs": 1, "features": [{"id":1} ]})" + after);
+      document.setMember("crs", "2");
+      QCOMPARE(document.text(), before + R"({"crs": 2, "features": [{"id":1} ]})" + after);
+      document.setMember("crs", std::nullopt);
+      QCOMPARE(document.text(), before + R"({"features": [{"id":1} ]})" + after);
+      for (const char* none : {R"({"features":null})", "null"}) {
+        document = read(before + none + after);
+        document.add(Feature("{}"));
+        const std::string text = document.text();
+        QVERIFY2(text.starts_with(before + "{") && text.ends_with("}" + after), text.c_str());
+      }
+    }
+  }
 };
 
 }  // namespace test_overlay_document
