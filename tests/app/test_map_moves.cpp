@@ -85,7 +85,7 @@ class MapMovesTest : public QObject {
     QTest::addColumn<QString>("fault");
     QTest::addColumn<int>("code");
     QTest::addColumn<QString>("says");
-    QTest::newRow("ignored") << QStringLiteral("ignore") << 1 << QStringLiteral("says that it is at");
+    QTest::newRow("ignored") << QStringLiteral("ignore") << 4 << QStringLiteral("still where it was before");
     QTest::newRow("dropped") << QStringLiteral("drop") << 1 << QStringLiteral("is unknown");
     QTest::newRow("lost") << QStringLiteral("lose") << 0 << QString();
     QTest::newRow("refused") << QStringLiteral("error") << 4 << QStringLiteral("is unknown");

@@ -124,7 +124,7 @@ void PoseRequests::awaitPose(const Task& task, const PoseOrder& order, std::opti
         const bool near = pose_ && !isStill() && within(*pose_, order.pose, kNearM, kNearRad);
         if (doubt && !near) return reply(fail(*doubt));
         if (!pose_) return reply(fail(unknown(fault::PoseNotTold)));
-        if (isStill() && within(*pose_, order.pose, kNearM, kNearRad)) {
+        if (isStill()) {
           return reply(fail(map::Failure{.kind = map::FailureKind::RejectedByRobot,
                                          .subject = kRobot,
                                          .asked_for = map::AskedFor::Change,
