@@ -96,13 +96,14 @@ void drawAll(WayMap& ways, const OverlayDocument& document, Shape shape, int typ
   }
 }
 
-/// Labels of connected ways around a place, nearest first.
+/// Labels of connected ways around a place.
 class Places {
  public:
-  Places(const WayMap& ways, const cv::Mat& labels, double reach_m)
-      : ways_(ways), labels_(labels), reach_cells_(reach_m / ways.cellM()) {}
+  /// `map_free`: without overlays.
+  Places(const WayMap& ways, const cv::Mat& map_free, const cv::Mat& labels, double reach_m)
+      : ways_(ways), map_free_(map_free), labels_(labels), reach_cells_(reach_m / ways.cellM()) {}
 
-  /// All labels in reach. Empty: there is no way near it.
+  /// All labels in reach, not through walls or forbidden regions. Empty: there is no way near it.
   std::set<int> near(const Vector2d& world_m) const {
     std::set<int> found;
     const Vector2d cell = ways_.cellOf(world_m);
@@ -112,7 +113,8 @@ class Places {
     for (int y = std::max(0, row - reach); y <= std::min(labels_.rows - 1, row + reach); ++y) {
       for (int x = std::max(0, column - reach); x <= std::min(labels_.cols - 1, column + reach); ++x) {
         const int label = labels_.at<int>(y, x);
-        if (label > 0 && (Vector2d(x + 0.5, y + 0.5) - cell).norm() <= reach_cells_ + 0.5)
+        if (label > 0 && !found.contains(label) &&
+            (Vector2d(x + 0.5, y + 0.5) - cell).norm() <= reach_cells_ + 0.5 && isOpen({column, row}, {x, y}))
           found.insert(label);
       }
     }
@@ -120,8 +122,21 @@ class Places {
   }
 
  private:
+  /// What stands in a wall of the map comes out of it, and into no other.
+  bool isOpen(const cv::Point& from, const cv::Point& to) const {
+    bool inside = true;
+    // Only sideways: a wall drawn askew has no gaps then.
+    cv::LineIterator line(cv::Rect(0, 0, labels_.cols, labels_.rows), from, to, 4);
+    for (int i = 0; i < line.count; ++i, ++line) {
+      const bool free = ways_.image().at<std::uint8_t>(line.pos()) != 0;
+      if (!free && (!inside || map_free_.at<std::uint8_t>(line.pos()) != 0)) return false;
+      inside = inside && !free;
+    }
+    return true;
+  }
+
   const WayMap& ways_;
-  const cv::Mat& labels_;
+  const cv::Mat &map_free_, &labels_;
   double reach_cells_;
 };
 
@@ -130,12 +145,15 @@ class Reach {
  public:
   Reach(const OverlayDocument& document, const placing::PlacedMap& map, double radius_m)
       : ways_(map), reach_m_(std::max(0.0, radius_m) + kAsideM) {
+    const auto drawEdge = [](cv::Mat& image) {  // the map ends like a wall
+      cv::rectangle(image, cv::Rect(0, 0, image.cols, image.rows), cv::Scalar(0));
+    };
+    drawEdge(ways_.image());
     ways_.image().copyTo(map_free_);
     drawAll(ways_, document, Shape::Polygon, kFreeRegion, kWay);
     drawAll(ways_, document, Shape::Polygon, kForbiddenRegion, 0);
     drawAll(ways_, document, Shape::Line, kVirtualWall, 0);
-    // The map ends like a wall.
-    cv::rectangle(ways_.image(), cv::Rect(0, 0, ways_.image().cols, ways_.image().rows), cv::Scalar(0));
+    drawEdge(ways_.image());
     // A robot of this radius has room where the next obstacle is that far.
     cv::Mat distance;
     cv::distanceTransform(ways_.image(), distance, cv::DIST_L2, cv::DIST_MASK_5);
@@ -143,7 +161,7 @@ class Reach {
     const cv::Mat room = distance > std::max(0.5, radius_cells);
     distance.release();
     cv::connectedComponents(room, labels_, 4, CV_32S);
-    const Places places(ways_, labels_, reach_m_);
+    const Places places(ways_, map_free_, labels_, reach_m_);
     for (const Feature& feature : document.features()) {
       if (feature.shape() != Shape::Point || feature.type() != kCharger) continue;
       const auto at = shapesOf(feature).somewhere();
@@ -156,7 +174,7 @@ class Reach {
 
   bool anyCharger() const { return !chargers_.empty(); }
   bool reaches(const Vector2d& at_m) const {
-    const std::set<int> near = Places(ways_, labels_, reach_m_).near(at_m);
+    const std::set<int> near = Places(ways_, map_free_, labels_, reach_m_).near(at_m);
     return std::any_of(near.begin(), near.end(), [&](int label) { return from_chargers_.contains(label); });
   }
 

@@ -198,6 +198,41 @@ class OverlayCheckTest : public QObject {
     QCOMPARE(rulesIn(all, options), std::string("unreachable"));
   }
 
+  void besideTheWayIsNotBehindAWall_data() {
+    QTest::addColumn<double>("radius_m");
+    for (const double radius : {0.2, 0.3, 0.6}) QTest::newRow(qPrintable(QString::number(radius))) << radius;
+  }
+  void besideTheWayIsNotBehindAWall() {
+    QFETCH(const double, radius_m);
+    overlays::CheckOptions options;
+    options.radius_m = radius_m;
+    options.off = {Rule::OutsideMap, Rule::InWall, Rule::ChargerWithoutDock};
+    options.map = mapOf({"..........", "..........", ".........."}, 20);  // 20 m x 6 m
+    const std::string charger = point("9", "[3,3]") + ",";
+    const auto at = [&](double x) { return charger + point("11", "[" + std::to_string(x) + ",3]"); };
+    const std::string wall = "," + shape("LineString", "[[7,-1],[7,8]]", R"({"lineType":2})");
+    const std::string askew = "," + shape("LineString", "[[4,0],[10,6]]", R"({"lineType":2})");
+    const std::string region =
+        "," + shape("Polygon", "[[[7,-1],[7.2,-1],[7.2,8],[7,8]]]", R"({"regionType":1})");
+    for (const double x : {7.15, 7.25, 7.35, 7.45, 7.55, 7.75, 8.2}) {
+      QVERIFY2(rulesIn(at(x) + wall, options) == "unreachable", qPrintable(QString::number(x)));
+      QVERIFY2(rulesIn(at(x) + askew, options) == "unreachable", qPrintable(QString::number(x)));
+      QVERIFY2(rulesIn(at(x) + region, options) == "unreachable", qPrintable(QString::number(x)));
+    }
+    // On this side it may stand close to it.
+    for (const double x : {6.9, 6.7, 6.5})
+      QVERIFY2(rulesIn(at(x) + wall, options).empty(), qPrintable(QString::number(x)));
+    // Nor does a charger reach through one.
+    QCOMPARE(rulesIn(point("9", "[7.3,3]") + "," + point("11", "[3,3]") + wall, options),
+             std::string("unreachable"));
+    // A wall of the map, 0.1 m thick: what stands in it reaches out, what stands behind it does not.
+    std::string row(100, '.');
+    row[70] = '#';
+    options.map = mapOf(std::vector<std::string>(60, row));  // the wall is at 7 m to 7.1 m
+    QCOMPARE(rulesIn(at(7.05), options), std::string());
+    QCOMPARE(rulesIn(at(7.35), options), std::string("unreachable"));
+  }
+
   void theWayToAPointEndsWhereItIsBlocked() {
     const auto read = [](const std::string& features) {
       return *overlays::OverlayDocument::read(R"({"type":"FeatureCollection","features":[)" + features +
