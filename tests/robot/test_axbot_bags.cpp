@@ -424,6 +424,8 @@ class AxbotBagsTest : public QObject {
         << QByteArray("Content-Range: bytes x-/\r\n") << QByteArray() << false;
     QTest::newRow("of a longer file") << right << QByteArray("\n12\n") << false;
     QTest::newRow("of another file") << QByteArray(right + etag) << QByteArray("\"old\"\n10\n") << false;
+    QTest::newRow("of one without an ETag")
+        << QByteArray(right + etag) << QByteArray("\n10\n10 now\n") << false;
   }
   void onlyTheRestOfTheSameFileIsGluedToAPart() {
     QFETCH(QByteArray, range);

@@ -7,6 +7,7 @@
 
 #include "net/http_cache.h"
 #include "robot/axbot/axbot_robot.h"
+#include "robot/map_transfer.h"
 #include "ros_messages/wrapper.pb.h"
 #include "scripted_robot.h"
 #include "sentences/failure_sentence.h"
@@ -532,6 +533,36 @@ class AxbotRobotTest : public QObject {
     QCOMPARE(map->overlays.size(), std::size_t(1));
     QVERIFY(!map->fingerprint.empty());
     QCOMPARE(map->reading.mode, map::CellReading::Mode::Picture);
+  }
+
+  void dataOfAnotherSizeThanTheMapHasIsNoData_data() {
+    QTest::addColumn<QByteArray>("data");
+    QTest::newRow("cut") << QByteArray("01234");
+    QTest::newRow("a page") << QByteArray("<html>login</html>");
+    QTest::newRow("none") << QByteArray("");
+  }
+  void dataOfAnotherSizeThanTheMapHasIsNoData() {
+    QFETCH(QByteArray, data);
+    server_->serve("/maps/1", R"({"id":1,"uid":"u","map_version":3,"pbstream_size":10})");
+    server_->serve("/maps/1.pbstream", data);
+    MapFacts facts;
+    facts.key = {map::MapKind::Stored, "1"};
+    facts.uid = "u";
+    facts.map_version = 3;
+    facts.data_bytes = 10;
+    const QString path = cache_->filePath(QStringLiteral("map.pbstream"));
+    const auto download = [&] {
+      return answerTo<DataDownload>([&](auto reply) { robot_->mapTransfer()->download(facts, path, reply); });
+    };
+    const auto got = download();
+    QVERIFY(!got && got.error().kind == map::FailureKind::MalformedAnswer);
+    QVERIFY2(sentences::sentenceOf(got.error()).find("10") != std::string::npos,
+             sentences::sentenceOf(got.error()).c_str());
+    // Nothing of it is gone on with.
+    QVERIFY(!QFile::exists(path) && !QFile::exists(path + QStringLiteral(".part")));
+    server_->serve("/maps/1.pbstream", "0123456789");
+    const auto whole = download();
+    QVERIFY(whole && whole->bytes == 10 && !whole->resumed);
   }
 
   void aWrongPictureAddressFallsBackToTheUsualOne() {

@@ -81,7 +81,8 @@ struct Download {
     if (first.from_byte != begun_at) return false;
     if (first.whole_bytes && *first.whole_bytes < begun_at) return false;
     if (first.whole_bytes && held_of.bytes && first.whole_bytes != held_of.bytes) return false;
-    if (!first.etag.isEmpty() && !held_of.etag.isEmpty()) return first.etag == held_of.etag;
+    // A part without an ETag is of somebody else than a robot that gives one.
+    if (!first.etag.isEmpty()) return first.etag == held_of.etag;
     return !held_of.identity.isEmpty() && held_of.identity == order.identity;
   }
   /// False if it cannot continue.
@@ -119,10 +120,13 @@ using DownloadPtr = std::shared_ptr<Download>;
 
 void placeDownload(Download& download) {
   const qint64 bytes = download.part.pos();
-  // If the answer has no length, a premature end looks like the end. A bag that is still recorded may have
-  // grown.
+  // If the answer has no length, a premature end looks like the end; and one that is whole by its length may
+  // be something else, with which nothing goes on. A bag that is still recorded may have grown.
   const auto told = download.order.told_bytes;
-  if (!download.of_bytes && told && bytes < *told) download.of_bytes = *told;
+  if (told && (bytes < *told || (download.order.exactly && bytes > *told))) {
+    if (download.of_bytes == bytes) download.part.resize(0);
+    download.of_bytes = *told;
+  }
   if (download.of_bytes && *download.of_bytes != bytes) {
     download.end(
         wire::unfit(download.order.subject, {fault::BagFileOfOtherSize, {bytes, *download.of_bytes}}));

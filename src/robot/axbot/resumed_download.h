@@ -20,7 +20,8 @@ struct DownloadOrder {
   map::Subject subject;
   QString path;
   QByteArray identity;                     // of the content, as the robot tells it elsewhere; empty = unknown
-  std::optional<std::int64_t> told_bytes;  // its size, likewise; used where the answer has none
+  std::optional<std::int64_t> told_bytes;  // its size, likewise: less than that is not the whole
+  bool exactly = false;                    // nor is more
 };
 
 struct ResumedDownload {

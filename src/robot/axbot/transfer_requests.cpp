@@ -81,7 +81,8 @@ void TransferRequests::download(const Task& task, const MapFacts& of, const QStr
                    .subject = map::subjectOf(of.key, of.name),
                    .path = path,
                    .identity = identityOf(of),
-                   .told_bytes = of.data_bytes},
+                   .told_bytes = of.data_bytes,
+                   .exactly = true},
                   [this, task, of, path, reply = std::move(reply)](Outcome<ResumedDownload> done) {
                     if (!done) return reply(fail(std::move(done.error())));
                     // Another map under the same id is not what was asked for.
