@@ -93,8 +93,7 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
       outcome_.unreadable = now.error();
       return end(std::move(outcome_));
     }
-    outcome_.differs = overlays::changesBetween(outcome_.merge.document, *now);
-    std::erase_if(outcome_.differs, onlyNewIds);
+    outcome_.differs = otherwiseHeld(outcome_.merge.document, *now);
     using Between = OverlayOutcome::Between;
     const bool told = stored->version && outcome_.version_before;
     const int steps = told ? *stored->version - *outcome_.version_before : 0;
@@ -114,6 +113,12 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
 };
 
 }  // namespace
+
+std::vector<OverlayChange> otherwiseHeld(const OverlayDocument& sent, const OverlayDocument& held) {
+  std::vector<OverlayChange> differs = overlays::changesBetween(sent, held);
+  std::erase_if(differs, onlyNewIds);
+  return differs;
+}
 
 robot::Call changeOverlays(robot::OverlayStore& store, OverlayOrder order,
                            robot::OutcomeTo<OverlayOutcome> reply) {

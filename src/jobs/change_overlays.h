@@ -45,6 +45,10 @@ struct OverlayOutcome {
   bool certain() const { return !sent || (differs.empty() && between == Between::None && !unreadable.any()); }
 };
 
+/// What the robot holds otherwise than it was sent, besides the ids that it gives to features without one.
+std::vector<overlays::OverlayChange> otherwiseHeld(const overlays::OverlayDocument& sent,
+                                                   const overlays::OverlayDocument& held);
+
 /// The error of an unreadable answer of the robot is MalformedAnswer. No result if the store is destroyed
 /// first.
 robot::Call changeOverlays(robot::OverlayStore& store, OverlayOrder order,

@@ -9,6 +9,7 @@
 #include "disk/read_file.h"
 #include "grids/grid_pyramid.h"
 #include "jobs/change_map.h"
+#include "jobs/change_overlays.h"
 #include "sentences/fault_sentence.h"
 #include "words/qt_plain.h"
 
@@ -47,6 +48,12 @@ bool showTheSame(const std::shared_ptr<const std::string>& one,
     if (!std::equal(row, row + first->width(), held.row(y))) return false;
   }
   return true;
+}
+
+bool holdsOverlays(const std::string& held, const std::string& sent) {
+  if (held == sent) return true;
+  const auto one = overlays::OverlayDocument::read(sent), two = overlays::OverlayDocument::read(held);
+  return one && two && otherwiseHeld(*one, *two).empty();
 }
 
 bool isPng(const std::string& bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\n"); }
@@ -121,8 +128,14 @@ QStringList differences(const robot::NewMap& sent, const robot::MapParts& held) 
                .arg(now.grid.origin.y_m);
   if (sent.data && now.data_bytes && *now.data_bytes != std::int64_t(sent.data->size()))
     all << NewMapText::tr("its data has %1 of %2 bytes").arg(*now.data_bytes).arg(sent.data->size());
-  if (!showTheSame(sent.picture, held.picture)) all << NewMapText::tr("its picture is another one");
-  if (!sent.overlays.empty() && now.overlays.empty()) all << NewMapText::tr("it has no overlays");
+  if (!held.picture) {
+    all << NewMapText::tr("its picture cannot be loaded");
+  } else if (!showTheSame(sent.picture, held.picture)) {
+    all << NewMapText::tr("its picture is another one");
+  }
+  if (!sent.overlays.empty() && !holdsOverlays(now.overlays, sent.overlays))
+    all << (now.overlays.empty() ? NewMapText::tr("it has no overlays")
+                                 : NewMapText::tr("its overlays are other ones"));
   if (!sent.uid.empty() && now.uid != sent.uid) all << NewMapText::tr("it has another uid");
   return all;
 }

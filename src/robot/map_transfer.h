@@ -26,7 +26,7 @@ struct MapFacts {
   bool operator==(const MapFacts&) const = default;
 };
 
-/// A map with its picture (PNG).
+/// A map with its picture (PNG). Null: a map that was added has none that can be loaded.
 struct MapParts {
   MapFacts facts;
   std::shared_ptr<const std::string> picture;

@@ -43,6 +43,31 @@ class TestNewMap : public QObject {
     QCOMPARE(jobs::differences(sent, held).size(), 1);
     held.picture = std::make_shared<const std::string>("no picture");
     QCOMPARE(jobs::differences(sent, held).size(), 1);
+    held.picture = nullptr;
+    QCOMPARE(jobs::differences(sent, held), QStringList(QStringLiteral("its picture cannot be loaded")));
+  }
+
+  void otherOverlaysAreOtherwise() {
+    robot::NewMap sent;
+    robot::MapParts held;
+    sent.picture = held.picture = std::make_shared<const std::string>("a picture");
+    sent.overlays = R"({"type":"FeatureCollection","features":[{"properties":{"name":"A","x":1.50}}]})";
+    const auto odd = [&](const std::string& overlays) {
+      held.facts.overlays = overlays;
+      return jobs::differences(sent, held);
+    };
+    QCOMPARE(odd(sent.overlays), QStringList());
+    // Other blanks, another notation, and an id that the robot gave.
+    QCOMPARE(
+        odd(R"({"features": [{"id": 7, "properties": {"x": 1.5, "name": "A"}}],"type":"FeatureCollection"})"),
+        QStringList());
+    QCOMPARE(odd(""), QStringList(QStringLiteral("it has no overlays")));
+    for (const char* other :
+         {R"({"type":"FeatureCollection","features":[]})", "{\"type\":\"FeatureColl",
+          R"({"type":"FeatureCollection","features":[{"properties":{"name":"B","x":1.50}}]})"})
+      QCOMPARE(odd(other), QStringList(QStringLiteral("its overlays are other ones")));
+    sent.overlays = "no GeoJSON";
+    QCOMPARE(odd("{}").size(), 1);
   }
 };
 

@@ -179,13 +179,22 @@ void TransferRequests::findNew(const AdditionPtr& addition, const std::string& t
                                                              .reason = map::FailureReason::Unfit,
                                                              .cause = wire::fault::NotListedYet}));
                   }
-                  parts(addition->task, found->key, [addition](Outcome<MapParts> now) {
-                    if (now) return addition->reply(std::move(now));
-                    now.error().asked_for = map::AskedFor::Addition;
-                    now.error().applied = map::Applied::Yes;  // it is listed
-                    addition->reply(std::move(now));
-                  });
+                  readBack(addition, found->key);
                 });
+}
+
+void TransferRequests::readBack(const AdditionPtr& addition, const map::MapKey& key) {
+  parts(addition->task, key, [this, addition, key](Outcome<MapParts> now) {
+    if (now) return addition->reply(std::move(now));
+    map::Failure failure = std::move(now.error());
+    failure.asked_for = map::AskedFor::Addition;
+    failure.applied = map::Applied::Yes;  // it is listed
+    // That it sends no picture of it is how it keeps the map.
+    facts(addition->task, key, [addition, failure](Outcome<MapFacts> told) {
+      if (told) return addition->reply(MapParts{std::move(*told), nullptr});
+      addition->reply(fail(failure));
+    });
+  });
 }
 
 }  // namespace mapwright::robot::axbot

@@ -26,6 +26,7 @@ class TransferRequests {
   void send(const AdditionPtr& addition);
   /// Finds it among the maps that were not there before.
   void findNew(const AdditionPtr& addition, const std::string& told_id, std::optional<map::Failure> doubt);
+  void readBack(const AdditionPtr& addition, const map::MapKey& key);
 
   const RobotServer server_;
   MapRequests& maps_;
