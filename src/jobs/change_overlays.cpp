@@ -84,8 +84,28 @@ class OverlayChanging : public std::enable_shared_from_this<OverlayChanging> {
     });
   }
 
+  /// A refusal is not believed either: what the robot holds counts.
+  void lookAfterRefusal(const map::Failure& failure) {
+    under_way_ = store_.read(order_.map, [self = shared_from_this(), failure](Outcome<OverlayText> now) {
+      const bool changed = !now || now->text != self->outcome_.before;
+      const auto held = now ? OverlayDocument::read(now->text) : OverlayDocument();
+      if (now && changed && held && otherwiseHeld(self->outcome_.merge.document, *held).empty())
+        return self->compare(std::move(now));
+      map::Failure refused = failure;
+      // What it holds is neither: was it this change? A conflict says that it was somebody else's.
+      if (changed && failure.kind != map::FailureKind::Conflict) refused.applied = map::Applied::Maybe;
+      self->end(robot::fail(std::move(refused)));
+    });
+  }
+
   void compare(Outcome<OverlayText> stored) {
-    if (!stored) return end(robot::fail(std::move(stored.error())));
+    if (!stored) {
+      using map::FailureKind;
+      const FailureKind kind = stored.error().kind;
+      const bool refused = kind == FailureKind::RejectedByRobot || kind == FailureKind::Refused ||
+                           kind == FailureKind::Conflict;
+      return refused ? lookAfterRefusal(stored.error()) : end(robot::fail(std::move(stored.error())));
+    }
     if (order_.seen) order_.seen(*stored, true);
     const auto now = OverlayDocument::read(stored->text);
     outcome_.version = stored->version;

@@ -163,6 +163,28 @@ class TestChangeOverlays : public QObject {
     QVERIFY(outcome && outcome->certain());
   }
 
+  void aRefusalIsNotBelieved() {
+    for (const auto kind :
+         {map::FailureKind::RejectedByRobot, map::FailureKind::Refused, map::FailureKind::Conflict}) {
+      Store store;
+      const auto refuses = [&](const std::string& keeps) {
+        store.stores = [&store, kind, keeps](const std::string& text) -> Outcome<OverlayText> {
+          if (!keeps.empty()) store.held = {keeps == "all" ? text : keeps, 6, "uid", "Hall"};
+          return robot::fail(map::Failure{.kind = kind, .asked_for = map::AskedFor::Change});
+        };
+        return change(store, features(kWall + "," + kPoint), features(kWall));
+      };
+      const auto not_done = refuses("");
+      QVERIFY(!not_done && not_done.error().kind == kind && not_done.error().applied == map::Applied::No);
+      const auto other = refuses(features(""));
+      QVERIFY(!other && other.error().kind == kind);
+      QCOMPARE(other.error().applied == map::Applied::Maybe, kind != map::FailureKind::Conflict);
+      store.held = {features(kWall), 5, "uid", "Hall"};
+      const auto done = refuses("all");
+      QVERIFY(done && done->certain() && done->version == 6);
+    }
+  }
+
   void aRefusalComesThrough() {
     Store store;
     store.stores = [&](const std::string&) -> Outcome<OverlayText> {
