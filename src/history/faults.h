@@ -14,4 +14,8 @@ inline constexpr FaultCode StoreNotUsable{
 inline constexpr FaultCode NoSuchVersion{"history",
                                          QT_TRANSLATE_NOOP("history", "There is no version %1 here.")};
 
+/// the number
+inline constexpr FaultCode VersionDamaged{
+    "history", QT_TRANSLATE_NOOP("history", "Version %1 is damaged on the disk. Nothing is done with it.")};
+
 }  // namespace mapwright::history::fault

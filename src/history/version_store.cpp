@@ -16,11 +16,19 @@ constexpr int kBusyMs = 5'000;  // another program may be writing
 constexpr const char* kMake = R"(
   CREATE TABLE IF NOT EXISTS versions (
     number INTEGER PRIMARY KEY AUTOINCREMENT, robot TEXT NOT NULL, uid TEXT NOT NULL, id TEXT NOT NULL, name TEXT NOT NULL,
-    version INTEGER, saved INTEGER NOT NULL, kept REAL NOT NULL, text BLOB NOT NULL);
+    version INTEGER, saved INTEGER NOT NULL, kept REAL NOT NULL, text BLOB NOT NULL,
+    sum INTEGER);
   CREATE INDEX IF NOT EXISTS versions_of_map ON versions (robot, uid, number);
 )";
 constexpr const char* kColumns =
     "SELECT number,robot,uid,id,name,version,saved,kept,length(text) FROM versions ";
+
+/// FNV-1a: what the disk makes of a text is noticed.
+std::int64_t sumOf(const std::string& text) {
+  std::uint64_t sum = 14695981039346656037U;
+  for (const char byte : text) sum = (sum ^ std::uint8_t(byte)) * 1099511628211U;
+  return std::int64_t(sum);
+}
 
 }  // namespace
 
@@ -107,6 +115,11 @@ tl::expected<VersionStore, Fault> VersionStore::open(const std::string& path, Li
   if (!opened || sqlite3_errcode(opened) != SQLITE_OK) return tl::make_unexpected(store.problem());
   sqlite3_busy_timeout(opened, kBusyMs);
   if (auto why = store.run(kMake)) return tl::make_unexpected(std::move(*why));
+  // Versions of older programs have no checksum.
+  if (Question(opened, "SELECT sum FROM versions LIMIT 0").step() != SQLITE_DONE) {
+    if (auto why = store.run("ALTER TABLE versions ADD COLUMN sum INTEGER"))
+      return tl::make_unexpected(std::move(*why));
+  }
   return store;
 }
 
@@ -134,11 +147,12 @@ std::optional<Fault> VersionStore::keep(const MapName& map, std::optional<int> v
     if (found == SQLITE_ROW && newest.text(0) == text) return undone(std::nullopt);
     if (found != SQLITE_ROW && found != SQLITE_DONE) return undone(problem());
   }
-  Question put(database_.get(),
-               "INSERT INTO versions (robot,uid,id,name,version,saved,kept,text) VALUES (?,?,?,?,?,?,?,?)");
+  Question put(
+      database_.get(),
+      "INSERT INTO versions (robot,uid,id,name,version,saved,kept,text,sum) VALUES (?,?,?,?,?,?,?,?,?)");
   put.with(map.robot).with(map.uid).with(map.id).with(map.name).with(version).with(
       std::int64_t(origin == Origin::Saved));
-  if (put.with(now_s).withBytes(text).step() != SQLITE_DONE) return undone(problem());
+  if (put.with(now_s).withBytes(text).with(sumOf(text)).step() != SQLITE_DONE) return undone(problem());
   if (auto why = forget(map, sqlite3_last_insert_rowid(database_.get()))) return undone(std::move(why));
   if (auto why = run("COMMIT")) return undone(std::move(why));
   return std::nullopt;
@@ -183,9 +197,13 @@ tl::expected<std::optional<KeptVersion>, Fault> VersionStore::find(std::int64_t 
 }
 
 tl::expected<std::string, Fault> VersionStore::text(std::int64_t number) const {
-  Question one(database_.get(), "SELECT text FROM versions WHERE number = ?");
+  Question one(database_.get(), "SELECT text,sum FROM versions WHERE number = ?");
   const int found = one.with(number).step();
-  if (found == SQLITE_ROW) return one.text(0);
+  if (found == SQLITE_ROW) {
+    std::string text = one.text(0);
+    if (one.none(1) || one.number(1) == sumOf(text)) return text;
+    return tl::make_unexpected(Fault(fault::VersionDamaged, {number}));
+  }
   if (found == SQLITE_DONE) return tl::make_unexpected(Fault(fault::NoSuchVersion, {number}));
   return tl::make_unexpected(problem());
 }

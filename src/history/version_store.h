@@ -65,6 +65,7 @@ class VersionStore {
   tl::expected<std::vector<KeptVersion>, Fault> list(const std::string& robot, const std::string& uid) const;
   /// Of one; nullopt: there is no such number.
   tl::expected<std::optional<KeptVersion>, Fault> find(std::int64_t number) const;
+  /// To the byte as it was kept, or it is said to be damaged.
   tl::expected<std::string, Fault> text(std::int64_t number) const;
 
  private:

@@ -1,4 +1,6 @@
 // Versions of overlays are kept, found again and bounded, whatever happens to the file.
+#include <sqlite3.h>
+
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -80,6 +82,35 @@ class VersionStoreTest : public QObject {
     QVERIFY(!other.keep(kHall, 2, Origin::Read, "b", 2));
     QVERIFY(!one.keep(kHall, 2, Origin::Read, "b", 3));
     QCOMPARE(one.list("", "")->size(), std::size_t(2));
+  }
+
+  void aVersionThatWasDamagedIsNotGivenOut() {
+    QVERIFY(!store().keep(kHall, 1, Origin::Read, "the wall is at 1.50 m", 1));
+    QVERIFY(!store().keep(kHall, 2, Origin::Read, "the wall is at 2.50 m", 2));
+    QFile file(QString::fromStdString(path()));
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    const QByteArray bytes = file.readAll();
+    QVERIFY(bytes.count("1.50 m") == 1 && file.seek(bytes.indexOf("1.50 m")) && file.write("7") == 1);
+    file.close();
+    const auto versions = store().list("", "");
+    QVERIFY(versions && versions->size() == 2);
+    const auto damaged = store().text(versions->back().number);
+    QVERIFY(!damaged && inEnglish(damaged.error()).find("damaged") != std::string::npos);
+    QCOMPARE(store().text(versions->front().number).value(), std::string("the wall is at 2.50 m"));
+  }
+
+  void versionsOfOlderProgramsAreRead() {
+    QVERIFY(!store().keep(kHall, 1, Origin::Read, "old", 1));
+    sqlite3* database = nullptr;
+    QCOMPARE(sqlite3_open(path().c_str(), &database), SQLITE_OK);
+    QCOMPARE(sqlite3_exec(database, "ALTER TABLE versions DROP COLUMN sum", nullptr, nullptr, nullptr),
+             SQLITE_OK);
+    sqlite3_close(database);
+    QVERIFY(!store().keep(kHall, 2, Origin::Read, "new", 2));
+    const auto versions = store().list("", "");
+    QVERIFY(versions && versions->size() == 2);
+    QCOMPARE(store().text(versions->back().number).value(), std::string("old"));
+    QCOMPARE(store().text(versions->front().number).value(), std::string("new"));
   }
 
   void whatIsNoStoreIsSaid() {
