@@ -16,6 +16,7 @@ struct OverlayText {
   std::string text;            // GeoJSON as the robot keeps it, to the byte; may be empty
   std::optional<int> version;  // goes up with every change; nullopt: not told
   std::string map_uid, map_name;
+  std::string map_id = {};  // as the robot spells it; empty: not told
 };
 
 /// Capability: read the overlays of a map, and replace them. Call it on the thread that made the robot;

@@ -7,7 +7,9 @@
 
 #include "net/http_cache.h"
 #include "robot/axbot/axbot_robot.h"
+#include "robot/map_administration.h"
 #include "robot/map_transfer.h"
+#include "robot/overlay_store.h"
 #include "ros_messages/wrapper.pb.h"
 #include "scripted_robot.h"
 #include "sentences/failure_sentence.h"
@@ -563,6 +565,20 @@ class AxbotRobotTest : public QObject {
     server_->serve("/maps/1.pbstream", "0123456789");
     const auto whole = download();
     QVERIFY(whole && whole->bytes == 10 && !whole->resumed);
+  }
+
+  void anIdInAnotherSpellingChangesNothing() {
+    server_->serve("/maps/01", R"({"id":1,"map_name":"Hall","overlays":""})");
+    const map::MapKey key{map::MapKind::Stored, "01"};
+    for (const MapChange change : {MapChange::Delete, MapChange::Rename, MapChange::Load}) {
+      const auto done = answerTo<map::CatalogueEntry>([&](auto reply) {
+        robot_->mapAdministration()->carryOut({change, key, "Hall"}, reply);
+      });
+      QVERIFY(!done && done.error().reason == map::FailureReason::NotThere);
+    }
+    const auto held = answerTo<OverlayText>([&](auto reply) { robot_->overlayStore()->read(key, reply); });
+    QVERIFY(!held && held.error().reason == map::FailureReason::NotThere);
+    for (const testing::Asked& asked : server_->asked) QCOMPARE(asked.method, QByteArray("GET"));
   }
 
   void aWrongPictureAddressFallsBackToTheUsualOne() {

@@ -27,12 +27,16 @@ bool isOfOne(MapChange change) {
   return change == MapChange::Rename || change == MapChange::Load || change == MapChange::Delete;
 }
 
+/// As robots write them; what is none may be another spelling of an id, or a word of the robot.
+bool isNumber(const std::string& id) {
+  const QString text = QString::fromStdString(id);
+  return QString::number(text.toULongLong()) == text;
+}
+
 /// Ids are numbers: whoever gets one as text refuses it.
 QJsonValue idValue(const std::string& id) {
   const QString text = QString::fromStdString(id);
-  bool whole = false;
-  const qlonglong number = text.toLongLong(&whole);
-  return whole ? QJsonValue(number) : QJsonValue(text);
+  return isNumber(id) ? QJsonValue(text.toLongLong()) : QJsonValue(text);
 }
 
 }  // namespace
@@ -41,7 +45,7 @@ struct MapChanges::Change {
   Task task;
   MapOrder order;
   OutcomeTo<map::CatalogueEntry> reply;
-  map::CatalogueEntry before = {};
+  map::CatalogueEntry before = {};          // of the map that is changed
   std::set<std::string> ids_before = {};    // Save: of the maps
   std::optional<map::MapKey> mapping = {};  // that is ended
 
@@ -67,7 +71,20 @@ void MapChanges::carryOut(const Task& task, const MapOrder& order, OutcomeTo<map
                                            .asked_for = map::AskedFor::Change,
                                            .reason = map::FailureReason::NoSuchId}));
   }
-  switch (order.change) {
+  const bool looks = order.change == MapChange::Delete || !isNumber(order.key.id);
+  if (!isOfOne(order.change) || !looks) return begin(change);
+  maps_.describe(task, order.key, [this, change](Outcome<map::CatalogueEntry> before) {
+    if (!before) {
+      before.error().asked_for = map::AskedFor::Change;
+      return change->reply(fail(std::move(before.error())));
+    }
+    change->before = std::move(*before);
+    begin(change);
+  });
+}
+
+void MapChanges::begin(const ChangePtr& change) {
+  switch (change->order.change) {
     case MapChange::Rename:
       return rename(change);
     case MapChange::Load:
@@ -143,25 +160,18 @@ void MapChanges::load(const ChangePtr& change) {
 }
 
 void MapChanges::remove(const ChangePtr& change) {
-  maps_.describe(change->task, change->order.key, [this, change](Outcome<map::CatalogueEntry> before) {
-    if (!before) {
-      before.error().asked_for = map::AskedFor::Change;
-      return change->reply(fail(std::move(before.error())));
-    }
-    change->before = std::move(*before);
-    send(change, net::HttpMethod::Delete, pathOfMap(change->order.key), {},
-         [this](const ChangePtr& of, Seen seen) {
-           maps_.listAll(of->task,
-                         [of, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
-                           if (!list) return seen(fail(std::move(list.error())), false);
-                           const bool there = std::any_of(
-                               list->begin(), list->end(),
-                               [&](const map::CatalogueEntry& entry) { return entry.key == of->order.key; });
-                           if (!there) return seen(std::move(of->before), true);
-                           seen(fail(wire::otherwise(of->subject(), wire::fault::StillListed)), false);
-                         });
-         });
-  });
+  send(
+      change, net::HttpMethod::Delete, pathOfMap(change->order.key), {},
+      [this](const ChangePtr& of, Seen seen) {
+        maps_.listAll(of->task, [of, seen = std::move(seen)](Outcome<std::vector<map::CatalogueEntry>> list) {
+          if (!list) return seen(fail(std::move(list.error())), false);
+          const bool there = std::any_of(list->begin(), list->end(), [&](const map::CatalogueEntry& entry) {
+            return entry.key == of->order.key;
+          });
+          if (!there) return seen(std::move(of->before), true);
+          seen(fail(wire::otherwise(of->subject(), wire::fault::StillListed)), false);
+        });
+      });
 }
 
 MapChanges::Look MapChanges::lookForMapping(bool wanted) {

@@ -29,6 +29,7 @@ class MapChanges {
  private:
   struct Change;
   using ChangePtr = std::shared_ptr<Change>;
+  void begin(const ChangePtr& change);
   /// Gets how it is now, and whether that is what was wanted.
   using Seen = std::function<void(Outcome<map::CatalogueEntry> now, bool holds)>;
   using Look = std::function<void(const ChangePtr& change, Seen seen)>;

@@ -187,7 +187,9 @@ void MapRequests::detail(const Task& task, const map::MapKey& key, OutcomeTo<Map
 }
 
 void MapRequests::describe(const Task& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
-  detail(task, key, [reply = std::move(reply)](const Outcome<MapDetail>& detail) {
+  detail(task, key, [key, reply = std::move(reply)](const Outcome<MapDetail>& detail) {
+    // "01" may bring the map 1, and mean all of them elsewhere.
+    if (detail && detail->entry.key != key) return reply(fail(wire::notThere(map::subjectOf(key))));
     reply(detail.map([](const MapDetail& known) { return known.entry; }));
   });
 }

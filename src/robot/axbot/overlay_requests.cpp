@@ -36,6 +36,7 @@ std::string plainText(const std::optional<JsonValue>& value) {
 
 OverlayText aboutMap(const JsonValue& map) {
   OverlayText about;
+  about.map_id = plainText(map.member("id"));
   about.map_uid = plainText(map.member(map.member("uid") ? "uid" : "map_uid"));
   about.map_name = plainText(map.member(map.member("map_name") ? "map_name" : "name"));
   const std::string version = plainText(map.member("overlays_version"));
@@ -85,7 +86,10 @@ void OverlayRequests::read(const Task& task, const map::MapKey& key, OutcomeTo<O
 void OverlayRequests::readStored(const Task& task, const map::MapKey& key, OutcomeTo<OverlayText> reply) {
   wire::send(task, server_.http, server_.request(*addressOf(key)),
              [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
-               reply(wire::outcomeOf(answer, map::subjectOf(key), parseOverlayText));
+               auto told = wire::outcomeOf(answer, map::subjectOf(key), parseOverlayText);
+               if (told && !told->map_id.empty() && told->map_id != key.id)
+                 return reply(fail(wire::notThere(map::subjectOf(key))));
+               reply(std::move(told));
              });
 }
 

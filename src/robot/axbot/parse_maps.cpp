@@ -247,7 +247,7 @@ tl::expected<MapDetail, Fault> parseMapDetail(std::string_view body, const map::
   if (!root || !root->is_object()) return refused(robot::wire::fault::AnswerIsNoMap);
   MapDetail detail;
   detail.entry = entryOf(*root, key.kind);
-  detail.entry.key = key;
+  if (key.kind != map::MapKind::Stored || detail.entry.key.id.empty()) detail.entry.key = key;
   detail.grid = listedGrid(*root);
   detail.image_url = wire::text(*root, {"image_url"});
   detail.trajectories_url = wire::text(*root, {"trajectories_url", "trajectory_url"});
