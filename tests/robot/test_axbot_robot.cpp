@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "../net/scripted_server.h"
 #include "net/http_cache.h"
 #include "robot/axbot/axbot_robot.h"
 #include "robot/map_administration.h"
@@ -579,6 +580,35 @@ class AxbotRobotTest : public QObject {
     const auto held = answerTo<OverlayText>([&](auto reply) { robot_->overlayStore()->read(key, reply); });
     QVERIFY(!held && held.error().reason == map::FailureReason::NotThere);
     for (const testing::Asked& asked : server_->asked) QCOMPARE(asked.method, QByteArray("GET"));
+  }
+
+  void aRefusalOfAChangeIsNotBelieved_data() {
+    QTest::addColumn<bool>("makes_it");
+    QTest::newRow("made all the same") << true;
+    QTest::newRow("not made") << false;
+  }
+  void aRefusalOfAChangeIsNotBelieved() {
+    QFETCH(const bool, makes_it);
+    QByteArray name = "Hall";
+    net::testing::ScriptedServer server([&](const net::testing::SeenRequest& request) {
+      using Server = net::testing::ScriptedServer;
+      if (request.method == "PATCH") {
+        if (makes_it) name = "Yard";
+        return Server::reply(409, {}, R"({"detail":"busy"})");
+      }
+      if (request.path == "/maps/1")
+        return Server::reply(200, {}, R"({"id":1,"map_name":")" + name + R"("})");
+      return Server::reply(404, {}, "{}");
+    });
+    axbot::LinkOptions link;
+    link.base = server.url(QString());
+    link.cache_folder = cache_->path();
+    AxbotRobot robot(QStringLiteral("axbot"), link);
+    const auto done = answerTo<map::CatalogueEntry>([&](auto reply) {
+      robot.mapAdministration()->carryOut({MapChange::Rename, {map::MapKind::Stored, "1"}, "Yard"}, reply);
+    });
+    QCOMPARE(done.has_value(), makes_it);
+    if (!done) QVERIFY(done.error().applied == map::Applied::No);
   }
 
   void aWrongPictureAddressFallsBackToTheUsualOne() {

@@ -113,27 +113,29 @@ void MapChanges::send(const ChangePtr& change, net::HttpMethod method, const QSt
   if (!body.isEmpty()) request.body = QJsonDocument(body).toJson(QJsonDocument::Compact);
   wire::send(change->task, server_.http, request,
              [change, look = std::move(look)](const net::HttpAnswer& answer) {
-               if (answer.ok()) {
-                 if (auto refusal = refusalIn(answer, change->subject()))
-                   return change->reply(fail(std::move(*refusal)));
-                 // Answers to a change depend on the firmware: look again.
-                 return look(change, [change](Outcome<map::CatalogueEntry> now, bool) {
-                   if (now || now.error().reason == map::FailureReason::Unfit)
-                     return change->reply(std::move(now));
-                   // It said that it did it; how it is now is what counts, and nobody knows that.
-                   now.error().asked_for = map::AskedFor::Change;
-                   now.error().applied = map::Applied::Maybe;
-                   change->reply(std::move(now));
-                 });
-               }
-               map::Failure failure = wire::failed(answer, change->subject(), map::AskedFor::Change);
-               if (failure.applied == map::Applied::No || failure.kind == map::FailureKind::Cancelled)
-                 return change->reply(fail(failure));
-               failure.applied = map::Applied::Maybe;
-               // A look may replace the lost answer. If it is not so yet that proves nothing: the robot may
+               std::optional<map::Failure> doubt =
+                   answer.ok() ? refusalIn(answer, change->subject())
+                               : wire::failed(answer, change->subject(), map::AskedFor::Change);
+               if (doubt && (!answer.sent || doubt->kind == map::FailureKind::Cancelled))
+                 return change->reply(fail(std::move(*doubt)));
+               const bool refused = doubt && doubt->applied == map::Applied::No;
+               if (doubt && !refused) doubt->applied = map::Applied::Maybe;
+               // Answers to a change depend on the firmware: look again. That may replace a lost answer, and
+               // tell of a refusal that it is none. If it is not so yet that proves nothing: the robot may
                // still be working.
-               look(change, [change, failure](Outcome<map::CatalogueEntry> now, bool holds) {
-                 now&& holds ? change->reply(std::move(now)) : change->reply(fail(failure));
+               look(change, [change, doubt, refused](Outcome<map::CatalogueEntry> now, bool holds) {
+                 if (doubt && (!now || !holds)) return change->reply(fail(*doubt));
+                 if (refused && change->order.change == MapChange::Load) {
+                   map::Failure unclear = *doubt;  // it may have been the current one before
+                   unclear.applied = map::Applied::Maybe;
+                   return change->reply(fail(std::move(unclear)));
+                 }
+                 if (now || now.error().reason == map::FailureReason::Unfit)
+                   return change->reply(std::move(now));
+                 // It said that it did it; how it is now is what counts, and nobody knows that.
+                 now.error().asked_for = map::AskedFor::Change;
+                 now.error().applied = map::Applied::Maybe;
+                 change->reply(std::move(now));
                });
              });
 }

@@ -139,14 +139,14 @@ void TransferRequests::send(const AdditionPtr& addition) {
   request.body = QJsonDocument(body).toJson(QJsonDocument::Compact);
   const auto take = [this, addition](const net::HttpAnswer& answer) {
     if (answer.ok()) {
-      if (auto refusal = refusalIn(answer, addition->subject()))
-        return addition->reply(fail(std::move(*refusal)));
-      return findNew(addition, parseNewId(wire::view(answer.body)), std::nullopt);
+      auto refusal = refusalIn(answer, addition->subject());
+      const std::string id = refusal ? std::string() : parseNewId(wire::view(answer.body));
+      return findNew(addition, id, std::move(refusal));
     }
     map::Failure failure = wire::failed(answer, addition->subject(), map::AskedFor::Addition);
-    if (failure.applied == map::Applied::No || failure.kind == map::FailureKind::Cancelled)
+    if (!answer.sent || failure.kind == map::FailureKind::Cancelled)
       return addition->reply(fail(std::move(failure)));
-    failure.applied = map::Applied::Maybe;
+    if (failure.applied != map::Applied::No) failure.applied = map::Applied::Maybe;
     findNew(addition, {}, std::move(failure));
   };
   wire::send(addition->task, server_.http, std::move(request), take, true);
