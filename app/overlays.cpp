@@ -188,6 +188,8 @@ QString doubtOf(const jobs::OverlayOutcome& outcome) {
   if (!outcome.differs.empty())
     sentences << Text::tr("The robot holds something else than was sent (%1).")
                      .arg(featuresCalled(outcome.differs));
+  if (!outcome.differs.empty() && outcome.version && outcome.version == outcome.version_before)
+    sentences << Text::tr("It counts no change yet, and may still make it: look again in a moment.");
   return sentences.join(QLatin1Char(' '));
 }
 
