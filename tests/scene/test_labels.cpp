@@ -86,11 +86,11 @@ class LabelsTest : public QObject {
  private Q_SLOTS:
   void whatWasDrawnBeforeChangesNoLabel() {
     const scene::MapTheme theme = scene::lightMapTheme();
-    const auto drawn = [&theme](const char* text) {
+    const auto drawn = [&theme](const char* text, bool struck_through = false) {
       QImage image(200, 40, QImage::Format_ARGB32_Premultiplied);
       image.fill(Qt::white);
       QPainter painter(&image);
-      scene::drawLabel(painter, {10, 25}, QString::fromUtf8(text), theme, theme.text, false);
+      scene::drawLabel(painter, {10, 25}, QString::fromUtf8(text), theme, theme.text, struck_through);
       return image;
     };
     const auto width = [&theme] {
@@ -102,6 +102,7 @@ class LabelsTest : public QObject {
       QCOMPARE(drawn("\U0001F680 x"), emoji);
       QCOMPARE(drawn("Waypoint 12"), plain);
       QCOMPARE(width(), wide);
+      QVERIFY(drawn("Waypoint 12", true) != plain);
     }
   }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include <QFontMetricsF>
 #include <QGlyphRun>
 #include <QRawFont>
 #include <QTextLayout>
