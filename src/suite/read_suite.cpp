@@ -11,6 +11,7 @@
 #include <QStringList>
 
 #include "words/qt_plain.h"
+#include "yaml/read_yaml.h"
 
 namespace mapwright::suite {
 namespace {
@@ -241,6 +242,23 @@ Suite suiteIn(const YAML::Node& root, const KnownOptions& known) {
   return suite;
 }
 
+QString sentenceOf(const yaml::Broken& broken) {
+  const auto what = [&] {
+    switch (broken.code) {
+      case yaml::Broken::Code::TooLong:
+        return SuiteText::tr("It is larger than %1 MiB.").arg(kMostSuiteBytes >> 20);
+      case yaml::Broken::Code::TooMuch:
+        return SuiteText::tr("It has too many values; an alias counts as what it stands for.");
+      case yaml::Broken::Code::TooDeep:
+        return SuiteText::tr("It is nested too deeply.");
+      case yaml::Broken::Code::NotYaml:
+        break;
+    }
+    return SuiteText::tr("It is not YAML: %1.").arg(shown(broken.detail));
+  };
+  return atPosition({broken.line, broken.column}, what());
+}
+
 }  // namespace
 
 QString atPosition(Position at, const QString& sentence) {
@@ -249,17 +267,14 @@ QString atPosition(Position at, const QString& sentence) {
       .arg(QString::number(at.line), QString::number(at.column), sentence);
 }
 
-tl::expected<Suite, QString> readSuite(const std::string& yaml, const KnownOptions& known) {
-  if (yaml.size() > kMostSuiteBytes)
-    return tl::make_unexpected(SuiteText::tr("It is larger than %1 MiB.").arg(kMostSuiteBytes >> 20));
+tl::expected<Suite, QString> readSuite(const std::string& text, const KnownOptions& known) {
+  const auto document = yaml::readYaml(text, {.most_bytes = kMostSuiteBytes});
+  if (!document) return tl::make_unexpected(sentenceOf(document.error()));
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(yaml);
-    for (std::size_t i = 1; i < documents.size(); ++i) {
-      if (!documents[i].IsNull())
-        throw refusedAt(documents[i].Mark(),
-                        SuiteText::tr("A second document begins here: a suite is one. Leave out the ---."));
-    }
-    return suiteIn(documents.empty() ? YAML::Node() : documents.front(), known);
+    if (document->next)
+      throw refusedAt(*document->next,
+                      SuiteText::tr("A second document begins here: a suite is one. Leave out the ---."));
+    return suiteIn(document->root, known);
   } catch (const Refused& refused) {
     return tl::make_unexpected(refused.sentence);
   } catch (const YAML::Exception& broken) {

@@ -91,6 +91,9 @@ class ReadSuiteTest : public QObject {
         "Line 4, column 1: ", "second document");
     row("views in the second document", "---\n---\nviews:\n  - {name: b}",
         "Line 3, column 1: ", "second document");
+    row("a comma at the end", "{\"views\": [{\"name\": \"a\"}]},", "Line 1, column 27: ", "not YAML");
+    row("nothing but a comma", ",", "Line 1, column 1: ", "not YAML");
+    row("a view of itself", "views: &v\n  - {name: a, size: *v}", "Line 2, column ", "not YAML");
     row("no views", "views: []", "Line 1", "no views");
     row("nothing", "", "", "no views");
     row("a text", "hello", "", "no views");

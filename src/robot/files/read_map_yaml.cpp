@@ -7,12 +7,12 @@
 #include <ctime>
 #include <optional>
 #include <sys/stat.h>
-#include <yaml-cpp/yaml.h>
 
 #include "disk/file_error.h"
 #include "disk/read_file.h"
 #include "map/faults.h"
 #include "robot/files/faults.h"
+#include "yaml/read_yaml.h"
 
 namespace mapwright::robot::files {
 namespace {
@@ -131,9 +131,11 @@ std::int64_t nanoseconds(const timespec& time) {
 
 tl::expected<MapYaml, Fault> parseMapYaml(const std::string& text) {
   if (text.size() > kMaxYamlBytes) return refused(fault::YamlTooLong);
+  const auto document = yaml::readYaml(text);
+  if (!document) return refused({fault::YamlBroken, {document.error().line}});
   MapYaml yaml;
   try {
-    const YAML::Node root = YAML::Load(text);
+    const YAML::Node& root = document->root;
     if (!root.IsMap()) return refused(fault::YamlIsNone);
     if (auto why = readAll(root, yaml)) return refused(std::move(*why));
   } catch (const YAML::Exception& broken) {
