@@ -21,6 +21,7 @@ constexpr double kSweepStepS = 0.01;  // how often the pose of a scan is looked 
 constexpr int kMostSweepSteps = 32;
 constexpr double kMarkersEveryS = 0.05;    // how often waiting ones are checked
 constexpr std::size_t kMostUnusable = 20;  // frames without a valid transform that are reported
+constexpr const char* kBases[] = {"base_link", "base_footprint"};
 
 map::GridKind kindOf(Stream stream) {
   return stream == Stream::CostmapLow    ? map::GridKind::CostmapLow
@@ -58,7 +59,9 @@ void RosWorld::forget(const std::string& topic) {
 }
 
 void RosWorld::forgetAll() {
+  const std::vector<std::string> robots = transforms_.namespaces();
   transforms_ = {};
+  transforms_.setNamespaces(robots);
   unusable_.clear();
   map_frame_.clear();
   own_frame_.clear();
@@ -71,26 +74,40 @@ void RosWorld::forgetAll() {
 }
 
 std::string RosWorld::robotFrame() const {
-  const std::string own = frameName(ns_);
+  const std::vector<std::string>& robots = transforms_.namespaces();
+  return robotFrameOf(robots.empty() ? std::string() : robots.front());
+}
+
+std::string RosWorld::robotFrameOf(const std::string& robot) const {
+  const Transforms& transforms = transforms_.of(robot + '/');
+  const std::string own = frameName(robot.empty() ? ns_ : robot);
   for (const std::string& prefix : {own.empty() ? std::string() : own + '/', std::string()}) {
-    for (const char* base : {"base_link", "base_footprint"}) {
-      if (transforms_.knows(prefix + base)) return prefix + base;
+    for (const char* base : kBases) {
+      if (transforms.knows(prefix + base)) return prefix + base;
     }
   }
-  const std::vector<std::string> frames = transforms_.frames();
-  for (const char* base : {"/base_link", "/base_footprint"}) {
+  const std::vector<std::string> frames = transforms.frames();
+  for (const char* base : kBases) {
     for (const std::string& frame : frames) {
-      if (frame.ends_with(base)) return frame;
+      if (frame.ends_with('/' + std::string(base))) return frame;
     }
   }
   return {};
 }
 
-bool RosWorld::fixedByMap() const { return !map_frame_.empty() || transforms_.knows(kMap); }
+std::string RosWorld::shownRobot() const {
+  const std::vector<std::string>& robots = transforms_.namespaces();
+  for (const std::string& robot : robots) {
+    if (!robotFrameOf(robot).empty()) return robot;
+  }
+  return robots.empty() ? std::string() : robots.front();
+}
+
+bool RosWorld::fixedByMap() const { return !map_frame_.empty() || transforms().knows(kMap); }
 
 std::vector<std::pair<Transforms::Newest, double>> RosWorld::ages(double now_s) const {
   std::vector<std::pair<Transforms::Newest, double>> ages;
-  const std::vector<Transforms::Newest> pairs = transforms_.newest();
+  const std::vector<Transforms::Newest> pairs = transforms().newest();
   // The robot's clock is its newest stamp plus the time since that transform arrived.
   for (const Transforms::Newest& pair : pairs)
     ages.emplace_back(pair, pairs.back().stamp_s - pair.stamp_s + std::max(0.0, now_s - latest_s_));
@@ -99,17 +116,17 @@ std::vector<std::pair<Transforms::Newest, double>> RosWorld::ages(double now_s) 
 
 bool RosWorld::posedByTransforms() const {
   const std::string robot = robotFrame();
-  return !robot.empty() && transforms_.find(fixedFrame(), robot, {}).has_value();
+  return !robot.empty() && transforms().find(fixedFrame(), robot, {}).has_value();
 }
 
 std::optional<std::string> RosWorld::toldFrame() const {
   if (!map_frame_.empty()) return map_frame_;
-  if (transforms_.knows(kMap)) return kMap;
+  if (transforms().knows(kMap)) return kMap;
   // Transforms arrive gradually, static ones first: their root is only valid once the others had time.
   if (first_transform_s_ == 0 || latest_s_ - first_transform_s_ < kLongestWaitS) return std::nullopt;
   const std::string robot = robotFrame();
-  for (const std::string& root : transforms_.roots()) {
-    if (!robot.empty() && root != robot && transforms_.find(root, robot, {})) return root;
+  for (const std::string& root : transforms().roots()) {
+    if (!robot.empty() && root != robot && transforms().find(root, robot, {})) return root;
   }
   return std::nullopt;
 }
@@ -151,10 +168,12 @@ Read<bool> patchGrid(Grid& grid, const GridPatch& patch) {
   return true;
 }
 
-tl::expected<geometry::Pose2, Missing> RosWorld::inFixedFrame(const Placed& placed) const {
+tl::expected<geometry::Pose2, Missing> RosWorld::inFixedFrame(const std::string& topic,
+                                                              const Placed& placed) const {
   const std::string fixed = fixedFrame();
   // A pose may be sent only once: the present pose of its frame is used.
-  const auto found = transforms_.find(fixed, placed.header.frame.empty() ? fixed : placed.header.frame, {});
+  const std::string& frame = placed.header.frame.empty() ? fixed : placed.header.frame;
+  const auto found = transforms_.find(topic, fixed, frame, {});
   if (!found) return tl::make_unexpected(found.error());
   return placedIn(placed, *found);
 }
@@ -168,16 +187,16 @@ std::optional<RosWorld::Located> RosWorld::located() const {
   std::optional<Fault> why;
   if (const std::string robot = robotFrame(); !robot.empty()) {
     const std::string fixed = fixedFrame();
-    const auto found = transforms_.find(fixed, robot, {});
+    const auto found = transforms().find(fixed, robot, {});
     if (found)
-      return Located{found->flat(), {}, transforms_.latestCommon(fixed, robot).value_or(std::nullopt)};
+      return Located{found->flat(), {}, transforms().latestCommon(fixed, robot).value_or(std::nullopt)};
     why = reasonOf(found.error());
   }
   // A pose on the map takes precedence over odometry.
   for (const Form form : {Form::PoseWithCovariance, Form::PoseStamped, Form::Odometry}) {
     for (const auto& [topic, told] : topic_poses_) {
       if (told.form != form) continue;
-      const auto pose = inFixedFrame(told.placed);
+      const auto pose = inFixedFrame(topic, told.placed);
       if (pose) return Located{*pose, topic, {}};
       if (!why) why = reasonOf(pose.error());
     }
@@ -188,8 +207,8 @@ std::optional<RosWorld::Located> RosWorld::located() const {
 
 void RosWorld::takeTf(const Source& source, const Field& msg, WorldResult& result) {
   for (const TfRow& row : readTf(msg)) {
-    const auto taken =
-        transforms_.take(row.parent, row.child, row.transform, row.stamp_s, source.form == Form::StaticTf);
+    const auto taken = transforms_.take(source.topic, row.parent, row.child, row.transform, row.stamp_s,
+                                        source.form == Form::StaticTf);
     if (taken != Transforms::Taken::NoNumbers) {
       unusable_.erase({source.topic, row.child});
     } else if (unusable_.size() < kMostUnusable) {
@@ -198,12 +217,17 @@ void RosWorld::takeTf(const Source& source, const Field& msg, WorldResult& resul
   }
   if (first_transform_s_ == 0) first_transform_s_ = result.received_s;
   latest_s_ = result.received_s;
+  if (given_frame_.empty() && latest_s_ - first_transform_s_ > kLongestWaitS) {
+    transforms_.trustRoot();
+    // Whoever is shown stays so.
+    if (ns_.empty() && robotFrame().empty()) transforms_.show(shownRobot());
+  }
   // Several nodes share a topic: data of one of them does not fix that of another.
   for (const auto& [topic, child] : unusable_) {
     if (topic == source.topic)
       result.notes.push_back(fieldMissing("transforms[" + child + "].transform").value());
   }
-  for (const Missing& loop : transforms_.loops()) result.notes.push_back(reasonOf(loop));
+  for (const Missing& loop : transforms_.of(source.topic).loops()) result.notes.push_back(reasonOf(loop));
 }
 
 void RosWorld::takePatch(const Source& source, const Field& msg, WorldResult& result) {
@@ -340,7 +364,7 @@ RosWorld::Placing RosWorld::placeScan(const Points& points, const std::string& t
     return placedAlong(points, topic, along);
   const int steps = std::clamp(int(std::ceil(points.sweep_s / kSweepStepS)), 1, kMostSweepSteps);
   for (int step = 1; step <= steps; ++step) {
-    const auto found = transforms_.find(into, frame, *header.stamp_s + points.sweep_s * step / steps);
+    const auto found = transforms_.find(topic, into, frame, *header.stamp_s + points.sweep_s * step / steps);
     if (!found) return tl::make_unexpected(found.error());
     along.push_back(*found);
   }
@@ -351,9 +375,12 @@ RosWorld::Placing RosWorld::place(const Source& source, const Content& content, 
   const Header& header = headerOf(content);
   const std::string fixed = fixedFrame();
   // The robot's footprint is drawn around the robot.
-  const std::string into = source.stream == Stream::Model ? robotFrame() : fixed;
+  const std::string into = source.stream == Stream::Model
+                               ? robotFrameOf(namespaceAmong(transforms_.namespaces(), source.topic))
+                               : fixed;
   if (into.empty()) return tl::make_unexpected(Missing{Missing::Kind::UnknownFrame, fixed, "base_link"});
-  const auto found = transforms_.find(into, header.frame.empty() ? into : header.frame, header.stamp_s);
+  const auto found =
+      transforms_.find(source.topic, into, header.frame.empty() ? into : header.frame, header.stamp_s);
   if (!found) return tl::make_unexpected(found.error());
   if (const auto* grid = std::get_if<Grid>(&content)) {
     map::GridMessage message = gridMessage(*grid, source.topic, kindOf(source.stream), *found);

@@ -7,14 +7,15 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "map/live_topics.h"
 #include "robot/ros/read_messages.h"
+#include "robot/ros/robot_transforms.h"
 #include "robot/ros/ros_topics.h"
 #include "robot/ros/seen_markers.h"
-#include "robot/ros/transforms.h"
 
 namespace mapwright::robot::ros {
 
@@ -54,6 +55,13 @@ class RosWorld {
     if (own) own_frame_ = fixed_frame;
     given_frame_ = std::move(fixed_frame);
   }
+  // As in RobotTransforms. Live, the root is trusted after a while.
+  void setRobots(std::vector<std::string> namespaces) { transforms_.setNamespaces(std::move(namespaces)); }
+  void trustRoot() { transforms_.trustRoot(); }
+  bool rootServesAll() const { return transforms_.rootServesAll(); }
+  /// The namespace of the robot that is shown: the first of those that tell where a robot is. Empty: there is
+  /// only one, or it has none.
+  std::string shownRobot() const;
   /// Grids of these topics are kept whole, for patches.
   void keepGrids(std::set<std::string> topics);
   /// A message of `source`. Transforms may place waiting messages: several results.
@@ -92,13 +100,14 @@ class RosWorld {
   };
   /// The same with its source.
   std::optional<Located> located() const;
-  const Transforms& transforms() const { return transforms_; }
+  /// Of the robot that is shown.
+  const Transforms& transforms() const { return transforms_.robot(); }
   /// Messages replaced by newer ones while waiting for a transform.
   std::size_t gaveWay() const { return gave_way_; }
   /// The age of the newest stamp of each pair at `now_s` (as received), by the robot's clock; oldest first.
   std::vector<std::pair<Transforms::Newest, double>> ages(double now_s) const;
   /// Where scans in `frame` are shown while nothing relates it to other frames: its root.
-  std::string ownFrameOf(const std::string& frame) const { return transforms_.rootAbove(frame); }
+  std::string ownFrameOf(const std::string& frame) const { return transforms().rootAbove(frame); }
 
  private:
   using Content = std::variant<Grid, Outline, Points, Placed, Poses>;
@@ -135,10 +144,13 @@ class RosWorld {
   bool looksAtMarkers(double now_s) const;
   void lookAtMarkers(double now_s, WorldResults& results);
   WorldResults placeWaiting();
-  tl::expected<geometry::Pose2, Transforms::Missing> inFixedFrame(const Placed& placed) const;
+  tl::expected<geometry::Pose2, Transforms::Missing> inFixedFrame(const std::string& topic,
+                                                                  const Placed& placed) const;
+  /// `robot`: its namespace; empty: the root's, or the only one.
+  std::string robotFrameOf(const std::string& robot) const;
 
   std::string ns_;
-  Transforms transforms_;
+  RobotTransforms transforms_;
   /// By topic and frame: its last transform was invalid (tf2 rejects it, too).
   std::set<std::pair<std::string, std::string>> unusable_;
   std::string map_frame_;

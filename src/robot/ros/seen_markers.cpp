@@ -15,12 +15,13 @@ constexpr std::size_t kMany = 300;
 }  // namespace
 
 /// Why its newest version cannot be placed; nullopt: it can.
-std::optional<Fault> SeenMarkers::place(Row& row, const Transforms& transforms, const std::string& fixed) {
+std::optional<Fault> SeenMarkers::place(Row& row, const std::string& topic, const RobotTransforms& transforms,
+                                        const std::string& fixed) {
   const Marker& newest = row.next ? *row.next : row.marker;
   const bool stays = !newest.frame_locked;
   if (!row.next && stays && row.placed && row.fixed_frame == fixed) return std::nullopt;
   const std::string& frame = newest.header.frame.empty() ? fixed : newest.header.frame;
-  const auto found = transforms.find(fixed, frame, stays ? newest.header.stamp_s : std::nullopt);
+  const auto found = transforms.find(topic, fixed, frame, stays ? newest.header.stamp_s : std::nullopt);
   if (!found) return reasonOf(found.error());
   row.placed = *found;
   row.fixed_frame = fixed;
@@ -64,7 +65,7 @@ std::vector<std::string> SeenMarkers::topics() const {
   return topics;
 }
 
-SeenMarkers::Look SeenMarkers::look(const Transforms& transforms, const std::string& fixed_frame,
+SeenMarkers::Look SeenMarkers::look(const RobotTransforms& transforms, const std::string& fixed_frame,
                                     double now_s) {
   Look look;
   map::SeenObjectsMessage seen;
@@ -77,7 +78,7 @@ SeenMarkers::Look SeenMarkers::look(const Transforms& transforms, const std::str
     for (auto& [key, row] : rows) {
       next_end_s_ = std::min(next_end_s_, row.until_s);
       moves_ |= row.marker.frame_locked;
-      if (auto why = place(row, transforms, fixed_frame)) {
+      if (auto why = place(row, topic, transforms, fixed_frame)) {
         waits_ = true;
         if (now_s - row.since_s > kLongestWaitS) look.unplaced.try_emplace(topic, std::move(*why));
       }

@@ -12,7 +12,7 @@
 #include "fault/fault.h"
 #include "map/live_topics.h"
 #include "robot/ros/read_messages.h"
-#include "robot/ros/transforms.h"
+#include "robot/ros/robot_transforms.h"
 
 namespace mapwright::robot::ros {
 
@@ -35,7 +35,7 @@ class SeenMarkers {
     std::map<std::string, Fault> unplaced;  // by topic: why a marker that has waited cannot be placed
   };
   /// Places new markers, moves frame-locked ones, removes expired ones.
-  Look look(const Transforms& transforms, const std::string& fixed_frame, double now_s);
+  Look look(const RobotTransforms& transforms, const std::string& fixed_frame, double now_s);
   /// The last look() left some unplaced.
   bool waits() const { return waits_; }
   /// Some of them move with their frames.
@@ -58,7 +58,8 @@ class SeenMarkers {
     std::string fixed_frame;
   };
   static void put(Row& row, const Marker& marker, double now_s);
-  static std::optional<Fault> place(Row& row, const Transforms& transforms, const std::string& fixed);
+  static std::optional<Fault> place(Row& row, const std::string& topic, const RobotTransforms& transforms,
+                                    const std::string& fixed);
 
   std::map<std::string, std::map<std::pair<std::string, std::int64_t>, Row>>
       topics_;  // by namespace and number

@@ -120,6 +120,13 @@ Transforms::Taken Transforms::take(const std::string& parent, const std::string&
   return Taken::Kept;
 }
 
+void Transforms::drop(const std::string& child) {
+  const Index index = indexOf(frameName(child));
+  if (index == kNone) return;
+  frames_[index].parent = kNone;
+  frames_[index].history.clear();
+}
+
 void Transforms::file(std::deque<Stamped>& history, const Stamped& entry) {
   const auto later = [](double at_s, const Stamped& kept) { return at_s < kept.at_s; };
   if (!history.empty() && entry.at_s < history.back().at_s - kLateS) {

@@ -71,6 +71,9 @@ class Transforms {
   Taken take(const std::string& parent, const std::string& child, const Transform3& transform, double stamp_s,
              bool is_static);
 
+  /// The frame hangs below no other one any more.
+  void drop(const std::string& child);
+
   /// The pose of the frame `child` in `parent` at that time; without a time at the latest time common to all
   /// pairs between them. A frame in itself gives the identity, even if it is unknown.
   tl::expected<Transform3, Missing> find(const std::string& parent, const std::string& child,
