@@ -415,6 +415,54 @@ class RosRobotTest : public QObject {
     QVERIFY(messages_.size() - before < 100);
   }
 
+  void eachOfSeveralRobotsIsPlacedByItself_data() {
+    QTest::addColumn<QString>("ns");
+    QTest::newRow("all") << QString();
+    QTest::newRow("the first") << QStringLiteral("/r1");
+    QTest::newRow("the second") << QStringLiteral("/r2");
+  }
+  void eachOfSeveralRobotsIsPlacedByItself() {
+    QFETCH(QString, ns);
+    server_->forget(QStringLiteral("/tf"));
+    server_->forget(QStringLiteral("/tf_static"));
+    for (const char* const robot : {"/r1", "/r2"}) {
+      const QString name = text(robot);
+      server_->advertise(name + QStringLiteral("/tf"), QStringLiteral("tf2_msgs/TFMessage"));
+      server_->advertise(name + QStringLiteral("/scan"), QStringLiteral("sensor_msgs/LaserScan"));
+      const double place = name == QLatin1String("/r1") ? -2 : 2;
+      server_->latch(name + QStringLiteral("/tf"), tf("map", "base_link", place));
+      server_->latch(name + QStringLiteral("/scan"),
+                     json(R"({"header":{"frame_id":"base_link","stamp":{"secs":5,"nsecs":0}},"angle_min":0,)"
+                          R"("angle_increment":1,"range_min":0,"range_max":9,"ranges":[1]})"));
+    }
+    makeRobot([&](ros::LinkOptions& options) { options.ns = ns.toStdString(); });
+    QVERIFY(online());
+    want({Stream::Cloud});
+    const auto hit = [&](const char* topic) -> std::optional<double> {
+      std::optional<double> x_m;
+      for (const map::StampedMessage& message : messages_) {
+        const auto* const cloud = std::get_if<map::PointCloudMessage>(&message.message);
+        if (cloud && cloud->topic == topic && !cloud->points->empty()) x_m = cloud->points->front().x_m;
+      }
+      return x_m;
+    };
+    for (const auto& [robot, place] : {std::pair{"/r1", -1.0}, std::pair{"/r2", 3.0}}) {
+      const std::string scan = std::string(robot) + "/scan";
+      if (!ns.isEmpty() && ns != text(robot)) {
+        QVERIFY(!server_->isAskedFor(scan.c_str()) && !hit(scan.c_str()));
+        continue;
+      }
+      QTRY_VERIFY(hit(scan.c_str()));
+      QCOMPARE(*hit(scan.c_str()), place);
+    }
+    QTRY_VERIFY(last<map::TrackedPose>());
+    QCOMPARE(last<map::TrackedPose>()->pose.x_m, ns == QLatin1String("/r2") ? 2 : -2);
+    const bool told = std::any_of(problems_.begin(), problems_.end(), [](const map::Problem& problem) {
+      return problem.reason.code == ros::fault::RosSeveralRobots;
+    });
+    QCOMPARE(told, ns.isEmpty());
+  }
+
   void whatHasNoPlaceIsToldUntilItHas() {
     server_->advertise(QStringLiteral("/local_plan"), QStringLiteral("nav_msgs/Path"));
     const QByteArray header = R"("header":{"frame_id":"odom","stamp":{"secs":5,"nsecs":0}})";

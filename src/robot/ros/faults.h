@@ -68,6 +68,11 @@ inline constexpr FaultCode RosFrameAlone{
     "ros", QT_TRANSLATE_NOOP("ros",
                              "Neither a map nor a transform gives the position of the frame %1. Everything "
                              "is shown in that frame, as if the robot never moved.")};
+/// their namespaces
+inline constexpr FaultCode RosSeveralRobots{
+    "ros", QT_TRANSLATE_NOOP("ros",
+                             "There are several robots: %1. Add ?ns=/NAMESPACE to the address to see one of "
+                             "them alone.")};
 /// child, parent
 inline constexpr FaultCode RosTransformTooOld{
     "ros", QT_TRANSLATE_NOOP("ros",

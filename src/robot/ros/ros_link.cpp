@@ -349,6 +349,15 @@ void RosLink::findSources() {
     if (source.form == Form::GridPatch) patched.insert(source.base);
   }
   world_.keepGrids(std::move(patched));
+  std::vector<std::string> robots = robotsIn(sources_, options_.ns);
+  if (robots.size() > 1 && options_.ns.empty() && robots != robots_) {
+    std::string list;
+    for (const std::string& robot : robots)
+      list += (list.empty() ? "" : ", ") + (robot.empty() ? "/" : robot);
+    report(map::Severity::Info, {fault::RosSeveralRobots, {list}});
+  }
+  robots_ = robots;
+  world_.setRobots(std::move(robots));
   Q_EMIT topicsKnown({sources_, graph_.topics, managesMaps()});
 }
 

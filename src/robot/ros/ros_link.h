@@ -131,6 +131,7 @@ class RosLink : public wire::RobotLink {
   TopicSelection selection_;
   RosGraph graph_;
   std::vector<Source> sources_;
+  std::vector<std::string> robots_;  // with transforms of their own
   Choices choices_;
   std::unique_ptr<net::rosbridge::Client> client_;  // goes first: it may call those below
   RosApi api_;

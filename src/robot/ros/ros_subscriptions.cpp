@@ -1,12 +1,14 @@
 #include "robot/ros/ros_subscriptions.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <QPointer>
 
 #include "robot/faults.h"
 #include "robot/ros/faults.h"
+#include "robot/ros/robot_transforms.h"
 
 namespace mapwright::robot::ros {
 namespace {
@@ -50,10 +52,22 @@ std::map<std::string, WantedTopic> topicsFor(const TopicSelection& selection,
     return streams.contains(source.stream) && needsTransforms(source.form) &&
            source.stream != Stream::WholeMap;
   });
+  const std::vector<std::string> robots = robotsIn(sources, {});
+  // The transforms of robots of which nothing is shown are not needed.
+  std::set<std::string> shown;
+  const auto first = std::find_if(sources.begin(), sources.end(),
+                                  [](const Source& source) { return source.form == Form::Tf; });
+  if (first != sources.end()) shown.insert(namespaceAmong(robots, first->topic));
+  for (const Source& source : sources) {
+    if (streams.contains(source.stream) && !isTransform(source))
+      shown.insert(namespaceAmong(robots, source.topic));
+  }
   std::map<std::string, WantedTopic> wanted;
   for (const Source& source : sources) {
     if (source.form == Form::MapService) continue;
     if (!streams.contains(source.stream) && !(placed && isTransform(source))) continue;
+    const std::string robot = namespaceAmong(robots, source.topic);
+    if (isTransform(source) && !robot.empty() && !shown.contains(robot)) continue;
     WantedTopic& topic = wanted[source.topic];
     if (topic.sources.empty()) topic.subscription = subscriptionFor(source);
     topic.sources.push_back(source);

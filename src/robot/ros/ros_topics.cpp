@@ -35,9 +35,9 @@ constexpr Rule kRules[] = {
     {Stream::Cloud, Form::LaserScan, "sensor_msgs/LaserScan", "scan", "/scan", true, 4},
     {Stream::Cloud, Form::PointCloud, "sensor_msgs/PointCloud2", "points cloud scan_matched_points2",
      "/points", true, 2, "costmap"},
-    {Stream::Pose, Form::Tf, "tf2_msgs/TFMessage", "tf", "/tf"},
-    {Stream::Pose, Form::Tf, "tf/tfMessage", "tf"},
-    {Stream::Pose, Form::StaticTf, "tf2_msgs/TFMessage", "tf_static", "/tf_static"},
+    {Stream::Pose, Form::Tf, "tf2_msgs/TFMessage", "tf", "/tf", false, kMostRobots},
+    {Stream::Pose, Form::Tf, "tf/tfMessage", "tf", "", false, kMostRobots},
+    {Stream::Pose, Form::StaticTf, "tf2_msgs/TFMessage", "tf_static", "/tf_static", false, kMostRobots},
     {Stream::Pose, Form::PoseWithCovariance, "geometry_msgs/PoseWithCovarianceStamped", "amcl_pose pose",
      "/amcl_pose"},
     {Stream::Pose, Form::PoseStamped, "geometry_msgs/PoseStamped", "tracked_pose robot_pose"},
@@ -112,8 +112,83 @@ bool needsTransforms(Form form) {
   return form != Form::Tf && form != Form::StaticTf && form != Form::Battery;
 }
 
+std::set<std::string> robotsBeside(const std::string& ns, const std::vector<Endpoint>& found) {
+  const auto isTransform = [](const std::string& type) {
+    return type == "tf2_msgs/TFMessage" || type == "tf/tfMessage";
+  };
+  const auto isSensor = [](const std::string& type) {
+    return type == "sensor_msgs/LaserScan" || type == "nav_msgs/Odometry";
+  };
+  std::set<std::string> robots;
+  if (ns.empty()) return robots;
+  const auto add = [&](const std::string& robot) {
+    const bool beside = robot != ns && !isBelow(robot, ns) && !isBelow(ns, robot);
+    if (!robot.empty() && beside) robots.insert(robot);
+  };
+  const auto depth = std::count(ns.begin(), ns.end(), '/');
+  std::set<std::pair<std::string, std::string>> own;  // below `ns`, without it
+  bool is_robot = false;                              // not that of a map dispatcher
+  for (const Endpoint& one : found) {
+    if (!isBelow(one.name, ns)) continue;
+    const std::string type = plainType(one.type);
+    is_robot |= isTransform(type) || isSensor(type) || type == "sensor_msgs/PointCloud2";
+    own.insert({one.name.substr(ns.size()), one.type});
+  }
+  if (!is_robot) return robots;
+  for (const Endpoint& one : found) {
+    const std::string type = plainType(one.type);
+    if (isTransform(type) && lastPart(one.name) == "tf") add(one.name.substr(0, one.name.rfind('/')));
+    if (!isSensor(type)) continue;
+    std::size_t end = one.name.find('/');
+    for (auto parts = depth; parts > 0 && end != std::string::npos; --parts) end = one.name.find('/', end + 1);
+    if (end != std::string::npos && own.contains({one.name.substr(end), one.type}))
+      add(one.name.substr(0, end));
+  }
+  return robots;
+}
+
+bool isBelowAny(std::string_view topic, const std::set<std::string>& namespaces) {
+  if (namespaces.empty()) return false;
+  for (std::size_t end = topic.rfind('/'); end != std::string_view::npos && end > 0;
+       end = topic.rfind('/', end - 1)) {
+    if (namespaces.contains(std::string(topic.substr(0, end)))) return true;
+  }
+  return false;
+}
+
+std::vector<std::string> robotsIn(const std::vector<Source>& sources, const std::string& ns) {
+  std::vector<std::string> robots;
+  for (const Source& source : sources) {
+    if (source.form != Form::Tf || lastPart(source.topic) != "tf") continue;
+    std::string robot = source.topic.substr(0, source.topic.rfind('/'));
+    if (std::find(robots.begin(), robots.end(), robot) == robots.end()) robots.push_back(std::move(robot));
+  }
+  std::sort(robots.begin(), robots.end(), [&](const std::string& a, const std::string& b) {
+    const auto rank = [&](const std::string& robot) {
+      return std::tuple(!isBelow(robot + '/', ns), robot.size(), robot);
+    };
+    return rank(a) < rank(b);
+  });
+  return robots;
+}
+
+namespace {
+
+/// One robot has one topic of each kind of transforms: others are copies, or of a robot that is gone.
+void keepOneRobot(std::vector<Source>& sources) {
+  if (robotsIn(sources, {}).size() > 1) return;
+  std::set<std::pair<Form, std::string>> kinds;
+  std::erase_if(sources, [&](const Source& source) {
+    const bool transforms = source.form == Form::Tf || source.form == Form::StaticTf;
+    return transforms && !kinds.insert({source.form, plainType(source.type)}).second;
+  });
+}
+
+}  // namespace
+
 std::vector<Source> sourcesOf(const std::optional<std::vector<Endpoint>>& found, const std::string& ns) {
   if (!found) return usualSources(ns);
+  const std::set<std::string> others = robotsBeside(ns, *found);
   std::vector<Source> sources;
   for (const Rule& rule : kRules) {
     using Rank = std::tuple<bool, std::size_t, std::size_t, std::string_view>;
@@ -121,6 +196,7 @@ std::vector<Source> sourcesOf(const std::optional<std::vector<Endpoint>>& found,
     std::vector<std::pair<Rank, const Endpoint*>> fitting;
     for (const Endpoint& topic : *found) {
       if (plainType(topic.type) != rule.type || topic.name.size() > kLongestTopicName) continue;
+      if (isBelowAny(topic.name, others)) continue;
       if (rule.never && topic.name.find(rule.never) != std::string::npos) continue;
       std::size_t rank = 0;
       while (rank < tails.size() && !endsWith(topic.name, tails[rank])) ++rank;
@@ -132,6 +208,7 @@ std::vector<Source> sourcesOf(const std::optional<std::vector<Endpoint>>& found,
       addGrids(sources, {rule.stream, rule.form, fitting[i].second->name, fitting[i].second->type, {}, true},
                found);
   }
+  keepOneRobot(sources);
   return sources;
 }
 

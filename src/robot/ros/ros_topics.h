@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,9 @@
 #include "map/stream.h"
 
 namespace mapwright::robot::ros {
+
+/// Robots whose transforms are read at once.
+inline constexpr std::size_t kMostRobots = 16;
 
 /// Topics and services with longer names are ignored.
 inline constexpr std::size_t kLongestTopicName = 256;
@@ -53,8 +57,19 @@ struct Source {
 };
 
 /// All available sources, better ones of a stream first. Without a list of topics (nullopt: not available)
-/// the usual names. Those below `ns` come first.
+/// the usual names. Those below `ns` come first; topics of other robots (robotsBeside)
+/// are left out.
 std::vector<Source> sourcesOf(const std::optional<std::vector<Endpoint>>& found, const std::string& ns);
+
+/// The namespaces of other robots than the one in `ns`: they lie beside it, and have transforms of their own,
+/// or the same scan or odometry as `ns`. Without `ns`: none.
+std::set<std::string> robotsBeside(const std::string& ns, const std::vector<Endpoint>& found);
+/// The topic is below one of them.
+bool isBelowAny(std::string_view topic, const std::set<std::string>& namespaces);
+
+/// The namespaces with transforms of their own ("" for "/tf"): RobotTransforms::setNamespaces(). Those within
+/// `ns` come first, then short ones.
+std::vector<std::string> robotsIn(const std::vector<Source>& sources, const std::string& ns);
 
 /// How a topic of that type is read if the user chooses it for `stream`; nullopt: impossible.
 std::optional<Form> formFor(map::Stream stream, const std::string& type);
