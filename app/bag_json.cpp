@@ -98,6 +98,9 @@ QJsonObject infoJson(const std::string& name, const robot::BagInfo& info) {
   all[QStringLiteral("format")] = text(info.format);
   all[QStringLiteral("written_by")] = text(info.written_by);
   all[QStringLiteral("attachments")] = qint64(info.attachments);
+  QJsonArray robots;
+  for (const std::string& one : info.robots) robots.append(text(one));
+  all[QStringLiteral("robots")] = robots;
   all[QStringLiteral("topics")] = topics;
   all[QStringLiteral("packing")] = packing;
   return all;
@@ -128,6 +131,9 @@ std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo&
     rows.push_back({Text::tr("format"), text(info.format)});
   }
   if (!info.written_by.empty()) rows.push_back({Text::tr("written by"), words::plainName(info.written_by)});
+  QStringList robots;
+  for (const std::string& one : info.robots) robots << words::plainName(one);
+  if (!robots.isEmpty()) rows.push_back({Text::tr("robots"), robots.join(QLatin1String(", "))});
   for (const robot::BagPacking& one : info.packing)
     rows.push_back({Text::tr("compression"),
                     Text::tr("%1, chunks: %2, %3 of %4")

@@ -100,9 +100,14 @@ Made makeFiles(const robot::Address& address, const Access&, DemoTime) {
   if (robot::recorded::isRecording(address.path)) {
     robot::recorded::RecordedOptions recording;
     recording.path = absolute(address.path);
-    return std::make_unique<robot::recorded::RecordedRobot>(QStringLiteral("file:") + recording.path,
-                                                            std::move(recording));
+    recording.ns = robot::files::namespaceOf(address);
+    QString text = QStringLiteral("file:") + recording.path;
+    if (!recording.ns.empty()) text += QStringLiteral("?ns=") + QString::fromStdString(recording.ns);
+    return std::make_unique<robot::recorded::RecordedRobot>(text, std::move(recording));
   }
+  if (address.options.hasQueryItem(QStringLiteral("ns")))
+    return tl::make_unexpected(
+        Text::tr("%1: ?ns= names a robot in a recording, and this is none.").arg(address.path));
   robot::files::FileOptions file;
   file.path = address.path;
   file.place = robot::files::placeOf(address);
@@ -132,8 +137,9 @@ robot::AddressScheme demoAddressScheme() {
 robot::AddressScheme fileScheme() {
   robot::AddressScheme scheme = robot::files::addressScheme();
   scheme.claims = [maps = scheme.claims](const QString& typed) {
-    const bool recording = typed.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive) ||
-                           typed.endsWith(QLatin1String(".bag"), Qt::CaseInsensitive);
+    const QString path = typed.section(QLatin1Char('?'), 0, 0);
+    const bool recording = path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive) ||
+                           path.endsWith(QLatin1String(".bag"), Qt::CaseInsensitive);
     return maps(typed) || (recording && !typed.contains(QLatin1String("://")));
   };
   return scheme;
@@ -210,7 +216,8 @@ void takeRecording(std::string& robot, std::string& bag, const std::string& othe
   // A missing file is opened anyway, so that the error is reported then.
   if (is_path || (otherwise.empty() && QFileInfo(typed).isFile())) {
     robot = (QStringLiteral("file:") + absolute(typed)).toStdString();
-    bag = robot::recorded::bagNameOf(typed);
+    const auto parsed = knownAddresses().parse(QString::fromStdString(robot));
+    bag = robot::recorded::bagNameOf(parsed ? parsed->path : typed);
   } else {
     robot = otherwise;
   }

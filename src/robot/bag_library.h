@@ -88,6 +88,7 @@ struct BagInfo {
   std::vector<BagPacking> packing = {};
   std::string format = {}, written_by = {};  // "MCAP", "ROS bag 2.0"; in the writer's own words
   std::int64_t attachments = 0;
+  std::vector<std::string> robots = {};  // their namespaces ("/robot1"), if there are several
   bool operator==(const BagInfo&) const = default;
 
   /// The gap in the connection that contains `at_s`; null: there was a connection.

@@ -671,6 +671,102 @@ class RecordedRobotTest : public QObject {
     QVERIFY2(grids > 15, qPrintable(QString::number(grids)));
   }
 
+  /// Robots on circles around their own places, 10 m apart, with the same names of frames.
+  static std::vector<Drive::Said> severalRobots(const std::vector<std::string>& robots, double seconds) {
+    std::vector<Drive::Said> said;
+    const auto tf = [&](const std::string& topic, double at_s, std::string parent, std::string child,
+                        double x_m, double y_m) {
+      said.push_back({topic, "tf2_msgs/TFMessage", at_s, [=](RosOut& out) {
+                        out.list("transforms", 1, [&](std::size_t) {
+                          out.header(at_s, parent).text("child_frame_id", child);
+                          out.object("transform", [&] {
+                            out.object("translation", [&] { out.f64("x", x_m).f64("y", y_m).f64("z", 0); });
+                            out.turn("rotation", 0);
+                          });
+                        });
+                      }});
+    };
+    for (std::size_t i = 0; i < robots.size(); ++i)
+      tf(robots[i] + "/tf_static", Drive::kStartS + double(i) * 0.001, "base_link", "laser", 0.25, 0);
+    for (int step = 0; step < int(seconds * 10); ++step) {
+      const double at_s = Drive::kStartS + 0.1 + step * 0.1;
+      for (std::size_t i = 0; i < robots.size(); ++i) {
+        const Eigen::Vector2d place = placeOf(i, at_s);
+        tf(robots[i] + "/tf", at_s, "map", "odom", 10 * double(i), 0);
+        tf(robots[i] + "/tf", at_s, "odom", "base_link", place.x() - 10 * double(i), place.y());
+        Drive::scan(said, at_s, (robots[i] + "/scan").c_str());
+      }
+    }
+    return said;
+  }
+  static Eigen::Vector2d placeOf(std::size_t robot, double at_s) {
+    const double angle = (at_s - Drive::kStartS) / 3;
+    return {10 * double(robot) + std::cos(angle), std::sin(angle)};
+  }
+
+  void eachRobotOfARecordingSeesAroundItself_data() {
+    QTest::addColumn<QStringList>("robots");
+    QTest::newRow("namespaces") << QStringList{QStringLiteral("/r1"), QStringLiteral("/r2")};
+    QTest::newRow("beside one without") << QStringList{QString(), QStringLiteral("/r2")};
+  }
+  void eachRobotOfARecordingSeesAroundItself() {
+    QFETCH(QStringList, robots);
+    std::vector<std::string> names;
+    for (const QString& robot : robots) names.push_back(robot.toStdString());
+    const std::vector<Drive::Said> said = severalRobots(names, 40);
+    const QString path = written(recordings::recordingOf(said, Encoding::Cdr));
+    std::mt19937 random(5);
+    for (const QString& ns : QStringList{QString()} + robots) {
+      recorded::RecordedOptions options;
+      options.path = path;
+      options.ns = ns.toStdString();
+      RecordedRobot robot(QStringLiteral("file:") + path, options);
+      const std::size_t shown = ns.isEmpty() ? 0 : std::size_t(robots.indexOf(ns));
+      std::set<std::string> scans;
+      for (int seek = 0; seek < 12; ++seek) {
+        const double from_s = Drive::kStartS + 1 + double(random() % 300) / 10;
+        const auto chunk = range(robot, keyOf(path), from_s, from_s + double(random() % 90) / 10);
+        QVERIFY(chunk);
+        for (const BagMessage& message : (*chunk)->messages) {
+          const double at_s = message.message.received_s;
+          if (const auto* const cloud = std::get_if<map::PointCloudMessage>(&message.message.message)) {
+            const auto of =
+                std::find(names.begin(), names.end(), cloud->topic.substr(0, cloud->topic.rfind('/'))) -
+                names.begin();
+            const Eigen::Vector2d hit = placeOf(std::size_t(of), at_s) + Eigen::Vector2d(0.25 + 2, 0);
+            QVERIFY((Eigen::Vector2d(cloud->points->front().x_m, cloud->points->front().y_m) - hit).norm() <
+                    1e-3);
+            scans.insert(cloud->topic);
+          } else if (const auto* const pose = std::get_if<map::TrackedPose>(&message.message.message)) {
+            if (!message.known) continue;
+            const Eigen::Vector2d place(pose->pose.x_m, pose->pose.y_m);
+            QVERIFY((place - placeOf(shown, at_s)).norm() < 0.1);
+          }
+        }
+      }
+      QCOMPARE(scans.size(), ns == QLatin1String("/r1") || (ns == QLatin1String("/r2") && !names[0].empty())
+                                 ? std::size_t(1)
+                                 : std::size_t(2));
+      const auto info = infoOf(robot, keyOf(path));
+      QVERIFY(info && info->robots.size() == 2);
+      QCOMPARE(info->robots.back(), std::string("/r2"));
+    }
+    recorded::RecordedOptions other;
+    other.path = path;
+    other.ns = "/r3";
+    RecordedRobot robot(QStringLiteral("file:") + path, other);
+    const auto refused = infoOf(robot, keyOf(path));
+    QVERIFY(!refused);
+    QVERIFY(sentence(refused.error()).find("/r2") != std::string::npos);
+  }
+
+  void aRecordingOfOneRobotNamesNone() {
+    const QString path = written(recordings::recordingOf(severalRobots({"/r1"}, 3), Encoding::Cdr));
+    const auto robot = opened(path);
+    const auto info = infoOf(*robot, keyOf(path));
+    QVERIFY(info && info->robots.empty());
+  }
+
   void scansThatNothingPlacesAreShownInTheirOwnFrame_data() {
     QTest::addColumn<bool>("mounted");
     QTest::newRow("no transforms") << false;

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 namespace mapwright::robot::files {
 namespace {
@@ -34,13 +35,28 @@ std::optional<double> resolutionFrom(const QString& text) {
   return ok && std::isfinite(value) && value > 0 ? std::optional(value) : std::nullopt;
 }
 
+/// "/robot1"; nullopt: it is none.
+std::optional<QString> namespaceFrom(QString text) {
+  while (text.endsWith(QLatin1Char('/'))) text.chop(1);
+  static const QRegularExpression like(
+      QRegularExpression::anchoredPattern(QStringLiteral("(/[A-Za-z0-9_]+)+")));
+  return text.size() <= 200 && like.match(text).hasMatch() ? std::optional(text) : std::nullopt;
+}
+
 /// A sentence about what is wrong with them; empty = nothing.
 QString whyNotOptions(const QUrlQuery& options) {
   for (const auto& [name, value] : options.queryItems(QUrl::FullyDecoded)) {
     const bool resolution = name == QLatin1String("resolution");
+    if (name == QLatin1String("ns")) {
+      if (namespaceFrom(value)) continue;
+      return FileAddressText::tr(
+          "file: ns is the namespace of a robot in a recording, for example ?ns=/robot1.");
+    }
     if (!resolution && name != QLatin1String("origin")) {
-      return FileAddressText::tr("file: accepts resolution and origin after the ?, but not \"%1\".")
-          .arg(name);
+      return FileAddressText::
+          tr("file: accepts resolution and origin (of a picture) and ns (of a recording) after the ?, but "
+             "not \"%1\".")
+              .arg(name);
     }
     if (resolution ? !resolutionFrom(value) : !originFrom(value)) {
       return FileAddressText::tr("file: %1 cannot be \"%2\". For example: ?resolution=0.05&origin=-10,-7.5.")
@@ -100,6 +116,11 @@ bool claims(const QString& typed) {
 
 AddressScheme addressScheme() {
   return {QStringLiteral("file:"), QStringLiteral("file:/maps/office.yaml"), parse, claims, false};
+}
+
+std::string namespaceOf(const Address& address) {
+  const auto ns = namespaceFrom(address.options.queryItemValue(QStringLiteral("ns"), QUrl::FullyDecoded));
+  return ns.value_or(QString()).toStdString();
 }
 
 PicturePlace placeOf(const Address& address) {

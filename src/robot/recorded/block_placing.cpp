@@ -123,9 +123,14 @@ BlockPlacing::BlockPlacing(const PlacingParts& parts, std::int64_t block_ns, std
     : parts_(parts),
       block_ns_(block_ns),
       start_ns_(parts.file.summary().start_ns.value_or(block_ns)),
+      ahead_(parts.shape.ns),
+      now_(parts.shape.ns),
       next_look_ns_(block_ns - kBeforeNs) {
-  ahead_.placeAtOnce(parts_.shape.fixed_frame, parts_.shape.own_frame);
-  now_.placeAtOnce(parts_.shape.fixed_frame, parts_.shape.own_frame);
+  for (ros::RosWorld* const world : {&ahead_, &now_}) {
+    world->setRobots(parts_.shape.robots);
+    if (parts_.shape.root_serves) world->trustRoot();
+    world->placeAtOnce(parts_.shape.fixed_frame, parts_.shape.own_frame);
+  }
   readStatics();
   recording::Query query;
   query.first_ns = block_ns - kBeforeNs;

@@ -19,6 +19,18 @@ inline constexpr FaultCode RecordingOfOtherVersion{
         "recorded", "This version of the format is not supported. MCAP 0 and ROS bags of version 2.0 are.")};
 inline constexpr FaultCode RecordingEncrypted{
     "recorded", QT_TRANSLATE_NOOP("recorded", "Its messages are encrypted. Decrypt it with rosbag first.")};
+/// their namespaces, the one that is shown
+inline constexpr FaultCode RecordingOfRobots{
+    "recorded",
+    QT_TRANSLATE_NOOP("recorded",
+                      "It contains several robots: %1. Shown as the robot is %2. To see another one, add "
+                      "?ns=/NAMESPACE to the address of the file.")};
+/// the namespace asked for, those that it has
+inline constexpr FaultCode RecordingLacksRobot{
+    "recorded", QT_TRANSLATE_NOOP("recorded", "It contains no robot %1, only %2.")};
+/// the namespace asked for
+inline constexpr FaultCode RecordingOfOneRobot{
+    "recorded", QT_TRANSLATE_NOOP("recorded", "It contains no topic in the namespace %1.")};
 inline constexpr FaultCode RecordingOnlyRead{
     "recorded", QT_TRANSLATE_NOOP("recorded", "recordings on this computer are read-only here")};
 inline constexpr FaultCode RecordingLacksPicture{

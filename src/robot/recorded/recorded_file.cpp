@@ -39,6 +39,12 @@ recording::Opened opened(const RecordedOptions& options) {
   return recording::openRecording(std::make_unique<StoppableBytes>(std::move(*bytes)), options.limits);
 }
 
+std::string listOf(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
 QString text(const recording::Values& values, const char* name) {
   const auto found = values.find(name);
   return found == values.end() ? QString() : QString::fromStdString(found->second);
@@ -55,12 +61,14 @@ struct RecordedFile::Job {
   bool stopped = false;
 };
 
-RecordedFile::Parts::Parts(std::unique_ptr<recording::Source> source, const ros::Choices& choices)
+RecordedFile::Parts::Parts(std::unique_ptr<recording::Source> source, const ros::Choices& choices,
+                           const std::string& ns)
     : file(std::move(source)),
-      shape(shapeOf(*file, fields, choices)),
+      shape(shapeOf(*file, fields, choices, ns)),
       statics(*file, fields, shape),
       folds(*file, fields),
-      kept(*file) {
+      kept(*file),
+      robots(robotNames(*file, fields, shape)) {
   kept.look();
 }
 
@@ -78,8 +86,12 @@ bool RecordedFile::ready() {
     trouble_ = reasonOf(source.error());
     return false;
   }
-  trouble_.reset();
-  parts_ = std::make_unique<Parts>(std::move(*source), choices_);
+  parts_ = std::make_unique<Parts>(std::move(*source), choices_, options_.ns);
+  trouble_ = whyNoRobot();
+  if (trouble_) {
+    parts_.reset();
+    return false;
+  }
   tellNotes();
   Q_EMIT opened(facts());
   return true;
@@ -87,7 +99,7 @@ bool RecordedFile::ready() {
 
 void RecordedFile::choose(const ros::Choices& choices) {
   if (std::exchange(choices_, choices) == choices || !parts_) return;
-  parts_->shape = shapeOf(*parts_->file, parts_->fields, choices_);
+  parts_->shape = shapeOf(*parts_->file, parts_->fields, choices_, options_.ns);
   Q_EMIT opened(facts());
 }
 
@@ -110,8 +122,29 @@ void RecordedFile::tell(const map::Problem& problem) {
   if (told_.insert(row).second) Q_EMIT problemFound(problem);
 }
 
+std::optional<Fault> RecordedFile::whyNoRobot() const {
+  const auto& robots = parts_->robots;
+  const auto& channels = parts_->file->channels();
+  if (options_.ns.empty() || std::find(robots.begin(), robots.end(), options_.ns) != robots.end() ||
+      std::any_of(channels.begin(), channels.end(), [this](const recording::ChannelPtr& channel) {
+        return ros::isBelow(channel->topic, options_.ns);
+      }))
+    return std::nullopt;
+  if (robots.empty()) return Fault(fault::RecordingOfOneRobot, {options_.ns});
+  return Fault(fault::RecordingLacksRobot, {options_.ns, listOf(robots)});
+}
+
 void RecordedFile::tellNotes() {
   tellInterruption();
+  if (!parts_->robots.empty() && options_.ns.empty()) {
+    const std::string shown = parts_->shape.robots.size() < 2        ? parts_->robots.front()
+                              : parts_->shape.robots.front().empty() ? "/"
+                                                                     : parts_->shape.robots.front();
+    tell({map::Severity::Info,
+          subjectOf(ownKey()),
+          {fault::RecordingOfRobots, {listOf(parts_->robots), shown}},
+          map::ProblemCode::Odd});
+  }
   for (const recording::Note& note : parts_->file->summary().notes) {
     if (!reasonOf(note).any()) continue;
     const auto severity = isLoss(note.code) ? map::Severity::Warning : map::Severity::Info;
@@ -149,13 +182,14 @@ bool RecordedFile::refresh() {
   parts_->kept.look();
   // Placed messages stay as they are: another frame would be another map.
   if (parts_->file->channels().size() == channels && parts_->shape.fixed_by_file) return true;
-  RosShape shape = shapeOf(*parts_->file, parts_->fields, choices_);
+  RosShape shape = shapeOf(*parts_->file, parts_->fields, choices_, options_.ns);
   if (parts_->shape.fixed_by_file) {
     shape.fixed_frame = parts_->shape.fixed_frame;
     shape.own_frame = parts_->shape.own_frame;
   }
   shape.fixed_by_file |= parts_->shape.fixed_by_file;
   parts_->shape = std::move(shape);
+  parts_->robots = robotNames(*parts_->file, parts_->fields, parts_->shape);
   Q_EMIT opened(facts());
   return true;
 }
@@ -298,6 +332,7 @@ void RecordedFile::tellContent(BagInfo& info, const recording::Summary& summary)
     const auto& [name, type, encoding] = topic;
     info.topics.push_back({name, type, encoding, messages, rateOf(topic, counts)});
   }
+  info.robots = parts_->robots;
   info.format = parts_->file->format();
   info.written_by = summary.library;
   info.attachments = std::int64_t(parts_->file->attachments().size());

@@ -23,7 +23,8 @@
 namespace mapwright::robot::recorded {
 
 struct RecordedOptions {
-  QString path;  // absolute
+  QString path;    // absolute
+  std::string ns;  // "/robot1": the robot that is shown; empty = none was given
   recording::Limits limits{std::uint64_t(256) << 20, std::uint64_t(64) << 20, std::size_t(64) << 20};
 };
 
@@ -69,19 +70,22 @@ class RecordedFile : public QObject {
   struct Job;
   /// Data derived from the file; dropped and rebuilt together.
   struct Parts {
-    Parts(std::unique_ptr<recording::Source> source, const ros::Choices& choices);
+    Parts(std::unique_ptr<recording::Source> source, const ros::Choices& choices, const std::string& ns);
     std::unique_ptr<recording::Source> file;
     MessageFields fields;
     RosShape shape;
     StaticTransforms statics;
     GridFolds folds;
     KeptThings kept;
+    std::vector<std::string> robots;  // robotNames()
   };
   BagKey ownKey() const;
   bool ready();
   std::optional<map::Failure> whyNot(const map::Subject& subject);
   bool refresh();
   void tellNotes();
+  /// Why the file has nothing of the robot that was asked for; nullopt: it has.
+  std::optional<Fault> whyNoRobot() const;
   /// Reports that its end is missing, as long as that is so.
   void tellInterruption();
   /// Messages without a valid time that no chunk has counted yet: they are in no range.

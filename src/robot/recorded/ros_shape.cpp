@@ -1,6 +1,7 @@
 #include "robot/recorded/ros_shape.h"
 
 #include <algorithm>
+#include <set>
 
 #include "recorder/layout.h"
 #include "robot/recorded/foxglove.h"
@@ -26,7 +27,8 @@ constexpr double kOftenPerS = 0.5;
 
 /// Foxglove's transforms may be on any topic, and stay valid until replaced. Poses and paths on any topic are
 /// used if there is nothing better.
-void addFoxglove(const recording::Source& file, std::vector<ros::Source>& sources) {
+void addFoxglove(const recording::Source& file, const std::set<std::string>& others,
+                 std::vector<ros::Source>& sources) {
   const recording::Summary summary = file.summary();
   const auto brought = [&](map::Stream stream, ros::Form form) {
     return std::any_of(sources.begin(), sources.end(), [&](const ros::Source& source) {
@@ -37,7 +39,7 @@ void addFoxglove(const recording::Source& file, std::vector<ros::Source>& source
       brought(map::Stream::Pose, ros::Form::PoseStamped) || brought(map::Stream::Pose, ros::Form::Odometry);
   for (const recording::ChannelPtr& channel : file.channels()) {
     const auto kind = foxgloveKind(*channel);
-    if (!kind) continue;
+    if (!kind || ros::isBelowAny(channel->topic, others)) continue;
     const std::string type = rosTypeOf(*channel);
     const auto known = std::find_if(sources.begin(), sources.end(),
                                     [&](const ros::Source& one) { return one.topic == channel->topic; });
@@ -95,7 +97,8 @@ std::string mapFrame(recording::Source& file, MessageFields& fields, const RosSh
 
 /// The transforms at its beginning.
 ros::RosWorld firstTransforms(recording::Source& file, MessageFields& fields, const RosShape& shape) {
-  ros::RosWorld world;
+  ros::RosWorld world(shape.ns);
+  world.setRobots(shape.robots);
   if (shape.transforms.empty()) return world;
   recording::Query query;
   query.topics = shape.transforms;
@@ -147,14 +150,21 @@ std::string frameOfFirstScan(recording::Source& file, MessageFields& fields, con
 
 }  // namespace
 
-RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choices& choices) {
+RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choices& choices,
+                 const std::string& ns) {
   RosShape shape;
+  shape.ns = ns;
   std::vector<ros::Endpoint> found;
   std::vector<std::string> services;
   shape.untyped_ros = recordedOfRos(file);
   std::vector<std::string> untyped;
+  const recording::Summary summary = file.summary();
   for (const recording::ChannelPtr& channel : file.channels()) {
     if (!shape.isRos(*channel)) continue;
+    // A topic without a message makes no robot.
+    if (summary.counted && !summary.messages_of.contains(channel->id) &&
+        ros::plainType(rosTypeOf(*channel)) == "tf2_msgs/TFMessage")
+      continue;
     if (isUntyped(*channel)) addOnce(untyped, channel->topic);
     const ros::Endpoint topic{channel->topic, rosTypeOf(*channel)};
     if (std::find(found.begin(), found.end(), topic) != found.end()) continue;
@@ -162,9 +172,9 @@ RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choi
     found.push_back(topic);
   }
   if (found.empty()) return shape;
-  shape.sources = ros::sourcesOf(found, {});
-  addFoxglove(file, shape.sources);
-  for (ros::Source& usual : ros::sourcesOf(std::nullopt, {})) {
+  shape.sources = ros::sourcesOf(found, ns);
+  addFoxglove(file, ros::robotsBeside(ns, found), shape.sources);
+  for (ros::Source& usual : ros::sourcesOf(std::nullopt, ns)) {
     if (std::find(untyped.begin(), untyped.end(), usual.topic) != untyped.end())
       shape.sources.push_back(std::move(usual));
   }
@@ -191,6 +201,15 @@ RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choi
         break;
     }
   }
+  shape.robots = ros::robotsIn(shape.sources, ns);
+  if (shape.robots.size() > 1) {
+    // The same throughout the file, whatever a part of it tells.
+    const ros::RosWorld world = firstTransforms(file, fields, shape);
+    shape.root_serves = world.rootServesAll();
+    const std::string shown = ns.empty() ? world.shownRobot() : shape.robots.front();
+    std::stable_partition(shape.robots.begin(), shape.robots.end(),
+                          [&](const std::string& robot) { return robot == shown; });
+  }
   shape.fixed_frame = mapFrame(file, fields, shape);
   if (shape.fixed_frame.empty()) {
     const ros::RosWorld world = firstTransforms(file, fields, shape);
@@ -203,6 +222,23 @@ RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choi
   shape.fixed_by_file = !shape.fixed_frame.empty();
   if (!shape.fixed_by_file) shape.fixed_frame = kMap;
   return shape;
+}
+
+std::vector<std::string> robotNames(recording::Source& file, MessageFields& fields, const RosShape& shape) {
+  std::set<std::string> names;
+  for (const std::string& robot : ros::robotsIn(ros::sourcesOf(shape.found, {}), {}))
+    names.insert(robot.empty() ? "/" : robot);
+  if (names.size() < 2) {
+    names.clear();
+    for (const std::string& frame : firstTransforms(file, fields, shape).transforms().frames()) {
+      const std::size_t end = frame.rfind('/');
+      const std::string name = frame.substr(end == std::string::npos ? 0 : end + 1);
+      if (name == "base_link" || name == "base_footprint")
+        names.insert('/' + frame.substr(0, end == std::string::npos ? 0 : end));
+    }
+  }
+  if (names.size() < 2) names.clear();
+  return {names.begin(), names.end()};
 }
 
 }  // namespace mapwright::robot::recorded

@@ -33,10 +33,19 @@ struct RosShape {
   bool untyped_ros = false;
 
   std::vector<ros::Endpoint> found;  // every topic of ROS
+  /// RobotTransforms::setNamespaces(): the first one is the robot that is shown.
+  std::vector<std::string> robots;
+  bool root_serves = false;  // RobotTransforms::rootServesAll() at the start of the file
+  std::string ns;            // of the robot that was asked for
   bool any() const { return !sources.empty(); }
 };
 
-/// `choices`: topics chosen by the user.
-RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choices& choices);
+/// `choices`: topics chosen by the user; `ns`: the robot's namespace, empty = none was given.
+RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choices& choices,
+                 const std::string& ns = {});
+
+/// The robots in the file by their namespaces ("/" without one), if there are several: those with transforms
+/// of their own, or with frames like "robot1/base_link".
+std::vector<std::string> robotNames(recording::Source& file, MessageFields& fields, const RosShape& shape);
 
 }  // namespace mapwright::robot::recorded
