@@ -67,12 +67,14 @@ struct Telling {
   }
   void operator()(const map::SlamStatus& slam) {
     const int quality = slam.position_quality.value_or(0);
+    if (quality <= 0 && !slam.reliable) return;  // it does not say
     const bool now = (quality > 0 && quality <= kPoor) || slam.reliable == false;
     if (now != low) add(now ? EventKind::QualityLow : EventKind::QualityGood, quality);
     low = now;
   }
   void operator()(const map::WheelState& wheels) {
-    const bool now = wheels.emergency_stop == true;
+    if (!wheels.emergency_stop) return;  // it does not say
+    const bool now = *wheels.emergency_stop;
     if (now != stopped) add(now ? EventKind::EmergencyStopOn : EventKind::EmergencyStopOff);
     stopped = now;
   }

@@ -216,6 +216,8 @@ std::optional<Session::Heard> Session::heard(int what) const {
 
 void Session::reset(map::World world, bool whole) {
   for (auto& [what, heard] : heard_) heard.reset();
+  // What ended before it was never on screen: it is not held there.
+  std::erase_if(world.live.safety, [](const map::SafetyCondition& each) { return each.ended_s.has_value(); });
   world.live.frame = live_.frame + 1;
   const std::optional<map::SubmapList> list = world.submaps;
   world_ = std::move(world);

@@ -169,6 +169,24 @@ class SessionMapsTest : public QObject {
     QVERIFY(session_->submaps().find({3, 4}));
   }
 
+  /// A stop that flapped is held on screen for a while, but not where a jump in a replay lands after its end.
+  void whatEndedBeforeAJumpIsNotShownAfterIt() {
+    Session::Options options;
+    options.wall = [] { return QDateTime::fromSecsSinceEpoch(1001); };
+    make(true, true, true, false, options);
+    goOnline();
+    map::World world;
+    for (int i = 0; i < 6; ++i) map::reduceInto(world, map::WheelState{"auto", i % 2 == 0, {}}, 995 + i);
+    session_->reset(world);
+    QVERIFY(session_->safety().conditions().empty());
+    robot_->say(map::WheelState{"auto", false, {}});
+    QVERIFY(session_->safety().conditions().empty());
+    // One that is there is there.
+    map::reduceInto(world, map::WheelState{"auto", true, {}}, 1000.5);
+    session_->reset(world);
+    QCOMPARE(session_->safety().conditions().size(), std::size_t(1));
+  }
+
   void aRobotThatSendsNoneShowsItsCurrentMap() {
     make(true, false, false);
     goOnline();
