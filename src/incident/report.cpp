@@ -28,6 +28,8 @@ using page::Tone;
 
 constexpr double kStandsMPerS = 0.05, kAheadM = 1;
 constexpr double kEventsBeforeS = 300;
+constexpr double kWithLossS =
+    5;  // SLAM tells its state about once a second, robots with a bad link less often
 constexpr double kBeginningS = 2;  // until then all that is told regularly has been
 constexpr std::size_t kMostEvents = 30, kMostOnTheWay = 40, kMostTopics = 200;
 constexpr std::size_t kLongestSaid = 400;
@@ -203,7 +205,7 @@ void writeSafety(page::Page& page, const Run& run) {
   if (live.wheels && !live.wheels->control_mode.empty()) control = Cell(named(live.wheels->control_mode));
   facts.push_back({ReportText::tr("Control"), {control}});
   std::vector<Cell> conditions;
-  for (const map::SafetyCondition& condition : map::safetyOf(live, run.at_s)) {
+  for (const auto& [condition, code_since_s] : run.conditions.all) {
     const map::Problem problem = map::problemOf(condition);
     QString words = QStringLiteral("%1: %2").arg(sentences::nameOf(problem.subject),
                                                  named(sentences::sentenceOf(problem)));
@@ -212,6 +214,8 @@ void writeSafety(page::Page& page, const Run& run) {
     else if (condition.since_s > 0)
       words = ReportText::tr("%1 (since %2, for %3)")
                   .arg(words, clockText(condition.since_s, run), ageText(run.at_s - condition.since_s));
+    if (code_since_s < condition.since_s)
+      words = ReportText::tr("%1, in other words since %2").arg(words, clockText(code_since_s, run));
     conditions.emplace_back(words, condition.severity == map::Severity::Error ? Tone::Bad : Tone::Warning);
   }
   if (conditions.empty()) conditions.emplace_back(ReportText::tr("none that the robot reports"));
@@ -393,6 +397,25 @@ QString nameOf(const OnTheWay& thing) {
   return thing.name.empty() ? kind : QStringLiteral("%1 %2").arg(kind, named(thing.name));
 }
 
+std::vector<NamedJump> namedJumps(const Run& run) {
+  const replay::Event *loss = nullptr, *last = nullptr;
+  // Far from everything where it is not known.
+  double lost_s = run.conditions.poor_since_s.value_or(HUGE_VAL);
+  if (isFromTheFirst(map::topicIndex<map::SlamStatus>(), lost_s, run)) lost_s = HUGE_VAL;
+  const auto away_s = [&](const replay::Event& event) { return std::abs(event.at_s - lost_s); };
+  for (const replay::Event& event : run.events) {
+    if (event.kind != replay::EventKind::PositionJump || event.at_s > run.at_s) continue;
+    if (away_s(event) <= kWithLossS && (!loss || away_s(event) < away_s(*loss))) loss = &event;
+    if (run.at_s - event.at_s <= kBesideS) last = &event;
+  }
+  std::vector<NamedJump> named;
+  if (loss) named.push_back({loss->at_s, loss->metres, true});
+  if (last && last != loss) named.push_back({last->at_s, last->metres, false});
+  std::stable_sort(named.begin(), named.end(),
+                   [](const NamedJump& a, const NamedJump& b) { return a.at_s < b.at_s; });
+  return named;
+}
+
 QStringList consistent(const Run& run) {
   QStringList all;
   const map::LiveState& live = run.live;
@@ -421,19 +444,17 @@ QStringList consistent(const Run& run) {
                "It stands still although it has a way to go, which is consistent with being held up at %1, "
                "%2 ahead.")
                .arg(nameOf(things.front()), metres(things.front().along_m));
-  const bool poor =
-      live.slam.reliable == false ||
-      (live.slam.position_quality && *live.slam.position_quality > 0 && *live.slam.position_quality <= 3);
-  const auto jump = std::find_if(run.events.rbegin(), run.events.rend(), [&](const replay::Event& event) {
-    return event.kind == replay::EventKind::PositionJump && std::abs(event.at_s - run.at_s) <= kBesideS;
-  });
-  if (jump != run.events.rend())
-    all << (poor ? ReportText::tr(
-                       "Its position jumped by %1 within this minute, which is consistent with the poor "
-                       "localization.")
-                 : ReportText::tr("Its position jumped by %1 within this minute."))
-               .arg(metres(jump->metres));
-  if (poor && jump == run.events.rend())
+  const auto& poor_since_s = run.conditions.poor_since_s;
+  const std::vector<NamedJump> jumps = namedJumps(run);
+  for (const NamedJump& jump : jumps) {
+    const QString jumped =
+        ReportText::tr("Its position jumped by %1 at %2").arg(metres(jump.metres), clockText(jump.at_s, run));
+    all << (jump.with_loss ? ReportText::tr("%1, which is consistent with its localization, poor since %2.")
+                                 .arg(jumped, clockText(*poor_since_s, run))
+            : poor_since_s ? ReportText::tr("%1, which is consistent with the poor localization.").arg(jumped)
+                           : ReportText::tr("%1.").arg(jumped));
+  }
+  if (poor_since_s && jumps.empty())
     all << ReportText::tr("Its localization is poor: it may have been elsewhere.");
   return all;
 }

@@ -13,6 +13,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "incident/conditions.h"
 #include "incident/curves.h"
 #include "incident/on_the_way.h"
 #include "map/live_state.h"
@@ -27,6 +28,7 @@ struct Run {
   double at_s = 0;   // seconds since the epoch
   robot::BagInfo info;
   map::LiveState live;
+  Conditions conditions;                      // what the robot says of its safety
   std::vector<map::OverlayFeature> overlays;  // of the map
   std::string map_name;                       // untrusted; empty: none is known
   bool map_of_now = false;                    // the map drawn is the robot's present one, not of the bag
@@ -50,6 +52,15 @@ struct Report {
 
 /// What is older than this at the moment is listed with its age.
 inline constexpr double kOldS = 5;
+
+/// A jump of the position that the report names: never a later one.
+struct NamedJump {
+  double at_s = 0, metres = 0;
+  bool with_loss = false;  // it came when localization became poor, which it still is
+  bool operator==(const NamedJump&) const = default;
+};
+/// The one that came with the loss, and the last of the half minute before the moment; by time.
+std::vector<NamedJump> namedJumps(const Run& run);
 
 /// "2024-06-03 09:00:00.250", UTC.
 QString utcText(double epoch_s);

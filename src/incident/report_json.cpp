@@ -15,9 +15,20 @@ QJsonValue orNothing(const std::optional<double>& value) {
 
 QJsonObject runJson(const Run& run) {
   const map::LiveState& live = run.live;
-  QJsonArray conditions, things, unknown;
-  for (const map::SafetyCondition& condition : map::safetyOf(live, run.at_s))
-    conditions.append(sentences::nameOf(map::problemOf(condition).subject));
+  QJsonArray conditions, safety, jumps, things, unknown;
+  for (const auto& [said, code_since_s] : run.conditions.all) {
+    const QString name = sentences::nameOf(map::problemOf(said).subject);
+    conditions.append(name);
+    safety.append(QJsonObject{{QStringLiteral("condition"), name},
+                              {QStringLiteral("code"), qint64(said.code)},
+                              {QStringLiteral("text"), words::text(said.text)},
+                              {QStringLiteral("since"), said.since_s},
+                              {QStringLiteral("code_since"), code_since_s}});
+  }
+  for (const NamedJump& jump : namedJumps(run))
+    jumps.append(QJsonObject{{QStringLiteral("at"), jump.at_s},
+                             {QStringLiteral("metres"), jump.metres},
+                             {QStringLiteral("with_loss"), jump.with_loss}});
   for (const OnTheWay& thing : onTheWay(remainingWay(live), radiusOf(live.model), run.overlays, live.doors))
     things.append(QJsonObject{{QStringLiteral("along_m"), thing.along_m},
                               {QStringLiteral("away_m"), thing.away_m},
@@ -37,6 +48,9 @@ QJsonObject runJson(const Run& run) {
                            : QJsonValue(QJsonValue::Null)},
           {QStringLiteral("speed"), orNothing(speed)},
           {QStringLiteral("conditions"), conditions},
+          {QStringLiteral("safety"), safety},
+          {QStringLiteral("poor_since"), orNothing(run.conditions.poor_since_s)},
+          {QStringLiteral("jumps"), jumps},
           {QStringLiteral("on_the_way"), things},
           {QStringLiteral("not_known"), unknown}};
 }

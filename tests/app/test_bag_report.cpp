@@ -32,6 +32,7 @@ struct Drive {
   double stops_s = 40;  // where it stands from then on
   bool poses = true;
   bool alerted = false;  // from the beginning
+  bool flaps = false;    // a stop and an alert, three times
 };
 
 }  // namespace
@@ -75,6 +76,15 @@ class BagReportTest : public QObject {
     if (drive.alerted) {
       for (int i = 1; i < 60; ++i) say(i, "/alerts", "'alerts':[{'code':6004,'level':'error','msg':'M'}]");
     }
+    if (drive.flaps) {
+      for (int i = 0; i < 6; ++i) {
+        const bool on = i % 2 == 0;
+        say(41 + 2 * i, "/wheel_state",
+            std::string("'control_mode':'auto','emergency_stop_pressed':") + (on ? "true" : "false"));
+        say(40 + 2 * i, "/alerts", on ? "'alerts':[{'code':6004,'level':'error','msg':'M'}]" : "'alerts':[]");
+      }
+      say(51.5, "/alerts", "'alerts':[{'code':6004,'level':'error','msg':'M'}]");
+    }
     say(60, "/bumper_state", "'front':'" + kOdd + "'");
     say(60, "/alerts", "'alerts':[{'code':6001,'level':'error','msg':'" + kOdd + "'}]");
     (void)(*writer)->close();
@@ -116,6 +126,20 @@ class BagReportTest : public QObject {
     QVERIFY(told(recording("alerted.mcap", {1, 40, true, true}), 50).contains(before));
     const QString later = told(recording("drive.mcap", {}), 60);
     QVERIFY(later.contains(QLatin1String("(since 09:01:00.000, for 0.0 s)")) && !later.contains(before));
+  }
+
+  /// What keeps a window from flickering is no part of a report.
+  void whatHasEndedIsOverAndWhatBeganAgainIsNew() {
+    const QString file = recording("flaps.mcap", {1, 40, true, false, true});
+    const auto done = report({file, QStringLiteral("--at"), at(53.5), QStringLiteral("-o"),
+                              QStringLiteral("flaps.html"), QStringLiteral("--json")});
+    QVERIFY2(done.code == 0, qPrintable(done.err));
+    const QJsonArray safety = done.object()[QStringLiteral("safety")].toArray();
+    QCOMPARE(safety.size(), 1);
+    QCOMPARE(safety[0].toObject()[QStringLiteral("code")].toInt(), 6004);
+    QCOMPARE(safety[0].toObject()[QStringLiteral("since")].toDouble(), at(51.5).toDouble());
+    const QString html = QString::fromUtf8(program_.bytes("flaps.html"));
+    QVERIFY(!html.contains(QLatin1String("It is pressed")));
   }
 
   void whatTheBagTellsOfBumpersIsShownAsSent() {

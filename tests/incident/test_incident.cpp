@@ -54,7 +54,8 @@ Run toldBy(const std::string& word) {
   map::SafetyCondition condition;
   condition.text = word;
   condition.since_s = kAt - 3;
-  run.live.safety = {condition};
+  run.conditions.all = {{condition, condition.since_s}};
+  run.conditions.poor_since_s = kAt - 12;
   run.overlays = {line(2, {{4, -1}, {4, 1}}, word), region(1, square(5, -1, 1), word)};
   run.map_name = word;
   run.topics = {{word, kAt - 60}, {"/other", kAt - 1}};
@@ -218,7 +219,9 @@ class IncidentTest : public QObject {
     const QString all = incident::consistent(run).join(QLatin1Char('\n'));
     QVERIFY(all.contains(QLatin1String("The robot says itself why it failed")));
     QVERIFY(all.contains(QLatin1String("consistent with the emergency stop")));
-    QVERIFY(all.contains(QLatin1String("jumped by 2.50 m within this minute, which is consistent with")));
+    QVERIFY(
+        all.contains(QLatin1String("jumped by 2.50 m at 08:59:50.000, which is consistent with its "
+                                   "localization, poor since 08:59:48.000.")));
     // It stands a step before the wall.
     run.live.robot_pose = geometry::Pose2{3.2, 0, 0};
     QVERIFY(incident::consistent(run)
@@ -239,7 +242,7 @@ class IncidentTest : public QObject {
     // Of another kind, told before without it, or first told of in the middle.
     for (int how = 0; how < 3; ++how) {
       Run other = run;
-      if (how == 0) other.live.safety.front().kind = map::SafetyKind::EmergencyStop;
+      if (how == 0) other.conditions.all.front().said.kind = map::SafetyKind::EmergencyStop;
       if (how == 1) other.first_s.begin()->second = kAt - 3.5;
       if (how == 2) other.info.start_s = kAt - 30;
       html = htmlOf({other, {}, {}, false});

@@ -260,6 +260,7 @@ void Gathering::takeState() {
   run_.topics = replayed_->topics();
   minute_->takePoses(reading.index().digests());
   run_.curves = minute_->curves();
+  run_.conditions = incident::conditionsAt(reading.index().digests(), run_.at_s);
   run_.events = replay::eventsOf(reading.index().digests());
   for (const auto& [from, digest] : reading.index().digests()) {
     for (const replay::Digest::Kept& kept : digest.history)
