@@ -68,14 +68,16 @@ QStringList LayerSubscription::topicsOf(map::Stream stream) const {
   return live ? live->topicsOf(stream) : QStringList();
 }
 
-/// The points of several scanners are shown together: none that the robot lists may be missing.
+/// The points of several scanners are shown together, and so are markers: none that the robot lists may be
+/// missing.
 QStringList LayerSubscription::silentOf(map::Stream stream) const {
   const QStringList topics = topicsOf(stream);
   QStringList silent, missing;
   std::copy_if(topics.begin(), topics.end(), std::back_inserter(silent),
                [this](const QString& topic) { return !heard_.contains(topic.toStdString()); });
   robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
-  const auto offered = of && stream == map::Stream::Cloud ? of->offered() : std::nullopt;
+  const bool together = stream == map::Stream::Cloud || stream == map::Stream::SeenObjects;
+  const auto offered = of && together ? of->offered() : std::nullopt;
   if (!offered) return silent.size() < topics.size() ? QStringList() : topics.mid(0, 1);
   for (const robot::OfferedTopic& topic : *offered) {
     if (silent.contains(topic.name)) missing << topic.name;
@@ -94,7 +96,31 @@ std::vector<Layer> LayerSubscription::unfillable() const {
   return empty;
 }
 
-bool LayerSubscription::in() const { return silent().isEmpty() && !session_.layerGrids().busy(); }
+bool LayerSubscription::in() const {
+  return silent().isEmpty() && unplacedMarkers().empty() && !session_.layerGrids().busy();
+}
+
+std::map<QString, int> LayerSubscription::unplacedMarkers() const {
+  robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
+  if (!of || !waiting_.contains(map::Stream::SeenObjects)) return {};
+  return of->unplacedMarkers();
+}
+
+QStringList LayerSubscription::unplaced() const {
+  QStringList unplaced;
+  for (const map::Stream stream : waiting_) {
+    for (const QString& topic : topicsOf(stream)) {
+      const map::Subject subject(map::SubjectKind::Topic, topic.toStdString());
+      const auto& rows = session_.problems().rows();
+      const bool is_unplaced = std::any_of(rows.begin(), rows.end(), [&](const session::LoggedProblem& row) {
+        return !row.resolved && row.problem.code == map::ProblemCode::Unplaced &&
+               row.problem.subject == subject;
+      });
+      if (is_unplaced && !unplaced.contains(topic)) unplaced << topic;
+    }
+  }
+  return unplaced;
+}
 
 QStringList LayerSubscription::silent() const {
   QStringList silent;

@@ -31,6 +31,10 @@ class LayerSubscription : public QObject {
   bool in() const;
   /// Topics that sent nothing, as the robot names them.
   QStringList silent() const;
+  /// By topic: requested markers without their transforms.
+  std::map<QString, int> unplacedMarkers() const;
+  /// Topics of requested layers with data that cannot be placed, as the list of problems says.
+  QStringList unplaced() const;
   /// Requested layers for which the robot has no topic.
   std::vector<scene::Layer> unfillable() const;
 

@@ -573,6 +573,7 @@ void SnapshotRun::paint(bool settled) {
   if (lacksSubmaps())
     notes_ << Text::tr("The bag contains no submap list up to this time: there are no submaps to draw.");
   noteChosenTopics();
+  if (!replayed_) noteUnplaced();
   for (const QString& topic : live_layers_.silent()) {
     // Nothing is requested for a bag: data that is not in it is not missing.
     if (replayed_) break;
@@ -606,6 +607,18 @@ void SnapshotRun::paint(bool settled) {
   connect(picture_.get(), &SnapshotPicture::finished, this, &SnapshotRun::write);
   picture_->start();
   notes_ += picture_->notes();
+}
+
+/// What lacks its transform is not where it belongs: nowhere.
+void SnapshotRun::noteUnplaced() {
+  QStringList topics = live_layers_.unplaced();
+  for (const auto& [topic, count] : live_layers_.unplacedMarkers()) {
+    topics << topic;
+    notes_ << Text::tr("%1 markers of %2 are missing: the transforms that place them had not arrived.",
+                       nullptr, count)
+                  .arg(QString::number(count), topic);
+  }
+  complete_ = complete_ && topics.isEmpty();
 }
 
 void SnapshotRun::noteChosenTopics() {

@@ -100,6 +100,7 @@ class SnapshotRun : public QObject {
   bool recalled();
   bool topicsChoosable();
   void noteChosenTopics();
+  void noteUnplaced();
   /// There is no map, but sensor data to show.
   bool drawsScansAlone() const;
   /// The mode is automatic, no submap list arrives, and a whole map is available.

@@ -56,6 +56,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%1 markers of %2 are missing: the transforms that place them had not arrived.</source>
+        <translation>
+            <numerusform>%1 marker of %2 is missing: the transform that places it had not arrived.</numerusform>
+            <numerusform>%1 markers of %2 are missing: the transforms that place them had not arrived.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 submaps could not be read back from the disk: parts of the picture are empty.</source>
         <translation>
             <numerusform>%1 submap could not be read back from the disk: parts of the picture are empty.</numerusform>
@@ -759,6 +766,13 @@
 </context>
 <context>
     <name>ros</name>
+    <message numerus="yes">
+        <source>%1 markers cannot be placed</source>
+        <translation>
+            <numerusform>%1 marker cannot be placed</numerusform>
+            <numerusform>%1 markers cannot be placed</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>The robot accepted the picture, but shows %1 cells differently. Compare the two.</source>
         <translation>

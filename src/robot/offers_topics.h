@@ -48,6 +48,8 @@ class OffersTopics {
   virtual TopicChoices chosen() const = 0;
   /// No message of explicitly requested topics is dropped to save bandwidth.
   virtual void setEveryMessage(bool /*on*/) {}
+  /// By topic: how many markers are not shown because the transforms that place them have not arrived.
+  virtual std::map<QString, int> unplacedMarkers() const { return {}; }
   /// nullopt: there is no network connection.
   virtual std::optional<Reception> reception() const { return std::nullopt; }
 };

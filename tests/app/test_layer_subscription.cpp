@@ -19,15 +19,20 @@ class TellingRobot : public FakeRobot, public robot::OffersTopics {
  public:
   QStringList topicsOf(map::Stream stream) const override {
     if (stream == map::Stream::Planning) return {};
-    return stream == map::Stream::Cloud ? QStringList{QStringLiteral("/scan"), QStringLiteral("/points")}
-                                        : FakeRobot::topicsOf(stream);
+    if (stream == map::Stream::Cloud) return {QStringLiteral("/scan"), QStringLiteral("/points")};
+    if (stream == map::Stream::SeenObjects && !markers.isEmpty()) return markers;
+    return FakeRobot::topicsOf(stream);
   }
   std::optional<std::vector<robot::OfferedTopic>> offered() const override { return told; }
   QStringList choicesFor(map::Stream) const override { return {}; }
   void choose(const robot::TopicChoices&) override {}
   robot::TopicChoices chosen() const override { return {}; }
 
+  std::map<QString, int> unplacedMarkers() const override { return unplaced; }
+
   std::optional<std::vector<robot::OfferedTopic>> told;
+  QStringList markers;
+  std::map<QString, int> unplaced;
 };
 
 }  // namespace
@@ -100,6 +105,34 @@ class LayerSubscriptionTest : public QObject {
       robot_->say(map::PointCloudMessage{}, second);
       QVERIFY(layers_->in());
     }
+  }
+
+  void markersAreWaitedForUntilAllHaveTheirPlace() {
+    robot_->markers = {QStringLiteral("/a"), QStringLiteral("/b")};
+    robot_->told = {{QStringLiteral("/a"), {}}, {QStringLiteral("/b"), {}}};
+    layers_->ask({Layer::Boxes}, false);
+    robot_->say(map::TrackedPose{{1, 2, 0}}, topicOf(map::Stream::Pose));
+    for (const map::Stream stream : {map::Stream::Pallets, map::Stream::Racks})
+      robot_->say(map::AlertsMessage{}, topicOf(stream));
+    robot_->say(map::SeenObjectsMessage{}, "/a");
+    QVERIFY(!layers_->in());
+    QCOMPARE(layers_->silent(), QStringList{QStringLiteral("/b")});
+    robot_->unplaced[QStringLiteral("/b")] = 3;
+    robot_->say(map::SeenObjectsMessage{}, "/b");
+    QVERIFY(!layers_->in() && layers_->silent().isEmpty());
+    robot_->unplaced.clear();
+    QVERIFY(layers_->in());
+  }
+
+  void whatHasNoPlaceIsNamedAsLongAsItHasNone() {
+    layers_->ask({Layer::Path}, false);
+    const std::string topic = topicOf(map::Stream::Path);
+    const map::Subject subject(map::SubjectKind::Topic, topic);
+    Q_EMIT robot_->problemFound(
+        {map::Severity::Warning, subject, fault::said("no transform"), map::ProblemCode::Unplaced});
+    QCOMPARE(layers_->unplaced(), QStringList{QString::fromStdString(topic)});
+    Q_EMIT robot_->recovered({subject, map::ProblemCode::Unplaced});
+    QVERIFY(layers_->unplaced().isEmpty());
   }
 
   void aLayerThatNoTopicFillsIsKnown() {

@@ -89,7 +89,9 @@ std::optional<T> messageOf(const WorldResults& results) {
 
 std::optional<FaultCode> unplaced(const WorldResults& results) {
   for (const WorldResult& result : results) {
-    if (result.unplaced) return result.unplaced->code;
+    if (!result.unplaced) continue;
+    // That of markers says how many.
+    return result.unplaced->because.empty() ? result.unplaced->code : result.unplaced->because.front().code;
   }
   return std::nullopt;
 }

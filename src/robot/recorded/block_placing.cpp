@@ -298,7 +298,10 @@ ros::WorldResults BlockPlacing::take(const recording::Message& message, const Fr
 }
 
 bool BlockPlacing::isOfBeginning(const ros::WorldResult& result, std::int64_t at_ns) const {
-  if (!result.unplaced || result.unplaced->code != robot::ros::fault::RosTransformTooOld) return false;
+  if (!result.unplaced) return false;
+  // That of markers says how many.
+  const Fault& why = result.unplaced->because.empty() ? *result.unplaced : result.unplaced->because.front();
+  if (why.code != robot::ros::fault::RosTransformTooOld) return false;
   const std::vector<ros::Transforms::Newest> newest = ahead_.transforms().newest();
   if (at_ns - start_ns_ > kMissingNs || newest.empty() || !result.recorded_s) return false;
   // By the robot's clock.

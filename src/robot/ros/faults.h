@@ -68,6 +68,9 @@ inline constexpr FaultCode RosFrameAlone{
     "ros", QT_TRANSLATE_NOOP("ros",
                              "Neither a map nor a transform gives the position of the frame %1. Everything "
                              "is shown in that frame, as if the robot never moved.")};
+/// how many; because: why the first cannot
+inline constexpr FaultCode RosMarkersUnplaced{
+    "ros", QT_TRANSLATE_N_NOOP("ros", "%1 markers cannot be placed")};
 /// their namespaces
 inline constexpr FaultCode RosSeveralRobots{
     "ros", QT_TRANSLATE_NOOP("ros",

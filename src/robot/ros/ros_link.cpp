@@ -117,6 +117,7 @@ void RosLink::listen() {
   connect(&subscriptions_, &RosSubscriptions::recovered, this, &RosLink::recovered);
   connect(&subscriptions_, &RosSubscriptions::dropped, this, [this](const std::string& topic) {
     world_.forget(topic);
+    tellUnplacedMarkers();
     forgetTrouble(topic);
     const auto& map = live_map_.last();
     if (map && map->topic == topic) live_map_.forget();
@@ -135,7 +136,9 @@ void RosLink::listen() {
   connect(&look_timer_, &QTimer::timeout, this, &RosLink::look);
   connect(&pose_timer_, &QTimer::timeout, this, &RosLink::tellPose);
   connect(&overdue_timer_, &QTimer::timeout, this, [this] {
-    for (WorldResult& result : world_.overdue(wall())) tell(std::move(result));
+    WorldResults results = world_.overdue(wall());
+    tellUnplacedMarkers();
+    for (WorldResult& result : results) tell(std::move(result));
     tellReception();
   });
 }
@@ -213,6 +216,7 @@ void RosLink::begin() {
   least_late_s_.reset();
   before_ = places_->mailbox.replaced() + world_.gaveWay();
   world_.forgetAll();
+  tellUnplacedMarkers();
   kabam_.state().forget();
   live_map_.forget();
   map_service_.beginAnew();
@@ -420,7 +424,9 @@ void RosLink::take(const TopicMessage& message) {
   const std::vector<Source> sources = wanted->sources;
   if (!sources.empty()) noteDelay(sources.front(), message);
   for (const Source& source : sources) {
-    for (WorldResult& result : world_.take(source, message.msg, message.received_s)) tell(std::move(result));
+    WorldResults results = world_.take(source, message.msg, message.received_s);
+    tellUnplacedMarkers();
+    for (WorldResult& result : results) tell(std::move(result));
     of_pose |= source.stream == map::Stream::Pose;
     if (source.stream == map::Stream::WholeMap && source.form == Form::Grid) map_service_.heard();
   }
@@ -452,6 +458,14 @@ void RosLink::tellReception() {
         {QString::fromStdString(pair.parent), QString::fromStdString(pair.child), age_s});
   }
   Q_EMIT receptionTold(now);
+}
+
+void RosLink::tellUnplacedMarkers() {
+  if (unplaced_markers_ == world_.waitingMarkers()) return;
+  unplaced_markers_ = world_.waitingMarkers();
+  std::map<QString, int> told;
+  for (const auto& [topic, count] : unplaced_markers_) told[QString::fromStdString(topic)] = count;
+  Q_EMIT unplacedMarkersTold(told);
 }
 
 void RosLink::takeAskedMap(const std::string& service, const net::rosbridge::CallAnswer& answer) {

@@ -88,6 +88,8 @@ class RosLink : public wire::RobotLink {
  Q_SIGNALS:
   void topicsKnown(const mapwright::robot::ros::KnownTopics& known);
   void receptionTold(const mapwright::robot::Reception& reception);
+  /// OffersTopics::unplacedMarkers(); comes before the messages with the others.
+  void unplacedMarkersTold(const std::map<QString, int>& by_topic);
   void pictureServiceKnown(bool there);  // comes before mapManagerKnown()
   void mapManagerKnown(bool there);
 
@@ -110,6 +112,7 @@ class RosLink : public wire::RobotLink {
   void findSources();
   bool managesMaps() const;
   void tellReception();
+  void tellUnplacedMarkers();
   void noteDelay(const Source& source, const net::rosbridge::TopicMessage& message);
   void sync();
   void publishState();
@@ -144,9 +147,10 @@ class RosLink : public wire::RobotLink {
   KabamPictures pictures_;
   RosMaps maps_;
   QTimer look_timer_, pose_timer_, overdue_timer_;
-  Reception reception_;                 // of this connection, but for the transforms
-  std::size_t before_ = 0;              // what made way on connections before
-  std::optional<double> least_late_s_;  // arrival less stamp, at best
+  std::map<std::string, int> unplaced_markers_;  // as they were told
+  Reception reception_;                          // of this connection, but for the transforms
+  std::size_t before_ = 0;                       // what made way on connections before
+  std::optional<double> least_late_s_;           // arrival less stamp, at best
   QElapsedTimer reception_told_;
   bool wanted_ = false;
   bool looking_ = false;

@@ -251,6 +251,7 @@ RosRobot::RosRobot(QString address, wire::StartedLink<RosLink> started, std::int
       dispatch_(link_, longest_message) {
   qRegisterMetaType<KnownTopics>();
   qRegisterMetaType<Reception>();
+  qRegisterMetaType<std::map<QString, int>>();
   qRegisterMetaType<Dispatcher>();
   qRegisterMetaType<std::shared_ptr<const ProjectedPart>>();
   listen();
@@ -269,6 +270,8 @@ void RosRobot::listen() {
   });
   connect(link_, &RosLink::receptionTold, this,
           [this](const Reception& reception) { reception_ = reception; });
+  connect(link_, &RosLink::unplacedMarkersTold, this,
+          [this](const std::map<QString, int>& by_topic) { unplaced_markers_ = by_topic; });
   connect(link_, &RosLink::pictureServiceKnown, this, [this](bool there) {
     if (std::exchange(takes_pictures_, there) != there) Q_EMIT capabilitiesChanged();
   });

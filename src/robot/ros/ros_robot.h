@@ -140,6 +140,7 @@ class RosRobot : public wire::NetworkRobot, public OffersTopics {
   void choose(const TopicChoices& choices) override;
   TopicChoices chosen() const override { return chosen_; }
   void setEveryMessage(bool on) override;
+  std::map<QString, int> unplacedMarkers() const override { return unplaced_markers_; }
   std::optional<Reception> reception() const override { return reception_; }
 
  private:
@@ -152,6 +153,7 @@ class RosRobot : public wire::NetworkRobot, public OffersTopics {
   KnownTopics known_;
   TopicChoices chosen_;
   std::optional<Reception> reception_;
+  std::map<QString, int> unplaced_markers_;
   wire::CatalogueOf<RosMaps> catalogue_;
   wire::WholeMapsOf<RosMaps> whole_maps_;
   Topics topics_;

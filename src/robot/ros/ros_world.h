@@ -70,6 +70,8 @@ class RosWorld {
   WorldResult take(const Source& source, const Grid& grid, double received_s);
   /// As of the last marker message, or of overdue().
   const map::SeenObjectsMessage& seenObjects() const { return markers_.seen(); }
+  /// Markers that wait for their transforms, by topic.
+  const std::map<std::string, int>& waitingMarkers() const { return markers_.waiting(); }
   /// When the next marker expires; infinity: none will.
   double nextMarkerEnd() const { return markers_.nextEnd(); }
   /// Messages that have waited too long for their transform at `now_s`; and the markers, if time or

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/map_values.h"
 
 namespace mapwright::robot::ros {
@@ -69,18 +70,23 @@ SeenMarkers::Look SeenMarkers::look(const RobotTransforms& transforms, const std
                                     double now_s) {
   Look look;
   map::SeenObjectsMessage seen;
-  waits_ = moves_ = false;
+  waiting_.clear();
+  moves_ = false;
   next_end_s_ = std::numeric_limits<double>::infinity();
   std::size_t count = 0;
   for (auto& [topic, rows] : topics_) {
     std::erase_if(rows, [now_s](const auto& row) { return row.second.until_s <= now_s; });
     count += rows.size();
+    std::int64_t late = 0;
+    std::optional<Fault> reason;
     for (auto& [key, row] : rows) {
       next_end_s_ = std::min(next_end_s_, row.until_s);
       moves_ |= row.marker.frame_locked;
       if (auto why = place(row, topic, transforms, fixed_frame)) {
-        waits_ = true;
-        if (now_s - row.since_s > kLongestWaitS) look.unplaced.try_emplace(topic, std::move(*why));
+        ++waiting_[topic];
+        const bool is_late = now_s - row.since_s > kLongestWaitS;
+        late += is_late;
+        if (is_late && !reason) reason = std::move(why);
       }
       if (!row.placed || row.fixed_frame != fixed_frame) continue;
       if (auto box = boxOf(row.marker, *row.placed)) {
@@ -89,6 +95,7 @@ SeenMarkers::Look SeenMarkers::look(const RobotTransforms& transforms, const std
         seen.drawings.push_back(std::move(*drawing));
       }
     }
+    if (reason) look.unplaced.try_emplace(topic, Fault(fault::RosMarkersUnplaced, {late}, {*reason}));
   }
   many_ = count > kMany;
   if (many_) next_end_s_ = std::numeric_limits<double>::infinity();

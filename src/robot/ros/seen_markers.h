@@ -32,12 +32,14 @@ class SeenMarkers {
 
   struct Look {
     bool changed = false;                   // seen() is another
-    std::map<std::string, Fault> unplaced;  // by topic: why a marker that has waited cannot be placed
+    std::map<std::string, Fault> unplaced;  // by topic: how many that have waited cannot be placed, and why
   };
   /// Places new markers, moves frame-locked ones, removes expired ones.
   Look look(const RobotTransforms& transforms, const std::string& fixed_frame, double now_s);
   /// The last look() left some unplaced.
-  bool waits() const { return waits_; }
+  bool waits() const { return !waiting_.empty(); }
+  /// How many, by topic.
+  const std::map<std::string, int>& waiting() const { return waiting_; }
   /// Some of them move with their frames.
   bool moves() const { return moves_; }
   /// There are too many to update at every transform and every expiry.
@@ -64,7 +66,8 @@ class SeenMarkers {
   std::map<std::string, std::map<std::pair<std::string, std::int64_t>, Row>>
       topics_;  // by namespace and number
   map::SeenObjectsMessage seen_;
-  bool waits_ = false, moves_ = false, many_ = false;
+  std::map<std::string, int> waiting_;  // by topic
+  bool moves_ = false, many_ = false;
   double next_end_s_ = std::numeric_limits<double>::infinity();
 };
 
