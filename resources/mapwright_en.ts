@@ -767,6 +767,20 @@
 <context>
     <name>ros</name>
     <message numerus="yes">
+        <source>%1 markers are meshes (%2), which are not read: spots are drawn in their places.</source>
+        <translation>
+            <numerusform>%1 marker is a mesh (%2), which is not read: a spot is drawn in its place.</numerusform>
+            <numerusform>%1 markers are meshes (%2), which are not read: spots are drawn in their places.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 markers are of an unknown kind and are not drawn.</source>
+        <translation>
+            <numerusform>%1 marker is of an unknown kind and is not drawn.</numerusform>
+            <numerusform>%1 markers are of an unknown kind and are not drawn.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 markers cannot be placed</source>
         <translation>
             <numerusform>%1 marker cannot be placed</numerusform>

@@ -78,7 +78,7 @@ class RosMarkersTest : public QObject {
     row("sphere list", 7, Kind::SphereList, int(Drawn::Points), 4);
     row("points", 8, Kind::Points, int(Drawn::Points), 4);
     row("text", 9, Kind::Text, int(Drawn::Text), 1);
-    row("mesh", 10, Kind::Other, kNothing, 0);
+    row("mesh", 10, Kind::Mesh, int(Drawn::Points), 1);
     row("triangles", 11, Kind::Triangles, int(Drawn::Triangles), 3);
     row("unheard of", 77, Kind::Other, kNothing, 0);
   }

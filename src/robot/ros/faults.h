@@ -69,8 +69,15 @@ inline constexpr FaultCode RosFrameAlone{
                              "Neither a map nor a transform gives the position of the frame %1. Everything "
                              "is shown in that frame, as if the robot never moved.")};
 /// how many; because: why the first cannot
-inline constexpr FaultCode RosMarkersUnplaced{
-    "ros", QT_TRANSLATE_N_NOOP("ros", "%1 markers cannot be placed")};
+inline constexpr FaultCode RosMarkersUnplaced{"ros",
+                                              QT_TRANSLATE_N_NOOP("ros", "%1 markers cannot be placed")};
+/// how many, the file of the first
+inline constexpr FaultCode RosMeshesAsSpots{
+    "ros", QT_TRANSLATE_N_NOOP(
+               "ros", "%1 markers are meshes (%2), which are not read: spots are drawn in their places.")};
+/// how many
+inline constexpr FaultCode RosMarkersUnknown{
+    "ros", QT_TRANSLATE_N_NOOP("ros", "%1 markers are of an unknown kind and are not drawn.")};
 /// their namespaces
 inline constexpr FaultCode RosSeveralRobots{
     "ros", QT_TRANSLATE_NOOP("ros",

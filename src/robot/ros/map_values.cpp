@@ -7,6 +7,7 @@
 namespace mapwright::robot::ros {
 namespace {
 
+constexpr double kMeshM = 0.2;              // the edge of the spot that stands for one
 constexpr std::uint8_t kUnknownByte = 255;  // Mode::Raw treats everything above 100 as unknown
 
 /// A completely transparent colour means that none was set.
@@ -157,6 +158,12 @@ std::optional<map::GroundDrawing> drawingOf(const Marker& marker, const Transfor
       drawing.text = marker.text;
       drawing.size_m = marker.scale_m.z();
       if (!marker.text.empty()) drawing.points = {at({0, 0, 0})};
+      break;
+    case Kind::Mesh:
+      // Its size is in a file that is not read.
+      drawing.kind = Drawn::Points;
+      drawing.size_m = kMeshM;
+      drawing.points = {at({0, 0, 0})};
       break;
     case Kind::Cube:
     case Kind::Sphere:

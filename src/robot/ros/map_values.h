@@ -35,8 +35,8 @@ map::PointCloudMessage placedAlong(const Points& points, const std::string& topi
 /// A cube, cylinder or sphere as its box on the ground, named after its text or its namespace and number;
 /// nullopt for anything else.
 std::optional<map::GroundBox> boxOf(const Marker& marker, const Transform3& in_map);
-/// Any other visible marker, flat on the ground; nullopt for a box or a mesh. A transparent colour counts as
-/// none.
+/// Any other visible marker, flat on the ground; nullopt for a box. A mesh is a spot at its place. A
+/// transparent colour counts as none.
 std::optional<map::GroundDrawing> drawingOf(const Marker& marker, const Transform3& in_map);
 
 }  // namespace mapwright::robot::ros

@@ -1,5 +1,5 @@
 // Scans and clouds of points. Those of large maps keep millimetre precision far from 0. Source:
-// sensor_msgs/LaserScan, PointCloud2, PointField.
+// sensor_msgs/LaserScan, MultiEchoLaserScan, PointCloud, PointCloud2, PointField.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,6 +17,7 @@ namespace mapwright::robot::ros {
 namespace {
 
 constexpr std::size_t kMostRays = 10'000'000;
+constexpr std::size_t kMostEchoes = 1'000;
 constexpr std::size_t kMostCloudBytes = std::size_t(256) << 20;
 constexpr std::size_t kMostPartBytes = std::size_t(1) << 30;
 constexpr double kLongestSweepS = 5;  // longer is not a plausible scan time
@@ -232,6 +233,61 @@ Read<Points> readLaserScan(const Field& msg) {
     read.when = std::move(when);
   }
   return read;
+}
+
+Read<Points> readMultiEchoScan(const Field& msg) {
+  const double angle_min = numberOr(msg["angle_min"], kNaN);
+  const double angle_step = numberOr(msg["angle_increment"], kNaN);
+  if (!std::isfinite(angle_min)) return fieldMissing("angle_min");
+  if (!std::isfinite(angle_step)) return fieldMissing("angle_increment");
+  const Field list = msg["ranges"];
+  if (!list.isList()) return fieldMissing("ranges");
+  const double nearest = numberOr(msg["range_min"], 0), farthest_said = numberOr(msg["range_max"], 0);
+  const double farthest = farthest_said > nearest ? farthest_said : std::numeric_limits<double>::infinity();
+  std::vector<std::vector<double>> intensities;
+  msg["intensities"].each([&](const Field& ray) {
+    if (intensities.size() < kMostRays)
+      intensities.push_back(ray["echoes"].numbers(kMostEchoes).value_or(std::vector<double>()));
+  });
+  PointList points;
+  std::size_t ray = 0, echoes = 0;
+  list.each([&](const Field& of) {
+    const std::size_t place = ray++;
+    const auto ranges = of["echoes"].numbers(kMostEchoes);
+    if (!ranges) return points.leaveOut();
+    const double angle = angle_min + double(place) * angle_step;
+    for (std::size_t i = 0; i < ranges->size() && echoes < kMostPoints; ++i) {
+      const double range = (*ranges)[i];
+      if (!(range >= nearest && range <= farthest)) {
+        points.leaveOut();
+        continue;
+      }
+      const bool bright = place < intensities.size() && i < intensities[place].size();
+      points.add({range * std::cos(angle), range * std::sin(angle), 0}, bright ? intensities[place][i] : 0);
+      ++echoes;
+    }
+  });
+  return std::move(points).points(headerOf(msg), echoes, false);
+}
+
+Read<Points> readPointCloud1(const Field& msg) {
+  const Field list = msg["points"];
+  if (!list.isList()) return fieldMissing("points");
+  std::optional<std::vector<double>> intensities;
+  msg["channels"].each([&](const Field& channel) {
+    const std::string name = channel["name"].text();
+    if (name == "intensity" || name == "intensities") intensities = channel["values"].numbers(kMostRays);
+  });
+  if (intensities && intensities->size() != list.size()) intensities.reset();
+  const std::size_t stride = strideFor(list.size(), kMostPoints);
+  PointList points;
+  points.reserve(list.size() / stride + 1);
+  std::size_t place = 0;
+  list.each([&](const Field& item) {
+    const std::size_t at = place++;
+    if (at % stride == 0) points.add(pointOf(item), intensities ? (*intensities)[at] : 0);
+  });
+  return std::move(points).points(headerOf(msg), list.size(), false);
 }
 
 Read<Points> readPointCloud2(const Field& msg) {

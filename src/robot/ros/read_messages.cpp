@@ -59,7 +59,7 @@ constexpr std::size_t kMostPointsOfAll = 500'000;
 constexpr Marker::Kind kMarkerKinds[] = {
     Marker::Kind::Arrow,     Marker::Kind::Cube,     Marker::Kind::Sphere,   Marker::Kind::Cylinder,
     Marker::Kind::LineStrip, Marker::Kind::LineList, Marker::Kind::CubeList, Marker::Kind::SphereList,
-    Marker::Kind::Points,    Marker::Kind::Text,     Marker::Kind::Other,    Marker::Kind::Triangles,
+    Marker::Kind::Points,    Marker::Kind::Text,     Marker::Kind::Mesh,     Marker::Kind::Triangles,
     Marker::Kind::LineStrip};
 Marker::Kind markerKindOf(std::int64_t type) {
   const bool known = type >= 0 && type < std::int64_t(std::size(kMarkerKinds));
@@ -120,7 +120,7 @@ std::optional<Marker> markerOf(const Field& field, std::size_t most_points) {
   for (Eigen::Index axis = 0; axis < 3; ++axis)
     marker.scale_m[axis] = std::isfinite(scale[axis]) ? std::abs(scale[axis]) : 0;
   marker.rgba = rgbaOf(field["color"]);
-  marker.text = field["text"].text();
+  marker.text = field[marker.kind == Marker::Kind::Mesh ? "mesh_resource" : "text"].text();
   marker.lifetime_s = std::max(0.0, field["lifetime"].time().value_or(0));
   marker.frame_locked = field["frame_locked"].flag().value_or(false);
   readPoints(field, most_points, marker);

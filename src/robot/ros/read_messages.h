@@ -103,6 +103,7 @@ struct Marker {
     Points,
     Text,
     Triangles,
+    Mesh,  // a file elsewhere: only its place is known
     Other
   };
   enum class Action { Add, Delete, DeleteAll };
@@ -149,6 +150,10 @@ Read<Poses> readPoseArray(const Field& msg);
 /// sensor_msgs/LaserScan: the ends of rays that hit something, z = 0. A range_max that is not a number or not
 /// above range_min is ignored. With a time_increment the points have times (Points::when).
 Read<Points> readLaserScan(const Field& msg);
+/// sensor_msgs/MultiEchoLaserScan: every echo.
+Read<Points> readMultiEchoScan(const Field& msg);
+/// sensor_msgs/PointCloud, with its channel "intensity" or "intensities".
+Read<Points> readPointCloud1(const Field& msg);
 /// sensor_msgs/PointCloud2: x, y, z and intensity, of any type at any offset; colours are ignored.
 Read<Points> readPointCloud2(const Field& msg);
 
