@@ -767,6 +767,43 @@ class RecordedRobotTest : public QObject {
     QVERIFY(info && info->robots.empty());
   }
 
+  void whatIsDrawnLikeMarkersIsInARecordingToo() {
+    std::vector<Drive::Said> said = Drive{20}.all();
+    std::erase_if(said, [](const Drive::Said& one) { return one.topic == "/markers"; });
+    for (int second = 1; second < 20; ++second) {
+      const double at_s = Drive::kStartS + second;
+      said.push_back({"/zone", "geometry_msgs/PolygonStamped", at_s, [=](RosOut& out) {
+                        out.header(at_s, "base_link").object("polygon", [&] {
+                          out.list("points", 3, [&](std::size_t i) {
+                            out.f64("x", double(i)).f64("y", double(i * i)).f64("z", 0);
+                          });
+                        });
+                      }});
+      said.push_back({"/poses", "geometry_msgs/PoseArray", at_s + 0.5, [=](RosOut& out) {
+                        out.header(at_s, "map").list("poses", std::size_t(second), [&](std::size_t i) {
+                          out.object("position", [&] { out.f64("x", double(i)).f64("y", 0).f64("z", 0); });
+                          out.turn("orientation", 0);
+                        });
+                      }});
+    }
+    std::stable_sort(said.begin(), said.end(), [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
+    const QString path = written(recordings::recordingOf(said, Encoding::Json));
+    const auto robot = opened(path);
+    for (const double from_s : {Drive::kStartS, Drive::kStartS + 9.2}) {
+      const auto chunk = range(*robot, keyOf(path), from_s, Drive::kStartS + 11.75);
+      QVERIFY(chunk);
+      const map::World world = foldedUntil(**chunk, Drive::kStartS + 11.7);
+      QCOMPARE(world.live.drawings.size(), std::size_t(2));
+      const map::GroundDrawing& poses = world.live.drawings[0];
+      QCOMPARE(poses.kind, map::GroundDrawing::Kind::Segments);
+      QCOMPARE(poses.points.size(), std::size_t(11 * 6));
+      const map::GroundDrawing& zone = world.live.drawings[1];
+      QCOMPARE(zone.kind, map::GroundDrawing::Kind::Line);
+      QVERIFY((zone.points[0] - Eigen::Vector2d(Drive::xAt(Drive::kStartS + 11), Drive::kOffsetY)).norm() <
+              0.01);
+    }
+  }
+
   void scansThatNothingPlacesAreShownInTheirOwnFrame_data() {
     QTest::addColumn<bool>("mounted");
     QTest::newRow("no transforms") << false;

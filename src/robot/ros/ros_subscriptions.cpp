@@ -7,7 +7,9 @@
 #include <QPointer>
 
 #include "robot/faults.h"
+#include "robot/ros/drawn_messages.h"
 #include "robot/ros/faults.h"
+#include "robot/ros/read_messages.h"
 #include "robot/ros/robot_transforms.h"
 
 namespace mapwright::robot::ros {
@@ -18,6 +20,11 @@ using net::rosbridge::Subscription;
 using Compression = Subscription::Compression;
 
 constexpr int kSteadyFrom = 5;  // messages
+
+/// Each message replaces the one before; many come only when something happens.
+bool isDrawnLikeMarkers(const Source& source) {
+  return source.form == Form::Markers && isDrawn(plainType(source.type));
+}
 
 map::Subject subjectOf(const std::string& topic) { return {map::SubjectKind::Topic, topic}; }
 
@@ -32,8 +39,9 @@ Subscription subscriptionFor(const Source& source) {
   if (form == Form::LaserScan) wanted.throttle_ms = 100;
   if (form == Form::Odometry || form == Form::PoseStamped || form == Form::PoseWithCovariance)
     wanted.throttle_ms = 50;
-  if (form == Form::PointCloud || form == Form::Path || form == Form::PoseArray || form == Form::Polygon ||
-      form == Form::Battery)
+  // A marker that is lost is missing; of the others the last one counts.
+  if (isDrawnLikeMarkers(source) || form == Form::PointCloud || form == Form::Path ||
+      form == Form::PoseArray || form == Form::Polygon || form == Form::Battery)
     wanted.throttle_ms = 200;
   return wanted;
 }
@@ -221,7 +229,7 @@ bool RosSubscriptions::mayBeSilent(const std::string& topic, const Subscribed& e
   if (entry.wanted.tried && !entry.heard()) return true;
   if (entry.heard() || entry.wanted.necessary || entry.wanted.sources.empty()) return false;
   const Source& own = entry.wanted.sources.front();
-  if (own.form == Form::GridPatch || own.form == Form::StaticTf) return true;
+  if (own.form == Form::GridPatch || own.form == Form::StaticTf || isDrawnLikeMarkers(own)) return true;
   // If a stream has several topics one is enough, and if none arrives the best one is reported.
   const bool one_is_enough = !own.found || own.stream == Stream::Pose;
   if (!one_is_enough) return false;

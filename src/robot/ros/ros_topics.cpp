@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
 #include <tuple>
 
+#include "robot/ros/drawn_messages.h"
 #include "robot/ros/read_messages.h"
 
 namespace mapwright::robot::ros {
 namespace {
 
 using map::Stream;
+
+constexpr std::size_t kMostDrawnTopics = 32;  // topics of a type
 
 /// Which topics of a type carry a stream.
 struct Rule {
@@ -30,11 +34,14 @@ constexpr Rule kRules[] = {
      "/global_costmap/costmap /move_base/global_costmap/costmap"},
     {Stream::CostmapHigh, Form::Grid, "nav_msgs/OccupancyGrid", "local_costmap/costmap",
      "/local_costmap/costmap /move_base/local_costmap/costmap"},
-    {Stream::Path, Form::Path, "nav_msgs/Path", "plan global_plan path", "/plan /move_base/NavfnROS/plan"},
+    {Stream::Path, Form::Path, "nav_msgs/Path", "plan global_plan path", "/plan /move_base/NavfnROS/plan",
+     true, 1, "local"},
     {Stream::LocalPath, Form::Path, "nav_msgs/Path", "local_plan local_path", "/local_plan"},
     {Stream::Cloud, Form::LaserScan, "sensor_msgs/LaserScan", "scan", "/scan", true, 4},
     {Stream::Cloud, Form::PointCloud, "sensor_msgs/PointCloud2", "points cloud scan_matched_points2",
      "/points", true, 2, "costmap"},
+    {Stream::Cloud, Form::LaserScan, "sensor_msgs/MultiEchoLaserScan", "scan", "", true, 2},
+    {Stream::Cloud, Form::PointCloud, "sensor_msgs/PointCloud", "points cloud", "", true, 2, "costmap"},
     {Stream::Pose, Form::Tf, "tf2_msgs/TFMessage", "tf", "/tf", false, kMostRobots},
     {Stream::Pose, Form::Tf, "tf/tfMessage", "tf", "", false, kMostRobots},
     {Stream::Pose, Form::StaticTf, "tf2_msgs/TFMessage", "tf_static", "/tf_static", false, kMostRobots},
@@ -45,11 +52,13 @@ constexpr Rule kRules[] = {
     {Stream::Model, Form::Polygon, "geometry_msgs/PolygonStamped",
      "local_costmap/published_footprint local_costmap/footprint published_footprint footprint",
      "/local_costmap/published_footprint /move_base/local_costmap/footprint"},
-    {Stream::Planning, Form::PoseStamped, "geometry_msgs/PoseStamped", "current_goal goal_pose",
-     "/goal_pose /move_base/current_goal"},
+    {Stream::Planning, Form::PoseStamped, "geometry_msgs/PoseStamped",
+     "current_goal goal_pose move_base_simple/goal",
+     "/goal_pose /move_base/current_goal /move_base_simple/goal"},
     {Stream::SeenObjects, Form::Markers, "visualization_msgs/MarkerArray",
-     "markers objects visualization_marker_array marker_array", "", true, 3},
-    {Stream::SeenObjects, Form::Markers, "visualization_msgs/Marker", "visualization_marker marker"},
+     "markers objects visualization_marker_array marker_array", "", true, kMostDrawnTopics},
+    {Stream::SeenObjects, Form::Markers, "visualization_msgs/Marker", "visualization_marker marker", "", true,
+     kMostDrawnTopics},
     {Stream::Battery, Form::Battery, "sensor_msgs/BatteryState", "battery_state battery", "/battery_state",
      true},
 };
@@ -140,7 +149,8 @@ std::set<std::string> robotsBeside(const std::string& ns, const std::vector<Endp
     if (isTransform(type) && lastPart(one.name) == "tf") add(one.name.substr(0, one.name.rfind('/')));
     if (!isSensor(type)) continue;
     std::size_t end = one.name.find('/');
-    for (auto parts = depth; parts > 0 && end != std::string::npos; --parts) end = one.name.find('/', end + 1);
+    for (auto parts = depth; parts > 0 && end != std::string::npos; --parts)
+      end = one.name.find('/', end + 1);
     if (end != std::string::npos && own.contains({one.name.substr(end), one.type}))
       add(one.name.substr(0, end));
   }
@@ -173,6 +183,24 @@ std::vector<std::string> robotsIn(const std::vector<Source>& sources, const std:
 }
 
 namespace {
+
+/// What no other layer shows is drawn like markers: paths and outlines of any name, lists of poses. Where a
+/// robot may be (PoseWithCovarianceStamped) is shown beside its pose.
+void addDrawn(std::vector<Source>& sources, std::vector<Endpoint> found) {
+  std::sort(found.begin(), found.end(), [](const Endpoint& a, const Endpoint& b) { return a.name < b.name; });
+  std::map<std::string, std::size_t> count;  // by type
+  for (const Endpoint& topic : found) {
+    const std::string type = plainType(topic.type);
+    if (!isDrawn(type) || topic.name.size() > kLongestTopicName) continue;
+    // The same outline of the robot, as other nodes see it.
+    if (type == "geometry_msgs/PolygonStamped" && topic.name.ends_with("footprint")) continue;
+    const bool shown = type != "geometry_msgs/PoseWithCovarianceStamped" &&
+                       std::any_of(sources.begin(), sources.end(),
+                                   [&](const Source& source) { return source.topic == topic.name; });
+    if (shown || ++count[type] > kMostDrawnTopics) continue;
+    sources.push_back({Stream::SeenObjects, Form::Markers, topic.name, topic.type, {}, true});
+  }
+}
 
 /// One robot has one topic of each kind of transforms: others are copies, or of a robot that is gone.
 void keepOneRobot(std::vector<Source>& sources) {
@@ -209,6 +237,10 @@ std::vector<Source> sourcesOf(const std::optional<std::vector<Endpoint>>& found,
                found);
   }
   keepOneRobot(sources);
+  std::vector<Endpoint> own;
+  std::copy_if(found->begin(), found->end(), std::back_inserter(own),
+               [&](const Endpoint& topic) { return !isBelowAny(topic.name, others); });
+  addDrawn(sources, std::move(own));
   return sources;
 }
 
@@ -258,7 +290,10 @@ void choose(std::vector<Source>& sources, const Choices& choices,
       chosen.type = one.type;
       chosen.found = true;
     }
-    std::erase_if(sources, [&](const Source& source) { return source.stream == stream; });
+    std::erase_if(sources, [&](const Source& source) {
+      return source.stream == stream || (source.stream == Stream::SeenObjects && source.topic == topic &&
+                                         isDrawn(plainType(source.type)));
+    });
     addGrids(sources, std::move(chosen), found);
   }
 }

@@ -30,11 +30,11 @@ enum class Form {
   PoseArray,           // geometry_msgs/PoseArray
   PoseWithCovariance,  // geometry_msgs/PoseWithCovarianceStamped
   Odometry,            // nav_msgs/Odometry
-  LaserScan,           // sensor_msgs/LaserScan
-  PointCloud,          // sensor_msgs/PointCloud2
+  LaserScan,           // sensor_msgs/LaserScan, MultiEchoLaserScan
+  PointCloud,          // sensor_msgs/PointCloud2, PointCloud
   Polygon,             // geometry_msgs/PolygonStamped
   Battery,             // sensor_msgs/BatteryState
-  Markers,             // visualization_msgs/MarkerArray
+  Markers,             // visualization_msgs/MarkerArray, Marker; what is drawn like them (drawnTypes())
   Tf,                  // tf2_msgs/TFMessage (tf/tfMessage of old)
   StaticTf,
 };

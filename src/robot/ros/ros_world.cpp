@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "robot/ros/drawn_messages.h"
 #include "robot/ros/faults.h"
 #include "robot/ros/map_values.h"
 #include "robot/ros/parts.h"
@@ -40,6 +41,21 @@ map::BatteryState readBattery(const Field& msg) {
   const auto status = msg["power_supply_status"].integer();
   battery.supply = status == 1 ? "charging" : status == 2 ? "discharging" : status == 4 ? "full" : "";
   return battery;
+}
+
+/// What of them is not drawn, or only as a spot.
+std::vector<Fault> notShown(const std::vector<Marker>& markers) {
+  std::int64_t meshes = 0, unknown = 0;
+  std::string mesh;
+  for (const Marker& marker : markers) {
+    if (marker.action != Marker::Action::Add) continue;
+    if (marker.kind == Marker::Kind::Mesh && ++meshes == 1) mesh = marker.text;
+    unknown += marker.kind == Marker::Kind::Other;
+  }
+  std::vector<Fault> notes;
+  if (unknown > 0) notes.push_back({fault::RosMarkersUnknown, {unknown}});
+  if (meshes > 0) notes.push_back({fault::RosMeshesAsSpots, {meshes, mesh}});
+  return notes;
 }
 
 bool isPose(const Source& source) { return source.stream == Stream::Pose; }
@@ -302,13 +318,16 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
       with(readPolygon(msg), taking);
       break;
     case Form::LaserScan:
-      with(readLaserScan(msg), taking);
+      with(plainType(source.type) == "sensor_msgs/MultiEchoLaserScan" ? readMultiEchoScan(msg)
+                                                                      : readLaserScan(msg),
+           taking);
       break;
     case Form::PointCloud:
-      with(readPointCloud2(msg), [&](Points points) {
-        result.notes = points.notes;
-        taking(std::move(points));
-      });
+      with(plainType(source.type) == "sensor_msgs/PointCloud" ? readPointCloud1(msg) : readPointCloud2(msg),
+           [&](Points points) {
+             result.notes = points.notes;
+             taking(std::move(points));
+           });
       break;
     case Form::PoseStamped:
     case Form::PoseWithCovariance:
@@ -328,11 +347,13 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
       with(readPoseArray(msg), taking);
       break;
     case Form::Markers: {
-      auto markers = readMarkers(msg);
+      const std::string type = plainType(source.type);
+      auto markers = isDrawn(type) ? readDrawn(type, msg, source.topic) : readMarkers(msg);
       if (!markers) {
         result.unreadable = std::move(markers.error());
         break;
       }
+      result.notes = notShown(*markers);
       markers_.take(source.topic, *markers, received_s);
       lookAtMarkers(received_s, results);
       std::erase_if(results, [&](WorldResult& one) {
