@@ -24,10 +24,6 @@ QJsonValue jsonOr(const std::optional<int>& number) { return number ? QJsonValue
 
 }  // namespace
 
-bool submapsComplete(const session::SubmapCounts& counts) {
-  return counts.list_received && counts.shown + counts.without_slice == counts.listed && counts.updating == 0;
-}
-
 QJsonObject submapsJson(const session::SubmapCounts& counts) {
   return {
       {QStringLiteral("listed"), counts.listed},   {QStringLiteral("drawn"), counts.shown},

@@ -13,8 +13,6 @@
 
 namespace mapwright::app {
 
-/// Everything that is listed and has the chosen slice is loaded, and no newer version is on its way.
-bool submapsComplete(const session::SubmapCounts& counts);
 /// {"listed", "drawn", "missing", "failed", "corrupt", "without_slice"}
 QJsonObject submapsJson(const session::SubmapCounts& counts);
 /// {"bytes_fetched", "fetches", "cache_hits"}

@@ -23,6 +23,7 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
+#include "session/submaps_complete.h"
 #include "words/text.h"
 #include "work/budgets.h"
 
@@ -289,12 +290,14 @@ CommandResult<render::PlacedGrid> RobotReading::submaps(double resolution_m) {
   session_.standStill();
   session_.close();
   const session::SubmapCounts counts = session_.counts();
-  complete_ = complete_ && settled && submapsComplete(counts);
+  complete_ = complete_ && settled && session::submapsComplete(counts, session_.problems());
   facts_[QStringLiteral("submaps")] = submapsJson(counts);
   facts_[QStringLiteral("uuid")] = QString::fromStdString(session_.submaps().uuid());
   if (!settled) {
     notes_ << (counts.list_received ? Text::tr("Not everything had arrived within %1 s (--timeout).")
-                                    : Text::tr("The robot sent no submap list within %1 s (--timeout)."))
+               : session::listUnreadable(session_.problems())
+                   ? Text::tr("The robot sent no readable submap list within %1 s (--timeout).")
+                   : Text::tr("The robot sent no submap list within %1 s (--timeout)."))
                   .arg(time_.timeout_s);
   }
   std::vector<render::PlacedTexture> textures;
@@ -309,8 +312,9 @@ CommandResult<render::PlacedGrid> RobotReading::submaps(double resolution_m) {
     return failure(complete_   ? int(kRobotError)
                    : refused() ? exitCodeOf(map::FailureKind::Refused)
                                : int(kIncomplete),
-                   counts.listed == 0 && settled
-                       ? Text::tr("It has no submaps yet.")
+                   counts.listed == 0 && settled && complete_ ? Text::tr("It has no submaps yet.")
+                   : counts.listed > 0 && counts.without_slice == counts.listed
+                       ? Text::tr("None of its submaps has a slice %1.").arg(session_.slice())
                        : Text::tr("None of its submaps could be loaded. %1").arg(firstOf(why)));
   }
   render::DenseCache cache(work::budgetsFrom().dense + work::budgetsFrom().tiles);  // no tiles are kept

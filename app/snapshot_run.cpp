@@ -21,6 +21,7 @@
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
+#include "session/submaps_complete.h"
 #include "ui/replay/track_on_map.h"
 
 namespace mapwright::app {
@@ -246,10 +247,13 @@ bool SnapshotRun::wantsWholeInstead() {
 void SnapshotRun::takeWholeInstead() {
   options_.mode = SnapshotMode::Whole;
   whole_asked_s_ = sinceConnected();
-  shown_instead_ = Text::tr(
-                       "The robot sent no submap list within %1 s: its whole map is drawn instead. Pass "
-                       "--mode submaps to wait longer.")
-                       .arg(listWithin());
+  shown_instead_ =
+      (session::listUnreadable(session_.problems())
+           ? Text::tr("The robot sent no readable submap list within %1 s: its whole map is drawn instead. "
+                      "Pass --mode submaps to wait longer.")
+           : Text::tr("The robot sent no submap list within %1 s: its whole map is drawn instead. Pass "
+                      "--mode submaps to wait longer."))
+          .arg(listWithin());
   if (replayed_)
     shown_instead_ =
         Text::tr("The bag contains no submap list up to this time: a whole map is drawn instead.");
@@ -423,8 +427,11 @@ void SnapshotRun::timeOut() {
   notes_ << (!no_list
                  ? Text::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s) +
                        whatOfTheLink()
-                 : Text::tr("The robot sent no submap list within %1 s (--timeout). Pass "
-                            "--mode whole to draw its whole map.")
+                 : (session::listUnreadable(session_.problems())
+                        ? Text::tr("The robot sent no readable submap list within %1 s (--timeout). Pass "
+                                   "--mode whole to draw its whole map.")
+                        : Text::tr("The robot sent no submap list within %1 s (--timeout). Pass "
+                                   "--mode whole to draw its whole map."))
                            .arg(options_.timeout_s) +
                        whatOfTheLink());
   paint(false);
@@ -554,7 +561,8 @@ void SnapshotRun::paint(bool settled) {
   if (const auto grid = wholeGrid()) {
     chosen_->map = mapJson(*map_.key(), session_.wholeMap().name(), grid->reference);
   }
-  complete_ = settled && (!options_.wantsSubmaps() || submapsComplete(chosen_->counts)) &&
+  complete_ = settled &&
+              (!options_.wantsSubmaps() || session::submapsComplete(chosen_->counts, session_.problems())) &&
               (!options_.wantsWhole() || scans_alone_ || map_.complete()) && !waypointsLost() &&
               !overlaysLost() && (!region_ || region_->complete()) &&
               (!wantsCloud() || (cloud_ && cloud_->came)) && bagLosses(session_.problems()).isEmpty();

@@ -309,6 +309,13 @@
 <context>
     <name>axbot</name>
     <message numerus="yes">
+        <source>None of its %1 rows has a valid trajectory_id and submap_index. The previous list stays.</source>
+        <translation>
+            <numerusform>Its only row has no valid trajectory_id and submap_index. The previous list stays.</numerusform>
+            <numerusform>None of its %1 rows has a valid trajectory_id and submap_index. The previous list stays.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 features of its overlays cannot be read.</source>
         <translation>
             <numerusform>%1 feature of its overlays cannot be read.</numerusform>
@@ -833,6 +840,16 @@
         <translation>
             <numerusform>%1 point without a position was left out.</numerusform>
             <numerusform>%1 points without a position were left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>submap</name>
+    <message numerus="yes">
+        <source>%1 submaps are listed without a valid version. They are asked for from time to time.</source>
+        <translation>
+            <numerusform>%1 submap is listed without a valid version. It is asked for from time to time.</numerusform>
+            <numerusform>%1 submaps are listed without a valid version. They are asked for from time to time.</numerusform>
         </translation>
     </message>
 </context>

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "map/submap_version.h"
 #include "recorder/layout.h"
 
 namespace mapwright::recorder {
@@ -41,7 +42,7 @@ void SubmapRequests::take(const map::SubmapList& list, std::int64_t now_ns) {
 }
 
 void SubmapRequests::judge(map::SubmapId id, const Row& row, std::int64_t now_ns) {
-  const bool newer = row.had == 0 || row.listed > row.had;
+  const bool newer = row.had == 0 || row.listed > row.had || row.listed == map::kNoVersion;
   if (newer && !row.asked && row.tries < kTries && now_ns >= row.not_before_ns) due_.insert(id);
 }
 
@@ -69,7 +70,7 @@ void SubmapRequests::answered(const map::SubmapKey& key, map::SubmapAnswer::Outc
   if (outcome == Outcome::Ok) {
     row.had = std::max(key.version, 1);
     row.tries = 0;
-    row.not_before_ns = which_ == Which::All ? now_ns : now_ns + kAgainNs;
+    row.not_before_ns = which_ == Which::All && key.version != map::kNoVersion ? now_ns : now_ns + kAgainNs;
   } else if (outcome == Outcome::NotFound) {
     if (row.listed == key.version) row.tries = kTries;
   } else {
@@ -131,7 +132,10 @@ void Fetches::pump() {
         source->fetch(key, [self = QPointer<Fetches>(this), number](const map::SubmapAnswer& answer) {
           if (!self) return;
           self->calls_.erase(number);
-          self->submaps_.answered(answer.key, answer.outcome, self->now_ns_());
+          // The version that is listed is still due.
+          const bool older = answer.version > 0 && answer.version < answer.key.version;
+          self->submaps_.answered(answer.key, older ? map::SubmapAnswer::Outcome::Failed : answer.outcome,
+                                  self->now_ns_());
           self->pump();
         });
   }

@@ -7,10 +7,6 @@ namespace mapwright::session::fault {
 
 using namespace mapwright::fault;  // what all rooms share
 
-// The place of a submap.
-/// because: why
-inline constexpr FaultCode CannotBePlaced{"session", QT_TRANSLATE_NOOP("session", "Its position is unknown")};
-
 // The list of submaps.
 inline constexpr FaultCode OlderVersionListed{
     "session", QT_TRANSLATE_NOOP("session", "The robot lists an older version than the one shown.")};
@@ -21,6 +17,12 @@ inline constexpr FaultCode Slices{"session", "%1", FaultCode::Causes::Alone};
 /// version; because: why
 inline constexpr FaultCode VersionNotHad{"session", QT_TRANSLATE_NOOP("session", "Version %1"),
                                          FaultCode::Causes::Capital};
+/// because: why
+inline constexpr FaultCode NotHad{"session", QT_TRANSLATE_NOOP("session", "It cannot be loaded")};
+/// version listed, version that came
+inline constexpr FaultCode OlderVersionCame{
+    "session",
+    QT_TRANSLATE_NOOP("session", "Version %1 is listed, but the robot sent version %2. It is shown.")};
 /// why no file can be written
 inline constexpr FaultCode MemoryUsedUp{
     "session", QT_TRANSLATE_NOOP("session",

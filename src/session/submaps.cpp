@@ -6,7 +6,9 @@
 #include <QLoggingCategory>
 #include <QPointer>
 
+#include "map/submap_version.h"
 #include "session/faults.h"
+#include "submap/faults.h"
 
 namespace mapwright::session {
 namespace {
@@ -190,8 +192,10 @@ void Submaps::takeAnswer(map::SubmapAnswer answer) {
   using Outcome = map::SubmapAnswer::Outcome;
   if (still_) return;
   if (answer.outcome != Outcome::Cancelled) Q_EMIT bodyCame(answer.bytes, answer.from_cache);
-  scheduler_.answered(answer.key, answer.outcome, answer.version, monotonic_());
   const map::SubmapKey key = answer.key;
+  const bool older = answer.outcome == Outcome::Ok && answer.version > 0 && answer.version < key.version;
+  // From a recording nothing newer will come.
+  scheduler_.answered(key, answer.outcome, older && answer.from_cache ? 0 : answer.version, monotonic_());
   if (answer.outcome == Outcome::Ok || answer.outcome == Outcome::Cancelled) {
     qCDebug(lcSubmaps, "submap %d/%d version %d: %s, %zu bytes%s", key.id.trajectory, key.id.index,
             key.version, answer.outcome == Outcome::Ok ? "came" : "cancelled", answer.bytes,
@@ -204,18 +208,26 @@ void Submaps::takeAnswer(map::SubmapAnswer answer) {
     if (answer.outcome != Outcome::Ok && answer.outcome != Outcome::Cancelled) {
       failure_reasons_[key.id] = answer.reason;
       const bool missing = answer.outcome == Outcome::NotFound;
-      Q_EMIT problemFound({missing ? map::Severity::Warning : map::Severity::Error,
-                           map::subjectOf(key.id),
-                           {fault::VersionNotHad,
-                            {std::int64_t(key.version)},
-                            {answer.reason},
-                            missing ? Consequence::AskedAgainAtTheNext : Consequence::AskedAgain},
-                           map::ProblemCode::Unavailable,
-                           answer.failure});
+      const bool versioned = key.version != map::kNoVersion;
+      Fault why = versioned ? Fault(fault::VersionNotHad, {std::int64_t(key.version)}, {answer.reason})
+                            : Fault(fault::NotHad, {}, {answer.reason});
+      why.then = missing && versioned ? Consequence::AskedAgainAtTheNext : Consequence::AskedAgain;
+      Q_EMIT problemFound({missing ? map::Severity::Warning : map::Severity::Error, map::subjectOf(key.id),
+                           std::move(why), map::ProblemCode::Unavailable, answer.failure});
     }
     if (answer.outcome == Outcome::Ok) {
       failure_reasons_.erase(key.id);
-      Q_EMIT recovered({map::subjectOf(key.id), map::ProblemCode::Unavailable});
+      if (older) {
+        Fault why(fault::OlderVersionCame, {std::int64_t(key.version), std::int64_t(answer.version)});
+        if (!answer.from_cache) {
+          failure_reasons_[key.id] = why;
+          why.then = Consequence::AskedAgain;
+        }
+        Q_EMIT problemFound({answer.from_cache ? map::Severity::Info : map::Severity::Warning,
+                             map::subjectOf(key.id), std::move(why), map::ProblemCode::Unavailable});
+      } else {
+        Q_EMIT recovered({map::subjectOf(key.id), map::ProblemCode::Unavailable});
+      }
       decode(std::move(answer));
     }
     note(key.id);
@@ -360,7 +372,7 @@ SubmapStatus Submaps::status(map::SubmapId id) const {
 Fault Submaps::reason(map::SubmapId id) const {
   const submap::SubmapRow* row = store_.find(id);
   if (!row) return {};
-  if (row->pose_problem != FaultCode()) return {fault::CannotBePlaced, {}, {row->pose_problem}};
+  if (row->pose_problem != FaultCode()) return {submap::fault::CannotBePlaced, {}, {row->pose_problem}};
   if (const auto it = failure_reasons_.find(id); it != failure_reasons_.end()) return it->second;
   if (auto corrupt = row->corruptSlices(); !corrupt.empty()) return {fault::Slices, {}, std::move(corrupt)};
   return row->stale_texture ? fault::OlderVersionListed : FaultCode();

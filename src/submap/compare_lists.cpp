@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "map/submap_version.h"
 #include "submap/faults.h"
 
 namespace mapwright::submap {
@@ -64,6 +65,16 @@ ListDifference compareLists(const ListedBefore& before, const map::SubmapList& l
         {map::Severity::Warning, map::SubjectKind::SubmapList, why, map::ProblemCode::Odd});
   }
   auto entries = std::make_shared<const std::vector<map::SubmapEntry>>(uniqueEntries(list, difference));
+  const auto unversioned = std::count_if(entries->begin(), entries->end(), [](const map::SubmapEntry& entry) {
+    return entry.version == map::kNoVersion;
+  });
+  if (unversioned > 0) {
+    difference.rows_rejected = true;
+    difference.problems.push_back({map::Severity::Info,
+                                   map::SubjectKind::SubmapList,
+                                   {fault::ListedWithoutVersion, {std::int64_t(unversioned)}},
+                                   map::ProblemCode::Odd});
+  }
   static const std::vector<map::SubmapEntry> nothing;
   const std::vector<map::SubmapEntry>& old = difference.new_session ? nothing : *before.entries;
   auto known = old.begin();

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "cells/decode_cells.h"
@@ -34,7 +35,7 @@ Slice decodeSlice(const map::RawSlice& raw) {
 DecodedSubmap decode(const map::SubmapAnswer& answer) {
   DecodedSubmap decoded;
   decoded.key = answer.key;
-  decoded.version = answer.version > 0 ? answer.version : answer.key.version;
+  decoded.version = answer.version > 0 ? answer.version : std::max(answer.key.version, 0);
   decoded.bytes = answer.bytes;
   decoded.slices.reserve(answer.slices.size());
   for (const map::RawSlice& raw : answer.slices) decoded.slices.push_back(decodeSlice(raw));

@@ -14,6 +14,8 @@ inline constexpr FaultCode PoseNotFinite{
     "submap", QT_TRANSLATE_NOOP("submap", "its pose contains numbers that are not finite")};
 inline constexpr FaultCode PoseTooFar{
     "submap", QT_TRANSLATE_NOOP("submap", "its pose is more than 1,000 km from the map's origin")};
+/// because: why
+inline constexpr FaultCode CannotBePlaced{"submap", QT_TRANSLATE_NOOP("submap", "Its position is unknown")};
 /// version; because: why
 inline constexpr FaultCode VersionCannotBePlaced{
     "submap", QT_TRANSLATE_NOOP("submap", "The position of version %1 is unknown")};
@@ -25,6 +27,12 @@ inline constexpr FaultCode ListedTwiceUnlike{
     "submap",
     QT_TRANSLATE_NOOP("submap",
                       "It is listed twice, differently. The highest version with a usable pose is used.")};
+/// how many
+inline constexpr FaultCode ListedWithoutVersion{
+    "submap",
+    QT_TRANSLATE_N_NOOP("submap",
+                        "%1 submaps are listed without a valid version. They are asked for from time "
+                        "to time.")};
 /// from, to
 inline constexpr FaultCode VersionWentBack{
     "submap",

@@ -2,9 +2,18 @@
 
 #include <algorithm>
 
+#include "map/submap_version.h"
+
 namespace mapwright::submap {
 
 using Outcome = map::SubmapAnswer::Outcome;
+
+namespace {
+
+/// One that is listed without a version is asked for again so often.
+constexpr Millis kUnversionedEvery{30'000};
+
+}  // namespace
 
 FetchScheduler::FetchScheduler(SchedulerOptions options) : options_(options), random_(options.jitter_seed) {}
 
@@ -46,7 +55,7 @@ void FetchScheduler::file(map::SubmapId id, Request& request) {
   request.filed_as = stateOf(request);
   if (request.filed_as == FetchState::Queued) ++queued_;
   if (request.filed_as == FetchState::Waiting) ++failing_[request.failures];
-  if (request.failed || !request.not_found.empty()) {
+  if (request.failed || !request.not_found.empty() || request.wanted == map::kNoVersion) {
     troubled_.insert(id);
   } else if (!troubled_.empty()) {
     troubled_.erase(id);
@@ -82,17 +91,35 @@ void FetchScheduler::setUuid(const std::string& uuid) {
 }
 
 std::vector<map::SubmapId> FetchScheduler::listArrived() {
-  const std::vector<map::SubmapId> waited(waits_for_list_.begin(), waits_for_list_.end());
-  for (const map::SubmapId id : waited)
+  std::vector<map::SubmapId> ready(waits_for_list_.begin(), waits_for_list_.end());
+  for (const map::SubmapId id : ready)
     change(requests_.find(id), [](Request& request) { request.waits_for_list = false; });
   waits_for_list_.clear();
-  return waited;
+  // What nobody has seen yet comes first.
+  if (queued_ > 0 || !under_way_.empty()) return ready;
+  const std::vector<map::SubmapId> troubled(troubled_.begin(), troubled_.end());
+  for (const map::SubmapId id : troubled) {
+    const auto at = requests_.find(id);
+    const Request& row = at->second;
+    const bool answered = row.any_answer || missing(row);
+    if (row.wanted != map::kNoVersion || !answered || row.not_before > now_) continue;
+    change(at, [](Request& request) {
+      request.any_answer = false;
+      request.not_found.clear();
+    });
+    ready.push_back(id);
+  }
+  return ready;
 }
 
 void FetchScheduler::want(map::SubmapId id, std::int32_t version) {
   const auto [it, added] = requests_.try_emplace(id);
   if (!added && it->second.wanted == version) return;
-  change(it, [version](Request& request) { request.wanted = version; });
+  change(it, [version](Request& request) {
+    request.wanted = version;
+    if (version == map::kNoVersion) request.any_answer = false;
+    if (version >= 0 && request.satisfied >= version) request.any_answer = true;
+  });
 }
 
 void FetchScheduler::unwant(map::SubmapId id) {
@@ -182,6 +209,10 @@ void FetchScheduler::answered(const map::SubmapKey& key, Outcome outcome, std::i
   if (key.uuid != uuid_) return;
   const auto it = requests_.find(key.id);
   if (it == requests_.end()) return;
+  const bool versioned = key.version != map::kNoVersion;
+  const std::int32_t version = answered_version > 0 ? answered_version : key.version;
+  // The version that is listed is still due.
+  if (outcome == Outcome::Ok && version < key.version) outcome = Outcome::Failed;
   change(it, [&](Request& request) {
     request.fetching = false;
     request.not_before = now + options_.min_interval;
@@ -189,11 +220,14 @@ void FetchScheduler::answered(const map::SubmapKey& key, Outcome outcome, std::i
       case Outcome::Ok:
         request.failures = 0;
         request.any_answer = true;
-        request.satisfied = std::max({request.satisfied, key.version, answered_version});
+        // Without a version what came last counts, also of a robot that begins anew.
+        request.satisfied = versioned ? std::max(request.satisfied, version) : version;
+        if (!versioned) request.not_before = now + kUnversionedEvery;
         break;
       case Outcome::NotFound:
         request.failures = 0;
         request.not_found.push_back(key.version);
+        if (!versioned) request.not_before = now + kUnversionedEvery;
         break;
       case Outcome::Cancelled:
         break;

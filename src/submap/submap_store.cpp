@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "map/submap_version.h"
 #include "submap/faults.h"
 
 namespace mapwright::submap {
@@ -39,9 +40,8 @@ SubmapChange SubmapStore::apply(const ListDifference& list) {
   SubmapChange change;
   const map::Subject list_subject = map::SubjectKind::SubmapList;
   change.problems = list.problems;
-  if (rows_rejected_ && !list.rows_rejected) {
-    change.recoveries.push_back({list_subject, map::ProblemCode::Odd});
-  }
+  // What is still so is said again.
+  if (rows_rejected_) change.recoveries.push_back({list_subject, map::ProblemCode::Odd});
   rows_rejected_ = list.rows_rejected;
   change.recoveries.push_back({list_subject, map::ProblemCode::Unavailable});
   if (list.new_session) {
@@ -115,13 +115,12 @@ void SubmapStore::take(const ListedEntry& listed, SubmapChange& change) {
   change.set_changed |= added;
   change.listed.push_back(entry.id);
   if (!usable && problem != row.pose_problem) {
-    change.problems.push_back({map::Severity::Error,
-                               map::subjectOf(entry.id),
-                               {fault::VersionCannotBePlaced,
-                                {std::int64_t(entry.version)},
-                                {problem},
-                                row.pose_usable ? Consequence::StaysWhereItWas : Consequence::ShownWithoutIt},
-                               map::ProblemCode::Unplaced});
+    Fault why = entry.version == map::kNoVersion
+                    ? Fault(fault::CannotBePlaced, {}, {problem})
+                    : Fault(fault::VersionCannotBePlaced, {std::int64_t(entry.version)}, {problem});
+    why.then = row.pose_usable ? Consequence::StaysWhereItWas : Consequence::ShownWithoutIt;
+    change.problems.push_back(
+        {map::Severity::Error, map::subjectOf(entry.id), std::move(why), map::ProblemCode::Unplaced});
   }
   if (usable && row.pose_problem != FaultCode()) {
     change.recoveries.push_back({map::subjectOf(entry.id), map::ProblemCode::Unplaced});
@@ -141,7 +140,7 @@ void SubmapStore::take(const ListedEntry& listed, SubmapChange& change) {
 }
 
 void SubmapStore::weighVersion(map::SubmapId id, SubmapRow& row, SubmapChange& change) {
-  if (row.entry.version < row.shown_version) {
+  if (row.entry.version != map::kNoVersion && row.entry.version < row.shown_version) {
     const int lists = ++ahead_[id];
     if (!row.stale_texture) {
       change.problems.push_back(
@@ -166,12 +165,14 @@ SubmapChange SubmapStore::commit(DecodedSubmap decoded) {
   SubmapRow& row = it->second;
   const auto ahead = ahead_.find(decoded.key.id);
   const bool insisted = ahead != ahead_.end() && ahead->second >= kBackwardLists;
-  if (decoded.version < row.shown_version && !insisted) return change;
+  // Without a listed version what came last counts.
+  const bool listed = row.entry.version != map::kNoVersion;
+  if (decoded.version < row.shown_version && listed && !insisted) return change;
   row.shown_version = decoded.version;
   if (std::exchange(row.stale_texture, false))
     change.recoveries.push_back({map::subjectOf(decoded.key.id), map::ProblemCode::VersionWentBack});
   ahead_.erase(decoded.key.id);
-  if (row.entry.version < row.shown_version) ahead_.emplace(decoded.key.id, 0);
+  if (listed && row.entry.version < row.shown_version) ahead_.emplace(decoded.key.id, 0);
   countSlices(row.slices.size(), decoded.slices.size());
   row.slices = std::move(decoded.slices);
   row.texture_bytes = bytesOf(row.slices);

@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "map/submap_version.h"
 #include "net/json_numbers.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_maps.h"
@@ -107,10 +108,24 @@ class AxbotParseTest : public QObject {
     QVERIFY2(std::isnan(list.entries[0].pose.x), "a row without a pose is kept, but cannot be placed");
   }
 
-  void emptyAndNullListsAreEmpty() {
+  void onlyAListThatIsThereIsEmpty() {
     QVERIFY(
         listOf(R"({"topic":"/submap_list","slam_state":"invalid","uuid":"","submap":[]})").entries.empty());
-    QVERIFY(listOf(R"({"topic":"/submap_list","uuid":null,"submap":null})").uuid.empty());
+    for (const char* none :
+         {R"({"topic":"/submap_list","uuid":"u"})", R"({"topic":"/submap_list","uuid":null,"submap":null})",
+          R"({"topic":"/submap_list","submap":[{"trajectory_id":0,"submap_index":0,"submap_version":1}]})",
+          R"({"topic":"/submap_list","uuid":"u","submap":[null,7]})"})
+      QVERIFY2(std::holds_alternative<map::UnreadableMessage>(*parseTextFrame(none).message), none);
+  }
+
+  void whatIsNoVersionIsNone() {
+    for (const char* version : {"null", "-3", "\"new\"", "1.5", "99999999999"}) {
+      const map::SubmapList list =
+          listOf(R"({"topic":"/submap_list","uuid":"u","submap":[{"trajectory_id":0,"submap_index":0,)"
+                 R"("submap_version":)" +
+                 std::string(version) + "}]}");
+      QCOMPARE(list.entries.at(0).version, map::kNoVersion);
+    }
   }
 
   void numbersInNamesAreLeftAlone() {

@@ -224,6 +224,16 @@ class TestWindowText : public QObject {
     counts.pending = 0;
     counts.missing = 5;
     QCOMPARE(emptyState(address, online, &counts)->kind, Kind::NothingDrawable);
+    QVERIFY(emptyState(address, online, &counts)->text.contains(QLatin1String("See Problems")));
+    // What is no problem stands in no list of them.
+    counts.missing = 0;
+    counts.without_slice = 5;
+    QVERIFY(emptyState(address, online, &counts)->title.contains(QLatin1String("slice")));
+    QVERIFY(!emptyState(address, online, &counts)->text.contains(QLatin1String("Problems")));
+    counts.without_slice = 0;
+    counts.held = counts.hidden = 5;
+    QVERIFY(emptyState(address, online, &counts)->title.contains(QLatin1String("hidden")));
+    QVERIFY(!emptyState(address, online, &counts)->text.contains(QLatin1String("Problems")));
     counts.shown = 1;
     QVERIFY(!emptyState(address, online, &counts));
     QVERIFY(!emptyState(address, away, &counts));  // what was received stays

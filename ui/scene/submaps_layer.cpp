@@ -10,6 +10,7 @@
 #include "scene/legend.h"
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
+#include "submap/row_version.h"
 
 namespace mapwright::scene {
 namespace {
@@ -90,10 +91,12 @@ std::optional<MapObject> submapObject(const LayerContext& context, const session
   const auto add = [&](const QString& name, const QString& value) {
     if (!value.isEmpty()) object.properties.push_back({name, value});
   };
+  const std::int32_t version = submap::versionOf(*row);
+  const bool as_listed = row->shown_version < 0 || row->shown_version == version;
   add(SubmapText::tr("Version"),
-      row->shown_version == row->entry.version
-          ? QString::number(row->entry.version)
-          : SubmapText::tr("%1, on screen %2").arg(row->entry.version).arg(row->shown_version));
+      version == map::kNoVersion ? SubmapText::tr("unknown")
+      : as_listed                ? QString::number(version)
+                                 : SubmapText::tr("%1, on screen %2").arg(version).arg(row->shown_version));
   add(SubmapText::tr("State"), row->entry.is_frozen ? SubmapText::tr("frozen") : SubmapText::tr("active"));
   add(SubmapText::tr("Trajectory"), QString::number(submap.trajectory));
   if (row->slices.size() > 1) add(SubmapText::tr("Slices"), QString::number(row->slices.size()));

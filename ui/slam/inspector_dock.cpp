@@ -25,6 +25,7 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
+#include "submap/row_version.h"
 #include "ui/kit/forms.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/plain_label.h"
@@ -71,9 +72,10 @@ QString submapDetails(const session::Session& session, map::SubmapId id) {
   if (!row)
     return QCoreApplication::translate("window", "Submap %1 is no longer listed.")
         .arg(QString::fromStdString(map::toText(id)));
-  QString name =
-      QStringLiteral("%1 v%2").arg(QString::fromStdString(map::toText(id))).arg(row->entry.version);
-  if (row->visible && row->shown_version >= 0 && row->shown_version != row->entry.version) {
+  QString name = QString::fromStdString(map::toText(id));
+  const std::int32_t version = submap::versionOf(*row);
+  if (version != map::kNoVersion) name += QStringLiteral(" v%1").arg(version);
+  if (row->visible && row->shown_version >= 0 && row->shown_version != version) {
     name += InspectorDock::tr(" (v%1 on screen)").arg(row->shown_version);
   }
   SubmapFacts facts;

@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 
 #include "sentences/fault_sentence.h"
+#include "submap/row_version.h"
 #include "ui/kit/plain_label.h"
 #include "ui/kit/status_text.h"
 
@@ -28,7 +29,7 @@ std::int32_t trajectoryOf(quintptr id) { return std::int32_t(std::uint32_t(id - 
 SubmapFacts factsOf(const session::Session& session, map::SubmapId id, const submap::SubmapRow& row) {
   SubmapFacts facts;
   facts.id = id;
-  facts.version = row.entry.version;
+  facts.version = submap::versionOf(row);
   facts.shown_version = row.shown_version;
   facts.frozen = row.entry.is_frozen;
   facts.incremental = row.entry.is_incremental;
@@ -350,7 +351,8 @@ int SubmapTreeModel::rowCount(const QModelIndex& parent) const {
 }
 
 QString SubmapTreeModel::leafName(map::SubmapId id, std::int32_t version) {
-  return QStringLiteral("#%1 v%2").arg(id.index).arg(version);
+  const QString name = QStringLiteral("#%1").arg(id.index);
+  return version == map::kNoVersion ? name : QStringLiteral("%1 v%2").arg(name).arg(version);
 }
 QString SubmapTreeModel::groupName(std::int32_t trajectory) { return tr("Trajectory %1").arg(trajectory); }
 QString SubmapTreeModel::totalText(int shown, int total) {
@@ -413,8 +415,10 @@ QVariant SubmapTreeModel::leafData(const SubmapFacts& leaf, int column, int role
       return {};
     case Qt::ToolTipRole: {
       if (column == LocateColumn) return tr("Centre the map on this submap");
-      QStringList lines{
-          tr("Submap %1, version %2").arg(QString::fromStdString(map::toText(leaf.id))).arg(leaf.version)};
+      const QString name = QString::fromStdString(map::toText(leaf.id));
+      QStringList lines{leaf.version == map::kNoVersion
+                            ? tr("Submap %1, version unknown").arg(name)
+                            : tr("Submap %1, version %2").arg(name).arg(leaf.version)};
       if (leaf.visible && leaf.shown_version >= 0 && leaf.shown_version != leaf.version) {
         lines << tr("Version %1 is on screen.").arg(leaf.shown_version);
       }

@@ -229,6 +229,17 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
     return state;
   }
   state.kind = EmptyState::Kind::NothingDrawable;
+  // Neither is a problem.
+  if (counts->missing + counts->failed + counts->corrupt == 0) {
+    const bool hidden = counts->held > 0;
+    state.icon = hidden ? QStringLiteral("eye-off") : QStringLiteral("empty");
+    state.title = hidden ? QCoreApplication::translate("window", "All submaps are hidden")
+                         : QCoreApplication::translate("window", "No submap has this slice");
+    state.text = loadingText(*counts) +
+                 (hidden ? QCoreApplication::translate("window", ". Show them again under Submaps.")
+                         : QCoreApplication::translate("window", ". Choose another slice under Submaps."));
+    return state;
+  }
   state.icon = QStringLiteral("error");
   state.title = QCoreApplication::translate("window", "None of the submaps can be drawn");
   state.text =

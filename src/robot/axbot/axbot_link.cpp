@@ -5,6 +5,7 @@
 
 #include <QDateTime>
 
+#include "map/submap_version.h"
 #include "robot/axbot/device_info.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_maps.h"
@@ -150,7 +151,7 @@ QUrl AxbotLink::submapUrl(const map::SubmapKey& key, std::int32_t version) const
       options_.base,
       QStringLiteral("/ros/slam/submaps/%1/%2/%3")
           .arg(pathSegment(key.uuid), QString::number(key.id.trajectory), QString::number(key.id.index)),
-      QStringLiteral("ver=%1").arg(version));
+      version == map::kNoVersion ? QString() : QStringLiteral("ver=%1").arg(version));
 }
 
 void AxbotLink::askDeviceInfo() {
@@ -320,6 +321,7 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
       qCInfo(lcAxbot, "%s cannot be read: %s", unreadable->topic.c_str(),
              inEnglish(unreadable->reason).c_str());
     if (unreadable->topic == kUnknownTopic && !again_timer_.isActive()) again_timer_.start();
+    if (unreadable->topic == "/submap_list") list_timer_.stop();  // it has sent one
   } else {
     if (++heard_topics_[topic] == 1) qCDebug(lcAxbot, "first message of %s", topic.c_str());
     if (!unreadable_topics_.empty()) {
@@ -362,7 +364,7 @@ void AxbotLink::submap(const wire::TaskPtr& task, const map::SubmapKey& key,
   request.url = submapUrl(key, key.version);
   request.accept = "application/x-protobuf";
   request.cacheable = true;
-  request.content_addressed = true;
+  request.content_addressed = key.version != map::kNoVersion;
   request.timeout = options_.fetch_timeout;
   request.most_at_once = kSubmapsAtOnce;
   wire::send(task, http_, request,

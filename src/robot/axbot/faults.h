@@ -18,8 +18,19 @@ inline constexpr FaultCode AnotherServerAnswers{
 /// position in the list
 inline constexpr FaultCode RowWithoutNumbers{
     "axbot",
-    QT_TRANSLATE_NOOP("axbot",
-                      "Row %1 has no valid trajectory_id, submap_index or submap_version and was left out.")};
+    QT_TRANSLATE_NOOP("axbot", "Row %1 has no valid trajectory_id or submap_index and was left out.")};
+inline constexpr FaultCode NoListInIt{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "It contains no list of submaps. The previous list stays.")};
+/// how many
+inline constexpr FaultCode NoRowReadable{
+    "axbot",
+    QT_TRANSLATE_N_NOOP("axbot",
+                        "None of its %1 rows has a valid trajectory_id and submap_index. The previous "
+                        "list stays.")};
+inline constexpr FaultCode ListWithoutUuid{
+    "axbot", QT_TRANSLATE_NOOP("axbot",
+                               "It lists submaps, but not the uuid of their SLAM session, so none can be "
+                               "loaded. The previous list stays.")};
 /// topic
 inline constexpr FaultCode NoListYet{
     "axbot", QT_TRANSLATE_NOOP("axbot",

@@ -3,6 +3,7 @@
 #include <limits>
 #include <tuple>
 
+#include "map/submap_version.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/overlay_requests.h"
 #include "robot/wire/faults.h"
@@ -376,7 +377,15 @@ map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_vie
   return answer;
 }
 
-map::SubmapList toSubmapList(const ros_messages::slam::SubmapList& message) {
+map::TopicMessage usable(map::SubmapList list) {
+  const auto unusable = [](Fault why) { return map::UnreadableMessage{"/submap_list", std::move(why)}; };
+  if (list.entries.empty() && !list.rejected.empty())
+    return unusable({fault::NoRowReadable, {std::int64_t(list.rejected.size())}});
+  if (!list.entries.empty() && list.uuid.empty()) return unusable(fault::ListWithoutUuid);
+  return list;
+}
+
+map::TopicMessage toSubmapList(const ros_messages::slam::SubmapList& message) {
   map::SubmapList list;
   list.uuid = message.uuid();
   list.slam_state = message.slam_state() == ros_messages::slam::SLAM_STATE_SLAM ? map::SlamState::Slam
@@ -385,14 +394,15 @@ map::SubmapList toSubmapList(const ros_messages::slam::SubmapList& message) {
                         : map::SlamState::Invalid;
   list.entries.reserve(std::size_t(message.submaps_size()));
   for (const auto& entry : message.submaps()) {
+    // Protobuf does not tell a version of 0 from one that is left out.
     list.entries.push_back({{entry.trajectory_id(), entry.submap_index()},
-                            entry.submap_version(),
+                            entry.submap_version() > 0 ? entry.submap_version() : map::kNoVersion,
                             toPose(entry.pose()),
                             entry.is_frozen(),
                             entry.is_incremental_submap(),
                             entry.is_nearby_map()});
   }
-  return list;
+  return usable(std::move(list));
 }
 
 }  // namespace mapwright::robot::axbot

@@ -11,6 +11,7 @@
 #include <tl/expected.hpp>
 
 #include "map/catalogue.h"
+#include "map/live_topics.h"
 #include "map/overlay.h"
 #include "map/submap.h"
 #include "robot/map_transfer.h"
@@ -79,7 +80,10 @@ std::optional<std::vector<map::OverlayFeature>> parseOverlays(
 /// Reads a SubmapQueryV2Response. Never throws: garbage becomes Outcome::Failed with a reason.
 map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_view body);
 
+/// The list itself, or why it cannot be used: none of its rows can be read, or its submaps have no uuid.
+map::TopicMessage usable(map::SubmapList list);
+
 /// A binary /submap_list as values.
-map::SubmapList toSubmapList(const ros_messages::slam::SubmapList& message);
+map::TopicMessage toSubmapList(const ros_messages::slam::SubmapList& message);
 
 }  // namespace mapwright::robot::axbot

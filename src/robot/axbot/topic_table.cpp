@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 
+#include "map/submap_version.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_maps.h"
 
@@ -54,7 +55,7 @@ map::TopicMessage submapList(const Json& message) {
   list.slam_state = slamState(message);
   list.uuid = wire::text(message, {"uuid"});
   const auto member = wire::member(message, {"submap", "submaps"});
-  if (!member) return list;
+  if (!member) return map::UnreadableMessage{"/submap_list", fault::NoListInIt};
   wire::JsonList rows;
   if (member->get(rows)) return map::UnreadableMessage{"/submap_list", {fault::MemberIsNoList, {"submap"}}};
   list.entries.reserve(rows.size());
@@ -64,18 +65,18 @@ map::TopicMessage submapList(const Json& message) {
     const auto trajectory = wire::smallInteger(row, {"trajectory_id"});
     const auto index = wire::smallInteger(row, {"submap_index"});
     const auto version = wire::smallInteger(row, {"submap_version"});
-    if (!trajectory || !index || !version) {
+    if (!trajectory || !index) {
       list.rejected.push_back({fault::RowWithoutNumbers, {std::int64_t(position)}});
       continue;
     }
     list.entries.push_back({{*trajectory, *index},
-                            *version,
+                            std::max(version.value_or(map::kNoVersion), map::kNoVersion),
                             entryPose(row),
                             wire::flag(row, {"is_frozen"}).value_or(false),
                             wire::flag(row, {"is_incremental_submap"}).value_or(false),
                             wire::flag(row, {"is_nearby_map"}).value_or(false)});
   }
-  return list;
+  return usable(std::move(list));
 }
 
 map::TopicMessage trackedPose(const Json& message) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "map/submap_version.h"
 #include "recorder/layout.h"
 #include "robot/axbot/parse_maps.h"
 #include "robot/recorded/faults.h"
@@ -111,7 +112,8 @@ map::SubmapAnswer KeptThings::submap(const map::SubmapKey& key) {
   answer.reason = fault::RecordingLacksSubmap;
   const auto found = submaps_.find({key.uuid, key.id});
   if (found == submaps_.end()) return answer;
-  auto version = found->second.upper_bound(key.version);
+  auto version =
+      key.version == map::kNoVersion ? found->second.end() : found->second.upper_bound(key.version);
   if (version != found->second.begin()) --version;
   const auto bytes = bytesAt(version->second);
   if (!bytes) {
@@ -122,6 +124,7 @@ map::SubmapAnswer KeptThings::submap(const map::SubmapKey& key) {
   }
   answer = axbot::parseSubmapResponse(key, *bytes);
   if (answer.version == 0) answer.version = version->first;
+  answer.from_cache = true;  // and nothing newer will come
   return answer;
 }
 
