@@ -19,6 +19,7 @@
 #include "app/output.h"
 #include "robot/delivery.h"
 #include "robot/offers_topics.h"
+#include "scene/layer.h"
 #include "sentences/absence_sentence.h"
 #include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
@@ -152,19 +153,43 @@ class TopicsRun {
     return live_.connectToRobot();
   }
 
+  /// The layers that show it.
+  QStringList layersOf(const QString& topic) const {
+    // Patches are part of their grid.
+    const QString patches = QStringLiteral("_updates");
+    const QString grid = topic.endsWith(patches) ? topic.chopped(patches.size()) : topic;
+    QStringList layers;
+    for (const scene::Layer layer : scene::allLayers()) {
+      map::Streams streams = scene::layerStreams(layer);
+      // Where the robot is comes without being asked for.
+      if (layer == scene::Layer::Robot) streams.insert(map::Stream::Pose);
+      if (layer == scene::Layer::Footprint) streams.insert(map::Stream::Model);
+      if (std::any_of(streams.begin(), streams.end(), [&](map::Stream stream) {
+            const QStringList known = robot_.liveTopics()->topicsOf(stream);
+            return known.contains(topic) || known.contains(grid);
+          }))
+        layers << scene::layerName(layer);
+    }
+    return layers;
+  }
+
   void print(const std::vector<OfferedTopic>& topics) const {
     if (args_.json) {
       QJsonArray rows;
       for (const OfferedTopic& topic : topics)
         rows << QJsonObject{
             {QStringLiteral("topic"), topic.name},
-            {QStringLiteral("type"), topic.type.isEmpty() ? QJsonValue() : QJsonValue(topic.type)}};
+            {QStringLiteral("type"), topic.type.isEmpty() ? QJsonValue() : QJsonValue(topic.type)},
+            {QStringLiteral("layers"), QJsonArray::fromStringList(layersOf(topic.name))}};
       return printJson(rows);
     }
-    std::vector<QStringList> table{{Text::tr("TYPE"), Text::tr("TOPIC")}};
-    for (const OfferedTopic& topic : topics)
+    std::vector<QStringList> table{{Text::tr("TYPE"), Text::tr("LAYERS"), Text::tr("TOPIC")}};
+    for (const OfferedTopic& topic : topics) {
+      const QStringList layers = layersOf(topic.name);
       table.push_back({topic.type.isEmpty() ? QStringLiteral("?") : words::plainName(topic.type),
+                       layers.isEmpty() ? QStringLiteral("-") : layers.join(QLatin1Char(',')),
                        words::plainName(topic.name)});
+    }
     printTable(table);
   }
 

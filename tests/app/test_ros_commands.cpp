@@ -138,12 +138,15 @@ class RosCommandsTest : public QObject {
     };
     const Ran listed = topics({QStringLiteral("list"), QStringLiteral("--json")});
     QVERIFY2(listed.code == 0, listed.err.constData());
-    const QJsonArray rows = QJsonDocument::fromJson(listed.out).array();
-    const QJsonObject map{{QStringLiteral("topic"), QStringLiteral("/map")},
-                          {QStringLiteral("type"), QStringLiteral("nav_msgs/msg/OccupancyGrid")}};
-    const QJsonObject ros1_map{{QStringLiteral("topic"), QStringLiteral("/map")},
-                               {QStringLiteral("type"), QStringLiteral("nav_msgs/OccupancyGrid")}};
-    QVERIFY2(rows.contains(map) || rows.contains(ros1_map), listed.out.constData());
+    QMap<QString, QJsonObject> rows;
+    for (const QJsonValue& row : QJsonDocument::fromJson(listed.out).array())
+      rows[row[QLatin1String("topic")].toString()] = row.toObject();
+    const QJsonObject map = rows[QStringLiteral("/map")];
+    const QString type = map[QLatin1String("type")].toString();
+    QVERIFY2(type == QLatin1String("nav_msgs/msg/OccupancyGrid") ||
+                 type == QLatin1String("nav_msgs/OccupancyGrid"),
+             listed.out.constData());
+    QCOMPARE(map[QLatin1String("layers")].toArray(), QJsonArray{QStringLiteral("whole")});
 
     const Ran echoed = topics(
         {QStringLiteral("echo"), QStringLiteral("/odom"), QStringLiteral("--count"), QStringLiteral("3")});
