@@ -226,7 +226,9 @@ void addBagPictures(Commands& commands, CLI::App& bags) {
   const auto args = std::make_shared<SnapshotArguments>();
   CLI::App* const one =
       bags.add_subcommand("snapshot", help(Text::tr("Draw the state of a bag at a given time to a PNG")));
-  one->add_option("name", args->bag, help(Text::tr("Name of the bag (see mapwright bags list), or a file")))
+  one->add_option("name", args->bag,
+                  help(Text::tr("Name of the bag (see mapwright bags list), or a file; FILE?ns=/NAMESPACE is "
+                                "one robot of several")))
       ->required();
   one->add_option("--at", args->at, help(Text::tr("Seconds since 1970, or 2024-06-03T09:00:00Z")))
       ->required();
@@ -237,7 +239,9 @@ void addBagPictures(Commands& commands, CLI::App& bags) {
   CLI::App* const many =
       bags.add_subcommand("film", help(Text::tr("Draw a bag at regular times, to PNG files or a video")));
   const std::string time = help(Text::tr("Seconds since 1970, or 2024-06-03T09:00:00Z"));
-  many->add_option("name", film->name, help(Text::tr("Name of the bag (see mapwright bags list), or a file")))
+  many->add_option("name", film->name,
+                   help(Text::tr("Name of the bag (see mapwright bags list), or a file; FILE?ns=/NAMESPACE "
+                                 "is one robot of several")))
       ->required();
   many->add_option("--from", film->from, time)->required();
   many->add_option("--to", film->to, time)->required();

@@ -332,7 +332,9 @@ void addBagOptions(const std::string& name, CLI::App& command, BagsArguments& ar
     command.add_option("files", args.files, help(Text::tr("Recordings on this computer")))->required();
   if (!is("list", "record", "merge"))
     command
-        .add_option("name", args.name, help(Text::tr("Name of the bag (see mapwright bags list), or a file")))
+        .add_option("name", args.name,
+                    help(Text::tr("Name of the bag (see mapwright bags list), or a file; FILE?ns=/NAMESPACE "
+                                  "is one robot of several")))
         ->required();
   if (is("frames", "state", "export", "track", "merge")) command.add_option("--from", args.from, time);
   if (is("frames", "export", "track", "merge")) command.add_option("--to", args.to, time);

@@ -294,7 +294,8 @@ void addSnapshotOptions(CLI::App* command, SnapshotArguments& args) {
 
 void addSnapshotBag(CLI::App* command, SnapshotArguments& args) {
   command->add_option("--bag", args.bag,
-                      help(Text::tr("Draw recorded data: the name of a bag, or a file (with --at)")));
+                      help(Text::tr("Draw recorded data: the name of a bag, or a file, with --at; "
+                                    "FILE?ns=/NAMESPACE is one robot of several")));
   command->add_option("--at", args.at,
                       help(Text::tr("Time in the bag: seconds since 1970, or 2024-06-03T09:00:00Z")));
 }
