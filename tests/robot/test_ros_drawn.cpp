@@ -269,6 +269,7 @@ class RosDrawnTest : public QObject {
                                       {"/local_costmap/published_footprint", "geometry_msgs/PolygonStamped"},
                                       {"/global_costmap/published_footprint", "geometry_msgs/PolygonStamped"},
                                       {"/zone", "geometry_msgs/PolygonStamped"},
+                                      {"/initialpose", "geometry_msgs/PoseWithCovarianceStamped"},
                                       {"/sonar", "sensor_msgs/Range"},
                                       {"/blobs", "visualization_msgs/Marker"},
                                       {"/odd/markers", "visualization_msgs/MarkerArray"},

@@ -192,8 +192,9 @@ void addDrawn(std::vector<Source>& sources, std::vector<Endpoint> found) {
   for (const Endpoint& topic : found) {
     const std::string type = plainType(topic.type);
     if (!isDrawn(type) || topic.name.size() > kLongestTopicName) continue;
-    // The same outline of the robot, as other nodes see it.
+    // The same outline of the robot, as other nodes see it; and where people tell the robot to be.
     if (type == "geometry_msgs/PolygonStamped" && topic.name.ends_with("footprint")) continue;
+    if (lastPart(topic.name) == "initialpose") continue;
     const bool shown = type != "geometry_msgs/PoseWithCovarianceStamped" &&
                        std::any_of(sources.begin(), sources.end(),
                                    [&](const Source& source) { return source.topic == topic.name; });
