@@ -27,6 +27,7 @@
 #include "sentences/problem_sentence.h"
 #include "sentences/subject_name.h"
 #include "session/lacks_picture.h"
+#include "words/decimal.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -75,11 +76,12 @@ QJsonArray pointsJson(const std::vector<map::Waypoint>& points) {
 
 void addPoints(std::vector<QStringList>& table, const std::vector<map::Waypoint>& points) {
   for (const map::Waypoint& point : points) {
-    table.push_back({Text::tr("point"),
-                     Text::tr("%1 %2  x %3 m, y %4 m%5")
-                         .arg(words::plainName(point.id), words::plainName(point.name),
-                              QString::number(point.position_m.x()), QString::number(point.position_m.y()),
-                              point.yaw_rad ? Text::tr(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
+    table.push_back(
+        {Text::tr("point"),
+         Text::tr("%1 %2  x %3 m, y %4 m%5")
+             .arg(words::plainName(point.id), words::plainName(point.name),
+                  words::decimal(point.position_m.x()), words::decimal(point.position_m.y()),
+                  point.yaw_rad ? Text::tr(", yaw %1 rad").arg(words::decimal(*point.yaw_rad)) : QString())});
   }
 }
 
@@ -278,11 +280,10 @@ CommandResult<int> mapsShow(RobotCommand& command, const MapsArguments& args) {
       {Text::tr("id"), id},
       {Text::tr("name"), words::plainName((*robot)->nameOfMap())},
       {Text::tr("cells"), QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)},
-      {Text::tr("resolution"), Text::tr("%1 m").arg(grid.resolution_m)},
+      {Text::tr("resolution"), Text::tr("%1 m").arg(words::decimal(grid.resolution_m))},
       {Text::tr("origin"), Text::tr("x %1 m, y %2 m, yaw %3 rad (lower left corner)")
-                               .arg(grid.origin.x_m)
-                               .arg(grid.origin.y_m)
-                               .arg(grid.origin.yaw_rad)},
+                               .arg(words::decimal(grid.origin.x_m), words::decimal(grid.origin.y_m),
+                                    words::decimal(grid.origin.yaw_rad))},
       {Text::tr("extent"), Text::tr("%1 m x %2 m")
                                .arg(grid.width * grid.resolution_m, 0, 'f', 2)
                                .arg(grid.height * grid.resolution_m, 0, 'f', 2)}};
@@ -343,7 +344,7 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
     const map::GridReference& grid = placed->reference;
     printLine(Text::tr("%1: %2 x %3 cells of %4 m")
                   .arg(oneLine(output), QString::number(grid.width), QString::number(grid.height),
-                       QString::number(grid.resolution_m)));
+                       words::decimal(grid.resolution_m)));
   }
   return kDone;
 }

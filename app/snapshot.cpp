@@ -25,7 +25,6 @@
 #include "geometry/view_transform.h"
 #include "replay/replay_robot.h"
 #include "scene/layer.h"
-#include "submap/submap_store.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -41,7 +40,6 @@ std::optional<Eigen::Vector2d> parsePoint(const QString& word) {
   const auto numbers = numbersFrom(word.toStdString());
   if (!numbers || numbers->size() != 2) return std::nullopt;
   const Eigen::Vector2d point((*numbers)[0], (*numbers)[1]);
-  if (point.cwiseAbs().maxCoeff() > submap::kMaxCoordinateM) return std::nullopt;
   return point;
 }
 
@@ -374,7 +372,9 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotArgume
   if (has_center) {
     options.center_m = parsePoint(text(args.center));
     if (!options.center_m) {
-      return wrong(Text::tr("--center %1: give X,Y in metres, for example 12.5,-3.").arg(text(args.center)));
+      return wrong(Text::tr("--center %1: give X,Y in metres, for example 12.5,-3, at most a million "
+                            "kilometres away.")
+                       .arg(text(args.center)));
     }
   }
   if (has_scale) {

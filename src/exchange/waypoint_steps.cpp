@@ -13,6 +13,7 @@
 #include "geometry/pose.h"
 #include "map/waypoint.h"
 #include "sentences/failure_sentence.h"
+#include "words/decimal.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -33,7 +34,7 @@ bool isNear(const map::Waypoint& wanted, const map::Waypoint& kept, double pixel
   return map::sameHeading(wanted.yaw_rad.value_or(0), *kept.yaw_rad);
 }
 
-QString figure(double value) { return QString::number(std::round(value * 1000) / 1000, 'g', 10); }
+QString figure(double value) { return words::decimal(value, 3); }
 
 QJsonValue rowOr(const std::optional<map::Waypoint>& point, const std::string& map) {
   return point ? QJsonValue(waypointJson(*point, map)) : QJsonValue();

@@ -11,6 +11,7 @@
 #include <QUtf8StringView>
 
 #include "geometry/pose.h"
+#include "words/shortest.h"
 
 namespace mapwright::exchange {
 namespace {
@@ -40,11 +41,7 @@ std::string lowerCase(std::string text) {
 }
 
 /// With enough digits to read the same value back.
-std::string csvNumber(double value) {
-  std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
-}
+std::string csvNumber(double value) { return words::shortest(value); }
 
 /// A finite number with a decimal point in any locale; nullopt = invalid.
 std::optional<double> csvNumber(const std::string& field) {

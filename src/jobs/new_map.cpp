@@ -11,6 +11,7 @@
 #include "jobs/change_map.h"
 #include "jobs/change_overlays.h"
 #include "sentences/fault_sentence.h"
+#include "words/decimal.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::jobs {
@@ -23,7 +24,7 @@ class NewMapText {
 constexpr std::size_t kMostPictureBytes = std::size_t(128) << 20;
 constexpr int kMostEdge = 20'000;
 constexpr std::int64_t kMostCells = 100'000'000;
-constexpr double kFarthestOriginM = 1e5;
+constexpr double kFarthestOriginM = 1e7;  // as maps of everybody: UTM
 constexpr double kSameM = 1e-4;  // robots keep single precision
 
 /// Whether both show the same gray levels.
@@ -66,7 +67,7 @@ QString whyNoPlaceOfMap(double resolution_m, double x_m, double y_m) {
         .arg(kFinestMapM)
         .arg(kCoarsestMapM);
   if (!(std::abs(x_m) <= kFarthestOriginM && std::abs(y_m) <= kFarthestOriginM))
-    return NewMapText::tr("The origin must be within 100 km.");
+    return NewMapText::tr("The origin must be within 10,000 km.");
   return {};
 }
 
@@ -121,11 +122,10 @@ QStringList differences(const robot::NewMap& sent, const robot::MapParts& held) 
   if (now.name != sent.name) all << NewMapText::tr("it is called \"%1\"").arg(words::plainName(now.name));
   const auto other = [](double one, double two) { return !(std::abs(one - two) <= kSameM); };
   if (other(now.grid.resolution_m, sent.grid.resolution_m))
-    all << NewMapText::tr("its resolution is %1 m").arg(now.grid.resolution_m);
+    all << NewMapText::tr("its resolution is %1 m").arg(words::decimal(now.grid.resolution_m));
   if (other(now.grid.origin.x_m, sent.grid.origin.x_m) || other(now.grid.origin.y_m, sent.grid.origin.y_m))
     all << NewMapText::tr("its lower left corner is at %1, %2 m")
-               .arg(now.grid.origin.x_m)
-               .arg(now.grid.origin.y_m);
+               .arg(words::decimal(now.grid.origin.x_m), words::decimal(now.grid.origin.y_m));
   if (sent.data && now.data_bytes && *now.data_bytes != std::int64_t(sent.data->size()))
     all << NewMapText::tr("its data has %1 of %2 bytes").arg(*now.data_bytes).arg(sent.data->size());
   if (!held.picture) {

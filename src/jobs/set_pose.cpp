@@ -15,7 +15,7 @@ class SetPoseText {
   Q_DECLARE_TR_FUNCTIONS(SetPose)
 };
 
-constexpr double kFarthestM = 1e5;
+constexpr double kFarthestM = 1e7;  // maps may lie in UTM coordinates
 constexpr double kSetM = 0.5, kSetRad = 0.35;
 constexpr double kAdjustedM = 2, kAdjustedRad = 1;  // how far an adjustment may move a pose
 
@@ -33,8 +33,8 @@ QString beliefMoves() {
 QString whyNoPose(const geometry::Pose2& pose) {
   if (!std::isfinite(pose.x_m) || !std::isfinite(pose.y_m) || !std::isfinite(pose.yaw_rad))
     return SetPoseText::tr("A pose is three numbers: x and y in metres, and the heading.");
-  if (std::abs(pose.x_m) > kFarthestM || std::abs(pose.y_m) > kFarthestM)
-    return SetPoseText::tr("The pose is more than 100 km away from the origin of the map.");
+  if (std::abs(pose.x_m) >= kFarthestM || std::abs(pose.y_m) >= kFarthestM)
+    return SetPoseText::tr("The pose is more than 10,000 km away from the origin of the map.");
   return {};
 }
 

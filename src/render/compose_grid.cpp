@@ -50,7 +50,9 @@ tl::expected<ComposedGrid, Fault> composeGrid(std::span<const PlacedTexture> tex
   made.reference.width = width;
   made.reference.height = height;
   made.reference.resolution_m = resolution_m;
-  made.reference.origin = {left * resolution_m, bottom * resolution_m, 0};
+  // In decimals: 0.05 times a whole number often is none (-55.650000000000006), and it ends in files.
+  const auto metres = [](double value) { return std::round(value * 1e9) / 1e9; };
+  made.reference.origin = {metres(left * resolution_m), metres(bottom * resolution_m), 0};
   const auto builder =
       grids::buildGrid(width, height, grids::CellCode::Occupancy, grids::Reduction::OccupiedWins, resources);
   const std::array<std::uint8_t, 256> percent = percents();

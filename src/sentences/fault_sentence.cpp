@@ -1,5 +1,7 @@
 #include "sentences/fault_sentence.h"
 
+#include <cmath>
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -7,6 +9,7 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/http_status.h"
 #include "sentences/plural.h"
+#include "words/decimal.h"
 #include "words/sentences.h"
 
 namespace mapwright::sentences {
@@ -14,7 +17,11 @@ namespace {
 
 QString textOf(const FaultArgument& argument) {
   if (const auto* const whole = std::get_if<std::int64_t>(&argument)) return QString::number(*whole);
-  if (const auto* const number = std::get_if<double>(&argument)) return QString::number(*number, 'g', 6);
+  if (const auto* const number = std::get_if<double>(&argument)) {
+    constexpr double kLarge = 1e5, kLargest = 1e15;  // coordinates and times: every digit counts
+    const double size = std::abs(*number);
+    return size >= kLarge && size < kLargest ? words::decimal(*number) : QString::number(*number, 'g', 6);
+  }
   if (const auto* const status = std::get_if<HttpStatus>(&argument)) return statusWords(status->code);
   return QString::fromStdString(std::get<std::string>(argument));
 }

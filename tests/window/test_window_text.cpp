@@ -188,7 +188,9 @@ class TestWindowText : public QObject {
     QCOMPARE(*parsePoint(QStringLiteral("12.5 -3.2")), Eigen::Vector2d(12.5, -3.2));
     QCOMPARE(*parsePoint(QStringLiteral("x 12.345 y -3.210 m")), Eigen::Vector2d(12.345, -3.21));
     QCOMPARE(*parsePoint(QStringLiteral("12,5; -3,2")), Eigen::Vector2d(12.5, -3.2));
-    for (const char* bad : {"", "12", "a b", "1 2 3", "nan nan", "1e99 0", "2000000 0"}) {
+    QCOMPARE(*parsePoint(QStringLiteral("388096.123, 5572094.155")),
+             Eigen::Vector2d(388096.123, 5572094.155));
+    for (const char* bad : {"", "12", "a b", "1 2 3", "nan nan", "1e99 0", "2000000000 0"}) {
       QVERIFY2(!parsePoint(QLatin1String(bad)), bad);
     }
   }

@@ -1,4 +1,6 @@
 // Waypoints in the window: on the map by hand, in the list, saved, merged, left.
+#include <random>
+
 #include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -236,6 +238,29 @@ class TestWindowWaypoints : public QObject {
     desk.editing().select({"a", "b"});
     QVERIFY(desk.dock().groupForm()->typeEdit()->isVisible());
     QCOMPARE(desk.dock().groupForm()->turnChoice()->count(), 3);
+  }
+
+  void nudgesAddUpToDecimals() {
+    Desk desk;
+    desk.store.points = {waypoint("a", 1, 1.1, "Dock"), waypoint("b", 3.123456789, 2, "Kitchen")};
+    desk.start();
+    desk.take();
+    std::mt19937 dice(7);
+    const auto shortest = [](double number) {
+      return QString::number(number, 'g', QLocale::FloatingPointShortest);
+    };
+    desk.editing().select({"a", "b"});
+    for (int step = 0; step < 60; ++step) {
+      const Qt::Key keys[] = {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down};
+      desk.key(keys[dice() % 4], dice() % 3 == 0 ? Qt::ShiftModifier : Qt::NoModifier);
+      for (const char* id : {"a", "b"}) {
+        for (const double metres : desk.editing().find(id)->position_m) {
+          const QString written = shortest(metres);
+          QVERIFY2(written.section(QLatin1Char('.'), 1).size() <= (metres == 3.123456789 ? 9 : 6),
+                   qPrintable(written));
+        }
+      }
+    }
   }
 
   void keysNudgeRenameAndDelete() {

@@ -1,9 +1,13 @@
+#include <random>
+
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTest>
 
 #include "test_program.h"
+#include "words/decimal.h"
 #include "words/qt_plain.h"
+#include "words/shortest.h"
 
 namespace test_words {
 
@@ -12,6 +16,31 @@ using namespace mapwright;
 class WordsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void coordinatesHaveNoExponent() {
+    std::mt19937_64 dice(5);
+    std::uniform_real_distribution<double> digits(-1, 1);
+    for (int round = 0; round < 20'000; ++round) {
+      double number = digits(dice) * std::pow(10, int(dice() % 15));
+      if (round % 3 == 0) number = std::round(number);
+      if (round % 3 == 1) number = std::round(number * 1000) / 1000;
+      const std::string written = words::shortest(number);
+      QCOMPARE(std::strtod(written.c_str(), nullptr), number);
+      if (number == 0 || std::abs(number) >= 1e-6)
+        QVERIFY2(written.find('e') == std::string::npos, written.c_str());
+      const QString shown = words::decimal(number);
+      QVERIFY2(!shown.contains(QLatin1Char('e')) &&
+                   std::abs(shown.toDouble() - number) <= 0.51e-6 + std::abs(number) * 1e-15,
+               qPrintable(shown));
+      QVERIFY2(!shown.endsWith(QLatin1Char('.')), qPrintable(shown));
+    }
+    QCOMPARE(words::shortest(400000), std::string("400000"));
+    QCOMPARE(words::shortest(1e300), std::string("1e+300"));
+    QCOMPARE(words::decimal(5572094.155411), QStringLiteral("5572094.155411"));
+    QCOMPARE(words::decimal(0.05), QStringLiteral("0.05"));
+    QCOMPARE(words::decimal(-1e-9), QStringLiteral("0"));
+    QCOMPARE(words::decimal(1200), QStringLiteral("1200"));
+  }
+
   void nothingIsLeftThatATerminalObeys() {
     // Every character of the first 0x3000: what is obeyed, and only that, is gone.
     for (char32_t code = 0; code < 0x3000; ++code) {

@@ -95,7 +95,7 @@ NewMapDialog::NewMapDialog(const QString& path, const QSize& size, const QImage&
   name_->selectAll();
   resolution_ = numberField(this, {0, 10, 4, 0.01, tr(" m per pixel"), tr("Resolution"), 130});
   resolution_->setValue(0.05);
-  constexpr double kFarthestM = 1e5;
+  constexpr double kFarthestM = 1e7;
   x_ = numberField(
       this, {-kFarthestM, kFarthestM, 3, 1, QStringLiteral(" m"), tr("x of the lower left corner"), 130});
   y_ = numberField(

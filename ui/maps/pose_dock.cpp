@@ -38,7 +38,7 @@ PoseDock::PoseDock(QWidget* parent)
     connect(box, &QDoubleSpinBox::valueChanged, this, &PoseDock::takeTyped);
     return box;
   };
-  constexpr double kFarthestM = 1e5;
+  constexpr double kFarthestM = 1e7;
   x_ = field(tr("x of the pose"), kFarthestM, 3, 0.05, QStringLiteral(" m"));
   y_ = field(tr("y of the pose"), kFarthestM, 3, 0.05, QStringLiteral(" m"));
   yaw_ = field(tr("Heading of the pose"), 360, 1, 5, QStringLiteral("°"));

@@ -5,6 +5,7 @@
 
 #include "scene/lengths.h"
 #include "ui/kit/status_text.h"
+#include "words/decimal.h"
 
 namespace mapwright::window {
 namespace {
@@ -52,7 +53,8 @@ std::vector<scene::ObjectProperty> mapFacts(const session::MapSlot& slot, const 
   add(MapText::tr("Extent"),
       QStringLiteral("%1 × %2").arg(scene::lengthText(grid.width * grid.resolution_m),
                                     scene::lengthText(grid.height * grid.resolution_m)));
-  if (!no_cells) add(MapText::tr("Resolution"), MapText::tr("%1 m per cell").arg(grid.resolution_m));
+  if (!no_cells)
+    add(MapText::tr("Resolution"), MapText::tr("%1 m per cell").arg(words::decimal(grid.resolution_m)));
   add(MapText::tr("Origin"), coordinatesText({grid.origin.x_m, grid.origin.y_m}, kFinestScale));
   add(MapText::tr("Turned by"), rotationText(grid.origin.yaw_rad));
   const geometry::WorldRect bounds = grid.bounds();

@@ -6,6 +6,7 @@
 
 #include "exchange/waypoint_plan.h"
 #include "ui/kit/name_order.h"
+#include "ui/waypoints/decimal_place.h"
 #include "ui/waypoints/waypoint_text.h"
 
 namespace mapwright::window {
@@ -105,7 +106,7 @@ std::set<std::string> WaypointEditing::names() const {
 
 edit::Key WaypointEditing::add(const Eigen::Vector2d& world_m, edit::Gesture gesture) {
   map::Waypoint point;
-  point.position_m = world_m;
+  point.position_m = decimalPlace(world_m);
   const auto keys = addAll({point}, tr("add %1"), gesture);
   return keys.empty() ? edit::Key() : *keys.begin();
 }
@@ -214,7 +215,8 @@ void WaypointEditing::make(std::vector<edit::Change> changes, const QString& wha
 
 void WaypointEditing::moveSelected(const Eigen::Vector2d& by_m, edit::Gesture gesture) {
   changeSelected(
-      tr("move %1"), [&](map::Waypoint& to) { to.position_m += by_m; }, gesture);
+      tr("move %1"),
+      [&](map::Waypoint& to) { to.position_m = decimalPlace(to.position_m + by_m, to.position_m); }, gesture);
 }
 
 std::optional<placing::Spot> WaypointEditing::spotOf(const edit::Key& key) const {
@@ -254,7 +256,7 @@ void WaypointEditing::apply(const WaypointPreview& to, const QString& what, edit
     const map::Waypoint* const now = find(key);
     if (!now) continue;
     changes.push_back({key, *now, *now});
-    changes.back().after->position_m = spot.position_m;
+    changes.back().after->position_m = decimalPlace(spot.position_m, now->position_m);
     changes.back().after->yaw_rad = spot.yaw_rad;
   }
   document_->change(std::move(changes), what, gesture);

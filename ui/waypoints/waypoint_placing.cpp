@@ -21,6 +21,7 @@
 #include "ui/shell/viewpoint.h"
 #include "ui/view/map_view.h"
 #include "ui/view/tool_choice.h"
+#include "ui/waypoints/decimal_place.h"
 #include "ui/waypoints/line_tool.h"
 #include "ui/waypoints/waypoint_arranging.h"
 #include "ui/waypoints/waypoint_text.h"
@@ -28,7 +29,7 @@
 namespace mapwright::window {
 namespace {
 
-constexpr double kFarthestPlaceM = 1e6;
+constexpr double kFarthestPlaceM = 1e7;
 constexpr double kNoPlaceHeading = -181;  // the minimum of its field means none
 constexpr int kLongestPlaceName = 500;
 
@@ -242,7 +243,7 @@ void PlacingActions::createAtRobot() {
   const auto pose = robotPose(&why_not);
   if (!pose) return refresh();
   map::Waypoint point;
-  point.position_m = {pose->x_m, pose->y_m};
+  point.position_m = decimalPlace({pose->x_m, pose->y_m});
   point.yaw_rad = pose->yaw_rad;
   const edit::Gesture gesture = editing_->newGesture();
   const auto keys = editing_->addAll({point}, tr("add %1"), gesture);
@@ -274,7 +275,7 @@ void PlacingActions::createAlongLine() {
   for (const placing::Spot& spot : line_->spots()) {
     map::Waypoint point;
     if (const auto i = qsizetype(points.size()); i < names.size()) point.name = names[i].toStdString();
-    point.position_m = spot.position_m;
+    point.position_m = decimalPlace(spot.position_m);
     point.yaw_rad = spot.yaw_rad;
     points.push_back(std::move(point));
   }
@@ -297,7 +298,7 @@ void PlacingActions::duplicate() {
     map::Waypoint copy = of;
     copy.source.clear();
     if (!of.name.empty()) copy.name = placing::nextName(of.name, taken);
-    copy.position_m = of.position_m + Eigen::Vector2d(away, -away);
+    copy.position_m = decimalPlace(of.position_m + Eigen::Vector2d(away, -away));
     copies.push_back(std::move(copy));
   }
   editing_->addAll(std::move(copies), tr("duplicate %1"));

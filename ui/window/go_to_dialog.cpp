@@ -13,6 +13,12 @@
 
 namespace mapwright::window {
 
+namespace {
+
+constexpr double kFarthestM = 1e9;  // as --center of commands: maps may lie in UTM coordinates
+
+}  // namespace
+
 std::optional<Eigen::Vector2d> parsePoint(const QString& text) {
   QString plain = text.trimmed().toLower();
   // A comma between digits is a decimal comma only if a semicolon separates the numbers.
@@ -23,7 +29,7 @@ std::optional<Eigen::Vector2d> parsePoint(const QString& text) {
   const QRegularExpressionMatch match = pattern.match(plain);
   if (!match.hasMatch()) return std::nullopt;
   const Eigen::Vector2d point(match.captured(1).toDouble(), match.captured(2).toDouble());
-  if (!point.allFinite() || point.cwiseAbs().maxCoeff() > submap::kMaxCoordinateM) return std::nullopt;
+  if (!point.allFinite() || point.cwiseAbs().maxCoeff() > kFarthestM) return std::nullopt;
   return point;
 }
 
