@@ -2,6 +2,7 @@
 // (docs/command-line.md).
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "app/output.h"
 #include "app/robot_command.h"
 #include "app/robot_factory.h"
+#include "grids/export_grid.h"
 #include "jobs/change_map.h"
 #include "jobs/export_map.h"
 #include "robot/address.h"
@@ -44,14 +46,16 @@ struct MapsArguments : RobotArguments {
   std::string place;          // load: the name of the waypoint where the robot stands
   std::string first, second;  // diff: a map of the robot, or a file
   std::string output, format, diff_picture;
-  std::string resolution, origin;  // of a plain picture file; resolution also for exported submaps
-  std::string region;              // export: X,Y,LX,LY
-  std::string filename;            // save-on-robot
+  std::string resolution, origin;        // of a plain picture file; resolution also for exported submaps
+  std::string region;                    // export: X,Y,LX,LY
+  std::string filename;                  // save-on-robot
+  std::string map_mode;                  // export: of the map.yaml
+  std::optional<double> occupied, free;  // export: its thresholds
   bool world_file = false;
-  bool force = false;      // overwrite files even if the map was read from them
-  bool yes = false;        // delete: confirmed
-  bool continues = false;  // start-mapping: more of the current map
-  bool cancels = false;    // stop-mapping: what was mapped is lost
+  bool force = false;          // overwrite files even if the map was read from them
+  bool yes = false;            // delete: confirmed
+  bool continues = false;      // start-mapping: more of the current map
+  bool cancels = false;        // stop-mapping: what was mapped is lost
 };
 
 /// "2026-11-22 10:00"; "-" = unknown. `epoch_s`: seconds since 1970.
@@ -294,6 +298,35 @@ CommandResult<int> mapsShow(RobotCommand& command, const MapsArguments& args) {
   return kDone;
 }
 
+/// How map_server is to read the exported picture. The error is a sentence.
+tl::expected<grids::MapServerForm, QString> formOf(const MapsArguments& args, const QString& output,
+                                                   bool png) {
+  using Mode = grids::MapServerForm::Mode;
+  const auto no = [](const QString& sentence) { return tl::make_unexpected(sentence); };
+  const bool given = !args.map_mode.empty() || args.occupied || args.free;
+  if (png && given)
+    return no(
+        Text::tr("--map-mode, --occupied and --free need a map.yaml: name the output NAME.yaml, not %1.")
+            .arg(output));
+  grids::MapServerForm form{.occupied_thresh = args.occupied, .free_thresh = args.free};
+  if (args.map_mode == "raw") {
+    form.mode = Mode::Raw;
+  } else if (args.map_mode == "scale") {
+    form.mode = Mode::Scale;
+  } else if (!args.map_mode.empty() && args.map_mode != "trinary") {
+    return no(Text::tr("--map-mode %1: it must be trinary, scale or raw.").arg(text(args.map_mode)));
+  }
+  if (form.mode == Mode::Raw && (args.occupied || args.free))
+    return no(Text::tr("--occupied and --free have no effect in mode raw."));
+  const bool pgm = args.format == "pgm" || QFileInfo(output).suffix().toLower() == QLatin1String("pgm");
+  if (form.mode == Mode::Scale && pgm)
+    return no(
+        Text::tr("A PGM cannot hold unknown cells in mode scale. Name the output NAME.yaml: its picture "
+                 "will be a PNG."));
+  if (const auto flaw = grids::flawOf(form)) return no(sentences::sentenceOf(*flaw));
+  return form;
+}
+
 CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) {
   const QString output = text(args.output);
   const QString suffix = QFileInfo(output).suffix().toLower();
@@ -314,6 +347,9 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
     return wrong(
         Text::tr("Only a single PNG can be written to the standard output (--output %1).").arg(output));
   }
+  const bool png = format == QLatin1String("png");
+  const auto form = formOf(args, output, png);
+  if (!form) return wrong(form.error());
   if (const auto why = whyNotWritable(output)) return wrong(*why);
   if (const auto why = whyNotTogether({output, text(args.report)})) return wrong(*why);
   std::optional<map::GridRegion> region;
@@ -331,15 +367,15 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
   const bool by_part = region || (live && givesMapWhenAsked((*robot)->session().robot()));
   const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(args.id), resolutionOf(args));
   if (!placed) return passOn(placed);
-  const bool png = format == QLatin1String("png");
   const jobs::ExportRequest request{jobs::WholeMapExport{placed->cells, placed->reference},
                                     png ? jobs::ExportFormat::MapPicture : jobs::ExportFormat::MapServer,
-                                    output, args.world_file};
-  const QStringList outputs = jobs::exportedFiles(output, request.format, args.world_file);
+                                    output, args.world_file, *form};
+  const QStringList outputs = jobs::exportedFiles(output, request.format, args.world_file, form->mode);
   const auto why = overOwnSource(outputs, (*robot)->sourceFiles());
   if (why && !args.force) return wrong(*why);
   const jobs::ExportResult written = jobs::exportMap(request, nullptr);
   if (!written.error.isEmpty()) return wrong(written.error);
+  if (!written.remark.isEmpty()) (*robot)->note(written.remark);
   if (!printed && !isStandardOutput(text(args.report))) {
     const map::GridReference& grid = placed->reference;
     printLine(Text::tr("%1: %2 x %3 cells of %4 m")
@@ -544,6 +580,16 @@ void addMaps(Commands& commands) {
                      help(Text::tr("Overwrite a file even if the map was read from it")));
   exported->add_option("--format", args.format, help(Text::tr("png or pgm, if the file name does not say")));
   exported->add_flag("--world-file", args.world_file, help(Text::tr("Also write NAME.pgw (a world file)")));
+  exported->add_option(
+      "--map-mode", args.map_mode,
+      help(Text::tr("How map_server is to read the picture: trinary (the default: walls, free "
+                    "and unknown as shown), scale or raw (the percentages)")));
+  exported->add_option(
+      "--occupied", args.occupied,
+      help(Text::tr("Cells of a higher probability are walls: occupied_thresh, 0 to 1; without "
+                    "thresholds 0.65, and shades for which all walls stay walls")));
+  exported->add_option("--free", args.free,
+                       help(Text::tr("Cells of a lower probability are free: free_thresh (default: 0.196)")));
   exported->add_option("--region", args.region,
                        help(Text::tr("Only this region of the live map of a map dispatcher (REP "
                                      "130): X,Y,LX,LY, its centre and side lengths in metres")));

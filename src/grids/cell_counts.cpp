@@ -7,7 +7,6 @@
 namespace mapwright::grids {
 
 std::optional<CellCounts> countCells(const GridPyramid& cells, const std::atomic<bool>& cancelled) {
-  constexpr int kOccupiedPercent = 50;
   std::array<std::int64_t, 256> of_byte{};
   GridRows rows(cells);
   for (int y = 0; y < cells.height(); ++y) {

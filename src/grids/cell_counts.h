@@ -9,7 +9,10 @@
 
 namespace mapwright::grids {
 
-/// Cells of 50 % and more are occupied, as everywhere in the program. What has not been read is unknown.
+/// Cells of so many percent and more are occupied, as everywhere in the program.
+inline constexpr int kOccupiedPercent = 50;
+
+/// What has not been read is unknown.
 struct CellCounts {
   std::int64_t free = 0, occupied = 0, unknown = 0;
   std::int64_t all() const { return free + occupied + unknown; }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -12,6 +12,7 @@
 #include "disk/written_file.h"
 #include "grids/faults.h"
 #include "grids/png_writer.h"
+#include "words/shortest.h"
 
 namespace mapwright::grids {
 
@@ -37,35 +38,148 @@ std::optional<Fault> eachRow(const GridPyramid& grid, const Proceed& proceed, do
   return std::nullopt;
 }
 
-/// Whether map_saver's three gray levels can represent all cells.
-tl::expected<bool, Fault> isTrinary(const GridPyramid& grid, const Proceed& proceed) {
-  const CellMeaning& meaning = meaningOf(grid.code());
-  std::array<bool, 256> seen{};
+using Histogram = std::array<std::int64_t, 256>;
+
+/// How many cells have each byte.
+tl::expected<Histogram, Fault> histogramOf(const GridPyramid& grid, const Proceed& proceed) {
+  Histogram counts{};
   const std::size_t width = std::size_t(grid.width());
   auto stopped = eachRow(grid, proceed, 0, 0.3, [&](const std::uint8_t* row) {
-    for (std::size_t u = 0; u < width; ++u) seen[row[u]] = true;
+    for (std::size_t u = 0; u < width; ++u) ++counts[row[u]];
     return true;
   });
   if (stopped) return tl::unexpected(std::move(*stopped));
-  for (std::size_t cell = 0; cell < seen.size(); ++cell) {
+  return counts;
+}
+
+/// Whether map_saver's three gray levels can represent all cells.
+bool isTrinary(const Histogram& counts, const CellMeaning& meaning) {
+  for (std::size_t cell = 0; cell < counts.size(); ++cell) {
     const int occupancy = meaning.occupancy[cell];
-    if (seen[cell] && occupancy != 0 && occupancy != 100 && occupancy != -1) return false;
+    if (counts[cell] > 0 && occupancy != 0 && occupancy != 100 && occupancy != -1) return false;
   }
   return true;
 }
 
-/// The byte for every cell in a file for map_server.
-std::array<std::uint8_t, 256> shadesOf(CellCode code, bool trinary) {
-  const CellMeaning& meaning = meaningOf(code);
-  std::array<std::uint8_t, 256> shades{};
+using Shades = std::array<std::uint8_t, 256>;  // by the byte of a cell
+
+Shades saverShades(const CellMeaning& meaning) {
+  Shades shades{};
   for (std::size_t cell = 0; cell < shades.size(); ++cell) {
     const int occupancy = meaning.occupancy[cell];
-    shades[cell] = !trinary         ? std::uint8_t(occupancy)
-                   : occupancy == 0 ? kFreeShade
-                   : occupancy > 0  ? kOccupiedShade
-                                    : kUnknownShade;
+    shades[cell] = occupancy == 0 ? kFreeShade : occupancy > 0 ? kOccupiedShade : kUnknownShade;
   }
   return shades;
+}
+
+map::CellReading readingOf(const MapServerForm& form) {
+  map::CellReading reading;
+  reading.mode = form.mode;
+  reading.occupied_thresh = form.occupied_thresh.value_or(reading.occupied_thresh);
+  reading.free_thresh = form.free_thresh.value_or(reading.free_thresh);
+  return reading;
+}
+
+/// Occupied, as map_server reckons it.
+double probabilityOf(int shade) { return (255 - shade) / 255.0; }
+
+/// The gray levels that a map.yaml leaves to each kind of cell. Releases of map_server differ in whether they
+/// take a probability that equals a threshold: such levels belong to none.
+struct ShadeRanges {
+  int lightest_wall = -1, darkest_free = 256;
+  std::optional<int> unknown = {};  // the nearest to the middle gray
+};
+ShadeRanges rangesOf(const map::CellReading& reading) {
+  constexpr double kClear = 1e-6;
+  ShadeRanges ranges;
+  for (int shade = 0; shade < 256; ++shade) {
+    const double occupied = probabilityOf(shade);
+    if (occupied > reading.occupied_thresh + kClear) {
+      ranges.lightest_wall = shade;
+    } else if (occupied < reading.free_thresh - kClear) {
+      ranges.darkest_free = std::min(ranges.darkest_free, shade);
+    } else if (occupied < reading.occupied_thresh - kClear && occupied > reading.free_thresh + kClear &&
+               (!ranges.unknown ||
+                std::abs(shade - kTransparentGray) < std::abs(*ranges.unknown - kTransparentGray))) {
+      ranges.unknown = shade;
+    }
+  }
+  return ranges;
+}
+
+/// Each side of the middle spread over the gray levels that it may have, so that map_server finds every wall
+/// and every free cell, while darker stays darker.
+Shades spreadShades(const CellMeaning& meaning, const ShadeRanges& ranges) {
+  std::array<bool, 256> wall{}, free{};  // by intensity
+  for (std::size_t cell = 0; cell < 256; ++cell) {
+    if (!meaning.known[cell]) continue;
+    (meaning.occupancy[cell] >= kOccupiedPercent ? wall : free)[meaning.intensity[cell]] = true;
+  }
+  Shades of_intensity{};
+  const auto spread = [&of_intensity](const std::array<bool, 256>& used, int from, int to) {
+    const auto steps = std::max<std::ptrdiff_t>(1, std::count(used.begin(), used.end(), true) - 1);
+    double step = 0;
+    for (std::size_t intensity = 0; intensity < used.size(); ++intensity) {
+      if (used[intensity])
+        of_intensity[intensity] = std::uint8_t(std::lround(from + (to - from) * step++ / double(steps)));
+    }
+  };
+  spread(wall, 0, ranges.lightest_wall);
+  spread(free, ranges.darkest_free, 255);
+  Shades shades{};
+  for (std::size_t cell = 0; cell < 256; ++cell) {
+    shades[cell] = meaning.known[cell] ? of_intensity[meaning.intensity[cell]]
+                                       : std::uint8_t(ranges.unknown.value_or(kTransparentGray));
+  }
+  return shades;
+}
+
+/// The byte for every cell in a picture for map_server; in mode scale unknown ones are transparent besides.
+Shades shadesOf(const CellMeaning& meaning, const MapServerForm& form, const Histogram& counts) {
+  using Mode = MapServerForm::Mode;
+  const map::CellReading reading = readingOf(form);
+  const bool own_thresholds = form.occupied_thresh || form.free_thresh;
+  if (form.mode == Mode::Trinary && !own_thresholds) {
+    return isTrinary(counts, meaning) ? saverShades(meaning) : spreadShades(meaning, rangesOf(reading));
+  }
+  const int unknown = rangesOf(reading).unknown.value_or(kTransparentGray);
+  Shades shades{};
+  for (std::size_t cell = 0; cell < shades.size(); ++cell) {
+    const int percent = meaning.occupancy[cell];
+    if (form.mode == Mode::Raw) {
+      shades[cell] = std::uint8_t(percent);
+    } else if (!meaning.known[cell]) {
+      shades[cell] = std::uint8_t(unknown);
+    } else if (own_thresholds || percent == 0 || percent == 100) {
+      shades[cell] = meaning.intensity[cell];
+    } else {  // scale: map_server interpolates between the thresholds
+      const double range = reading.occupied_thresh - reading.free_thresh;
+      shades[cell] = std::uint8_t(std::lround(255 * (1 - reading.free_thresh - range * percent / 100)));
+    }
+  }
+  return shades;
+}
+
+SeenByRobots seenByRobots(const CellMeaning& meaning, const MapServerForm& form, const Histogram& counts,
+                          const Shades& shades) {
+  const map::CellReading reading = readingOf(form);
+  SeenByRobots seen;
+  for (std::size_t cell = 0; cell < counts.size(); ++cell) {
+    if (!meaning.known[cell]) {
+      seen.shown.unknown += counts[cell];
+      continue;
+    }
+    const std::uint8_t read = cellFromPixel(reading, shades[cell] / 255.0, 1, 1.0, false);
+    if (meaning.occupancy[cell] >= kOccupiedPercent) {
+      seen.shown.occupied += counts[cell];
+      seen.walls += read == 100 ? counts[cell] : 0;
+      seen.walls_as_free += read == 0 ? counts[cell] : 0;
+    } else {
+      seen.shown.free += counts[cell];
+      seen.free += read == 0 ? counts[cell] : 0;
+    }
+  }
+  return seen;
 }
 
 std::optional<Fault> told(const std::optional<disk::FileError>& fault) {
@@ -74,9 +188,7 @@ std::optional<Fault> told(const std::optional<disk::FileError>& fault) {
 
 /// The shortest text that reads back as the same number, and not as an integer.
 std::string numberText(double number) {
-  std::array<char, 64> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
-  std::string written(text.data(), end);
+  std::string written = words::shortest(number);
   // YAML 1.1 reads "1e-05" as a string: there must be a point before the exponent.
   const std::size_t exponent = written.find('e');
   if (written.find('.') == std::string::npos && written.find_first_of("ni") == std::string::npos) {
@@ -105,15 +217,19 @@ std::string quoted(const std::string& text) {
 
 std::optional<Fault> writeGridPng(const GridPyramid& grid, const std::string& path, const Proceed& proceed) {
   const bool as_is = isGray(grid.code());
-  const tl::expected<bool, Fault> trinary = as_is ? false : isTrinary(grid, proceed);
-  if (!trinary) return trinary.error();
+  const CellMeaning& meaning = meaningOf(grid.code());
+  bool trinary = false;
+  if (!as_is) {
+    const auto counts = histogramOf(grid, proceed);
+    if (!counts) return counts.error();
+    trinary = isTrinary(*counts, meaning);
+  }
   // If every gray level is a value, none is left for missing pixels.
-  const bool has_alpha = grid.code() == CellCode::ClearGray || (!as_is && !*trinary);
+  const bool has_alpha = grid.code() == CellCode::ClearGray || (!as_is && !trinary);
   disk::WrittenFile file(path);
   PngWriter png{file};
   bool good = png.begin(grid.width(), grid.height(), has_alpha ? PngPixels::GrayAlpha : PngPixels::Gray);
-  const CellMeaning& meaning = meaningOf(grid.code());
-  const std::array<std::uint8_t, 256> shades = shadesOf(grid.code(), true);
+  const Shades shades = saverShades(meaning);
   const std::size_t width = std::size_t(grid.width());
   std::vector<std::uint8_t> out(width * (has_alpha ? 2 : 1));
   auto stopped = eachRow(grid, proceed, as_is ? 0 : 0.3, 1, [&](const std::uint8_t* row) {
@@ -133,35 +249,70 @@ std::optional<Fault> writeGridPng(const GridPyramid& grid, const std::string& pa
   return told(file.place());
 }
 
-MapServerFiles mapServerFiles(const std::string& path) {
-  std::filesystem::path base(path);
-  if (base.extension() == ".pgm" || base.extension() == ".yaml" || base.extension() == ".yml") {
-    base.replace_extension();
-  }
-  return {base.string() + ".pgm", base.string() + ".yaml"};
+std::optional<Fault> flawOf(const MapServerForm& form) {
+  const map::CellReading reading = readingOf(form);
+  const auto within = [](double threshold) { return threshold >= 0 && threshold <= 1; };
+  if (!within(reading.occupied_thresh) || !within(reading.free_thresh))
+    return Fault(fault::ThresholdNotWithin);
+  if (form.mode != MapServerForm::Mode::Raw && !rangesOf(reading).unknown)
+    return Fault(fault::NoShadeForUnknown,
+                 {numberText(reading.free_thresh), numberText(reading.occupied_thresh)});
+  return std::nullopt;
 }
 
-std::optional<Fault> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
-                                    const std::string& path, const Proceed& proceed) {
-  const MapServerFiles paths = mapServerFiles(path);
-  const auto trinary = isTrinary(grid, proceed);
-  if (!trinary) return trinary.error();
-  const std::array<std::uint8_t, 256> shades = shadesOf(grid.code(), *trinary);
-  disk::WrittenFile pgm(paths.pgm), yaml(paths.yaml);
-  pgm.write("P5\n" + std::to_string(grid.width()) + " " + std::to_string(grid.height()) + "\n255\n");
+MapServerFiles mapServerFiles(const std::string& path, MapServerForm::Mode mode) {
+  std::filesystem::path base(path);
+  const std::string picture = mode == MapServerForm::Mode::Scale ? ".png" : ".pgm";
+  if (base.extension() == picture || base.extension() == ".yaml" || base.extension() == ".yml") {
+    base.replace_extension();
+  }
+  return {base.string() + picture, base.string() + ".yaml"};
+}
+
+tl::expected<SeenByRobots, Fault> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
+                                                 const std::string& path, const MapServerForm& form,
+                                                 const Proceed& proceed) {
+  const auto failed = [](Fault why) { return tl::make_unexpected(std::move(why)); };
+  if (auto flaw = flawOf(form)) return failed(std::move(*flaw));
+  const auto counts = histogramOf(grid, proceed);
+  if (!counts) return failed(counts.error());
+  const CellMeaning& meaning = meaningOf(grid.code());
+  const Shades shades = shadesOf(meaning, form, *counts);
+  const MapServerFiles paths = mapServerFiles(path, form.mode);
+  disk::WrittenFile picture(paths.picture), yaml(paths.yaml);
+  const bool has_alpha = form.mode == MapServerForm::Mode::Scale;
+  PngWriter png{picture};
+  bool good = true;
+  if (has_alpha) {
+    good = png.begin(grid.width(), grid.height(), PngPixels::GrayAlpha);
+  } else {
+    picture.write("P5\n" + std::to_string(grid.width()) + " " + std::to_string(grid.height()) + "\n255\n");
+  }
   const std::size_t width = std::size_t(grid.width());
-  std::vector<std::uint8_t> out(width);
+  std::vector<std::uint8_t> out(width * (has_alpha ? 2 : 1));
   auto stopped = eachRow(grid, proceed, 0.3, 1, [&](const std::uint8_t* row) {
-    for (std::size_t u = 0; u < width; ++u) out[u] = shades[row[u]];
-    pgm.write(out.data(), out.size());
-    return pgm.good();
+    if (has_alpha) {
+      for (std::size_t u = 0; u < width; ++u) {
+        out[2 * u] = shades[row[u]];
+        out[2 * u + 1] = meaning.known[row[u]] ? 255 : 0;
+      }
+      good = good && png.row(out.data(), out.size());
+    } else {
+      for (std::size_t u = 0; u < width; ++u) out[u] = shades[row[u]];
+      picture.write(out.data(), out.size());
+    }
+    return good && picture.good();
   });
-  if (stopped) return stopped;
-  yaml.write(mapYamlText(reference, std::filesystem::path(paths.pgm).filename().string(), !*trinary));
+  if (stopped) return failed(std::move(*stopped));
+  if (!good && picture.good()) return failed(Fault(fault::EncoderFailed, {paths.picture}));
+  const std::string image = std::filesystem::path(paths.picture).filename().string();
+  yaml.write(mapYamlText(reference, image, readingOf(form)));
   yaml.finish();  // both are complete before the first is moved into place
-  if (!yaml.good()) return told(yaml.place());
-  if (auto problem = told(pgm.place())) return problem;
-  return told(yaml.place());
+  if (!yaml.good()) return failed(*told(yaml.place()));
+  for (disk::WrittenFile* const file : {&picture, &yaml}) {
+    if (auto problem = told(file->place())) return failed(std::move(*problem));
+  }
+  return seenByRobots(meaning, form, *counts, shades);
 }
 
 std::string worldFileText(const map::GridReference& reference) {
@@ -176,11 +327,18 @@ std::string worldFileText(const map::GridReference& reference) {
   return text;
 }
 
-std::string mapYamlText(const map::GridReference& reference, const std::string& image, bool raw) {
-  return "image: " + quoted(image) + "\nmode: " + (raw ? "raw" : "trinary") +
+std::string mapYamlText(const map::GridReference& reference, const std::string& image,
+                        const map::CellReading& reading) {
+  using Mode = map::CellReading::Mode;
+  const char* const mode = reading.mode == Mode::Raw     ? "raw"
+                           : reading.mode == Mode::Scale ? "scale"
+                                                         : "trinary";
+  return "image: " + quoted(image) + "\nmode: " + mode +
          "\nresolution: " + numberText(reference.resolution_m) + "\norigin: [" +
          numberText(reference.origin.x_m) + ", " + numberText(reference.origin.y_m) + ", " +
-         numberText(reference.origin.yaw_rad) + "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+         numberText(reference.origin.yaw_rad) + "]\nnegate: " + (reading.negate ? "1" : "0") +
+         "\noccupied_thresh: " + numberText(reading.occupied_thresh) +
+         "\nfree_thresh: " + numberText(reading.free_thresh) + "\n";
 }
 
 }  // namespace mapwright::grids

@@ -130,6 +130,14 @@ inline constexpr FaultCode WritingStopped{"grids",
 /// path
 inline constexpr FaultCode EncoderFailed{
     "grids", QT_TRANSLATE_NOOP("grids", "The PNG %1 cannot be written: the encoder failed.")};
+inline constexpr FaultCode ThresholdNotWithin{
+    "grids", QT_TRANSLATE_NOOP("grids", "The thresholds of a map.yaml are numbers from 0 to 1.")};
+/// the lower one, the upper one
+inline constexpr FaultCode NoShadeForUnknown{
+    "grids",
+    QT_TRANSLATE_NOOP("grids",
+                      "Between the thresholds %1 (free) and %2 (occupied) there is no gray level for "
+                      "unknown cells.")};
 /// path
 inline constexpr FaultCode PictureOnlyRead{
     "grids",

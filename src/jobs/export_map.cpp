@@ -13,10 +13,10 @@
 #include "disk/file_error.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
-#include "grids/export_grid.h"
 #include "jobs/faults.h"
 #include "render/compose_grid.h"
 #include "sentences/fault_sentence.h"
+#include "words/figures.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::jobs {
@@ -36,12 +36,32 @@ Problem told(const std::optional<disk::FileError>& fault) {
   return fault ? told(std::optional(disk::notWritten(*fault))) : std::nullopt;
 }
 
-Problem writeGrid(const WholeMapExport& map, const ExportRequest& request, const Proceed& proceed) {
+/// What AMCL and nav2 do not see of what we show; empty if they see all.
+QString unseenBy(const grids::SeenByRobots& seen) {
+  if (seen.whole()) return {};
+  const auto count = [](std::int64_t cells) { return QString::fromStdString(words::grouped(cells)); };
+  QString said =
+      QCoreApplication::translate("window",
+                                  "AMCL and Nav2's costmaps will see %1 of %2 wall cells as walls, "
+                                  "and %3 of %4 free cells as free.")
+          .arg(count(seen.walls), count(seen.shown.occupied), count(seen.free), count(seen.shown.free));
+  if (seen.walls_as_free > 0) {
+    said += QLatin1Char(' ') + QCoreApplication::translate("window", "%1 wall cells will be free for them.")
+                                   .arg(count(seen.walls_as_free));
+  }
+  return said + QLatin1Char(' ') +
+         QCoreApplication::translate("window", "Mode trinary without thresholds keeps them all.");
+}
+
+Problem writeGrid(const WholeMapExport& map, const ExportRequest& request, const Proceed& proceed,
+                  QString& remark) {
   if (!map.cells) return QCoreApplication::translate("window", "There is no map to export.");
   const std::string path = QDir::toNativeSeparators(request.path).toStdString();
-  return told(request.format == ExportFormat::MapServer
-                  ? grids::writeMapServer(*map.cells, map.reference, path, proceed)
-                  : grids::writeGridPng(*map.cells, path, proceed));
+  if (request.format != ExportFormat::MapServer) return told(grids::writeGridPng(*map.cells, path, proceed));
+  const auto seen = grids::writeMapServer(*map.cells, map.reference, path, request.form, proceed);
+  if (!seen) return told(std::optional(seen.error()));
+  remark = unseenBy(*seen);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -75,11 +95,12 @@ QString worldFilePath(const QString& picture_path) {
   return info.absolutePath() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".pgw");
 }
 
-QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file) {
+QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file,
+                          grids::MapServerForm::Mode mode) {
   QStringList files(path);
   if (format == ExportFormat::MapServer) {
-    const grids::MapServerFiles pair = grids::mapServerFiles(path.toStdString());
-    files = {QString::fromStdString(pair.yaml), QString::fromStdString(pair.pgm)};
+    const grids::MapServerFiles pair = grids::mapServerFiles(path.toStdString(), mode);
+    files = {QString::fromStdString(pair.yaml), QString::fromStdString(pair.picture)};
   }
   if (with_world_file) files << worldFilePath(path);
   return files;
@@ -112,7 +133,7 @@ QString fileNameFrom(const QString& name) {
 }
 
 ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, const grids::Resources& means) {
-  ExportResult result{request.path, {}, false};
+  ExportResult result{request.path, {}, false, {}};
   const Proceed watched = [&](double done) {
     if (proceed && !proceed(done)) result.cancelled = true;
     return !result.cancelled;
@@ -133,7 +154,7 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, con
     if (writeWorldFile()) problem = told(writePicture(view->picture, request.path));
   } else if (const auto* whole = std::get_if<WholeMapExport>(&request.source)) {
     reference = whole->reference;
-    if (writeWorldFile()) problem = writeGrid(*whole, request, watched);
+    if (writeWorldFile()) problem = writeGrid(*whole, request, watched, result.remark);
   } else {
     const auto& submaps = std::get<SubmapsExport>(request.source);
     render::DenseCache cache;
@@ -143,8 +164,9 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, con
     if (composed) {
       reference = composed->reference;
       if (writeWorldFile()) {
-        problem = writeGrid({composed->cells, composed->reference}, request,
-                            [&](double done) { return watched(kComposePart + done * (1 - kComposePart)); });
+        problem = writeGrid(
+            {composed->cells, composed->reference}, request,
+            [&](double done) { return watched(kComposePart + done * (1 - kComposePart)); }, result.remark);
       }
     } else {
       problem = sentences::wordsOf(composed.error());

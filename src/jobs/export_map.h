@@ -15,6 +15,7 @@
 #include <QStringList>
 
 #include "fault/fault.h"
+#include "grids/export_grid.h"
 #include "grids/grid_pyramid.h"
 #include "map/grid_reference.h"
 #include "render/compositor.h"
@@ -45,8 +46,9 @@ using ExportSource = std::variant<WholeMapExport, SubmapsExport, ViewExport>;
 struct ExportRequest {
   ExportSource source;
   ExportFormat format = ExportFormat::MapPicture;  // of a ViewExport: ViewPicture
-  QString path;                                    // MapServer: of the .yaml or the .pgm; "-" only for a PNG
-  bool world_file = false;                         // also writes a .pgw
+  QString path;                    // MapServer: of the .yaml or the picture; "-" only for a PNG
+  bool world_file = false;         // also writes a .pgw
+  grids::MapServerForm form = {};  // of MapServer
 };
 
 /// What came of it.
@@ -54,6 +56,7 @@ struct ExportResult {
   QString path;   // what was written
   QString error;  // a sentence; empty = success
   bool cancelled = false;
+  QString remark = {};  // what robots that read the map do not see; empty = nothing
 };
 
 /// Blocks. `proceed` gets the share done (0..1); false cancels, and no partial file remains.
@@ -65,7 +68,8 @@ std::optional<Fault> writePicture(const QImage& picture, const QString& path);
 /// "/maps/a.png" -> "/maps/a.pgw".
 QString worldFilePath(const QString& picture_path);
 /// The files that will be written.
-QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file);
+QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file,
+                          grids::MapServerForm::Mode mode = grids::MapServerForm::Mode::Trinary);
 /// The map.yaml files that name a picture as their image; null = none are known.
 using YamlsNaming = std::function<QStringList(const QString& picture)>;
 /// The local files that the map `id` at `address` is read from, including the map.yaml of its `picture`; none

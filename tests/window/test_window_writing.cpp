@@ -3,6 +3,8 @@
 #include <sys/resource.h>
 
 #include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QRadioButton>
 #include <QtTest>
@@ -143,6 +145,34 @@ class TestWindowWriting : public QObject {
     dialog.start();
     dialog.start();
     QTRY_VERIFY(read(at("map.yaml")).contains("resolution"));
+  }
+
+  void theMapModeOfTheDialogIsWritten() {
+    ExportOffer offer;
+    offer.whole = smallMap();
+    ExportDialog dialog(offer, std::make_shared<work::Workers>());
+    QSignalSpy exported(&dialog, &ExportDialog::exported);
+    QVERIFY(!dialog.mapModeBox()->isEnabled());
+    dialog.formatButton(ExportFormat::MapServer)->setChecked(true);
+    QVERIFY(dialog.mapModeBox()->isEnabled() && !dialog.occupiedBox()->isEnabled());
+    dialog.mapModeBox()->setCurrentIndex(1);
+    dialog.thresholdsBox()->setChecked(true);
+    dialog.occupiedBox()->setValue(0.3);
+    dialog.freeBox()->setValue(0.6);
+    dialog.pathEdit()->setText(at("map.yaml"));
+    dialog.start();
+    QVERIFY2(dialog.errorText().contains(QStringLiteral("Between the thresholds")),
+             qPrintable(dialog.errorText()));
+    dialog.occupiedBox()->setValue(0.9);
+    dialog.start();
+    QTRY_COMPARE(exported.size(), 1);
+    const QByteArray yaml = read(at("map.yaml"));
+    QVERIFY(yaml.contains("mode: scale") && yaml.contains("occupied_thresh: 0.9") &&
+            yaml.contains("free_thresh: 0.6"));
+    QVERIFY(QFile::exists(at("map.png")));
+    // Walls that robots will not see are counted.
+    QVERIFY2(exported.front()[1].toString().contains(QStringLiteral(" wall cells as walls")),
+             qPrintable(exported.front()[1].toString()));
   }
 
   void everyFileThatWouldBeReplacedIsAskedFor() {

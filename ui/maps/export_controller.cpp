@@ -38,6 +38,20 @@
 
 namespace mapwright::window {
 
+namespace {
+
+using MapMode = grids::MapServerForm::Mode;
+
+QDoubleSpinBox* thresholdField(QWidget* parent, double value, const QString& name, const QString& tip) {
+  QDoubleSpinBox* const box =
+      numberField(parent, {.most = 1, .decimals = 3, .step = 0.01, .unit = {}, .name = name});
+  box->setValue(value);
+  box->setToolTip(tip);
+  return box;
+}
+
+}  // namespace
+
 ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Workers>& workers, QWidget* parent)
     : QDialog(parent),
       offer_(std::move(offer)),
@@ -49,6 +63,12 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
       resolution_(new DecimalBox(this)),
       hidden_(new QCheckBox(this)),
       world_file_(new QCheckBox(tr("With a &world file (.pgw) that gives its position"), this)),
+      map_mode_(new QComboBox(this)),
+      thresholds_(new QCheckBox(tr("&Thresholds"), this)),
+      occupied_(thresholdField(this, map::CellReading().occupied_thresh, tr("Occupied above"),
+                               tr("Cells of a higher probability are walls"))),
+      free_(thresholdField(this, map::CellReading().free_thresh, tr("Free below"),
+                           tr("Cells of a lower probability are free"))),
       path_(new QLineEdit(this)),
       browse_(new QPushButton(tr("&Browse…"), this)),
       export_(new QPushButton(tr("Export"), this)),
@@ -57,7 +77,8 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
       content_(new QLabel(this)),
       error_(new QLabel(this)),
       source_label_(new QLabel(tr("&What"), this)),
-      resolution_label_(new QLabel(tr("Metres per &cell"), this)) {
+      resolution_label_(new QLabel(tr("Metres per &cell"), this)),
+      map_mode_label_(new QLabel(tr("Map &mode"), this)) {
   setWindowTitle(tr("Export"));
   setMinimumWidth(520);
   source_->setObjectName(QStringLiteral("source"));
@@ -74,6 +95,11 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   resolution_->setRange(0.001, 10);
   resolution_->setSingleStep(0.01);
   resolution_->setValue(offer_.submap_resolution_m);
+  map_mode_->addItem(tr("Trinary: walls, free and unknown as shown"), int(MapMode::Trinary));
+  map_mode_->addItem(tr("Scale: percentages, with a PNG"), int(MapMode::Scale));
+  map_mode_->addItem(tr("Raw: percentages, with a PGM"), int(MapMode::Raw));
+  map_mode_label_->setBuddy(map_mode_);
+  thresholds_->setToolTip(tr("Write the probabilities themselves, and let these thresholds decide"));
   path_->setObjectName(QStringLiteral("path"));
   giveRoles(*export_, {browse_, cancel_});
   makeLine(*progress_);
@@ -91,6 +117,9 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   form->addRow(QString(), hidden_);
   form->addRow(QString(), content_);
   form->addRow(resolution_label_, resolution_);
+  form->addRow(map_mode_label_, map_mode_);
+  form->addRow(QString(), rowOf({thresholds_, new QLabel(tr("occupied above"), this), occupied_,
+                                 new QLabel(tr("free below"), this), free_, LayoutItem::rest()}));
   auto* path_label = new QLabel(tr("&File"), this);
   path_label->setBuddy(path_);
   form->addRow(path_label, rowOf({{path_, 1}, browse_}));
@@ -106,8 +135,9 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   column->addLayout(rowOf({LayoutItem::rest(), cancel_, export_}, 8));
 
   // In visual order, not in order of creation.
-  QWidget* const order[] = {map_picture_, map_server_, view_picture_, source_, hidden_, resolution_,
-                            path_,        browse_,     world_file_,   cancel_, export_};
+  QWidget* const order[] = {map_picture_, map_server_, view_picture_, source_,   hidden_,
+                            resolution_,  map_mode_,   thresholds_,   occupied_, free_,
+                            path_,        browse_,     world_file_,   cancel_,   export_};
   for (std::size_t i = 1; i < std::size(order); ++i) setTabOrder(order[i - 1], order[i]);
 
   const bool has_map = source_->count() > 0;
@@ -120,6 +150,8 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   for (QRadioButton* button : {map_picture_, map_server_, view_picture_})
     connect(button, &QRadioButton::toggled, this, &ExportDialog::sync);
   connect(source_, &QComboBox::currentIndexChanged, this, &ExportDialog::sync);
+  connect(map_mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::sync);
+  connect(thresholds_, &QCheckBox::toggled, this, &ExportDialog::sync);
   connect(hidden_, &QCheckBox::toggled, this, &ExportDialog::sync);
   connect(path_, &QLineEdit::textEdited, this, [this] {
     confirmed_ = source_confirmed_ = false;
@@ -145,6 +177,17 @@ QRadioButton* ExportDialog::formatButton(jobs::ExportFormat format) const {
   return format == jobs::ExportFormat::MapServer     ? map_server_
          : format == jobs::ExportFormat::ViewPicture ? view_picture_
                                                      : map_picture_;
+}
+
+grids::MapServerForm ExportDialog::form() const {
+  grids::MapServerForm form;
+  if (format() != jobs::ExportFormat::MapServer) return form;
+  form.mode = MapMode(map_mode_->currentData().toInt());
+  if (thresholds_->isChecked() && form.mode != MapMode::Raw) {
+    form.occupied_thresh = occupied_->value();
+    form.free_thresh = free_->value();
+  }
+  return form;
 }
 
 bool ExportDialog::fromSubmaps() const {
@@ -181,7 +224,13 @@ void ExportDialog::sync() {
   content_->setText(describeContent());
   content_->setVisible(!content_->text().isEmpty());
   export_->setEnabled(!fromSubmaps() || !chosenSubmaps().empty());
-  world_file_->setEnabled(format() != jobs::ExportFormat::MapServer);
+  const bool map_server = format() == jobs::ExportFormat::MapServer;
+  world_file_->setEnabled(!map_server);
+  map_mode_->setEnabled(map_server);
+  map_mode_label_->setEnabled(map_server);
+  thresholds_->setEnabled(map_server && MapMode(map_mode_->currentData().toInt()) != MapMode::Raw);
+  for (QDoubleSpinBox* const box : {occupied_, free_})
+    box->setEnabled(thresholds_->isEnabled() && thresholds_->isChecked());
   // The name stays, the extension follows the format.
   QString path = path_->text();
   for (const char* suffix : {".png", ".yaml", ".pgm"}) {
@@ -210,12 +259,13 @@ void ExportDialog::start() {
   if (job_.running()) return;
   const QString path = QFileInfo(path_->text().trimmed()).absoluteFilePath();
   const bool with_world_file = world_file_->isChecked() && world_file_->isEnabled();
-  const QStringList files = jobs::exportedFiles(path, format(), with_world_file);
+  const QStringList files = jobs::exportedFiles(path, format(), with_world_file, form().mode);
   const auto askAgain = [this](const QString& sentence) {
     letEnterPress(*export_, false);
     error_->setText(sentence);
     error_->show();
   };
+  if (const auto flaw = grids::flawOf(form())) return askAgain(sentences::wordsOf(*flaw));
   if (const QString own = jobs::firstOwnSource(files, offer_.sources); !own.isEmpty() && !source_confirmed_) {
     confirmed_ = source_confirmed_ = true;
     askAgain(tr("The map was read from %1. Press Export again to replace the file, or choose another name.")
@@ -234,6 +284,7 @@ void ExportDialog::start() {
   request.path = path;
   request.format = format();
   request.world_file = with_world_file;
+  request.form = form();
   if (request.format == jobs::ExportFormat::ViewPicture) {
     request.source = offer_.view();
   } else if (fromSubmaps()) {
@@ -249,9 +300,9 @@ void ExportDialog::start() {
 }
 
 void ExportDialog::setRunning(bool running) {
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{map_picture_, map_server_, view_picture_, source_, hidden_,
-                                       resolution_, world_file_, path_, browse_, export_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{
+           map_picture_, map_server_, view_picture_, source_, hidden_, resolution_, world_file_, map_mode_,
+           thresholds_, occupied_, free_, path_, browse_, export_})
     widget->setEnabled(!running);
   progress_->setValue(0);
   progress_->setVisible(running);
@@ -274,7 +325,7 @@ void ExportDialog::take(const jobs::ExportResult& result) {
     error_->setText(result.error);
     error_->show();
   } else {
-    Q_EMIT exported(result.path);
+    Q_EMIT exported(result.path, result.remark);
     accept();
   }
 }
@@ -435,9 +486,11 @@ void ExportController::exportMap() {
   delete dialog_;
   dialog_ = new ExportDialog(std::move(offer), context_.workers, &context_.window);
   dialog_->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog_, &ExportDialog::exported, this, [this](const QString& path) {
+  connect(dialog_, &ExportDialog::exported, this, [this](const QString& path, const QString& remark) {
     context_.settings.setValue(kExportFolderKey, QFileInfo(path).absolutePath());
-    context_.overlay.toasts()->add(Mark::Good, tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+    const QString done = tr("Exported to %1").arg(QDir::toNativeSeparators(path));
+    context_.overlay.toasts()->add(remark.isEmpty() ? Mark::Good : Mark::Warning,
+                                   remark.isEmpty() ? done : QStringLiteral("%1. %2").arg(done, remark));
     const bool view = dialog_->formatButton(jobs::ExportFormat::ViewPicture)->isChecked();
     const bool submaps = dialog_->sourceBox()->currentData().toBool();
     if (!view && !submaps) Q_EMIT wholeExported();

@@ -52,6 +52,11 @@ class ExportDialog : public QDialog {
   /// Visible if submaps are hidden.
   QCheckBox* hiddenBox() const { return hidden_; }
   QCheckBox* worldFileBox() const { return world_file_; }
+  /// How map_server is to read the picture; the thresholds count while the box is checked.
+  QComboBox* mapModeBox() const { return map_mode_; }
+  QCheckBox* thresholdsBox() const { return thresholds_; }
+  QDoubleSpinBox* occupiedBox() const { return occupied_; }
+  QDoubleSpinBox* freeBox() const { return free_; }
   QLineEdit* pathEdit() const { return path_; }
   QPushButton* exportButton() const { return export_; }
   /// What will be in the file, and what not.
@@ -60,13 +65,15 @@ class ExportDialog : public QDialog {
   void start();
 
  Q_SIGNALS:
-  void exported(const QString& path);
+  /// `remark`: what robots will not see of it; empty = nothing.
+  void exported(const QString& path, const QString& remark);
 
  protected:
   void reject() override;
 
  private:
   jobs::ExportFormat format() const;
+  grids::MapServerForm form() const;
   bool fromSubmaps() const;
   bool withHidden() const;
   std::vector<render::PlacedTexture> chosenSubmaps() const;
@@ -82,12 +89,15 @@ class ExportDialog : public QDialog {
   QComboBox* source_;
   QDoubleSpinBox* resolution_;
   QCheckBox *hidden_, *world_file_;
+  QComboBox* map_mode_;
+  QCheckBox* thresholds_;
+  QDoubleSpinBox *occupied_, *free_;
   QLineEdit* path_;
   QPushButton *browse_, *export_, *cancel_;
   QProgressBar* progress_;
-  QLabel *content_, *error_, *source_label_, *resolution_label_;
-  bool confirmed_ = false;         // overwriting
-  bool source_confirmed_ = false;  // confirmed overwriting a source file
+  QLabel *content_, *error_, *source_label_, *resolution_label_, *map_mode_label_;
+  bool confirmed_ = false;          // overwriting
+  bool source_confirmed_ = false;   // confirmed overwriting a source file
 };
 
 class ExportController : public Controller {

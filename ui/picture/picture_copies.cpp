@@ -26,7 +26,7 @@ constexpr qint64 kLongestHead = 64, kLongestYaml = 4'096;
 grids::MapServerFiles filesOf(const QString& yaml) {
   return grids::mapServerFiles(QFile::encodeName(yaml).toStdString());
 }
-QString pictureOf(const QString& yaml) { return QFile::decodeName(filesOf(yaml).pgm.c_str()); }
+QString pictureOf(const QString& yaml) { return QFile::decodeName(filesOf(yaml).picture.c_str()); }
 
 /// nullopt: the name is not from copyPath().
 std::optional<QDateTime> madeAt(const QString& name) {
@@ -79,8 +79,10 @@ std::optional<Fault> keepCopy(const grids::GridPyramid& cells, const map::GridRe
                               const QString& path) {
   QDir folder = QFileInfo(path).dir();
   QDir().mkpath(folder.path());  // if that fails, the next step fails, too, and reports why
-  if (auto trouble = grids::writeMapServer(cells, reference, QFile::encodeName(path).toStdString()))
-    return trouble;
+  // It is put back as it was: every percentage counts.
+  const auto written = grids::writeMapServer(cells, reference, QFile::encodeName(path).toStdString(),
+                                             {.mode = grids::MapServerForm::Mode::Raw});
+  if (!written) return written.error();
   folder.cd(QStringLiteral("../.."));
   for (const PictureCopy& old : copiesTooMany(copiesKept(folder.path()))) {
     QFile::remove(old.path);
