@@ -142,7 +142,10 @@ CommandResult<int> mapsCreate(RobotCommand& command, const TransferArguments& ar
   const auto map =
       jobs::newMapFrom({text(args.image), text(args.name), resolution->front(), (*origin)[0], (*origin)[1]});
   if (!map) return wrong(map.error());
-  return addMap(command, args, *map);
+  if (map->made_opaque)
+    say(Text::tr("%1 has transparent pixels: they are sent as gray, which is unknown.")
+            .arg(oneLine(text(args.image))));
+  return addMap(command, args, map->map);
 }
 
 }  // namespace
@@ -171,7 +174,8 @@ void addMapTransfers(Commands& commands, CLI::App& maps) {
   CLI::App* const create = add("create", Text::tr("Add a map made of a picture"), mapsCreate);
   create->add_option("name", args->name, help(Text::tr("Its name")))->required();
   create
-      ->add_option("--image", args->image, help(Text::tr("A PNG: black occupied, white free, gray unknown")))
+      ->add_option("--image", args->image,
+                   help(Text::tr("A PNG: black occupied, white free, gray or transparent unknown")))
       ->required();
   create->add_option("--resolution", args->resolution, help(Text::tr("Metres per pixel")))->required();
   create->add_option("--origin", args->origin, help(Text::tr("X,Y of its lower left corner in metres")))

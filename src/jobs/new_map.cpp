@@ -1,13 +1,19 @@
 #include "jobs/new_map.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <memory>
 
+#include <QBuffer>
 #include <QCoreApplication>
+#include <QImage>
+#include <QImageWriter>
 
 #include "disk/read_file.h"
+#include "grids/byte_source.h"
 #include "grids/grid_pyramid.h"
+#include "grids/picture_rows.h"
 #include "jobs/change_map.h"
 #include "jobs/change_overlays.h"
 #include "sentences/fault_sentence.h"
@@ -25,7 +31,7 @@ constexpr std::size_t kMostPictureBytes = std::size_t(128) << 20;
 constexpr int kMostEdge = 20'000;
 constexpr std::int64_t kMostCells = 100'000'000;
 constexpr double kFarthestOriginM = 1e7;  // as maps of everybody: UTM
-constexpr double kSameM = 1e-4;  // robots keep single precision
+constexpr double kSameM = 1e-4;           // robots keep single precision
 
 /// Whether both show the same gray levels.
 bool showTheSame(const std::shared_ptr<const std::string>& one,
@@ -55,6 +61,25 @@ bool holdsOverlays(const std::string& held, const std::string& sent) {
   if (held == sent) return true;
   const auto one = overlays::OverlayDocument::read(sent), two = overlays::OverlayDocument::read(held);
   return one && two && otherwiseHeld(*one, *two).empty();
+}
+
+/// The gray levels of a picture, transparent ones as 128; nullptr if it has no transparent pixel, or cannot
+/// be encoded.
+std::shared_ptr<const std::string> opaqueOf(const std::shared_ptr<const std::string>& png) {
+  const auto header = grids::openPicture(grids::ByteSource(png));
+  if (!header || !(*header)->format().has_alpha) return nullptr;
+  grids::GridOptions options;
+  options.code = grids::CellCode::ClearGray;
+  auto reading = grids::openGrid(png, options);
+  if (!reading || (*reading)->read(std::atomic<bool>(false), [] {})) return nullptr;
+  const grids::GridPyramid& cells = *(*reading)->pyramid();
+  QImage gray(cells.width(), cells.height(), QImage::Format_Grayscale8);
+  if (gray.isNull()) return nullptr;
+  grids::GridRows rows(cells);
+  for (int y = 0; y < cells.height(); ++y) std::copy_n(rows.row(y), cells.width(), gray.scanLine(y));
+  QBuffer out;
+  if (!out.open(QIODevice::WriteOnly) || !QImageWriter(&out, "png").write(gray)) return nullptr;
+  return std::make_shared<const std::string>(out.data().toStdString());
 }
 
 bool isPng(const std::string& bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\n"); }
@@ -99,21 +124,26 @@ tl::expected<PictureSize, QString> sizeOfMapPicture(const std::shared_ptr<const 
   return PictureSize{width, height};
 }
 
-tl::expected<robot::NewMap, QString> newMapFrom(const PictureMap& picture) {
+tl::expected<MapFromPicture, QString> newMapFrom(const PictureMap& picture) {
   const auto no = [](const QString& sentence) { return tl::make_unexpected(sentence); };
   if (const QString why = whyNoMapName(picture.name); !why.isEmpty()) return no(why);
   if (const QString why = whyNoPlaceOfMap(picture.resolution_m, picture.x_m, picture.y_m); !why.isEmpty())
     return no(why);
   auto bytes = readMapPicture(picture.path);
   if (!bytes) return no(bytes.error());
-  robot::NewMap made;
+  MapFromPicture from;
+  robot::NewMap& made = from.map;
   made.picture = std::move(*bytes);
   const auto size = sizeOfMapPicture(made.picture);
   if (!size)
     return no(QStringLiteral("%1: %2").arg(words::plainName(picture.path.toStdString()), size.error()));
   made.name = picture.name.toStdString();
   made.grid = {size->width, size->height, picture.resolution_m, {picture.x_m, picture.y_m, 0}};
-  return made;
+  if (auto opaque = opaqueOf(made.picture)) {
+    made.picture = std::move(opaque);
+    from.made_opaque = true;
+  }
+  return from;
 }
 
 QStringList differences(const robot::NewMap& sent, const robot::MapParts& held) {

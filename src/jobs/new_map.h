@@ -24,8 +24,14 @@ struct PictureMap {
 
 /// Why it cannot be a map, without the picture; empty if it can.
 QString whyNoPlaceOfMap(double resolution_m, double x_m, double y_m);
+struct MapFromPicture {
+  robot::NewMap map;
+  /// The picture had transparent pixels. They are sent as opaque gray: robots may look at the colour only,
+  /// and a transparent pixel may have any.
+  bool made_opaque = false;
+};
 /// Ready to be sent; the error is a sentence. Blocks while it reads the picture.
-tl::expected<robot::NewMap, QString> newMapFrom(const PictureMap& picture);
+tl::expected<MapFromPicture, QString> newMapFrom(const PictureMap& picture);
 /// A picture file as it is, within the size that can be sent; the error is a sentence. Blocks.
 tl::expected<std::shared_ptr<const std::string>, QString> readMapPicture(const QString& path);
 /// The size of a picture that can be a map: checked to its last row.

@@ -1,6 +1,8 @@
 // What a robot holds otherwise than it was sent.
 #include <QBuffer>
+#include <QFile>
 #include <QImage>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include "jobs/new_map.h"
@@ -45,6 +47,32 @@ class TestNewMap : public QObject {
     QCOMPARE(jobs::differences(sent, held).size(), 1);
     held.picture = nullptr;
     QCOMPARE(jobs::differences(sent, held), QStringList(QStringLiteral("its picture cannot be loaded")));
+  }
+
+  void transparentPixelsAreSentAsGray() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("map.png"));
+    QImage image(30, 20, QImage::Format_RGBA8888);
+    image.fill(QColor(0, 0, 0, 0));  // a robot that looks at the colour only would see walls
+    for (int x = 5; x < 25; ++x) image.setPixelColor(x, 10, x < 15 ? Qt::black : Qt::white);
+    QVERIFY(image.save(path));
+    const auto made = jobs::newMapFrom({path, QStringLiteral("Hall"), 0.05, 0, 0});
+    QVERIFY(made && made->made_opaque);
+    const QImage sent = QImage::fromData(QByteArray::fromStdString(*made->map.picture));
+    QVERIFY(!sent.hasAlphaChannel() && sent.size() == image.size());
+    for (int y = 0; y < 20; ++y) {
+      for (int x = 0; x < 30; ++x) {
+        const int gray = y != 10 || x < 5 || x >= 25 ? 128 : x < 15 ? 0 : 255;
+        QCOMPARE(qGray(sent.pixel(x, y)), gray);
+      }
+    }
+    // Without transparency every byte is the file's.
+    QVERIFY(image.convertToFormat(QImage::Format_RGB888).save(path));
+    const auto plain = jobs::newMapFrom({path, QStringLiteral("Hall"), 0.05, 0, 0});
+    QVERIFY(plain && !plain->made_opaque);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(QByteArray::fromStdString(*plain->map.picture), file.readAll());
   }
 
   void otherOverlaysAreOtherwise() {

@@ -101,8 +101,8 @@ NewMapDialog::NewMapDialog(const QString& path, const QSize& size, const QImage&
   y_ = numberField(
       this, {-kFarthestM, kFarthestM, 3, 1, QStringLiteral(" m"), tr("y of the lower left corner"), 130});
   error_->setMinimumHeight(fontMetrics().lineSpacing());
-  auto* const about = wrappedLabel(tr("Black pixels are occupied, white ones free, gray ones unknown. A map "
-                                      "made of a picture has no data by "
+  auto* const about = wrappedLabel(tr("Black pixels are occupied, white ones free, gray and transparent ones "
+                                      "unknown (sent as gray). A map made of a picture has no data by "
                                       "which a robot positions itself: it may not find itself on it."),
                                    this);
   auto* const legend =

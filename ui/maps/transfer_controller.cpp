@@ -288,7 +288,11 @@ void TransferController::askForPlace(const QString& path, const QSize& size, con
     const jobs::PictureMap picture = new_map_->picture();
     add(tr("A map from a picture"),
         tr("%1 goes to the robot").arg(words::plainName(picture.name.toStdString())),
-        [picture] { return jobs::newMapFrom(picture); });
+        [picture]() -> tl::expected<robot::NewMap, QString> {
+          auto made = jobs::newMapFrom(picture);
+          if (!made) return tl::make_unexpected(made.error());
+          return std::move(made->map);
+        });
   });
   new_map_->open();
 }
