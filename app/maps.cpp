@@ -52,6 +52,7 @@ struct MapsArguments : RobotArguments {
   std::string map_mode;                  // export: of the map.yaml
   std::optional<double> occupied, free;  // export: its thresholds
   bool world_file = false;
+  bool allow_missing = false;  // export, diff: write maps of which most is missing
   bool force = false;          // overwrite files even if the map was read from them
   bool yes = false;            // delete: confirmed
   bool continues = false;      // start-mapping: more of the current map
@@ -298,6 +299,14 @@ CommandResult<int> mapsShow(RobotCommand& command, const MapsArguments& args) {
   return kDone;
 }
 
+/// Why it is not written without --allow-missing.
+std::optional<QString> whyMissing(const MapsArguments& args, const render::PlacedGrid& map) {
+  if (args.allow_missing) return std::nullopt;
+  const QString why = jobs::whyMostlyMissing(*map.cells);
+  if (why.isEmpty()) return std::nullopt;
+  return QStringLiteral("%1 %2").arg(why, Text::tr("Pass --allow-missing to write them all the same."));
+}
+
 /// How map_server is to read the exported picture. The error is a sentence.
 tl::expected<grids::MapServerForm, QString> formOf(const MapsArguments& args, const QString& output,
                                                    bool png) {
@@ -373,6 +382,7 @@ CommandResult<int> mapsExport(RobotCommand& command, const MapsArguments& args) 
   const QStringList outputs = jobs::exportedFiles(output, request.format, args.world_file, form->mode);
   const auto why = overOwnSource(outputs, (*robot)->sourceFiles());
   if (why && !args.force) return wrong(*why);
+  if (const auto missing = whyMissing(args, *placed)) return wrong(*missing);
   const jobs::ExportResult written = jobs::exportMap(request, nullptr);
   if (!written.error.isEmpty()) return wrong(written.error);
   if (!written.remark.isEmpty()) (*robot)->note(written.remark);
@@ -411,6 +421,9 @@ CommandResult<int> mapsDiff(RobotCommand& command, const MapsArguments& args) {
   const QString picture = text(args.diff_picture);
   if (const auto why = overOwnSource({picture}, sources); why && !args.force) {
     return wrong(*why);
+  }
+  for (const render::PlacedGrid& map : maps) {
+    if (const auto missing = picture.isEmpty() ? std::nullopt : whyMissing(args, map)) return wrong(*missing);
   }
   const auto diff = diffMaps(maps[0], maps[1], picture);
   if (!diff) return wrong(diff.error());
@@ -580,6 +593,9 @@ void addMaps(Commands& commands) {
                      help(Text::tr("Overwrite a file even if the map was read from it")));
   exported->add_option("--format", args.format, help(Text::tr("png or pgm, if the file name does not say")));
   exported->add_flag("--world-file", args.world_file, help(Text::tr("Also write NAME.pgw (a world file)")));
+  const std::string allow_missing =
+      help(Text::tr("Write the map even if most of its picture is missing: what is missing is unknown"));
+  exported->add_flag("--allow-missing", args.allow_missing, allow_missing);
   exported->add_option(
       "--map-mode", args.map_mode,
       help(Text::tr("How map_server is to read the picture: trinary (the default: walls, free "
@@ -610,6 +626,7 @@ void addMaps(Commands& commands) {
   diff->add_option("--diff", args.diff_picture,
                    help(Text::tr("Write the differences as a PNG; - is the standard output")));
   diff->add_flag("--force", args.force, help(Text::tr("Overwrite a file even if a map was read from it")));
+  diff->add_flag("--allow-missing", args.allow_missing, allow_missing);
   addJson(*diff, args.json);
   for (const MapChangeCommand& one : mapChangeCommands()) {
     CLI::App* command =

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstring>
 
+#include "grids/rows_missing.h"
+
 namespace mapwright::grids {
 
 /// Reusable buffers for bands of rows. A buffer returns to the pool when its last owner releases it, even if
@@ -168,6 +170,7 @@ void GrowingPyramid::keepTiles(int level, const Band& band, int tile_row, int ro
 }
 
 void GrowingPyramid::finish() {
+  rows_missing_.store(height_ - rows_[0], std::memory_order_release);
   for (int level = 0; level < levels(); ++level) {
     const int height = levelHeight(level);
     const int row = rows_[std::size_t(level)];
@@ -200,6 +203,11 @@ void GrowingPyramid::markComplete() {
   pools_.clear();
   band_bytes_.store(0, std::memory_order_relaxed);
   rows_ready_.store(height_, std::memory_order_release);
+}
+
+int rowsMissing(const GridPyramid& cells) {
+  const auto* const read = dynamic_cast<const MayEndEarly*>(&cells);
+  return read ? read->missingRows() : 0;
 }
 
 std::optional<GridTile> GrowingPyramid::tile(int level, int tile_x, int tile_y) const {

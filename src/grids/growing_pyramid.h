@@ -14,9 +14,17 @@
 
 namespace mapwright::grids {
 
+/// Whose source may have ended before its last row.
+class MayEndEarly {
+ public:
+  virtual ~MayEndEarly() = default;
+  /// Rows of level 0 that never came, and are unknown.
+  virtual int missingRows() const = 0;
+};
+
 /// Every level has at most one unfinished band of tiles, as plain cells. When a band is full its tiles go to
 /// the store. One thread adds rows, any thread reads.
-class GrowingPyramid final : public GridPyramid {
+class GrowingPyramid final : public GridPyramid, public MayEndEarly {
  public:
   using Band = std::shared_ptr<std::uint8_t[]>;
 
@@ -32,6 +40,7 @@ class GrowingPyramid final : public GridPyramid {
   const std::array<std::uint8_t, 256>& order() const override { return reducer_.order(); }
   std::optional<GridTile> tile(int level, int tile_x, int tile_y) const override;
   int rowsReady() const override { return rows_ready_.load(std::memory_order_acquire); }
+  int missingRows() const override { return rows_missing_.load(std::memory_order_acquire); }
   std::size_t bytes() const override;
 
   /// Bytes per row of a band of `level`: whole tiles.
@@ -73,7 +82,7 @@ class GrowingPyramid final : public GridPyramid {
   mutable std::mutex live_mutex_;
   std::vector<LiveBand> live_;  // by level
   std::atomic<std::size_t> band_bytes_{0};
-  std::atomic<int> rows_ready_{0};
+  std::atomic<int> rows_ready_{0}, rows_missing_{0};
 };
 
 }  // namespace mapwright::grids

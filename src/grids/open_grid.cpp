@@ -11,8 +11,10 @@
 #include "grids/band_builder.h"
 #include "grids/faults.h"
 #include "grids/grid_pyramid.h"
+#include "grids/growing_pyramid.h"
 #include "grids/picture_rows.h"
 #include "grids/row_cells.h"
+#include "grids/rows_missing.h"
 #include "grids/sidecar.h"
 #include "words/figures.h"
 
@@ -32,7 +34,7 @@ std::unique_ptr<BandBuilder> builderOf(const PixelFormat& format, CellCode code,
 /// Files can rot, be truncated or be overwritten. If a tile turns out to be damaged, the thread that asked
 /// for it reads the picture again, into memory; from then on that pyramid is used. What is shown is either
 /// right or missing, and then trouble() says so.
-class KeptPyramid final : public GridPyramid {
+class KeptPyramid final : public GridPyramid, public MayEndEarly {
  public:
   /// The same pyramid from the picture; null: it can no longer be read.
   using Again = std::function<std::shared_ptr<const GridPyramid>()>;
@@ -48,6 +50,7 @@ class KeptPyramid final : public GridPyramid {
   Reduction reduction() const override { return kept_->reduction(); }
   const std::array<std::uint8_t, 256>& order() const override { return kept_->order(); }
   int rowsReady() const override { return kept_->rowsReady(); }
+  int missingRows() const override { return rowsMissing(*kept_); }
   std::size_t bytes() const override;
   std::optional<GridTile> tile(int level, int tile_x, int tile_y) const override;
   Fault trouble() const override;

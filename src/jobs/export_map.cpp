@@ -13,6 +13,7 @@
 #include "disk/file_error.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
+#include "grids/rows_missing.h"
 #include "jobs/faults.h"
 #include "render/compose_grid.h"
 #include "sentences/fault_sentence.h"
@@ -116,6 +117,17 @@ QString firstOwnSource(const QStringList& files, const std::vector<std::string>&
     }
   }
   return {};
+}
+
+QString whyMostlyMissing(const grids::GridPyramid& cells) {
+  constexpr std::int64_t kMuch = 1'000'000;  // cells; less is no trouble for anybody
+  const std::int64_t height = cells.height(), missing = grids::rowsMissing(cells), width = cells.width();
+  if (missing * width <= kMuch || missing * 2 <= height) return {};
+  const auto count = [](std::int64_t number) { return QString::fromStdString(words::grouped(number)); };
+  return QCoreApplication::translate("window",
+                                     "The picture has only %1 of the %2 rows that its header says: %3 cells "
+                                     "would be written as unknown, and %4 are there.")
+      .arg(count(height - missing), count(height), count(missing * width), count((height - missing) * width));
 }
 
 QString exportSuffix(ExportFormat format) {

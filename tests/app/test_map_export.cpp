@@ -104,6 +104,72 @@ class MapExportTest : public QObject {
     QVERIFY(QFile::exists(program_->path("map.png")));  // of mode scale: a PGM has no unknown there
   }
 
+  void aHeaderAloneIsNotWritten_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::newRow("PGM") << QStringLiteral("huge.pgm") << QByteArray("P5\n40000 40000\n255\n");
+    QTest::newRow("PGM of text") << QStringLiteral("huge.pgm") << QByteArray("P2\n40000 40000\n255\n0 0 0");
+    QByteArray bmp(54 + 4 * 256, '\0');
+    bmp.replace(0, 2, "BM");
+    const auto put = [&bmp](int at, quint32 number) { qToLittleEndian(number, bmp.data() + at); };
+    put(10, 54 + 4 * 256);
+    put(14, 40);
+    put(18, 40'000);
+    put(22, 40'000);
+    bmp[26] = 1;
+    bmp[28] = 8;
+    QTest::newRow("BMP") << QStringLiteral("huge.bmp") << bmp;
+    // A whole PNG of a few rows whose header is another one.
+    QImage few(30'000, 3, QImage::Format_Grayscale8);
+    few.fill(Qt::white);
+    QByteArray png;
+    QBuffer buffer(&png);
+    few.save(&buffer, "png");
+    qToBigEndian<quint32>(30'000, png.data() + 20);
+    const auto sum = [](const QByteArray& part) {
+      quint32 crc = 0xffffffff;
+      for (const char byte : part) {
+        crc ^= quint8(byte);
+        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc & 1 ? 0xedb88320u : 0);
+      }
+      return ~crc;
+    };
+    qToBigEndian<quint32>(sum(png.mid(12, 17)), png.data() + 29);
+    QTest::newRow("PNG") << QStringLiteral("huge.png") << png;
+  }
+  void aHeaderAloneIsNotWritten() {
+    QFETCH(QString, name);
+    QFETCH(QByteArray, bytes);
+    program_->put(name.toLatin1().constData(), bytes);
+    const QString map = QStringLiteral("--robot %1 --resolution 0.05").arg(name);
+    for (const QString& line :
+         {QStringLiteral("maps export %1 -o out.yaml").arg(map),
+          QStringLiteral("maps export %1 -o out.png").arg(map),
+          QStringLiteral("maps diff %1 %1 --resolution 0.05 --diff out.png").arg(name)}) {
+      const auto refused = run(line);
+      QVERIFY2(refused.code == 2, qPrintable(line + refused.err));
+      QVERIFY2(refused.err.contains(QStringLiteral("000 rows that its header says")) &&
+                   refused.err.contains(QStringLiteral("--allow-missing")),
+               qPrintable(refused.err));
+    }
+    QVERIFY(!QDir(program_->folder()).exists(QStringLiteral("out.pgm")));
+    QVERIFY(!QDir(program_->folder()).exists(QStringLiteral("out.png")));
+  }
+
+  void whatIsMissingIsWrittenWhenAskedFor() {
+    program_->put("short.pgm", "P5\n2000 2000\n255\n" + QByteArray(600 * 2000, '\xff'));
+    const QString line = QStringLiteral("maps export --robot short.pgm --resolution 0.05 -o out.yaml");
+    QCOMPARE(run(line).code, 2);
+    const auto agreed = run(line + QStringLiteral(" --allow-missing"));
+    QVERIFY2(agreed.code == 1, qPrintable(agreed.err));  // not complete
+    const auto served = test::servedMap(program_->path("out.yaml"), test::MapServer::Nav2);
+    QVERIFY(served && served->cells.size() == 4'000'000);
+    QCOMPARE(std::count(served->cells.begin(), served->cells.end(), -1), 1400 * 2000);
+    // One that lacks less than half is written at once, and told as before.
+    program_->put("short.pgm", "P5\n2000 2000\n255\n" + QByteArray(1200 * 2000, '\xff'));
+    QCOMPARE(run(line).code, 1);
+  }
+
   void farMapsAreShownWithAllDigits() {
     program_->put("far.pgm", "P5\n4 3\n255\n" + QByteArray(12, '\xfe'));
     program_->put("far.yaml",

@@ -147,6 +147,26 @@ class TestWindowWriting : public QObject {
     QTRY_VERIFY(read(at("map.yaml")).contains("resolution"));
   }
 
+  void aMapOfWhichMostIsMissingIsAskedFor() {
+    const auto builder = grids::buildGrid(2000, 2000, grids::CellCode::Gray, grids::Reduction::OccupiedWins);
+    for (int v = 0; v < 100; ++v) builder->pushRow(std::vector<std::uint8_t>(2000, 255));
+    builder->finish();
+    ExportOffer offer;
+    offer.whole = WholeMapExport{builder->pyramid(), {2000, 2000, 0.05, {0, 0, 0}}};
+    for (const ExportFormat format : {ExportFormat::MapServer, ExportFormat::MapPicture}) {
+      ExportDialog dialog(offer, std::make_shared<work::Workers>());
+      dialog.formatButton(format)->setChecked(true);
+      const QString path = at("out.") + exportSuffix(format);
+      dialog.pathEdit()->setText(path);
+      dialog.start();
+      QVERIFY2(dialog.errorText().contains(QStringLiteral("only 100 of the 2,000 rows")),
+               qPrintable(dialog.errorText()));
+      QVERIFY(!QFile::exists(path));
+      dialog.start();
+      QTRY_VERIFY(QFile::exists(path));
+    }
+  }
+
   void theMapModeOfTheDialogIsWritten() {
     ExportOffer offer;
     offer.whole = smallMap();

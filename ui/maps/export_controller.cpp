@@ -266,6 +266,12 @@ void ExportDialog::start() {
     error_->show();
   };
   if (const auto flaw = grids::flawOf(form())) return askAgain(sentences::wordsOf(*flaw));
+  const bool whole = format() != jobs::ExportFormat::ViewPicture && !fromSubmaps() && offer_.whole;
+  const QString missing = whole ? jobs::whyMostlyMissing(*offer_.whole->cells) : QString();
+  if (!missing.isEmpty() && !missing_confirmed_) {
+    missing_confirmed_ = true;
+    return askAgain(tr("%1 Press Export again to write them all the same.").arg(missing));
+  }
   if (const QString own = jobs::firstOwnSource(files, offer_.sources); !own.isEmpty() && !source_confirmed_) {
     confirmed_ = source_confirmed_ = true;
     askAgain(tr("The map was read from %1. Press Export again to replace the file, or choose another name.")

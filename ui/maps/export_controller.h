@@ -98,6 +98,7 @@ class ExportDialog : public QDialog {
   QLabel *content_, *error_, *source_label_, *resolution_label_, *map_mode_label_;
   bool confirmed_ = false;          // overwriting
   bool source_confirmed_ = false;   // confirmed overwriting a source file
+  bool missing_confirmed_ = false;  // confirmed that most of the map is missing
 };
 
 class ExportController : public Controller {
