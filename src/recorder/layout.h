@@ -43,6 +43,11 @@
 // arrival where the robot gave none. They are on channels of their own, which have the topic, encodings and
 // schema of the later ones and the channel metadata said=before (kSaid, kBefore). Several messages of a topic
 // may be among them: /tf_static has one for each set of child frames. Their sequence is 0.
+// A part that is cut out of a recording begins with all that still counts then: markers that last, static
+// transforms, patches, the transforms of the last ten seconds and those by which something earlier was
+// placed. Its channels also have the metadata said_at=publish_time (kSaidAt, kPublishTime): the publish time
+// is the log time that the message had in the whole, and with lifetimes and transforms it counts as said
+// then.
 //
 // Attachments. Each once; one whose content has changed comes again under the same name with a later log
 // time: at a time T the last one that is not later than T counts, or else the first. Log time: when it was
@@ -85,6 +90,8 @@ inline constexpr const char* kRepaired = "mapwright.repaired";
 inline constexpr const char* kLink = "mapwright.link";
 inline constexpr const char* kSaid = "said";  // channel metadata
 inline constexpr const char* kBefore = "before";
+inline constexpr const char* kSaidAt = "said_at";  // channel metadata, beside kSaid
+inline constexpr const char* kPublishTime = "publish_time";
 inline constexpr const char* kAxbotAnswer = "/axbot/answer";
 inline constexpr const char* kAxbotBinary = "/axbot/binary";
 inline constexpr const char* kAxbotBinarySchema = "mapwright.axbot.BinaryFrame";

@@ -9,8 +9,6 @@
 namespace mapwright::robot::recorded {
 namespace {
 
-constexpr std::int64_t kFirstNs = 60'000'000'000;  // at the start of a file, when static data is sent
-constexpr int kMostOfFirst = 2000, kMostOfLast = 16;
 constexpr std::int64_t kMissingNs = 2'000'000'000;  // after the start, while transforms are still missing
 using recording::secondsOf;
 
@@ -26,49 +24,6 @@ ros::WorldResult resultOf(const std::string& topic, std::int64_t at_ns) {
 }
 
 }  // namespace
-
-void StaticTransforms::add(std::vector<Transform>& all, const recording::Message& message) {
-  // One that cannot be read is reported in its own block.
-  if (auto frame = fields_.read(message))
-    all.push_back({message.channel->topic, message.log_time_ns, std::move(*frame)});
-}
-
-const std::vector<StaticTransforms::Transform>& StaticTransforms::until(std::int64_t at_ns) {
-  if (shape_.statics.empty()) return until_;
-  if (!first_) {
-    first_.emplace();
-    recording::Query query;
-    query.topics = shape_.statics;
-    if (const auto start_ns = file_.summary().start_ns) query.last_ns = *start_ns + kFirstNs;
-    const auto cursor = file_.messages(query);
-    for (int count = 0; count < kMostOfFirst; ++count) {
-      const auto message = cursor->next();
-      if (!message) break;
-      add(*first_, *message);
-    }
-  }
-  // Some publishers share a topic, each sending its own part: the last message alone is incomplete.
-  std::vector<recording::Message> last;
-  std::int64_t before_ns = at_ns;
-  for (int count = 0; count < kMostOfLast; ++count) {
-    const std::vector<recording::Message> found = file_.lastBefore(before_ns, shape_.statics);
-    if (found.empty() && count == 0) last_ns_ = -1;
-    if (found.empty()) break;
-    const auto latest = std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
-      return a.log_time_ns < b.log_time_ns;
-    });
-    if (count == 0 && latest->log_time_ns == last_ns_) return until_;
-    if (count == 0) last_ns_ = latest->log_time_ns;
-    before_ns = latest->log_time_ns - 1;
-    last.push_back(*latest);
-    if (!first_->empty() && latest->log_time_ns <= first_->back().at_ns) break;
-  }
-  until_.clear();
-  std::copy_if(first_->begin(), first_->end(), std::back_inserter(until_),
-               [&](const Transform& one) { return one.at_ns <= at_ns; });
-  for (auto message = last.rbegin(); message != last.rend(); ++message) add(until_, *message);
-  return until_;
-}
 
 void GridFolds::set(const std::string& topic, const ros::Grid& grid, std::int64_t at_ns) {
   folds_.insert_or_assign(topic, Fold{grid, at_ns, at_ns});
@@ -125,13 +80,13 @@ BlockPlacing::BlockPlacing(const PlacingParts& parts, std::int64_t block_ns, std
       start_ns_(parts.file.summary().start_ns.value_or(block_ns)),
       ahead_(parts.shape.ns),
       now_(parts.shape.ns),
-      next_look_ns_(block_ns - kBeforeNs) {
+      next_look_ns_(block_ns) {
   for (ros::RosWorld* const world : {&ahead_, &now_}) {
     world->setRobots(parts_.shape.robots);
     if (parts_.shape.root_serves) world->trustRoot();
     world->placeAtOnce(parts_.shape.fixed_frame, parts_.shape.own_frame);
   }
-  readStatics();
+  readEarlier();
   recording::Query query;
   query.first_ns = block_ns - kBeforeNs;
   query.last_ns = std::min(until_ns, block_ns + kBlockNs) + kAheadNs;
@@ -143,46 +98,45 @@ BlockPlacing::BlockPlacing(const PlacingParts& parts, std::int64_t block_ns, std
   readBefore(from_ns);
 }
 
-void BlockPlacing::readStatics() {
-  for (const StaticTransforms::Transform& one : parts_.statics.until(block_ns_ - kBeforeNs - 1)) {
-    for (const ros::Source& source : parts_.shape.by_topic.at(one.topic)) {
-      ahead_.take(source, one.frame->root(), secondsOf(one.at_ns));
-      now_.take(source, one.frame->root(), secondsOf(one.at_ns));
+void BlockPlacing::readEarlier() {
+  for (const recording::Message& message : parts_.lasting.before(block_ns_)) {
+    const auto frame = parts_.fields.read(message);
+    if (!frame) continue;  // it is reported in its own block
+    const double at_s = secondsOf(saidNs(message));
+    now_.forgetSilent(at_s);
+    for (const ros::Source& source : parts_.shape.by_topic.at(message.channel->topic)) {
+      now_.takeEarlier(source, (*frame)->root(), at_s);
+      if (source.form == ros::Form::StaticTf) ahead_.takeEarlier(source, (*frame)->root(), at_s);
     }
   }
+  now_.forgetSilent(secondsOf(block_ns_));
+  any_markers_ = parts_.lasting.anyMarkers();
+  located_ = now_.located();
 }
 
 void BlockPlacing::readBefore(std::int64_t from_ns) {
-  std::vector<std::string> kept = parts_.shape.poses;
-  kept.insert(kept.end(), parts_.shape.markers.begin(), parts_.shape.markers.end());
-  const std::int64_t first_ns = block_ns_ - kBeforeNs;
-  if (!kept.empty()) {
-    std::vector<recording::Message> last = parts_.file.lastBefore(first_ns - 1, kept);
-    std::stable_sort(last.begin(), last.end(),
-                     [](const auto& a, const auto& b) { return a.log_time_ns < b.log_time_ns; });
-    for (const recording::Message& message : last) {
-      if (const auto frame = parts_.fields.read(message)) takeNow(message, *frame);
-    }
-  }
   recording::Query query;
-  query.first_ns = first_ns;
+  query.first_ns = block_ns_;
   query.last_ns = from_ns - 1;
-  query.topics = kept;
-  query.topics.insert(query.topics.end(), parts_.shape.transforms.begin(), parts_.shape.transforms.end());
+  query.topics = parts_.shape.transforms;
+  for (const auto* const topics : {&parts_.shape.poses, &parts_.shape.markers})
+    query.topics.insert(query.topics.end(), topics->begin(), topics->end());
   if (query.topics.empty() || query.last_ns < query.first_ns) return;
   const auto cursor = parts_.file.messages(query);
   while (const auto message = cursor->next()) {
-    before(message->log_time_ns);
+    before(saidNs(*message));
     if (const auto frame = parts_.fields.read(*message)) take(*message, *frame);
   }
   before(from_ns - 1);
 }
 
 void BlockPlacing::advance(std::int64_t until_ns) {
-  while (lead_ && lead_->log_time_ns <= until_ns) {
+  while (lead_ && saidNs(*lead_) <= until_ns) {
     if (const auto frame = parts_.fields.read(*lead_)) {
+      const double at_s = secondsOf(saidNs(*lead_));
+      ahead_.forgetSilent(at_s);
       for (const ros::Source& source : parts_.shape.by_topic.at(lead_->channel->topic))
-        ahead_.take(source, (*frame)->root(), secondsOf(lead_->log_time_ns));
+        ahead_.take(source, (*frame)->root(), at_s);
     }
     lead_ = leading_->next();
   }
@@ -190,29 +144,31 @@ void BlockPlacing::advance(std::int64_t until_ns) {
 
 ros::WorldResults BlockPlacing::before(std::int64_t at_ns) {
   ros::WorldResults all;
-  if (parts_.shape.markers.empty()) return all;
+  if (parts_.shape.markers.empty()) {
+    now_.forgetSilent(secondsOf(at_ns));
+    return all;
+  }
   for (; next_look_ns_ <= at_ns; next_look_ns_ += kMarkersEveryNs) {
     endMarkers(next_look_ns_, all);
+    now_.forgetSilent(secondsOf(next_look_ns_));
     append(all, now_.overdue(secondsOf(next_look_ns_)));
     if (next_look_ns_ < block_ns_ || std::exchange(told_beginning_, true) || !any_markers_) continue;
     all.push_back(resultOf(parts_.shape.markers.front(), next_look_ns_));
     all.back().message = now_.seenObjects();
   }
   endMarkers(at_ns, all);
+  now_.forgetSilent(secondsOf(at_ns));
+  shift(all);
   return all;
+}
+
+void BlockPlacing::shift(ros::WorldResults& results) const {
+  if (!part_begins_s_) return;
+  for (ros::WorldResult& result : results) result.received_s = std::max(result.received_s, *part_begins_s_);
 }
 
 void BlockPlacing::endMarkers(std::int64_t until_ns, ros::WorldResults& results) {
   while (now_.nextMarkerEnd() <= secondsOf(until_ns)) append(results, now_.overdue(now_.nextMarkerEnd()));
-}
-
-ros::WorldResults BlockPlacing::takeNow(const recording::Message& message, const FramePtr& frame) {
-  ros::WorldResults all;
-  for (const ros::Source& source : parts_.shape.by_topic.at(message.channel->topic)) {
-    any_markers_ |= source.form == ros::Form::Markers;
-    append(all, now_.take(source, frame->root(), secondsOf(message.log_time_ns)));
-  }
-  return all;
 }
 
 ros::WorldResult BlockPlacing::takeGrid(const ros::Source& source, const ros::Field& msg,
@@ -261,8 +217,10 @@ ros::WorldResult BlockPlacing::takePatch(const ros::Source& source, const ros::F
 }
 
 ros::WorldResults BlockPlacing::take(const recording::Message& message, const FramePtr& frame) {
-  const std::int64_t at_ns = message.log_time_ns;
+  const std::int64_t at_ns = saidNs(message);
+  if (at_ns != message.log_time_ns) part_begins_s_ = secondsOf(message.log_time_ns);
   advance(at_ns + kAheadNs);
+  ahead_.forgetSilent(secondsOf(at_ns));
   ros::WorldResults all;
   bool of_pose = false;
   for (const ros::Source& source : parts_.shape.by_topic.at(message.channel->topic)) {
@@ -294,6 +252,7 @@ ros::WorldResults BlockPlacing::take(const recording::Message& message, const Fr
     if (isOfBeginning(result, at_ns)) result.unplaced.reset();
   }
   if (of_pose) addPose(all, message.channel->topic, at_ns);
+  shift(all);
   return all;
 }
 

@@ -1,9 +1,9 @@
 // Places ROS messages so that the result does not depend on what was read before.
 // Time is divided into blocks that begin at multiples of kBlockNs since the epoch. The result for a message
-// in a block depends on the messages from kBeforeNs before its block on, not on the requested range:
-// transforms from that time to kAheadNs after the message (data that is late on a robot is available here),
-// static ones from the start of the file and the last before, the last poses and markers before, grids with
-// all their patches. Source: REP 105, tf2 (history of 10 s).
+// in a block depends on the file, not on the requested range: on all that was said before its block and still
+// counts (Lasting), on the messages of its block until then, on transforms to kAheadNs after it (data that is
+// late on a robot is available here), and on grids with all their patches. Moving frames of which nothing was
+// heard for 10 s are unknown. Source: REP 105, tf2 (history of 10 s).
 #pragma once
 
 #include <cstdint>
@@ -15,34 +15,12 @@
 #include <vector>
 
 #include "recording/source.h"
+#include "robot/recorded/lasting.h"
 #include "robot/recorded/message_fields.h"
 #include "robot/recorded/ros_shape.h"
 #include "robot/ros/ros_world.h"
 
 namespace mapwright::robot::recorded {
-
-/// The static transforms needed at a time. One thread.
-class StaticTransforms {
- public:
-  StaticTransforms(recording::Source& file, MessageFields& fields, const RosShape& shape)
-      : file_(file), fields_(fields), shape_(shape) {}
-  struct Transform {
-    std::string topic;
-    std::int64_t at_ns = 0;
-    FramePtr frame;
-  };
-  /// Those of the file's first minute and the last ones before `at_ns`, in order.
-  const std::vector<Transform>& until(std::int64_t at_ns);
-
- private:
-  void add(std::vector<Transform>& all, const recording::Message& message);
-  recording::Source& file_;
-  MessageFields& fields_;
-  const RosShape& shape_;
-  std::optional<std::vector<Transform>> first_;  // of the first minute
-  std::vector<Transform> until_;
-  std::int64_t last_ns_ = -1;  // the last one before, for which until_ is valid
-};
 
 /// A grid at a time is the last whole one before it with all patches since, whatever was read before. The
 /// latest result for each grid is kept, so that continuing only costs the new patches. One thread.
@@ -75,14 +53,14 @@ struct PlacingParts {
   recording::Source& file;
   MessageFields& fields;
   const RosShape& shape;
-  StaticTransforms& statics;
+  Lasting& lasting;
   GridFolds& folds;
 };
 
 /// One block, its messages one after the other. One thread.
 class BlockPlacing {
  public:
-  static constexpr std::int64_t kBlockNs = 8'000'000'000, kBeforeNs = 10'000'000'000,
+  static constexpr std::int64_t kBlockNs = 8'000'000'000, kBeforeNs = Lasting::kHistoryNs,
                                 kAheadNs = 1'000'000'000;
   static constexpr std::int64_t kMarkersEveryNs = 250'000'000;
   static std::int64_t blockOf(std::int64_t at_ns);  // where it begins
@@ -98,12 +76,13 @@ class BlockPlacing {
   ros::WorldResults before(std::int64_t at_ns);
 
  private:
-  void readStatics();
+  void readEarlier();
   void readBefore(std::int64_t from_ns);
   void advance(std::int64_t until_ns);
   /// Removes markers whose lifetime is over, each at its time.
   void endMarkers(std::int64_t until_ns, ros::WorldResults& results);
-  ros::WorldResults takeNow(const recording::Message& message, const FramePtr& frame);
+  /// Derived results come when their messages come.
+  void shift(ros::WorldResults& results) const;
   ros::WorldResult takeGrid(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
   ros::WorldResult takePatch(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
   /// A recording may begin between a message and the transform for its position.
@@ -118,6 +97,7 @@ class BlockPlacing {
   std::optional<recording::Message> lead_;  // the next transform of ahead_
   std::int64_t next_look_ns_;               // at markers
   bool told_beginning_ = false, any_markers_ = false;
+  std::optional<double> part_begins_s_;  // what a part says of the time before it, it says at its beginning
   std::optional<ros::RosWorld::Located> located_;  // as it was told last
   std::set<std::string> folded_;                   // grids whose present state is in GridFolds
 };

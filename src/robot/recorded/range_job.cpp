@@ -18,6 +18,7 @@ constexpr double kShortestS = 1.0 / 64;      // of ranges that can be shortened 
 constexpr std::size_t kMostAtAll = std::size_t(1) << 30;
 constexpr std::size_t kMostUnknown = std::size_t(64) << 10;  // larger useless ones are not parsed for display
 constexpr std::size_t kMostProblems = 200;
+constexpr int kMostAtOnce = 4000;  // earlier messages that are looked at before others have their turn
 constexpr std::int64_t kMostLast = std::int64_t(16) << 20;  // of the initial state before a range
 
 /// Approximate memory besides its text.
@@ -65,6 +66,7 @@ RangeJob::Step RangeJob::step(const Parts& parts) {
   }
   const auto block = nextBlock(parts);
   if (!block) return Step::Done;
+  if (!knowsEarlier(parts, *block)) return Step::More;
   const std::int64_t block_ns = *block, end_ns = block_ns + BlockPlacing::kBlockNs;
   const std::int64_t from_ns = std::max(next_ns_, block_ns);
   recording::Query query;
@@ -76,7 +78,7 @@ RangeJob::Step RangeJob::step(const Parts& parts) {
     placing.emplace(parts, block_ns, from_ns, last_ns_);
   }
   while (const auto message = cursor->next()) {
-    if (placing) addResults(placing->before(message->log_time_ns), nullptr);
+    if (placing) addResults(placing->before(saidNs(*message)), nullptr);
     take(parts, *message, placing ? &*placing : nullptr);
     const bool too_long = bytes_ > std::size_t(std::max<std::int64_t>(range_.max_bytes, 0));
     if (too_long && range_.until_s - range_.from_s > kShortestS) return Step::TooLong;
@@ -107,12 +109,19 @@ void RangeJob::findLast(const Parts& parts) {
   });
 }
 
+bool RangeJob::knowsEarlier(const Parts& parts, std::int64_t block_ns) {
+  return !parts.shape.any() || parts.lasting.reach(block_ns, kMostAtOnce);
+}
+
 void RangeJob::takeLast(const Parts& parts) {
+  const std::int64_t at_ns = last_->back().log_time_ns;
+  const recording::Channel& channel = *last_->back().channel;
+  const bool placed = parts.shape.isRos(channel) && parts.shape.by_topic.contains(channel.topic);
+  if (placed && !knowsEarlier(parts, BlockPlacing::blockOf(at_ns))) return;
   const recording::Message message = std::move(last_->back());
   last_->pop_back();
-  const std::int64_t at_ns = message.log_time_ns;
   std::optional<BlockPlacing> placing;
-  if (parts.shape.isRos(*message.channel) && parts.shape.by_topic.contains(message.channel->topic)) {
+  if (placed) {
     placing.emplace(parts, BlockPlacing::blockOf(at_ns), at_ns, at_ns);
   }
   // It is not part of the request: neither its length nor its errors count here.

@@ -28,7 +28,7 @@ class RangeJob {
   RangeJob(BagKey key, BagRange range);
 
   enum class Step { More, Done, TooLong };
-  /// The next block that contains a message.
+  /// The next block that contains a message, or a part of what comes before it.
   Step step(const Parts& parts);
   /// Once Done. `untimed`: number of messages without a valid time, to report with it.
   BagChunkPtr chunk(std::size_t untimed);
@@ -43,6 +43,8 @@ class RangeJob {
   void takeLast(const Parts& parts);
   /// The next block with messages that overlaps the range.
   std::optional<std::int64_t> nextBlock(const Parts& parts) const;
+  /// Whether what still counts at the beginning of a block is known; otherwise goes on to find out.
+  static bool knowsEarlier(const Parts& parts, std::int64_t block_ns);
   bool takes(double stamp_s) const {
     return adding_last_ ? stamp_s < range_.from_s : stamp_s >= range_.from_s && stamp_s < range_.until_s;
   }

@@ -65,7 +65,7 @@ RecordedFile::Parts::Parts(std::unique_ptr<recording::Source> source, const ros:
                            const std::string& ns)
     : file(std::move(source)),
       shape(shapeOf(*file, fields, choices, ns)),
-      statics(*file, fields, shape),
+      lasting(*file, fields, placingTopics(*file, shape), shape),
       folds(*file, fields),
       kept(*file),
       robots(robotNames(*file, fields, shape)) {
@@ -100,6 +100,7 @@ bool RecordedFile::ready() {
 void RecordedFile::choose(const ros::Choices& choices) {
   if (std::exchange(choices_, choices) == choices || !parts_) return;
   parts_->shape = shapeOf(*parts_->file, parts_->fields, choices_, options_.ns);
+  parts_->lasting.reset(placingTopics(*parts_->file, parts_->shape), parts_->shape);
   Q_EMIT opened(facts());
 }
 
@@ -177,8 +178,10 @@ std::size_t RecordedFile::newlyUntimed() {
 
 bool RecordedFile::refresh() {
   const auto channels = parts_->file->channels().size();
+  const auto end_ns = parts_->file->summary().end_ns;
   if (!parts_->file->refresh()) return false;
   info_is_old_ = true;
+  parts_->lasting.forgetFrom(end_ns.value_or(0));
   parts_->kept.look();
   // Placed messages stay as they are: another frame would be another map.
   if (parts_->file->channels().size() == channels && parts_->shape.fixed_by_file) return true;
@@ -190,6 +193,7 @@ bool RecordedFile::refresh() {
   shape.fixed_by_file |= parts_->shape.fixed_by_file;
   parts_->shape = std::move(shape);
   parts_->robots = robotNames(*parts_->file, parts_->fields, parts_->shape);
+  parts_->lasting.reset(placingTopics(*parts_->file, parts_->shape), parts_->shape);
   Q_EMIT opened(facts());
   return true;
 }
@@ -378,7 +382,7 @@ void RecordedFile::proceed(const std::shared_ptr<Job>& job) {
     return end(fail({.kind = map::FailureKind::Cancelled, .subject = subjectOf(job->range.key())}));
   }
   const RangeJob::Step step = job->range.step(
-      {{*parts_->file, parts_->fields, parts_->shape, parts_->statics, parts_->folds}, parts_->kept});
+      {{*parts_->file, parts_->fields, parts_->shape, parts_->lasting, parts_->folds}, parts_->kept});
   for (const map::Problem& problem : job->range.takeProblems()) tell(problem);
   switch (step) {
     case RangeJob::Step::More:

@@ -74,7 +74,7 @@ class RecordedFile : public QObject {
     std::unique_ptr<recording::Source> file;
     MessageFields fields;
     RosShape shape;
-    StaticTransforms statics;
+    Lasting lasting;
     GridFolds folds;
     KeptThings kept;
     std::vector<std::string> robots;  // robotNames()

@@ -30,6 +30,13 @@ constexpr double kOftenPerS = 0.5;
 void addFoxglove(const recording::Source& file, const std::set<std::string>& others,
                  std::vector<ros::Source>& sources) {
   const recording::Summary summary = file.summary();
+  // What a part says of the time before it does not tell how often the topic comes.
+  std::map<std::string, std::uint64_t> count_of;
+  for (const recording::ChannelPtr& channel : file.channels()) {
+    const auto counted = summary.messages_of.find(channel->id);
+    if (counted != summary.messages_of.end() && !channel->metadata.contains(recorder::kSaidAt))
+      count_of[channel->topic] += counted->second;
+  }
   const auto brought = [&](map::Stream stream, ros::Form form) {
     return std::any_of(sources.begin(), sources.end(), [&](const ros::Source& source) {
       return source.stream == stream && source.form == form;
@@ -44,11 +51,10 @@ void addFoxglove(const recording::Source& file, const std::set<std::string>& oth
     const auto known = std::find_if(sources.begin(), sources.end(),
                                     [&](const ros::Source& one) { return one.topic == channel->topic; });
     if (*kind == FoxgloveKind::FrameTransform || *kind == FoxgloveKind::FrameTransforms) {
-      const auto counted = summary.messages_of.find(channel->id);
       const double length_s = double(summary.durationNs()) / 1e9;
-      const bool seldom = channel->topic.find("static") != std::string::npos ||
-                          (summary.counted && counted != summary.messages_of.end() && length_s > 0 &&
-                           double(counted->second) < kOftenPerS * length_s);
+      const bool seldom =
+          channel->topic.find("static") != std::string::npos ||
+          (summary.counted && length_s > 0 && double(count_of[channel->topic]) < kOftenPerS * length_s);
       const ros::Form form = seldom ? ros::Form::StaticTf : ros::Form::Tf;
       if (known != sources.end()) {
         known->form = form;

@@ -130,6 +130,16 @@ Transforms::Taken RobotTransforms::take(const std::string& topic, const std::str
   return taken;
 }
 
+void RobotTransforms::drop(const std::string& robot, const std::string& child) {
+  for (auto& [name, tree] : trees_) {
+    const bool told = name == robot || (robot.empty() && tree.lent.contains(child));
+    if (!told) continue;
+    tree.transforms.drop(child);
+    tree.lent.erase(child);
+    tree.own.erase(child);
+  }
+}
+
 const RobotTransforms::Tree* RobotTransforms::treeFor(std::string_view topic,
                                                       const std::string& frame) const {
   std::string robot = namespaceAmong(namespaces_, topic);

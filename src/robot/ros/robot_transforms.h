@@ -34,6 +34,8 @@ class RobotTransforms {
   /// A transform that arrived on `topic`.
   Transforms::Taken take(const std::string& topic, const std::string& parent, const std::string& child,
                          const Transform3& transform, double stamp_s, bool is_static);
+  /// What `robot` ("": the root) told of the frame is not known any more.
+  void drop(const std::string& robot, const std::string& child);
   /// Transforms::find() for a message of `topic`.
   tl::expected<Transform3, Missing> find(const std::string& topic, const std::string& parent,
                                          const std::string& child, std::optional<double> at_s) const;

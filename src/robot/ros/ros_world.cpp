@@ -82,6 +82,7 @@ void RosWorld::forgetAll() {
   map_frame_.clear();
   own_frame_.clear();
   in_own_frame_.clear();
+  heard_s_.clear();
   first_transform_s_ = latest_s_ = 0;
   grids_.clear();
   waiting_.clear();
@@ -225,6 +226,11 @@ void RosWorld::takeTf(const Source& source, const Field& msg, WorldResult& resul
   for (const TfRow& row : readTf(msg)) {
     const auto taken = transforms_.take(source.topic, row.parent, row.child, row.transform, row.stamp_s,
                                         source.form == Form::StaticTf);
+    if (!given_frame_.empty() && taken == Transforms::Taken::Kept) {
+      const std::pair frame(namespaceAmong(transforms_.namespaces(), source.topic), frameName(row.child));
+      if (source.form == Form::StaticTf) heard_s_.erase(frame);
+      if (source.form == Form::Tf) heard_s_[frame] = result.received_s;
+    }
     if (taken != Transforms::Taken::NoNumbers) {
       unusable_.erase({source.topic, row.child});
     } else if (unusable_.size() < kMostUnusable) {
@@ -263,6 +269,20 @@ void RosWorld::takePatch(const Source& source, const Field& msg, WorldResult& re
   of.form = Form::Grid;
   of.topic = source.base;
   takeContent(of, grid->second, result);
+}
+
+void RosWorld::takeEarlier(const Source& source, const Field& msg, double received_s) {
+  earlier_ = true;
+  (void)take(source, msg, received_s);
+  earlier_ = false;
+}
+
+void RosWorld::forgetSilent(double now_s) {
+  std::erase_if(heard_s_, [&](const auto& heard) {
+    const bool silent = now_s - heard.second > Transforms::kHistoryS;
+    if (silent) transforms_.drop(heard.first.first, heard.first.second);
+    return silent;
+  });
 }
 
 WorldResult RosWorld::take(const Source& source, const Grid& grid, double received_s) {
@@ -351,6 +371,10 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
       auto markers = isDrawn(type) ? readDrawn(type, msg, source.topic) : readMarkers(msg);
       if (!markers) {
         result.unreadable = std::move(markers.error());
+        break;
+      }
+      if (earlier_) {
+        markers_.settle(source.topic, *markers, transforms_, fixedFrame(), received_s);
         break;
       }
       result.notes = notShown(*markers);
@@ -484,6 +508,7 @@ WorldResults RosWorld::placeWaiting() {
 }
 
 bool RosWorld::looksAtMarkers(double now_s) const {
+  if (earlier_) return markers_.waits();
   // A recording is looked at again and again, and tells the same each time: at every transform.
   const bool exact = !given_frame_.empty() && !markers_.many();
   if (exact) return markers_.waits() || markers_.moves();

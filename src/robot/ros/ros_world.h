@@ -66,6 +66,10 @@ class RosWorld {
   void keepGrids(std::set<std::string> topics);
   /// A message of `source`. Transforms may place waiting messages: several results.
   WorldResults take(const Source& source, const Field& msg, double received_s);
+  /// For recordings: it was said before, and tells nothing now.
+  void takeEarlier(const Source& source, const Field& msg, double received_s);
+  /// For recordings: moving frames of which nothing was heard for as long as transforms are kept are unknown.
+  void forgetSilent(double now_s);
   /// A parsed grid.
   WorldResult take(const Source& source, const Grid& grid, double received_s);
   /// As of the last marker message, or of overdue().
@@ -168,6 +172,9 @@ class RosWorld {
     Placed placed;
   };
   std::map<std::string, TopicPose> topic_poses_;  // by topic
+  /// Of moving frames, by robot and name, in recordings: when it was heard of them last.
+  std::map<std::pair<std::string, std::string>, double> heard_s_;
+  bool earlier_ = false;  // takeEarlier()
   SeenMarkers markers_;
   double markers_looked_s_ = 0;
   std::size_t gave_way_ = 0;

@@ -46,6 +46,8 @@ void SeenMarkers::take(const std::string& topic, const std::vector<Marker>& mark
   auto& rows = topics_[topic];
   for (const Marker& marker : markers) {
     const std::pair key(marker.ns, marker.id);
+    // One whose time is over is not there any more, also where nobody has looked since.
+    if (const auto row = rows.find(key); row != rows.end() && row->second.until_s <= now_s) rows.erase(row);
     switch (marker.action) {
       case Marker::Action::Add:
         if (rows.size() < kMost || rows.contains(key)) put(rows[key], marker, now_s);
@@ -57,6 +59,16 @@ void SeenMarkers::take(const std::string& topic, const std::vector<Marker>& mark
         rows.clear();
         break;
     }
+  }
+}
+
+void SeenMarkers::settle(const std::string& topic, const std::vector<Marker>& markers,
+                         const RobotTransforms& transforms, const std::string& fixed_frame, double now_s) {
+  take(topic, markers, now_s);
+  auto& rows = topics_[topic];
+  for (const Marker& marker : markers) {
+    const auto row = rows.find({marker.ns, marker.id});
+    if (row != rows.end() && place(row->second, topic, transforms, fixed_frame)) waits_ = true;
   }
 }
 
