@@ -249,6 +249,8 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
   if (!opened) return notOpened(robot::recorded::reasonOf(opened.error()));
   const recording::Summary summary = (*opened)->summary();
   if (!summary.start_ns) return wrong(Text::tr("It contains no messages."));
+  auto slicing = excerpt::Slicing::open(*path);
+  if (!slicing) return notOpened(slicing.error());
   const double every_ns = args.every_s * 1e9;
   const double parts = std::floor(double(summary.durationNs()) / every_ns) + 1;
   if (parts > double(kMostParts))
@@ -265,7 +267,7 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
     if (part > 0) order.first_ns = *summary.start_ns + std::llround(double(part) * every_ns);
     if (part + 1 < std::int64_t(parts))
       order.last_ns = *summary.start_ns + std::llround(double(part + 1) * every_ns) - 1;
-    const auto made = excerpt::sliceRecording(*path, order);
+    const auto made = slicing->slice(order);
     if (!made) return notOpened(made.error());
     all.messages += (*made)->messages;
     all.attachments = std::max(all.attachments, (*made)->attachments);

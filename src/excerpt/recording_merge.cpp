@@ -14,6 +14,7 @@
 
 #include "excerpt/whole_target.h"
 #include "recorder/layout.h"
+#include "robot/recorded/earlier_messages.h"
 #include "robot/recorded/faults.h"
 
 namespace mapwright::excerpt {
@@ -53,6 +54,7 @@ class ChannelNumbers {
     recording::Channel plain = *channel;
     plain.id = 0;
     plain.metadata.erase(recorder::kSaid);
+    plain.metadata.erase(recorder::kSaidAt);
     const auto same = std::find(plain_.begin(), plain_.end(), plain);
     known->second = int(same - plain_.begin());
     if (same == plain_.end()) plain_.push_back(std::move(plain));
@@ -96,18 +98,29 @@ class SaidBefore {
   /// In order of time. False: it is known already.
   bool take(std::size_t source, const recording::Message& message) {
     const int channel = numbers_.of(message.channel);
-    if (!times_.contains({channel, message.publish_time_ns})) return true;
-    const auto told = by_.find(keyOf(channel, message));
-    if (told == by_.end()) return true;
-    if (wasSaidBefore(*message.channel) && told->second && *told->second != source) return false;
-    if (!told->second) told->second = source;
-    return true;
+    bool known = false;
+    for (const Time& time : timesOf(message)) {
+      if (!times_.contains({channel, time})) continue;
+      const auto told = by_.find(keyOf(channel, time, message));
+      if (told == by_.end()) continue;
+      known |= wasSaidBefore(*message.channel) && told->second && *told->second != source;
+      if (!told->second) told->second = source;
+    }
+    return !known;
   }
 
  private:
-  using Key = std::tuple<int, std::int64_t, std::string>;
-  static Key keyOf(int channel, const recording::Message& message) {
-    return {channel, message.publish_time_ns, digestOf(message.bytes.data(), message.bytes.size())};
+  /// When it was said (true), or its publish time: parts know it by the one, other recordings by the other.
+  using Time = std::pair<bool, std::int64_t>;
+  using Key = std::tuple<int, Time, std::string>;
+  static Key keyOf(int channel, const Time& time, const recording::Message& message) {
+    return {channel, time, digestOf(message.bytes.data(), message.bytes.size())};
+  }
+  static std::vector<Time> timesOf(const recording::Message& message) {
+    std::vector<Time> times{{true, robot::recorded::saidNs(message)}};
+    if (!message.channel->metadata.contains(recorder::kSaidAt))
+      times.emplace_back(false, message.publish_time_ns);
+    return times;
   }
   std::uint64_t expect(recording::Source& source, const recording::Query& query) {
     std::uint64_t found = 0;
@@ -116,14 +129,17 @@ class SaidBefore {
       if (!wasSaidBefore(*message->channel)) continue;
       ++found;
       const int channel = numbers_.of(message->channel);
-      times_.emplace(channel, message->publish_time_ns);
-      by_.try_emplace(keyOf(channel, *message));
+      const Time time = message->channel->metadata.contains(recorder::kSaidAt)
+                            ? Time(true, robot::recorded::saidNs(*message))
+                            : Time(false, message->publish_time_ns);
+      times_.emplace(channel, time);
+      by_.try_emplace(keyOf(channel, time, *message));
     }
     return found;
   }
 
   ChannelNumbers& numbers_;
-  std::set<std::pair<int, std::int64_t>> times_;  // of those below
+  std::set<std::pair<int, Time>> times_;          // of those below
   std::map<Key, std::optional<std::size_t>> by_;  // the first file with it
 };
 

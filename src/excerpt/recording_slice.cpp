@@ -10,6 +10,7 @@
 
 #include "excerpt/whole_target.h"
 #include "recorder/layout.h"
+#include "robot/recorded/earlier_messages.h"
 
 namespace mapwright::excerpt {
 namespace {
@@ -17,15 +18,16 @@ namespace {
 using recording::Message;
 
 constexpr std::int64_t kLookEvery = 256;  // messages
+constexpr int kLookedAtOnce = 4096;
 constexpr std::int64_t kEver = std::numeric_limits<std::int64_t>::max();
-constexpr std::string_view kStaticTransforms = "/tf_static", kPatches = "_updates";
 
 using Done = tl::expected<void, Fault>;
 
 class Slice {
  public:
-  Slice(recording::Source& source, WholeMcap& file, const GoesOn& goes_on)
-      : source_(source), file_(file), goes_on_(goes_on) {}
+  Slice(recording::Source& source, robot::recorded::EarlierMessages& earlier, WholeMcap& file,
+        const GoesOn& goes_on)
+      : source_(source), earlier_(earlier), file_(file), goes_on_(goes_on) {}
 
   bool ended() const { return ended_; }
 
@@ -38,35 +40,25 @@ class Slice {
 
   Done sayBefore(std::int64_t from_ns, const std::vector<std::string>& topics) {
     if (from_ns <= 0) return {};
-    std::vector<Message> before = source_.lastBefore(from_ns - 1, topics);
-    std::vector<Message> more;
-    for (const Message& message : before) {
-      const std::string& topic = message.channel->topic;
-      if (topic == kStaticTransforms) {
-        readInto(more, {.first_ns = 0, .last_ns = from_ns - 1, .topics = {topic}});
-      } else if (topic.size() > kPatches.size() && topic.ends_with(kPatches)) {
-        // They change the grid before them, whether or not that was selected.
-        const auto whole = std::find_if(before.begin(), before.end(), [&](const Message& other) {
-          return topic.compare(0, topic.size() - kPatches.size(), other.channel->topic) == 0;
-        });
-        const std::int64_t since_ns = whole == before.end() ? 0 : whole->log_time_ns;
-        readInto(more, {.first_ns = since_ns, .last_ns = from_ns - 1, .topics = {topic}});
-      } else {
-        more.push_back(message);
-      }
+    if (!source_.summary().start_ns || from_ns <= *source_.summary().start_ns) return {};
+    while (!earlier_.reach(from_ns, kLookedAtOnce)) {
+      ended_ = goes_on_ && !goes_on_(0);
+      if (ended_) return {};
     }
-    std::stable_sort(more.begin(), more.end(),
-                     [](const Message& a, const Message& b) { return a.log_time_ns < b.log_time_ns; });
-    for (const Message& message : more) {
+    for (const Message& message : earlier_.before(from_ns)) {
+      if (!isOneOf(topics, message.channel->topic)) continue;
       recording::Channel channel = *message.channel;
       channel.metadata[recorder::kSaid] = recorder::kBefore;
-      if (auto done = write(channel, from_ns, 0, message); !done) return done;
+      channel.metadata[recorder::kSaidAt] = recorder::kPublishTime;
+      const recording::Stamp stamp{from_ns, robot::recorded::saidNs(message), 0};
+      if (auto done = checked(file_.write(channel, stamp, message.bytes)); !done) return done;
+      ++done_.said_before;
     }
-    done_.said_before = std::int64_t(more.size());
     return {};
   }
 
   Done copy(std::int64_t from_ns, std::int64_t to_ns, const std::vector<std::string>& topics) {
+    if (ended_) return {};
     const double first_ns = double(std::max(from_ns, source_.summary().start_ns.value_or(from_ns)));
     const double all_ns = double(std::min(to_ns, source_.summary().end_ns.value_or(to_ns))) - first_ns;
     const auto cursor = source_.messages({.first_ns = from_ns, .last_ns = to_ns, .topics = topics});
@@ -121,16 +113,13 @@ class Slice {
     if (fault) return tl::make_unexpected(disk::notWritten(*fault));
     return {};
   }
-  void readInto(std::vector<Message>& messages, const recording::Query& query) {
-    const auto cursor = source_.messages(query);
-    while (auto message = cursor->next()) messages.push_back(std::move(*message));
-  }
   Done write(const recording::Channel& channel, std::int64_t log_ns, std::uint32_t sequence,
              const Message& message) {
     return checked(file_.write(channel, {log_ns, message.publish_time_ns, sequence}, message.bytes));
   }
 
   recording::Source& source_;
+  robot::recorded::EarlierMessages& earlier_;
   WholeMcap& file_;
   const GoesOn& goes_on_;
   Written done_;
@@ -139,11 +128,25 @@ class Slice {
 
 }  // namespace
 
-tl::expected<std::optional<Written>, Fault> sliceRecording(const std::string& path, const Order& order,
-                                                           const GoesOn& goes_on) {
+struct Slicing::Parts {
+  explicit Parts(std::unique_ptr<recording::Source> opened) : source(std::move(opened)), earlier(*source) {}
+  std::unique_ptr<recording::Source> source;
+  robot::recorded::EarlierMessages earlier;
+};
+
+Slicing::Slicing(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Slicing::Slicing(Slicing&&) noexcept = default;
+Slicing::~Slicing() = default;
+
+tl::expected<Slicing, Fault> Slicing::open(const std::string& path) {
   auto source = recording::openRecording(path);
   if (!source) return tl::make_unexpected(robot::recorded::reasonOf(source.error()));
-  auto file = WholeMcap::create(order.path, (*source)->summary().profile);
+  return Slicing(std::make_unique<Parts>(std::move(*source)));
+}
+
+tl::expected<std::optional<Written>, Fault> Slicing::slice(const Order& order, const GoesOn& goes_on) {
+  recording::Source& source = *parts_->source;
+  auto file = WholeMcap::create(order.path, source.summary().profile);
   if (!file) return tl::make_unexpected(disk::notWritten(file.error()));
 
   const std::int64_t from_ns =
@@ -151,7 +154,7 @@ tl::expected<std::optional<Written>, Fault> sliceRecording(const std::string& pa
   const std::int64_t to_ns =
       order.last_ns.value_or(order.span.to_s ? lastNanosecondsOf(*order.span.to_s) : kEver);
   const std::vector<std::string>& topics = order.topics;
-  Slice slice(**source, *file, goes_on);
+  Slice slice(source, parts_->earlier, *file, goes_on);
   const Done done = slice.describe()
                         .and_then([&] { return slice.sayBefore(from_ns, topics); })
                         .and_then([&] { return slice.copy(from_ns, to_ns, topics); })
@@ -161,6 +164,13 @@ tl::expected<std::optional<Written>, Fault> sliceRecording(const std::string& pa
   if (slice.ended()) return std::nullopt;
   if (const auto fault = file->finish()) return tl::make_unexpected(disk::notWritten(*fault));
   return slice.done();
+}
+
+tl::expected<std::optional<Written>, Fault> sliceRecording(const std::string& path, const Order& order,
+                                                           const GoesOn& goes_on) {
+  auto slicing = Slicing::open(path);
+  if (!slicing) return tl::make_unexpected(slicing.error());
+  return slicing->slice(order, goes_on);
 }
 
 }  // namespace mapwright::excerpt
