@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <tuple>
 #include <utility>
+#include <variant>
 
 #include "excerpt/whole_target.h"
 #include "recorder/layout.h"
@@ -77,7 +80,7 @@ class Mcap : public Writing {
       if (!isOneOf(order_.topics, topic) || (span_.to_s && stamp_s > *span_.to_s)) continue;
       const std::string_view json = chunk.source->textOf(message);
       if (span_.from_s && stamp_s < *span_.from_s) {
-        said_before_[topic] = {stamp_s, std::string(json)};
+        keep(message, json);
         continue;
       }
       if (auto fault = begin()) return fault;
@@ -99,15 +102,48 @@ class Mcap : public Writing {
   }
 
  private:
-  /// Of messages before the span the last one of each topic is kept as its initial state.
+  struct Said {
+    std::string topic;
+    double stamp_s = 0;
+    std::string json;
+  };
+  using SaidPtr = std::shared_ptr<const Said>;
+
+  /// Of messages before the span the last one of each topic is kept as its initial state; and what begins a
+  /// session or a map, with the one before it, so that it forgets what lay in that one; and the last outline
+  /// of each other robot.
+  void keep(const robot::BagMessage& message, std::string_view json) {
+    const std::string& topic = message.message.topic;
+    const auto said =
+        std::make_shared<const Said>(Said{topic, message.message.received_s, std::string(json)});
+    said_before_[{topic, "last"}] = said;
+    if (!message.known) return;
+    const map::TopicMessage& content = message.message.message;
+    if (const auto* outlines = std::get_if<map::NearbyFootprintsMessage>(&content)) {
+      for (const auto& [digest, outline] : outlines->by_digest) said_before_[{topic, "of " + digest}] = said;
+    }
+    const bool frame =
+        std::holds_alternative<map::SubmapList>(content) || std::holds_alternative<map::MapInfo>(content);
+    if (!frame) return;
+    const auto known = frames_.find(topic);
+    if (!replay::countsLater(content, known == frames_.end() ? nullptr : &known->second)) return;
+    frames_.insert_or_assign(topic, replay::lightened(content));
+    if (const auto now = said_before_.find({topic, "begins"}); now != said_before_.end())
+      said_before_[{topic, "began"}] = now->second;
+    said_before_[{topic, "begins"}] = said;
+  }
+
   std::optional<disk::FileError> begin() {
     if (std::exchange(begun_, true)) return std::nullopt;
-    using Said = std::pair<std::string, std::pair<double, std::string>>;
-    std::vector<Said> said(said_before_.begin(), said_before_.end());
-    std::stable_sort(said.begin(), said.end(),
-                     [](const Said& a, const Said& b) { return a.second.first < b.second.first; });
-    for (const auto& [topic, last] : said) {
-      if (auto fault = write(topic, true, *span_.from_s, last.first, last.second)) return fault;
+    std::vector<SaidPtr> all;
+    for (const auto& [key, said] : said_before_) all.push_back(said);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    std::sort(all.begin(), all.end(), [](const SaidPtr& a, const SaidPtr& b) {
+      return std::tie(a->stamp_s, a->topic) < std::tie(b->stamp_s, b->topic);
+    });
+    for (const SaidPtr& said : all) {
+      if (auto fault = write(said->topic, true, *span_.from_s, said->stamp_s, said->json)) return fault;
       ++done_.said_before;
     }
     said_before_.clear();
@@ -131,7 +167,8 @@ class Mcap : public Writing {
   WholeMcap file_;
   Order order_;
   TimeSpan span_;
-  std::map<std::string, std::pair<double, std::string>> said_before_;  // stamp and text, by topic
+  std::map<std::pair<std::string, std::string>, SaidPtr> said_before_;  // by topic, and why
+  std::map<std::string, map::TopicMessage> frames_;                     // the last one of `begins`, by topic
   std::map<std::string, std::uint32_t> sequences_;
   bool begun_ = false;
   Written done_;

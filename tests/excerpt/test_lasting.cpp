@@ -11,9 +11,11 @@
 #include <QTimer>
 
 #include "../robot/ros_recordings.h"
+#include "excerpt/excerpt.h"
 #include "excerpt/recording_slice.h"
 #include "map/world.h"
 #include "recording/message.h"
+#include "replay/chunks.h"
 #include "replay/reading.h"
 #include "robot/recorded/recorded_robot.h"
 #include "test_program.h"
@@ -356,7 +358,41 @@ QByteArray difference(const map::LiveState& part, const map::LiveState& whole) {
   return part.drawings == whole.drawings ? QByteArray() : "drawings";
 }
 
+/// Sessions and maps that change, and what lies in them.
+std::string sessionOfAnAutoxingRobot() {
+  std::mt19937 random(3);
+  const auto number = [&](int below) { return int(random() % unsigned(below)); };
+  const auto bytes = std::make_shared<std::string>();
+  recording::WriterOptions options;
+  options.chunk_bytes = 5'000;
+  const auto writer = recordings::writerInto(bytes, options);
+  for (int i = 0; i < 1500; ++i) {
+    const std::string n = std::to_string(number(9)), session = std::to_string(i / 400);
+    const std::vector<std::pair<std::string, std::string>> all = {
+        {"/submap_list", R"("uuid":"s)" + session + R"(","slam_state":"slam","submap":[])"},
+        {"/map/info", R"("uid":"m)" + std::to_string(i / 250) + R"(","map_name":"Hall","map_version":1)"},
+        {"/path", R"("positions":[[)" + n + ",1],[" + std::to_string(i) + ",2]]"},
+        {"/battery_state", R"("percentage":0.)" + n},
+        {"/nearby_robot_footprints", R"("footprints":[{"digest":"d)" + n +
+                                         R"(","coordinates":[[0,0],[1,0],[1,)" + std::to_string(i) + "]]}]"},
+        {"/tracked_pose", R"("pos":[)" + std::to_string(i * 0.1) + "," + n + R"(],"ori":0.5)"}};
+    const auto& [topic, rest] = all[std::size_t(i % 400 > 200 && i % 3 > 0 ? 5 : number(6))];
+    recording::Channel channel;
+    channel.topic = topic;
+    channel.message_encoding = "json";
+    const std::int64_t at_ns = recordings::nanoseconds(kStartS + i * 0.1);
+    writer->write(*writer->addChannel(channel), {at_ns, at_ns, 0},
+                  recordings::bytesOf(R"({"topic":")" + topic + "\"," + rest + "}"));
+  }
+  writer->close();
+  return *bytes;
+}
+
 }  // namespace
+
+}  // namespace test_lasting
+
+namespace test_lasting {  // opened again: moc loses count of the braces in raw strings above
 
 class LastingTest : public QObject {
   Q_OBJECT
@@ -457,6 +493,56 @@ class LastingTest : public QObject {
         }
       }
     }
+  }
+
+  // Sessions and maps change, and a new one forgets what lay in the one before it.
+  void aPartOfASessionWithAnAutoxingRobotShowsWhatTheWholeShows_data() {
+    QTest::addColumn<bool>("copied");
+    QTest::newRow("of a recording on this computer") << true;
+    QTest::newRow("of a bag of a robot") << false;
+  }
+  void aPartOfASessionWithAnAutoxingRobotShowsWhatTheWholeShows() {
+    QFETCH(const bool, copied);
+    std::mt19937 random(3);
+    const auto number = [&](int below) { return int(random() % unsigned(below)); };
+    const std::string bytes = sessionOfAnAutoxingRobot();
+    const QString path = folder_.filePath(QStringLiteral("session.mcap"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes.data(), qint64(bytes.size()));
+    file.close();
+    const BagChunkPtr all = Open(path).whole();
+    const Played whole(all);
+    int known = 0;
+    for (int cut = 0; cut < 40; ++cut) {
+      excerpt::Order order;
+      order.path = folder_.filePath(QStringLiteral("part %1.mcap").arg(++files_)).toStdString();
+      order.span.from_s = kStartS + 5 + number(1400) * 0.1 + 0.05;
+      order.span.to_s = *order.span.from_s + 10;
+      if (copied) {
+        QVERIFY(excerpt::sliceRecording(path.toStdString(), order));
+      } else {
+        auto writing = excerpt::begin(order);
+        QVERIFY(writing.has_value());
+        QVERIFY(!(*writing)->take(replay::inRange(all)));
+        QVERIFY((*writing)->place().has_value());
+      }
+      const Played part(Open(QString::fromStdString(order.path)).whole());
+      for (int look = 0; look < 5; ++look) {
+        const double at_s = *order.span.from_s + number(100) * 0.1;
+        const map::LiveState alone = part.until(at_s), wanted = whole.until(at_s);
+        const QByteArray when =
+            QByteArray::number(*order.span.from_s - kStartS) + " at " + QByteArray::number(at_s - kStartS);
+        QVERIFY2(alone.session_uuid == wanted.session_uuid, when);
+        QVERIFY2(alone.map_info == wanted.map_info, when);
+        QVERIFY2(alone.path == wanted.path, when);
+        QVERIFY2(alone.battery == wanted.battery, when);
+        QVERIFY2(alone.robot_pose == wanted.robot_pose, when);
+        QVERIFY2(alone.nearby_footprints == wanted.nearby_footprints, when);
+        known += wanted.nearby_footprints.size() > 3 ? 1 : 0;
+      }
+    }
+    QVERIFY(known > 20);
   }
 
   // A part of a part is a part of the whole.

@@ -670,8 +670,7 @@ std::vector<Message> Lasting::inOrder(Found found) {
 
 struct EarlierMessages::Parts {
   explicit Parts(recording::Source& file)
-      : shape(shapeOf(file, fields, {}, {})),
-        lasting(file, fields, lastingTopics(file, shape), shape) {}
+      : shape(shapeOf(file, fields, {}, {})), lasting(file, fields, lastingTopics(file, shape), shape) {}
   MessageFields fields;
   RosShape shape;
   Lasting lasting;
