@@ -9,6 +9,7 @@
 #include "recorder/layout.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/recorded/foxglove.h"
+#include "robot/ros/drawn_messages.h"
 #include "robot/ros/read_messages.h"
 #include "robot/ros/robot_transforms.h"
 
@@ -56,6 +57,13 @@ bool lastsByContent(const std::string& topic) {
   return false;
 }
 
+/// Also of what is drawn like markers.
+ros::Read<std::vector<ros::Marker>> markersIn(const net::rosbridge::Frame& frame, const Message& message) {
+  const std::string type = ros::plainType(rosTypeOf(*message.channel));
+  return ros::isDrawn(type) ? ros::readDrawn(type, frame.root(), message.channel->topic)
+                            : ros::readMarkers(frame.root());
+}
+
 std::uint64_t contentOf(const ros::TfRow& row) {
   std::uint64_t hash = std::hash<std::string>()(row.parent);
   const auto add = [&](double value) {
@@ -97,6 +105,10 @@ std::vector<LastingTopic> lastingTopics(const recording::Source& file, const Ros
         if (source.form == ros::Form::Markers) lasts.insert(Lasts::PerMarker);
         transforms |= source.form == ros::Form::StaticTf;
         moving |= source.form == ros::Form::Tf;
+        // One message may be drawn in two ways.
+        const bool last = source.form != ros::Form::Markers && source.form != ros::Form::StaticTf &&
+                          source.form != ros::Form::Tf && source.form != ros::Form::GridPatch;
+        if (last) lasts.insert(Lasts::UntilNext);
       }
     } else {
       moving = transforms && ros::lastPart(channel->topic) != "tf_static";
@@ -259,7 +271,7 @@ void Lasting::applyTransforms(const Message& message, const Place& place) {
 
 void Lasting::applyMarkers(const Message& message, const Place& place) {
   const auto frame = fields_.read(message);
-  const auto markers = frame ? ros::readMarkers((*frame)->root()) : tl::unexpected(Fault());
+  const auto markers = frame ? markersIn(**frame, message) : tl::unexpected(Fault());
   if (!markers) return;
   state_.any_markers = true;
   const std::int64_t at_ns = saidNs(message);
@@ -409,7 +421,7 @@ std::set<Lasting::Place> Lasting::live(std::int64_t at_ns, Found& found) {
       const auto message = found.find(place);
       if (message == found.end()) continue;
       const FramePtr frame = frameOf(place, message->second);
-      const auto read = frame ? ros::readMarkers(frame->root()) : tl::unexpected(Fault());
+      const auto read = frame ? markersIn(*frame, message->second) : tl::unexpected(Fault());
       if (!read) continue;
       for (const ros::Marker& marker : *read) {
         if (marker.action != ros::Marker::Action::Add) continue;
@@ -426,7 +438,7 @@ std::set<Lasting::Place> Lasting::live(std::int64_t at_ns, Found& found) {
 void Lasting::addStamps(const Message& message, Lasts lasts, Stamped& need) {
   if (lasts == Lasts::PerMarker) {
     const FramePtr frame = frameOf(need.place, message);
-    const auto markers = frame ? ros::readMarkers(frame->root()) : tl::unexpected(Fault());
+    const auto markers = frame ? markersIn(*frame, message) : tl::unexpected(Fault());
     if (!markers) return;
     for (const ros::Marker& marker : *markers) {
       const std::string& in = marker.header.frame;
@@ -642,6 +654,17 @@ std::vector<Message> Lasting::before(std::int64_t at_ns) {
   std::erase_if(placing, [&](const Place& place) { return place.log_ns >= at_ns; });
   places.merge(placing);
   read(places, found);
+  // The last one of a topic may have been found in two ways.
+  std::erase_if(found, [&](const auto& one) {
+    const auto& [place, message] = one;
+    if (place.ordinal != kLastOfTopic) return false;
+    const auto same = std::prev(found.upper_bound({place.log_ns, place.topic, kLastOfTopic - 1}),
+                                found.begin()->first < place ? 1 : 0);
+    return same->first.log_ns == place.log_ns && same->first.topic == place.topic &&
+           same->first.ordinal != kLastOfTopic &&
+           std::equal(same->second.bytes.begin(), same->second.bytes.end(), message.bytes.begin(),
+                      message.bytes.end());
+  });
   std::erase_if(frames_, [&](const auto& frame) { return !places.contains(frame.first); });
   return inOrder(std::move(found));
 }

@@ -68,7 +68,7 @@ void SeenMarkers::settle(const std::string& topic, const std::vector<Marker>& ma
   auto& rows = topics_[topic];
   for (const Marker& marker : markers) {
     const auto row = rows.find({marker.ns, marker.id});
-    if (row != rows.end() && place(row->second, topic, transforms, fixed_frame)) waits_ = true;
+    if (row != rows.end() && place(row->second, topic, transforms, fixed_frame)) ++waiting_[topic];
   }
 }
 
