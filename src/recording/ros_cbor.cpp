@@ -39,6 +39,8 @@ class RosDecoder {
     return std::move(out_);
   }
 
+  std::size_t left() const { return bytes_.size() - at_; }
+
  private:
   void object(std::size_t index) {
     const RosType& type = schema_.types[index];
@@ -136,8 +138,6 @@ class RosDecoder {
     if (!fault_) fault_ = RosDecodeFault{code, name_ ? *name_ : std::string()};
   }
 
-  std::size_t left() const { return bytes_.size() - at_; }
-
   void align(std::size_t size) {
     if (!cdr_) return;
     const std::size_t to = std::min(size, most_alignment_);
@@ -189,9 +189,12 @@ std::optional<RosWire> rosWire(std::string_view message_encoding) {
 }
 
 tl::expected<QByteArray, RosDecodeFault> rosToCbor(const RosSchema& schema, RosWire wire,
-                                                   std::span<const std::uint8_t> bytes) {
+                                                   std::span<const std::uint8_t> bytes, std::size_t* left) {
   static_assert(std::endian::native == std::endian::little);
-  return RosDecoder(schema, wire, bytes).decode();
+  RosDecoder decoder(schema, wire, bytes);
+  auto cbor = decoder.decode();
+  if (left) *left = decoder.left();
+  return cbor;
 }
 
 }  // namespace mapwright::recording

@@ -42,8 +42,10 @@ std::optional<RosWire> rosWire(std::string_view message_encoding);
 /// {sec, nanosec} in ROS 2. Single numbers are integers or 64-bit floats (including NaN). Texts are as
 /// received, maybe invalid UTF-8; bytes after the message are ignored. Memory: the message plus the names of
 /// all its members. `schema` comes from parseRosSchema().
+/// `left`: the number of bytes after it.
 tl::expected<QByteArray, RosDecodeFault> rosToCbor(const RosSchema& schema, RosWire wire,
-                                                   std::span<const std::uint8_t> bytes);
+                                                   std::span<const std::uint8_t> bytes,
+                                                   std::size_t* left = nullptr);
 
 /// The tag of a byte string that holds numbers of this type. Source: RFC 8746, section 2.1 (0b010fsell).
 template <typename Number>
