@@ -52,18 +52,21 @@ class ChannelNumbers {
     const auto [known, is_new] = numbers_.try_emplace(channel, 0);
     if (!is_new) return known->second;
     recording::Channel plain = *channel;
-    plain.id = 0;
     plain.metadata.erase(recorder::kSaid);
     plain.metadata.erase(recorder::kSaidAt);
-    const auto same = std::find(plain_.begin(), plain_.end(), plain);
-    known->second = int(same - plain_.begin());
-    if (same == plain_.end()) plain_.push_back(std::move(plain));
-    return known->second;
+    const auto next = int(plain_.size());
+    return known->second = plain_
+                               .try_emplace({plain.topic, plain.message_encoding, plain.schema_name,
+                                             plain.schema_encoding, plain.schema_data, plain.metadata},
+                                            next)
+                               .first->second;
   }
 
  private:
   std::map<recording::ChannelPtr, int> numbers_;
-  std::vector<recording::Channel> plain_;
+  std::map<std::tuple<std::string, std::string, std::string, std::string, std::string, recording::Values>,
+           int>
+      plain_;
 };
 
 bool wasSaidBefore(const recording::Channel& channel) {

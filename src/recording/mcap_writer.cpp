@@ -58,24 +58,22 @@ std::optional<ChannelId> McapWriter::addChannel(const Channel& channel) {
   mcap::ChannelRecord record{0, 0, channel.topic, channel.message_encoding, channel.metadata};
   const bool has_schema = !channel.schema_name.empty() || !channel.schema_encoding.empty();
   if (textOf(channel) > kMostText) return std::nullopt;
+  const auto schema = std::tuple(channel.schema_name, channel.schema_encoding, channel.schema_data);
   if (has_schema) {
-    const auto same = std::find_if(schemas_.begin(), schemas_.end(), [&](const mcap::Schema& schema) {
-      return schema.name == channel.schema_name && schema.encoding == channel.schema_encoding &&
-             schema.data == channel.schema_data;
-    });
-    if (same == schemas_.end() && schemas_.size() == kMostIds) return std::nullopt;
-    record.schema_id = std::uint16_t(same - schemas_.begin() + 1);
+    const auto same = schema_ids_.find(schema);
+    if (same == schema_ids_.end() && schemas_.size() == kMostIds) return std::nullopt;
+    record.schema_id = same == schema_ids_.end() ? std::uint16_t(schemas_.size() + 1) : same->second;
   }
-  for (const mcap::ChannelRecord& known : channels_) {
-    record.id = known.id;
-    if (known == record) return known.id;
-  }
+  const auto same = std::tuple(record.topic, record.schema_id, record.message_encoding, record.metadata);
+  if (const auto known = channel_ids_.find(same); known != channel_ids_.end()) return known->second;
   if (channels_.size() == kMostIds) return std::nullopt;
   if (record.schema_id > schemas_.size()) {
+    schema_ids_[schema] = record.schema_id;
     schemas_.push_back({record.schema_id, channel.schema_name, channel.schema_encoding, channel.schema_data});
     described_schema_.push_back(false);
   }
   record.id = ChannelId(channels_.size() + 1);
+  channel_ids_[same] = record.id;
   channels_.push_back(std::move(record));
   described_channel_.push_back(false);
   return ChannelId(channels_.size());

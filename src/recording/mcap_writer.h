@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -106,8 +107,11 @@ class McapWriter {
 
   std::unique_ptr<AppendTarget> target_;
   WriterOptions options_;
-  std::vector<mcap::Schema> schemas_;                       // by id, from 1
-  std::vector<mcap::ChannelRecord> channels_;               // by id, from 1
+  std::vector<mcap::Schema> schemas_;          // by id, from 1
+  std::vector<mcap::ChannelRecord> channels_;  // by id, from 1
+  // The same by what they say: there may be many thousands, and each message asks.
+  std::map<std::tuple<std::string, std::string, std::string>, std::uint16_t> schema_ids_;
+  std::map<std::tuple<std::string, std::uint16_t, std::string, Values>, ChannelId> channel_ids_;
   std::vector<bool> described_schema_, described_channel_;  // written to the file or the open chunk
   OpenChunk open_;
   std::optional<Due> due_;

@@ -163,7 +163,8 @@ RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choi
   std::vector<ros::Endpoint> found;
   std::vector<std::string> services;
   shape.untyped_ros = recordedOfRos(file);
-  std::vector<std::string> untyped;
+  std::set<std::string> untyped;
+  std::set<std::pair<std::string, std::string>> known;  // there may be many thousands
   const recording::Summary summary = file.summary();
   for (const recording::ChannelPtr& channel : file.channels()) {
     if (!shape.isRos(*channel)) continue;
@@ -171,9 +172,9 @@ RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choi
     if (summary.counted && !summary.messages_of.contains(channel->id) &&
         ros::plainType(rosTypeOf(*channel)) == "tf2_msgs/TFMessage")
       continue;
-    if (isUntyped(*channel)) addOnce(untyped, channel->topic);
+    if (isUntyped(*channel)) untyped.insert(channel->topic);
     const ros::Endpoint topic{channel->topic, rosTypeOf(*channel)};
-    if (std::find(found.begin(), found.end(), topic) != found.end()) continue;
+    if (!known.emplace(topic.name, topic.type).second) continue;
     if (answersWithMap(ros::plainType(topic.type))) addOnce(services, topic.name);
     found.push_back(topic);
   }
@@ -181,8 +182,7 @@ RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choi
   shape.sources = ros::sourcesOf(found, ns);
   addFoxglove(file, ros::robotsBeside(ns, found), shape.sources);
   for (ros::Source& usual : ros::sourcesOf(std::nullopt, ns)) {
-    if (std::find(untyped.begin(), untyped.end(), usual.topic) != untyped.end())
-      shape.sources.push_back(std::move(usual));
+    if (untyped.contains(usual.topic)) shape.sources.push_back(std::move(usual));
   }
   ros::choose(shape.sources, choices, found);
   if (!choices.contains(map::Stream::WholeMap)) ros::addMapServices(shape.sources, services);
