@@ -260,7 +260,50 @@ Read<Grid> readGridOf(const Field& msg, std::int64_t most_cells, EmptyGrids empt
   return grid;
 }
 
+namespace {
+
+/// A cost of Nav2 as the percentage that its own topics of grids publish. Source: nav2_costmap_2d,
+/// costmap_2d_publisher.cpp (cost_translation_table).
+std::int8_t percentOf(std::uint8_t cost) {
+  constexpr int kMostPassable = 252, kInscribed = 253, kLethal = 254;
+  if (cost == 0) return 0;
+  if (cost <= kMostPassable) return std::int8_t(1 + 97 * (cost - 1) / (kMostPassable - 1));
+  return cost == kInscribed ? std::int8_t(99) : cost == kLethal ? kOccupied : kUnknown;
+}
+
+/// nav2_msgs/Costmap.
+Read<Grid> readCostmap(const Field& msg) {
+  const Field info = msg["metadata"];
+  const auto width = info["size_x"].integer(), height = info["size_y"].integer();
+  if (!width || *width < 0 || *width > kMostCells) return fieldMissing("metadata.size_x");
+  if (!height || *height < 0 || *height > kMostCells) return fieldMissing("metadata.size_y");
+  if (*width == 0 || *height == 0) return tl::unexpected(Fault(fault::RosGridEmpty, {*width, *height}));
+  if (*height > kMostCells / *width) return fieldWrong("metadata.size_y", double(*height));
+  const PoseRead origin = poseOf(info["origin"]);
+  Grid grid;
+  grid.header = headerOf(msg);
+  grid.width = int(*width);
+  grid.height = int(*height);
+  grid.resolution_m = resolutionOf(info);
+  grid.origin = origin.pose.flat();
+  if (const auto why = map::whyUnusable({grid.width, grid.height, grid.resolution_m, grid.origin}))
+    return tl::unexpected(*why);
+  if (origin.upright) grid.notes.push_back(fault::RosTurnIsZero);
+  const auto needed = std::size_t(*width * *height);
+  const auto costs = msg["data"].bytes(needed);
+  if (!costs) return fieldMissing("data");
+  if (costs->size() != needed)
+    return tl::unexpected(
+        Fault(fault::RosLengthDiffers, {"data", std::int64_t(costs->size()), std::int64_t(needed)}));
+  grid.cells.reserve(needed);
+  for (const char cost : *costs) grid.cells.push_back(percentOf(std::uint8_t(cost)));
+  return grid;
+}
+
+}  // namespace
+
 Read<Grid> readGrid(const Field& whole) {
+  if (whole["metadata"].isObject() && !whole["info"].isObject()) return readCostmap(whole);
   const Field msg = whole["info"].isObject() || !whole["map"].isObject() ? whole : whole["map"];
   return readGridOf(msg, kMostCells, EmptyGrids::Refused, OddCells::Unknown);
 }

@@ -28,12 +28,16 @@ struct Rule {
   std::size_t most = 1;
   const char* never = nullptr;  // a part of names with another meaning
 };
+constexpr const char* kRawCostmap = "nav2_msgs/Costmap";
 constexpr Rule kRules[] = {
     {Stream::WholeMap, Form::Grid, "nav_msgs/OccupancyGrid", "map", "/map", true, 1, "costmap"},
     {Stream::CostmapLow, Form::Grid, "nav_msgs/OccupancyGrid", "global_costmap/costmap",
      "/global_costmap/costmap /move_base/global_costmap/costmap"},
     {Stream::CostmapHigh, Form::Grid, "nav_msgs/OccupancyGrid", "local_costmap/costmap",
      "/local_costmap/costmap /move_base/local_costmap/costmap"},
+    // As Nav2 keeps them, where they do not come as grids.
+    {Stream::CostmapLow, Form::Grid, kRawCostmap, "global_costmap/costmap_raw global_costmap/costmap"},
+    {Stream::CostmapHigh, Form::Grid, kRawCostmap, "local_costmap/costmap_raw local_costmap/costmap"},
     {Stream::Path, Form::Path, "nav_msgs/Path", "plan global_plan path", "/plan /move_base/NavfnROS/plan",
      true, 1, "local"},
     {Stream::LocalPath, Form::Path, "nav_msgs/Path", "local_plan local_path", "/local_plan"},
@@ -220,6 +224,10 @@ std::vector<Source> sourcesOf(const std::optional<std::vector<Endpoint>>& found,
   const std::set<std::string> others = robotsBeside(ns, *found);
   std::vector<Source> sources;
   for (const Rule& rule : kRules) {
+    const bool brought = std::any_of(sources.begin(), sources.end(), [&](const Source& source) {
+      return source.stream == rule.stream && source.form == Form::Grid;
+    });
+    if (rule.type == std::string_view(kRawCostmap) && brought) continue;
     using Rank = std::tuple<bool, std::size_t, std::size_t, std::string_view>;
     const std::vector<std::string> tails = namesIn(rule.tails);
     std::vector<std::pair<Rank, const Endpoint*>> fitting;
@@ -251,7 +259,8 @@ std::optional<Form> formFor(Stream stream, const std::string& type) {
     case Stream::WholeMap:
     case Stream::CostmapLow:
     case Stream::CostmapHigh:
-      if (plain == "nav_msgs/OccupancyGrid" || plain == "map_msgs/ProjectedMap") return Form::Grid;
+      if (plain == "nav_msgs/OccupancyGrid" || plain == "map_msgs/ProjectedMap" || plain == kRawCostmap)
+        return Form::Grid;
       break;
     case Stream::Path:
     case Stream::LocalPath:
