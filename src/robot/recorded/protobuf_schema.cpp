@@ -6,12 +6,19 @@
 #include <vector>
 
 #include <QCborStreamWriter>
+#include <google/protobuf/any.pb.h>
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/descriptor.pb.h>
 #include <google/protobuf/descriptor_database.h>
+#include <google/protobuf/duration.pb.h>
 #include <google/protobuf/dynamic_message.h>
+#include <google/protobuf/empty.pb.h>
+#include <google/protobuf/field_mask.pb.h>
 #include <google/protobuf/reflection.h>
+#include <google/protobuf/struct.pb.h>
 #include <google/protobuf/stubs/logging.h>
+#include <google/protobuf/timestamp.pb.h>
+#include <google/protobuf/wrappers.pb.h>
 
 #include "recording/ros_cbor.h"
 #include "robot/recorded/faults.h"
@@ -195,6 +202,26 @@ class CborOut {
   bool too_deep_ = false;
 };
 
+/// Some recorders leave out the definitions that come with protobuf itself.
+void addWellKnown(const pb::FileDescriptorSet& files, pb::SimpleDescriptorDatabase& to) {
+  const pb::FileDescriptor* const own[] = {
+      pb::Any::descriptor()->file(),      pb::Duration::descriptor()->file(),
+      pb::Empty::descriptor()->file(),    pb::FieldMask::descriptor()->file(),
+      pb::Struct::descriptor()->file(),   pb::Timestamp::descriptor()->file(),
+      pb::BoolValue::descriptor()->file()};
+  for (const pb::FileDescriptorProto& file : files.file()) {
+    for (const std::string& wanted : file.dependency()) {
+      pb::FileDescriptorProto made;
+      if (to.FindFileByName(wanted, &made)) continue;
+      for (const pb::FileDescriptor* const known : own) {
+        if (known->name() != wanted) continue;
+        known->CopyTo(&made);
+        to.Add(made);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 /// Each depends on the ones before it.
@@ -228,9 +255,11 @@ tl::expected<ProtobufSchema, Fault> ProtobufSchema::of(const recording::Channel&
     pb::FileDescriptorProto known;
     if (!parts->files.FindFileByName(file.name(), &known)) parts->files.Add(file);
   }
+  addWellKnown(files, parts->files);
   parts->pool = std::make_unique<pb::DescriptorPool>(&parts->files, &parts->errors);
   parts->messages = std::make_unique<pb::DynamicMessageFactory>(parts->pool.get());
-  parts->type = parts->pool->FindMessageTypeByName(channel.schema_name);
+  parts->type = parts->pool->FindMessageTypeByName(
+      channel.schema_name.starts_with('.') ? channel.schema_name.substr(1) : channel.schema_name);
   if (!parts->type) return tl::unexpected(none);
   return ProtobufSchema(std::move(parts));
 }
