@@ -57,7 +57,7 @@ CommandResult<int> bagsReport(RobotCommand& command, const BagsArguments& args) 
         QFileInfo(file).isFile() && !robot::recorded::isRecording(file))
       return wrong(
           Text::tr(
-              "--against %1 is not a recording. Pass a file (.mcap, .bag) or the name of a bag of the robot.")
+              "--against %1 is not a recording. Pass a file (.mcap, .bag, .db3) or the name of a bag of the robot.")
               .arg(words::plainName(other.bag)));
     std::string robot;
     takeRecording(robot, other.bag, address.startsWith(kFileScheme) ? std::string() : args.robot);

@@ -137,9 +137,7 @@ robot::AddressScheme demoAddressScheme() {
 robot::AddressScheme fileScheme() {
   robot::AddressScheme scheme = robot::files::addressScheme();
   scheme.claims = [maps = scheme.claims](const QString& typed) {
-    const QString path = typed.section(QLatin1Char('?'), 0, 0);
-    const bool recording = path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive) ||
-                           path.endsWith(QLatin1String(".bag"), Qt::CaseInsensitive);
+    const bool recording = robot::recorded::hasRecordingName(typed.section(QLatin1Char('?'), 0, 0));
     return maps(typed) || (recording && !typed.contains(QLatin1String("://")));
   };
   return scheme;
@@ -211,10 +209,13 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> makeDemoRobot(const QString
 void takeRecording(std::string& robot, std::string& bag, const std::string& otherwise) {
   if (!robot.empty()) return;
   const QString typed = QString::fromStdString(bag);
+  // A robot's own bags may be called .bag as well.
   const bool is_path =
-      typed.contains(QLatin1Char('/')) || typed.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive);
+      typed.contains(QLatin1Char('/')) || (robot::recorded::hasRecordingName(typed) &&
+                                           !typed.endsWith(QLatin1String(".bag"), Qt::CaseInsensitive));
   // A missing file is opened anyway, so that the error is reported then.
-  if (is_path || (otherwise.empty() && QFileInfo(typed).isFile())) {
+  if (is_path || (otherwise.empty() && (QFileInfo(typed).isFile() ||
+                                        (QFileInfo(typed).isDir() && robot::recorded::isRecording(typed))))) {
     robot = (QStringLiteral("file:") + absolute(typed)).toStdString();
     const auto parsed = knownAddresses().parse(QString::fromStdString(robot));
     bag = robot::recorded::bagNameOf(parsed ? parsed->path : typed);
@@ -225,9 +226,7 @@ void takeRecording(std::string& robot, std::string& bag, const std::string& othe
 
 bool isFileName(const QString& typed) {
   return typed.contains(QLatin1Char('/')) || QFileInfo::exists(typed) ||
-         typed.startsWith(QLatin1String("file:")) ||
-         typed.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive) ||
-         typed.endsWith(QLatin1String(".bag"), Qt::CaseInsensitive);
+         typed.startsWith(QLatin1String("file:")) || robot::recorded::hasRecordingName(typed);
 }
 
 session::Session::Options sessionOptions() {

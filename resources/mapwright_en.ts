@@ -701,6 +701,13 @@
 <context>
     <name>recorded</name>
     <message numerus="yes">
+        <source>It is damaged: after %1 messages no more of it can be read.</source>
+        <translation>
+            <numerusform>It is damaged: after %1 message no more of it can be read.</numerusform>
+            <numerusform>It is damaged: after %1 messages no more of it can be read.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 bytes of it cannot be read (from byte %2 on) and are skipped.</source>
         <translation>
             <numerusform>%1 byte of it cannot be read (at byte %2) and is skipped.</numerusform>

@@ -108,6 +108,12 @@ ByteBuffer packZstd(std::span<const std::uint8_t> bytes, int level) {
   return out;
 }
 
+std::optional<std::uint64_t> zstdContentSize(std::span<const std::uint8_t> packed) {
+  const unsigned long long stated = ZSTD_getFrameContentSize(packed.data(), packed.size());
+  if (stated == ZSTD_CONTENTSIZE_UNKNOWN || stated == ZSTD_CONTENTSIZE_ERROR) return std::nullopt;
+  return stated;
+}
+
 std::uint32_t crc32(std::uint32_t before, std::span<const std::uint8_t> bytes) {
   return libdeflate_crc32(before, bytes.data(), bytes.size());
 }

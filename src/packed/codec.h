@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include <tl/expected.hpp>
@@ -23,6 +24,9 @@ tl::expected<ByteBuffer, UnpackFailure> unpackExactly(Codec codec, std::span<con
 /// A Zstandard frame that states its length. `level` as in zstd: 1 is fast, 19 is small. Empty if there is
 /// not enough memory.
 ByteBuffer packZstd(std::span<const std::uint8_t> bytes, int level);
+
+/// The length that a Zstandard frame states; nullopt: none, or it is no such frame.
+std::optional<std::uint64_t> zstdContentSize(std::span<const std::uint8_t> packed);
 
 /// CRC-32 as in zlib and PNG, incremental: `before` is 0, or the result for the preceding bytes.
 std::uint32_t crc32(std::uint32_t before, std::span<const std::uint8_t> bytes);

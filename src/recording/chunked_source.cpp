@@ -9,6 +9,8 @@
 
 #include <queue>
 
+#include "packed/codec.h"
+
 namespace mapwright::recording {
 namespace {
 
@@ -19,6 +21,23 @@ bool byTime(const ChunkEntry& a, const ChunkEntry& b) {
 }
 
 bool byChannel(const ChannelShare& a, const ChannelShare& b) { return a.channel < b.channel; }
+
+/// rosbag2 can compress messages one by one, and says so in another file only. CDR begins with a zero.
+bool isPackedAlone(const Message& message) {
+  constexpr std::array<std::uint8_t, 4> kZstd{0x28, 0xB5, 0x2F, 0xFD};
+  return message.channel->message_encoding == "cdr" && message.bytes.size() > kZstd.size() &&
+         std::equal(kZstd.begin(), kZstd.end(), message.bytes.begin());
+}
+
+void unpackAlone(Message& message, std::uint64_t most_bytes) {
+  const auto stated = packed::zstdContentSize(message.bytes);
+  if (!stated || *stated > most_bytes) return;
+  auto unpacked = packed::unpackExactly(packed::Codec::Zstd, message.bytes, std::size_t(*stated));
+  if (!unpacked) return;
+  const std::shared_ptr<const std::uint8_t[]> kept(std::move(unpacked->data));
+  message.bytes = {kept.get(), unpacked->size};
+  message.keeps = kept;
+}
 
 /// The channels of a query: all, or those on one of its topics.
 class ChannelChoice {
@@ -416,12 +435,14 @@ void ChunkedSource::findChannels() {
 void ChunkedSource::countChunks() {
   about_.messages = 0;
   about_.messages_of.clear();
+  channels_in_chunks_.clear();
   about_.start_ns.reset();
   about_.end_ns.reset();
   for (const ChunkPlace& chunk : chunks_) {
     for (const ChannelShare& share : chunk.shares) {
       about_.messages += share.count;
       about_.messages_of[share.channel] += share.count;
+      channels_in_chunks_.insert(share.channel);
     }
     if (chunk.first_ns > chunk.last_ns) continue;
     about_.start_ns = std::min(about_.start_ns.value_or(chunk.first_ns), chunk.first_ns);
@@ -434,6 +455,7 @@ Message ChunkedSource::messageAt(const UnpackedChunk& chunk, const ChunkEntry& e
   message.channel = channels_.at(entry.channel);
   message.log_time_ns = entry.log_ns;
   message.keeps = chunk.bytes;
+  if (isPackedAlone(message)) unpackAlone(message, limits_.most_chunk_bytes);
   return message;
 }
 
@@ -448,25 +470,81 @@ const std::vector<std::uint32_t>& ChunkedSource::latestFirst() {
   return latest_first_;
 }
 
-std::optional<ChunkedSource::Found> ChunkedSource::lastOf(std::uint32_t channel, std::int64_t at_ns) {
-  std::optional<Found> best;
-  const std::vector<std::uint32_t> order = latestFirst();  // what is learned below may sort it again
+std::vector<std::uint32_t> ChunkedSource::earliestFirst() const {
+  std::vector<std::uint32_t> order(chunks_.size());
+  for (std::size_t i = 0; i < chunks_.size(); ++i) order[i] = std::uint32_t(i);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(chunks_[a].first_ns, a) < std::tie(chunks_[b].first_ns, b);
+  });
+  return order;
+}
+
+template <typename OnFound>
+void ChunkedSource::outermost(const std::set<std::uint32_t>& channels, bool backwards, std::int64_t at_ns,
+                              OnFound found) {
+  Places best;
+  // Those that are in no chunk would keep the walk from ending early.
+  std::set<std::uint32_t> missing;
+  std::set_intersection(channels.begin(), channels.end(), channels_in_chunks_.begin(),
+                        channels_in_chunks_.end(), std::inserter(missing, missing.end()));
+  std::int64_t farthest = 0;  // of the best ones
+  bool measured = false;
+  const auto better = [&](const Place& a, const Place& b) { return backwards ? b < a : a < b; };
+  // What is learned below may sort it again.
+  const std::vector<std::uint32_t> order = backwards ? latestFirst() : earliestFirst();
   for (const std::uint32_t i : order) {
     const ChunkPlace& place = chunks_[i];
-    if (place.first_ns > place.last_ns || place.first_ns > at_ns) continue;
-    if (best && best->order.first > std::min(place.last_ns, at_ns)) break;
-    if (place.channels_known && place.shareOf(channel) == nullptr) continue;
+    if (place.first_ns > place.last_ns || (backwards && place.first_ns > at_ns)) continue;
+    const std::int64_t edge = backwards ? std::min(place.last_ns, at_ns) : place.first_ns;
+    const auto mayImprove = [&](std::uint32_t channel) {
+      if (!channels.contains(channel)) return false;
+      const auto known = best.find(channel);
+      return known == best.end() || !(backwards ? known->second.log_ns > edge : known->second.log_ns < edge);
+    };
+    if (missing.empty()) {
+      if (!std::exchange(measured, true)) {
+        farthest = edge;
+        for (const auto& [channel, at] : best)
+          farthest = backwards ? std::min(farthest, at.log_ns) : std::max(farthest, at.log_ns);
+      }
+      if (backwards ? farthest > edge : farthest < edge) break;
+    }
+    std::size_t open = std::numeric_limits<std::size_t>::max();  // channels to be found in this chunk
+    if (place.channels_known) {
+      open = std::size_t(std::count_if(place.shares.begin(), place.shares.end(),
+                                       [&](const ChannelShare& share) { return mayImprove(share.channel); }));
+      if (open == 0) continue;
+    }
     const UnpackedPtr chunk = unpacked(i);
     const auto& entries = chunk->entries;
-    auto at =
+    const auto past =
         std::upper_bound(entries.begin(), entries.end(), at_ns,
                          [](std::int64_t time, const ChunkEntry& entry) { return time < entry.log_ns; });
-    while (at != entries.begin() && std::prev(at)->channel != channel) --at;
-    if (at == entries.begin()) continue;
-    const std::pair found(std::prev(at)->log_ns, std::size_t(i));
-    if (!best || found > best->order) best = Found{found, messageAt(*chunk, *std::prev(at))};
+    const std::size_t count = backwards ? std::size_t(past - entries.begin()) : entries.size();
+    std::set<std::uint32_t> seen;
+    for (std::size_t n = 0; n < count && open > 0; ++n) {
+      const std::size_t at = backwards ? count - 1 - n : n;
+      const std::uint32_t channel = entries[at].channel;
+      if (!mayImprove(channel) || !seen.insert(channel).second) continue;
+      --open;
+      const Place here{entries[at].log_ns, i, at};
+      const auto [known, is_new] = best.try_emplace(channel, here);
+      if (!is_new && !better(here, known->second)) continue;
+      known->second = here;
+      measured = false;
+      missing.erase(channel);
+      found(channel, here, *chunk);
+    }
   }
-  return best;
+}
+
+std::map<std::uint32_t, std::int64_t> ChunkedSource::outermostTimes(const std::set<std::uint32_t>& channels,
+                                                                    bool last) {
+  std::map<std::uint32_t, std::int64_t> times;
+  outermost(
+      channels, last, std::numeric_limits<std::int64_t>::max(),
+      [&](std::uint32_t channel, const Place& at, const UnpackedChunk&) { times[channel] = at.log_ns; });
+  return times;
 }
 
 std::vector<Packing> ChunkedSource::packing() const {
@@ -487,22 +565,23 @@ std::vector<Packing> ChunkedSource::packing() const {
 
 std::vector<Message> ChunkedSource::lastBefore(std::int64_t at_ns, const std::vector<std::string>& topics) {
   const ChannelChoice choice(topics);
+  std::set<std::uint32_t> wanted;
+  for (const auto& [id, channel] : channels_) {
+    if (choice.takes(*channel)) wanted.insert(id);
+  }
+  std::map<std::uint32_t, std::pair<Place, Message>> of_channel;
+  outermost(wanted, true, at_ns, [&](std::uint32_t channel, const Place& at, const UnpackedChunk& chunk) {
+    of_channel[channel] = {at, messageAt(chunk, chunk.entries[at.entry])};
+  });
   // Of channels that share a topic, the one that messages() would give last.
-  std::map<std::string, Found> of_topic;
-  for (const auto& [id, channel] : std::map(channels_)) {
-    if (!choice.takes(*channel)) continue;
-    std::optional<Found> found = lastOf(id, at_ns);
-    if (!found) continue;
-    const auto held = of_topic.find(channel->topic);
-    if (held == of_topic.end()) {
-      of_topic.emplace(channel->topic, std::move(*found));
-    } else if (std::tuple(held->second.order, held->second.message.bytes.data()) <
-               std::tuple(found->order, found->message.bytes.data())) {
-      held->second = std::move(*found);
-    }
+  std::map<std::string, std::pair<Place, Message>> of_topic;
+  for (auto& [id, found] : of_channel) {
+    auto& held = of_topic[found.second.channel->topic];
+    if (!held.second.channel || held.first < found.first) held = std::move(found);
   }
   std::vector<Message> messages;
-  for (auto& [topic, held] : of_topic) messages.push_back(std::move(held.message));
+  messages.reserve(of_topic.size());
+  for (auto& [topic, held] : of_topic) messages.push_back(std::move(held.second));
   return messages;
 }
 
@@ -519,12 +598,6 @@ Opened openRecording(std::unique_ptr<Bytes> bytes, const Limits& limits) {
     if (looksLikeBag(there)) return openBag(std::move(bytes), limits);
   }
   return tl::unexpected(Failure{Failure::Code::NotOne, {}});
-}
-
-Opened openRecording(const std::string& path, const Limits& limits) {
-  auto bytes = fileBytes(path);
-  if (!bytes) return tl::unexpected(Failure{Failure::Code::File, std::move(bytes.error())});
-  return openRecording(std::move(*bytes), limits);
 }
 
 }  // namespace mapwright::recording

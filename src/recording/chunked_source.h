@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -67,6 +68,8 @@ class ChunkedSource : public Source {
   std::vector<ChannelPtr> channels() const override;
   std::unique_ptr<Cursor> messages(const Query& query) override;
   std::vector<Message> lastBefore(std::int64_t at_ns, const std::vector<std::string>& topics) override;
+  std::map<std::uint32_t, std::int64_t> outermostTimes(const std::set<std::uint32_t>& channels,
+                                                       bool last) override;
   std::vector<Packing> packing() const override;
   const std::vector<AttachmentPlace>& attachments() const override { return attachments_; }
   const std::vector<Metadata>& metadata() const override { return metadata_; }
@@ -128,11 +131,13 @@ class ChunkedSource : public Source {
 
  private:
   friend class ChunkCursor;
-  /// A message with its place in the order of messages: log time, chunk.
-  struct Found {
-    std::pair<std::int64_t, std::size_t> order;
-    Message message;
+  /// A message by its place in the order of messages.
+  struct Place {
+    std::int64_t log_ns = 0;
+    std::size_t chunk = 0, entry = 0;
+    auto operator<=>(const Place&) const = default;
   };
+  using Places = std::unordered_map<std::uint32_t, Place>;  // by channel
   struct Held {
     std::size_t chunk = 0;
     UnpackedPtr unpacked;
@@ -143,12 +148,18 @@ class ChunkedSource : public Source {
   void forgetOrder();
   void dropUnknown(UnpackedChunk& chunk, std::uint64_t offset);
   void learn(ChunkPlace& place, const UnpackedChunk& unpacked);
-  std::optional<Found> lastOf(std::uint32_t channel, std::int64_t at_ns);
+  /// The first of each of these channels, or (backwards) the last at or before `at_ns`. All of them in one
+  /// walk over the chunks: there may be as many channels as messages. `found` is called for each, before its
+  /// chunk is forgotten; again where a better one turns up.
+  template <typename OnFound>
+  void outermost(const std::set<std::uint32_t>& channels, bool backwards, std::int64_t at_ns, OnFound found);
   const std::vector<std::uint32_t>& latestFirst();
+  std::vector<std::uint32_t> earliestFirst() const;
   Message messageAt(const UnpackedChunk& chunk, const ChunkEntry& entry) const;
 
   std::vector<ChunkPlace> chunks_;  // in file order
   std::map<std::uint32_t, ChannelPtr> channels_;
+  std::set<std::uint32_t> channels_in_chunks_;
   bool indexes_follow_ = false;              // the preceding records were a chunk and its message indexes
   std::vector<std::uint32_t> latest_first_;  // chunks by last_ns; empty: not sorted yet
 

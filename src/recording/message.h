@@ -82,6 +82,9 @@ enum class NoteCode : std::uint8_t {
   TimeUnusable,       // messages with an invalid log time: after the year 2261
   AttachmentCorrupt,  // wrong checksum, or cut off: `name`
   Unreadable,         // the disk could not read it
+  TableDamaged,  // a database whose table of messages cannot be read to its end; `count` messages were read
+  FileMissing,   // a recording of several files lacks one, or one that cannot be read: `name`
+  Unpacked,      // it was compressed as a whole (`name`: how), and has `count` bytes
 };
 
 /// How often, and where first.
@@ -107,10 +110,11 @@ class Notes {
 /// Why a recording cannot be opened at all.
 struct Failure {
   enum class Code : std::uint8_t {
-    File,       // `file` says it
-    NotOne,     // neither MCAP nor a bag, or too short to tell
-    Version,    // another major version of MCAP, or a bag before 2.0
-    Encrypted,  // a bag whose chunks are encrypted
+    File,         // `file` says it
+    NotOne,       // neither MCAP nor a bag, or too short to tell
+    NotUnpacked,  // compressed as a whole, and damaged or too large to be unpacked
+    Version,      // another major version of MCAP, or a bag before 2.0
+    Encrypted,    // a bag whose chunks are encrypted
   };
   Code code = Code::File;
   disk::FileError file;

@@ -4,9 +4,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +26,7 @@ struct Limits {
   std::uint64_t most_record_bytes = std::uint64_t(64)
                                     << 20;          // of a schema, a channel, metadata; the index: 16 times
   std::size_t held_bytes = std::size_t(256) << 20;  // unpacked chunks kept for reuse
+  std::uint64_t most_unpacked_bytes = std::uint64_t(64) << 30;  // of a file that is compressed as a whole
 };
 
 /// The messages from first_ns to last_ns, both inclusive, on these topics (none = all).
@@ -61,7 +65,11 @@ class Source {
   /// give last. Only chunks that may hold one are unpacked.
   virtual std::vector<Message> lastBefore(std::int64_t at_ns, const std::vector<std::string>& topics) = 0;
 
-  /// "MCAP", "ROS bag 2.0".
+  /// The log time of the first or last message of each of these channels; without messages it is left out.
+  virtual std::map<std::uint32_t, std::int64_t> outermostTimes(const std::set<std::uint32_t>& channels,
+                                                               bool last) = 0;
+
+  /// "MCAP", "ROS bag 2.0", "SQLite (rosbag2)".
   virtual std::string format() const = 0;
   /// From the headers of the chunks, all of which are read. Does not include messages outside of chunks.
   virtual std::vector<Packing> packing() const = 0;
@@ -77,11 +85,17 @@ class Source {
 
 using Opened = tl::expected<std::unique_ptr<Source>, Failure>;
 
+/// True: whatever is being read ends now, as if the disk failed.
+using Stop = std::function<bool()>;
+
 /// How many of a file's first bytes tell whether it is a recording.
 inline constexpr std::size_t kLookedAt = 16;
 bool looksLikeRecording(std::span<const std::uint8_t> start);
-/// Detects the format from the first bytes.
-Opened openRecording(const std::string& path, const Limits& limits = {});
+/// A folder with a metadata.yaml of rosbag2, or that file.
+bool isRosbagFolder(const std::string& path);
+/// A file: the format is detected from the first bytes. Compressed with Zstandard as a whole, it is unpacked
+/// to a temporary file first, which is noted. A folder (isRosbagFolder()): its files, one after the other.
+Opened openRecording(const std::string& path, const Limits& limits = {}, Stop stop = {});
 Opened openRecording(std::unique_ptr<Bytes> bytes, const Limits& limits = {});
 
 }  // namespace mapwright::recording

@@ -18,6 +18,7 @@ class TestMcap : public QObject {
   void backwardsIsForwardsTurnedRound();
   void onlyChosenTopicsCome();
   void theLastBeforeATimeIsTheOneThatPlayingGives();
+  void theOutermostOfEachChannelAreFound();
   void topicsThatShareANameAreOneTopic();
   void messagesOutsideOfChunksAreFound();
   void messagesStayWhenTheSourceIsGone();
@@ -141,6 +142,43 @@ void TestMcap::theLastBeforeATimeIsTheOneThatPlayingGives() {
       QCOMPARE(found.size(), expected.size());
       for (const Row& row : found) QCOMPARE(row == expected[row.topic], true);
       QCOMPARE(lastRows(**opened, at, {"/map"}).size(), expected.count("/map"));
+    }
+  }
+}
+
+void TestMcap::theOutermostOfEachChannelAreFound() {
+  for (unsigned seed = 40; seed < 60; ++seed) {
+    // Many channels, most of them in few chunks, and none at all on one.
+    std::mt19937 random(seed);
+    const auto bytes = std::make_shared<std::string>();
+    WriterOptions options;
+    options.chunk_bytes = std::size_t(1) << 30;
+    options.chunk_ns = std::numeric_limits<std::int64_t>::max();
+    const auto writer = writerInto(bytes, options);
+    std::map<std::uint32_t, std::vector<std::int64_t>> times;
+    std::vector<ChannelId> ids;
+    for (int i = 0; i < 30; ++i) ids.push_back(*writer->addChannel(channelOf("/t" + std::to_string(i))));
+    for (std::int64_t i = 0; i < 400; ++i) {
+      const ChannelId id = ids[std::min<std::size_t>(random() % 29, random() % 29)];
+      const std::int64_t at = i * 10 + std::int64_t(random() % 300);
+      writer->write(id, {at, at, 0}, bytesOf("x"));
+      times[id].push_back(at);
+      if (random() % 20 == 0) writer->flush();
+    }
+    writer->close();
+    const Opened opened = openRecording(heldBytes(bytes));
+    std::set<std::uint32_t> wanted;
+    for (const ChannelId id : ids) {
+      if (random() % 2 == 0) wanted.insert(id);
+    }
+    for (const bool last : {false, true}) {
+      std::map<std::uint32_t, std::int64_t> expected;
+      for (const auto& [id, all] : times) {
+        if (wanted.contains(id))
+          expected[id] =
+              last ? *std::max_element(all.begin(), all.end()) : *std::min_element(all.begin(), all.end());
+      }
+      QVERIFY((*opened)->outermostTimes(wanted, last) == expected);
     }
   }
 }

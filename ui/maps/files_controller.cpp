@@ -50,7 +50,7 @@ void FilesController::open(const QString& path) {
     placing_.place(path, tr("Open"), [this](const QString& address) { Q_EMIT addressWanted(address); });
   } else {
     refuse(tr("%1 is neither a map nor a recording. Choose a map.yaml, a picture (PNG, PGM, BMP), overlays "
-              "(GeoJSON), an MCAP file or a bag.")
+              "(GeoJSON), an MCAP file or a bag (.bag, .db3).")
                .arg(info.fileName().left(120)));
   }
 }

@@ -33,7 +33,10 @@ QString exact(double value) { return QString::number(value, 'g', 15); }
 
 bool isMapYaml(const QString& path) { return endsWithAny(path, {".yaml", ".yml"}); }
 bool isBarePicture(const QString& path) { return endsWithAny(path, {".png", ".pgm", ".bmp"}); }
-bool isRecordingFile(const QString& path) { return endsWithAny(path, {".mcap", ".bag"}); }
+bool isRecordingFile(const QString& path) {
+  return endsWithAny(path, {".mcap", ".bag", ".db3", ".mcap.zstd", ".bag.zstd", ".db3.zstd", ".mcap.zst",
+                            ".bag.zst", ".db3.zst"});
+}
 bool isOverlayFile(const QString& path) { return endsWithAny(path, {".geojson"}); }
 
 QString fileAddress(const QString& path, const std::optional<PicturePlacement>& placement) {
@@ -59,9 +62,10 @@ QString droppedMap(const QList<QUrl>& urls) {
 QString mapFileFilter() {
   return QCoreApplication::translate(
       "window",
-      "Maps and recordings (*.yaml *.yml *.png *.pgm *.bmp *.geojson *.mcap *.bag *.YAML *.PNG *.PGM *.BMP);;"
+      "Maps and recordings (*.yaml *.yml *.png *.pgm *.bmp *.geojson *.mcap *.bag *.db3 *.zstd *.YAML *.PNG "
+      "*.PGM *.BMP);;"
       "ROS maps (*.yaml *.yml);;Pictures (*.png *.pgm *.bmp);;Overlays (*.geojson);;Recordings (*.mcap "
-      "*.bag);;"
+      "*.bag *.db3 *.zstd metadata.yaml);;"
       "All files (*)");
 }
 

@@ -12,7 +12,7 @@ using namespace mapwright::fault;  // what all rooms share
 inline constexpr FaultCode RecordingNotOpened{
     "recorded", QT_TRANSLATE_NOOP("recorded", "The recording %1 cannot be opened")};
 inline constexpr FaultCode RecordingIsNone{
-    "recorded", QT_TRANSLATE_NOOP("recorded", "It is neither an MCAP file nor a ROS 1 bag.")};
+    "recorded", QT_TRANSLATE_NOOP("recorded", "It is neither an MCAP file nor a bag of ROS 1 or ROS 2.")};
 inline constexpr FaultCode RecordingOfOtherVersion{
     "recorded",
     QT_TRANSLATE_NOOP(
@@ -118,6 +118,21 @@ inline constexpr FaultCode RecordingFileInItCorrupt{
 /// place
 inline constexpr FaultCode RecordingNotReadByDisk{
     "recorded", QT_TRANSLATE_NOOP("recorded", "The disk cannot read it at byte %1.")};
+/// how many
+inline constexpr FaultCode RecordingTableDamaged{
+    "recorded",
+    QT_TRANSLATE_N_NOOP("recorded", "It is damaged: after %1 messages no more of it can be read.")};
+/// the name of the file
+inline constexpr FaultCode RecordingPartMissing{
+    "recorded",
+    QT_TRANSLATE_NOOP("recorded", "Its file %1 is missing or cannot be read. The others are played.")};
+inline constexpr FaultCode RecordingUnpacked{
+    "recorded",
+    QT_TRANSLATE_NOOP("recorded",
+                      "It is compressed as a whole (zstd), so it was unpacked to a temporary file.")};
+inline constexpr FaultCode RecordingNotUnpacked{
+    "recorded",
+    QT_TRANSLATE_NOOP("recorded", "It is compressed (zstd), and damaged or too large to be unpacked.")};
 
 // Messages in recordings.
 /// type
@@ -141,6 +156,11 @@ inline constexpr FaultCode RosEncodingUnknown{
     "recorded",
     QT_TRANSLATE_NOOP("recorded",
                       "Messages with encoding \"%1\" and definitions in \"%2\" are not supported.")};
+/// encoding
+inline constexpr FaultCode MessageEncodingUnknown{
+    "recorded",
+    QT_TRANSLATE_NOOP("recorded",
+                      "Messages with encoding \"%1\" are not supported, only their bytes are shown.")};
 /// encoding
 inline constexpr FaultCode RosMessageOtherwise{
     "recorded", QT_TRANSLATE_NOOP(

@@ -5,12 +5,12 @@
 #include <tuple>
 #include <utility>
 
-#include <QFileInfo>
 #include <QThread>
 
 #include "recorder/layout.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_topics.h"
+#include "robot/recorded/recorded_robot.h"
 #include "robot/recorded/recording_reasons.h"
 #include "robot/wire/failures.h"
 
@@ -20,23 +20,9 @@ namespace {
 constexpr map::Stream kLastStream = map::Stream::GlobalPositioning;
 
 /// Nothing more can be read once the thread is asked to stop: any operation ends.
-class StoppableBytes final : public recording::Bytes {
- public:
-  explicit StoppableBytes(std::unique_ptr<recording::Bytes> bytes) : bytes_(std::move(bytes)) {}
-  std::uint64_t size() const override { return bytes_->size(); }
-  bool read(std::span<std::uint8_t> out, std::uint64_t at) const override {
-    return !QThread::currentThread()->isInterruptionRequested() && bytes_->read(out, at);
-  }
-
- private:
-  std::unique_ptr<recording::Bytes> bytes_;
-};
-
 recording::Opened opened(const RecordedOptions& options) {
-  auto bytes = recording::fileBytes(options.path.toStdString());
-  if (!bytes)
-    return tl::unexpected(recording::Failure{recording::Failure::Code::File, std::move(bytes.error())});
-  return recording::openRecording(std::make_unique<StoppableBytes>(std::move(*bytes)), options.limits);
+  return recording::openRecording(options.path.toStdString(), options.limits,
+                                  [] { return QThread::currentThread()->isInterruptionRequested(); });
 }
 
 std::string listOf(const std::vector<std::string>& names) {
@@ -75,9 +61,7 @@ RecordedFile::Parts::Parts(std::unique_ptr<recording::Source> source, const ros:
 RecordedFile::RecordedFile(RecordedOptions options) : options_(std::move(options)) {}
 RecordedFile::~RecordedFile() = default;
 
-BagKey RecordedFile::ownKey() const {
-  return {BagKind::File, QFileInfo(options_.path).fileName().toStdString()};
-}
+BagKey RecordedFile::ownKey() const { return {BagKind::File, bagNameOf(options_.path)}; }
 
 bool RecordedFile::ready() {
   if (parts_) return true;
@@ -214,17 +198,19 @@ RecordingFacts RecordedFile::facts() const {
     topics.insert(QString::fromStdString(channel->topic));
     frames = true;
   }
+  // There may be many thousands.
+  std::set<std::pair<map::Stream, std::string>> brought;
+  std::set<std::string> understood;
   for (const ros::Source& source : parts_->shape.sources) {
-    QStringList& of = facts.streams[source.stream];
     const QString topic = QString::fromStdString(source.topic);
-    if (!of.contains(topic)) of << topic;
-    if (!facts.topics.contains(topic)) facts.topics << topic;
+    if (brought.emplace(source.stream, source.topic).second) facts.streams[source.stream] << topic;
+    if (understood.insert(source.topic).second) facts.topics << topic;
   }
+  std::set<std::pair<std::string, std::string>> offered;
   for (const recording::ChannelPtr& channel : parts_->file->channels()) {
-    const OfferedTopic topic{QString::fromStdString(channel->topic),
-                             QString::fromStdString(channel->schema_name)};
-    if (std::find(facts.offered.begin(), facts.offered.end(), topic) == facts.offered.end())
-      facts.offered.push_back(topic);
+    if (offered.emplace(channel->topic, channel->schema_name).second)
+      facts.offered.push_back(
+          {QString::fromStdString(channel->topic), QString::fromStdString(channel->schema_name)});
   }
   for (int stream = 0; stream <= int(kLastStream); ++stream) {
     for (const std::string& name : ros::choicesFor(map::Stream(stream), parts_->shape.found))
@@ -294,34 +280,43 @@ Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
   return info;
 }
 
-std::optional<double> RecordedFile::rateOf(const Form& form,
-                                           const std::map<std::uint32_t, std::uint64_t>& counts) {
-  const auto isOf = [&](const recording::Channel& channel) {
-    return Form(channel.topic, channel.schema_name, channel.message_encoding) == form &&
-           !channel.metadata.contains(recorder::kSaid);
-  };
-  std::uint64_t messages = 0;
-  for (const recording::ChannelPtr& channel : parts_->file->channels()) {
-    const auto count = counts.find(channel->id);
-    if (isOf(*channel) && count != counts.end()) messages += count->second;
+std::map<RecordedFile::Form, double> RecordedFile::rates(
+    const std::map<std::uint32_t, std::uint64_t>& counts) {
+  std::set<std::uint32_t> own, is_new;
+  const std::vector<recording::ChannelPtr> channels = parts_->file->channels();
+  for (const recording::ChannelPtr& channel : channels) {
+    if (channel->metadata.contains(recorder::kSaid)) continue;
+    own.insert(channel->id);
+    // A followed file is checked frequently: the first message stays the first.
+    if (!first_of_.contains(channel->id)) is_new.insert(channel->id);
   }
-  if (messages < 2) return std::nullopt;
-  const auto outermost = [&](bool backwards) -> std::optional<std::int64_t> {
-    recording::Query query;
-    query.topics = {std::get<0>(form)};
-    query.backwards = backwards;
-    const auto cursor = parts_->file->messages(query);
-    while (const auto message = cursor->next()) {
-      if (isOf(*message->channel)) return message->log_time_ns;
-    }
-    return std::nullopt;
+  first_of_.merge(parts_->file->outermostTimes(is_new, false));
+  const std::map<std::uint32_t, std::int64_t> last_of = parts_->file->outermostTimes(own, true);
+  struct Span {
+    std::uint64_t messages = 0;
+    std::int64_t first_ns = 0, last_ns = 0;
   };
-  // A followed file is checked frequently: the first message stays the first.
-  const auto [first, is_new] = first_of_.try_emplace(form);
-  if (is_new) first->second = outermost(false);
-  const std::optional<std::int64_t> last = outermost(true);
-  if (!first->second || !last || *last <= *first->second) return std::nullopt;
-  return double(messages - 1) / recording::secondsOf(*last - *first->second);
+  std::map<Form, Span> spans;
+  for (const recording::ChannelPtr& channel : channels) {
+    const auto count = counts.find(channel->id);
+    const auto first = first_of_.find(channel->id);
+    const auto last = last_of.find(channel->id);
+    if (count == counts.end() || first == first_of_.end() || last == last_of.end()) continue;
+    const auto at = spans
+                        .try_emplace(Form(channel->topic, channel->schema_name, channel->message_encoding),
+                                     Span{0, first->second, last->second})
+                        .first;
+    Span& span = at->second;
+    span.messages += count->second;
+    span.first_ns = std::min(span.first_ns, first->second);
+    span.last_ns = std::max(span.last_ns, last->second);
+  }
+  std::map<Form, double> rates;
+  for (const auto& [form, span] : spans) {
+    if (span.messages < 2 || span.last_ns <= span.first_ns) continue;
+    rates[form] = double(span.messages - 1) / recording::secondsOf(span.last_ns - span.first_ns);
+  }
+  return rates;
 }
 
 void RecordedFile::tellContent(BagInfo& info, const recording::Summary& summary) {
@@ -332,9 +327,12 @@ void RecordedFile::tellContent(BagInfo& info, const recording::Summary& summary)
     topics[{channel->topic, channel->schema_name, channel->message_encoding}] +=
         count == counts.end() ? 0 : std::int64_t(count->second);
   }
+  const std::map<Form, double> rate_of = rates(counts);
   for (const auto& [topic, messages] : topics) {
     const auto& [name, type, encoding] = topic;
-    info.topics.push_back({name, type, encoding, messages, rateOf(topic, counts)});
+    const auto rate = rate_of.find(topic);
+    info.topics.push_back(
+        {name, type, encoding, messages, rate == rate_of.end() ? std::nullopt : std::optional(rate->second)});
   }
   info.robots = parts_->robots;
   info.format = parts_->file->format();

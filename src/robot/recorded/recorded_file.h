@@ -95,7 +95,7 @@ class RecordedFile : public QObject {
   /// The number of messages of each topic, and how they are stored.
   void tellContent(BagInfo& info, const recording::Summary& summary);
   using Form = std::tuple<std::string, std::string, std::string>;  // topic, type, encoding
-  std::optional<double> rateOf(const Form& form, const std::map<std::uint32_t, std::uint64_t>& counts);
+  std::map<Form, double> rates(const std::map<std::uint32_t, std::uint64_t>& counts);
   void proceed(const std::shared_ptr<Job>& job);
 
   RecordedOptions options_;
@@ -105,8 +105,8 @@ class RecordedFile : public QObject {
   std::optional<BagInfo> told_info_;  // of the file's last state
   bool info_is_old_ = false;          // the file has grown since
   std::optional<std::int64_t> counted_until_ns_;
-  std::map<std::uint32_t, std::uint64_t> counted_of_;     // by channel, if the file does not say
-  std::map<Form, std::optional<std::int64_t>> first_of_;  // when the first message arrived
+  std::map<std::uint32_t, std::uint64_t> counted_of_;  // by channel, if the file does not say
+  std::map<std::uint32_t, std::int64_t> first_of_;     // by channel: when its first message arrived
   std::set<std::string> told_;
   std::size_t told_untimed_ = 0;
   bool told_interrupted_ = false;

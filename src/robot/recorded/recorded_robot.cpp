@@ -1,7 +1,9 @@
 #include "robot/recorded/recorded_robot.h"
 
+#include <cstring>
 #include <utility>
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
@@ -23,10 +25,20 @@ map::Failure onlyRead(map::Subject subject) {
 
 }  // namespace
 
+bool hasRecordingName(const QString& path) {
+  QString name = path.toLower();
+  for (const char* const packed : {".zstd", ".zst"}) {
+    if (name.endsWith(QLatin1String(packed))) name.chop(qsizetype(std::strlen(packed)));
+  }
+  return name.endsWith(QLatin1String(".mcap")) || name.endsWith(QLatin1String(".bag")) ||
+         name.endsWith(QLatin1String(".db3"));
+}
+
 bool isRecording(const QString& path) {
   const QFileInfo info(path);
-  const QString suffix = info.suffix().toLower();
-  if (suffix == QLatin1String("mcap") || suffix == QLatin1String("bag")) return !info.isDir();
+  if (info.isDir() || info.fileName() == QLatin1String("metadata.yaml"))
+    return recording::isRosbagFolder(path.toStdString());
+  if (hasRecordingName(path)) return true;
   // Opening a pipe would block.
   if (!info.isFile()) return false;
   QFile file(path);
@@ -36,7 +48,13 @@ bool isRecording(const QString& path) {
       {reinterpret_cast<const std::uint8_t*>(start.constData()), std::size_t(start.size())});
 }
 
-std::string bagNameOf(const QString& path) { return QFileInfo(path).fileName().toStdString(); }
+std::string bagNameOf(const QString& path) {
+  const QFileInfo info(QDir::cleanPath(path));
+  // The folder is the recording.
+  if (info.fileName() == QLatin1String("metadata.yaml"))
+    return QFileInfo(info.absolutePath()).fileName().toStdString();
+  return info.fileName().toStdString();
+}
 
 Call Library::list(OutcomeTo<std::vector<BagEntry>> reply) {
   return file_.ask(wire::kBagList, std::move(reply), &RecordedFile::bags);
@@ -92,7 +110,7 @@ RecordedRobot::RecordedRobot(QString address, RecordedOptions options, QObject* 
   qRegisterMetaType<map::Problem>();
   qRegisterMetaType<map::Recovery>();
   identity_.model = tr("Recording");
-  identity_.name = QFileInfo(options.path).fileName();
+  identity_.name = QString::fromStdString(bagNameOf(options.path));
   file_->moveToThread(&thread_);
   thread_.setObjectName(QStringLiteral("recording"));
   connect(&thread_, &QThread::finished, file_, &QObject::deleteLater);

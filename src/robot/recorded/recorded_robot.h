@@ -1,5 +1,6 @@
-// A recording behind the port: an MCAP file, or a ROS 1 bag. It has one bag, itself (BagKind::File), and the
-// data stored besides its messages. It sends nothing live: replay::ReplayRobot plays it.
+// A recording behind the port: an MCAP file, or a bag of ROS 1 or ROS 2. It has one bag, itself
+// (BagKind::File), and the data stored besides its messages. It sends nothing live: replay::ReplayRobot plays
+// it.
 #pragma once
 
 #include <QThread>
@@ -12,7 +13,10 @@
 
 namespace mapwright::robot::recorded {
 
-/// Whether `path` is a recording, by its extension (.mcap, .bag) or its first bytes.
+/// Whether it is called like a recording: .mcap, .bag, .db3, also compressed (.mcap.zstd).
+bool hasRecordingName(const QString& path);
+/// Whether `path` is a recording, by its name or its first bytes; also a folder that rosbag2 has recorded
+/// into.
 bool isRecording(const QString& path);
 /// The name of its bag.
 std::string bagNameOf(const QString& path);

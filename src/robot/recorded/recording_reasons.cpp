@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kBrokeOff = "broke_off_ns";
 
 /// Which arguments the fault of a note has.
-enum class Says { Nothing, Place, CountAndPlace, CountPlaceAndName, Name };
+enum class Says { Nothing, Place, Count, CountAndPlace, CountPlaceAndName, Name };
 struct NoteFault {
   recording::NoteCode note;
   FaultCode fault;
@@ -41,7 +41,10 @@ constexpr NoteFault kNoteFaults[] = {
     {Code::UnknownChannel, fault::RecordingChannelsUnknown, Says::CountAndPlace, true},
     {Code::ChannelChanged, fault::RecordingChannelsChanged, Says::CountAndPlace, false},
     {Code::AttachmentCorrupt, fault::RecordingFileInItCorrupt, Says::Name, true},
-    {Code::Unreadable, fault::RecordingNotReadByDisk, Says::Place, true}};
+    {Code::Unreadable, fault::RecordingNotReadByDisk, Says::Place, true},
+    {Code::TableDamaged, fault::RecordingTableDamaged, Says::Count, true},
+    {Code::FileMissing, fault::RecordingPartMissing, Says::Name, true},
+    {Code::Unpacked, fault::RecordingUnpacked, Says::Nothing, false}};
 
 std::optional<std::int64_t> numberIn(const recording::Values& values, const char* name) {
   const auto found = values.find(name);
@@ -70,6 +73,8 @@ Fault reasonOf(const recording::Note& note) {
         return one.fault;
       case Says::Place:
         return {one.fault, {place}};
+      case Says::Count:
+        return {one.fault, {count}};
       case Says::CountAndPlace:
         return {one.fault, {count, place}};
       case Says::CountPlaceAndName:
@@ -90,6 +95,7 @@ bool isLoss(recording::NoteCode code) {
 Fault reasonOf(const recording::Failure& failure) {
   using Why = recording::Failure::Code;
   if (failure.code == Why::NotOne) return fault::RecordingIsNone;
+  if (failure.code == Why::NotUnpacked) return fault::RecordingNotUnpacked;
   if (failure.code == Why::Version) return fault::RecordingOfOtherVersion;
   if (failure.code == Why::Encrypted) return fault::RecordingEncrypted;
   return {fault::RecordingNotOpened, {failure.file.path}, {failure.file.cause}};
