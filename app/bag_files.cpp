@@ -2,6 +2,7 @@
 // merged.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -177,8 +178,8 @@ auto notOpened(const Fault& why) { return wrong(sentences::sentenceOf(why)); }
 CommandResult<std::string> recordingFrom(const BagsArguments& args) {
   const auto parsed = knownAddresses().parse(text(args.robot));
   if (!parsed || parsed->path.isEmpty())
-    return wrong(
-        Text::tr("%1 is not a recording on this computer. Pass a file (.mcap, .bag).").arg(text(args.name)));
+    return wrong(Text::tr("%1 is not a recording on this computer. Pass a file (.mcap, .bag, .db3).")
+                     .arg(text(args.name)));
   return parsed->path.toStdString();
 }
 
@@ -252,21 +253,38 @@ CommandResult<int> bagsSplit(RobotCommand&, const BagsArguments& args) {
   auto slicing = excerpt::Slicing::open(*path);
   if (!slicing) return notOpened(slicing.error());
   const double every_ns = args.every_s * 1e9;
-  const double parts = std::floor(double(summary.durationNs()) / every_ns) + 1;
-  if (parts > double(kMostParts))
-    return wrong(Text::tr("That would be more than %1 parts. Choose a longer --every.").arg(kMostParts));
+  // A clock that was set may leave fifty years between two messages; parts without any are left out.
+  std::vector<std::int64_t> parts;
+  const auto startOf = [&](std::int64_t part) {
+    const double after_ns = std::round(double(part) * every_ns);
+    constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+    return after_ns >= double(kNever - *summary.start_ns) ? kNever
+                                                          : *summary.start_ns + std::int64_t(after_ns);
+  };
+  for (std::optional<std::int64_t> at_ns = summary.start_ns; at_ns;) {
+    std::int64_t part = std::int64_t(std::floor(double(*at_ns - *summary.start_ns) / every_ns));
+    if (startOf(part + 1) <= *at_ns) ++part;  // rounded
+    if (startOf(part) > *at_ns) --part;
+    parts.push_back(part);
+    if (std::int64_t(parts.size()) > kMostParts)
+      return wrong(Text::tr("That would be more than %1 parts. Choose a longer --every.").arg(kMostParts));
+    recording::Query later;
+    later.first_ns = startOf(part + 1);
+    if (later.first_ns <= *at_ns) break;
+    const auto next = (*opened)->messages(later)->next();
+    at_ns = next ? std::optional(next->log_time_ns) : std::nullopt;
+  }
   excerpt::Written all;
   QStringList files;
-  for (std::int64_t part = 0; part < std::int64_t(parts); ++part) {
+  for (std::size_t number = 0; number < parts.size(); ++number) {
     excerpt::Order order;
-    const QString file = numbered(pattern, int(part));
+    const QString file = numbered(pattern, int(number));
     if (const auto why = whyNotInto(file, {*path}, args.force)) return wrong(*why);
     order.path = file.toStdString();
     order.topics = args.topics;
     // The first and the last part include everything up to the ends, in spite of rounding.
-    if (part > 0) order.first_ns = *summary.start_ns + std::llround(double(part) * every_ns);
-    if (part + 1 < std::int64_t(parts))
-      order.last_ns = *summary.start_ns + std::llround(double(part + 1) * every_ns) - 1;
+    if (number > 0) order.first_ns = startOf(parts[number]);
+    if (number + 1 < parts.size()) order.last_ns = startOf(parts[number] + 1) - 1;
     const auto made = slicing->slice(order);
     if (!made) return notOpened(made.error());
     all.messages += (*made)->messages;
