@@ -423,6 +423,125 @@ class RecordedRobotTest : public QObject {
     QVERIFY((*chunk)->messages[0].known && world.live.robot_pose);
   }
 
+  void whatAMessageSaysItselfStaysAndItsChannelCounts_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<bool>("as_it_is");
+    const auto row = [](const char* text, bool as_it_is) { QTest::newRow(text) << text << as_it_is; };
+    row(R"({"n":1})", true);
+    row(R"({"topic":"/a","n":1})", true);
+    row(R"({"n":1,"__stamp":10.5})", true);
+    row(R"({"topic":"/a","__stamp":10.500000000,"n":1})", true);
+    row(R"({"topic":"/door/3","text":"open"})", false);
+    row(R"({"topic":"","n":1})", false);
+    row(R"({"topic":7})", false);
+    row(R"({"topic":{"name":"/a"}})", false);
+    row(R"({"__stamp":5})", false);
+    row(R"({"__stamp":"10.5"})", false);
+    row(R"({"__stamp":null})", false);
+    row(R"({"topic":"/a","__stamp":10.6})", false);
+    row(R"({"topic":"/tracked_pose","pos":[1,2],"ori":0})", false);
+  }
+  void whatAMessageSaysItselfStaysAndItsChannelCounts() {
+    QFETCH(QString, text);
+    QFETCH(bool, as_it_is);
+    const QString path = written(recordingOf({{10.5, "/a", text.toStdString()}}));
+    const auto robot = opened(path);
+    for (const bool programs : {true, false}) {
+      const auto chunk = programs ? forPrograms(*robot, keyOf(path)) : range(*robot, keyOf(path), 0, 100);
+      QVERIFY(chunk && (*chunk)->messages.size() == 1);
+      const BagMessage& message = (*chunk)->messages[0];
+      QCOMPARE(message.message.topic, std::string("/a"));
+      QVERIFY(!message.known);  // whatever topic it names itself
+      const QJsonObject line = jsonOf(**chunk, message);
+      QCOMPARE(line[QLatin1String("topic")].toString(), QStringLiteral("/a"));
+      QCOMPARE(line[QLatin1String("__stamp")].toDouble(), 10.5);
+      const QJsonObject own = QJsonDocument::fromJson(text.toUtf8()).object();
+      QCOMPARE(line.contains(QLatin1String("msg")), !as_it_is);
+      const QJsonObject got = as_it_is ? line : line[QLatin1String("msg")].toObject();
+      for (const QString& key : own.keys()) QCOMPARE(got[key], own[key]);
+    }
+  }
+
+  void whatCannotBeDecodedIsSaid_data() {
+    QTest::addColumn<std::string>("encoding");
+    QTest::addColumn<std::string>("schema_encoding");
+    for (const char* encoding : {"flatbuffer", "msgpack", "protobuf", "ros3", "cdr", ""}) {
+      for (const char* schema : {"", "protobuf", "flatbuffer", "ros2msg"})
+        QTest::addRow("%s, %s", encoding, schema) << std::string(encoding) << std::string(schema);
+    }
+  }
+  void whatCannotBeDecodedIsSaid() {
+    QFETCH(std::string, encoding);
+    QFETCH(std::string, schema_encoding);
+    const auto bytes = std::make_shared<std::string>();
+    const auto writer = recordings::writerInto(bytes);
+    recording::Channel channel;
+    channel.topic = "/a";
+    channel.message_encoding = encoding;
+    channel.schema_name = "a.B";
+    channel.schema_encoding = schema_encoding;
+    channel.schema_data = "?";
+    writer->write(*writer->addChannel(channel), {10, 10, 0}, recordings::bytesOf("\x7f?"));
+    writer->close();
+    const QString path = written(*bytes);
+    for (const bool programs : {true, false}) {
+      const auto robot = opened(path);
+      std::vector<map::Problem> problems;
+      connect(robot.get(), &Robot::problemFound, robot.get(),
+              [&](const map::Problem& problem) { problems.push_back(problem); });
+      const auto chunk = programs ? forPrograms(*robot, keyOf(path)) : range(*robot, keyOf(path), 0, 100);
+      QVERIFY(chunk && (*chunk)->messages.size() == 1);
+      const QJsonObject line = jsonOf(**chunk, (*chunk)->messages[0]);
+      QCOMPARE(line[QLatin1String("bytes")].toInt(), 2);
+      QCOMPARE(line.contains(QLatin1String("base64")), programs);
+      QVERIFY(waitFor([&] { return !problems.empty(); }));
+      QCOMPARE(problems.size(), std::size_t(1));
+      QCOMPARE(problems[0].subject.id, std::string("/a"));
+      // For people it is no loss: nothing would be drawn of it.
+      QCOMPARE(problems[0].severity, programs ? map::Severity::Warning : map::Severity::Info);
+      if (programs) QCOMPARE(problems[0].code, map::ProblemCode::Unreadable);
+    }
+  }
+
+  void manyChannelsAreNoMoreWorkThanTheirMessages() {
+    for (const char* encoding : {"json", "cdr"}) {
+      const auto bytes = std::make_shared<std::string>();
+      const auto writer = recordings::writerInto(bytes);
+      constexpr int kChannels = 65'535;
+      for (int i = 0; i < kChannels; ++i) {
+        recording::Channel channel;
+        channel.topic = "/t" + std::to_string(i);
+        channel.message_encoding = encoding;
+        if (channel.message_encoding == "cdr") {
+          channel.schema_name = "std_msgs/msg/Bool";
+          channel.schema_encoding = "ros2msg";
+          channel.schema_data = "bool data";
+        }
+        const auto id = *writer->addChannel(channel);
+        for (const std::int64_t s : {0, 1}) {
+          const std::int64_t at_ns = s * 1'000'000'000 + i;
+          writer->write(
+              id, {at_ns, at_ns, 0},
+              recordings::bytesOf(std::string(encoding) == "json" ? "{}" : std::string("\0\1\0\0\1", 5)));
+        }
+      }
+      writer->close();
+      const QString path = written(*bytes);
+      const auto robot = opened(path);
+      const auto info = answer<BagInfo>(
+          [&](auto reply) { return robot->bagLibrary()->info(keyOf(path), std::move(reply)); });
+      QVERIFY(info);
+      QCOMPARE(info->topics.size(), std::size_t(kChannels));
+      for (const auto& topic : info->topics) QCOMPARE(topic.hz, std::optional(1.0));
+      BagRange last{0.5, 0.6};
+      last.back_fill = true;
+      const auto chunk = answer<BagChunkPtr>(
+          [&](auto reply) { return robot->bagLibrary()->messages(keyOf(path), last, std::move(reply)); });
+      QVERIFY(chunk);
+      QCOMPARE((*chunk)->messages.size(), std::size_t(kChannels));
+    }
+  }
+
   void forProgramsNothingOfAMessageIsCut_data() { messagesOfRosAreTheSameInEveryRange_data(); }
   void forProgramsNothingOfAMessageIsCut() {
     QFETCH(Encoding, encoding);

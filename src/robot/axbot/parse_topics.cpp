@@ -137,10 +137,11 @@ QByteArray hexDump(std::string_view bytes) {
 
 }  // namespace
 
-TextFrame readFrame(const Json& root, const std::string& of_topic) {
+TextFrame readFrame(const Json& root) { return readFrameOn(wire::text(root, {"topic"}), root); }
+
+TextFrame readFrameOn(const std::string& on_topic, const Json& root) {
   TextFrame frame;
-  frame.topic = wire::text(root, {"topic"});
-  if (frame.topic.empty()) frame.topic = of_topic;
+  frame.topic = on_topic;
   if (!frame.topic.empty()) {
     const Topic* const topic = findTopic(frame.topic);
     if (topic && topic->picture) {

@@ -47,8 +47,10 @@ class TopicReader {
   wire::JsonReader json_;
 };
 
-/// The same for parsed JSON. `of_topic` is used if it contains no topic.
-TextFrame readFrame(const wire::Json& root, const std::string& of_topic = {});
+/// The same for parsed JSON.
+TextFrame readFrame(const wire::Json& root);
+/// The same of a message that came on this topic, whatever it says itself.
+TextFrame readFrameOn(const std::string& topic, const wire::Json& root);
 
 /// The same for a single frame.
 TextFrame parseTextFrame(std::string_view utf8);

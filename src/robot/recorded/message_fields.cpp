@@ -1,9 +1,12 @@
 #include "robot/recorded/message_fields.h"
 
+#include <cstdlib>
 #include <utility>
 
 #include "recorder/layout.h"
+#include "recording/known_definitions.h"
 #include "recording/ros_cbor.h"
+#include "recording/ros_idl.h"
 #include "robot/axbot/faults.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/recorded/faults.h"
@@ -31,15 +34,28 @@ tl::expected<FramePtr, Fault> frameOf(const QByteArray& bytes, Frame::Wire wire)
 
 Fault missing(const recording::Channel& channel) { return {fault::RosSchemaMissing, {channel.schema_name}}; }
 
-tl::expected<recording::RosSchema, Fault> rosSchemaOf(const recording::Channel& channel) {
+tl::expected<recording::RosSchema, Fault> rosSchemaOf(const recording::Channel& channel,
+                                                      std::span<const std::uint8_t> message) {
   const auto dialect = recording::rosDialect(channel.schema_encoding);
+  const auto reason = [&](const recording::RosSchemaFault& fault) {
+    return reasonOf(fault, channel.schema_name);
+  };
+  if (channel.schema_data.empty() && channel.message_encoding == "cdr") {
+    // Recorders may leave out the definition. Of several releases that one counts which the message fits.
+    const std::vector<std::string> known = recording::knownDefinitions(channel.schema_name);
+    for (const std::string& text : known) {
+      if (&text == &known.back() || recording::fitsDefinition(channel.schema_name, text, message))
+        return recording::parseRosSchema(channel.schema_name, text, recording::RosDialect::Ros2)
+            .map_error(reason);
+    }
+  }
   if (channel.schema_data.empty() && !dialect) return tl::unexpected(missing(channel));
+  if (channel.schema_encoding == "ros2idl")
+    return recording::parseRosIdl(channel.schema_name, channel.schema_data).map_error(reason);
   if (!dialect)
     return tl::unexpected(
         Fault(fault::RosEncodingUnknown, {channel.message_encoding, channel.schema_encoding}));
-  return recording::parseRosSchema(channel.schema_name, channel.schema_data, *dialect)
-      .map_error(
-          [&](const recording::RosSchemaFault& fault) { return reasonOf(fault, channel.schema_name); });
+  return recording::parseRosSchema(channel.schema_name, channel.schema_data, *dialect).map_error(reason);
 }
 
 /// The schema of a channel, which is read once.
@@ -55,14 +71,18 @@ const auto& schemaOf(Known& all, const recording::ChannelPtr& channel, Read read
 std::size_t bytesOfNothing(recording::RosWire wire) { return wire == recording::RosWire::Cdr ? 8 : 0; }
 
 constexpr std::int64_t kNsOfASecond = 1'000'000'000;
-constexpr qsizetype kMostText = qsizetype(8) << 10;            // of a message with truncated lists
-constexpr std::size_t kMostForPeople = std::size_t(64) << 10;  // larger ones are not parsed just for display
+constexpr qsizetype kMostText = qsizetype(8) << 10;  // of a message with truncated lists
 constexpr std::size_t kMostWhole = std::size_t(16) << 10;
+constexpr std::int64_t kStampRoundingNs = 2'000;  // of a double for seconds since 1970
 
 std::string secondsText(std::int64_t ns) {
   const std::int64_t whole = ns / kNsOfASecond - (ns % kNsOfASecond < 0), rest = ns - whole * kNsOfASecond;
   std::string digits = std::to_string(rest);
   return std::to_string(whole) + '.' + std::string(9 - digits.size(), '0') + digits;
+}
+
+bool isStamp(double stamp_s, std::int64_t time_ns) {
+  return std::abs(recording::nanosecondsOf(stamp_s) - time_ns) <= kStampRoundingNs;
 }
 
 std::string_view viewOf(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
@@ -119,14 +139,23 @@ tl::expected<FramePtr, Fault> MessageFields::readAsItIs(const recording::Message
                            qsizetype(message.bytes.size()));
     return frameOf(bytes, encoding == "cbor" ? Frame::Wire::Binary : Frame::Wire::Text);
   }
-  const auto& schema = schemaOf(ros_schemas_, message.channel, rosSchemaOf);
+  const auto& schema = schemaOf(ros_schemas_, message.channel, [&](const recording::Channel& channel) {
+    return rosSchemaOf(channel, message.bytes);
+  });
   if (!schema) return tl::unexpected(schema.error());
   // An empty definition means a type without members (std_msgs/Empty), if the message agrees.
-  if (message.channel->schema_data.empty() && message.bytes.size() > bytesOfNothing(*wire))
+  if (message.channel->schema_data.empty() && schema->types.front().fields.empty() &&
+      message.bytes.size() > bytesOfNothing(*wire))
     return tl::unexpected(missing(*message.channel));
   const auto cbor = recording::rosToCbor(*schema, *wire, message.bytes);
   if (!cbor) return tl::unexpected(reasonOf(cbor.error(), encoding));
   return frameOf(*cbor, Frame::Wire::Binary);
+}
+
+tl::expected<FramePtr, Fault> MessageFields::readOther(const recording::Message& message) {
+  const std::string& encoding = message.channel->message_encoding;
+  if (encoding == "protobuf") return readAsItIs(message);
+  return tl::unexpected(Fault(fault::MessageEncodingUnknown, {encoding}));
 }
 
 std::string jsonText(std::string_view text) {
@@ -173,13 +202,18 @@ std::string MessageText::ofRos(const tl::expected<FramePtr, Fault>& frame, Messa
 }
 
 std::string MessageText::ofFrame(const wire::Json& root) const {
-  const bool named = !wire::text(root, {"topic"}).empty();
-  const bool misnamed = !named && root["topic"].error() == simdjson::SUCCESS;
-  if (misnamed) return wrapped("msg", bytes());
+  const bool has_topic = root["topic"].error() == simdjson::SUCCESS;
+  const bool has_stamp = root["__stamp"].error() == simdjson::SUCCESS;
+  // Its own members stay what they are, and those of the recording are told as well.
+  const auto stamp_s = wire::number(root, {"__stamp"});
+  const bool other_stamp =
+      has_stamp &&
+      !(stamp_s && (isStamp(*stamp_s, message_.log_time_ns) || isStamp(*stamp_s, message_.publish_time_ns)));
+  if (other_stamp || (has_topic && wire::text(root, {"topic"}) != message_.channel->topic))
+    return wrapped("msg", bytes());
   std::string added;
-  if (!named) added += ",\"topic\":" + jsonText(message_.channel->topic);
-  if (root["__stamp"].error() != simdjson::SUCCESS)
-    added += ",\"__stamp\":" + secondsText(message_.log_time_ns);
+  if (!has_topic) added += ",\"topic\":" + jsonText(message_.channel->topic);
+  if (!has_stamp) added += ",\"__stamp\":" + secondsText(message_.log_time_ns);
   std::string text(bytes());
   const std::size_t end = text.rfind('}');
   if (added.empty() || end == text.npos) return text;
@@ -195,10 +229,7 @@ std::string MessageText::ofBinaryFrame() const {
   return json ? wrapped("msg", viewOf(raw)) : ofBytes();
 }
 
-std::string MessageText::ofOther(MessageFields& fields) const {
-  if (message_.channel->message_encoding != "protobuf") return ofBytes();
-  if (!programs_ && message_.bytes.size() > kMostForPeople) return ofBytes();
-  const auto frame = fields.readAsItIs(message_);
+std::string MessageText::ofOther(const tl::expected<FramePtr, Fault>& frame) const {
   if (!frame) return ofBytes();
   return programs_ ? whole(*frame) : wrapped("msg", viewOf((*frame)->root().toJson(kMostText)));
 }

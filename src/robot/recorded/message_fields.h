@@ -37,6 +37,8 @@ class MessageFields {
   tl::expected<FramePtr, Fault> read(const recording::Message& message);
   /// The same, but Foxglove messages are not converted.
   tl::expected<FramePtr, Fault> readAsItIs(const recording::Message& message);
+  /// Those that no layer uses. The error says that the encoding is not known, or why the message is not one.
+  tl::expected<FramePtr, Fault> readOther(const recording::Message& message);
 
  private:
   /// What was made of the definition of a channel; a channel of the same id may be another one later.
@@ -56,8 +58,8 @@ std::string jsonText(std::string_view text);
 
 /// A message of a recording as one JSON object: for people (the inspector) or for programs (frames, export).
 /// Source: docs/command-line.md, "mapwright bags" (frames).
-/// All of them contain "topic" and "__stamp", the log time. Messages that are not JSON are put into {"topic",
-/// "__stamp", "type", "msg"}.
+/// All of them contain "topic" and "__stamp", those of the channel and of the log. Messages that are not JSON
+/// objects, or that have other members of these names, are put into {"topic", "__stamp", "type", "msg"}.
 class MessageText {
  public:
   /// People see the beginnings of long lists and texts (net::rosbridge::Field::toJson); for programs nothing
@@ -70,12 +72,12 @@ class MessageText {
   std::string_view bytes() const;
   /// `frame` is the result of MessageFields::read().
   std::string ofRos(const tl::expected<FramePtr, Fault>& frame, MessageFields& fields) const;
-  /// A JSON object as recorded, with missing members appended.
+  /// A JSON object as recorded, with missing members appended; if its own say otherwise, put into another.
   std::string ofFrame(const wire::Json& root) const;
   /// A non-text frame of Autoxing.
   std::string ofBinaryFrame() const;
-  /// For an encoding that no layer uses.
-  std::string ofOther(MessageFields& fields) const;
+  /// For an encoding that no layer uses. `frame` is the result of MessageFields::readOther().
+  std::string ofOther(const tl::expected<FramePtr, Fault>& frame) const;
   /// {"bytes": how many}; for programs also "base64".
   std::string ofBytes() const;
 

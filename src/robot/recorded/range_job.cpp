@@ -175,10 +175,14 @@ void RangeJob::keepLastPose() {
   }
 }
 
-void RangeJob::note(const std::string& topic, map::ProblemCode code, Fault reason) {
+void RangeJob::noteUndecoded(const std::string& topic, Fault reason) {
+  if (range_.whole_texts) return note(topic, map::ProblemCode::Unreadable, std::move(reason));
+  note(topic, map::ProblemCode::Odd, std::move(reason), map::Severity::Info);
+}
+
+void RangeJob::note(const std::string& topic, map::ProblemCode code, Fault reason, map::Severity severity) {
   if (problems_.size() >= kMostProblems) return;
-  map::Problem problem{map::Severity::Warning, map::Subject(map::SubjectKind::Topic, topic),
-                       std::move(reason), code};
+  map::Problem problem{severity, map::Subject(map::SubjectKind::Topic, topic), std::move(reason), code};
   if (topic.empty()) problem.subject = subjectOf(key_);
   const bool known = std::any_of(problems_.begin(), problems_.end(), [&](const map::Problem& one) {
     return one.subject == problem.subject && one.code == code && one.reason.code == problem.reason.code;
@@ -214,7 +218,7 @@ void RangeJob::addResults(ros::WorldResults results, BagMessage* told) {
 
 void RangeJob::takeFrame(const Parts& parts, const wire::Json& root, const recording::Message& message,
                          BagMessage& told) {
-  axbot::TextFrame frame = axbot::readFrame(root, message.channel->topic);
+  axbot::TextFrame frame = axbot::readFrameOn(message.channel->topic, root);
   told.message.recorded_s = wire::epochSeconds(root, {"stamp"});
   told.known = frame.message || frame.grid_to_fetch;
   if (frame.message) {
@@ -251,7 +255,7 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
       told.message.message = map::UnreadableMessage{channel.topic, frame.error()};
     }
     if (!frame && frame.error().any()) {
-      if (range_.whole_texts) note(channel.topic, map::ProblemCode::Unreadable, frame.error());
+      if (range_.whole_texts || !placed) noteUndecoded(channel.topic, frame.error());
       // One outside the range is counted in its own.
       if (!range_.whole_texts && placed && takes(stamp_s)) ++chunk_->unreadable;
     }
@@ -293,7 +297,11 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
         told.message.message = std::move(*read);
       }
     }
-    text = texts.ofOther(parts.fields);
+    // Large ones are not parsed just for display.
+    const bool read = range_.whole_texts || message.bytes.size() <= kMostUnknown;
+    const auto frame = read ? parts.fields.readOther(message) : tl::unexpected(Fault());
+    text = texts.ofOther(frame);
+    if (!frame && frame.error().any()) noteUndecoded(channel.topic, frame.error());
   }
   const std::size_t before = chunk_->messages.size();
   add(std::move(told), text);

@@ -55,7 +55,10 @@ class RangeJob {
   /// Messages of the same time come in any order: their combined result is the robot's pose.
   void keepLastPose();
   void addResults(ros::WorldResults results, BagMessage* told);
-  void note(const std::string& topic, map::ProblemCode code, Fault reason);
+  /// Only its bytes are there: for programs that is a loss, for people to be known.
+  void noteUndecoded(const std::string& topic, Fault reason);
+  void note(const std::string& topic, map::ProblemCode code, Fault reason,
+            map::Severity severity = map::Severity::Warning);
 
   BagKey key_;
   BagRange range_;
