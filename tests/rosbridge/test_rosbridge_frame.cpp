@@ -159,6 +159,24 @@ class TestRosbridgeFrame : public QObject {
     QVERIFY(frame->root().isNull());
   }
 
+  void onlyAnObjectHasMembers_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::newRow("a list") << QByteArray("\x83\x61\x61\x61\x61\x01");
+    QTest::newRow("a list of pairs without an end") << QByteArray("\x9f\x61\x61\x01\xff");
+    QTest::newRow("a text") << QByteArray("\x61\x61");
+    QTest::newRow("bytes") << QByteArray("\x41\x61");
+    QTest::newRow("a number") << QByteArray("\x18\x61");
+    QTest::newRow("null") << QByteArray("\xf6");
+    QTest::newRow("a tag before a list") << QByteArray("\xc1\x82\x61\x61\x01");
+  }
+  void onlyAnObjectHasMembers() {
+    QFETCH(QByteArray, bytes);
+    const auto frame = Frame::read(bytes, Frame::Wire::Binary);
+    QVERIFY(!frame->rawMember("a"));
+    const auto object = Frame::read(QByteArray("\xa1\x61\x61\x01"), Frame::Wire::Binary);
+    QCOMPARE(object->rawMember("a"), std::optional<std::string_view>("\x01"));
+  }
+
   void textInChunksIsPassedOver() {
     const auto frame =
         cbor(QByteArray("\xa2\x61"

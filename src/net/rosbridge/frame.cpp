@@ -164,7 +164,7 @@ Frame::Fault Frame::parse(const QByteArray& utf8) {
 }
 
 std::optional<std::string_view> Frame::rawMember(std::string_view name) const {
-  if (fault_ != Fault::None) return std::nullopt;
+  if (fault_ != Fault::None || !root_.isObject()) return std::nullopt;
   if (wire_ == Wire::Binary) {
     const auto* const first = reinterpret_cast<const std::uint8_t*>(cbor_.constData());
     const auto* const end = first + cbor_.size();
