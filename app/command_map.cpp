@@ -6,6 +6,7 @@
 #include "app/command_text.h"
 #include "disk/read_file.h"
 #include "placing/warnings.h"
+#include "robot/sends_map.h"
 #include "sentences/problem_sentence.h"
 #include "words/text.h"
 
@@ -54,6 +55,10 @@ CommandResult<map::MapKey> storedMap(RobotReading& robot, const std::string& id)
 MapBelow mapBelow(RobotReading& reading, const map::MapKey& key) {
   session::Session& session = reading.session();
   const session::MapSlot& slot = session.wholeMap();
+  const map::CatalogueEntry* const entry = session.catalogue().find(key);
+  // It may be gigabytes, and nobody asked for it.
+  if (entry && entry->is_current && robot::givesByRegion(session.robot()))
+    return {{}, Text::tr("The robot sends it by region.")};
   session.openMap(key);
   const bool in_time = reading.waitUntil([&] { return slot.key() == key && slot.settled(); }, kMapWithinS);
   if (slot.cells() && slot.shown().key == key && slot.cells()->complete())

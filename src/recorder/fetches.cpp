@@ -6,6 +6,7 @@
 
 #include "map/submap_version.h"
 #include "recorder/layout.h"
+#include "robot/sends_map.h"
 
 namespace mapwright::recorder {
 namespace {
@@ -193,7 +194,8 @@ void Fetches::askMap(const map::MapKey& key) {
   robot::WholeMapSource* const source = robot_ ? robot_->wholeMapSource() : nullptr;
   Wanted& wanted = wanted_[key];
   wanted.asked = true;
-  if (!source) return askPlaces(key, {});
+  // The whole map may be gigabytes; what is loaded of it by region is recorded.
+  if (!source || (wanted.current && robot::givesByRegion(*robot_))) return askPlaces(key, {});
   wanted.map.cancel();
   wanted.map =
       source->fetch(key, [self = QPointer<Fetches>(this), key](const robot::Outcome<map::WholeMap>& map) {

@@ -307,6 +307,43 @@ class DispatchCommandsTest : public QObject {
     QVERIFY(json[text("from")][2].toDouble() >= -1.01 && json[text("to")][2].toDouble() <= 3.01);
   }
 
+  // The whole map may be gigabytes: commands that did not ask for it do not fetch it.
+  void noCommandFetchesTheWholeMapByTheWay() {
+    start([](simulator::Options& options) {
+      options.ros.kabam = true;
+      options.ros.dispatcher.edge_m = 20;
+    });
+    QFile wanted(file("wanted.csv"));
+    QVERIFY(wanted.open(QIODevice::WriteOnly));
+    wanted.write("name,x,y,yaw_rad\nNew,1,1,0\n");
+    wanted.close();
+    for (const QStringList& words :
+         {QStringList{text("maps"), text("list")}, QStringList{text("maps"), text("current")},
+          QStringList{text("waypoints"), text("list"), text("--warnings")},
+          QStringList{text("waypoints"), text("plan"), file("wanted.csv")},
+          QStringList{text("record"), text("-o"), file("a.mcap"), text("--seconds"), text("2")}}) {
+      const Ran ran = ask(words);
+      QVERIFY2(ran.code == 0, ran.err.constData());
+    }
+    for (const simulator::RequestRecord& one : robot_->requestLog())
+      QVERIFY2(!one.target.ends_with("/get_map") && one.target != "/map", one.target.c_str());
+  }
+
+  void whereThereIsOnlyAMapInSpaceItsFirstProjectionIsShown() {
+    start([](simulator::Options& options) {
+      options.ros.dispatcher.planar = false;
+      options.ros.dispatcher.edge_m = 20;
+    });
+    for (const QStringList& words :
+         {QStringList{text("maps"), text("show")}, QStringList{text("maps"), text("current")},
+          QStringList{text("maps"), text("export"), text("-o"), file("flat.png")},
+          QStringList{text("snapshot"), text("--mode"), text("whole"), text("-o"), file("view.png")}}) {
+      const Ran ran = ask(words);
+      QVERIFY2(ran.code == 0, ran.err.constData());
+    }
+    QCOMPARE(QImage(file("flat.png")).isNull(), false);
+  }
+
   void projectionsAreSetAndWhatThenIsIsPrinted() {
     start([](simulator::Options& options) { options.ros.dispatcher.writable = true; });
     const Ran set = ask({text("projections"), text("set"), text("--projection"), text("1.04,0,3,2,4,5"),

@@ -51,6 +51,37 @@ class DispatchNamesTest : public QObject {
     QVERIFY(!found.has(Service::Cloud) && !found.has(Service::Grid));
   }
 
+  // REP 130 writes nav_msgs/GetPointMap, map_msg/GetMapROI and private names.
+  void theTypesAndNamesOfTheRepAreKnown() {
+    for (const char* written : {"nav_msgs/GetPointMap", "map_msgs/GetPointMap", "map_msg/GetPointMap"}) {
+      const auto found =
+          in({{"/get_point_map", written}, {"/get_occupancy_map", written}, {"/get_map", "nav_msgs/GetMap"}});
+      QCOMPARE(nameOf(found, Service::Cloud), std::string("/get_point_map"));
+      QCOMPARE(nameOf(found, Service::Occupancy), std::string("/get_occupancy_map"));
+      QCOMPARE(nameOf(found, Service::Grid), std::string("/get_map"));
+    }
+    QCOMPARE(dispatchType("nav_msgs/srv/GetPointMap"), std::string("map_msgs/GetPointMap"));
+    QCOMPARE(dispatchType("nav_msgs/GetMap"), std::string("nav_msgs/GetMap"));
+    // Also where no types are told; a map manager's own is another one.
+    for (const char* save : {"/map_dispatcher/save_map", "/map_manager/save_map"}) {
+      const auto found = in({{"/get_sub_map", ""}, {save, ""}});
+      QCOMPARE(found.has(Service::Save), QByteArray(save).contains("dispatcher"));
+    }
+  }
+
+  void aServiceThatIsNotListedIsTriedByItsPrivateNameFirst() {
+    using Names = std::vector<std::string>;
+    DispatchSettings wish;
+    QCOMPARE(namesToTry(wish, Service::Save), (Names{"/map_dispatcher/save_map", "/save_map"}));
+    QCOMPARE(namesToTry(wish, Service::Grid), Names{"/get_map"});
+    wish.ns = "/slam";
+    QCOMPARE(namesToTry(wish, Service::Save), (Names{"/slam/map_dispatcher/save_map", "/slam/save_map"}));
+    wish.ns = "/slam/map_dispatcher";
+    QCOMPARE(namesToTry(wish, Service::Save), Names{"/slam/map_dispatcher/save_map"});
+    wish.names[Service::Save] = "/x";
+    QCOMPARE(namesToTry(wish, Service::Save), Names{"/x"});
+  }
+
   void whatIsNearGoesFirst() {
     const Services two{{"/a/get_sub_map", "map_msgs/GetMapROI"}, {"/b/get_sub_map", "map_msgs/GetMapROI"}};
     QCOMPARE(nameOf(in(two), Service::GridRegion), std::string("/a/get_sub_map"));

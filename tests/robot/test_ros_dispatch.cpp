@@ -283,6 +283,97 @@ class RosDispatchTest : public QObject {
     QCOMPARE(server_->timesCalled(text("/map_dispatcher/set_map_projections")), 0);
   }
 
+  void withoutRosapiTheMapIsSavedByItsPrivateName_data() {
+    QTest::addColumn<QString>("ns");
+    QTest::addColumn<QString>("service");
+    QTest::newRow("private") << QString() << text("/map_dispatcher/save_map");
+    QTest::newRow("beside the others") << QString() << text("/save_map");
+    QTest::newRow("in a namespace") << text("/slam") << text("/slam/map_dispatcher/save_map");
+    QTest::newRow("in that of the node") << text("/slam") << text("/slam/save_map");
+  }
+  void withoutRosapiTheMapIsSavedByItsPrivateName() {
+    QFETCH(QString, ns);
+    QFETCH(QString, service);
+    for (const char* one : {"/rosapi/topics", "/rosapi/services", "/rosapi/service_type"})
+      server_->withdraw(text(one));
+    ros::DispatchSettings wish;
+    wish.expected = true;
+    wish.ns = ns.toStdString();
+    make(wish);
+    server_->serve(service, [](const QJsonObject&) { return QJsonObject(); });
+    QVERIFY(begin());
+    QVERIFY(dispatch());
+    for (const char* name : {"a.png", "b.png"}) {
+      const auto saved = outcome<std::string>([&](auto reply) { return dispatch()->save(name, reply); });
+      QVERIFY(saved);
+    }
+    QCOMPARE(server_->timesCalled(service), 2);
+    // Where it is not there at all, that is said.
+    server_->withdraw(service);
+    const auto failed = outcome<std::string>([&](auto reply) { return dispatch()->save("c.png", reply); });
+    QCOMPARE(failed.error().kind, FailureKind::Unsupported);
+    QTRY_VERIFY_WITH_TIMEOUT(!dispatch()->offered(DispatchService::Save), kPatienceMs);
+  }
+
+  // It may be gigabytes: neither lists nor previews ask for it, and nobody listens to it.
+  void theWholeMapOfWhoGivesRegionsIsNotAskedForByItself_data() {
+    QTest::addColumn<bool>("manager");
+    QTest::newRow("alone") << false;
+    QTest::newRow("beside a map manager") << true;
+  }
+  void theWholeMapOfWhoGivesRegionsIsNotAskedForByItself() {
+    QFETCH(bool, manager);
+    serve("/d/get_map", "nav_msgs/GetMap", {{text("map"), grid()}});
+    serve("/d/get_sub_map", "map_msgs/GetMapROI", {{text("sub_map"), grid()}});
+    server_->advertise(text("/map"), text("nav_msgs/OccupancyGrid"));
+    server_->latch(text("/map"), grid());
+    if (manager) {
+      const QJsonObject one{{text("map_id"), text("m1")}, {text("map_name"), text("one")}};
+      const auto topic = [&](const char* name, const char* type, const QJsonObject& msg) {
+        server_->advertise(text("/map_manager/") + text(name), text("kabam_msgs/") + text(type));
+        server_->latch(text("/map_manager/") + text(name), msg);
+      };
+      topic("current_map_info", "MapInfo", one);
+      topic("map_list", "MapList", {{text("maps"), QJsonArray{one}}});
+      topic("archived_map_list", "MapList", {{text("maps"), QJsonArray()}});
+      serve("/map_manager/load_map", "kabam_msgs/LoadMap", {});
+    }
+    robot_->liveTopics()->setWanted({map::Stream::WholeMap, map::Stream::Pose}, {});
+    QVERIFY(begin());
+    QVERIFY(dispatch() && dispatch()->offered(DispatchService::GridRegion));
+    const auto listed = outcome<std::vector<map::CatalogueEntry>>(
+        [&](auto reply) { return robot_->mapCatalogue()->list(reply); });
+    QVERIFY(listed && !listed->empty());
+    for (const map::CatalogueEntry& entry : *listed) {
+      QVERIFY(!entry.has_thumbnail);
+      const auto preview = outcome<std::string>(
+          [&](auto reply) { return robot_->mapCatalogue()->thumbnail(entry.key, reply); });
+      QVERIFY(!preview);
+      QCOMPARE(preview.error().cause.code, robot::ros::fault::WholeMapNotFetched);
+    }
+    const int looks = server_->timesCalled(text("/rosapi/topics"));
+    QTRY_VERIFY_WITH_TIMEOUT(server_->timesCalled(text("/rosapi/topics")) > looks + 2, kPatienceMs);
+    QCOMPARE(server_->timesCalled(text("/d/get_map")), 0);
+    QVERIFY(!server_->isAskedFor("/map"));
+  }
+
+  void whereThereIsOnlyAMapInSpaceItsFirstProjectionStandsForIt() {
+    serve("/d/get_sub_point_map", "map_msgs/GetPointMapROI", {{text("sub_map"), cloud()}});
+    for (const char* topic : {"/d/projected_map_0", "/d/projected_map_1"}) {
+      server_->advertise(text(topic), text("map_msgs/ProjectedMap"));
+      server_->latch(text(topic), projected(0));
+    }
+    QVERIFY(begin());
+    const auto listed = outcome<std::vector<map::CatalogueEntry>>(
+        [&](auto reply) { return robot_->mapCatalogue()->list(reply); });
+    QVERIFY(listed && listed->size() == 2);
+    QVERIFY(listed->at(0).is_current && !listed->at(1).is_current && listed->at(0).has_thumbnail);
+    QCOMPARE(listed->at(0).key.id, std::string("projected_map_0"));
+    const auto whole = outcome<map::WholeMap>(
+        [&](auto reply) { return robot_->wholeMapSource()->fetch(listed->at(0).key, reply); });
+    QVERIFY(whole && whole->grid.width == 2);
+  }
+
   void anAnswerThatCannotBeReadIsAFailure() {
     serve("/d/get_sub_map", "map_msgs/GetMapROI", {{text("sub_map"), grid("[0]")}});
     serve("/d/get_point_map", "map_msgs/GetPointMap", {{text("map"), QJsonObject{}}});

@@ -100,13 +100,32 @@ std::optional<Endpoint> best(const std::vector<Endpoint>& services, DispatchServ
 
 std::span<const UsualService> usualDispatchServices() { return kUsual; }
 
+bool isProjected(const map::MapKey& key) {
+  const std::string before = std::string(kProjectedMap) + '_';
+  if (key.kind != map::MapKind::Stored || !key.id.starts_with(before)) return false;
+  int index = 0;
+  while (index < kMostProjected && key.id != before + std::to_string(index)) ++index;
+  return index < kMostProjected;
+}
+
 std::string nameBy(const DispatchSettings& settings, DispatchService service) {
   const auto named = settings.names.find(service);
   return named != settings.names.end() ? named->second : settings.ns + '/' + usual(service).name;
 }
 
+std::vector<std::string> namesToTry(const DispatchSettings& settings, DispatchService service) {
+  constexpr std::string_view kNode = "/map_dispatcher";
+  const std::string usual_name = nameBy(settings, service);
+  const bool is_private =
+      service == DispatchService::Save && !settings.names.contains(service) && !settings.ns.ends_with(kNode);
+  if (!is_private) return {usual_name};
+  return {settings.ns + std::string(kNode) + '/' + usual(service).name, usual_name};
+}
+
 std::string dispatchType(std::string_view type) {
   const std::string plain = plainType(type);
+  if (plain == "nav_msgs/GetPointMap" || plain == "nav_msgs/GetPointMapROI")
+    return "map_msgs/" + std::string(lastPart(plain));
   const std::string_view short_form = "map_msg/";
   return plain.starts_with(short_form) ? "map_msgs/" + plain.substr(short_form.size()) : plain;
 }
@@ -160,7 +179,7 @@ Dispatcher dispatcherIn(const std::optional<std::vector<Endpoint>>& services,
   for (const auto& [service, name, type] : kUsual) {
     // Services are not listed: try it.
     if (!services) {
-      found.services[service] = {nameBy(settings, service), {}};
+      found.services[service] = {namesToTry(settings, service).front(), {}};
     } else if (auto one = best(*services, service, settings)) {
       found.services[service] = std::move(*one);
     }
@@ -186,8 +205,12 @@ Dispatcher dispatcherIn(const std::optional<std::vector<Endpoint>>& services,
   for (const DispatchService service : {DispatchService::Grid, DispatchService::Save}) {
     const auto common = found.services.find(service);
     if (common == found.services.end() || !services || !common->second.type.empty()) continue;
+    const std::string_view folder = folderOf(common->second.name);
+    // `~save_map` lies one level below the others, under the node's name.
+    const bool is_private = service == DispatchService::Save && !folder.ends_with("/map_manager");
     const bool beside = std::any_of(found.services.begin(), found.services.end(), [&](const auto& other) {
-      return !isCommon(other.first) && folderOf(other.second.name) == folderOf(common->second.name);
+      const std::string_view of_other = folderOf(other.second.name);
+      return !isCommon(other.first) && (of_other == folder || (is_private && of_other == folderOf(folder)));
     });
     if (!beside && !settings.names.contains(service)) found.services.erase(common);
   }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "map/catalogue.h"
 #include "robot/map_dispatch.h"
 #include "robot/ros/ros_topics.h"
 
@@ -23,6 +24,9 @@ struct UsualService {
 std::span<const UsualService> usualDispatchServices();
 inline constexpr const char* kProjectedMap = "projected_map";
 inline constexpr int kMostProjected = 32;
+
+/// The map of one of its projections, in the catalogue: "projected_map_0".
+bool isProjected(const map::MapKey& key);
 
 /// What an address says about the dispatcher.
 struct DispatchSettings {
@@ -48,7 +52,8 @@ struct Dispatcher {
   std::vector<DispatchOffer> offers() const;
 };
 
-/// "map_msgs/GetMapROI" for all known spellings of this type: "map_msg/GetMapROI", "map_msgs/srv/GetMapROI".
+/// "map_msgs/GetMapROI" for all known spellings of this type: "map_msg/GetMapROI", "map_msgs/srv/GetMapROI";
+/// "map_msgs/GetPointMap" also for "nav_msgs/GetPointMap", as the REP writes it.
 std::string dispatchType(std::string_view type);
 /// The services whose types should be requested.
 std::vector<std::string> likeDispatchServices(const std::vector<std::string>& names,
@@ -59,6 +64,9 @@ Dispatcher dispatcherIn(const std::optional<std::vector<Endpoint>>& services,
                         const std::optional<std::vector<Endpoint>>& topics, const DispatchSettings& settings);
 /// The topic of a projected map that is not listed.
 std::string projectedTopic(const DispatchSettings& settings, int index);
+/// The names by which to try a service that is not listed, better ones first: `~save_map` is a private name
+/// of the node.
+std::vector<std::string> namesToTry(const DispatchSettings& settings, DispatchService service);
 /// Its name: the one given, otherwise the usual one.
 std::string nameBy(const DispatchSettings& settings, DispatchService service);
 

@@ -69,6 +69,10 @@ DispatchRequests::DispatchRequests(net::rosbridge::Client& client, DispatchSetti
       map_frame_(std::move(map_frame)) {}
 
 void DispatchRequests::take(Dispatcher found) {
+  for (auto& [service, there] : found.services) {
+    const bool tried = there.type.empty() && not_there_.contains(there.name);
+    if (const auto next = tried ? nextToTry(service) : std::nullopt) there = *next;
+  }
   std::erase_if(found.services, [&](const auto& one) {
     return one.second.type.empty() && not_there_.contains(one.second.name);
   });
@@ -239,7 +243,15 @@ void DispatchRequests::withdraw(DispatchService service) {
   if (!there || !there->type.empty()) return;
   not_there_.insert(there->name);
   std::erase_if(dispatcher_.services, [&](const auto& one) { return one.second.name == there->name; });
+  if (const auto next = nextToTry(service)) dispatcher_.services[service] = *next;
   Q_EMIT offersChanged(dispatcher_);
+}
+
+std::optional<Endpoint> DispatchRequests::nextToTry(DispatchService service) const {
+  const std::vector<std::string> names = namesToTry(settings_, service);
+  const auto next = std::find_if(names.begin(), names.end(),
+                                 [&](const std::string& name) { return !not_there_.contains(name); });
+  return names.size() > 1 && next != names.end() ? std::optional(Endpoint{*next, {}}) : std::nullopt;
 }
 
 void DispatchRequests::ask(const wire::TaskPtr& task, DispatchService service, QByteArray args,
@@ -249,17 +261,19 @@ void DispatchRequests::ask(const wire::TaskPtr& task, DispatchService service, Q
   if (!there) return then(fail(notDispatched(service, dispatcher_)));
   net::rosbridge::CallRequest request;
   request.service = there->name;
-  request.args = std::move(args);
+  request.args = args;
   request.timeout = timeout;
   request.large = true;
   request.arriving = [task](qint64 bytes) { task->tell({bytes, std::nullopt}); };
   call(task, client_, std::move(request),
-       [self = QPointer(this), service, name = there->name, asked_for,
+       [self = QPointer(this), task, service, args, timeout, name = there->name, asked_for,
         then = std::move(then)](const CallAnswer& answer) {
          if (!self) return;
          if (answer.kind == CallAnswer::Kind::Answered) return then(Answer{name, answer.values});
          if (!saysNotThere(answer)) return then(fail(failed(answer, map::Subject(name), asked_for)));
          self->withdraw(service);
+         const auto other = self->dispatcher_.serviceOf(service);
+         if (other && other->name != name) return self->ask(task, service, args, timeout, asked_for, then);
          map::Failure failure = notDispatched(service, self->dispatcher_);
          failure.subject = map::Subject(name);
          failure.asked_for = asked_for;

@@ -117,6 +117,8 @@ class DispatchRequests : public QObject {
   void forgetProjected(const std::function<bool(int)>& whether);
   std::optional<Fault> hearProjected(int index, const Field& msg);
   void withdraw(DispatchService service);
+  /// Another name for a service that is not listed and was not there by the former ones.
+  std::optional<Endpoint> nextToTry(DispatchService service) const;
   void tellExtent();
 
   net::rosbridge::Client& client_;

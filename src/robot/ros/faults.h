@@ -146,6 +146,15 @@ inline constexpr FaultCode ProjectionsNotTold{
                "Its projections are unknown: it does not list its topics and services (its node rosapi is "
                "not running), and nothing has arrived on the usual topics (projected_map_0 and so on).")};
 
+inline constexpr FaultCode OnlyProjectionsSent{
+    "ros",
+    QT_TRANSLATE_NOOP("ros",
+                      "The robot sends no map in the plane, only projections of its 3D map: choose one of "
+                      "them (projected_map_0 and so on).")};
+inline constexpr FaultCode WholeMapNotFetched{
+    "ros", QT_TRANSLATE_NOOP(
+               "ros", "The robot sends this map by region, and the whole map has not been loaded yet.")};
+
 // A manager of maps (KABAM).
 inline constexpr FaultCode NoAnswerInTime{"ros",
                                           QT_TRANSLATE_NOOP("ros", "the robot did not answer in time")};
@@ -225,6 +234,12 @@ inline constexpr FaultCode WaypointTurnIsZero{
     "ros", QT_TRANSLATE_NOOP("ros",
                              "Waypoint \"%1\" has no heading (a zero quaternion). It is shown with yaw 0, "
                              "and kept unchanged until you turn it.")};
+/// because: why
+inline constexpr FaultCode WaypointsNotConfirmed{
+    "ros",
+    QT_TRANSLATE_NOOP("ros",
+                      "This list may be out of date: it comes from a topic, and the map manager did not "
+                      "confirm it (get_waypoint)")};
 /// name, frame, the map's frame
 inline constexpr FaultCode WaypointInOtherFrame{
     "ros", QT_TRANSLATE_NOOP("ros", "Waypoint \"%1\" is in the frame %2 instead of %3. It was left out.")};

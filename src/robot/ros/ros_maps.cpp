@@ -1,5 +1,6 @@
 #include "robot/ros/ros_maps.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -22,12 +23,6 @@ const map::MapKey kLive{map::MapKind::Live, {}};
 /// "projected_map_0", whatever its topic is called.
 map::MapKey projectedKey(int index) {
   return {map::MapKind::Stored, "projected_map_" + std::to_string(index)};
-}
-
-bool isProjected(const map::MapKey& key) {
-  int index = 0;
-  while (index < kMostProjected && projectedKey(index) != key) ++index;
-  return index < kMostProjected;
 }
 
 /// With the heights: "projected_map_0: z 0.10 … 1.80 m".
@@ -109,15 +104,26 @@ void RosMaps::listKept(const wire::TaskPtr& task, OutcomeTo<Entries> reply) {
 
 void RosMaps::list(const wire::TaskPtr& task, OutcomeTo<Entries> reply) {
   const auto with_projected = withValue<Entries>(reply, [this, reply](Entries entries) {
+    // Where nothing else is in use, the first projection stands for the map in space.
+    const bool none =
+        std::none_of(entries.begin(), entries.end(), [](const auto& one) { return one.is_current; });
     for (const auto& [index, part] : of_.dispatch.projected()) entries.push_back(entryOf(*part));
+    if (none && !of_.dispatch.projected().empty())
+      entries[entries.size() - of_.dispatch.projected().size()].is_current = true;
     // Why one has none is told when it is asked for.
-    for (map::CatalogueEntry& entry : entries) entry.has_thumbnail = true;
+    for (map::CatalogueEntry& entry : entries) entry.has_thumbnail = hasThumbnail(entry.key);
     reply(std::move(entries));
   });
   const auto shown = withValue<Projections>(
       reply, [this, task, with_projected](const Projections&) { listKept(task, with_projected); });
   of_.when_known(task, wire::kMapList, map::AskedFor::All,
                  unlessFailed(reply, [this, task, shown] { of_.dispatch.awaitProjected(task, shown); }));
+}
+
+/// A map that is given by region may be gigabytes: people decide about the whole.
+bool RosMaps::hasThumbnail(const map::MapKey& key) const {
+  return isProjected(key) || of_.live_map.last() ||
+         !of_.dispatch.dispatcher().has(DispatchService::GridRegion);
 }
 
 void RosMaps::describe(const wire::TaskPtr& task, const map::MapKey& key,
@@ -154,13 +160,21 @@ void RosMaps::fetch(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo
              if (const auto projected = findProjected(key)) return reply(projectedMap(*projected));
              if (!entry.is_current)
                return reply(fail(unsupported(map::subjectOf(key), {fault::OnlyCurrentMapSent})));
-             if (sourcesFor(map::Stream::WholeMap, of_.sources).empty())
-               return reply(fail(unsupported(map::subjectOf(key))));
+             if (sourcesFor(map::Stream::WholeMap, of_.sources).empty()) {
+               const bool projected = !of_.dispatch.projected().empty();
+               return reply(fail(unsupported(map::subjectOf(key),
+                                             projected ? Fault(fault::OnlyProjectionsSent) : Fault())));
+             }
              of_.live_map.fetch(task, key, entry.name, reply);
            }));
 }
 
 void RosMaps::thumbnail(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<std::string> reply) {
+  if (!hasThumbnail(key)) {
+    map::Failure none = unsupported(map::subjectOf(key), {fault::WholeMapNotFetched});
+    none.asked_for = map::AskedFor::SmallPicture;
+    return reply(fail(std::move(none)));
+  }
   fetch(task, key, [key, reply = std::move(reply)](Outcome<map::WholeMap> whole) {
     const auto picture = whole ? grids::thumbnailOf(*whole) : tl::make_unexpected(Fault());
     if (picture) return reply(*picture);

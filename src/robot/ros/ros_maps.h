@@ -32,11 +32,13 @@ class RosMaps {
   /// The map that the robot works with, or a projected one; of others it sends nothing.
   void fetch(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
 
-  /// Of the same maps; nothing is asked for that does not come anyway.
+  /// Of the same maps; nothing is asked for that does not come anyway. The whole map of a robot that gives it
+  /// by region has one once it has come.
   void thumbnail(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<std::string> reply);
 
  private:
   std::optional<map::CatalogueEntry> liveEntry() const;
+  bool hasThumbnail(const map::MapKey& key) const;
   std::shared_ptr<const ProjectedPart> findProjected(const map::MapKey& key) const;
   void listKept(const wire::TaskPtr& task, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
   void describeNow(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
