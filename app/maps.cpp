@@ -93,6 +93,7 @@ void addPoints(std::vector<QStringList>& table, const std::vector<map::Waypoint>
 void addRow(std::vector<QStringList>& table, const map::CatalogueEntry& row) {
   table.push_back({Text::tr("date"), dateText(row.modified_s ? row.modified_s : row.created_s)});
   table.push_back({Text::tr("current"), row.is_current ? Text::tr("yes") : Text::tr("no")});
+  if (!row.state.empty()) table.push_back({Text::tr("state"), words::plainName(row.state)});
 }
 
 /// Shows what is known of a map without a picture (session::lacksPicture()): its name, catalogue entry and

@@ -664,12 +664,12 @@ class RosRobotTest : public QObject {
     QTRY_VERIFY(last<map::MapInfo>() && last<map::MapInfo>()->uid == "m1");
   }
 
-  void waypointsOfTheCurrentMapComeByTheTopic() {
+  void waypointsAreAskedForAlsoThoseOfTheCurrentMap() {
     manage();
     QVERIFY(online());
     const auto stored = read();
     QVERIFY(stored && stored->points.size() == 2);
-    QCOMPARE(server_->timesCalled(QStringLiteral("/map_manager/get_waypoint")), 0);
+    QCOMPARE(server_->timesCalled(QStringLiteral("/map_manager/get_waypoint")), 1);
     serve("get_waypoint", [](const QJsonObject& args) {
       return QJsonObject{{text("waypoints"),
                           waypoints({waypoint("w9", "Far", 9, args[text("map_id")].toString().toUtf8())})}};

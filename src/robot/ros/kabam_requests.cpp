@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robot/faults.h"
+#include "robot/ros/dispatch_names.h"
 #include "robot/ros/faults.h"
 #include "robot/wire/failures.h"
 #include "robot/wire/faults.h"
@@ -206,19 +207,35 @@ void KabamRequests::describe(const wire::TaskPtr& task, const map::MapKey& key,
 void KabamRequests::waypoints(const wire::TaskPtr& task, const map::MapKey& key,
                               OutcomeTo<StoredWaypoints> reply) {
   const map::Subject subject = map::placesOf(key);
-  const auto take = [this, key, subject, reply](const CallAnswer& answer) {
-    if (answer.kind != CallAnswer::Kind::Answered) return reply(fail(failed(answer, subject)));
+  const auto onAnswer = [this, key, subject, reply](const CallAnswer& answer) {
+    using Kind = CallAnswer::Kind;
     if (auto stored = storedIn(answer, key)) return reply(std::move(*stored));
-    reply(fail(wire::unfit(subject, robot::wire::fault::PointsAreNoList)));
+    map::Failure failure = answer.kind == Kind::Answered
+                               ? wire::unfit(subject, robot::wire::fault::PointsAreNoList)
+                               : failed(answer, subject);
+    const bool ended = answer.kind == Kind::LinkLost || answer.kind == Kind::Cancelled;
+    auto told = ended ? std::nullopt : toldByTopic(key);
+    if (!told) return reply(fail(std::move(failure)));
+    Fault why = failure.cause.any() ? failure.cause : fault::said(failure.detail.substr(0, 300));
+    told->notes.insert(told->notes.begin(), Fault(fault::WaypointsNotConfirmed, {}, {std::move(why)}));
+    reply(std::move(*told));
   };
-  whenListed(task, subject, map::AskedFor::All, unlessFailed(reply, [this, task, key, subject, reply, take] {
-               if (key.kind != map::MapKind::Stored || !state_.find(key.id))
+  whenListed(task, subject, map::AskedFor::All, unlessFailed(reply, [=, this] {
+               if (key.kind != map::MapKind::Stored || !state_.find(key.id)) {
+                 // That of a dispatcher beside the manager has no waypoints.
+                 StoredWaypoints none;
+                 none.there = false;
+                 if (isProjected(key)) return reply(std::move(none));
                  return reply(fail(wire::notThere(subject)));
-               if (state_.isCurrent(key.id)) {
-                 if (auto stored = state_.waypoints(fixed_frame_())) return reply(std::move(*stored));
                }
-               ask(task, "get_waypoint", getWaypointArgs(key.id), take, timeouts_.read);
+               // The topic may lag or stand still, so its list only counts where the manager does not answer.
+               ask(task, "get_waypoint", getWaypointArgs(key.id), onAnswer,
+                   toldByTopic(key) ? std::min(timeouts_.call, timeouts_.read) : timeouts_.read);
              }));
+}
+
+std::optional<StoredWaypoints> KabamRequests::toldByTopic(const map::MapKey& key) const {
+  return state_.isCurrent(key.id) ? state_.waypoints(fixed_frame_()) : std::nullopt;
 }
 
 void KabamRequests::perform(const wire::TaskPtr& task, const map::MapKey& key, const WaypointRequest& request,
@@ -298,7 +315,7 @@ KabamRequests::Shown KabamRequests::shownIn(const StoredWaypoints& stored, Chang
 
 void KabamRequests::confirm(const ChangePtr& change) {
   const auto shown = std::make_shared<Shown>(Shown::NotYet);
-  const bool told = state_.isCurrent(change->key.id) && state_.waypoints(fixed_frame_());
+  const bool told = toldByTopic(change->key).has_value();
   const auto left = std::chrono::duration_cast<milliseconds>(change->until - steady_clock::now());
   waits_.await(
       change->task, std::clamp(left, milliseconds(0), told ? timeouts_.topic : change->pause),

@@ -21,8 +21,9 @@
 namespace mapwright::robot::ros {
 
 struct KabamTimeouts {
-  std::chrono::milliseconds call{10'000};    // for an answer
-  std::chrono::milliseconds read{60'000};    // for all waypoints of a map: there may be very many
+  std::chrono::milliseconds call{10'000};  // for an answer
+  /// For all waypoints of a map: there may be very many. If its topic has sent a list already: `call`.
+  std::chrono::milliseconds read{60'000};
   std::chrono::milliseconds lists{5'000};    // for the first messages of the topics
   std::chrono::milliseconds confirm{5'000};  // for the topics to show a change
   std::chrono::milliseconds topic{
@@ -85,6 +86,9 @@ class KabamRequests : public QObject {
   /// The waypoints of an answer of get_waypoint; nullopt: there are none in it.
   std::optional<StoredWaypoints> storedIn(const net::rosbridge::CallAnswer& answer,
                                           const map::MapKey& key) const;
+  /// What the topic said last, which may be out of date; nullopt: nothing about this map, or it is known to
+  /// lag.
+  std::optional<StoredWaypoints> toldByTopic(const map::MapKey& key) const;
   void lookFirst(const ChangePtr& change);
   void send(const ChangePtr& change);
   void confirm(const ChangePtr& change);

@@ -36,9 +36,9 @@ KabamState::Update KabamState::take(const std::string& topic,
     auto current = readMapInfo(msg);
     update.readable = current.has_value();
     if (!current) return update;
-    const bool other = !isCurrent(current->map.id);
     update.maps = replace(current_, std::move(current));
-    update.waypoints = update.maps && other;
+    // Another map, or this one was changed (updated_at): perhaps its waypoints.
+    update.waypoints = update.maps;
   } else if (name == kWaypoints) {
     update.readable = readWaypoints(msg, {}, {}).has_value();
     if (!update.readable) return update;
@@ -98,6 +98,7 @@ std::vector<map::CatalogueEntry> KabamState::entries() const {
     entry.is_archived = map.archived;
     if (isCurrent(map.id)) {
       entry.is_current = true;
+      entry.state = current_->state;
       entry.created_s = current_->created_s;
       entry.modified_s = current_->updated_s;
     }
