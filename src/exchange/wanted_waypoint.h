@@ -27,6 +27,7 @@ struct WantedWaypoint {
   std::optional<Eigen::Vector2d> position_m = {};
   std::optional<std::optional<double>> yaw_rad = {};  // said to be none: {nullopt}
   std::optional<std::vector<std::string>> tags = {};
+  std::string frame = {};  // other than "map", of one that has an id; empty = that of the map
   bool operator==(const WantedWaypoint&) const = default;
 };
 

@@ -38,6 +38,15 @@ std::optional<Eigen::Vector2d> placeOf(const QJsonValue& x, const QJsonValue& y)
 
 }  // namespace
 
+std::string frameOf(const map::Waypoint& point) {
+  static const std::string kMap = "map";
+  if (point.source.find("\"frame_id\"") == std::string::npos) return kMap;
+  const QJsonObject source = QJsonDocument::fromJson(QByteArray::fromStdString(point.source)).object();
+  QString frame = source.value(QLatin1String("frame_id")).toString();
+  if (frame.startsWith(QLatin1Char('/'))) frame.remove(0, 1);
+  return frame.isEmpty() ? kMap : frame.toStdString();
+}
+
 QJsonObject waypointJson(const map::Waypoint& point, const std::string& map) {
   QJsonArray tags;
   for (const std::string& tag : point.tags) tags << text(tag);
@@ -47,7 +56,7 @@ QJsonObject waypointJson(const map::Waypoint& point, const std::string& map) {
                   {QStringLiteral("y"), point.position_m.y()},
                   {QStringLiteral("yaw_rad"), point.yaw_rad ? QJsonValue(*point.yaw_rad) : QJsonValue()},
                   {QStringLiteral("tags"), tags},
-                  {QStringLiteral("frame"), QStringLiteral("map")},
+                  {QStringLiteral("frame"), text(frameOf(point))},
                   {QStringLiteral("map"), text(map)}};
   if (!point.type.empty()) row[QStringLiteral("type")] = text(point.type);
   return row;
@@ -71,9 +80,12 @@ tl::expected<WantedWaypoint, QString> wantedFromJson(const QJsonObject& row) {
     *into = value.toString().toStdString();
   }
   const QJsonValue frame = row.value(QLatin1String("frame"));
-  if (isThere(frame) && frame.toString() != QLatin1String("map"))
-    return wrong(WaypointJsonText::tr("the frame is \"%1\". Only \"map\" is supported.")
-                     .arg(words::plainName(frame.toString().left(80))));
+  if (isThere(frame) && frame.toString() != QLatin1String("map")) {
+    wanted.frame = frame.toString().toStdString();
+    if (wanted.id.empty() || wanted.frame.empty())
+      return wrong(WaypointJsonText::tr("the frame is \"%1\". Only \"map\" is supported.")
+                       .arg(words::plainName(frame.toString().left(80))));
+  }
   const QJsonValue x = row.value(QLatin1String("x")), y = row.value(QLatin1String("y"));
   if (isThere(x) || isThere(y)) {
     wanted.position_m = placeOf(x, y);

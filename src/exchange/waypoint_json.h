@@ -15,6 +15,8 @@
 
 namespace mapwright::exchange {
 
+/// The frame in which its robot keeps it, if that says so; else "map".
+std::string frameOf(const map::Waypoint& point);
 /// {"id","name","x","y","yaw_rad","tags","frame","map"}; also "type" if it has one. `map`: the id of its map.
 QJsonObject waypointJson(const map::Waypoint& point, const std::string& map);
 QJsonArray waypointsJson(const std::vector<map::Waypoint>& points, const std::string& map);

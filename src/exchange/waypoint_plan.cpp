@@ -225,7 +225,12 @@ WaypointEdits editsFor(const WaypointItems& kept, const std::vector<WantedWaypoi
       return wrong(WaypointPlanText::tr("Row %1: %2").arg(QString::number(row.row), why));
     };
     WaypointEdit edit;
-    if (const auto before = kept.find((*keys)[i]); before != kept.end()) {
+    const auto before = kept.find((*keys)[i]);
+    // Its numbers are meant in that frame: in another one they would be another place.
+    if (!row.frame.empty() && (before == kept.end() || frameOf(before->second) != row.frame))
+      return inRow(
+          WaypointPlanText::tr("the frame is \"%1\". Only \"map\" is supported.").arg(plainShort(row.frame)));
+    if (before != kept.end()) {
       edit = {before->first, before->second, withWanted(before->second, row)};
     } else {
       if (!row.position_m) return inRow(WaypointPlanText::tr("A new waypoint needs a position (x and y)."));
@@ -326,11 +331,25 @@ std::vector<WaypointEdit> withoutCreated(const WaypointPlan& plan, const Waypoin
   std::vector<WaypointEdit> edits;
   std::set<edit::Key> taken;  // an existing one may only be meant once
   for (const WaypointEdit& edit : plan.edits) {
-    const bool is_there = !edit.before && std::any_of(now.begin(), now.end(), [&](const auto& one) {
-      return !plan.base.contains(one.first) && isAlike(*edit.after, one.second) &&
-             taken.insert(one.first).second;
+    if (edit.before) {
+      edits.push_back(edit);
+      continue;
+    }
+    // Robots may give what they create other tags or another type.
+    map::Waypoint wanted = *edit.after;
+    const auto there = std::find_if(now.begin(), now.end(), [&](const auto& one) {
+      wanted.tags = one.second.tags;
+      wanted.type = one.second.type;
+      return !plan.base.contains(one.first) && isAlike(wanted, one.second) && taken.insert(one.first).second;
     });
-    if (!is_there) edits.push_back(edit);
+    if (there == now.end()) {
+      edits.push_back(edit);
+    } else if (!isAlike(*edit.after, there->second)) {
+      WaypointEdit rest{there->first, there->second, there->second};
+      rest.after->tags = edit.after->tags;
+      rest.after->type = edit.after->type;
+      edits.push_back(std::move(rest));
+    }
   }
   return edits;
 }

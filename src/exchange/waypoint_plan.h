@@ -60,7 +60,8 @@ QByteArray planBytes(const WaypointPlan& plan, const QJsonArray& calls);
 /// Only base and changes are read; changes that were deleted from the file are not made. The error is a
 /// sentence.
 tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes);
-/// Without creating waypoints that exist already: new since the base, and equal.
+/// Without creating waypoints that exist already: new since the base, of that name and at that place. One
+/// that has other tags or another type gets those of the plan.
 std::vector<WaypointEdit> withoutCreated(const WaypointPlan& plan, const WaypointItems& now);
 
 }  // namespace mapwright::exchange

@@ -5,11 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include <QCoreApplication>
 #include <QUtf8StringView>
 
+#include "exchange/waypoint_json.h"
 #include "geometry/pose.h"
 #include "words/shortest.h"
 
@@ -146,10 +148,11 @@ tl::expected<WantedWaypoint, QString> wantedOf(const CsvRecord& record, const Co
   if (const auto* id = at("id")) wanted.id = *id;
   if (const auto* name = at("name"); name && !name->empty()) wanted.name = *name;
   if (const auto* type = at("type")) wanted.type = *type;
-  if (const auto* frame = at("frame"); frame && !frame->empty() && *frame != "map")
+  if (const auto* frame = at("frame"); frame && *frame != "map") wanted.frame = *frame;
+  if (!wanted.frame.empty() && wanted.id.empty())
     return wrongAt(
         record.line,
-        WaypointTableText::tr("the frame is \"%1\". Only \"map\" is supported.").arg(shown(*frame)));
+        WaypointTableText::tr("the frame is \"%1\". Only \"map\" is supported.").arg(shown(wanted.frame)));
   const std::string *const x = at("x"), *const y = at("y");
   if (x && y && !(trimmed(*x).empty() && trimmed(*y).empty())) {
     const auto x_m = csvNumber(*x), y_m = csvNumber(*y);
@@ -274,13 +277,13 @@ std::vector<std::string> guessedHeader(const std::vector<CsvRecord>& records, co
   return header;
 }
 
-/// A header and the waypoints. `where`: their frame and map; empty = without these columns.
-std::string linesOf(const std::vector<map::Waypoint>& points, const std::vector<std::string>& where,
+/// A header and the waypoints. `map`: its id; nullopt = without frame and map.
+std::string linesOf(const std::vector<map::Waypoint>& points, const std::optional<std::string>& map,
                     char separator, const char* end) {
   const bool types =
       std::any_of(points.begin(), points.end(), [](const auto& one) { return !one.type.empty(); });
   std::vector<std::string> header(kColumns.begin(), kColumns.begin() + 6);
-  if (!where.empty()) header.insert(header.end(), {"frame", "map"});
+  if (map) header.insert(header.end(), {"frame", "map"});
   if (types) header.push_back("type");
   std::string text = csvLine(header, separator) + end;
   for (const map::Waypoint& point : points) {
@@ -290,7 +293,7 @@ std::string linesOf(const std::vector<map::Waypoint>& points, const std::vector<
                                     csvNumber(point.position_m.y()),
                                     point.yaw_rad ? csvNumber(*point.yaw_rad) : std::string(),
                                     point.tags.empty() ? std::string() : csvLine(point.tags)};
-    fields.insert(fields.end(), where.begin(), where.end());
+    if (map) fields.insert(fields.end(), {frameOf(point), *map});
     if (types) fields.push_back(point.type);
     text += csvLine(fields, separator) + end;
   }
@@ -343,7 +346,7 @@ tl::expected<std::vector<std::string>, QString> tagsOf(std::string_view text) {
 }
 
 std::string waypointsCsv(const std::vector<map::Waypoint>& points, const std::string& map) {
-  return linesOf(points, {"map", map}, ',', "\r\n");
+  return linesOf(points, map, ',', "\r\n");
 }
 
 WantedFile wantedFromCsv(std::string_view bytes) {
@@ -452,7 +455,7 @@ void nameNameless(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept
 }
 
 std::string waypointsTable(const std::vector<map::Waypoint>& points) {
-  return linesOf(points, {}, '\t', "\n");
+  return linesOf(points, std::nullopt, '\t', "\n");
 }
 
 }  // namespace mapwright::exchange

@@ -258,6 +258,14 @@ class WaypointPlanTest : public QObject {
     auto now = two();
     now.emplace("r-1", point("r-1", "New", 7, 8));
     QVERIFY(exchange::withoutCreated(plan, now).empty());
+    // Some robots give what they create tags of their own: it gets those of the plan, and is not created
+    // again.
+    now.at("r-1").tags = {"map_entry"};
+    const auto retagged = exchange::withoutCreated(plan, now);
+    QCOMPARE(retagged.size(), std::size_t(1));
+    QVERIFY(retagged.front().before && retagged.front().after->tags.empty());
+    QCOMPARE(retagged.front().key, std::string("r-1"));
+    now.at("r-1").tags.clear();
     // Two alike are two.
     plan.edits.push_back({"fresh too", std::nullopt, point("", "New", 7, 8)});
     QCOMPARE(exchange::withoutCreated(plan, now).size(), std::size_t(1));
