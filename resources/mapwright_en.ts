@@ -305,6 +305,34 @@
             <numerusform>%1 more points have pixel and metre coordinates that differ.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 points have no metre coordinates. They are shown at their pixel coordinates.</source>
+        <translation>
+            <numerusform>%1 point has no metre coordinates. It is shown at its pixel coordinates.</numerusform>
+            <numerusform>%1 points have no metre coordinates. They are shown at their pixel coordinates.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 paths of this map are not shown.</source>
+        <translation>
+            <numerusform>%1 path of this map is not shown.</numerusform>
+            <numerusform>%1 paths of this map are not shown.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 regions of this map are not shown.</source>
+        <translation>
+            <numerusform>%1 region of this map is not shown.</numerusform>
+            <numerusform>%1 regions of this map are not shown.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 maps in the robot&apos;s list have no id. They were left out.</source>
+        <translation>
+            <numerusform>%1 map in the robot&apos;s list has no id. It was left out.</numerusform>
+            <numerusform>%1 maps in the robot&apos;s list have no id. They were left out.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>axbot</name>

@@ -1,8 +1,14 @@
+#include <algorithm>
+#include <random>
+
+#include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 
 #include "robot/aimdk/faults.h"
 #include "robot/aimdk/parse_rpc.h"
+#include "robot/wire/faults.h"
 #include "sentences/fault_sentence.h"
 #include "test_program.h"
 
@@ -134,9 +140,14 @@ class AimdkParseTest : public QObject {
   }
 
   void theTopologyIsAskedForByNumber() {
-    QCOMPARE(*topologyRequest("1764059676131999999"),
+    QCOMPARE(topologyRequest("1764059676131999999"),
              QByteArray(R"({"command":"TopoCommand_GET_TOPO_MSG","map_id":1764059676131999999})"));
-    for (const char* id : {"", "abc", "1,\"x\":2", "-1", "007"}) QVERIFY2(!topologyRequest(id), id);
+    // What is no number goes as the text that it is.
+    for (const char* id : {"abc", "1,\"x\":2", "-1", "007", "1e3", "\\u00e9 ü"}) {
+      const QJsonObject sent = QJsonDocument::fromJson(topologyRequest(id)).object();
+      QCOMPARE(sent[QLatin1String("map_id")], QJsonValue(QString::fromUtf8(id)));
+      QCOMPARE(sent.size(), 2);
+    }
     QVERIFY(wholeMapRequest("1764059676131").contains("\"map_id\":\"1764059676131\""));
     QVERIFY(wholeMapRequest("a\"b").contains("\"a\\\"b\""));
   }
@@ -153,6 +164,70 @@ class AimdkParseTest : public QObject {
     QCOMPARE(off->list.points[0].position_m, Eigen::Vector2d(11.6, -2.45));
     QCOMPARE(off->list.notes.size(), std::size_t(1));
     QVERIFY(parseTopology(point("1520", "0"), nullptr)->list.notes.empty());
+  }
+
+  // By the document's formula: pixel_x = origin_x + x * resolution, pixel_y = origin_y - y * resolution.
+  void pointsWithPixelsOnlyLieWhereTheirPixelsSay() {
+    std::mt19937 dice(19);
+    const auto real = [&](double from, double to) {
+      return std::uniform_real_distribution<>(from, to)(dice);
+    };
+    for (int round = 0; round < 200; ++round) {
+      ParsedMap frame;
+      frame.resolution = real(1, 50);
+      frame.u0 = real(-500, 3000);
+      frame.v0 = real(-500, 3000);
+      QJsonArray rows;
+      std::vector<Eigen::Vector2d> places;
+      std::int64_t by_pixels = 0;
+      for (int i = 0; i < 6; ++i) {
+        const double x = real(-80, 80), y = real(-80, 80);
+        const QJsonObject pixel{{QStringLiteral("u"), frame.u0 + x * frame.resolution},
+                                {QStringLiteral("v"), frame.v0 - y * frame.resolution}};
+        QJsonObject row{{QStringLiteral("point_id"), i},
+                        {QStringLiteral("pixel_pose"), QJsonObject{{QStringLiteral("position"), pixel}}}};
+        if (dice() % 2 == 0) {
+          const QJsonObject metres{{QStringLiteral("x"), x}, {QStringLiteral("y"), y}};
+          row[QStringLiteral("pose")] = QJsonObject{{QStringLiteral("position"), metres}};
+        } else {
+          ++by_pixels;
+        }
+        rows << row;
+        places.emplace_back(x, y);
+      }
+      const QJsonObject answer{{QStringLiteral("data"), QJsonObject{{QStringLiteral("points"), rows}}}};
+      const QByteArray body = QJsonDocument(answer).toJson();
+      const auto read = parseTopology({body.data(), std::size_t(body.size())}, &frame);
+      QVERIFY(read);
+      QCOMPARE(read->list.points.size(), places.size());
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const Eigen::Vector2d off = read->list.points[i].position_m - places[i];
+        QVERIFY2(off.cwiseAbs().maxCoeff() < 1e-9, qPrintable(QString::number(off.cwiseAbs().maxCoeff())));
+      }
+      const Fault note(robot::aimdk::fault::PointsByPixels, {by_pixels});
+      const auto& notes = read->list.notes;
+      QCOMPARE(std::count(notes.begin(), notes.end(), note), by_pixels > 0 ? 1 : 0);
+      // Without the map its pixels tell nothing.
+      const auto blind = parseTopology({body.data(), std::size_t(body.size())}, nullptr);
+      QCOMPARE(blind->list.points.size(), places.size() - std::size_t(by_pixels));
+    }
+  }
+
+  void whatIsLeftOutIsCounted() {
+    std::int64_t left_out = -1;
+    QVERIFY(parseMapNames(R"({"data":{"map_lists":[{"map_id":"1"},{"map_name":"a"},{},7]}})", &left_out));
+    QCOMPARE(left_out, std::int64_t(3));
+    QVERIFY(parseMapNames(R"({"data":{"map_lists":[{"map_id":"1"}]}})", &left_out));
+    QCOMPARE(left_out, std::int64_t(0));
+    const auto read = parseTopology(
+        R"({"data":{"points":[{"point_id":1}],"paths":[{},{}],"regions":[{"id":4}]}})", nullptr);
+    namespace fault = robot::aimdk::fault;
+    const std::vector<Fault> notes{{fault::PathsNotShown, {std::int64_t(2)}},
+                                   {fault::RegionsNotShown, {std::int64_t(1)}},
+                                   {robot::wire::fault::PointsUnplaced, {std::int64_t(1)}}};
+    QCOMPARE(read->list.notes, notes);
+    QCOMPARE(parseTopology(R"({"data":{"paths":[{}]}})", nullptr)->list.notes.size(), std::size_t(1));
+    QVERIFY(parseTopology(R"({"data":{"points":[],"paths":[],"regions":[]}})", nullptr)->list.notes.empty());
   }
 
   void theMeaningOfTheResolutionIsToldByThePoints() {
@@ -234,18 +309,26 @@ class AimdkParseTest : public QObject {
     point.source =
         R"({"point_id":7,"name":"Dock","point_type":"T","speed":3,"pose":{"x":0},"pixel_pose":{}})";
     point.source.replace(point.source.rfind("{}"), 2, pixels);
-    const QByteArray sent = *pointRequest("1764059676131999999", point, std::nullopt);
+    const QByteArray sent = pointRequest("1764059676131999999", point, std::nullopt);
     QVERIFY2(sent.contains("\"map_id\":1764059676131999999,\"point\":"), sent.constData());
     QVERIFY2(sent.contains("\"point_id\":7,\"name\":\"Dock 2\",\"pixel_pose\":" +
                            QByteArray::fromStdString(pixels) + ",\"point_type\":\"T\",\"speed\":3"),
              sent.constData());
     QVERIFY(!QJsonDocument::fromJson(sent).isNull() && !sent.contains("\"pose\""));
-    const QByteArray moved = *pointRequest("17", point, PixelPose{5, 6});
+    const QByteArray moved = pointRequest("17", point, PixelPose{5, 6});
     QVERIFY2(moved.contains(R"({"angle":4.5,"position":{"u":5,"v":6}})"), moved.constData());
-    QVERIFY(pointRequest("17", point, PixelPose{5, 6, -90})->contains("\"angle\":-90,"));
+    QVERIFY(pointRequest("17", point, PixelPose{5, 6, -90}).contains("\"angle\":-90,"));
     point.source.clear();  // it is new
-    QVERIFY(pointRequest("17", point, PixelPose{5, 6, 0})->contains("\"point_id\":0,"));
-    QVERIFY(!pointRequest("x", point, PixelPose{5, 6, 0}));
+    QVERIFY(pointRequest("17", point, PixelPose{5, 6, 0}).contains("\"point_id\":0,"));
+    QVERIFY(pointRequest("x", point, PixelPose{5, 6, 0}).contains("\"map_id\":\"x\","));
+    // An id goes back as it came: as a text if it was one, also where it looks like a number.
+    for (const char* id : {"dock-a", "7", "007"}) {
+      point.id = id;
+      point.source = "{\"point_id\":\"" + point.id + "\",\"name\":\"Dock\"}";
+      const QByteArray whole = pointRequest("17", point, PixelPose{5, 6, 0});
+      const QJsonObject asked = QJsonDocument::fromJson(whole).object()[QLatin1String("point")].toObject();
+      QCOMPARE(asked[QLatin1String("point_id")], QJsonValue(QString::fromLatin1(id)));
+    }
   }
 
   void headingsAreRadiansUpToAFullTurnAndDegreesBeyond() {

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "robot/aimdk/aimdk_robot.h"
+#include "robot/aimdk/faults.h"
 #include "scripted_robot.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
@@ -175,6 +176,13 @@ class AimdkRobotTest : public QObject {
     QCOMPARE(points->notes.size(), std::size_t(1));
     QVERIFY(server_->asked.last().body.endsWith("\"map_id\":1764059676131}"));
     QCOMPARE(server_->timesAsked(kWhole), 1);
+    // They tell how the map is meant, and are not asked for again at once; later they are.
+    QCOMPARE(server_->timesAsked(kTopo), 1);
+    server_->serve(kTopo, R"({"data":{"points":[]}})");
+    const auto later =
+        answerTo<map::WaypointList>([&](auto reply) { robot_->waypointSource()->waypoints(key, reply); });
+    QVERIFY(later && later->points.empty());
+    QCOMPARE(server_->timesAsked(kTopo), 2);
   }
 
   void mapAndPointsAskedTogetherLoadTheMapOnce() {
@@ -186,6 +194,7 @@ class AimdkRobotTest : public QObject {
     QCOMPARE(maps, 1);
     QCOMPARE(points->notes.size(), std::size_t(1));
     QCOMPARE(server_->timesAsked(kWhole), 1);
+    QCOMPARE(server_->timesAsked(kTopo), 1);
   }
 
   void failuresAreProblemsOfTheMap() {
@@ -197,9 +206,34 @@ class AimdkRobotTest : public QObject {
     QVERIFY(!map.has_value());
     QVERIFY(map.error().subject == map::Subject(map::SubjectKind::Map, "17"));
     QVERIFY(map.error().detail.find("boom") != std::string::npos);
+  }
+
+  void anIdThatIsNoNumberIsAskedForAsItIs() {
+    const auto points = answerTo<map::WaypointList>([&](auto reply) {
+      robot_->waypointSource()->waypoints({map::MapKind::Stored, "x y"}, reply);
+    });
+    QVERIFY(points && points->points.size() == 1);
+    QVERIFY(server_->asked.last().body.endsWith("\"map_id\":\"x y\"}"));
     QVERIFY(!answerTo<map::WaypointList>([&](auto reply) {
-               robot_->waypointSource()->waypoints({map::MapKind::Stored, "x y"}, reply);
+               robot_->waypointSource()->waypoints({map::MapKind::Stored, ""}, reply);
              }).has_value());
+  }
+
+  void mapsThatAreLeftOutAreAProblem() {
+    QSignalSpy problems(robot_.get(), &Robot::problemFound), recovered(robot_.get(), &Robot::recovered);
+    server_->serve(kNames, R"({"data":{"map_lists":[{"map_id":"17"},{"map_name":"nameless"}]}})");
+    const auto list = [&] {
+      return answerTo<std::vector<map::CatalogueEntry>>(
+          [&](auto reply) { robot_->mapCatalogue()->list(reply); });
+    };
+    QCOMPARE(list()->size(), std::size_t(1));
+    QCOMPARE(problems.size(), 1);
+    QCOMPARE(problems.first().first().value<map::Problem>().reason,
+             Fault(aimdk::fault::MapsWithoutId, {std::int64_t(1)}));
+    serveAll();
+    const auto before = recovered.size();
+    QCOMPARE(list()->size(), std::size_t(2));
+    QVERIFY(recovered.size() > before);
   }
 
   void whileItHasNotToldWhetherItCanBeEditedNobodyClaimsToKnow_data() {

@@ -331,11 +331,20 @@ void AimdkLink::list(wire::TaskPtr task, OutcomeTo<std::vector<map::CatalogueEnt
   wire::send(task, http_, request(kMapNames, mapNamesRequest(), options_.timeout),
              [this, task, reply](const net::HttpAnswer& answer) {
                deliver(kMapNames, answer);
+               std::int64_t left_out = 0;
                auto maps = outcomeOf(answer, catalogueSubject(map::kMapsPart),
-                                     parseMapNames(wire::view(answer.body)));
+                                     parseMapNames(wire::view(answer.body), &left_out));
                if (!maps) {
                  reply(fail(maps.error()));
                  return;
+               }
+               const map::ProblemCode code = map::ProblemCode::Odd;
+               const bool were_left_out = std::exchange(maps_left_out_, left_out > 0);
+               if (left_out > 0) {
+                 Q_EMIT problemFound({map::Severity::Warning, catalogueSubject(map::kMapsPart),
+                                      Fault(fault::MapsWithoutId, {left_out}), code});
+               } else if (were_left_out) {
+                 Q_EMIT recovered({catalogueSubject(map::kMapsPart), code});
                }
                wire::send(task, http_, request(kCurrentMap, currentMapRequest(), options_.timeout),
                           [this, reply, entries = std::move(*maps)](const net::HttpAnswer& current) mutable {
@@ -404,13 +413,14 @@ void AimdkLink::fetchParsed(const wire::TaskPtr& task, const map::MapKey& key, O
 /// Its points tell how its resolution is meant. Without them it is shown all the same.
 void AimdkLink::placeFetched(const map::MapKey& key, const std::shared_ptr<SharedFetch>& shared,
                              ParsedMap parsed) {
-  const auto body = topologyRequest(key.id);
-  if (!body) {
-    place(parsed, untoldScale(parsed));
-    return endFetch(key, shared, std::move(parsed));
-  }
-  wire::send(shared->task, http_, request(kTopology, *body, options_.timeout),
+  wire::send(shared->task, http_, request(kTopology, topologyRequest(key.id), options_.timeout),
              [this, key, shared, parsed = std::move(parsed)](const net::HttpAnswer& answer) mutable {
+               deliver(kTopology, answer);
+               fetched_topology_.reset();
+               if (answer.ok()) {
+                 fetched_topology_ = FetchedTopology{key, answer, {}, {}};
+                 fetched_topology_->since.start();
+               }
                const auto topology = parseTopology(wire::view(answer.body), &parsed);
                place(parsed, answer.ok() && topology ? topology->scale : untoldScale(parsed));
                endFetch(key, shared, parsed);
@@ -443,23 +453,37 @@ void AimdkLink::fetch(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map:
 }
 
 void AimdkLink::waypoints(wire::TaskPtr task, const map::MapKey& key, OutcomeTo<map::WaypointList> reply) {
-  topology(task, key, [reply = std::move(reply)](Outcome<Topology> points, const ParsedMap*) {
-    if (!points) return reply(fail(std::move(points.error())));
-    reply(std::move(points->list));
-  });
+  topology(task, key, TopologyUse::Showing,
+           [reply = std::move(reply)](Outcome<Topology> points, const ParsedMap*) {
+             if (!points) return reply(fail(std::move(points.error())));
+             reply(std::move(points->list));
+           });
 }
 
-void AimdkLink::topology(const wire::TaskPtr& task, const map::MapKey& key, TopologyReply reply) {
-  const auto body = topologyRequest(key.id);
-  if (!body || key.kind != map::MapKind::Stored) {
+std::optional<net::HttpAnswer> AimdkLink::topologyAtHand(const map::MapKey& key, TopologyUse use) {
+  constexpr qint64 kServesMs = 10'000;
+  const bool serves = fetched_topology_ && use != TopologyUse::Changing && fetched_topology_->key == key &&
+                      !fetched_topology_->since.hasExpired(kServesMs) &&
+                      fetched_topology_->served.insert(use).second;
+  return serves ? std::optional(fetched_topology_->answer) : std::nullopt;
+}
+
+void AimdkLink::topology(const wire::TaskPtr& task, const map::MapKey& key, TopologyUse use,
+                         TopologyReply reply) {
+  if (key.id.empty() || key.kind != map::MapKind::Stored) {
     reply(fail(unasked(map::placesOf(key), "1764059676131")), nullptr);
     return;
   }
-  const auto ask = [this, task, key, body = *body, reply = std::move(reply)] {
-    post(task, kTopology, body, [this, key, reply](const net::HttpAnswer& answer) {
-      deliver(kTopology, answer);
+  if (use == TopologyUse::Changing) fetched_topology_.reset();  // it becomes another one
+  const auto ask = [this, task, key, use, reply = std::move(reply)] {
+    const auto onAnswer = [this, key, reply](const net::HttpAnswer& answer) {
       const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;
       reply(outcomeOf(answer, map::placesOf(key), parseTopology(wire::view(answer.body), frame)), frame);
+    };
+    if (const auto at_hand = topologyAtHand(key, use)) return onAnswer(*at_hand);
+    post(task, kTopology, topologyRequest(key.id), [this, onAnswer](const net::HttpAnswer& answer) {
+      deliver(kTopology, answer);
+      onAnswer(answer);
     });
   };
   if (frame_ && frame_->map.key == key) return ask();

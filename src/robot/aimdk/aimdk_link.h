@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include <QDateTime>
@@ -57,6 +58,10 @@ std::optional<map::Failure> notAccepted(const net::HttpAnswer& answer, map::Subj
 /// Nothing more will be learned about the change by looking.
 bool isFinal(const map::Failure& of_change);
 
+/// What points are asked for. The answer that came with the map serves once for the first two of them, for
+/// some seconds; who changes points always asks.
+enum class TopologyUse { Showing, Editing, Changing };
+
 class AimdkLink : public wire::RobotLink {
   Q_OBJECT
  public:
@@ -78,7 +83,7 @@ class AimdkLink : public wire::RobotLink {
   void post(const wire::TaskPtr& task, const char* method, const QByteArray& body, Reply reply);
   /// The points as they are now, and the map that they lie on, without its picture (null: it cannot be had).
   using TopologyReply = std::function<void(Outcome<Topology>, const ParsedMap*)>;
-  void topology(const wire::TaskPtr& task, const map::MapKey& key, TopologyReply reply);
+  void topology(const wire::TaskPtr& task, const map::MapKey& key, TopologyUse use, TopologyReply reply);
   /// Whether it is mapping. Told by newerKnown(), too.
   void lookAtMapping(const wire::TaskPtr& task, OutcomeTo<bool> reply);
 
@@ -130,6 +135,7 @@ class AimdkLink : public wire::RobotLink {
   std::optional<UntrustedCertificate> certificate_;
   map::FailureKind failure_ = map::FailureKind::None;
   std::optional<std::string> current_;
+  bool maps_left_out_ = false;  // of the list that came last
   NewerServices newer_;
   QElapsedTimer probed_;  // since it was last told, or should have been
   /// One request for all concurrent callers; cancelled when none of them needs it any more.
@@ -142,7 +148,16 @@ class AimdkLink : public wire::RobotLink {
                 const Outcome<ParsedMap>& parsed);
   void leave(const map::MapKey& key, const std::shared_ptr<SharedFetch>& shared);
   std::map<map::MapKey, std::shared_ptr<SharedFetch>> fetching_;
+  /// The answer of GetTopoMsgs that came with the last map; nullopt: it is too old, or has served that use.
+  std::optional<net::HttpAnswer> topologyAtHand(const map::MapKey& key, TopologyUse use);
   std::optional<ParsedMap> frame_;  // of the last fetched map, without its picture: used to check points
+  struct FetchedTopology {
+    map::MapKey key;
+    net::HttpAnswer answer;
+    QElapsedTimer since;
+    std::set<TopologyUse> served;
+  };
+  std::optional<FetchedTopology> fetched_topology_;
   MapChanges map_changes_;
   PointChanges point_changes_;
 };

@@ -66,6 +66,20 @@ inline constexpr FaultCode ScaleFitsNeither{
 inline constexpr FaultCode MorePointsOff{
     "aimdk", QT_TRANSLATE_N_NOOP("aimdk", "%1 more points have pixel and metre coordinates that differ.")};
 
+/// how many
+inline constexpr FaultCode PointsByPixels{
+    "aimdk", QT_TRANSLATE_N_NOOP(
+                 "aimdk", "%1 points have no metre coordinates. They are shown at their pixel coordinates.")};
+/// how many
+inline constexpr FaultCode PathsNotShown{"aimdk",
+                                         QT_TRANSLATE_N_NOOP("aimdk", "%1 paths of this map are not shown.")};
+/// how many
+inline constexpr FaultCode RegionsNotShown{
+    "aimdk", QT_TRANSLATE_N_NOOP("aimdk", "%1 regions of this map are not shown.")};
+/// how many
+inline constexpr FaultCode MapsWithoutId{
+    "aimdk", QT_TRANSLATE_N_NOOP("aimdk", "%1 maps in the robot's list have no id. They were left out.")};
+
 // What newer firmware has.
 /// because: how it answers
 inline constexpr FaultCode ServiceLacking{
@@ -85,9 +99,6 @@ inline constexpr FaultCode PointScaleUntold{
                       "The robot takes pixels, and which of them lies where cannot be told by the "
                       "waypoints that the map has: the waypoint might land at the wrong place. Set some "
                       "waypoints on the robot itself first, apart from each other.")};
-inline constexpr FaultCode PointWithoutNumber{
-    "aimdk",
-    QT_TRANSLATE_NOOP("aimdk", "The waypoint, or its map, has no number by which it could be changed.")};
 inline constexpr FaultCode PointsStay{
     "aimdk", QT_TRANSLATE_NOOP("aimdk", "Waypoints of this robot cannot be deleted from here.")};
 inline constexpr FaultCode PointsWithoutTags{

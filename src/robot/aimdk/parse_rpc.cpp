@@ -7,6 +7,7 @@
 #include <numbers>
 #include <tuple>
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -118,17 +119,35 @@ std::optional<double> headingOf(const Json& point, bool degrees) {
   return geometry::normalizeAngle(-(degrees ? geometry::radiansFromDegrees(*angle) : *angle));
 }
 
+/// The pixel (u, v) of a point.
+std::optional<Eigen::Vector2d> pixelOf(const Json& point) {
+  const auto pixel_pose = wire::member(point, {"pixel_pose"});
+  const auto pixel = pixel_pose ? wire::member(*pixel_pose, {"position"}) : std::nullopt;
+  const auto u = pixel ? wire::number(*pixel, {"u", "x"}) : std::nullopt;
+  const auto v = pixel ? wire::number(*pixel, {"v", "y"}) : std::nullopt;
+  return u && v ? std::optional(Eigen::Vector2d(*u, *v)) : std::nullopt;
+}
+
+/// Where a pixel lies at a scale; nullopt where the map does not say.
+std::optional<Eigen::Vector2d> placeOf(const Eigen::Vector2d& pixel, const ParsedMap& frame,
+                                       double pixels_per_m) {
+  const Eigen::Vector2d place((pixel.x() - frame.u0) / pixels_per_m, (frame.v0 - pixel.y()) / pixels_per_m);
+  return place.allFinite() ? std::optional(place) : std::nullopt;
+}
+
 /// The distance between a point's pixels and its metres at a scale; nullopt if it has no pixels.
 std::optional<double> pixelsOff(const Json& point, const Eigen::Vector2d& position, const ParsedMap& frame,
                                 double pixels_per_m) {
-  const auto pixel_pose = wire::member(point, {"pixel_pose"});
-  const auto pixel = pixel_pose ? wire::member(*pixel_pose, {"position"}) : std::nullopt;
+  const auto pixel = pixelOf(point);
   if (!pixel) return std::nullopt;
-  const auto u = wire::number(*pixel, {"u", "x"}), v = wire::number(*pixel, {"v", "y"});
-  if (!u || !v) return std::nullopt;
-  const double du = *u - (frame.u0 + position.x() * pixels_per_m);
-  const double dv = *v - (frame.v0 - position.y() * pixels_per_m);
+  const double du = pixel->x() - (frame.u0 + position.x() * pixels_per_m);
+  const double dv = pixel->y() - (frame.v0 - position.y() * pixels_per_m);
   return std::max(std::abs(du), std::abs(dv));
+}
+
+std::int64_t countOf(const Json& object, const char* member) {
+  const auto rows = wire::list(object, {member});
+  return rows ? std::int64_t(rows->size()) : 0;
 }
 
 Scale scaleBy(const wire::JsonList& points, const ParsedMap& frame) {
@@ -159,14 +178,20 @@ QByteArray compactJson(const QJsonObject& object) {
 
 QString qtText(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
 
-bool isNumberId(std::string_view id) {
-  return !id.empty() && id.find_first_not_of("0123456789") == std::string_view::npos &&
-         (id == "0" || id.front() != '0');
+/// An id in JSON: a number digit by digit, because JSON libraries use doubles, which may lose some; anything
+/// else as the text that it is.
+QByteArray jsonOfId(std::string_view id) {
+  const bool number = !id.empty() && id.find_first_not_of("0123456789") == std::string_view::npos &&
+                      (id == "0" || id.front() != '0');
+  if (number) return {id.data(), qsizetype(id.size())};
+  const QByteArray list = QJsonDocument(QJsonArray{qtText(id)}).toJson(QJsonDocument::Compact);
+  return list.mid(1, list.size() - 2);
 }
 
 }  // namespace
 
-Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body) {
+Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body, std::int64_t* left_out) {
+  if (left_out) *left_out = 0;
   wire::JsonReader reader;
   const auto data = dataOf(reader, body);
   if (!data) return passed(data.error());
@@ -180,7 +205,11 @@ Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body) {
     entry.key = {map::MapKind::Stored, wire::text(row, {"map_id", "id"})};
     entry.name = wire::text(row, {"map_name", "name"});
     entry.index = wire::smallInteger(row, {"map_index", "index"});
-    if (!entry.key.id.empty()) entries.push_back(std::move(entry));
+    if (entry.key.id.empty()) {
+      if (left_out) ++*left_out;
+      continue;
+    }
+    entries.push_back(std::move(entry));
   }
   return entries;
 }
@@ -263,13 +292,17 @@ Read<Topology> parseTopology(std::string_view body, const ParsedMap* frame) {
   Topology topology;
   if (frame) topology.scale = untoldScale(*frame);
   map::WaypointList& list = topology.list;
+  if (const std::int64_t paths = countOf(*data, "paths"); paths > 0)
+    list.notes.push_back({fault::PathsNotShown, {paths}});
+  if (const std::int64_t regions = countOf(*data, "regions"); regions > 0)
+    list.notes.push_back({fault::RegionsNotShown, {regions}});
   const auto member = wire::member(*data, {"points"});
   if (!member) return topology;
   const auto rows = wire::asList(*member);
   if (!rows) return refused(robot::wire::fault::PointsAreNoList);
   const bool degrees = topology.degrees = anglesAreDegrees(*rows);
   if (frame) topology.scale = scaleBy(*rows, *frame);
-  std::size_t unplaced = 0, unsaid = 0;
+  std::size_t unplaced = 0, unsaid = 0, by_pixels = 0;
   const auto note = [&](Fault odd) {
     if (list.notes.size() < kMaxNotes) {
       list.notes.push_back(std::move(odd));
@@ -279,11 +312,14 @@ Read<Topology> parseTopology(std::string_view body, const ParsedMap* frame) {
   };
   for (const Json row : *rows) {
     const auto pose = wire::member(row, {"pose"});
-    const auto position = pose ? wire::asPoint(*pose) : std::nullopt;
+    auto position = pose ? wire::asPoint(*pose) : std::nullopt;
+    const auto pixel = position || !frame ? std::nullopt : pixelOf(row);
+    if (pixel) position = placeOf(*pixel, *frame, topology.scale.pixels_per_m);
     if (!position) {
       ++unplaced;
       continue;
     }
+    by_pixels += pixel ? 1 : 0;
     map::Waypoint point{wire::text(row, {"point_id", "id"}), wire::text(row, {"name"}),
                         wire::text(row, {"point_type", "type"}), *position, headingOf(row, degrees)};
     point.source = simdjson::minify(row);
@@ -294,6 +330,7 @@ Read<Topology> parseTopology(std::string_view body, const ParsedMap* frame) {
     }
     list.points.push_back(std::move(point));
   }
+  if (by_pixels > 0) list.notes.push_back({fault::PointsByPixels, {std::int64_t(by_pixels)}});
   if (unplaced > 0) list.notes.push_back({robot::wire::fault::PointsUnplaced, {std::int64_t(unplaced)}});
   if (unsaid > 0) list.notes.push_back({fault::MorePointsOff, {std::int64_t(unsaid)}});
   return topology;
@@ -346,11 +383,8 @@ QByteArray wholeMapRequest(std::string_view map_id) {
                  {{QStringLiteral("map_id"), QString::fromUtf8(map_id.data(), qsizetype(map_id.size()))}});
 }
 
-std::optional<QByteArray> topologyRequest(std::string_view map_id) {
-  if (!isNumberId(map_id)) return std::nullopt;
-  // Written by hand: JSON libraries use doubles for numbers, which may lose digits.
-  return R"({"command":"TopoCommand_GET_TOPO_MSG","map_id":)" +
-         QByteArray(map_id.data(), qsizetype(map_id.size())) + '}';
+QByteArray topologyRequest(std::string_view map_id) {
+  return R"({"command":"TopoCommand_GET_TOPO_MSG","map_id":)" + jsonOfId(map_id) + '}';
 }
 
 QByteArray realtimeMapRequest() { return changeRequest("MappingCommand_GET_REALTIME_MAP"); }
@@ -362,13 +396,13 @@ QByteArray changeRequest(const char* command, const std::vector<std::pair<const 
   return compactJson(members);
 }
 
-std::optional<QByteArray> pointRequest(std::string_view map_id, const map::Waypoint& point,
-                                       const std::optional<PixelPose>& pose) {
+QByteArray pointRequest(std::string_view map_id, const map::Waypoint& point,
+                        const std::optional<PixelPose>& pose) {
   const bool is_new = point.source.empty();
-  if (!isNumberId(map_id) || (!is_new && !isNumberId(point.id))) return std::nullopt;
   // What is not known here goes back as it came, without the metres: pixels are what counts.
   QJsonObject members = QJsonDocument::fromJson(QByteArray::fromStdString(point.source)).object();
   members.remove(QStringLiteral("pose"));
+  const QJsonValue own_id = members[QStringLiteral("point_id")];
   members.remove(QStringLiteral("point_id"));
   members[QStringLiteral("name")] = qtText(point.name);
   // A type that came as a number goes back as one.
@@ -385,9 +419,11 @@ std::optional<QByteArray> pointRequest(std::string_view map_id, const map::Waypo
   }
   QByteArray rest = compactJson(members);
   rest[0] = ',';
-  return R"({"header":{},"command":"TopoCommand_SET_NAVI_POINT","map_id":)" +
-         QByteArray(map_id.data(), qsizetype(map_id.size())) + R"(,"point":{"point_id":)" +
-         (is_new ? QByteArray("0") : QByteArray::fromStdString(point.id)) + rest + '}';
+  QByteArray id = is_new ? QByteArray("0") : jsonOfId(point.id);
+  // An id that came as a text goes back as one.
+  if (own_id.isString() && !id.startsWith('"')) id = '"' + id + '"';
+  return R"({"header":{},"command":"TopoCommand_SET_NAVI_POINT","map_id":)" + jsonOfId(map_id) +
+         R"(,"point":{"point_id":)" + id + rest + '}';
 }
 
 }  // namespace mapwright::robot::aimdk

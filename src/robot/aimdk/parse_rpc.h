@@ -27,8 +27,8 @@ struct RpcError {
 template <typename T>
 using Read = tl::expected<T, RpcError>;
 
-/// GetStoredMapNames, in the robot's order.
-Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body);
+/// GetStoredMapNames, in the robot's order. `left_out`: how many rows have no id.
+Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body, std::int64_t* left_out = nullptr);
 /// GetCurrentWorkingMap: an id, empty if none is in use.
 Read<std::string> parseCurrentMap(std::string_view body);
 /// Get2DWholeMap, placed as its `resolution` is read: pixels per metre until place() says otherwise.
@@ -49,7 +49,8 @@ struct Scale {
 /// Nothing tells: as the maker says.
 Scale untoldScale(const ParsedMap& map);
 void place(ParsedMap& map, const Scale& scale);
-/// GetTopoMsgs. Without `frame` pixels are not compared with metres, and the scale is untold.
+/// GetTopoMsgs. Points without metres are placed by their pixels. Without `frame` pixels tell nothing, and
+/// the scale is untold.
 struct Topology {
   map::WaypointList list;  // each with its source
   bool degrees = false;    // the unit of their angles; otherwise radians
@@ -69,24 +70,22 @@ Read<void> parseAcceptance(std::string_view body);
 /// SetNaviPoint: the id of a point that was created; empty if it is not told.
 std::string createdPoint(std::string_view body);
 
-/// The requests. One call takes ids as text, the other as a number, digit by digit; GetTopoMsgs is impossible
-/// for an id that is not a number.
+/// The requests. One call takes ids as text, the other as a number, digit by digit, if they are numbers.
 QByteArray mapNamesRequest();
 QByteArray currentMapRequest();
 QByteArray wholeMapRequest(std::string_view map_id);
-std::optional<QByteArray> topologyRequest(std::string_view map_id);
+QByteArray topologyRequest(std::string_view map_id);
 QByteArray realtimeMapRequest();
 /// A change of maps: a command with texts.
 QByteArray changeRequest(const char* command,
                          const std::vector<std::pair<const char*, std::string>>& texts = {});
 inline constexpr const char* kUsualPointType = "NaviPointType_NAVI_POINT";
-/// SetNaviPoint: `point` as it is to be, on that pixel (nullopt: the one that its source says). nullopt if
-/// the id of the map, or that of a point that is not new, is no number.
+/// SetNaviPoint: `point` as it is to be, on that pixel (nullopt: the one that its source says).
 struct PixelPose {
   std::int64_t u = 0, v = 0;
   std::optional<double> angle = {};  // nullopt: as it was
 };
-std::optional<QByteArray> pointRequest(std::string_view map_id, const map::Waypoint& point,
-                                       const std::optional<PixelPose>& pose);
+QByteArray pointRequest(std::string_view map_id, const map::Waypoint& point,
+                        const std::optional<PixelPose>& pose);
 
 }  // namespace mapwright::robot::aimdk

@@ -72,24 +72,25 @@ struct PointChanges::Change {
 };
 
 void PointChanges::read(const wire::TaskPtr& task, const map::MapKey& key, OutcomeTo<PixelPoints> reply) {
-  link_.topology(task, key, [reply = std::move(reply)](Outcome<Topology> now, const ParsedMap* frame) {
-    if (!now) return reply(fail(std::move(now.error())));
-    PixelPoints points;
-    if (frame) points.pixel_m = 1 / now->scale.pixels_per_m;
-    points.stored.notes = std::move(now->list.notes);
-    std::string all;
-    std::set<std::string> ids;
-    for (map::Waypoint& point : now->list.points) {
-      all += point.source;
-      // What has no id of its own can be looked at, and not be changed.
-      const std::string own = point.id;
-      for (int turn = 2; point.id.empty() || !ids.insert(point.id).second; ++turn)
-        point.id = own + " #" + std::to_string(turn);
-      points.stored.points.push_back(std::move(point));
-    }
-    points.stored.revision = wire::fingerprint(all);
-    reply(std::move(points));
-  });
+  link_.topology(task, key, TopologyUse::Editing,
+                 [reply = std::move(reply)](Outcome<Topology> now, const ParsedMap* frame) {
+                   if (!now) return reply(fail(std::move(now.error())));
+                   PixelPoints points;
+                   if (frame) points.pixel_m = 1 / now->scale.pixels_per_m;
+                   points.stored.notes = std::move(now->list.notes);
+                   std::string all;
+                   std::set<std::string> ids;
+                   for (map::Waypoint& point : now->list.points) {
+                     all += point.source;
+                     // What has no id of its own can be looked at, and not be changed.
+                     const std::string own = point.id;
+                     for (int turn = 2; point.id.empty() || !ids.insert(point.id).second; ++turn)
+                       point.id = own + " #" + std::to_string(turn);
+                     points.stored.points.push_back(std::move(point));
+                   }
+                   points.stored.revision = wire::fingerprint(all);
+                   reply(std::move(points));
+                 });
 }
 
 void PointChanges::perform(const wire::TaskPtr& task, const map::MapKey& key, const WaypointRequest& request,
@@ -101,12 +102,13 @@ void PointChanges::perform(const wire::TaskPtr& task, const map::MapKey& key, co
   if (!what.after) return change->fail(notAsked(change->subject(), fault::PointsStay));
   if (!what.after->tags.empty()) return change->fail(notAsked(change->subject(), fault::PointsWithoutTags));
   // Someone else may have been faster, and where its pixels lie is to be told by the points as they are now.
-  link_.topology(task, key, [this, change](const Outcome<Topology>& now, const ParsedMap* frame) {
-    if (!now) return change->fail(now.error());
-    auto body = requestFor(*change, *now, frame);
-    if (!body) return change->fail(std::move(body.error()));
-    send(change, *body);
-  });
+  link_.topology(task, key, TopologyUse::Changing,
+                 [this, change](const Outcome<Topology>& now, const ParsedMap* frame) {
+                   if (!now) return change->fail(now.error());
+                   auto body = requestFor(*change, *now, frame);
+                   if (!body) return change->fail(std::move(body.error()));
+                   send(change, *body);
+                 });
 }
 
 Outcome<QByteArray> PointChanges::requestFor(Change& change, const Topology& now, const ParsedMap* frame) {
@@ -144,9 +146,7 @@ Outcome<QByteArray> PointChanges::requestFor(Change& change, const Topology& now
   }
   if (!pose && now.two_places.contains(change.id))
     return fail(notAsked(change.subject(), {fault::PointInTwoPlaces, {kept->name}}));
-  auto body = pointRequest(change.key.id, wanted, pose);
-  if (!body) return fail(notAsked(change.subject(), fault::PointWithoutNumber));
-  return std::move(*body);
+  return pointRequest(change.key.id, wanted, pose);
 }
 
 void PointChanges::send(const ChangePtr& change, const QByteArray& body) {
@@ -163,31 +163,33 @@ void PointChanges::send(const ChangePtr& change, const QByteArray& body) {
 }
 
 void PointChanges::look(const ChangePtr& change) {
-  link_.topology(change->task, change->key, [this, change](const Outcome<Topology>& now, const ParsedMap*) {
-    if (!now) {
-      map::Failure failure = now.error();
-      failure.applied = map::Applied::Maybe;
-      return take(change, std::move(failure));
-    }
-    const map::Waypoint& wanted = *change->what.after;
-    const map::Waypoint* kept = change->id.empty() ? nullptr : pointIn(now->list, change->id);
-    if (!kept && !change->what.before) {
-      // The creator got no id in the answer.
-      for (const map::Waypoint& point : now->list.points) {
-        if (!change->ids_before.contains(point.id) && point.name == wanted.name) kept = &point;
-      }
-    }
-    if (!kept)
-      return take(change, wire::otherwise(change->subject(), {fault::PointNotListed, {wanted.name}}));
-    change->id = kept->id;
-    if (!change->isNear(*kept))
-      return take(change, wire::otherwise(change->subject(),
-                                          {fault::PointElsewhere, {wanted.name, change->farOff(*kept)}}));
-    if (kept->name != wanted.name || (!wanted.type.empty() && kept->type != wanted.type) ||
-        !change->isTurnedSo(*kept))
-      return take(change, wire::otherwise(change->subject(), {fault::PointOtherwise, {wanted.name}}));
-    take(change, std::nullopt);
-  });
+  link_.topology(
+      change->task, change->key, TopologyUse::Changing,
+      [this, change](const Outcome<Topology>& now, const ParsedMap*) {
+        if (!now) {
+          map::Failure failure = now.error();
+          failure.applied = map::Applied::Maybe;
+          return take(change, std::move(failure));
+        }
+        const map::Waypoint& wanted = *change->what.after;
+        const map::Waypoint* kept = change->id.empty() ? nullptr : pointIn(now->list, change->id);
+        if (!kept && !change->what.before) {
+          // The creator got no id in the answer.
+          for (const map::Waypoint& point : now->list.points) {
+            if (!change->ids_before.contains(point.id) && point.name == wanted.name) kept = &point;
+          }
+        }
+        if (!kept)
+          return take(change, wire::otherwise(change->subject(), {fault::PointNotListed, {wanted.name}}));
+        change->id = kept->id;
+        if (!change->isNear(*kept))
+          return take(change, wire::otherwise(change->subject(),
+                                              {fault::PointElsewhere, {wanted.name, change->farOff(*kept)}}));
+        if (kept->name != wanted.name || (!wanted.type.empty() && kept->type != wanted.type) ||
+            !change->isTurnedSo(*kept))
+          return take(change, wire::otherwise(change->subject(), {fault::PointOtherwise, {wanted.name}}));
+        take(change, std::nullopt);
+      });
 }
 
 void PointChanges::take(const ChangePtr& change, std::optional<map::Failure> wrong) {
