@@ -1,4 +1,6 @@
-// `mapwright maps download|upload|create`: whole maps on their way (docs/command-line.md).
+// `mapwright maps download|upload|create|set-image`: whole maps on their way (docs/command-line.md).
+#include <vector>
+
 #include <CLI/CLI.hpp>
 #include <QJsonObject>
 
@@ -6,10 +8,15 @@
 #include "app/command_text.h"
 #include "app/output.h"
 #include "app/robot_command.h"
+#include "app/robot_factory.h"
+#include "grids/grid_cells.h"
+#include "grids/grid_pyramid.h"
 #include "jobs/change_map.h"
 #include "jobs/map_folder.h"
 #include "jobs/new_map.h"
 #include "robot/map_transfer.h"
+#include "robot/picture_store.h"
+#include "sentences/plural.h"
 #include "ui/kit/status_text.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -148,6 +155,95 @@ CommandResult<int> mapsCreate(RobotCommand& command, const TransferArguments& ar
   return addMap(command, args, map->map);
 }
 
+/// The cells of a picture as map_server reads them: from 65 % occupied, below 19.6 % free, between unknown.
+struct OccupancyOfPicture {
+  std::shared_ptr<const grids::GridPyramid> cells;
+  qint64 between = 0;  // neither quite free nor quite occupied, and not meant to be unknown
+};
+
+OccupancyOfPicture occupancyOf(const grids::GridPyramid& picture) {
+  constexpr int kOccupied = 65, kFree = 19;  // percent
+  const grids::CellMeaning& meaning = grids::meaningOf(picture.code());
+  std::array<std::uint8_t, 256> cell_of{};
+  std::array<bool, 256> between{};
+  for (std::size_t byte = 0; byte < 256; ++byte) {
+    const int occupancy = meaning.occupancy[byte];
+    cell_of[byte] = occupancy < 0            ? grids::kUnknownOccupancy
+                    : occupancy >= kOccupied ? std::uint8_t(100)
+                    : occupancy <= kFree     ? std::uint8_t(0)
+                                             : grids::kUnknownOccupancy;
+    between[byte] = occupancy > 0 && occupancy < 100;
+  }
+  const auto builder = grids::buildGrid(picture.width(), picture.height(), grids::CellCode::Occupancy,
+                                        grids::Reduction::OccupiedWins);
+  grids::GridRows rows(picture);
+  std::vector<std::uint8_t> cells(std::size_t(picture.width()));
+  OccupancyOfPicture made;
+  for (int y = 0; y < picture.height(); ++y) {
+    const std::uint8_t* const row = rows.row(y);
+    for (std::size_t x = 0; x < cells.size(); ++x) {
+      cells[x] = cell_of[row[x]];
+      made.between += between[row[x]] ? 1 : 0;
+    }
+    builder->pushRow(cells);
+  }
+  builder->finish();
+  made.cells = builder->pyramid();
+  return made;
+}
+
+CommandResult<int> mapsSetImage(RobotCommand& command, const TransferArguments& args) {
+  const map::MapKey key = map::mapKeyFromText(args.id);
+  if (key.kind != map::MapKind::Stored || !isPlainId(key.id))
+    return wrong(Text::tr("%1: pass the id of a stored map (see mapwright maps list).").arg(text(args.id)));
+  const auto file = command.open(RobotReading::Purpose::Maps, text(args.image));
+  if (!file) return passOn(file);
+  if (!(*file)->local())
+    return wrong(Text::tr("%1: pass an image file (.pgm, .png) or its map.yaml.").arg(text(args.image)));
+  const auto picture = (*file)->map(QString(), 0.05);
+  if (!picture) return passOn(picture);
+  const auto opened = command.open();
+  if (!opened) return passOn(opened);
+  RobotReading& reading = **opened;
+  reading.await(robot::Capability::PictureEditing);
+  robot::PictureStore* const store = reading.session().robot().pictureStore();
+  if (!store) return reading.lacks(robot::Capability::PictureEditing);
+  const auto now = reading.map(text(args.id), 0.05);
+  if (!now) return passOn(now);
+  const map::WholeMap& map = reading.session().wholeMap().shown();
+  if (store->obstacle(map) || now->cells->code() != grids::CellCode::Occupancy)
+    return reading.failure(kRobotError, Text::tr("The image of this map cannot be set from here."));
+  if (picture->cells->width() != now->cells->width() || picture->cells->height() != now->cells->height())
+    return wrong(Text::tr("%1 has %2 x %3 pixels, but the map has %4 x %5 cells. Nothing was sent.")
+                     .arg(text(args.image))
+                     .arg(picture->cells->width())
+                     .arg(picture->cells->height())
+                     .arg(now->cells->width())
+                     .arg(now->cells->height()));
+  const OccupancyOfPicture wanted = occupancyOf(*picture->cells);
+  if (wanted.between > 0)
+    reading.note(sentences::counted(
+        Text::tr("%1 cells of the image are neither free nor occupied but in between: they are sent as "
+                 "map_server reads them (from 65 % occupied, below 19.6 % free, else unknown).",
+                 nullptr, sentences::formOf(wanted.between)),
+        wanted.between));
+  const auto line = std::make_shared<ProgressLine>();
+  const auto done = reading.ask<robot::PictureReceipt>([&](robot::OutcomeTo<robot::PictureReceipt> reply) {
+    robot::Call call = store->write({key, wanted.cells, map.fingerprint}, std::move(reply));
+    showProgress(call, line);
+    return call;
+  });
+  line->clear();
+  if (!done) return reading.failure(done.error());
+  if (args.json) {
+    printJson(
+        QJsonObject{{QStringLiteral("id"), text(args.id)}, {QStringLiteral("between"), wanted.between}});
+  } else {
+    printLine(Text::tr("%1: the image was replaced, and the robot shows it.").arg(words::plainName(args.id)));
+  }
+  return kDone;
+}
+
 }  // namespace
 
 void addMapTransfers(Commands& commands, CLI::App& maps) {
@@ -171,6 +267,15 @@ void addMapTransfers(Commands& commands, CLI::App& maps) {
   upload->add_option("--name", args->name, help(Text::tr("Another name")));
   upload->add_flag("--as-new", args->as_new,
                    help(Text::tr("As another map, with a uid of its own, beside the one that it is of")));
+  CLI::App* const image =
+      add("set-image", Text::tr("Replace the image of the robot's current map (KABAM)"), mapsSetImage);
+  image->add_option("id", args->id, help(Text::tr("Id of the map")))->required();
+  image
+      ->add_option(
+          "file", args->image,
+          help(Text::tr("A PGM or PNG of the same size, or its map.yaml: black occupied, white free, "
+                        "205 unknown")))
+      ->required();
   CLI::App* const create = add("create", Text::tr("Add a map made of a picture"), mapsCreate);
   create->add_option("name", args->name, help(Text::tr("Its name")))->required();
   create

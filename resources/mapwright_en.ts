@@ -42,6 +42,13 @@
 <context>
     <name>CommandLine</name>
     <message numerus="yes">
+        <source>%1 cells of the image are neither free nor occupied but in between: they are sent as map_server reads them (from 65 % occupied, below 19.6 % free, else unknown).</source>
+        <translation>
+            <numerusform>%1 cell of the image is neither free nor occupied but in between: it is sent as map_server reads it (from 65 % occupied, below 19.6 % free, else unknown).</numerusform>
+            <numerusform>%1 cells of the image are neither free nor occupied but in between: they are sent as map_server reads them (from 65 % occupied, below 19.6 % free, else unknown).</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 cells</source>
         <translation>
             <numerusform>%1 cell</numerusform>
