@@ -14,8 +14,8 @@
 #include "app/output.h"
 #include "app/robot_factory.h"
 #include "disk/read_file.h"
+#include "exchange/waypoint_file.h"
 #include "exchange/waypoint_json.h"
-#include "exchange/waypoint_table.h"
 #include "robot/files/waypoint_file.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/placing_sentence.h"
@@ -64,14 +64,6 @@ QString nameLeft(const exchange::TemporaryName& left) {
                             "\"%1\" looks like a temporary name left by an interrupted swap of names. "
                             "Another waypoint is called \"%2\" now. Apply the plan again, or rename it.")
                             .arg(name, permanent);
-}
-
-/// After a UTF-8 byte order mark and blanks.
-bool beginsLikeJson(std::string_view bytes) {
-  constexpr std::string_view kMark = "\xef\xbb\xbf";
-  if (bytes.starts_with(kMark)) bytes.remove_prefix(kMark.size());
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && bytes[first] == '{';
 }
 
 std::optional<WaypointFileKind> kindCalled(const QString& word) {
@@ -205,12 +197,25 @@ tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path
           .arg(text(path)));
 }
 
-tl::expected<exchange::WantedList, QString> readWantedFile(const std::string& path,
-                                                           const std::string& format) {
+tl::expected<exchange::WantedList, QString> readWantedFile(const std::string& path, const std::string& format,
+                                                           const std::string& angles) {
+  exchange::AngleUnit unit = exchange::AngleUnit::Guess;
+  if (angles == "degrees") {
+    unit = exchange::AngleUnit::Degrees;
+  } else if (angles == "radians") {
+    unit = exchange::AngleUnit::Radians;
+  } else if (!angles.empty()) {
+    return tl::make_unexpected(Text::tr("--angles %1: must be degrees or radians.").arg(text(angles)));
+  }
   const bool by_content = isStandardInput(path) && format.empty();
-  auto kind = by_content ? tl::expected<WaypointFileKind, QString>(WaypointFileKind::GeoJson)
-                         : waypointFileKind(path, format);
-  if (!kind) return passOn(kind);
+  const QString word = format.empty() ? QFileInfo(text(path)).suffix().toLower() : text(format);
+  auto kind = exchange::waypointFormatCalled(word);
+  if (!kind && !format.empty())
+    return tl::make_unexpected(Text::tr("--format %1: must be csv, geojson or yaml.").arg(text(format)));
+  if (!kind && !by_content)
+    return tl::make_unexpected(Text::tr("%1: the name must end in .geojson, .json, .csv or .yaml; or pass "
+                                        "--format geojson, csv or yaml.")
+                                   .arg(text(path)));
   const QString called = inputCalled(path);
   const auto bytes = bytesOf(path, exchange::kMaxWantedBytes);
   if (!bytes)
@@ -218,10 +223,11 @@ tl::expected<exchange::WantedList, QString> readWantedFile(const std::string& pa
         Text::tr("%1 cannot be read: %2.").arg(called, sentences::wordsOf(bytes.error().cause)));
   if (bytes->size() > exchange::kMaxWantedBytes)
     return tl::make_unexpected(Text::tr("%1 is larger than 64 MiB.").arg(called));
-  if (by_content && !beginsLikeJson(*bytes)) kind = WaypointFileKind::Csv;
   exchange::WantedFile wanted =
-      *kind == WaypointFileKind::Csv ? exchange::wantedFromCsv(*bytes) : exchange::wantedFromGeoJson(*bytes);
+      exchange::wantedFromFile(*bytes, kind ? *kind : exchange::waypointFormatOf(*bytes), unit);
   if (!wanted) return tl::make_unexpected(QStringLiteral("%1: %2").arg(called, wanted.error()));
+  if (wanted->unit_guessed)
+    wanted->notes << Text::tr("Pass --angles degrees or --angles radians to be sure.");
   return wanted;
 }
 

@@ -31,6 +31,7 @@ struct WaypointsArguments : RobotArguments {
   bool no_tags = false;                  // tag: all go
   bool yes = false;                      // delete: confirmed
   std::string file, format, output;      // import, plan, apply; export: csv or geojson; export, plan
+  std::string angles;                    // import, plan: degrees or radians; empty = guess
   bool force = false;                    // also overwrite a source file, or apply to another robot
   bool warnings = false;                 // list: with warnings about each
   std::string radius;  // list, plan: distance to walls in metres; empty = the robot's footprint
@@ -64,9 +65,11 @@ enum class WaypointFileKind { GeoJson, Csv };
 /// By `format` ("csv", "geojson"), otherwise by the extension; "-" is GeoJSON. The error is a sentence.
 tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path, const std::string& format);
 
-/// Parses the file; "-" is the standard input, taken as GeoJSON if it begins with a brace. The error is a
+/// Parses the file by its name, or by `format` ("csv", "geojson", "yaml"); the standard input ("-") by what
+/// it looks like. `angles`: "degrees", "radians" or empty, for headings without a unit. The error is a
 /// sentence with the name of the file.
-exchange::WantedFile readWantedFile(const std::string& path, const std::string& format);
+exchange::WantedFile readWantedFile(const std::string& path, const std::string& format,
+                                    const std::string& angles);
 
 /// The local files that the map `key` and its waypoints are read from; none for a robot.
 std::vector<std::string> waypointSources(const std::string& address, const map::MapKey& key);

@@ -316,12 +316,18 @@ CommandResult<int> carryOut(RobotCommand& command, const ListedWaypoints& list,
 
 /// The changes that the file requires to the present waypoints.
 CommandResult<std::vector<exchange::WaypointEdit>> wantedEdits(const ListedWaypoints& list,
-                                                               const exchange::WantedList& wanted,
+                                                               exchange::WantedList wanted,
                                                                const WaypointsArguments& args,
                                                                exchange::Others others) {
-  for (const QString& note : wanted.notes)
-    list.robot->note(QStringLiteral("%1: %2").arg(oneLine(inputCalled(args.file), 200), note));
-  auto edits = exchange::editsFor(exchange::itemsOf(list.stored.points), wanted.points, others);
+  const exchange::WaypointItems kept = exchange::itemsOf(list.stored.points);
+  exchange::knowByPlace(wanted.points, kept);
+  wanted.notes << exchange::nameNameless(wanted.points, kept, Text::tr("Waypoint %1"));
+  wanted.notes.removeAll(QString());
+  // As one: of several only the first would be printed.
+  if (!wanted.notes.isEmpty())
+    list.robot->note(QStringLiteral("%1: %2").arg(oneLine(inputCalled(args.file), 200),
+                                                  wanted.notes.join(QLatin1Char(' '))));
+  auto edits = exchange::editsFor(kept, wanted.points, others);
   if (!edits) return wrong(QStringLiteral("%1: %2").arg(inputCalled(args.file), edits.error()));
   return fitted(list, std::move(*edits));
 }
@@ -345,7 +351,7 @@ DoubtsAhead doubtsAhead(const ListedWaypoints& list, const std::vector<exchange:
 }
 
 CommandResult<int> waypointsImport(RobotCommand& command, const WaypointsArguments& args) {
-  const exchange::WantedFile wanted = readWantedFile(args.file, args.format);
+  const exchange::WantedFile wanted = readWantedFile(args.file, args.format, args.angles);
   if (!wanted) return wrong(wanted.error());
   const auto list = listWaypoints(command, args.map, Use::Changing);
   if (!list) return passOn(list);
@@ -363,7 +369,7 @@ CommandResult<int> waypointsPlan(RobotCommand& command, const WaypointsArguments
   if (!radius_m) return wrong(radius_m.error());
   const QString printed = args.json ? QStringLiteral("-") : QString();
   if (const auto why = whyNotTogether({output, text(args.report), printed})) return wrong(*why);
-  const exchange::WantedFile wanted = readWantedFile(args.file, args.format);
+  const exchange::WantedFile wanted = readWantedFile(args.file, args.format, args.angles);
   if (!wanted) return wrong(wanted.error());
   const auto list = listWaypoints(command, args.map, Use::Changing);
   if (!list) return passOn(list);
@@ -459,8 +465,7 @@ void addWaypointOptions(const std::string& name, CLI::App& command, WaypointsArg
     command
         .add_option(
             "file", args.file,
-            help(Text::tr("F.geojson or F.csv, with the columns of mapwright waypoints list; - is the "
-                          "standard input")))
+            help(Text::tr("F.geojson, F.csv or F.yaml: a list of places or poses; - is the standard input")))
         ->required();
   if (is("apply"))
     command
@@ -484,9 +489,16 @@ void addWaypointOptions(const std::string& name, CLI::App& command, WaypointsArg
     command.add_option("--radius", args.radius,
                        help(Text::tr("Warn of walls that are closer than this, in metres; by "
                                      "default taken from the robot's footprint")));
-  if (is("import", "export", "plan"))
+  if (is("export"))
     command.add_option("--format", args.format,
                        help(Text::tr("csv or geojson, if the file name does not say")));
+  if (is("import", "plan")) {
+    command.add_option("--format", args.format,
+                       help(Text::tr("csv, geojson or yaml, if the file name does not say")));
+    command.add_option("--angles", args.angles,
+                       help(Text::tr("degrees or radians, for headings whose name has no unit; by default "
+                                     "radians unless one is more than a full turn")));
+  }
   if (is("export", "plan"))
     command.add_flag("--force", args.force,
                      help(Text::tr("Overwrite a file even if the waypoints were read from it")));

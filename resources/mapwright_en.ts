@@ -251,6 +251,27 @@
 <context>
     <name>WaypointJson</name>
     <message numerus="yes">
+        <source>x and y of %1 features are not where their coordinates are. The coordinates count.</source>
+        <translation>
+            <numerusform>x and y of %1 feature are not where its coordinates are. The coordinates count.</numerusform>
+            <numerusform>x and y of %1 features are not where their coordinates are. The coordinates count.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 nodes of a route graph were named by their ids.</source>
+        <translation>
+            <numerusform>%1 node of a route graph was named by its id.</numerusform>
+            <numerusform>%1 nodes of a route graph were named by their ids.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 edges of a route graph were left out.</source>
+        <translation>
+            <numerusform>%1 edge of a route graph was left out.</numerusform>
+            <numerusform>%1 edges of a route graph were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 features that are not points were left out.</source>
         <translation>
             <numerusform>%1 feature that is not a point was left out.</numerusform>
@@ -300,6 +321,64 @@
         <translation>
             <numerusform>%1 waypoint is not sent: the robot does not allow duplicate names</numerusform>
             <numerusform>%1 waypoints are not sent: the robot does not allow duplicate names</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>WaypointPoses</name>
+    <message numerus="yes">
+        <source>%1 lanes were left out.</source>
+        <translation>
+            <numerusform>%1 lane was left out.</numerusform>
+            <numerusform>%1 lanes were left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>WaypointReading</name>
+    <message numerus="yes">
+        <source>%1 headings in radians are more than a full turn. Are they degrees?</source>
+        <translation>
+            <numerusform>%1 heading in radians is more than a full turn. Is it in degrees?</numerusform>
+            <numerusform>%1 headings in radians are more than a full turn. Are they degrees?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 orientations are no rotation (all zero) and were left out.</source>
+        <translation>
+            <numerusform>%1 orientation is no rotation (all zero) and was left out.</numerusform>
+            <numerusform>%1 orientations are no rotation (all zero) and were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 waypoints are tilted; only their heading was read.</source>
+        <translation>
+            <numerusform>%1 waypoint is tilted; only its heading was read.</numerusform>
+            <numerusform>%1 waypoints are tilted; only their heading was read.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The heights (z) of %1 waypoints were left out.</source>
+        <translation>
+            <numerusform>The height (z) of %1 waypoint was left out.</numerusform>
+            <numerusform>The heights (z) of %1 waypoints were left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>WaypointTable</name>
+    <message numerus="yes">
+        <source>%1 comment lines (#) were left out.</source>
+        <translation>
+            <numerusform>%1 comment line (#) was left out.</numerusform>
+            <numerusform>%1 comment lines (#) were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 waypoints without a name were numbered.</source>
+        <translation>
+            <numerusform>%1 waypoint without a name was numbered.</numerusform>
+            <numerusform>%1 waypoints without a name were numbered.</numerusform>
         </translation>
     </message>
 </context>

@@ -31,9 +31,17 @@ struct WantedWaypoint {
   bool operator==(const WantedWaypoint&) const = default;
 };
 
+/// What headings are in that have no unit in the file.
+enum class AngleUnit {
+  Guess,  // radians, unless one of them is too large for that
+  Radians,
+  Degrees,
+};
+
 struct WantedList {
   std::vector<WantedWaypoint> points;
-  QStringList notes;  // what of the file is of no use, a sentence each
+  QStringList notes;          // what of the file is of no use, and what was guessed, a sentence each
+  bool unit_guessed = false;  // of headings; a note says so
 };
 
 /// The error is a sentence without the name of the file: "Line 3: …".

@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include <QCoreApplication>
-#include <QJsonDocument>
+#include <QRegularExpression>
 
+#include "exchange/waypoint_reading.h"
 #include "sentences/plural.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -35,6 +36,172 @@ std::optional<Eigen::Vector2d> placeOf(const QJsonValue& x, const QJsonValue& y)
   const Eigen::Vector2d place(x.toDouble(), y.toDouble());
   return place.allFinite() ? std::optional(place) : std::nullopt;
 }
+
+/// How a coordinate system is called: as GeoJSON of 2008 had it, or as a text. Empty = it is not said.
+QString systemOf(const QJsonObject& object) {
+  const QJsonValue crs = object.value(QLatin1String("crs"));
+  if (crs.isString()) return crs.toString();
+  const QJsonObject properties = crs.toObject().value(QLatin1String("properties")).toObject();
+  for (const char* member : {"name", "href", "code"}) {
+    const QJsonValue value = properties.value(QLatin1String(member));
+    if (value.isString()) return value.toString();
+    if (value.isDouble()) return QStringLiteral("EPSG:%1").arg(value.toInteger());
+  }
+  return crs.isObject() ? QStringLiteral("?") : QString();
+}
+
+/// Longitude and latitude, by the code or the name: EPSG 4000 to 4999 and some newer ones, CRS84.
+bool isInDegrees(const QString& system) {
+  const QString name = system.toUpper();
+  for (const char* known : {"CRS84", "CRS:84", "CRS83", "CRS27", "WGS84", "WGS 84", "WGS_1984"}) {
+    if (name.contains(QLatin1String(known)) && !name.contains(QLatin1String("UTM"))) return true;
+  }
+  if (!name.contains(QLatin1String("EPSG"))) return false;
+  const int code = name.mid(name.lastIndexOf(QRegularExpression(QStringLiteral("[:/]"))) + 1).toInt();
+  return (code >= 4000 && code < 5000) || code == 6318 || code == 7844 || code == 9000 || code == 9057;
+}
+
+tl::unexpected<QString> wrongSystem(const QString& system) {
+  return wrong(
+      WaypointJsonText::tr("Its coordinates are longitude and latitude (crs %1), not metres of the map. "
+                           "If they are metres, remove \"crs\" from the file.")
+          .arg(words::plainName(system.left(80))));
+}
+
+/// One FeatureCollection.
+class GeoJsonReading {
+ public:
+  explicit GeoJsonReading(AngleUnit angles) : reading_(angles) {}
+
+  WantedFile read(const QJsonObject& collection, const QJsonArray& features) {
+    const QString system = systemOf(collection);
+    if (isInDegrees(system)) return wrongSystem(system);
+    for (const QString& member : collection.keys()) {
+      if (!QStringList{QStringLiteral("type"), QStringLiteral("features"), QStringLiteral("crs")}.contains(
+              member))
+        reading_.leaveOut(member.toStdString());
+    }
+    for (const QJsonValue& feature : features) is_graph_ = is_graph_ || isEdge(feature.toObject());
+    int row = 0;
+    for (const QJsonValue& value : features) {
+      if (auto read = readFeature(++row, value.toObject()); !read)
+        return wrong(WaypointJsonText::tr("Feature %1: %2").arg(QString::number(row), read.error()));
+      if (reading_.size() > kMaxWanted)
+        return wrong(WaypointJsonText::tr("It has more than %1 waypoints.").arg(kMaxWanted));
+    }
+    const bool says_metres = framed_ == reading_.size();
+    if (!says_metres && isTooClose())
+      return wrong(WaypointJsonText::tr(
+          "Its coordinates look like longitude and latitude: as metres, all points would lie within 5 cm."));
+    addNotes(system, says_metres);
+    return std::move(reading_).finish();
+  }
+
+ private:
+  static bool isEdge(const QJsonObject& feature) {
+    const QJsonObject properties = feature.value(QLatin1String("properties")).toObject();
+    return properties.contains(QLatin1String("startid")) && properties.contains(QLatin1String("endid"));
+  }
+
+  tl::expected<void, QString> readFeature(int row, const QJsonObject& feature) {
+    const QJsonObject geometry = feature.value(QLatin1String("geometry")).toObject();
+    const QJsonObject given = feature.value(QLatin1String("properties")).toObject();
+    if (geometry.value(QLatin1String("type")).toString() != QLatin1String("Point")) {
+      ++(isEdge(feature) ? edges_ : left_out_);
+      return {};
+    }
+    for (const QJsonObject& object : {feature, geometry, given}) {
+      if (const QString system = systemOf(object); isInDegrees(system)) return wrongSystem(system);
+    }
+    for (const QString& member : feature.keys()) {
+      if (!QStringList{QStringLiteral("type"), QStringLiteral("geometry"), QStringLiteral("properties"),
+                       QStringLiteral("id")}
+               .contains(member))
+        reading_.leaveOut(member.toStdString());
+    }
+    const QJsonArray place = geometry.value(QLatin1String("coordinates")).toArray();
+    const auto at_m = placeOf(place.at(0), place.at(1));
+    if (!at_m) return wrong(WaypointJsonText::tr("the coordinates are not two numbers."));
+    if (place.size() > 3) reading_.leaveOut("coordinates[3]");
+    const FileValue properties = fromJson(given);
+    FileValue entry{FileValue::Kind::Map};
+    bool other_place = false, has_id = false, framed = false;
+    for (const auto& member : properties.members) {
+      const FieldMeaning meaning = meaningOf(member.first);
+      const auto number = member.second.asNumber();
+      framed = framed || (meaning == FieldMeaning::Frame && !member.second.isBlank());
+      has_id = has_id || (meaning == FieldMeaning::Id && !member.second.isBlank());
+      if (meaning == FieldMeaning::X || meaning == FieldMeaning::Y) {
+        // The coordinates count.
+        const double here = meaning == FieldMeaning::X ? at_m->x() : at_m->y();
+        other_place = other_place || !number || std::abs(*number - here) > 1e-6;
+      } else if (meaning != FieldMeaning::Z || place.size() < 3) {
+        entry.members.push_back(member);
+      }
+    }
+    if (const QJsonValue id = feature.value(QLatin1String("id")); !has_id && isThere(id))
+      entry.members.emplace_back("id", fromJson(id));
+    entry.members.emplace_back("x", FileValue::ofNumber(at_m->x()));
+    entry.members.emplace_back("y", FileValue::ofNumber(at_m->y()));
+    if (place.size() > 2) entry.members.emplace_back("z", fromJson(place.at(2)));
+    std::string node;
+    if (is_graph_) {
+      // Ids of a graph are its own: a waypoint of the map that has the same one is another.
+      std::erase_if(entry.members, [&](const auto& member) {
+        const bool is_id = meaningOf(member.first) == FieldMeaning::Id;
+        if (is_id) node = WaypointJsonText::tr("Node %1").arg(text(member.second.text)).toStdString();
+        return is_id;
+      });
+      nodes_ += node.empty() ? 0 : 1;
+    }
+    if (auto read = reading_.add(row, entry, node); !read) return read;
+    framed_ += framed ? 1 : 0;
+    other_places_ += other_place ? 1 : 0;
+    lowest_ = lowest_.cwiseMin(*at_m);
+    highest_ = highest_.cwiseMax(*at_m);
+    return {};
+  }
+
+  /// Farther from the origin than from each other, and all within the range of degrees: 0.05 degrees are 5
+  /// km.
+  bool isTooClose() const {
+    constexpr double kClose = 0.05;
+    if (reading_.size() < 2) return false;
+    const double extent = (highest_ - lowest_).maxCoeff();
+    const Eigen::Vector2d far = lowest_.cwiseAbs().cwiseMax(highest_.cwiseAbs());
+    return extent > 1e-6 && extent < kClose && far.x() <= 180 && far.y() <= 90 && far.minCoeff() > 1;
+  }
+
+  void addNotes(const QString& system, bool says_metres) {
+    if (!system.isEmpty())
+      reading_.note(WaypointJsonText::tr("Its coordinates (crs %1) were read as metres of the map.")
+                        .arg(words::plainName(system.left(80))));
+    if (system.isEmpty() && !says_metres)
+      reading_.note(
+          WaypointJsonText::tr("It does not say that its coordinates are metres of the map (\"frame\": "
+                               "\"map\"); they were read so."));
+    const auto count = [&](qint64 number, const QString& sentence) {
+      if (number > 0) reading_.note(sentences::counted(sentence, number));
+    };
+    count(other_places_,
+          WaypointJsonText::tr(
+              "x and y of %1 features are not where their coordinates are. The coordinates count.", nullptr,
+              sentences::formOf(other_places_)));
+    count(nodes_, WaypointJsonText::tr("%1 nodes of a route graph were named by their ids.", nullptr,
+                                       sentences::formOf(nodes_)));
+    count(edges_, WaypointJsonText::tr("%1 edges of a route graph were left out.", nullptr,
+                                       sentences::formOf(edges_)));
+    count(left_out_, WaypointJsonText::tr("%1 features that are not points were left out.", nullptr,
+                                          sentences::formOf(left_out_)));
+  }
+
+  WaypointReading reading_;
+  bool is_graph_ = false;
+  std::size_t framed_ = 0;
+  qint64 left_out_ = 0, edges_ = 0, nodes_ = 0, other_places_ = 0;
+  Eigen::Vector2d lowest_ = Eigen::Vector2d::Constant(HUGE_VAL),
+                  highest_ = Eigen::Vector2d::Constant(-HUGE_VAL);
+};
 
 }  // namespace
 
@@ -139,52 +306,29 @@ QByteArray waypointsGeoJson(const std::vector<map::Waypoint>& points, const std:
   return words::escapedJson(QJsonDocument(collection).toJson());
 }
 
-WantedFile wantedFromGeoJson(std::string_view bytes) {
-  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
-  QJsonParseError error;
-  const QJsonDocument document =
-      QJsonDocument::fromJson(QByteArray::fromRawData(bytes.data(), qsizetype(bytes.size())), &error);
-  if (error.error != QJsonParseError::NoError)
-    return wrong(
-        WaypointJsonText::tr("It is not JSON (%1, byte %2).").arg(error.errorString()).arg(error.offset));
-  const QJsonObject collection = document.object();
+WantedFile wantedFromGeoJson(const QJsonObject& collection, AngleUnit angles) {
   const QJsonValue features = collection.value(QLatin1String("features"));
   if (collection.value(QLatin1String("type")).toString() != QLatin1String("FeatureCollection") ||
       !features.isArray())
     return wrong(WaypointJsonText::tr("It is not a GeoJSON FeatureCollection."));
-  WantedList list;
-  int left_out = 0, row = 0;
-  for (const QJsonValue& value : features.toArray()) {
-    ++row;
-    const QJsonObject feature = value.toObject(),
-                      geometry = feature.value(QLatin1String("geometry")).toObject();
-    if (geometry.value(QLatin1String("type")).toString() != QLatin1String("Point")) {
-      ++left_out;
-      continue;
-    }
-    if (list.points.size() == kMaxWanted)
-      return wrong(WaypointJsonText::tr("It has more than %1 waypoints.").arg(kMaxWanted));
-    const auto inRow = [&](const QString& why) {
-      return wrong(WaypointJsonText::tr("Feature %1: %2").arg(QString::number(row), why));
-    };
-    QJsonObject properties = feature.value(QLatin1String("properties")).toObject();
-    const QJsonArray place = geometry.value(QLatin1String("coordinates")).toArray();
-    properties[QStringLiteral("x")] = place.at(0);
-    properties[QStringLiteral("y")] = place.at(1);
-    if (!isThere(properties.value(QLatin1String("id"))))
-      properties[QStringLiteral("id")] = feature.value(QLatin1String("id"));
-    if (!placeOf(place.at(0), place.at(1)))
-      return inRow(WaypointJsonText::tr("the coordinates are not two numbers."));
-    auto wanted = wantedFromJson(properties);
-    if (!wanted) return inRow(wanted.error());
-    wanted->row = row;
-    list.points.push_back(std::move(*wanted));
-  }
-  if (left_out > 0)
-    list.notes << sentences::counted(WaypointJsonText::tr("%1 features that are not points were left out.",
-                                                          nullptr, sentences::formOf(left_out)),
-                                     left_out);
-  return list;
+  return GeoJsonReading(angles).read(collection, features.toArray());
+}
+
+WantedFile wantedFromGeoJson(std::string_view bytes, AngleUnit angles) {
+  const auto json = jsonOf(bytes);
+  if (!json) return wrong(json.error());
+  return wantedFromGeoJson(json->object(), angles);
+}
+
+tl::expected<QJsonDocument, QString> jsonOf(std::string_view bytes) {
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  QJsonParseError error;
+  QJsonDocument document =
+      QJsonDocument::fromJson(QByteArray::fromRawData(bytes.data(), qsizetype(bytes.size())), &error);
+  if (error.error != QJsonParseError::NoError)
+    return wrong(
+        WaypointJsonText::tr("It is not JSON (%1, byte %2).").arg(error.errorString()).arg(error.offset));
+  return document;
 }
 
 }  // namespace mapwright::exchange

@@ -8,6 +8,7 @@
 
 #include <QByteArray>
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QJsonObject>
 
 #include "exchange/wanted_waypoint.h"
@@ -27,7 +28,12 @@ tl::expected<map::Waypoint, QString> waypointFromJson(const QJsonObject& row);
 
 /// A FeatureCollection of Points in metres of the map, not in degrees; properties as above.
 QByteArray waypointsGeoJson(const std::vector<map::Waypoint>& points, const std::string& map);
-/// The coordinates count, not the properties x and y. Features other than Points are left out with a note.
-WantedFile wantedFromGeoJson(std::string_view bytes);
+/// The coordinates count, not the properties x and y; features other than Points are left out, with a note
+/// each. Longitude and latitude are refused; a note says where a file does not tell that it is in metres. Of
+/// a route graph of Nav2 the nodes are read.
+WantedFile wantedFromGeoJson(std::string_view bytes, AngleUnit angles = AngleUnit::Guess);
+WantedFile wantedFromGeoJson(const QJsonObject& collection, AngleUnit angles);
+/// The error is a sentence with the position.
+tl::expected<QJsonDocument, QString> jsonOf(std::string_view bytes);
 
 }  // namespace mapwright::exchange

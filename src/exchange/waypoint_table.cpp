@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -12,8 +11,9 @@
 #include <QUtf8StringView>
 
 #include "exchange/waypoint_json.h"
-#include "geometry/pose.h"
-#include "words/shortest.h"
+#include "exchange/waypoint_reading.h"
+#include "map/waypoint.h"
+#include "sentences/plural.h"
 
 namespace mapwright::exchange {
 namespace {
@@ -40,19 +40,6 @@ std::string trimmed(std::string_view text) {
 std::string lowerCase(std::string text) {
   for (char& c : text) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
   return text;
-}
-
-/// With enough digits to read the same value back.
-std::string csvNumber(double value) { return words::shortest(value); }
-
-/// A finite number with a decimal point in any locale; nullopt = invalid.
-std::optional<double> csvNumber(const std::string& field) {
-  const std::string digits = trimmed(field);
-  const char* const begin = digits.data() + (digits.starts_with('+') ? 1 : 0);
-  double value = 0;
-  const auto read = std::from_chars(begin, digits.data() + digits.size(), value);
-  const bool whole = read.ec == std::errc() && read.ptr == digits.data() + digits.size();
-  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 /// Reads one field after the other.
@@ -117,129 +104,39 @@ class Reader {
   int line_ = 1;
 };
 
-using Columns = std::map<std::string, std::size_t>;
+bool isKnown(const std::string& column) { return meaningOf(column) != FieldMeaning::None; }
 
-tl::expected<Columns, QString> columnsOf(const CsvRecord& header, QStringList& notes) {
-  Columns columns;
-  for (std::size_t i = 0; i < header.fields.size(); ++i) {
-    const std::string name = lowerCase(trimmed(header.fields[i]));
-    if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end()) {
-      notes << WaypointTableText::tr("The column \"%1\" is not one of a waypoint list. It was left out.")
-                   .arg(shown(header.fields[i]));
-    } else if (!columns.emplace(name, i).second) {
-      return wrongAt(header.line, WaypointTableText::tr("the column \"%1\" appears twice.").arg(shown(name)));
-    }
-  }
-  if (!columns.contains("id") && !columns.contains("name"))
-    return wrongAt(header.line,
-                   WaypointTableText::tr("there is neither a column id nor a column name. The header is %1.")
-                       .arg(QStringLiteral("id,name,x,y,yaw_rad,tags,frame,map")));
-  if (columns.contains("x") != columns.contains("y"))
-    return wrongAt(header.line, WaypointTableText::tr("only one of the columns x and y is present."));
-  return columns;
-}
+bool isNumber(FieldMeaning meaning) { return meaning >= FieldMeaning::X; }
 
-tl::expected<WantedWaypoint, QString> wantedOf(const CsvRecord& record, const Columns& columns) {
-  WantedWaypoint wanted{record.line, {}};
-  const auto at = [&](const char* column) -> const std::string* {
-    const auto found = columns.find(column);
-    return found == columns.end() ? nullptr : &record.fields[found->second];
-  };
-  if (const auto* id = at("id")) wanted.id = *id;
-  if (const auto* name = at("name"); name && !name->empty()) wanted.name = *name;
-  if (const auto* type = at("type")) wanted.type = *type;
-  if (const auto* frame = at("frame"); frame && *frame != "map") wanted.frame = *frame;
-  if (!wanted.frame.empty() && wanted.id.empty())
-    return wrongAt(
-        record.line,
-        WaypointTableText::tr("the frame is \"%1\". Only \"map\" is supported.").arg(shown(wanted.frame)));
-  const std::string *const x = at("x"), *const y = at("y");
-  if (x && y && !(trimmed(*x).empty() && trimmed(*y).empty())) {
-    const auto x_m = csvNumber(*x), y_m = csvNumber(*y);
-    if (!x_m || !y_m)
-      return wrongAt(record.line,
-                     WaypointTableText::tr("x \"%1\" and y \"%2\" are not two numbers such as 1.5.")
-                         .arg(shown(*x), shown(*y)));
-    wanted.position_m = Eigen::Vector2d(*x_m, *y_m);
+/// Whether it can be the header of a list.
+std::optional<QString> whyNoHeader(const CsvRecord& header) {
+  std::set<std::string> names;
+  std::set<FieldMeaning> meanings;
+  for (const std::string& field : header.fields) {
+    if (isKnown(field) && !names.insert(lowerCase(trimmed(field))).second)
+      return WaypointTableText::tr("the column \"%1\" appears twice.").arg(shown(lowerCase(trimmed(field))));
+    meanings.insert(meaningOf(field));
   }
-  if (const auto* yaw = at("yaw_rad")) {
-    wanted.yaw_rad.emplace();
-    if (!trimmed(*yaw).empty()) {
-      *wanted.yaw_rad = csvNumber(*yaw);
-      if (!*wanted.yaw_rad)
-        return wrongAt(record.line,
-                       WaypointTableText::tr("yaw_rad \"%1\" is not a number such as 1.5.").arg(shown(*yaw)));
-    }
-  }
-  if (const auto* tags = at("tags")) {
-    auto read = tagsOf(*tags);
-    if (!read)
-      return wrongAt(record.line, WaypointTableText::tr("the tags are not a list: %1").arg(read.error()));
-    wanted.tags = std::move(*read);
-  }
-  return wanted;
-}
-
-/// The first record is the header.
-WantedFile wantedFromRecords(const std::vector<CsvRecord>& records) {
-  if (records.empty()) return wrong(WaypointTableText::tr("It is empty: even the header is missing."));
-  if (records.size() > kMaxWanted + 1)
-    return wrong(WaypointTableText::tr("It has more than %1 waypoints.").arg(kMaxWanted));
-  WantedList list;
-  const auto columns = columnsOf(records.front(), list.notes);
-  if (!columns) return wrong(columns.error());
-  for (std::size_t i = 1; i < records.size(); ++i) {
-    const CsvRecord& record = records[i];
-    if (record.fields.size() != records.front().fields.size())
-      return wrongAt(record.line, WaypointTableText::tr("it has %1 fields, but the header has %2.")
-                                      .arg(QString::number(record.fields.size()),
-                                           QString::number(records.front().fields.size())));
-    auto wanted = wantedOf(record, *columns);
-    if (!wanted) return wrong(wanted.error());
-    list.points.push_back(std::move(*wanted));
-  }
-  return list;
-}
-
-std::string lowered(std::string_view field) {
-  std::string text;
-  for (const char c : lowerCase(std::string(field))) {
-    if (std::string_view(" _[]()").find(c) == std::string_view::npos) text += c;
-  }
-  return text;
-}
-
-/// The column of a waypoint list for this header; "" = none. "heading" may have either unit.
-std::string columnCalled(std::string_view field) {
-  static const std::map<std::string, std::set<std::string>> kNames{
-      {"id", {"id"}},
-      {"name", {"name", "waypoint", "label"}},
-      {"x", {"x", "xm"}},
-      {"y", {"y", "ym"}},
-      {"yaw_rad", {"yawrad"}},
-      {"heading", {"yaw", "heading", "theta"}},
-      {"degrees", {"yaw\xc2\xb0", "yawdeg", "headingdeg", "heading\xc2\xb0"}},
-      {"tags", {"tags", "tag"}},
-      {"type", {"type", "kind"}},
-      {"frame", {"frame"}},
-      {"map", {"map"}}};
-  const std::string name = lowered(field);
-  for (const auto& [column, names] : kNames) {
-    if (names.contains(name)) return column;
-  }
-  return {};
+  const auto has = [&](FieldMeaning meaning) { return meanings.contains(meaning); };
+  if (has(FieldMeaning::X) != has(FieldMeaning::Y))
+    return WaypointTableText::tr("only one of the columns x and y is present.");
+  const bool place = has(FieldMeaning::X) || has(FieldMeaning::Latitude) || has(FieldMeaning::Longitude);
+  if (!place && !has(FieldMeaning::Id) && !has(FieldMeaning::Name))
+    return WaypointTableText::tr("there is neither a place (x, y) nor an id or a name. The header is %1.")
+        .arg(QStringLiteral("id,name,x,y,yaw_rad,tags,frame,map"));
+  return std::nullopt;
 }
 
 bool isBlank(const std::string& field) { return field.find_first_not_of(" \t") == std::string::npos; }
 
-std::string withPoint(std::string field, const TableShape& shape) {
-  if (shape.decimal_comma) std::replace(field.begin(), field.end(), ',', '.');
+std::string withPoint(std::string field, bool decimal_comma) {
+  if (decimal_comma) std::replace(field.begin(), field.end(), ',', '.');
   return field;
 }
 
 bool looksLikeDecimalComma(const std::string& field) {
   if (field.find('.') != std::string::npos || std::count(field.begin(), field.end(), ',') != 1) return false;
-  return csvNumber(withPoint(field, {.decimal_comma = true})).has_value();
+  return numberIn(withPoint(field, true)).has_value();
 }
 
 char separatorOf(std::string_view text) {
@@ -250,31 +147,110 @@ char separatorOf(std::string_view text) {
   return ',';
 }
 
-/// For a table without a header, guessed from its columns.
-std::vector<std::string> guessedHeader(const std::vector<CsvRecord>& records, const TableShape& shape) {
+/// What the columns of a table are. `fields` are those that become one value: a list.
+struct TableColumn {
+  std::string name;  // empty: of no use
+  bool listed = false;
+};
+
+QString columnNumber(std::size_t column) { return WaypointTableText::tr("column %1").arg(column + 1); }
+
+/// Whether the four columns from `first` on are quaternions in all rows.
+bool areQuaternions(const std::vector<CsvRecord>& records, std::size_t first, bool decimal_comma) {
+  return std::all_of(records.begin(), records.end(), [&](const CsvRecord& record) {
+    double sum = 0;
+    for (std::size_t i = first; i < first + 4; ++i) {
+      const auto number = numberIn(withPoint(record.fields[i], decimal_comma));
+      if (!number) return false;
+      sum += *number * *number;
+    }
+    return std::abs(sum - 1) < 0.02;
+  });
+}
+
+/// For a table without a header, guessed from its columns. Empty: there is no position in it.
+std::vector<TableColumn> guessedColumns(const std::vector<CsvRecord>& records, const TableShape& shape) {
   const std::size_t columns = records.front().fields.size();
-  std::vector<std::string> header(columns);
-  std::vector<bool> numbers(columns, true), any(columns, false);
+  std::vector<TableColumn> guessed(columns);
+  std::vector<bool> number(columns, true), any(columns, false);
   for (const CsvRecord& record : records) {
     for (std::size_t i = 0; i < columns; ++i) {
       if (isBlank(record.fields[i])) continue;
       any[i] = true;
-      if (!csvNumber(withPoint(record.fields[i], shape))) numbers[i] = false;
+      if (!numberIn(withPoint(record.fields[i], shape.decimal_comma))) number[i] = false;
     }
   }
+  const auto isNumeric = [&](std::size_t i) { return i < columns && number[i] && any[i]; };
   std::size_t x = 0;
-  while (x + 1 < columns && !(numbers[x] && any[x] && numbers[x + 1] && any[x + 1])) ++x;
-  if (x + 1 >= columns) x = columns;  // there is no position in it
-  if (x >= 1) header[x - 1] = "name";
-  if (x >= 2) header[x - 2] = "id";
-  if (x < columns) {
-    header[x] = "x";
-    header[x + 1] = "y";
-    std::size_t next = x + 2;
-    if (next < columns && numbers[next]) header[next++] = shape.turns_in_degrees ? "degrees" : "yaw_rad";
-    if (next < columns) header[next] = "tags";
+  while (x + 1 < columns && !(isNumeric(x) && isNumeric(x + 1))) ++x;
+  if (x + 1 >= columns) return {};
+  if (x >= 1) guessed[x - 1].name = "name";
+  if (x >= 2) guessed[x - 2].name = "id";
+  guessed[x].name = "x";
+  guessed[x + 1].name = "y";
+  std::size_t end = x + 2;
+  while (isNumeric(end)) ++end;
+  const std::size_t more = end - x - 2;
+  if (more == 1) {
+    guessed[x + 2].name = "heading";
+  } else if ((more == 4 || more == 5) && areQuaternions(records, end - 4, shape.decimal_comma)) {
+    if (more == 5) guessed[x + 2].name = "z";
+    for (std::size_t i = end - 4; i < end; ++i) guessed[i] = {"orientation", true};
   }
-  return header;
+  if (end < columns && any[end]) guessed[end].name = "tags";
+  return guessed;
+}
+
+QString namesOf(const std::vector<TableColumn>& columns) {
+  QStringList names;
+  for (const TableColumn& column : columns) {
+    if (!column.name.empty()) names << QString::fromStdString(column.name);
+  }
+  return names.join(QStringLiteral(", "));
+}
+
+/// One row as a map of its columns.
+tl::expected<FileValue, QString> rowOf(const CsvRecord& record, const std::vector<TableColumn>& columns,
+                                       bool decimal_comma) {
+  FileValue row{FileValue::Kind::Map};
+  FileValue list{FileValue::Kind::List};
+  std::string list_name;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].name.empty()) continue;
+    const FieldMeaning meaning = meaningOf(columns[i].name);
+    std::string field = isNumber(meaning) || columns[i].listed ? withPoint(record.fields[i], decimal_comma)
+                                                               : record.fields[i];
+    if (columns[i].listed) {
+      list.items.push_back(FileValue::ofText(std::move(field)));
+      list_name = columns[i].name;
+      continue;
+    }
+    FileValue value = FileValue::ofText(std::move(field));
+    if (meaning == FieldMeaning::Tags) {
+      const auto tags = tagsOf(value.text);
+      if (!tags) return wrong(WaypointTableText::tr("the tags are not a list: %1").arg(tags.error()));
+      value = FileValue{FileValue::Kind::List};
+      for (const std::string& tag : *tags) value.items.push_back(FileValue::ofText(tag));
+    }
+    row.members.emplace_back(columns[i].name, std::move(value));
+  }
+  if (!list.items.empty()) row.members.emplace_back(list_name, std::move(list));
+  return row;
+}
+
+/// Lines before the header that begin with #: comments, unless that is how the header begins.
+int withoutComments(std::vector<CsvRecord>& records) {
+  int comments = 0;
+  while (!records.empty() && trimmed(records.front().fields.front()).starts_with('#')) {
+    auto& fields = records.front().fields;
+    if (fields.size() > 1 && !whyNoHeader(records.front())) {
+      fields.front() = fields.front().substr(fields.front().find('#') + 1);
+      break;
+    }
+    records.erase(records.begin());
+    ++comments;
+  }
+  return comments;
 }
 
 /// A header and the waypoints. `map`: its id; nullopt = without frame and map.
@@ -289,9 +265,9 @@ std::string linesOf(const std::vector<map::Waypoint>& points, const std::optiona
   for (const map::Waypoint& point : points) {
     std::vector<std::string> fields{point.id,
                                     point.name,
-                                    csvNumber(point.position_m.x()),
-                                    csvNumber(point.position_m.y()),
-                                    point.yaw_rad ? csvNumber(*point.yaw_rad) : std::string(),
+                                    digitsOf(point.position_m.x()),
+                                    digitsOf(point.position_m.y()),
+                                    point.yaw_rad ? digitsOf(*point.yaw_rad) : std::string(),
                                     point.tags.empty() ? std::string() : csvLine(point.tags)};
     if (map) fields.insert(fields.end(), {frameOf(point), *map});
     if (types) fields.push_back(point.type);
@@ -349,33 +325,32 @@ std::string waypointsCsv(const std::vector<map::Waypoint>& points, const std::st
   return linesOf(points, map, ',', "\r\n");
 }
 
-WantedFile wantedFromCsv(std::string_view bytes) {
-  if (!QUtf8StringView(bytes.data(), qsizetype(bytes.size())).isValidUtf8())
-    return wrong(WaypointTableText::tr("It is not UTF-8 text."));
-  const auto records = csvRecords(bytes);
-  if (!records) return wrong(records.error());
-  return wantedFromRecords(*records);
+WantedFile wantedFromCsv(std::string_view bytes, AngleUnit angles) {
+  TableShape shape = shapeOf(bytes);
+  shape.angles = angles;
+  shape.ragged = false;
+  return wantedFromTable(bytes, shape);
 }
 
 TableShape shapeOf(std::string_view text) {
   TableShape shape;
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
   shape.separator = separatorOf(text);
   shape.header = false;
-  // The first rows decide.
-  std::size_t end = 0;
-  for (int line = 0; line < 50 && end < text.size(); ++line)
-    end = std::min(text.find('\n', end), text.size() - 1) + 1;
-  const auto records = csvRecords(text.substr(0, end), shape.separator);
-  if (!records || records->empty()) return shape;
+  auto records = csvRecords(text, shape.separator);
+  // What cannot be read whole may still begin with a header.
+  if (!records) records = csvRecords(text.substr(0, text.find('\n')), shape.separator);
+  if (!records) return shape;
+  withoutComments(*records);
+  if (records->empty()) return shape;
   const auto& first = records->front().fields;
-  shape.header = std::any_of(first.begin(), first.end(),
-                             [](const auto& field) { return !columnCalled(field).empty(); }) &&
-                 std::none_of(first.begin(), first.end(),
-                              [](const auto& field) { return csvNumber(field).has_value(); });
+  shape.header =
+      std::any_of(first.begin(), first.end(), isKnown) &&
+      std::none_of(first.begin(), first.end(), [](const auto& field) { return numberIn(field).has_value(); });
   if (shape.separator != ',') {
-    for (const CsvRecord& record : *records)
-      shape.decimal_comma = shape.decimal_comma ||
-                            std::any_of(record.fields.begin(), record.fields.end(), looksLikeDecimalComma);
+    shape.decimal_comma = std::any_of(records->begin(), records->end(), [](const CsvRecord& record) {
+      return std::any_of(record.fields.begin(), record.fields.end(), looksLikeDecimalComma);
+    });
   }
   return shape;
 }
@@ -386,72 +361,113 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
     return wrong(WaypointTableText::tr("It is not UTF-8 text."));
   auto records = csvRecords(text, shape.separator);
   if (!records) return wrong(records.error());
+  const int comments = withoutComments(*records);
   if (records->empty()) return wrong(WaypointTableText::tr("It is empty."));
-  std::size_t columns = 0;
-  for (const CsvRecord& record : *records) columns = std::max(columns, record.fields.size());
-  if (columns > kMostColumns)
-    return wrong(WaypointTableText::tr("It has too many columns for a waypoint list."));
-  for (CsvRecord& record : *records) record.fields.resize(columns);
-  std::vector<std::string> header;
-  if (shape.header) {
-    for (const std::string& field : records->front().fields) {
-      const std::string known = columnCalled(field);
-      header.push_back(known == "heading" ? shape.turns_in_degrees ? "degrees" : "yaw_rad"
-                       : known.empty()    ? field
-                                          : known);
+  if (records->size() > kMaxWanted + 1)
+    return wrong(WaypointTableText::tr("It has more than %1 waypoints.").arg(kMaxWanted));
+  std::size_t width = shape.header && !shape.ragged ? records->front().fields.size() : 0;
+  for (CsvRecord& record : *records) {
+    if (shape.ragged || width == 0) {
+      width = std::max(width, record.fields.size());
+    } else if (record.fields.size() != width) {
+      return wrongAt(record.line, WaypointTableText::tr("it has %1 fields, but the header has %2.")
+                                      .arg(QString::number(record.fields.size()), QString::number(width)));
     }
+  }
+  if (width > kMostColumns)
+    return wrong(WaypointTableText::tr("It has too many columns for a waypoint list."));
+  for (CsvRecord& record : *records) record.fields.resize(width);
+
+  WaypointReading reading(shape.angles);
+  if (comments > 0)
+    reading.note(sentences::counted(
+        WaypointTableText::tr("%1 comment lines (#) were left out.", nullptr, sentences::formOf(comments)),
+        comments));
+  if (shape.decimal_comma)
+    reading.note(WaypointTableText::tr("Commas in numbers were read as decimal points."));
+  std::vector<TableColumn> columns;
+  if (shape.header) {
+    if (const auto why = whyNoHeader(records->front())) return wrongAt(records->front().line, *why);
+    for (const std::string& field : records->front().fields)
+      columns.push_back({isBlank(field) ? std::string() : trimmed(field)});
+    records->erase(records->begin());
   } else {
-    header = guessedHeader(*records, shape);
-    if (std::find(header.begin(), header.end(), "x") == header.end())
+    columns = guessedColumns(*records, shape);
+    if (columns.empty())
       return wrong(
           WaypointTableText::tr("It needs two adjacent columns of numbers: x and y in metres. Or start "
                                 "with a row that names the columns: name, x, y, heading, tags."));
-    records->insert(records->begin(), CsvRecord{records->front().line, header});
+    reading.note(
+        WaypointTableText::tr("It has no column names. Its columns were read as %1.").arg(namesOf(columns)));
   }
-  // Converts to CSV conventions: decimal points, radians, and a required column.
-  const bool has_name = std::find(header.begin(), header.end(), "name") != header.end();
-  for (CsvRecord& record : *records) {
-    const bool is_header = &record == &records->front();
-    std::vector<std::string> kept;
-    for (std::size_t column = 0; column < columns; ++column) {
-      const std::string& what = header[column];
-      if (!shape.header && what.empty()) continue;
-      if (is_header) {
-        kept.push_back(what == "degrees" ? "yaw_rad" : what);
-        continue;
-      }
-      std::string field = record.fields[column];
-      if (what == "x" || what == "y" || what == "yaw_rad" || what == "degrees")
-        field = withPoint(field, shape);
-      if (what == "degrees") {
-        const auto degrees = csvNumber(field);
-        if (!degrees && !isBlank(field))
-          return wrong(WaypointTableText::tr("Line %1: the heading \"%2\" is not a number such as 90.")
-                           .arg(QString::number(record.line), shown(field)));
-        field = degrees ? csvNumber(geometry::radiansFromDegrees(*degrees)) : std::string();
-      }
-      kept.push_back(std::move(field));
-    }
-    if (!has_name) kept.push_back(is_header ? "name" : "");
-    record.fields = std::move(kept);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].name.empty() &&
+        std::any_of(records->begin(), records->end(),
+                    [&](const CsvRecord& record) { return !isBlank(record.fields[i]); }))
+      reading.leaveOut(columnNumber(i).toStdString());
   }
-  return wantedFromRecords(*records);
+  if (records->size() > kMaxWanted)
+    return wrong(WaypointTableText::tr("It has more than %1 waypoints.").arg(kMaxWanted));
+  for (const CsvRecord& record : *records) {
+    const auto row = rowOf(record, columns, shape.decimal_comma);
+    if (!row) return wrongAt(record.line, row.error());
+    if (const auto read = reading.add(record.line, *row); !read) return wrongAt(record.line, read.error());
+  }
+  return std::move(reading).finish();
 }
 
-void nameNameless(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept, const QString& pattern) {
+void knowByPlace(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept) {
+  using Cell = std::pair<double, double>;
+  const auto cellOf = [](const Eigen::Vector2d& at_m, int dx, int dy) {
+    return Cell(std::floor(at_m.x() * 1'000) + dx, std::floor(at_m.y() * 1'000) + dy);
+  };
+  std::multimap<Cell, const map::Waypoint*> by_cell;
+  std::set<edit::Key> taken;
+  for (const WantedWaypoint& one : wanted) taken.insert(one.id);
+  std::map<const map::Waypoint*, edit::Key> keys;
+  for (const auto& [key, point] : kept) {
+    if (taken.contains(key)) continue;
+    by_cell.emplace(cellOf(point.position_m, 0, 0), &point);
+    keys.emplace(&point, key);
+  }
+  const auto findFor = [&](WantedWaypoint& one) {
+    for (int place = 0; place < 9; ++place) {
+      const auto [first, last] = by_cell.equal_range(cellOf(*one.position_m, place / 3 - 1, place % 3 - 1));
+      for (auto near = first; near != last; ++near) {
+        const map::Waypoint& point = *near->second;
+        if (!map::samePlace(point.position_m, *one.position_m)) continue;
+        if (one.yaw_rad && !map::sameHeading(point.yaw_rad, *one.yaw_rad)) continue;
+        one.id = keys.at(&point);
+        by_cell.erase(near);
+        return;
+      }
+    }
+  };
+  for (WantedWaypoint& one : wanted) {
+    if (!one.name && one.id.empty() && one.position_m) findFor(one);
+  }
+}
+
+QString nameNameless(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept, const QString& pattern) {
   std::set<std::string> taken;
   for (const auto& [key, point] : kept) taken.insert(point.name);
   for (const WantedWaypoint& one : wanted) {
     if (one.name) taken.insert(*one.name);
   }
   int number = 0;
+  qint64 named = 0;
   for (WantedWaypoint& one : wanted) {
     if (one.name || kept.contains(one.id)) continue;
     std::string name;
     do name = pattern.arg(++number).toStdString();
     while (!taken.insert(name).second);
     one.name = std::move(name);
+    ++named;
   }
+  if (named == 0) return {};
+  return sentences::counted(
+      WaypointTableText::tr("%1 waypoints without a name were numbered.", nullptr, sentences::formOf(named)),
+      named);
 }
 
 std::string waypointsTable(const std::vector<map::Waypoint>& points) {

@@ -1,6 +1,6 @@
-// Waypoints as tables: CSV (RFC 4180: fields in quotes, quotes doubled, CRLF or LF; a header, decimal points,
-// UTF-8 with or without its mark), and what is pasted from a spreadsheet (tabs, commas or semicolons, with or
-// without a header, with decimal points or commas). Pure functions.
+// Waypoints as tables: CSV (RFC 4180: fields in quotes, quotes doubled, CRLF or LF; UTF-8 with or without its
+// mark) and what is pasted from a spreadsheet: tabs, commas or semicolons, with or without a header, with
+// decimal points or commas. Written with a header, commas and decimal points. Pure functions.
 #pragma once
 
 #include <string>
@@ -28,25 +28,31 @@ tl::expected<std::vector<std::string>, QString> tagsOf(std::string_view text);
 
 /// id,name,x,y,yaw_rad,tags,frame,map; also type if any has one. `map`: the id of their map.
 std::string waypointsCsv(const std::vector<map::Waypoint>& points, const std::string& map);
-/// Columns by name, in any order; id or name is required.
-WantedFile wantedFromCsv(std::string_view bytes);
+/// A table as a file: of the shape that it looks like, its rows as long as its header.
+WantedFile wantedFromCsv(std::string_view bytes, AngleUnit angles = AngleUnit::Guess);
 
 /// How to read a table.
 struct TableShape {
   char separator = '\t';
-  bool header = true;            // the first row contains the column names
-  bool decimal_comma = false;    // 1,5
-  bool turns_in_degrees = true;  // unless the header says yaw_rad
+  bool header = true;          // the first row contains the column names
+  bool decimal_comma = false;  // 1,5
+  AngleUnit angles = AngleUnit::Guess;
+  bool ragged = true;  // rows may lack their last cells, as spreadsheets copy them
 };
 /// What it looks like.
 TableShape shapeOf(std::string_view text);
 
-/// Columns by name (id, name, x, y, yaw_rad or heading, tags, type), in any order. Without a header: a text
-/// is the name (two: id and name), the first two adjacent numbers are the position, then a heading, then
-/// tags; nameNameless() names rows without a name. The error is a sentence with the line.
+/// Columns by name (waypoint_reading.h), in any order. Without a header: a text is the name (two: id and
+/// name), the first two adjacent numbers are the position, then a heading or (z and) a quaternion, then tags;
+/// a note says so. The error is a sentence with the line.
 WantedFile wantedFromTable(std::string_view text, const TableShape& shape);
-/// Gives a unique name to those without id and name: `pattern` with %1 for a number.
-void nameNameless(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept, const QString& pattern);
+
+/// Those without id and name that lie where one of `kept` is, turned alike, are that one: the same file twice
+/// changes nothing.
+void knowByPlace(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept);
+/// Gives a unique name to those that have none: `pattern` with %1 for a number. Returns a sentence that says
+/// so; empty = all have one.
+QString nameNameless(std::vector<WantedWaypoint>& wanted, const WaypointItems& kept, const QString& pattern);
 
 /// With a header, tab-separated, in the columns of waypointsCsv() without frame and map.
 std::string waypointsTable(const std::vector<map::Waypoint>& points);

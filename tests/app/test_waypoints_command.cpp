@@ -373,6 +373,37 @@ class WaypointsCommandTest : public QObject {
     QVERIFY2(none.err.contains(QStringLiteral("The standard input")), qPrintable(none.err));
   }
 
+  void filesOfOtherProgramsAreImported() {
+    put("poses.yaml",
+        "waypoints:\n- orientation: {w: 0.7071, x: 0.0, y: 0.0, z: 0.7071}\n"
+        "  position: {x: 1.25, y: -4.5, z: 0.5}\n  speed: 2\n");
+    put("bare.csv", "x;y;yaw\n1,5;2,5;90\n");
+    put("degrees.geojson",
+        R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:4326"}}, "features": [)"
+        R"({"type": "Feature", "properties": {"name": "A"}, "geometry": {"type": "Point", "coordinates": [24.9, 60.2]}}]})");
+    const Outcome poses = at(QStringLiteral("import poses.yaml"));
+    QVERIFY2(poses.code == 0, qPrintable(poses.err));
+    // All that was left out, in one line.
+    for (const char* word : {"(z)", "speed", "numbered"})
+      QVERIFY2(poses.err.contains(QLatin1String(word)), qPrintable(poses.err));
+    const Outcome bare = at(QStringLiteral("import bare.csv"));
+    QVERIFY2(bare.code == 0 && bare.err.contains(QLatin1String("--angles")), qPrintable(bare.err));
+    const QJsonObject turned = at(QStringLiteral("list --json")).array().last().toObject();
+    QVERIFY(std::abs(turned[QStringLiteral("yaw_rad")].toDouble() - 1.5707963) < 1e-6);
+    QCOMPARE(turned[QStringLiteral("x")].toDouble(), 1.5);
+    // The same file once more changes nothing.
+    QVERIFY(at(QStringLiteral("import bare.csv --angles degrees"))
+                .out.contains(QLatin1String("nothing to change")));
+    QVERIFY(at(QStringLiteral("import poses.yaml")).out.contains(QLatin1String("nothing to change")));
+    const QByteArray before = kept();
+    for (const char* line : {"import degrees.geojson", "plan degrees.geojson",
+                             "import bare.csv --angles turns", "import bare.csv --format xml"}) {
+      const Outcome refused = at(QLatin1String(line));
+      QVERIFY2(refused.code == 2 && refused.out.isEmpty(), qPrintable(refused.err));
+    }
+    QCOMPARE(kept(), before);
+  }
+
   void theReportTellsWhatBecameOfEachChange() {
     const auto report = [this] {
       return QJsonDocument::fromJson(read("r.json")).object()[QStringLiteral("waypoints")].toObject();

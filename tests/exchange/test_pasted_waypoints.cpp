@@ -89,7 +89,7 @@ class TestPastedWaypoints : public QObject {
     QTest::newRow("empty") << QByteArray() << QStringLiteral("empty");
     QTest::newRow("words") << QByteArray("Hello there") << QStringLiteral("two adjacent columns");
     QTest::newRow("heading") << QByteArray("name\tx\ty\theading\na\t1\t2\tnorth\n")
-                             << QStringLiteral("Line 2: the heading");
+                             << QStringLiteral("Line 2: heading \"north\"");
     QTest::newRow("no utf-8") << QByteArray("a\xff\t1\t2") << QStringLiteral("UTF-8");
     QTest::newRow("many columns") << QByteArray(500, '\t') << QStringLiteral("too many columns");
   }

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "disk/faults.h"
+#include "robot/files/faults.h"
 #include "robot/files/file_robot.h"
 #include "robot/files/waypoint_file.h"
 #include "sentences/failure_sentence.h"
@@ -90,6 +91,21 @@ class TestWaypointFile : public QObject {
     folder_ = std::make_unique<QTemporaryDir>();
     write("office.yaml", "image: office.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
     write("office.pgm", "P5 1 1 255 x");
+  }
+
+  void headingsOfOtherNamesAreNamedAndDegreesRefused() {
+    const char* const point =
+        R"("features":[{"type":"Feature","properties":{"name":"A","yaw":1.57},"geometry":{"type":"Point","coordinates":[1,2]}}]})";
+    write("office.waypoints.geojson", QByteArray(R"({"type":"FeatureCollection",)") + point);
+    const auto robot = open("office.yaml");
+    const auto named = read(*robot);
+    QVERIFY(named && !named->points.front().yaw_rad);
+    QVERIFY(named->notes == std::vector<Fault>{Fault(files::fault::WaypointHeadingUnread, {"yaw"})});
+    write("office.waypoints.geojson",
+          QByteArray(
+              R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"EPSG:4326"}},)") +
+              point);
+    QVERIFY(!read(*robot));
   }
 
   void noListIsNotAnEmptyOne() {

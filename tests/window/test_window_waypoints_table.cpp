@@ -179,10 +179,12 @@ class TestWindowWaypointsTable : public QObject {
     desk.open();
     desk.putOnClipboard(QStringLiteral("1\t2\t1.5\n"));
     desk.control().transfer()->paste();
-    QVERIFY2(desk.asking(0, 2).contains(QStringLiteral("heading 1.5°")), qPrintable(desk.asking(0, 2)));
+    QVERIFY2(desk.asking(0, 2).contains(QStringLiteral("heading 85.9°")), qPrintable(desk.asking(0, 2)));
+    QVERIFY(desk.asked().statusShown().contains(QLatin1String("read as radians")));
     QVERIFY(desk.asking(0, 0).startsWith(QLatin1String("Waypoint ")));
     desk.asked().turnChoice()->setCurrentIndex(1);
-    QVERIFY2(desk.asking(0, 2).contains(QStringLiteral("heading 85.9°")), qPrintable(desk.asking(0, 2)));
+    QVERIFY2(desk.asking(0, 2).contains(QStringLiteral("heading 1.5°")), qPrintable(desk.asking(0, 2)));
+    QVERIFY(!desk.asked().statusShown().contains(QLatin1String("read as radians")));
     desk.asked().headerBox()->setChecked(true);
     QVERIFY(!desk.asked().applyButton()->isEnabled());
     QVERIFY(!desk.asked().statusShown().isEmpty());

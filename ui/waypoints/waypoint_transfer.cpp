@@ -22,6 +22,7 @@
 #include "disk/written_file.h"
 #include "exchange/waypoint_json.h"
 #include "exchange/waypoint_plan.h"
+#include "exchange/waypoint_table.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
 #include "ui/kit/folders.h"
@@ -89,18 +90,18 @@ ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, co
   separator_->addItem(tr("Commas"), QChar(u','));
   separator_->addItem(tr("Semicolons"), QChar(u';'));
   separator_->setAccessibleName(tr("Column separator"));
-  turns_->addItem(tr("Headings in degrees"), true);
-  turns_->addItem(tr("Headings in radians"), false);
+  turns_->addItem(tr("Headings as they look"), int(exchange::AngleUnit::Guess));
+  turns_->addItem(tr("Headings in degrees"), int(exchange::AngleUnit::Degrees));
+  turns_->addItem(tr("Headings in radians"), int(exchange::AngleUnit::Radians));
   turns_->setAccessibleName(tr("Unit of headings"));
-  turns_->setToolTip(tr("A column called yaw_rad is always in radians"));
-  if (source_.kind == ImportSource::Kind::Table) {
+  turns_->setToolTip(tr("For headings whose name has no unit: yaw_rad is always in radians"));
+  if (isTable()) {
     const exchange::TableShape shape = exchange::shapeOf(source_.text);
     header_->setChecked(shape.header);
     comma_->setChecked(shape.decimal_comma);
     separator_->setCurrentIndex(separator_->findData(QChar::fromLatin1(shape.separator)));
   } else {
-    for (QWidget* of_tables : std::initializer_list<QWidget*>{header_, comma_, separator_, turns_})
-      of_tables->hide();
+    for (QWidget* of_tables : std::initializer_list<QWidget*>{header_, comma_, separator_}) of_tables->hide();
   }
   table_->setHorizontalHeaderLabels({tr("Waypoint"), tr("Change"), tr("What changes")});
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -137,24 +138,29 @@ ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, co
   look();
 }
 
+bool ImportDialog::isTable() const { return source_.format == exchange::WaypointFormat::Table; }
+
 void ImportDialog::look() {
   edits_.clear();
   exchange::WantedFile wanted;
-  if (source_.kind == ImportSource::Kind::GeoJson) {
-    wanted = exchange::wantedFromGeoJson(source_.text);
+  const auto angles = exchange::AngleUnit(turns_->currentData().toInt());
+  if (!isTable()) {
+    wanted = exchange::wantedFromFile(source_.text, source_.format, angles);
   } else {
     exchange::TableShape shape;
     shape.separator = separator_->currentData().toChar().toLatin1();
     shape.header = header_->isChecked();
     shape.decimal_comma = comma_->isChecked();
-    shape.turns_in_degrees = turns_->currentData().toBool();
+    shape.angles = angles;
+    shape.ragged = source_.name.isEmpty();
     wanted = exchange::wantedFromTable(source_.text, shape);
   }
   QString problem;
   QStringList notes;
   if (wanted) {
     notes = wanted->notes;
-    exchange::nameNameless(wanted->points, kept_, tr("Waypoint %1"));
+    exchange::knowByPlace(wanted->points, kept_);
+    notes << exchange::nameNameless(wanted->points, kept_, tr("Waypoint %1"));
     auto edits = exchange::editsFor(kept_, wanted->points,
                                     others_->isChecked() ? exchange::Others::Go : exchange::Others::Stay);
     if (edits) {
@@ -182,7 +188,8 @@ void ImportDialog::look() {
                      : tr("%1. Nothing has been sent or saved yet.").arg(parts.join(QStringLiteral(", ")));
   if (int(steps.size()) > kMostRows)
     text += QLatin1Char(' ') + tr("Only the first %1 are shown.").arg(kMostRows);
-  for (const QString& note : notes.mid(0, 3)) text += QLatin1Char('\n') + note;
+  // All of them: each tells of something that is not as the file has it.
+  for (const QString& note : notes) text += note.isEmpty() ? QString() : QLatin1Char('\n') + note;
   status_->setText(text);
 }
 
@@ -239,12 +246,12 @@ void WaypointTransfer::addActions() {
       context_.actions.add({.id = "importWaypoints",
                             .text = tr("&Import waypoints…"),
                             .icon = "open",
-                            .tip = tr("From a GeoJSON or CSV file, with a preview of the changes"),
+                            .tip = tr("From a GeoJSON, CSV or YAML file, with a preview of the changes"),
                             .menu = {MenuGroup::Waypoints, 54}},
                            this, [this] {
                              const QString path = QFileDialog::getOpenFileName(
                                  &context_.window, tr("Import waypoints"), lastMapFolder(context_.settings),
-                                 tr("Waypoints (*.geojson *.json *.csv *.tsv *.txt)"));
+                                 tr("Waypoints (*.geojson *.json *.csv *.tsv *.txt *.yaml *.yml)"));
                              if (!path.isEmpty()) importFile(path);
                            });
   export_ = context_.actions.add(
@@ -301,7 +308,7 @@ void WaypointTransfer::paste() {
   if (!mime || mime->text().trimmed().isEmpty())
     return say(false,
                tr("The clipboard contains no waypoints and no table. Copy rows of a spreadsheet first."));
-  ask({ImportSource::Kind::Table, {}, mime->text().toStdString()});
+  ask({exchange::WaypointFormat::Table, {}, mime->text().toStdString()});
 }
 
 void WaypointTransfer::pasteCopied(const std::string& geojson) {
@@ -334,7 +341,9 @@ void WaypointTransfer::importFile(const QString& path) {
   if (!bytes)
     return say(false, tr("%1 cannot be read: %2.").arg(name, sentences::wordsOf(bytes.error().cause)));
   if (bytes->size() > exchange::kMaxWantedBytes) return say(false, tr("%1 is larger than 64 MiB.").arg(name));
-  ask({isCsv(path) ? ImportSource::Kind::Table : ImportSource::Kind::GeoJson, name, std::move(*bytes)});
+  const auto called = exchange::waypointFormatCalled(QFileInfo(path).suffix().toLower());
+  const exchange::WaypointFormat format = called ? *called : exchange::waypointFormatOf(*bytes);
+  ask({format, name, std::move(*bytes)});
 }
 
 void WaypointTransfer::ask(ImportSource source) {

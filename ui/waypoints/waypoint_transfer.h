@@ -11,8 +11,8 @@
 #include <QObject>
 #include <QPointer>
 
+#include "exchange/waypoint_file.h"
 #include "exchange/waypoint_plan.h"
-#include "exchange/waypoint_table.h"
 #include "map/catalogue.h"
 #include "ui/shell/window_context.h"
 #include "ui/view/map_tool.h"
@@ -27,8 +27,7 @@ namespace mapwright::window {
 
 /// The imported data, unparsed.
 struct ImportSource {
-  enum class Kind { Table, GeoJson };
-  Kind kind = Kind::Table;
+  exchange::WaypointFormat format = exchange::WaypointFormat::Table;
   QString name;      // of the file; empty = the clipboard
   std::string text;  // untrusted
 };
@@ -54,6 +53,7 @@ class ImportDialog : public QDialog {
   void chosen(const std::vector<mapwright::exchange::WaypointEdit>& edits);
 
  private:
+  bool isTable() const;
   void look();
   void fill(const std::vector<exchange::WaypointStep>& steps);
 

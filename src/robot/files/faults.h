@@ -67,13 +67,28 @@ inline constexpr FaultCode OriginHoldsNoNumber{
     "files", QT_TRANSLATE_NOOP("files", "Its origin contains something that is not a number.")};
 inline constexpr FaultCode OriginTurnNoNumber{
     "files", QT_TRANSLATE_NOOP("files", "The yaw of its origin is not a number; 0 is used.")};
+inline constexpr FaultCode OriginShort{
+    "files", QT_TRANSLATE_NOOP(
+                 "files", "Its origin has two numbers, but map_server needs three. A yaw of 0 is used.")};
+/// how many, what they are
+inline constexpr FaultCode OriginLong{
+    "files", QT_TRANSLATE_NOOP(
+                 "files", "Its origin has %1 numbers, but map_server takes three. They were read as %2.")};
+/// how many
+inline constexpr FaultCode OriginCount{
+    "files", QT_TRANSLATE_NOOP("files", "Its origin has %1 numbers. It must have three: x, y and yaw.")};
+inline constexpr FaultCode NegateMissing{
+    "files", QT_TRANSLATE_NOOP("files", "negate is missing, but map_server needs it; 0 is assumed.")};
 inline constexpr FaultCode NegateUnknown{"files",
                                          QT_TRANSLATE_NOOP("files", "Its negate is neither 0 nor 1.")};
 inline constexpr FaultCode ModeUnknown{
     "files", QT_TRANSLATE_NOOP("files", "Its mode is unknown. It must be trinary, scale or raw.")};
 /// member, the value taken
-inline constexpr FaultCode ThresholdMissing{"files",
-                                            QT_TRANSLATE_NOOP("files", "%1 is missing; %2 is assumed.")};
+inline constexpr FaultCode ThresholdMissing{
+    "files", QT_TRANSLATE_NOOP("files", "%1 is missing, but map_server needs it; %2 is assumed.")};
+/// member
+inline constexpr FaultCode ThresholdNeeded{
+    "files", QT_TRANSLATE_NOOP("files", "%1 is missing or no number, but map_server needs it in any mode.")};
 /// member
 inline constexpr FaultCode ThresholdNoNumber{
     "files", QT_TRANSLATE_NOOP("files", "Its %1 is not a number from 0 to 1.")};
@@ -103,6 +118,17 @@ inline constexpr FaultCode SeveralFeatureLists{
     "files", QT_TRANSLATE_NOOP("files", "it has more than one list of features")};
 inline constexpr FaultCode TwoFeatureLists{"files",
                                            QT_TRANSLATE_NOOP("files", "it has two lists of features")};
+/// crs
+inline constexpr FaultCode WaypointsInDegrees{
+    "files",
+    QT_TRANSLATE_NOOP("files",
+                      "its coordinates are longitude and latitude (crs %1), not metres of the map. If "
+                      "they are metres, remove \"crs\" from it")};
+/// property
+inline constexpr FaultCode WaypointHeadingUnread{
+    "files", QT_TRANSLATE_NOOP("files",
+                               "Headings in \"%1\" are not shown: a map's own list has them in yaw_rad. "
+                               "Importing the file reads them.")};
 /// the most
 inline constexpr FaultCode WaypointsTooMany{"files",
                                             QT_TRANSLATE_NOOP("files", "it has more than %1 waypoints")};

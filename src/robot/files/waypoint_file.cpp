@@ -130,6 +130,7 @@ struct Understood {
   map::Waypoint point;
   bool has_id = false;  // the feature has an id, and no other has the same
   std::vector<FaultCode> odd;
+  std::string unread_heading;  // the property that may be one
 };
 
 std::optional<double> finite(const simdjson::simdjson_result<element>& value) {
@@ -166,6 +167,11 @@ std::optional<Understood> understand(const element& feature) {
     read.point.yaw_rad = finite(properties["yaw_rad"]);
     if (!read.point.yaw_rad) read.odd.push_back(fault::WaypointTurnNoNumber);
   }
+  if (!read.point.yaw_rad) {
+    for (const char* other : {"yaw", "yaw_deg", "heading", "theta", "orientation"}) {
+      if (properties[other].get(yaw) == simdjson::SUCCESS && !yaw.is_null()) read.unread_heading = other;
+    }
+  }
   simdjson::dom::array tags;
   if (properties["tags"].get(tags) == simdjson::SUCCESS) {
     for (const element& tag : tags) {
@@ -201,6 +207,17 @@ std::string_view withoutMark(std::string_view json) {
   return json.starts_with("\xef\xbb\xbf") ? json.substr(3) : json;
 }
 
+/// The coordinate system of GeoJSON of 2008, if that is longitude and latitude; else empty.
+std::string systemInDegrees(const element& file) {
+  element crs;
+  if (file["crs"].get(crs) != simdjson::SUCCESS) return {};
+  std::string name = textOr(crs["properties"]["name"]);
+  if (name.empty()) name = textOr(file["crs"]);
+  const bool in_degrees =
+      name.find("CRS84") != name.npos || name.ends_with(":4326") || name.ends_with("/4326");
+  return in_degrees ? name : std::string();
+}
+
 tl::expected<Collection, Fault> cut(std::string_view json) {
   // Read twice: by a parser that finds all errors, and verbatim.
   simdjson::dom::parser parser;
@@ -214,6 +231,8 @@ tl::expected<Collection, Fault> cut(std::string_view json) {
       file["features"].get(features) != simdjson::SUCCESS) {
     return refused(fault::NotAFeatureCollection);
   }
+  if (const std::string system = systemInDegrees(file); !system.empty())
+    return refused({fault::WaypointsInDegrees, {system.substr(0, 80)}});
   Collection collection;
   collection.members = Cutter(json).members();
   int lists = 0;
@@ -236,6 +255,10 @@ tl::expected<Collection, Fault> cut(std::string_view json) {
         collection.notes.push_back({robot::wire::fault::WaypointIdTwice, {read->point.id.substr(0, 80)}});
       read->has_id = read->has_id && id == read->point.id;
       read->point.id = id;
+      const Fault unread(fault::WaypointHeadingUnread, {read->unread_heading});
+      const bool said =
+          std::find(collection.notes.begin(), collection.notes.end(), unread) != collection.notes.end();
+      if (!read->unread_heading.empty() && !said) collection.notes.push_back(unread);
       for (const FaultCode odd : read->odd) collection.notes.push_back({odd, {id.substr(0, 80)}});
     }
     collection.understood.push_back(std::move(read));
