@@ -593,7 +593,8 @@ void addMaps(Commands& commands) {
   exported->add_flag("--force", args.force,
                      help(Text::tr("Overwrite a file even if the map was read from it")));
   exported->add_option("--format", args.format, help(Text::tr("png or pgm, if the file name does not say")));
-  exported->add_flag("--world-file", args.world_file, help(Text::tr("Also write NAME.pgw (a world file)")));
+  exported->add_flag("--world-file", args.world_file,
+                     help(Text::tr("Also write a world file: NAME.pgw of a PNG, NAME.wld of a PGM")));
   const std::string allow_missing =
       help(Text::tr("Write the map even if most of its picture is missing: what is missing is unknown"));
   exported->add_flag("--allow-missing", args.allow_missing, allow_missing);

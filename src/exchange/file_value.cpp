@@ -1,7 +1,6 @@
 #include "exchange/file_value.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -9,6 +8,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 
+#include "words/shortest.h"
 #include "yaml/read_yaml.h"
 
 namespace mapwright::exchange {

@@ -82,6 +82,20 @@ bool takeMasks(const std::uint8_t* masks, bool has_alpha, BmpHeader& header) {
   return true;
 }
 
+/// Whether the fourth byte of 32 bits is alpha, as Pillow and OpenCV write it: nobody says so. Programs that
+/// have no alpha leave it 0 everywhere, which would be a picture that nobody sees.
+bool hasFourthByte(const BmpHeader& header, ByteSource& bytes) {
+  std::vector<std::uint8_t> row(header.stored_row);
+  for (int y = 0; y < header.format.height; ++y) {
+    if (!bytes.readAt(header.pixels_at + std::uint64_t(y) * header.stored_row, row.data(), row.size()))
+      return false;
+    for (std::size_t at = 3; at < row.size(); at += 4) {
+      if (row[at] != 0) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 tl::expected<std::unique_ptr<PictureRows>, Fault> openBmp(ByteSource bytes) {
@@ -126,6 +140,7 @@ tl::expected<std::unique_ptr<PictureRows>, Fault> openBmp(ByteSource bytes) {
   header.pixels_at = dword(start.data() + 10);
   header.stored_row = (std::uint64_t(width) * std::uint64_t(bits) + 31) / 32 * 4;
   format.indexed = bits <= 8;
+  if (bits == 32 && compression == kUncompressed) format.has_alpha = hasFourthByte(header, bytes);
   format.channels = format.has_alpha ? 4 : 3;
   if (format.indexed) {
     const std::uint32_t most = 1u << bits, said = dword(info + 32);

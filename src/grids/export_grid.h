@@ -57,8 +57,8 @@ tl::expected<SeenByRobots, Fault> writeMapServer(const GridPyramid& grid, const 
                                                  const std::string& path, const MapServerForm& form = {},
                                                  const std::function<bool(double done)>& proceed = {});
 
-/// The six lines of a world file (.pgw) for a picture at `reference` (rotation included): centre of the top
-/// left pixel.
+/// The six lines of a world file (.pgw, .wld) for a picture at `reference` (rotation included): centre of the
+/// top left pixel.
 std::string worldFileText(const map::GridReference& reference);
 /// The text of map.yaml; `reading` is none of mode Picture.
 std::string mapYamlText(const map::GridReference& reference, const std::string& image,

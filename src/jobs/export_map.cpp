@@ -91,9 +91,11 @@ std::vector<std::string> sourceFiles(const robot::Addresses& addresses, const QS
   return files;
 }
 
-QString worldFilePath(const QString& picture_path) {
+QString worldFilePath(const QString& picture_path, ExportFormat format) {
   const QFileInfo info(picture_path);
-  return info.absolutePath() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".pgw");
+  const bool is_pgm = format == ExportFormat::MapServer;
+  return info.absolutePath() + QLatin1Char('/') + info.completeBaseName() +
+         (is_pgm ? QStringLiteral(".wld") : QStringLiteral(".pgw"));
 }
 
 QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file,
@@ -103,7 +105,7 @@ QStringList exportedFiles(const QString& path, ExportFormat format, bool with_wo
     const grids::MapServerFiles pair = grids::mapServerFiles(path.toStdString(), mode);
     files = {QString::fromStdString(pair.yaml), QString::fromStdString(pair.picture)};
   }
-  if (with_world_file) files << worldFilePath(path);
+  if (with_world_file) files << worldFilePath(path, format);
   return files;
 }
 
@@ -156,7 +158,7 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, con
   std::optional<disk::WrittenFile> world_file;
   const auto writeWorldFile = [&] {
     if (!request.world_file) return true;
-    world_file.emplace(worldFilePath(request.path).toStdString());
+    world_file.emplace(worldFilePath(request.path, request.format).toStdString());
     world_file->write(grids::worldFileText(reference));
     if (!world_file->finish()) problem = told(world_file->place());
     return !problem;

@@ -47,7 +47,7 @@ struct ExportRequest {
   ExportSource source;
   ExportFormat format = ExportFormat::MapPicture;  // of a ViewExport: ViewPicture
   QString path;                    // MapServer: of the .yaml or the picture; "-" only for a PNG
-  bool world_file = false;         // also writes a .pgw
+  bool world_file = false;         // also writes a .pgw or .wld
   grids::MapServerForm form = {};  // of MapServer
 };
 
@@ -65,8 +65,8 @@ ExportResult exportMap(const ExportRequest& request, const std::function<bool(do
 /// Writes a painted picture to a PNG file: completely or not at all; disk::WrittenFile describes which paths
 /// are possible. nullopt = written, otherwise why not.
 std::optional<Fault> writePicture(const QImage& picture, const QString& path);
-/// "/maps/a.png" -> "/maps/a.pgw".
-QString worldFilePath(const QString& picture_path);
+/// "/maps/a.png" -> "/maps/a.pgw"; of a PGM "/maps/a.wld". Other names GDAL does not look for.
+QString worldFilePath(const QString& picture_path, ExportFormat format);
 /// The files that will be written.
 QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file,
                           grids::MapServerForm::Mode mode = grids::MapServerForm::Mode::Trinary);

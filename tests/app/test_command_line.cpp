@@ -129,7 +129,7 @@ class CommandLineTest : public QObject {
     const Outcome exported =
         maps(QStringLiteral("maps export %1 --robot demo: --world-file -o one.yaml").arg(current));
     QVERIFY2(exported.code == 0, qPrintable(exported.err));
-    QVERIFY(QFile::exists(at("one.pgm")) && QFile::exists(at("one.pgw")));
+    QVERIFY(QFile::exists(at("one.pgm")) && QFile::exists(at("one.wld")));
     // How many cells it has is known when its picture is opened.
     const Outcome files = maps(QStringLiteral("maps list --robot one.yaml --json"));
     const QJsonObject grid =

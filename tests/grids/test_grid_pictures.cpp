@@ -1,5 +1,6 @@
 // Every kind of picture gives the cells that its pixels say; broken ones give a sentence and the rows that
 // came.
+#include <array>
 #include <cmath>
 
 #include <QtTest>
@@ -255,7 +256,7 @@ class TestGridPictures : public QObject {
       for (int x = 0; x < width; ++x) {
         if (bits >= 24) {
           line += std::string(3, char(level(x, y)));
-          if (bits == 32) line.push_back(char(0x7f));
+          if (bits == 32) line.push_back(0);  // no alpha: it would hide everything
           continue;
         }
         const int in_byte = 8 / bits;
@@ -273,6 +274,37 @@ class TestGridPictures : public QObject {
     QCOMPARE(read.sentence, std::string());
     QCOMPARE(difference(read, width, height, [&](int x, int y) { return grayOf(level(x, y)); }), QString());
     for (std::size_t size = 0; size < bytes.size(); size += 11) readAll(bytes.substr(0, size));
+  }
+
+  /// As Pillow and OpenCV write it: 32 bits without masks.
+  void aBmpWithAlphaReadsAsThePngOfTheSamePixels() {
+    for (std::uint32_t round = 0; round < 40; ++round) {
+      const int width = 1 + int(test::noise(round) % 9), height = 1 + int(test::noise(round + 100) % 9);
+      Samples samples;
+      std::string pixels;
+      for (int n = 0; n < width * height; ++n) {
+        const std::uint32_t seed = round * 1000 + std::uint32_t(n);
+        const int gray = std::array{0, 205, 254, 100}[test::noise(seed) % 4];
+        const int alpha = std::array{0, 1, 128, 254, 255}[test::noise(seed + 500) % 5];
+        for (const int sample : {gray, gray, gray, n == 0 ? 255 : alpha})
+          samples.push_back(std::uint16_t(sample));
+      }
+      for (int y = height - 1; y >= 0; --y) {
+        for (int n = y * width * 4; n < (y + 1) * width * 4; ++n)
+          pixels.push_back(char(samples[std::size_t(n)]));
+      }
+      const std::string bmp = "BM" + little(54 + std::uint32_t(pixels.size()), 4) + little(0, 4) +
+                              little(54, 4) + little(40, 4) + little(std::uint32_t(width), 4) +
+                              little(std::uint32_t(height), 4) + little(1, 2) + little(32, 2) +
+                              little(0, 24) + pixels;
+      for (const auto mode : {CellReading::Mode::Trinary, CellReading::Mode::Scale, CellReading::Mode::Raw,
+                              CellReading::Mode::Picture}) {
+        const Read png = readAll(test::png({width, height, 8, 6}, samples), readingOf(mode));
+        const Read read = readAll(bmp, readingOf(mode));
+        QCOMPARE(difference(read, width, height, [&](int x, int y) { return int(png.pyramid->at(x, y)); }),
+                 QString());
+      }
+    }
   }
 
   void aPictureInAFileReadsTheSame() {

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <sys/stat.h>
 
@@ -150,12 +151,62 @@ class FileRobotTest : public QObject {
 
   void aYawThatIsNoNumberIsZeroWithANote() {
     for (const char* yaw : {"nan", ".nan", "NaN", ".inf", "north"}) {
-      const auto yaml =
-          parseMapYaml("image: a\nresolution: 0.05\nmode: raw\norigin: [1, 2, " + std::string(yaw) + "]\n");
+      const auto yaml = parseMapYaml(
+          "image: a\nresolution: 0.05\nmode: raw\nnegate: 0\noccupied_thresh: 0.65\n"
+          "free_thresh: 0.196\norigin: [1, 2, " +
+          std::string(yaw) + "]\n");
       QVERIFY2(yaml.has_value(), yaw);
       QCOMPARE(yaml->grid.origin, (geometry::Pose2{1, 2, 0}));
       QCOMPARE(yaml->notes.size(), std::size_t(1));
     }
+  }
+
+  void whatMapServerRefusesIsReadWithANoteOrRefused_data() {
+    QTest::addColumn<QByteArray>("yaml");
+    QTest::addColumn<double>("yaw");  // NaN: refused
+    QTest::addColumn<QString>("says");
+    const auto row = [](QByteArray take, QByteArray put, double yaw, const char* says) {
+      QByteArray yaml = kYaml;
+      QTest::newRow(put.isEmpty() ? take.constData() : put.constData())
+          << yaml.replace(take, put) << yaw << QString::fromLatin1(says);
+    };
+    const QByteArray origin = "[-10.0, -7.5, 0.3]";
+    row(origin, origin, 0.3, "");
+    row(origin, "[-10, -7.5]", 0, "two numbers");
+    row(origin, "[-10, -7.5, 0, 0]", 0, "4 numbers");
+    row(origin, "[-10, -7.5, 0, 0.5]", NAN, "4 numbers");
+    row(origin, "[-10, -7.5, 1.5, 0]", NAN, "4 numbers");
+    row(origin, "[-10, -7.5, 1.5, 0, 0, 0.5]", 0.5, "roll, pitch, yaw");
+    row(origin, "[-10, -7.5, 1.5, 0.5, 0, 0]", NAN, "6 numbers");
+    row(origin, "[-10, -7.5, 1.5, 0, 0, 0.70710678, 0.70710678]", 1.5707963, "qz, qw");
+    row(origin, "[-10, -7.5, 0, 1, 0, 0, 0]", NAN, "7 numbers");
+    row(origin, "[-10, -7.5, 0, 0, 0, 0, 0]", NAN, "7 numbers");
+    row(origin, "[-10]", NAN, "not a list");
+    row(origin, "[-10, -7.5, 0, 0, 0]", NAN, "5 numbers");
+    row(origin, "[-10, -7.5, 0, 0, 0, 0, 0, 1]", NAN, "8 numbers");
+    row(origin, "[-10, -7.5, 0, 0, 0, north]", NAN, "not a number");
+    row("negate: 0\n", "", 0.3, "negate is missing");
+    row("negate: 0\nocc", "negate: 0\nmode: raw\nnot_occ", 0.3, "occupied_thresh is missing");
+    row("free_thresh: 0.25\n", "", 0.3, "free_thresh is missing");
+  }
+  void whatMapServerRefusesIsReadWithANoteOrRefused() {
+    QFETCH(QByteArray, yaml);
+    QFETCH(double, yaw);
+    QFETCH(QString, says);
+    const auto read = parseMapYaml(yaml.toStdString());
+    if (std::isnan(yaw)) {
+      QVERIFY(!read);
+      QVERIFY2(sentences::wordsOf(read.error()).contains(says), qPrintable(sentences::wordsOf(read.error())));
+      return;
+    }
+    QVERIFY(read.has_value());
+    QCOMPARE(read->grid.origin.x_m, -10.0);
+    QCOMPARE(read->grid.origin.y_m, -7.5);
+    QVERIFY(std::abs(read->grid.origin.yaw_rad - yaw) < 1e-6);
+    QStringList notes;
+    for (const Fault& note : read->notes) notes << sentences::wordsOf(note);
+    QCOMPARE(notes.size(), says.isEmpty() ? 0 : 1);
+    QVERIFY2(notes.join(QLatin1Char(' ')).contains(says), qPrintable(notes.join(QLatin1Char(' '))));
   }
 
   void whatCannotBePlacedIsRefused_data() {

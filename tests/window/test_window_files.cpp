@@ -279,7 +279,7 @@ class TestWindowFiles : public QObject {
     QCOMPARE(picture.size(), QSize(80, 60));
     QCOMPARE(qGray(picture.pixel(0, 0)), 0);
     QCOMPARE(qGray(picture.pixel(20, 20)), 254);
-    QFile world(worldFilePath(path));
+    QFile world(worldFilePath(path, ExportFormat::ViewPicture));
     QVERIFY(world.open(QIODevice::ReadOnly));
     QCOMPARE(world.readAll().split('\n').first().trimmed().toDouble(), 0.05);
     QVERIFY(part<MapOverlay>(window)->toasts()->texts().last().startsWith(QLatin1String("Exported to")));

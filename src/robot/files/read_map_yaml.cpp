@@ -37,27 +37,57 @@ std::optional<double> numberOf(const YAML::Node& node) {
   return negative ? -value : value;
 }
 
+/// An origin of more than three numbers, where only one meaning keeps the map flat; nullopt = none does.
+std::optional<double> yawOfLong(const std::vector<double>& numbers, const char*& read_as) {
+  const auto isNone = [&](std::size_t i) { return std::abs(numbers[i]) < 1e-6; };
+  if (numbers.size() == 4 && isNone(2) && isNone(3)) {
+    read_as = "x, y, z, yaw";
+    return 0;
+  }
+  if (numbers.size() == 6 && isNone(3) && isNone(4)) {
+    read_as = "x, y, z, roll, pitch, yaw";
+    return numbers[5];
+  }
+  if (numbers.size() == 7 && isNone(3) && isNone(4) &&
+      std::abs(std::hypot(numbers[5], numbers[6]) - 1) < 1e-3) {
+    read_as = "x, y, z, qx, qy, qz, qw";
+    return 2 * std::atan2(numbers[5], numbers[6]);
+  }
+  return std::nullopt;
+}
+
 /// What is wrong with the origin, or nothing.
 std::optional<Fault> readOrigin(const YAML::Node& node, MapYaml& yaml) {
+  constexpr std::size_t kLongest = 7;
   if (!node) return fault::YamlWithoutOrigin;
   if (!node.IsSequence() || node.size() < 2) return fault::OriginNoList;
-  const auto x = numberOf(node[0]), y = numberOf(node[1]);
-  if (!x || !y) return fault::OriginHoldsNoNumber;
-  double yaw = 0;
-  if (node.size() >= 3) {
-    const auto given = numberOf(node[2]);
-    if (given && std::isfinite(*given)) {
-      yaw = *given;
-    } else {
-      yaml.notes.push_back(fault::OriginTurnNoNumber);
-    }
+  if (node.size() > kLongest) return Fault(fault::OriginCount, {std::int64_t(node.size())});
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    const auto number = numberOf(node[i]);
+    const bool is_yaw = i == 2 && node.size() == 3;
+    if (is_yaw && !(number && std::isfinite(*number))) yaml.notes.push_back(fault::OriginTurnNoNumber);
+    if (!number && !is_yaw) return fault::OriginHoldsNoNumber;
+    numbers.push_back(is_yaw && !(number && std::isfinite(*number)) ? 0 : *number);
   }
-  yaml.grid.origin = {*x, *y, yaw};
+  double yaw = numbers.size() == 3 ? numbers[2] : 0;
+  if (numbers.size() == 2) yaml.notes.push_back(fault::OriginShort);
+  if (numbers.size() > 3) {
+    const char* read_as = "";
+    const auto turn = yawOfLong(numbers, read_as);
+    if (!turn || !std::isfinite(*turn)) return Fault(fault::OriginCount, {std::int64_t(numbers.size())});
+    yaw = *turn;
+    yaml.notes.push_back({fault::OriginLong, {std::int64_t(numbers.size()), std::string(read_as)}});
+  }
+  yaml.grid.origin = {numbers[0], numbers[1], yaw};
   return std::nullopt;
 }
 
 std::optional<Fault> readNegate(const YAML::Node& node, MapYaml& yaml) {
-  if (!node) return std::nullopt;
+  if (!node) {
+    yaml.notes.push_back(fault::NegateMissing);
+    return std::nullopt;
+  }
   const std::string text = node.IsScalar() ? lower(node.Scalar()) : std::string();
   if (text == "1" || text == "true" || text == "yes" || text == "on") {
     yaml.reading.negate = true;
@@ -108,7 +138,14 @@ std::optional<Fault> readAll(const YAML::Node& root, MapYaml& yaml) {
   if (auto why = map::whyUnusable(yaml.grid)) return why;
   if (auto why = readNegate(root["negate"], yaml)) return why;
   if (auto why = readMode(root["mode"], yaml)) return why;
-  if (yaml.reading.mode == map::CellReading::Mode::Raw) return std::nullopt;
+  if (yaml.reading.mode == map::CellReading::Mode::Raw) {
+    // They are of no use there, but map_server insists on them.
+    for (const char* name : {"occupied_thresh", "free_thresh"}) {
+      const YAML::Node threshold = root[name];
+      if (!threshold || !numberOf(threshold)) yaml.notes.push_back({fault::ThresholdNeeded, {name}});
+    }
+    return std::nullopt;
+  }
   if (auto why =
           readThreshold(root["occupied_thresh"], "occupied_thresh", yaml.reading.occupied_thresh, yaml))
     return why;

@@ -25,7 +25,9 @@ struct MapYaml {
 inline constexpr std::size_t kMaxYamlBytes = std::size_t(1) << 20;
 
 /// Reads image, resolution (m), origin [x, y, yaw] (m, rad), negate, occupied_thresh, free_thresh and mode;
-/// other members are ignored. A yaw that is not a number becomes 0, with a note. Pure, any thread.
+/// other members are ignored. What map_server refuses is read with a note where only one meaning is possible
+/// (an origin of two numbers, or with z and a quaternion; no negate; a yaw that is not a number becomes 0),
+/// and otherwise refused. Pure, any thread.
 tl::expected<MapYaml, Fault> parseMapYaml(const std::string& text);
 
 /// The last read state of map.yaml files. Reads a file again only if it has changed: another inode, size or
