@@ -241,7 +241,8 @@ void RobotReading::insistOnReadable() {
 }
 
 QStringList RobotReading::warnings() const {
-  QStringList all = bagLosses(session_.problems()) + notes_ + problems(map::Severity::Warning);
+  QStringList all = bagLosses(session_.problems()) + lacks_ + problems(map::Severity::Error) + notes_ +
+                    problems(map::Severity::Warning);
   all.removeDuplicates();  // problems of waypoints are found again when their map is opened
   return all;
 }
@@ -294,7 +295,7 @@ CommandResult<render::PlacedGrid> RobotReading::submaps(double resolution_m) {
   facts_[QStringLiteral("submaps")] = submapsJson(counts);
   facts_[QStringLiteral("uuid")] = QString::fromStdString(session_.submaps().uuid());
   if (!settled) {
-    notes_ << (counts.list_received ? Text::tr("Not everything had arrived within %1 s (--timeout).")
+    lacks_ << (counts.list_received ? Text::tr("Not everything had arrived within %1 s (--timeout).")
                : session::listUnreadable(session_.problems())
                    ? Text::tr("The robot sent no readable submap list within %1 s (--timeout).")
                    : Text::tr("The robot sent no submap list within %1 s (--timeout)."))
@@ -358,10 +359,9 @@ CommandResult<render::PlacedGrid> RobotReading::part(const std::optional<map::Gr
     const geometry::WorldRect common = regions::commonGround(part->grid, asked);
     const double rounding = kRoundingCells * part->grid.resolution_m;
     if (regions::liesElsewhere(part->grid, asked)) {
-      complete_ = false;
-      notes_ << about(Text::tr("It answered with another part of its map, around %1 m, %2 m.")
-                          .arg(bounds.center().x(), 0, 'f', 2)
-                          .arg(bounds.center().y(), 0, 'f', 2));
+      lack(about(Text::tr("It answered with another part of its map, around %1 m, %2 m.")
+                     .arg(bounds.center().x(), 0, 'f', 2)
+                     .arg(bounds.center().y(), 0, 'f', 2)));
     } else if (part->grid.origin.yaw_rad == 0 &&
                (common.width() < asked.width() - rounding || common.height() < asked.height() - rounding)) {
       notes_ << about(Text::tr("Its answer covers %1 of the %2 m requested: either its map "

@@ -83,7 +83,7 @@ class RobotReading {
   /// The same as note() for something that was requested but could not be loaded; the result is incomplete
   /// then.
   void lack(const QString& sentence) {
-    note(sentence);
+    lacks_ << sentence;
     complete_ = false;
   }
   /// Marks the result as incomplete if anything received was unreadable.
@@ -97,7 +97,7 @@ class RobotReading {
   bool complete() const { return complete_ && bagLosses(session_.problems()).isEmpty(); }
   /// Something is missing because the robot refused it.
   bool refused() const { return !complete() && anyRefused(session_.problems()); }
-  /// One line per warning.
+  /// One line per warning; first what keeps the result from being complete.
   QStringList warnings() const;
   /// {"map" or "submaps", "uuid", "bytes_fetched", …} of what was read, for a report.
   QJsonObject facts() const;
@@ -116,7 +116,7 @@ class RobotReading {
   CommandTime time_;
   SteadyTime online_since_;
   bool complete_ = true;
-  QStringList notes_;
+  QStringList lacks_, notes_;  // what is missing, and everything else
   QJsonObject facts_;
 };
 

@@ -17,6 +17,9 @@ inline constexpr FaultCode IsAFolder{"disk", QT_TRANSLATE_NOOP("disk", "it is a 
 inline constexpr FaultCode IsADisk{"disk", QT_TRANSLATE_NOOP("disk", "it is a block device, not a file")};
 inline constexpr FaultCode IsASocket{"disk", QT_TRANSLATE_NOOP("disk", "it is a socket, not a file")};
 inline constexpr FaultCode NotARegularFile{"disk", QT_TRANSLATE_NOOP("disk", "it is not a regular file")};
+inline constexpr FaultCode GitLfsPointer{
+    "disk",
+    QT_TRANSLATE_NOOP("disk", "it is a pointer of Git LFS, not the file itself (git lfs pull fetches it)")};
 /// folder, the system's words
 inline constexpr FaultCode NoFileInFolder{"disk",
                                           QT_TRANSLATE_NOOP("disk", "no file can be created in %1 (%2)")};

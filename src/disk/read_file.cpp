@@ -45,6 +45,11 @@ bool writeAt(int fd, std::span<const std::uint8_t> bytes, std::uint64_t at) {
   return true;
 }
 
+bool isGitLfsPointer(std::string_view begin) {
+  return begin.starts_with("version https://git-lfs.github.com/spec/") ||
+         begin.starts_with("version https://hawser.github.com/spec/");
+}
+
 tl::expected<std::string, FileError> readFile(const std::string& path, std::size_t most) {
   const int fd = openToRead(path);
   if (fd < 0) {
@@ -71,6 +76,7 @@ tl::expected<std::string, FileError> readFile(const std::string& path, std::size
   const int why = errno;
   ::close(fd);
   if (got < 0) return tl::make_unexpected(systemError(path, why));
+  if (isGitLfsPointer(bytes)) return tl::make_unexpected(FileError{path, fault::GitLfsPointer});
   return bytes;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <tl/expected.hpp>
 
@@ -20,7 +21,10 @@ int openToRead(const std::string& path);
 bool readAt(int fd, std::span<std::uint8_t> bytes, std::uint64_t at);
 bool writeAt(int fd, std::span<const std::uint8_t> bytes, std::uint64_t at);
 
-/// Its first `most` bytes, or why it cannot be read.
+/// It is what Git leaves in place of a large file that was not fetched; the first 60 bytes are enough.
+bool isGitLfsPointer(std::string_view begin);
+
+/// Its first `most` bytes, or why it cannot be read: also that it is a pointer of Git LFS.
 tl::expected<std::string, FileError> readFile(const std::string& path, std::size_t most);
 
 /// Standard input until its end, at most `most` bytes. Blocks until the writer is done.

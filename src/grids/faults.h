@@ -18,6 +18,9 @@ inline constexpr FaultCode NotRead{"grids", QT_TRANSLATE_NOOP("grids", "It canno
 inline constexpr FaultCode PictureKindUnknown{
     "grids",
     QT_TRANSLATE_NOOP("grids", "It is not a picture format that can be read as a map: PNG, PGM or BMP.")};
+inline constexpr FaultCode PictureIsPointer{
+    "grids", QT_TRANSLATE_NOOP(
+                 "grids", "It is a pointer of Git LFS, not the picture itself (git lfs pull fetches it).")};
 /// size
 inline constexpr FaultCode PictureWithoutPixels{
     "grids", QT_TRANSLATE_NOOP("grids", "Its header says %1 pixels: it is empty.")};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "disk/read_file.h"
 #include "grids/faults.h"
 #include "words/figures.h"
 
@@ -23,7 +24,7 @@ std::optional<Fault> whyNotThisSize(std::uint64_t width, std::uint64_t height) {
 
 tl::expected<std::unique_ptr<PictureRows>, Fault> openPicture(ByteSource bytes) {
   static constexpr std::array<std::uint8_t, 8> kPng{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  std::array<std::uint8_t, 8> start{};
+  std::array<std::uint8_t, 60> start{};
   const std::size_t there = std::size_t(std::min<std::uint64_t>(start.size(), bytes.size()));
   if (there == 0) return tl::unexpected(Fault(fault::PictureEmpty));
   if (!bytes.readAt(0, start.data(), there)) return tl::unexpected(Fault(fault::NotRead));
@@ -33,7 +34,9 @@ tl::expected<std::unique_ptr<PictureRows>, Fault> openPicture(ByteSource bytes) 
   if (there < kPng.size() && std::memcmp(start.data(), kPng.data(), there) == 0) {
     return tl::unexpected(Fault(fault::PngHeaderShort));
   }
-  return tl::unexpected(Fault(fault::PictureKindUnknown));
+  const std::string_view text(reinterpret_cast<const char*>(start.data()), there);
+  return tl::unexpected(
+      Fault(disk::isGitLfsPointer(text) ? fault::PictureIsPointer : fault::PictureKindUnknown));
 }
 
 }  // namespace mapwright::grids

@@ -9,6 +9,7 @@
 
 #include <queue>
 
+#include "disk/read_file.h"
 #include "packed/codec.h"
 
 namespace mapwright::recording {
@@ -597,7 +598,13 @@ Opened openRecording(std::unique_ptr<Bytes> bytes, const Limits& limits) {
     if (looksLikeMcap(there)) return openMcap(std::move(bytes), limits);
     if (looksLikeBag(there)) return openBag(std::move(bytes), limits);
   }
-  return tl::unexpected(Failure{Failure::Code::NotOne, {}});
+  std::array<std::uint8_t, 60> text{};
+  const auto pointer =
+      std::span(text).first(std::size_t(std::min<std::uint64_t>(text.size(), bytes->size())));
+  const bool is_pointer =
+      bytes->read(pointer, 0) &&
+      disk::isGitLfsPointer({reinterpret_cast<const char*>(pointer.data()), pointer.size()});
+  return tl::unexpected(Failure{is_pointer ? Failure::Code::Pointer : Failure::Code::NotOne, {}});
 }
 
 }  // namespace mapwright::recording

@@ -113,6 +113,7 @@ struct Failure {
     File,         // `file` says it
     NotOne,       // neither MCAP nor a bag, or too short to tell
     NotUnpacked,  // compressed as a whole, and damaged or too large to be unpacked
+    Pointer,      // what Git LFS leaves in its place
     Version,      // another major version of MCAP, or a bag before 2.0
     Encrypted,    // a bag whose chunks are encrypted
   };

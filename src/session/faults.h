@@ -36,6 +36,9 @@ inline constexpr FaultCode SizesDiffer{
     QT_TRANSLATE_NOOP(
         "session",
         "Its metadata says %1 x %2 cells, but its picture has %3 x %4. The size of the picture is used.")};
+/// file name; because: what is wrong with it
+inline constexpr FaultCode PictureOfIt{"session", QT_TRANSLATE_NOOP("session", "Picture %1"),
+                                       FaultCode::Causes::Capital};
 inline constexpr FaultCode TurnNoNumber{
     "session", QT_TRANSLATE_NOOP(
                    "session", "The rotation of its origin is not a number. It is shown without rotation.")};

@@ -12,6 +12,13 @@ namespace {
 
 constexpr std::chrono::milliseconds kStillWithin{200};
 
+/// Names the picture, where the map is another file: a map.yaml.
+Fault ofPicture(const map::WholeMap& map, Fault why) {
+  const std::string file = map.path.substr(map.path.rfind('/') + 1);
+  if (map.key.kind != map::MapKind::File || file.empty() || file == map.name) return why;
+  return {fault::PictureOfIt, {file}, {std::move(why)}};
+}
+
 }  // namespace
 
 struct MapSlot::Opened {
@@ -103,7 +110,7 @@ std::shared_ptr<MapSlot::Opened> MapSlot::open(const map::WholeMap& map, const g
   opened->map.bytes.reset();
   opened->map.cells.reset();
   if (!reading) {
-    opened->error = reading.error();
+    opened->error = ofPicture(map, reading.error());
     return opened;
   }
   opened->reading = std::move(*reading);
@@ -212,7 +219,8 @@ void MapSlot::takeDamage(quint64 generation, grids::GridDamage damage) {
   }
   if (generation != shown_generation_ || !shown_cells_) return;
   broken_ = true;
-  remark_ = {map::Severity::Error, subject(), shown_cells_->trouble(), map::ProblemCode::Unreadable};
+  remark_ = {map::Severity::Error, subject(), ofPicture(shown_, shown_cells_->trouble()),
+             map::ProblemCode::Unreadable};
   Q_EMIT problemFound(*remark_);
   Q_EMIT changed();
 }
@@ -232,7 +240,7 @@ void MapSlot::takeEnd(quint64 generation, const std::optional<Fault>& error) {
   phase_ = Phase::Ready;
   broken_ = error.has_value();
   if (error) {
-    remark_ = {map::Severity::Error, subject(), *error, map::ProblemCode::Unreadable};
+    remark_ = {map::Severity::Error, subject(), ofPicture(opened->map, *error), map::ProblemCode::Unreadable};
     if (!opened->map.fingerprint.empty()) Q_EMIT unreadable(opened->map.fingerprint);
     Q_EMIT problemFound(*remark_);
   } else if (!remark_) {

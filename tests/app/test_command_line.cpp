@@ -153,6 +153,40 @@ class CommandLineTest : public QObject {
     QCOMPARE(json[QLatin1String("mode")].toString(), QStringLiteral("whole"));
   }
 
+  void whatIsWrongWithAPictureIsSaidFirstAndByItsName() {
+    const auto write = [&](const char* name, const QByteArray& bytes) {
+      QFile file(at(name));
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(bytes);
+    };
+    const auto map = [&](const char* name, const QByteArray& picture) {
+      write(QByteArray(name).append(".pgm").constData(), picture);
+      // Without free_thresh: that is a remark, and no reason.
+      write(QByteArray(name).append(".yaml").constData(),
+            "image: " + QByteArray(name) +
+                ".pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n");
+    };
+    map("short", "P5\n10 10\n255\nabc");
+    map("pointer", "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n");
+    for (const char* line :
+         {"maps show --robot short.yaml", "maps export --robot short.yaml -o e.png --force",
+          "maps diff short.yaml short.yaml", "snapshot --robot short.yaml --output p.png"}) {
+      const Outcome outcome = run(QString::fromLatin1(line).split(QLatin1Char(' ')));
+      QVERIFY2(outcome.code == 1 && outcome.err.count(QLatin1Char('\n')) == 1, qPrintable(outcome.err));
+      QVERIFY2(outcome.err.contains(QLatin1String("Picture short.pgm: Its header says 10 x 10")),
+               qPrintable(QLatin1String(line) + outcome.err));
+    }
+    const Outcome pointer = run({QStringLiteral("maps"), QStringLiteral("show"), QStringLiteral("--robot"),
+                                 QStringLiteral("pointer.yaml")});
+    QVERIFY2(pointer.code == 2 &&
+                 pointer.err.contains(QLatin1String("Picture pointer.pgm: It is a pointer of Git LFS")),
+             qPrintable(pointer.err));
+    const Outcome missing = run({QStringLiteral("maps"), QStringLiteral("show"), QStringLiteral("--robot"),
+                                 QStringLiteral("maps/office.jpg")});
+    QVERIFY2(missing.code == 2 && missing.err.contains(QLatin1String("There is no file")),
+             qPrintable(missing.err));
+  }
+
   void namesAreNoPlacesForNumbers() {
     const QString folder = at("50%1 %2");
     QVERIFY(QDir().mkpath(folder));

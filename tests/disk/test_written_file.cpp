@@ -59,6 +59,19 @@ class WrittenFileTest : public QObject {
   }
 
  private Q_SLOTS:
+  void aPointerOfGitLfsIsNotReadAsTheFile() {
+    QTemporaryDir folder;
+    const std::string path = folder.filePath(QStringLiteral("places.csv")).toStdString();
+    for (const char* begin :
+         {"version https://git-lfs.github.com/spec/v1\n", "version https://hawser.github.com/spec/v1\n"}) {
+      QVERIFY(!writeFile(path, std::string(begin) + "oid sha256:4d7a\nsize 12345\n"));
+      const auto read = readFile(path, 1'000);
+      QVERIFY(!read && read.error().cause == mapwright::Fault(mapwright::disk::fault::GitLfsPointer));
+    }
+    QVERIFY(!writeFile(path, "version https://example.org\n"));
+    QVERIFY(readFile(path, 1'000).has_value());
+  }
+
   void initTestCase() {
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);

@@ -337,6 +337,15 @@ class TestGridPictures : public QObject {
     QVERIFY(!openGridFile("/dev/zero", {}));
   }
 
+  void aPointerOfGitLfsIsCalledSo() {
+    const Read read = readAll(
+        "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a214614ab2935c943f9e0ff69d22e\nsize "
+        "12345\n");
+    QVERIFY2(read.sentence.find("Git LFS") != std::string::npos, read.sentence.c_str());
+    const Read other = readAll("version 2\n");
+    QVERIFY2(other.sentence.find("Git LFS") == std::string::npos, other.sentence.c_str());
+  }
+
   void readingCanBeCancelled() {
     for (const bool interlaced : {false, true}) {
       PngRecipe recipe{300, 3000};

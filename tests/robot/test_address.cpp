@@ -82,6 +82,11 @@ class AddressTest : public QObject {
     QCOMPARE(parse(QStringLiteral("Office Map.PGM"))->scheme, QStringLiteral("file:"));
     QCOMPARE(parse(QDir::tempPath())->scheme, QStringLiteral("file:"));
     QCOMPARE(parse(QStringLiteral("robot-3"))->scheme, QStringLiteral("axbot+"));
+    // None of these is there: a name that no host can have is a missing file, not an unknown host.
+    for (const char* missing : {"maps/office.jpg", "office.jpeg", "maps/office.tif", "floor 1.json"})
+      QCOMPARE(parse(QLatin1String(missing))->scheme, QStringLiteral("file:"));
+    for (const char* host : {"robot.local", "robot.local/api", "10.0.0.7", "robot:8090/x.y"})
+      QCOMPARE(parse(QLatin1String(host))->scheme, QStringLiteral("axbot+"));
     QCOMPARE(parse(QStringLiteral("http://host/map.png"))->scheme, QStringLiteral("axbot+"));
     const auto agibot = parse(QStringLiteral("aimdk+http://h?tf=ws://h:9090"));
     QCOMPARE(agibot->scheme, QStringLiteral("aimdk+"));

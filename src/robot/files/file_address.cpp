@@ -103,13 +103,30 @@ ParsedAddress parse(const QString& rest) {
   return address;
 }
 
-/// It exists as a path, looks like one, or has the extension of a map file.
+/// Extensions that no host has: a file of this name is missing, or cannot be read as a map.
+bool isOtherFile(const QString& path) {
+  static const QStringList kSuffixes{
+      QStringLiteral("jpg"),  QStringLiteral("jpeg"), QStringLiteral("gif"), QStringLiteral("tif"),
+      QStringLiteral("tiff"), QStringLiteral("webp"), QStringLiteral("svg"), QStringLiteral("ppm"),
+      QStringLiteral("pnm"),  QStringLiteral("pbm"),  QStringLiteral("xcf"), QStringLiteral("pdf"),
+      QStringLiteral("json"), QStringLiteral("csv"),  QStringLiteral("txt"), QStringLiteral("xml")};
+  return kSuffixes.contains(QFileInfo(path).suffix().toLower());
+}
+
+/// "maps/office", where the folder maps exists.
+bool isInAFolder(const QString& path) {
+  const auto slash = path.indexOf(QLatin1Char('/'));
+  return slash > 0 && QFileInfo(path.left(slash)).isDir();
+}
+
+/// It exists as a path, looks like one, or has the extension of a file.
 bool claims(const QString& typed) {
   if (typed.contains(QLatin1String("://"))) return false;
   const QString before_query = typed.section(QLatin1Char('?'), 0, 0);
-  return isMapFile(before_query) || isOverlayFile(before_query) || QFileInfo::exists(typed) ||
-         QFileInfo::exists(before_query) || typed.startsWith(QLatin1Char('/')) ||
-         typed.startsWith(QLatin1String("./")) || typed.startsWith(QLatin1String("~/"));
+  return isOtherFile(before_query) || isInAFolder(before_query) || isMapFile(before_query) ||
+         isOverlayFile(before_query) || QFileInfo::exists(typed) || QFileInfo::exists(before_query) ||
+         typed.startsWith(QLatin1Char('/')) || typed.startsWith(QLatin1String("./")) ||
+         typed.startsWith(QLatin1String("~/"));
 }
 
 }  // namespace

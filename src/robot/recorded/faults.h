@@ -11,6 +11,10 @@ using namespace mapwright::fault;  // what all rooms share
 /// its name; because: why
 inline constexpr FaultCode RecordingNotOpened{
     "recorded", QT_TRANSLATE_NOOP("recorded", "The recording %1 cannot be opened")};
+inline constexpr FaultCode RecordingIsPointer{
+    "recorded",
+    QT_TRANSLATE_NOOP("recorded",
+                      "It is a pointer of Git LFS, not the recording itself (git lfs pull fetches it).")};
 inline constexpr FaultCode RecordingIsNone{
     "recorded", QT_TRANSLATE_NOOP("recorded", "It is neither an MCAP file nor a bag of ROS 1 or ROS 2.")};
 inline constexpr FaultCode RecordingOfOtherVersion{

@@ -96,6 +96,7 @@ Fault reasonOf(const recording::Failure& failure) {
   using Why = recording::Failure::Code;
   if (failure.code == Why::NotOne) return fault::RecordingIsNone;
   if (failure.code == Why::NotUnpacked) return fault::RecordingNotUnpacked;
+  if (failure.code == Why::Pointer) return fault::RecordingIsPointer;
   if (failure.code == Why::Version) return fault::RecordingOfOtherVersion;
   if (failure.code == Why::Encrypted) return fault::RecordingEncrypted;
   return {fault::RecordingNotOpened, {failure.file.path}, {failure.file.cause}};
